@@ -1,0 +1,52 @@
+/* What a plant is to everything downstream: generated and hand-written plants fill in the same struct.
+ *
+ * A plant is x' = f(x, u, p), y = g(x, u, p): states x, inputs u held over a step, tunable parameters p, outputs y,
+ * all in SI units (m, kg, s, rad). Its memory is one flat struct without pointers, so that a snapshot is one copy.
+ */
+#ifndef ISO_CORE_PLANT_H
+#define ISO_CORE_PLANT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/real.h"
+
+/* dx[states] = f(x[states], u[inputs], p[parameters]). The arrays do not overlap; an empty one may be NULL. */
+typedef void iso_derivative(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p);
+
+/* y[outputs] = g(x[states], u[inputs], p[parameters]). */
+typedef void iso_outputs(real *restrict y, const real *restrict x, const real *restrict u, const real *restrict p);
+
+typedef struct iso_plant {
+    const char *name;
+    const char *method;    /* euler, heun, rk4, ab4 */
+    const char *step_text; /* the step in seconds, as a decimal number */
+    real step_size;        /* s */
+    uint32_t period_ns;    /* the same step, as the port's tick */
+    uint16_t states;       /* sizes of the arrays below */
+    uint16_t inputs;
+    uint16_t outputs;
+    uint16_t parameters;
+    const char *output_names; /* separated by commas */
+
+    real *x;              /* state, in the plant's memory */
+    real *u;              /* inputs */
+    real *p;              /* tunable parameters */
+    real *y;              /* outputs */
+    const real *start;    /* the state at tick 0 */
+    const real *defaults; /* of the parameters */
+    void *memory;         /* all that a snapshot must hold */
+    size_t memory_bytes;
+
+    iso_derivative *derivative;
+    iso_outputs *output;
+    void (*drive)(uint32_t tick); /* sets u to the scene's functions of time; NULL without inputs */
+    void (*prime)(void);          /* fills the method's history from x and u; NULL for a one-step method */
+    void (*step)(void);           /* advances x by one step with u held: the real-time part */
+} iso_plant;
+
+/* The plant that this program runs. */
+#define iso_the_plant ISO_REAL_NAME(iso_the_plant)
+extern const iso_plant iso_the_plant;
+
+#endif
