@@ -39,7 +39,7 @@ static inline void iso_explicit_step(const iso_tableau *const table, const size_
                                      const real *restrict const p, real *restrict const work)
 {
     real *const k = work;
-    real *const at = work + ISO_STAGES_MAX * n;
+    real *const at = work + table->stages * n;
 
     f(k, x, u, p);
     ISO_UNROLL

@@ -1,0 +1,80 @@
+/* A mass on a spring with a damper, pushed by a force: a plant written by hand.
+ *
+ *     m x'' = F - c x' - k x,    F = 1 N for the first second, then 0
+ */
+#include "core/choice.h"
+
+enum { POSITION, SPEED, STATES };
+enum { FORCE, INPUTS };
+enum { MASS, DAMPING, STIFFNESS, PARAMETERS };
+enum { OUT_POSITION, OUT_SPEED, OUT_ENERGY, OUTPUTS };
+
+static struct {
+    real x[ISO_METHOD_STATE(ISO_METHOD, STATES)];
+    real u[INPUTS];
+    real p[PARAMETERS];
+    real y[OUTPUTS];
+} memory;
+
+static const real start[STATES] = {[POSITION] = R(0.1)};
+static const real defaults[PARAMETERS] = {[MASS] = R(0.5), [DAMPING] = R(0.4), [STIFFNESS] = R(80.0)};
+
+static void derivative(real *restrict const dx, const real *restrict const x, const real *restrict const u,
+                       const real *restrict const p)
+{
+    dx[POSITION] = x[SPEED];
+    dx[SPEED] = (u[FORCE] - p[DAMPING] * x[SPEED] - p[STIFFNESS] * x[POSITION]) / p[MASS];
+}
+
+static void output(real *restrict const y, const real *restrict const x, const real *restrict const u,
+                   const real *restrict const p)
+{
+    (void)u;
+    y[OUT_POSITION] = x[POSITION];
+    y[OUT_SPEED] = x[SPEED];
+    y[OUT_ENERGY] = R(0.5) * (p[MASS] * x[SPEED] * x[SPEED] + p[STIFFNESS] * x[POSITION] * x[POSITION]);
+}
+
+static void drive(const uint32_t tick)
+{
+    const real t = (real)tick * ISO_STEP_SIZE;
+    memory.u[FORCE] = iso_select(iso_less(t, R(1.0)), R(1.0), R(0.0));
+}
+
+static void prime(void)
+{
+    real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, STATES)];
+    iso_method_prime(ISO_METHOD, STATES, derivative, ISO_STEP_SIZE, memory.x, memory.u, memory.p, work);
+}
+
+static void step(void)
+{
+    real work[ISO_METHOD_WORK(ISO_METHOD, STATES)];
+    iso_method_step(ISO_METHOD, STATES, derivative, ISO_STEP_SIZE, memory.x, memory.u, memory.p, work);
+}
+
+const iso_plant iso_the_plant = {
+    .name = "oscillator",
+    .method = ISO_METHOD_NAME(ISO_METHOD),
+    .step_text = ISO_STEP_TEXT,
+    .step_size = ISO_STEP_SIZE,
+    .period_ns = ISO_STEP_NS,
+    .states = STATES,
+    .inputs = INPUTS,
+    .outputs = OUTPUTS,
+    .parameters = PARAMETERS,
+    .output_names = "position,speed,energy",
+    .x = memory.x,
+    .u = memory.u,
+    .p = memory.p,
+    .y = memory.y,
+    .start = start,
+    .defaults = defaults,
+    .memory = &memory,
+    .memory_bytes = sizeof memory,
+    .derivative = derivative,
+    .output = output,
+    .drive = drive,
+    .prime = prime,
+    .step = step,
+};
