@@ -52,8 +52,8 @@ static inline real iso_real_of(const iso_bits b)
     return x;
 }
 
-/* All ones if a < b, else zero; for a and b that are not NaN and not the same infinity. The sign of a - b is exact
- * with denormals kept: a - b is zero only for a = b. */
+/* All ones if a < b, else zero; for a and b that are not NaN and not the same infinity; -0 is below 0. The sign of
+ * a - b is exact with denormals kept: a - b is zero only for a = b. */
 static inline iso_bits iso_less(const real a, const real b)
 {
     return (iso_bits)0 - (iso_bits_of(a - b) >> ISO_SIGN_SHIFT);

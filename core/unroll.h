@@ -3,7 +3,7 @@
 #define ISO_CORE_UNROLL_H
 
 #ifdef __clang__
-#define ISO_UNROLL _Pragma("clang loop unroll(full)")
+#define ISO_UNROLL _Pragma("clang loop unroll_count(16)")
 #else
 #define ISO_UNROLL _Pragma("GCC unroll 16")
 #endif

@@ -1,0 +1,150 @@
+/* core/explicit.h: euler, heun and rk4 against results that are exact in binary. */
+#include "core/explicit.h"
+#include "tests/tap.h"
+
+enum { N_MAX = 3 };
+
+/* With h = 1.5 the divisions by 2 and 6 are exact, and so is every number below. */
+static const real h = R(1.5);
+static const real h_oscillator = R(0.75);
+
+/* t' = 1, q' = t^3. */
+static void cubic(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    (void)u;
+    (void)p;
+    dx[0] = R(1.0);
+    dx[1] = x[0] * x[0] * x[0];
+}
+
+/* t' = 1, q' = t. */
+static void linear(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    (void)u;
+    (void)p;
+    dx[0] = R(1.0);
+    dx[1] = x[0];
+}
+
+/* q' = v, v' = -q. */
+static void oscillator(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    (void)u;
+    (void)p;
+    dx[0] = x[1];
+    dx[1] = -x[0];
+}
+
+/* q' = u p. */
+static void driven(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    (void)x;
+    dx[0] = u[0] * p[0];
+}
+
+/* Lorenz (1963): every rounding shows. */
+static void lorenz(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    (void)u;
+    (void)p;
+    dx[0] = R(10.0) * (x[1] - x[0]);
+    dx[1] = x[0] * (R(28.0) - x[2]) - x[1];
+    dx[2] = x[0] * x[1] - R(2.6666667) * x[2];
+}
+
+static void test_euler(void)
+{
+    real work[ISO_EXPLICIT_WORK(N_MAX)];
+    real x[2] = {R(1.0), R(0.0)};
+    iso_explicit_step(&iso_tableau_euler, 2, oscillator, h_oscillator, x, NULL, NULL, work);
+    tap_same(x[0], R(1.0), "euler: oscillator, position after one step");
+    tap_same(x[1], R(-0.75), "euler: oscillator, speed after one step");
+}
+
+static void test_heun(void)
+{
+    real work[ISO_EXPLICIT_WORK(N_MAX)];
+    real x[2] = {R(1.0), R(0.0)};
+    iso_explicit_step(&iso_tableau_heun, 2, oscillator, h_oscillator, x, NULL, NULL, work);
+    tap_same(x[0], R(0.71875), "heun: oscillator, position 1 - h^2/2");
+    tap_same(x[1], R(-0.75), "heun: oscillator, speed -h");
+
+    real y[2] = {R(2.0), R(0.0)};
+    iso_explicit_step(&iso_tableau_heun, 2, linear, h, y, NULL, NULL, work);
+    tap_same(y[0], R(3.5), "heun: time advances by h");
+    tap_same(y[1], R(4.125), "heun: the integral of a linear slope is exact");
+}
+
+static void test_rk4(void)
+{
+    real work[ISO_EXPLICIT_WORK(N_MAX)];
+    real x[2] = {R(1.0), R(0.0)};
+    iso_explicit_step(&iso_tableau_rk4, 2, oscillator, h_oscillator, x, NULL, NULL, work);
+    tap_same(x[0], R(0.73193359375), "rk4: oscillator, position 1 - h^2/2 + h^4/24");
+    tap_same(x[1], R(-0.6796875), "rk4: oscillator, speed -h + h^3/6");
+
+    real y[2] = {R(0.0), R(0.0)};
+    iso_explicit_step(&iso_tableau_rk4, 2, cubic, h, y, NULL, NULL, work);
+    tap_same(y[1], R(1.265625), "rk4: the integral of a cubic slope is exact");
+    iso_explicit_step(&iso_tableau_rk4, 2, cubic, -h, y, NULL, NULL, work);
+    tap_same(y[0], R(0.0), "rk4: a step back undoes the time");
+    tap_same(y[1], R(0.0), "rk4: a step back undoes the integral");
+}
+
+static void test_inputs(void)
+{
+    real work[ISO_EXPLICIT_WORK(N_MAX)];
+    const real u[1] = {R(3.0)};
+    const real p[1] = {R(0.5)};
+    real x[1] = {R(1.0)};
+    iso_explicit_step(&iso_tableau_rk4, 1, driven, h, x, u, p, work);
+    tap_same(x[0], R(3.25), "inputs and parameters reach the derivative");
+    tap_same(u[0], R(3.0), "inputs are left as they are");
+}
+
+/* Work space beyond what the size macro promises stays untouched. */
+static void test_work(void)
+{
+    real work[ISO_EXPLICIT_WORK(2) + 1];
+    work[ISO_EXPLICIT_WORK(2)] = R(7.0);
+    real x[3] = {R(1.0), R(0.0), R(9.0)};
+    iso_explicit_step(&iso_tableau_rk4, 2, oscillator, h, x, NULL, NULL, work);
+    tap_same(work[ISO_EXPLICIT_WORK(2)], R(7.0), "work space ends where its size says");
+    tap_same(x[2], R(9.0), "the state ends at n");
+}
+
+/* The kernel with table and n known to the compiler, and with both known only when it runs: the same bits. */
+static void compare_unrolled(const iso_tableau *const fixed, const iso_tableau *const table, const size_t n,
+                             const char *const name)
+{
+    real work[ISO_EXPLICIT_WORK(N_MAX)];
+    real x[N_MAX] = {R(1.0), R(1.0), R(1.0)};
+    real y[N_MAX] = {R(1.0), R(1.0), R(1.0)};
+    for (unsigned i = 0; i < 200; i++) {
+        iso_explicit_step(fixed, N_MAX, lorenz, R(0.01), x, NULL, NULL, work);
+        iso_explicit_step(table, n, lorenz, R(0.01), y, NULL, NULL, work);
+    }
+    tap_ok(memcmp(x, y, sizeof x) == 0 && x[0] != R(1.0), name);
+}
+
+static void test_unrolled(void)
+{
+    const iso_tableau *volatile table = &iso_tableau_euler;
+    volatile size_t n = N_MAX;
+    compare_unrolled(&iso_tableau_euler, table, n, "euler: unrolled and run-time size give the same bits");
+    table = &iso_tableau_heun;
+    compare_unrolled(&iso_tableau_heun, table, n, "heun: unrolled and run-time size give the same bits");
+    table = &iso_tableau_rk4;
+    compare_unrolled(&iso_tableau_rk4, table, n, "rk4: unrolled and run-time size give the same bits");
+}
+
+int main(void)
+{
+    test_euler();
+    test_heun();
+    test_rk4();
+    test_inputs();
+    test_work();
+    test_unrolled();
+    tap_done();
+}

@@ -1,0 +1,121 @@
+/* core/sincos.h on every target: against correctly rounded values, its symmetry, and its bits.
+ * tests/exhaustive/sincos.c measures the error over the whole domain, on the host.
+ */
+#include "core/sincos.h"
+#include "tests/tap.h"
+
+typedef struct sincos_row {
+    iso_bits x;
+    iso_bits sin;
+    iso_bits cos;
+} sincos_row;
+
+#include "tests/unit/sincos_table.h"
+
+enum { ROWS = sizeof sincos_table / sizeof sincos_table[0] };
+
+/* A value of the table is within half an ulp of the true one, which is below 1: 0.25 ulp of 1.0. So a difference of at
+ * most 1.25 ulp of 1.0, which is exact, proves the promised 1.5. */
+static const real tolerance = R(1.25) * ISO_REAL_EPSILON;
+
+static bool near(const real got, const iso_bits want, const real allowed)
+{
+    const real difference = got - iso_real_of(want);
+    return !iso_not_finite(got) && iso_abs(difference) <= allowed;
+}
+
+/* Rows of the table where a value is further away than allowed. */
+static uint32_t wrong_rows(const real allowed)
+{
+    uint32_t wrong = 0;
+    for (unsigned i = 0; i < ROWS; i++) {
+        const iso_sine_cosine got = iso_sincos(iso_real_of(sincos_table[i].x));
+        const bool good = near(got.sin, sincos_table[i].sin, allowed) && near(got.cos, sincos_table[i].cos, allowed);
+        if (!good && allowed >= tolerance) {
+            tap_note_bits("wrong at", sincos_table[i].x);
+        }
+        wrong += !good;
+    }
+    return wrong;
+}
+
+static void test_table(void)
+{
+    tap_count(wrong_rows(tolerance), 0, "sine and cosine within 1.5 ulp of 1.0 of the true value");
+    tap_ok(wrong_rows(R(0.0)) > 0, "the comparison notices a difference: not every value is correctly rounded");
+
+    uint32_t inside = 0;
+    for (unsigned i = 0; i < ROWS; i++) {
+        const iso_sine_cosine got = iso_sincos(iso_real_of(sincos_table[i].x));
+        inside += iso_abs(got.sin) <= R(1.0) && iso_abs(got.cos) <= R(1.0);
+    }
+    tap_count(inside, ROWS, "sine and cosine stay in [-1, 1]");
+}
+
+static void test_symmetry(void)
+{
+    uint32_t odd = 0, even = 0;
+    for (unsigned i = 0; i < ROWS; i++) {
+        const real x = iso_real_of(sincos_table[i].x);
+        const iso_sine_cosine right = iso_sincos(x);
+        const iso_sine_cosine left = iso_sincos(-x);
+        odd += left.sin == -right.sin;
+        even += left.cos == right.cos;
+    }
+    tap_count(odd, ROWS, "sin(-x) = -sin(x) exactly");
+    tap_count(even, ROWS, "cos(-x) = cos(x) exactly");
+}
+
+/* Below 2^-27 the sine is its argument and the cosine 1, whatever the rounding. */
+static void test_small(void)
+{
+    const real denormal = iso_real_of(1);
+    tap_same(iso_sincos(denormal).sin, denormal, "sine of the smallest denormal is itself");
+    tap_same(iso_sincos(-denormal).sin, -denormal, "sine of the smallest negative denormal is itself");
+    tap_same(iso_sincos(denormal).cos, R(1.0), "cosine of the smallest denormal is 1");
+    tap_ok(iso_sincos(R(0.0)).sin == R(0.0), "sine of 0 is 0");
+    tap_same(iso_sincos(R(0.0)).cos, R(1.0), "cosine of 0 is 1");
+    tap_ok(iso_sincos(R(-0.0)).sin == R(0.0), "sine of -0 is 0");
+}
+
+static bool is_nan(const real x)
+{
+    return x != x;
+}
+
+static void test_not_finite(void)
+{
+    const real infinite = iso_real_of(ISO_EXPONENT_BITS);
+    const real nan = iso_real_of(ISO_EXPONENT_BITS | (ISO_EXPONENT_BITS >> 1));
+    tap_ok(is_nan(iso_sincos(infinite).sin) && is_nan(iso_sincos(infinite).cos), "infinity gives NaN");
+    tap_ok(is_nan(iso_sincos(-infinite).sin) && is_nan(iso_sincos(-infinite).cos), "-infinity gives NaN");
+    tap_ok(is_nan(iso_sincos(nan).sin) && is_nan(iso_sincos(nan).cos), "NaN gives NaN");
+}
+
+/* The bits of all results, as one number (FNV-1a over words): equal on every target and at every optimisation. A change
+ * of the algorithm in core/sincos.h changes the number wanted here. */
+static void test_bits(void)
+{
+#ifdef ISO_REAL_DOUBLE
+    const uint64_t want = UINT64_C(0x060f98845bacf482);
+#else
+    const uint64_t want = UINT64_C(0xf5d684f57936473b);
+#endif
+    uint64_t hash = UINT64_C(0xcbf29ce484222325);
+    for (unsigned i = 0; i < ROWS; i++) {
+        const iso_sine_cosine got = iso_sincos(iso_real_of(sincos_table[i].x));
+        hash = (hash ^ iso_bits_of(got.sin)) * UINT64_C(0x100000001b3);
+        hash = (hash ^ iso_bits_of(got.cos)) * UINT64_C(0x100000001b3);
+    }
+    tap_bits(hash, want, "the same bits on every target");
+}
+
+int main(void)
+{
+    test_table();
+    test_symmetry();
+    test_small();
+    test_not_finite();
+    test_bits();
+    tap_done();
+}
