@@ -32,8 +32,8 @@ void iso_port_publish(const real *y, size_t outputs);
 /* Writes bytes to the console. */
 void iso_port_write(const void *bytes, size_t count);
 
-/* How long to run, in nanoseconds of plant time; 0 is until reset. */
-uint64_t iso_port_duration(void);
+/* Takes the arguments of main. Returns how long to run, in nanoseconds of plant time; 0 is until reset. */
+uint64_t iso_port_duration(int argc, char **argv);
 
 /* Ends the program: status 0 is success. */
 _Noreturn void iso_port_exit(int status);

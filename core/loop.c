@@ -1,0 +1,103 @@
+#include "core/loop.h"
+
+#include "port/port.h"
+
+/* Signed time from a to b on the clock, which wraps: right while they are less than 2^31 counts apart. */
+static int32_t elapsed(const uint32_t a, const uint32_t b)
+{
+    return (int32_t)(b - a);
+}
+
+/* The least of a few readings of the clock in a row: what a measured time contains of its own measuring. */
+static uint32_t clock_overhead(void)
+{
+    enum { READINGS = 4 };
+    uint32_t least = UINT32_MAX;
+    for (int i = 0; i < READINGS; i++) {
+        const uint32_t begin = iso_port_clock();
+        const uint32_t counts = iso_port_clock() - begin;
+        least = counts < least ? counts : least;
+    }
+    return least;
+}
+
+void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
+{
+    memcpy(plant->x, plant->start, plant->states * sizeof *plant->x);
+    if (plant->parameters > 0) {
+        memcpy(plant->p, plant->defaults, plant->parameters * sizeof *plant->p);
+    }
+    if (plant->drive != NULL) {
+        plant->drive(0);
+    }
+    if (plant->prime != NULL) {
+        plant->prime();
+    }
+    *loop = (iso_loop){
+        .plant = plant,
+        .guard = plant->states,
+        .account = {.margin = INT32_MAX, .execution_min = UINT32_MAX},
+    };
+    loop->period = iso_port_start(plant->period_ns);
+    loop->overhead = clock_overhead();
+}
+
+/* The first state that is not finite. The test of all is without a branch; the search is for the report only. */
+static uint16_t guard(const iso_plant *const plant)
+{
+    iso_bits bad = 0;
+    for (uint16_t i = 0; i < plant->states; i++) {
+        bad |= iso_not_finite(plant->x[i]);
+    }
+    uint16_t first = plant->states;
+    if (bad != 0) {
+        for (first = 0; iso_not_finite(plant->x[first]) == 0; first++) {
+        }
+    }
+    return first;
+}
+
+/* Books a tick that woke up at begin, spent counts on its step and was done at end. */
+static void book(iso_loop *const loop, const uint32_t begin, const uint32_t counts, const uint32_t end)
+{
+    iso_account *const account = &loop->account;
+    const int32_t margin = elapsed(end, loop->due + loop->period);
+
+    account->ticks++;
+    account->late += elapsed(loop->due, begin) > (int32_t)(loop->period >> ISO_LATE_SHIFT);
+    account->overruns += margin < 0;
+    account->margin = margin < account->margin ? margin : account->margin;
+    account->execution_min = counts < account->execution_min ? counts : account->execution_min;
+    account->execution_max = counts > account->execution_max ? counts : account->execution_max;
+    account->execution_sum += counts;
+}
+
+bool iso_loop_tick(iso_loop *const loop)
+{
+    const iso_plant *const plant = loop->plant;
+
+    if (loop->tick == loop->reported) {
+        loop->reported = iso_port_wait();
+        loop->account.lost += loop->reported - loop->tick - 1;
+    }
+    const uint32_t begin = iso_port_clock();
+    if (plant->drive != NULL) {
+        plant->drive(loop->tick);
+    }
+    iso_port_read(plant->u, plant->inputs);
+    loop->tick++;
+    loop->due += loop->period;
+
+    const uint32_t before = iso_port_clock();
+    plant->step();
+    const uint32_t after = iso_port_clock();
+
+    loop->guard = guard(plant);
+    if (loop->guard < plant->states) {
+        return false;
+    }
+    plant->output(plant->y, plant->x, plant->u, plant->p);
+    iso_port_publish(plant->y, plant->outputs);
+    book(loop, begin, after - before - loop->overhead, iso_port_clock());
+    return true;
+}

@@ -1,0 +1,99 @@
+/* The host as a platform: a clock of nanoseconds that moves only when the loop waits, so that every run is the same.
+ *
+ *     PROGRAM [NANOSECONDS [SCRIPT]]
+ *
+ * A step takes no time unless the script says so.
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "port/port.h"
+#include "port/sim/script.h"
+
+static uint64_t now;      /* ns since the start */
+static uint64_t period;   /* ns */
+static uint32_t reported; /* the last tick that a wait returned */
+static uint32_t step;     /* the tick that is being worked on */
+static uint32_t readings; /* of the clock, since the inputs of that tick were read */
+
+uint32_t iso_port_start(const uint32_t period_ns)
+{
+    period = period_ns;
+    now = 0;
+    return period_ns;
+}
+
+uint32_t iso_port_wait(void)
+{
+    uint32_t tick = reported + 1;
+    while (sim_script_has(SIM_LOSE, tick, NULL)) {
+        tick++;
+    }
+    uint64_t delay = 0;
+    (void)sim_script_has(SIM_LATE, tick, &delay);
+    const uint64_t due = tick * period + delay;
+    now = now < due ? due : now;
+    reported = (uint32_t)(now / period);
+    return reported;
+}
+
+/* The second reading after the inputs were read is the one that ends the step: a slow step shows there. */
+uint32_t iso_port_clock(void)
+{
+    uint64_t delay = 0;
+    readings++;
+    if (readings == 2 && sim_script_has(SIM_SLOW, step, &delay)) {
+        now += delay;
+    }
+    return (uint32_t)now;
+}
+
+void iso_port_read(real *const u, const size_t inputs)
+{
+    (void)u;
+    (void)inputs;
+    step++;
+    readings = 0;
+}
+
+void iso_port_publish(const real *const y, const size_t outputs)
+{
+    (void)y;
+    (void)outputs;
+}
+
+void iso_port_write(const void *const bytes, const size_t count)
+{
+    if (fwrite(bytes, 1, count, stdout) != count) {
+        perror("standard output");
+        exit(EXIT_FAILURE);
+    }
+}
+
+uint64_t iso_port_duration(const int argc, char **const argv)
+{
+    uint64_t duration = 0;
+    if (argc > 1) {
+        char *end = NULL;
+        errno = 0;
+        duration = strtoull(argv[1], &end, 10);
+        if (argv[1][0] < '0' || argv[1][0] > '9' || *end != '\0' || errno != 0) {
+            fprintf(stderr, "%s: expected a duration in nanoseconds, not '%s'\n", argv[0], argv[1]);
+            exit(EXIT_FAILURE);
+        }
+    }
+    if (argc > 2) {
+        sim_script_read(argv[2]);
+    }
+    return duration;
+}
+
+_Noreturn void iso_port_exit(const int status)
+{
+    if (fflush(stdout) != 0) {
+        perror("standard output");
+        exit(EXIT_FAILURE);
+    }
+    exit(status);
+}
