@@ -1,0 +1,74 @@
+# What the host tests share; read by each *.t with `. tests/host/test.sh`, from the project's root.
+# A script runs programs that print TAP and joins their results into one stream.
+
+: "${CC:=cc}"
+FLAGS="-std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes
+    -Wmissing-prototypes -Wvla -Werror -O2 -ffp-contract=off -fno-math-errno -I."
+DOUBLE="-DISO_REAL_DOUBLE"
+tests=0
+failures=0
+
+# result STATUS NAME: one test, passed if STATUS is 0.
+result()
+{
+    tests=$((tests + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $tests - $2"
+    else
+        failures=$((failures + 1))
+        echo "not ok $tests - $2"
+    fi
+}
+
+# begin DIR: empties the folder that this test builds in, $out.
+begin()
+{
+    out=build/tests/$1
+    rm -rf "$out"
+    mkdir -p "$out"
+}
+
+# scene NAME: compiles models/NAME.scene for double into $out/NAME.
+scene()
+{
+    build/isoc "models/$1.scene" -o "$out/$1" --real double >"$out/$1.summary" && [ -s "$out/$1/plant.c" ]
+}
+
+# program FILE SOURCE...: compiles the sources into $out/FILE. Further flags stand in $EXTRA.
+program()
+{
+    file=$1
+    shift
+    # shellcheck disable=SC2086
+    "$CC" $FLAGS $DOUBLE ${EXTRA-} "$@" -o "$out/$file" -lm
+}
+
+# joined NAME COMMAND...: runs a command that prints TAP and joins its results, each headed by NAME.
+joined()
+{
+    name=$1
+    shift
+    status=0
+    "$@" >"$out/tap" || status=$?
+    awk -v name="$name" -v n="$tests" '
+        /^1\.\.[0-9]+$/ { next }
+        match($0, /^(not )?ok [0-9]+ - /) {
+            sub(/[0-9]+ - /, ++n " - " name ": ")
+        }
+        { print }' "$out/tap"
+    ran=$(grep -c '^\(not \)\{0,1\}ok ' "$out/tap")
+    failed=$(grep -c '^not ok ' "$out/tap")
+    tests=$((tests + ran))
+    failures=$((failures + failed))
+    if ! grep -q "^1\.\.$ran\$" "$out/tap" || { [ "$status" -ne 0 ] && [ "$failed" -eq 0 ]; }; then
+        result 1 "$name: ended with status $status and no plan"
+    fi
+}
+
+# finish: the plan, and the script's exit status.
+finish()
+{
+    echo "1..$tests"
+    [ "$failures" -eq 0 ] && [ "$tests" -gt 0 ]
+    exit
+}

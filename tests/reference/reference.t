@@ -1,0 +1,12 @@
+#!/bin/sh
+# Generated pendulums against reference solutions: the error is that of the method, within 3x.
+. tests/host/test.sh
+begin reference
+
+for name in pendulum double_pendulum; do
+    scene "$name" && program "$name.run" tests/reference/reference.c "tests/reference/$name.c" tests/host/report.c \
+        "$out/$name/plant.c"
+    result $? "$name builds"
+    joined "$name" "$out/$name.run"
+done
+finish
