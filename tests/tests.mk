@@ -1,0 +1,109 @@
+# The tests. Included by the Makefile; everything made here stands in build/tests/.
+#
+# tests/unit/NAME.c        freestanding program: runs in every variant below, in float and in double
+# tests/exhaustive/NAME.c  host program, in float and in double: the whole domain of a function
+# tests/check/NAME.sh      checker of the tree or of the build, each with a planted violation that it must find
+# tests/DIR/NAME.t         other host tests: shell scripts
+# All print TAP; `prove` collects. A new file in one of these places is a new test.
+
+TEST_UNITS := $(sort $(basename $(notdir $(wildcard tests/unit/*.c))))
+TEST_EXHAUSTIVE := $(sort $(basename $(notdir $(wildcard tests/exhaustive/*.c))))
+TEST_REALS := float double
+TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
+
+# Scripts that `make check` leaves to `make test`, since they take longer.
+TEST_SLOW := tests/check/same_bits.sh tests/check/poison.sh $(wildcard tests/*/*.t)
+
+TEST_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
+
+TEST_FLAGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \
+    -Wmissing-prototypes -Wvla -Werror -ffp-contract=off -fno-math-errno -g -I.
+TEST_REAL_float :=
+TEST_REAL_double := -DISO_REAL_DOUBLE
+
+# A variant of the unit tests: compiler, flags, sources of its port, flags of its link.
+TEST_HOST_PORT := $(wildcard port/sim/*.c)
+TEST_CC_plain = $(CC)
+TEST_FLAGS_plain := -O2
+TEST_PORT_plain := $(TEST_HOST_PORT)
+TEST_LINK_plain :=
+
+TEST_CC_asan = $(CC)
+TEST_FLAGS_asan := -O1 -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+TEST_PORT_asan := $(TEST_HOST_PORT)
+TEST_LINK_asan := $(TEST_FLAGS_asan)
+
+TEST_M4F_CPU := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
+TEST_CC_m4f := arm-none-eabi-gcc
+TEST_FLAGS_m4f := $(TEST_M4F_CPU) -O2 -ffunction-sections -fdata-sections
+TEST_PORT_m4f := $(wildcard port/mps2/*.c)
+TEST_LINK_m4f := $(TEST_M4F_CPU) -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections
+
+TEST_OBJECTS :=
+
+# Objects and programs of one variant $(1) in one real $(2). A change of a command rebuilds: it is kept in a file.
+define TEST_VARIANT
+TEST_DIR := build/tests/$(1)/$(2)
+TEST_COMMAND := $$(TEST_CC_$(1)) $$(TEST_FLAGS) $$(TEST_FLAGS_$(1)) $$(TEST_REAL_$(2))
+TEST_PORT_OBJECTS := $$(patsubst %.c,$$(TEST_DIR)/%.o,tests/tap.c $$(TEST_PORT_$(1)))
+
+build/tests/$(1)/$(2)/command: private TEST_COMMAND := $$(TEST_COMMAND)
+build/tests/$(1)/$(2)/command: build/tests/force
+	@mkdir -p $$(@D)
+	@echo '$$(TEST_COMMAND) $$(TEST_LINK_$(1))' | cmp -s - $$@ || echo '$$(TEST_COMMAND) $$(TEST_LINK_$(1))' >$$@
+
+build/tests/$(1)/$(2)/%.o: private TEST_COMMAND := $$(TEST_COMMAND)
+build/tests/$(1)/$(2)/%.o: %.c build/tests/$(1)/$(2)/command
+	@mkdir -p $$(@D)
+	@$$(TEST_COMMAND) -MMD -MP -c $$< -o $$@
+
+build/tests/$(1)/$(2)/%: private TEST_PORT_OBJECTS := $$(TEST_PORT_OBJECTS)
+build/tests/$(1)/$(2)/%: build/tests/$(1)/$(2)/tests/unit/%.o $$(TEST_PORT_OBJECTS) $$(wildcard port/mps2/*.ld)
+	@$$(TEST_CC_$(1)) $$(TEST_LINK_$(1)) $$(filter %.o,$$^) -o $$@
+
+TEST_OBJECTS += $$(TEST_PORT_OBJECTS) $$(TEST_UNITS:%=$$(TEST_DIR)/tests/unit/%.o)
+TEST_PROGRAMS_$(1) += $$(TEST_UNITS:%=build/tests/$(1)/$(2)/%)
+endef
+TEST_PROGRAMS_plain :=
+TEST_PROGRAMS_asan :=
+TEST_PROGRAMS_m4f :=
+$(foreach variant,plain asan m4f,$(foreach real,$(TEST_REALS),$(eval $(call TEST_VARIANT,$(variant),$(real)))))
+
+# Under memcheck run the very programs that run plainly; the name of the folder tells tests/exec.sh.
+TEST_PROGRAMS_memcheck := $(TEST_PROGRAMS_plain:build/tests/plain/%=build/tests/memcheck/%)
+build/tests/memcheck/%: build/tests/plain/%
+	@mkdir -p $(@D)
+	@ln -f $< $@
+
+# In the fast part of the tests every 11th float is tried, in the whole every one.
+TEST_PROGRAMS_exhaustive := $(foreach real,$(TEST_REALS),$(TEST_EXHAUSTIVE:%=build/tests/exhaustive/$(real)/%))
+build/tests/exhaustive/float/%: tests/exhaustive/%.c $(wildcard core/*.h) build/tests/plain/float/command
+	@mkdir -p $(@D)
+	@$(CC) $(TEST_FLAGS) -O2 $< -o $@ -lm
+build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*.h) build/tests/plain/double/command
+	@mkdir -p $(@D)
+	@$(CC) $(TEST_FLAGS) -O2 -DISO_REAL_DOUBLE $< -o $@ -lm
+
+-include $(TEST_OBJECTS:.o=.d)
+
+.PRECIOUS: $(TEST_OBJECTS)
+.PHONY: test check test-run check-run build/tests/force
+build/tests/force:
+
+TEST_FAST := $(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f) $(TEST_PROGRAMS_exhaustive)
+TEST_ALL := $(TEST_FAST) $(TEST_PROGRAMS_memcheck) $(TEST_PROGRAMS_asan)
+TEST_PROVE = PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
+
+test: ## run all tests: unit tests in every variant, whole domains, checkers, models (a few minutes)
+	@tests/tools.sh
+	@$(MAKE) --no-print-directory -j$(TEST_JOBS) test-run
+
+check: ## run the fast part of the tests (less than a minute)
+	@tests/tools.sh
+	@$(MAKE) --no-print-directory -j$(TEST_JOBS) check-run
+
+test-run: $(TEST_ALL) build/isoc
+	@TEST_STRIDE=1 $(TEST_PROVE) $(TEST_ALL) $(TEST_SCRIPTS)
+
+check-run: $(TEST_FAST) build/isoc
+	@TEST_STRIDE=11 $(TEST_PROVE) $(TEST_FAST) $(filter-out $(TEST_SLOW),$(TEST_SCRIPTS))

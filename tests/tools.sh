@@ -1,0 +1,68 @@
+#!/bin/sh
+# Installs what the tests need and this machine lacks. Without the right to install, names the command and fails.
+
+have()
+{
+    command -v "$1" >/dev/null 2>&1
+}
+
+# A file of the C library for the Cortex-M4F: the compiler alone does not bring it.
+have_newlib()
+{
+    have arm-none-eabi-gcc && [ -f "$(arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -print-file-name=libc.a)" ]
+}
+
+have_sanitizers()
+{
+    echo 'int main(void) { return 0; }' | ${CC:-cc} -fsanitize=address,undefined -x c - -o /dev/null 2>/dev/null
+}
+
+missing()
+{
+    have ${CC:-cc} || echo gcc libc6-dev
+    have prove || echo perl
+    have arm-none-eabi-gcc || echo gcc-arm-none-eabi
+    have_newlib || echo libnewlib-arm-none-eabi
+    have qemu-system-arm || echo qemu-system-arm
+    have valgrind || echo valgrind
+    have clang || echo clang
+    have clang-format || echo clang-format
+    have cppcheck || echo cppcheck
+    have gnuplot || echo gnuplot-nox
+    if have ${CC:-cc} && ! have_sanitizers; then
+        case $(${CC:-cc} --version) in
+        *clang*) echo "libclang-rt-$(${CC:-cc} -dumpversion | cut -d. -f1)-dev" ;;
+        *) echo libgcc-$(${CC:-cc} -dumpversion | cut -d. -f1)-dev ;;
+        esac
+    fi
+}
+
+packages=$(missing | tr '\n' ' ')
+[ -n "$packages" ] || exit 0
+install="apt-get install -y --no-install-recommends $packages"
+
+if ! have apt-get; then
+    echo "tests: these Debian packages, or what they hold, are missing: $packages" >&2
+    exit 1
+fi
+if [ "$(id -u)" -eq 0 ]; then
+    root=
+elif have sudo && sudo -n true 2>/dev/null; then
+    root=sudo
+else
+    echo "tests: something is missing; install it with: sudo $install" >&2
+    exit 1
+fi
+echo "tests: $root $install"
+log=build/tests/install.log
+mkdir -p build/tests
+if ! { $root apt-get update && $root env DEBIAN_FRONTEND=noninteractive $install; } >$log 2>&1; then
+    tail -n 20 $log >&2
+    echo "tests: the installation failed: $root $install" >&2
+    exit 1
+fi
+left=$(missing | tr '\n' ' ')
+if [ -n "$left" ]; then
+    echo "tests: still missing after the installation: $left" >&2
+    exit 1
+fi

@@ -1,0 +1,285 @@
+/* core/loop.h over a port whose every tick is scripted: the account must be exact to the count.
+ *
+ * The file under test is compiled into this one with the port's functions renamed, so that the same test runs beside
+ * any port.
+ */
+#include "core/loop.h"
+#include "port/port.h"
+#include "tests/tap.h"
+
+#undef iso_port_read
+#undef iso_port_publish
+#define iso_port_start fake_start
+#define iso_port_wait fake_wait
+#define iso_port_clock fake_clock
+#define iso_port_read fake_read
+#define iso_port_publish fake_publish
+
+enum { PERIOD = 1600, READING = 3, TICKS_MAX = 16 };
+
+/* The script: when tick k (from 1) is reported, after it was due, and how long its step takes. */
+typedef struct script {
+    uint32_t delay[TICKS_MAX];
+    uint32_t cost[TICKS_MAX];
+    bool lost[TICKS_MAX];
+    uint32_t clock_at_start;
+} script;
+
+static const script *events;
+static uint32_t now;      /* counts since the start */
+static uint32_t reported; /* the latest tick that the loop was told of */
+static uint32_t waits;
+
+static uint32_t fake_start(const uint32_t period_ns)
+{
+    now = events->clock_at_start;
+    reported = 0;
+    waits = 0;
+    return period_ns;
+}
+
+/* The latest tick that is due and not lost; if the loop knows it, idles until the next one is reported. */
+static uint32_t fake_wait(void)
+{
+    uint32_t next = reported + 1;
+    while (events->lost[next]) {
+        next++;
+    }
+    const uint32_t at = events->clock_at_start + next * PERIOD + events->delay[next];
+    if ((int32_t)(at - now) > 0) {
+        now = at;
+    }
+    const uint32_t due = (now - events->clock_at_start) / PERIOD;
+    reported = due > next ? due : next;
+    waits++;
+    return reported;
+}
+
+/* Every reading takes READING counts, which the loop must not take for the plant's. */
+static uint32_t fake_clock(void)
+{
+    now += READING;
+    return now - events->clock_at_start;
+}
+
+static real latched;
+static uint32_t published;
+static real seen;
+
+static void fake_read(real *const u, const size_t inputs)
+{
+    if (inputs == 1) {
+        latched = u[0];
+        u[0] += R(100.0);
+    }
+}
+
+static void fake_publish(const real *const y, const size_t outputs)
+{
+    published++;
+    seen = outputs == 1 ? y[0] : R(-1.0);
+}
+
+#include "core/loop.c"
+
+/* A plant that counts: x is the number of steps, u the tick that drives it, and a step costs what the script says. */
+static real x[2], u[1], p[1], y[1];
+static const real start[2] = {R(0.0), R(5.0)};
+static const real defaults[1] = {R(8.0)};
+static uint32_t primed, steps, fail_at;
+static real input_of_step, state_when_primed;
+
+static void derivative(real *restrict const dx, const real *restrict const state, const real *restrict const input,
+                       const real *restrict const parameter)
+{
+    (void)state;
+    (void)input;
+    (void)parameter;
+    dx[0] = R(1.0);
+    dx[1] = R(0.0);
+}
+
+static void output(real *restrict const out, const real *restrict const state, const real *restrict const input,
+                   const real *restrict const parameter)
+{
+    (void)input;
+    (void)parameter;
+    out[0] = R(10.0) * state[0];
+}
+
+static void drive(const uint32_t tick)
+{
+    u[0] = (real)tick;
+}
+
+static void prime(void)
+{
+    primed++;
+    state_when_primed = x[1];
+}
+
+static void step(void)
+{
+    steps++;
+    now += events->cost[steps];
+    input_of_step = u[0];
+    x[0] += R(1.0);
+    if (steps == fail_at) {
+        x[1] = iso_real_of(ISO_EXPONENT_BITS);
+    }
+}
+
+static const iso_plant plant = {
+    .name = "counter",
+    .period_ns = PERIOD,
+    .states = 2,
+    .inputs = 1,
+    .outputs = 1,
+    .parameters = 1,
+    .x = x,
+    .u = u,
+    .p = p,
+    .y = y,
+    .start = start,
+    .defaults = defaults,
+    .derivative = derivative,
+    .output = output,
+    .drive = drive,
+    .prime = prime,
+    .step = step,
+};
+
+/* Runs so many ticks of the script; returns how many of them were good. */
+static iso_loop loop;
+
+static uint32_t run(const script *const what, const uint32_t ticks, const uint32_t failing_step)
+{
+    events = what;
+    steps = published = primed = 0;
+    fail_at = failing_step;
+    x[0] = x[1] = u[0] = p[0] = y[0] = R(-7.0);
+    iso_loop_start(&loop, &plant);
+    uint32_t good = 0;
+    while (good < ticks && iso_loop_tick(&loop)) {
+        good++;
+    }
+    return good;
+}
+
+/* Readings of the clock in a tick: begin, before, after, end. At the end of a tick that started on time and took
+ * nothing, so much of the period is left. */
+enum { IDLE_MARGIN = PERIOD - 4 * READING };
+
+static void test_start(void)
+{
+    const script quiet = {0};
+    tap_count(run(&quiet, 0, 0), 0, "start: no tick yet");
+    tap_same(x[0], R(0.0), "start: the state is the plant's start");
+    tap_same(x[1], R(5.0), "start: of every state");
+    tap_same(p[0], R(8.0), "start: the parameters are the defaults");
+    tap_same(u[0], R(0.0), "start: the inputs are those of tick 0");
+    tap_count(primed, 1, "start: the history is primed once");
+    tap_same(state_when_primed, R(5.0), "start: after the state was set");
+    tap_count(loop.account.ticks, 0, "start: nothing is accounted");
+    tap_count(loop.overhead, READING, "start: the cost of reading the clock is measured");
+}
+
+static void test_quiet(void)
+{
+    const script quiet = {.cost = {0, 50, 70, 60}};
+    tap_count(run(&quiet, 3, 0), 3, "quiet: three ticks");
+    tap_count(loop.account.ticks, 3, "quiet: ticks");
+    tap_count(loop.account.late, 0, "quiet: none late");
+    tap_count(loop.account.lost, 0, "quiet: none lost");
+    tap_count(loop.account.overruns, 0, "quiet: no overrun");
+    tap_count(loop.account.execution_min, 50, "quiet: least execution time, without the clock's own");
+    tap_count(loop.account.execution_max, 70, "quiet: greatest execution time");
+    tap_count((uint32_t)loop.account.execution_sum, 180, "quiet: sum of the execution times");
+    tap_count((uint32_t)loop.account.margin, IDLE_MARGIN - 70, "quiet: least margin");
+    tap_count(waits, 3, "quiet: one wait a tick");
+    tap_count(published, 3, "quiet: outputs are published once a tick");
+    tap_same(seen, R(30.0), "quiet: the outputs are those of the state after the step");
+    tap_same(latched, R(2.0), "quiet: the inputs are driven with the time before the step");
+    tap_same(input_of_step, R(102.0), "quiet: what the platform measures overwrites them");
+}
+
+/* Late is more than a sixteenth of the period from due to the first reading of the clock, which takes READING. */
+static void test_late(void)
+{
+    enum { LIMIT = PERIOD / 16 };
+    const script late = {.delay = {0, 0, LIMIT - READING, LIMIT - READING + 1, 700}};
+    tap_count(run(&late, 6, 0), 6, "late: six ticks");
+    tap_count(loop.account.late, 2, "late: two are late, the one at the limit is not");
+    tap_count(loop.account.lost, 0, "late: none lost");
+    tap_count(loop.account.overruns, 0, "late: no overrun");
+    tap_count((uint32_t)loop.account.margin, IDLE_MARGIN - 700, "late: the margin shrinks by the delay");
+    tap_count(loop.account.execution_max, 0, "late: a delay is not execution time");
+}
+
+/* Tick 3 is never reported: tick 4 tells, when 3 is a whole period old; both are done then, one after the other. */
+static void test_lost(void)
+{
+    const script lost = {.lost = {[3] = true}};
+    tap_count(run(&lost, 6, 0), 6, "lost: six ticks");
+    tap_count(loop.account.lost, 1, "lost: one");
+    tap_count(loop.account.late, 1, "lost: the one that was made up for is late");
+    tap_count(loop.account.overruns, 1, "lost: and ends after the next was due");
+    tap_count(waits, 5, "lost: no wait for a tick that is already due");
+    tap_same(x[0], R(6.0), "lost: no step is missing");
+    tap_ok(loop.account.margin == IDLE_MARGIN - PERIOD, "lost: the margin is negative");
+
+    const script three = {.lost = {[2] = true, [3] = true, [4] = true}};
+    tap_count(run(&three, 6, 0), 6, "lost in a row: six ticks");
+    tap_count(loop.account.lost, 3, "lost in a row: three");
+    tap_count(loop.account.overruns, 3, "lost in a row: each an overrun");
+    tap_ok(loop.account.margin == IDLE_MARGIN - 3 * PERIOD, "lost in a row: the margin is that of the first");
+}
+
+/* Tick 2 takes two and a half periods: 3 and 4 come due meanwhile and start late; from 5 on all is well. */
+static void test_slow(void)
+{
+    const script slow = {.cost = {[2] = 5 * PERIOD / 2}};
+    tap_count(run(&slow, 7, 0), 7, "slow: seven ticks");
+    tap_count(loop.account.overruns, 2, "slow: the slow tick and the next end after their time");
+    tap_count(loop.account.late, 2, "slow: two start late");
+    tap_count(loop.account.execution_max, 5 * PERIOD / 2, "slow: the execution time is the step's");
+    tap_count(loop.account.execution_min, 0, "slow: the others take nothing");
+    tap_same(x[0], R(7.0), "slow: no step is missing");
+    tap_ok(loop.account.margin == IDLE_MARGIN - 5 * PERIOD / 2, "slow: the margin is negative");
+}
+
+static void test_exactly_full(void)
+{
+    const script full = {.cost = {[1] = IDLE_MARGIN, [3] = IDLE_MARGIN + 1}};
+    tap_count(run(&full, 1, 0), 1, "full: one tick that takes its whole period");
+    tap_count(loop.account.overruns, 0, "full: is no overrun");
+    tap_count((uint32_t)loop.account.margin, 0, "full: margin 0");
+    tap_count(run(&full, 3, 0), 3, "full: and one that takes a count more");
+    tap_count(loop.account.overruns, 1, "full: is an overrun");
+    tap_ok(loop.account.margin == -1, "full: margin -1");
+}
+
+static void test_guard(void)
+{
+    const script quiet = {0};
+    tap_count(run(&quiet, 9, 4), 3, "guard: three good ticks before the state is infinite");
+    tap_count(loop.guard, 1, "guard: names the state");
+    tap_count(loop.tick, 4, "guard: names the tick");
+    tap_count(loop.account.ticks, 3, "guard: the bad tick is not accounted");
+    tap_count(published, 3, "guard: nor published");
+    tap_same(y[0], R(30.0), "guard: the last good outputs stand");
+    tap_count(run(&quiet, 9, 0), 9, "guard: a new start is good again");
+    tap_count(loop.guard, plant.states, "guard: no state is named while all are finite");
+}
+
+int main(void)
+{
+    test_start();
+    test_quiet();
+    test_late();
+    test_lost();
+    test_slow();
+    test_exactly_full();
+    test_guard();
+    tap_done();
+}
