@@ -1,33 +1,31 @@
-/* The rest of a hand-written rk4 plant of 1 ms steps, once its derivative, its start and its parameters are there.
- * The memory and the kernel are those of a generated plant, so that only the derivative differs.
+/* The rest of a hand-written plant, once its derivative, its start and its parameters are there: the method and the step
+ * of core/choice.h, and the same memory and kernel as a generated plant, so that only the derivative differs.
  */
 #ifndef ISO_TESTS_HANDWRITTEN_PLANT_H
 #define ISO_TESTS_HANDWRITTEN_PLANT_H
 
-#include "core/explicit.h"
-#include "core/plant.h"
+#include "core/choice.h"
 
 /* An array of C has at least one member; counts of inputs and parameters may be zero. */
 #define HANDWRITTEN_PLANT(plant_name, state_count, input_count, parameter_count)                                       \
     static struct {                                                                                                    \
-        real x[state_count];                                                                                           \
+        real x[ISO_METHOD_STATE(ISO_METHOD, state_count)];                                                             \
         real u[(input_count) + 1];                                                                                     \
         real p[(parameter_count) + 1];                                                                                 \
-        real work[ISO_EXPLICIT_WORK(state_count)];                                                                     \
     } memory;                                                                                                          \
                                                                                                                        \
     static void step(void)                                                                                             \
     {                                                                                                                  \
-        iso_explicit_step(&iso_tableau_rk4, state_count, derivative, R(0.001), memory.x, memory.u, memory.p,           \
-                          memory.work);                                                                                \
+        real work[ISO_METHOD_WORK(ISO_METHOD, state_count)];                                                           \
+        iso_method_step(ISO_METHOD, state_count, derivative, ISO_STEP_SIZE, memory.x, memory.u, memory.p, work);       \
     }                                                                                                                  \
                                                                                                                        \
     const iso_plant iso_the_plant = {                                                                                  \
         .name = plant_name,                                                                                            \
-        .method = "rk4",                                                                                               \
-        .step_text = "0.001",                                                                                          \
-        .step_size = R(0.001),                                                                                         \
-        .period_ns = 1000000,                                                                                          \
+        .method = ISO_METHOD_NAME(ISO_METHOD),                                                                         \
+        .step_text = ISO_STEP_TEXT,                                                                                    \
+        .step_size = ISO_STEP_SIZE,                                                                                    \
+        .period_ns = ISO_STEP_NS,                                                                                      \
         .states = state_count,                                                                                         \
         .inputs = input_count,                                                                                         \
         .parameters = parameter_count,                                                                                 \

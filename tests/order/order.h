@@ -1,0 +1,16 @@
+/* A plant with a solution known at one time; the program links one. */
+#ifndef ISO_TESTS_ORDER_ORDER_H
+#define ISO_TESTS_ORDER_ORDER_H
+
+enum { ORDER_STATES_MAX = 4, ORDER_INPUTS_MAX = 1 };
+
+typedef struct order_problem {
+    int states;
+    double start[ORDER_STATES_MAX];
+    double input[ORDER_INPUTS_MAX];                                         /* held */
+    void (*exact)(long double y[ORDER_STATES_MAX], const double *defaults); /* at 1 s; of the plant's parameters */
+} order_problem;
+
+extern const order_problem the_problem;
+
+#endif
