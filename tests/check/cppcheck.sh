@@ -1,0 +1,24 @@
+#!/bin/sh
+# cppcheck finds nothing, in float and in double.
+. tests/host/test.sh
+begin check/cppcheck
+
+# check ARGUMENT...: fails if there is anything to say.
+check()
+{
+    cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 -I. \
+        -D__GNUC__ "$@" >"$out/found" 2>&1
+    status=$?
+    sed 's/^/# /' "$out/found" | head -n 40
+    return $status
+}
+
+check core port models tools tests
+result $? "cppcheck has nothing to say in float"
+check -DISO_REAL_DOUBLE core port models tools tests
+result $? "cppcheck has nothing to say in double"
+
+printf 'int f(int n);\nint f(int n)\n{\n    int a[2] = {1, 2};\n    return n > 0 ? a[n] : a[2];\n}\n' >"$out/planted.c"
+! check "$out/planted.c"
+result $? "found: an index beyond the end"
+finish

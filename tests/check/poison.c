@@ -1,0 +1,59 @@
+/* Under memcheck: a step of iso_the_plant with all of the plant's memory marked undefined. Any branch, loop count or
+ * address that depends on state, input or parameter is an error that memcheck counts.
+ */
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <valgrind/memcheck.h>
+
+#include "core/plant.h"
+
+static int tests, failures;
+
+static void ok(const bool passed, const char *const name)
+{
+    tests++;
+    failures += passed ? 0 : 1;
+    printf("%sok %d - %s\n", passed ? "" : "not ", tests, name);
+}
+
+/* Whether any bit of x is marked undefined. */
+static bool is_poisoned(const real *const x)
+{
+    iso_bits undefined = 0;
+    return VALGRIND_GET_VBITS(x, &undefined, sizeof undefined) == 1 && undefined != 0;
+}
+
+int main(void)
+{
+    const iso_plant *const plant = &iso_the_plant;
+    memcpy(plant->x, plant->start, plant->states * sizeof *plant->x);
+    if (plant->parameters > 0) {
+        memcpy(plant->p, plant->defaults, plant->parameters * sizeof *plant->p);
+    }
+    if (plant->drive != NULL) {
+        plant->drive(0);
+    }
+    if (plant->prime != NULL) {
+        plant->prime();
+    }
+
+    const unsigned long before = VALGRIND_COUNT_ERRORS;
+    VALGRIND_MAKE_MEM_UNDEFINED(plant->memory, plant->memory_bytes);
+    plant->step();
+    plant->step();
+    const unsigned long after_step = VALGRIND_COUNT_ERRORS;
+    plant->output(plant->y, plant->x, plant->u, plant->p);
+    const unsigned long after_output = VALGRIND_COUNT_ERRORS;
+    bool poisoned = RUNNING_ON_VALGRIND != 0;
+    for (uint16_t i = 0; i < plant->states; i++) {
+        poisoned = poisoned && is_poisoned(plant->x + i);
+    }
+    VALGRIND_MAKE_MEM_DEFINED(plant->memory, plant->memory_bytes);
+
+    ok(poisoned, "memcheck watches, and the marks reach every state");
+    ok(after_step == before, "a step does not depend on data");
+    ok(after_output == after_step, "nor do the outputs");
+    printf("1..%d\n", tests);
+    return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,86 @@
+#!/bin/sh
+# What runs on the target calls nothing but itself: no heap, stdio, libm, and in the float build no double arithmetic.
+. tests/host/test.sh
+begin check/symbols
+
+m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections"
+
+# What may be called beside the project's own: copying memory, and whole numbers of 64 bits (EABI's run-time helpers).
+allowed='memcpy|memset|__aeabi_mem(cpy|set|clr)[48]?|__aeabi_(uldivmod|ldivmod|lmul|llsl|llsr|lasr|lcmp|ulcmp|ldiv0|idiv0)'
+linker=$(awk '$2 == "=" { print $1 }' port/mps2/mps2.ld | paste -sd '|')
+helpers='__(u)?divmoddi4|__udivmoddi4|__(u)?divdi3|__gnu_u?ldivmod_helper'
+
+# outside OBJECT...: symbols that the objects need and none of them has, but for those allowed.
+outside()
+{
+    arm-none-eabi-nm -g --defined-only "$@" | awk 'NF == 3 { print $3 }' | sort -u >"$out/defined"
+    arm-none-eabi-nm -u "$@" | awk '$1 == "U" { print $2 }' | sort -u | comm -23 - "$out/defined" |
+        grep -Ev "^($allowed|$linker)\$"
+}
+
+# objects DIR FLAGS FILE...: compiles the files for the target into $out/DIR.
+objects()
+{
+    dir=$out/$1
+    flags=$2
+    shift 2
+    rm -rf "$dir"
+    mkdir -p "$dir"
+    for file in "$@"; do
+        # shellcheck disable=SC2086
+        arm-none-eabi-gcc $FLAGS $m4f $flags -c "$file" -o "$dir/$(echo "$file" | tr / -).o" || return 1
+    done
+}
+
+# firmware PLANT NAME: two tests of the program of one plant.
+firmware()
+{
+    rm -f "$out/firmware" "$out/found"
+    objects plant "" "$1"
+    outside "$out"/base/*.o "$out"/plant/*.o >"$out/found"
+    sed 's/^/# /' "$out/found"
+    [ -n "$(ls "$out/plant")" ] && [ ! -s "$out/found" ]
+    result $? "$2: calls nothing outside"
+
+    # shellcheck disable=SC2086
+    arm-none-eabi-gcc $m4f -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections \
+        "$out"/base/*.o "$out"/plant/*.o -o "$out/firmware" &&
+        arm-none-eabi-nm "$out/firmware" | awk '{ print $NF }' | grep -E '^(__aeabi_|_sbrk|_malloc|__.*[sd]f)' |
+        grep -Ev "^($allowed|$helpers)\$" >"$out/found"
+    sed 's/^/# /' "$out/found"
+    [ -f "$out/firmware" ] && [ ! -s "$out/found" ]
+    result $? "$2: holds no floating-point helper and no heap"
+}
+
+objects base "" core/*.c port/mps2/*.c
+result $? "core and port compile for the target"
+firmware models/oscillator.c oscillator
+for scene in models/*.scene; do
+    name=$(basename "$scene" .scene)
+    for method in euler heun rk4 ab4; do
+        build/isoc "$scene" -o "$out/$name-$method" --method $method --real float >/dev/null
+        firmware "$out/$name-$method/plant.c" "$name, $method"
+    done
+done
+
+# planted SYMBOL CODE: the call must be seen.
+planted()
+{
+    printf '%s\n' "$2" >"$out/planted.c"
+    objects planted "-Wno-double-promotion -Wno-conversion" "$out/planted.c" && outside "$out"/planted/*.o | grep -qx "$1"
+    result $? "found: $1"
+}
+
+planted malloc '#include <stdlib.h>
+char *f(void); char *f(void) { return malloc(4); }'
+planted printf '#include <stdio.h>
+void f(int); void f(int x) { printf("%d", x); }'
+planted sinf '#include <math.h>
+float f(float); float f(float x) { return sinf(x); }'
+planted sqrt '#include <math.h>
+double f(double); double f(double x) { return sqrt(x); }'
+planted __aeabi_dmul 'double f(double); double f(double x) { return x * x; }'
+planted __aeabi_f2d 'double f(float); double f(float x) { return x; }'
+planted __aeabi_dcmplt 'int f(double); int f(double x) { return x < 1; }'
+planted __aeabi_i2d 'double f(int); double f(int x) { return x; }'
+finish

@@ -1,0 +1,55 @@
+#!/bin/sh
+# No warning from gcc or clang, on the host and for the Cortex-M4F, in float and in double. -Wdouble-promotion is among
+# the warnings: with it the float build has no double arithmetic that crept in.
+. tests/host/test.sh
+begin check/warnings
+
+# What is written for both reals, what for the host only (of the tests that in double), and what for the target.
+both=$(find core port/sim models tests/unit tests/exhaustive tests/check tests/tap.c -name '*.c' | sort)
+once=$(find tools tests -name '*.c' | sort | grep -vxF "$both")
+target=$(find core port/mps2 models tests/unit tests/tap.c -name '*.c' | sort)
+m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
+
+# compile COMMAND FILE...: compiles each file to nothing; fails if one does not compile in silence.
+compile()
+{
+    command=$1
+    shift
+    printf '%s\n' "$@" | xargs -P 2 -I{} $command -c {} -o /dev/null >"$out/found" 2>&1
+    status=$?
+    sed 's/^/# /' "$out/found" | head -n 40
+    [ $status -eq 0 ] && [ ! -s "$out/found" ]
+}
+
+for compiler in gcc clang; do
+    # shellcheck disable=SC2086
+    compile "$compiler $FLAGS $DOUBLE" $once
+    result $? "$compiler for the host, tools and models' tests"
+done
+for real in "" -DISO_REAL_DOUBLE; do
+    name=$([ -n "$real" ] && echo double || echo float)
+    for compiler in gcc clang; do
+        # shellcheck disable=SC2086
+        compile "$compiler $FLAGS $real" $both
+        result $? "$compiler for the host, $name"
+    done
+    # shellcheck disable=SC2086
+    compile "arm-none-eabi-gcc $FLAGS $m4f $real" $target
+    result $? "gcc for the Cortex-M4F, $name"
+done
+
+# planted COMPILER NAME CODE: the code must not compile in silence.
+planted()
+{
+    printf '%s\n' "$3" >"$out/planted.c"
+    ! compile "$1 $FLAGS" "$out/planted.c" >/dev/null
+    result $? "found by $1: $2"
+}
+
+for compiler in gcc clang arm-none-eabi-gcc; do
+    planted $compiler "a float that turns into a double" 'float f(float x); float f(float x) { return (float)(x * 0.5); }'
+    planted $compiler "a variable that is not used" 'int f(int x); int f(int x) { int y = 1; return x; }'
+    planted $compiler "a conversion that loses bits" 'char f(int x); char f(int x) { return x; }'
+    planted $compiler "an array of variable length" 'int f(int n); int f(int n) { int a[n]; a[0] = 1; return a[0]; }'
+done
+finish
