@@ -1,0 +1,298 @@
+#include "tools/isoc/emit.h"
+
+#include <ctype.h>
+#include <string.h>
+
+static const char *upper(arena *memory, const char *word)
+{
+    char *copy = arena_copy(memory, word, strlen(word));
+    for (char *c = copy; *c != '\0'; c++) {
+        *c = (char)toupper((unsigned char)*c);
+    }
+    return copy;
+}
+
+static const char *method_symbol(iso_method method)
+{
+    return ISO_METHOD_PICK(method, "ISO_EULER", "ISO_HEUN", "ISO_RK4", "ISO_AB4");
+}
+
+static const char *prefixed(arena *memory, const char *prefix, const char *word)
+{
+    return arena_format(memory, "%s%s", prefix, word);
+}
+
+/* q_JOINT and qd_JOINT, u_INPUT, p_PARAMETER. */
+static leaf_names names_of(const plant *p, arena *memory)
+{
+    const mechanism *m = p->m;
+    const char **states = arena_take(memory, 2 * (size_t)m->link_count, sizeof *states);
+    const char **inputs = arena_take(memory, (size_t)m->input_count + 1, sizeof *inputs);
+    const char **parameters = arena_take(memory, (size_t)m->parameter_count + 1, sizeof *parameters);
+    for (int i = 0; i < m->link_count; i++) {
+        states[i] = prefixed(memory, "q_", m->links[i].name);
+        states[m->link_count + i] = prefixed(memory, "qd_", m->links[i].name);
+    }
+    for (int i = 0; i < m->input_count; i++) {
+        inputs[i] = prefixed(memory, "u_", m->input_names[i]);
+    }
+    for (int i = 0; i < m->parameter_count; i++) {
+        parameters[i] = prefixed(memory, "p_", m->parameter_names[i]);
+    }
+    return (leaf_names){states, inputs, parameters};
+}
+
+static void emit_enum(text *out, const char *letter, const char *const *names, int count, const char *total)
+{
+    text_add(out, "enum {\n");
+    for (int i = 0; i < count; i++) {
+        text_add(out, "    PLANT_%s_%s,\n", letter, upper(out->memory, names[i]));
+    }
+    text_add(out, "    %s\n};\n\n", total);
+}
+
+bool emit_header(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char **states = arena_take(out->memory, 2 * (size_t)m->link_count, sizeof *states);
+    for (int i = 0; i < m->link_count; i++) {
+        states[i] = m->links[i].name;
+        states[m->link_count + i] = arena_format(out->memory, "%s_SPEED", m->links[i].name);
+    }
+    text_add(out, "/* %s: what stands where in the arrays of its plant. Made by isoc from %s.scene. */\n", m->name,
+             m->name);
+    text_add(out, "#ifndef PLANT_H\n#define PLANT_H\n\n#include \"core/plant.h\"\n\n");
+    text_add(out, "_Static_assert(sizeof(real) == %d, \"this plant was made with isoc --real %s\");\n\n",
+             p->is_double ? 8 : 4, p->is_double ? "double" : "float");
+    text_add(out, "/* States x: joint positions (rad, m), then their speeds. */\n");
+    emit_enum(out, "X", states, 2 * m->link_count, "PLANT_STATES");
+    if (m->input_count > 0) {
+        text_add(out, "/* Inputs u: efforts (N, N*m). */\n");
+        emit_enum(out, "U", m->input_names, m->input_count, "PLANT_INPUTS");
+    }
+    if (m->parameter_count > 0) {
+        text_add(out, "/* Tunable parameters p, in SI units. */\n");
+        emit_enum(out, "P", m->parameter_names, m->parameter_count, "PLANT_PARAMETERS");
+    }
+    text_add(out, "/* Outputs y, in SI units. */\n");
+    emit_enum(out, "Y", p->output_names, p->output_count, "PLANT_OUTPUTS");
+    text_add(out, "#endif\n");
+    return true;
+}
+
+static void emit_array(const plant *p, text *out, const char *array, const char *size, const double *numbers, int count)
+{
+    text_add(out, "static const real %s[%s] = {", array, size);
+    for (int i = 0; i < count; i++) {
+        text_add(out, "%s%s", i == 0 ? "" : ", ", code_literal(out->memory, numbers[i], p->is_double));
+    }
+    text_add(out, "};\n");
+}
+
+static void emit_memory(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    text_add(out, "static struct {\n    real x[ISO_METHOD_STATE(%s, PLANT_STATES)];\n", method_symbol(m->method));
+    if (m->input_count > 0) {
+        text_add(out, "    real u[PLANT_INPUTS];\n");
+    }
+    if (m->parameter_count > 0) {
+        text_add(out, "    real p[PLANT_PARAMETERS];\n");
+    }
+    text_add(out, "    real y[PLANT_OUTPUTS];\n");
+    if (p->turn_count > 0) {
+        text_add(out, "    int32_t turns[%d]; /* of the continuous joints */\n", p->turn_count);
+    }
+    text_add(out, "} memory;\n\n");
+
+    double *start = arena_take(out->memory, 2 * (size_t)m->link_count, sizeof *start);
+    for (int i = 0; i < m->link_count; i++) {
+        start[i] = m->links[i].start;
+        start[m->link_count + i] = m->links[i].speed;
+    }
+    emit_array(p, out, "start", "PLANT_STATES", start, 2 * m->link_count);
+    if (m->parameter_count > 0) {
+        emit_array(p, out, "defaults", "PLANT_PARAMETERS", m->defaults, m->parameter_count);
+    }
+}
+
+/* A function of plant.c that fills `array` from x, u and p with `count` roots. */
+static bool emit_function(const plant *p, graph *g, text *out, const char *function, const char *array,
+                          const node *roots, int count, double *culprit)
+{
+    const char **targets = arena_take(out->memory, (size_t)count, sizeof *targets);
+    for (int i = 0; i < count; i++) {
+        targets[i] = arena_format(out->memory, "%s[%d]", array, i);
+    }
+    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, roots, (size_t)count};
+    const bool derives = code_uses(g, roots, (size_t)count, OP_SLOPE);
+    text_add(out, "static void %s(real *restrict const %s, const real *restrict const x,\n", function, array);
+    text_add(out, "    const real *restrict const u, const real *restrict const p)\n{\n");
+    if (!derives && !code_uses(g, roots, (size_t)count, OP_INPUT)) {
+        text_add(out, "    (void)u;\n");
+    }
+    if (!derives && !code_uses(g, roots, (size_t)count, OP_PARAMETER)) {
+        text_add(out, "    (void)p;\n");
+    }
+    if (!derives && !code_uses(g, roots, (size_t)count, OP_STATE)) {
+        text_add(out, "    (void)x;\n");
+    }
+    if (derives) {
+        text_add(out, "    real dx[PLANT_STATES];\n    derivative(dx, x, u, p);\n");
+    }
+    const bool good = code_emit(&body_of, out, culprit);
+    text_add(out, "}\n\n");
+    return good;
+}
+
+/* The inputs as functions of time. */
+static bool emit_drive(const plant *p, graph *g, text *out, double *culprit)
+{
+    const mechanism *m = p->m;
+    const char **targets = arena_take(out->memory, (size_t)m->input_count, sizeof *targets);
+    for (int i = 0; i < m->input_count; i++) {
+        targets[i] = arena_format(out->memory, "memory.u[%d]", i);
+    }
+    const size_t count = (size_t)m->input_count;
+    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, m->drives, count};
+    text_add(out,
+             "/* Inputs that the scene gives as functions of time; the others are zero until a port reads them. */\n");
+    text_add(out, "static void drive(const uint32_t tick)\n{\n");
+    if (!code_uses(g, m->drives, count, OP_PHASE) && !code_uses(g, m->drives, count, OP_RAMP)) {
+        text_add(out, "    (void)tick;\n");
+    }
+    if (code_uses(g, m->drives, count, OP_PARAMETER)) {
+        text_add(out, "    const real *const p = memory.p;\n");
+    }
+    const bool good = code_emit(&body_of, out, culprit);
+    text_add(out, "}\n\n");
+    return good;
+}
+
+static const char *array_or_null(int count, const char *array)
+{
+    return count > 0 ? array : "NULL";
+}
+
+static void emit_step(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char *method = method_symbol(m->method), *u = array_or_null(m->input_count, "memory.u");
+    const char *parameters = array_or_null(m->parameter_count, "memory.p");
+    const char *h = code_literal(out->memory, m->step, p->is_double);
+    if (m->method == ISO_AB4) {
+        text_add(out, "static void prime(void)\n{\n    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", method);
+        text_add(out, "    iso_method_prime(%s, PLANT_STATES, derivative, %s, memory.x, %s, %s, work);\n}\n\n", method,
+                 h, u, parameters);
+    }
+    text_add(out, "static void step(void)\n{\n    real work[ISO_METHOD_WORK(%s, PLANT_STATES)];\n", method);
+    text_add(out, "    iso_method_step(%s, PLANT_STATES, derivative, %s, memory.x, %s, %s, work);\n", method, h, u,
+             parameters);
+    int counted = 0;
+    for (int i = 0; i < m->link_count; i++) {
+        if (m->links[i].continuous) {
+            text_add(out, "    memory.turns[%d] += iso_take_turns(&memory.x[PLANT_X_%s]);\n", counted++,
+                     upper(out->memory, m->links[i].name));
+        }
+    }
+    text_add(out, "}\n\n");
+}
+
+static void emit_description(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char *seconds = code_literal(out->memory, m->step, true); /* R(0.001) */
+    text_add(out, "const iso_plant iso_the_plant = {\n");
+    text_add(out, "    .name = \"%s\",\n    .method = ISO_METHOD_NAME(%s),\n", m->name, method_symbol(m->method));
+    text_add(out, "    .step_text = \"%.*s\",\n    .step_size = %s,\n", (int)strlen(seconds) - 3, seconds + 2,
+             code_literal(out->memory, m->step, p->is_double));
+    text_add(out, "    .period_ns = UINT32_C(%.0f),\n    .states = PLANT_STATES,\n", m->step * 1e9);
+    if (m->input_count > 0) {
+        text_add(out, "    .inputs = PLANT_INPUTS,\n    .u = memory.u,\n    .drive = drive,\n");
+    }
+    if (m->parameter_count > 0) {
+        text_add(out, "    .parameters = PLANT_PARAMETERS,\n    .p = memory.p,\n    .defaults = defaults,\n");
+    }
+    text_add(out, "    .outputs = PLANT_OUTPUTS,\n    .output_names = \"");
+    for (int i = 0; i < p->output_count; i++) {
+        text_add(out, "%s%s", i == 0 ? "" : ",", p->output_names[i]);
+    }
+    text_add(out, "\",\n    .x = memory.x,\n    .y = memory.y,\n    .start = start,\n    .memory = &memory,\n");
+    text_add(out, "    .memory_bytes = sizeof memory,\n    .derivative = derivative,\n    .output = output,\n");
+    text_add(out, "%s    .step = step,\n};\n", m->method == ISO_AB4 ? "    .prime = prime,\n" : "");
+}
+
+bool emit_source(const plant *p, graph *g, text *out, double *culprit)
+{
+    const mechanism *m = p->m;
+    const size_t inputs = (size_t)m->input_count;
+    const bool timed_inputs = code_uses(g, m->drives, inputs, OP_PHASE) || code_uses(g, m->drives, inputs, OP_RAMP);
+    text_add(out, "/* %s: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n", m->name,
+             m->link_count, m->link_count == 1 ? "" : "s", m->name);
+    text_add(out,
+             " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n#include \"plant.h\"\n\n");
+    text_add(out, "#include \"core/method.h\"\n%s#include \"core/sincos.h\"\n%s\n",
+             timed_inputs ? "#include \"core/signal.h\"\n" : "",
+             p->turn_count > 0 ? "#include \"core/turns.h\"\n" : "");
+    emit_memory(p, out);
+    text_add(out, "\n");
+    bool good = emit_function(p, g, out, "derivative", "dx", p->slopes, 2 * m->link_count, culprit);
+    good = good && emit_function(p, g, out, "output", "y", p->outputs, p->output_count, culprit);
+    good = good && (m->input_count == 0 || emit_drive(p, g, out, culprit));
+    emit_step(p, out);
+    emit_description(p, out);
+    return good;
+}
+
+static void count_line(text *out, const char *what, operations n)
+{
+    text_add(out, "%s add %d mul %d div %d sqrt %d sincos %d\n", what, n.add, n.mul, n.div, n.sqrt, n.sincos);
+}
+
+/* What a combination of slopes costs for one state: products by other numbers than 1, sums, and x + h / over * sum. */
+static operations combination(const int8_t *coefficients, int terms)
+{
+    operations n = {.mul = 1};
+    for (int i = 0; i < terms; i++) {
+        n.add += coefficients[i] != 0;
+        n.mul += coefficients[i] != 0 && coefficients[i] != 1;
+    }
+    return n;
+}
+
+static operations sum(operations a, int times, operations b)
+{
+    return (operations){a.add + times * b.add, a.mul + times * b.mul, a.div + times * b.div, a.sqrt + times * b.sqrt,
+                        a.sincos + times * b.sincos};
+}
+
+/* A step of n states: the evaluations, and the method's own work. */
+static operations step_operations(iso_method method, int n, operations derivative)
+{
+    operations total = {0};
+    if (method == ISO_AB4) {
+        return sum(sum(total, 1, derivative), n, combination(iso_table_ab4.b, ISO_AB4_STEPS));
+    }
+    const iso_tableau *table = ISO_METHOD_PICK(method, &iso_tableau_euler, &iso_tableau_heun, &iso_tableau_rk4, NULL);
+    for (int i = 0; i < table->stages; i++) {
+        total = sum(total, 1, derivative);
+        if (i > 0) {
+            total = sum(total, n, combination(table->a[i], i));
+        }
+    }
+    return sum(total, n, combination(table->b, table->stages));
+}
+
+void emit_summary(const plant *p, const graph *g, text *out)
+{
+    const mechanism *m = p->m;
+    const int n = 2 * m->link_count, real_bytes = p->is_double ? 8 : 4;
+    const operations derivative = code_count(g, p->slopes, (size_t)n);
+    text_add(out, "scene %s\nmethod %s\nstep %g s\nreal %s\n", m->name, ISO_METHOD_NAME(m->method), m->step,
+             p->is_double ? "double" : "float");
+    text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
+             p->output_count);
+    count_line(out, "derivative", derivative);
+    count_line(out, "step", step_operations(m->method, n, derivative));
+    text_add(out, "state_bytes %d\n", n * real_bytes);
+}

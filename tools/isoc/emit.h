@@ -1,0 +1,30 @@
+/* The generated plant: plant.h names what is in its arrays, plant.c computes it. */
+#ifndef ISOC_EMIT_H
+#define ISOC_EMIT_H
+
+#include "tools/isoc/code.h"
+#include "tools/isoc/dynamics.h"
+
+/* All that is known of a plant when its equations are nodes. */
+typedef struct plant {
+    const mechanism *m;
+    dynamics d;
+    int input_count, output_count, turn_count;
+    const char **output_names; /* one for each component */
+    node *outputs;
+    node *slopes;       /* the derivative of each state */
+    bool accelerations; /* an output needs the derivative */
+    bool is_double;
+} plant;
+
+/* The nodes of derivative and outputs. */
+plant plant_build(graph *g, const mechanism *m, bool is_double);
+
+/* The texts of the two files. Return false, with *culprit, if a constant leaves the range of real. */
+bool emit_header(const plant *p, text *out);
+bool emit_source(const plant *p, graph *g, text *out, double *culprit);
+
+/* What the plant costs, as lines `key value...`. */
+void emit_summary(const plant *p, const graph *g, text *out);
+
+#endif

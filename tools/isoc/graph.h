@@ -1,0 +1,89 @@
+/* The one expression graph. A node is an operation on earlier nodes; equal nodes are the same node; constants fold and
+ * zeros, ones, negations and repeated terms vanish as a node is made. Algorithms are written over nodes as they would
+ * be over numbers. The simplifications are those of exact arithmetic: they happen before the bits are fixed.
+ */
+#ifndef ISOC_GRAPH_H
+#define ISOC_GRAPH_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "tools/isoc/arena.h"
+
+/* A node's index in its graph. */
+typedef int32_t node;
+
+typedef enum operation {
+    OP_CONSTANT,  /* value */
+    OP_STATE,     /* x[index] */
+    OP_INPUT,     /* u[index] */
+    OP_PARAMETER, /* p[index] */
+    OP_TURNS,     /* whole turns of a continuous joint: turns[index] */
+    OP_SLOPE,     /* dx[index], where a derivative has been evaluated before */
+    OP_PHASE,     /* an angle that grows by `value` turns a tick from `second` turns, in [-pi, pi) */
+    OP_RAMP,      /* the ticks since tick `value`, limited to [0, second] */
+    OP_ADD,
+    OP_SUB,
+    OP_MUL,
+    OP_DIV,
+    OP_NEG,
+    OP_SQRT,
+    OP_SIN,
+    OP_COS,
+    OPERATIONS
+} operation;
+
+typedef struct graph_node {
+    operation op;
+    node a, b;
+    int index;
+    double value, second;
+    int section;      /* the heading under which it was made */
+    const char *name; /* of the quantity in its equation, or NULL */
+} graph_node;
+
+typedef struct graph {
+    arena *memory;
+    graph_node *nodes;
+    size_t count, room;
+    node *table; /* open addressing, -1 is free */
+    size_t table_size;
+    bool factor; /* x y + x z becomes x (y + z) */
+    const char *sections[32];
+    int section_count;
+} graph;
+
+void graph_start(graph *g, arena *memory);
+
+/* Nodes made from here on stand under this heading. */
+void graph_section(graph *g, const char *heading);
+
+/* Gives a node its name in the generated code, unless it is a constant or has one. Returns the node. */
+node graph_name(graph *g, node n, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+node constant(graph *g, double value);
+node leaf(graph *g, operation op, int index);
+node timed(graph *g, operation op, double value, double second); /* OP_PHASE, OP_RAMP */
+
+node add(graph *g, node a, node b);
+node sub(graph *g, node a, node b);
+node mul(graph *g, node a, node b);
+node divide(graph *g, node a, node b);
+node neg(graph *g, node a);
+node root(graph *g, node a);
+node sine(graph *g, node a);
+node cosine(graph *g, node a);
+node power(graph *g, node a, int n); /* n >= 0 */
+
+bool is_constant(const graph *g, node n);
+bool is_zero(const graph *g, node n);
+double constant_value(const graph *g, node n);
+
+/* The numbers of all nodes (values[g->count]) for these x, u, p; dx and functions of time count as zero. */
+void graph_evaluate(const graph *g, const double *x, const double *u, const double *p, double *values);
+
+/* Marks needed[g->count] for all that the `count` roots depend on. */
+void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
+
+#endif

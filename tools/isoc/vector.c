@@ -1,0 +1,208 @@
+#include "tools/isoc/vector.h"
+
+#include <float.h>
+#include <math.h>
+
+vector vector_of(graph *g, double x, double y, double z)
+{
+    return (vector){{constant(g, x), constant(g, y), constant(g, z)}};
+}
+
+vector vector_zero(graph *g)
+{
+    return vector_of(g, 0.0, 0.0, 0.0);
+}
+
+vector vector_add(graph *g, vector a, vector b)
+{
+    for (int i = 0; i < 3; i++) {
+        a.at[i] = add(g, a.at[i], b.at[i]);
+    }
+    return a;
+}
+
+vector vector_sub(graph *g, vector a, vector b)
+{
+    for (int i = 0; i < 3; i++) {
+        a.at[i] = sub(g, a.at[i], b.at[i]);
+    }
+    return a;
+}
+
+vector vector_scale(graph *g, node s, vector a)
+{
+    for (int i = 0; i < 3; i++) {
+        a.at[i] = mul(g, s, a.at[i]);
+    }
+    return a;
+}
+
+vector vector_cross(graph *g, vector a, vector b)
+{
+    vector r;
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        r.at[i] = sub(g, mul(g, a.at[j], b.at[k]), mul(g, a.at[k], b.at[j]));
+    }
+    return r;
+}
+
+node vector_dot(graph *g, vector a, vector b)
+{
+    const node xy = add(g, mul(g, a.at[0], b.at[0]), mul(g, a.at[1], b.at[1]));
+    return add(g, xy, mul(g, a.at[2], b.at[2]));
+}
+
+vector vector_name(graph *g, vector a, const char *quantity, const char *owner)
+{
+    for (int i = 0; i < 3; i++) {
+        graph_name(g, a.at[i], "%s_%s_%c", quantity, owner, "xyz"[i]);
+    }
+    return a;
+}
+
+bool vector_is_constant(const graph *g, vector a)
+{
+    return is_constant(g, a.at[0]) && is_constant(g, a.at[1]) && is_constant(g, a.at[2]);
+}
+
+matrix matrix_identity(graph *g)
+{
+    matrix r;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            r.at[i][j] = constant(g, i == j ? 1.0 : 0.0);
+        }
+    }
+    return r;
+}
+
+matrix matrix_product(graph *g, matrix a, matrix b)
+{
+    const matrix columns = matrix_transpose(b);
+    matrix r;
+    for (int j = 0; j < 3; j++) {
+        const vector column = {{columns.at[j][0], columns.at[j][1], columns.at[j][2]}};
+        const vector image = matrix_apply(g, a, column);
+        for (int i = 0; i < 3; i++) {
+            r.at[i][j] = image.at[i];
+        }
+    }
+    return r;
+}
+
+matrix matrix_transpose(matrix a)
+{
+    matrix r;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            r.at[i][j] = a.at[j][i];
+        }
+    }
+    return r;
+}
+
+vector matrix_apply(graph *g, matrix a, vector b)
+{
+    vector r;
+    for (int i = 0; i < 3; i++) {
+        r.at[i] = vector_dot(g, (vector){{a.at[i][0], a.at[i][1], a.at[i][2]}}, b);
+    }
+    return r;
+}
+
+matrix matrix_snap(graph *g, matrix a)
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const double value = constant_value(g, a.at[i][j]), whole = round(value);
+            if (fabs(value - whole) <= 4 * DBL_EPSILON) {
+                a.at[i][j] = constant(g, whole);
+            }
+        }
+    }
+    return a;
+}
+
+vector turn_out(graph *g, int k, node s, node c, vector a)
+{
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    vector r = a;
+    r.at[i] = sub(g, mul(g, c, a.at[i]), mul(g, s, a.at[j]));
+    r.at[j] = add(g, mul(g, s, a.at[i]), mul(g, c, a.at[j]));
+    return r;
+}
+
+vector turn_in(graph *g, int k, node s, node c, vector a)
+{
+    return turn_out(g, k, neg(g, s), c, a);
+}
+
+tensor tensor_zero(graph *g)
+{
+    const node zero = constant(g, 0.0);
+    return (tensor){zero, zero, zero, zero, zero, zero};
+}
+
+tensor tensor_add(graph *g, tensor a, tensor b)
+{
+    return (tensor){add(g, a.xx, b.xx), add(g, a.yy, b.yy), add(g, a.zz, b.zz),
+                    add(g, a.xy, b.xy), add(g, a.xz, b.xz), add(g, a.yz, b.yz)};
+}
+
+static matrix tensor_matrix(tensor a)
+{
+    return (matrix){{{a.xx, a.xy, a.xz}, {a.xy, a.yy, a.yz}, {a.xz, a.yz, a.zz}}};
+}
+
+static tensor matrix_tensor(matrix m)
+{
+    return (tensor){m.at[0][0], m.at[1][1], m.at[2][2], m.at[0][1], m.at[0][2], m.at[1][2]};
+}
+
+vector tensor_apply(graph *g, tensor a, vector b)
+{
+    return matrix_apply(g, tensor_matrix(a), b);
+}
+
+tensor tensor_rotate(graph *g, matrix r, tensor j)
+{
+    return matrix_tensor(matrix_product(g, r, matrix_product(g, tensor_matrix(j), matrix_transpose(r))));
+}
+
+/* With i, j, k cyclic and t = s (J_ii - J_jj) + 2 c J_ij, since c^2 + s^2 = 1:
+ * J_ii' = J_ii - s t, J_jj' = J_jj + s t, J_ij' = c t - J_ij. The axis' own row turns like a vector. */
+tensor tensor_turn_out(graph *g, int k, node s, node c, tensor a)
+{
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    matrix m = tensor_matrix(a);
+    const node ii = m.at[i][i], jj = m.at[j][j], ij = m.at[i][j];
+    const node twice = mul(g, constant(g, 2.0), ij);
+    const node t = add(g, mul(g, s, sub(g, ii, jj)), mul(g, c, twice));
+    const node st = mul(g, s, t);
+    vector axis = {{m.at[k][0], m.at[k][1], m.at[k][2]}};
+    axis = turn_out(g, k, s, c, axis);
+
+    m.at[i][i] = sub(g, ii, st);
+    m.at[j][j] = add(g, jj, st);
+    m.at[i][j] = m.at[j][i] = sub(g, mul(g, c, t), ij);
+    m.at[i][k] = m.at[k][i] = axis.at[i];
+    m.at[j][k] = m.at[k][j] = axis.at[j];
+    return matrix_tensor(m);
+}
+
+/* J + 2 (p.w) 1 - w p' - p w' with w = ms + m p / 2: the parallel-axis theorem about any point. */
+tensor tensor_shift(graph *g, tensor j, node mass, vector ms, vector p)
+{
+    const vector w = vector_add(g, ms, vector_scale(g, mul(g, constant(g, 0.5), mass), p));
+    const vector twice = vector_scale(g, constant(g, 2.0), p);
+    node on[3];
+    for (int i = 0; i < 3; i++) {
+        on[i] = mul(g, twice.at[i], w.at[i]);
+    }
+    tensor r = {add(g, on[1], on[2]), add(g, on[0], on[2]), add(g, on[0], on[1]), 0, 0, 0};
+    r.xy = neg(g, add(g, mul(g, p.at[0], w.at[1]), mul(g, p.at[1], w.at[0])));
+    r.xz = neg(g, add(g, mul(g, p.at[0], w.at[2]), mul(g, p.at[2], w.at[0])));
+    r.yz = neg(g, add(g, mul(g, p.at[1], w.at[2]), mul(g, p.at[2], w.at[1])));
+    return tensor_add(g, j, r);
+}
