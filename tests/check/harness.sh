@@ -1,0 +1,99 @@
+#!/bin/sh
+# The harness counts what it must: passed, failed, crashed, without a plan, skipped; and tells a failure by its status.
+. tests/host/test.sh
+begin check/harness
+mkdir -p "$out/tests"
+
+# one NAME TEXT: a test script of that name in the small set that the harness is tried on.
+one()
+{
+    printf '%s\n' "$2" >"$out/tests/$1.t"
+}
+
+# tally NAME...: runs them; fails as the harness does.
+tally()
+{
+    files=
+    for file in "$@"; do
+        files="$files $out/tests/$file.t"
+    done
+    # shellcheck disable=SC2086
+    TALLY_LOG="$out/log" PERL5LIB=tests prove --harness Tally --merge --exec tests/exec.sh $files >"$out/output" 2>&1
+}
+
+# counts LINE NAME FILE...: the last line of what the harness prints is LINE, and no other looks like it; the status is
+# 0 only without a failure.
+counts()
+{
+    line=$1
+    name=$2
+    shift 2
+    tally "$@"
+    status=$?
+    expected=1
+    case $line in
+    *", 0 failed"*) expected=0 ;;
+    esac
+    [ "$(tail -n 1 "$out/output")" = "$line" ] && [ "$(grep -Ec '^[0-9]+ passed, ' "$out/output")" -eq 1 ] &&
+        { [ $status -eq 0 ] || [ $expected -eq 1 ]; } && { [ $status -ne 0 ] || [ $expected -eq 0 ]; }
+    good=$?
+    [ $good -eq 0 ] || sed 's/^/# /' "$out/output"
+    result $good "$name"
+}
+
+one good 'echo "ok 1 - a"; echo "ok 2 - b"; echo 1..2'
+one bad 'echo "ok 1 - a"; echo "not ok 2 - this one fails"; echo "# for a reason"; echo 1..2; exit 1'
+one crash 'echo "ok 1 - a"; echo 1..1; kill -SEGV $$'
+one noplan 'echo "ok 1 - a"'
+one silent 'exit 0'
+one short 'echo "ok 1 - a"; echo 1..3'
+one status 'echo "ok 1 - a"; echo 1..1; exit 3'
+one skip 'echo "ok 1 - a"; echo "ok 2 # SKIP no need"; echo 1..2'
+
+counts "2 passed, 0 failed" "two tests that pass" good
+counts "3 passed, 1 failed" "a test that fails" good bad
+counts "1 passed, 1 failed" "a program that crashes after its plan" crash
+counts "1 passed, 1 failed" "a program without a plan" noplan
+counts "0 passed, 1 failed" "a program that prints nothing" silent
+counts "1 passed, 1 failed" "fewer tests than planned" short
+counts "1 passed, 1 failed" "a status that is not 0" status
+counts "1 passed, 0 failed, 1 skipped" "a skipped test" skip
+counts "0 passed, 1 failed" "a test that does not exist" absent
+
+tally good bad
+grep -q 'not ok 2 - this one fails' "$out/output" && grep -q '# for a reason' "$out/output"
+result $? "what failed is shown, with its comments"
+grep -qx 'ok 2 - b' "$out/log" && grep -qx 'not ok 2 - this one fails' "$out/log"
+result $? "everything printed stands in the log"
+
+# Two variants of the unit tests that differ in number. The files stand where the harness knows them by their place.
+for variant in plain asan; do
+    mkdir -p "$out/variants/build/tests/$variant/float"
+    printf '#!/bin/sh\necho "ok 1 - a"; echo 1..1\n' >"$out/variants/build/tests/$variant/float/one"
+    chmod +x "$out/variants/build/tests/$variant/float/one"
+done
+# variants: runs them.
+variants()
+{
+    (cd "$out/variants" && TALLY_LOG=log PERL5LIB="$root/tests" prove --harness Tally --exec "$root/tests/exec.sh" \
+        build/tests/*/float/one >"$root/$out/output" 2>&1)
+}
+root=$PWD
+variants && [ "$(tail -n 1 "$out/output")" = "3 passed, 0 failed" ]
+result $? "equal numbers of tests in two variants are one more test that passes"
+printf '#!/bin/sh\necho "ok 1 - a"; echo "ok 2 - b"; echo 1..2\n' >"$out/variants/build/tests/asan/float/one"
+! variants && [ "$(tail -n 1 "$out/output")" = "3 passed, 1 failed" ] && grep -q 'asan 2, plain 1' "$out/output"
+result $? "found: a variant with another number of tests"
+
+# A machine that lacks a tool, and a user who may not install: the command is named.
+mkdir -p "$out/bin"
+for tool in sh cut tr id cat uname perl prove grep arm-none-eabi-gcc qemu-system-arm valgrind clang-format cppcheck \
+    gnuplot apt-get "$CC"; do
+    ln -sf "$(command -v "$tool")" "$out/bin/$tool"
+done
+printf '#!/bin/sh\necho 1000\n' >"$out/id" && chmod +x "$out/id" && mv "$out/id" "$out/bin/id"
+! PATH="$PWD/$out/bin" sh tests/tools.sh >"$out/output" 2>&1
+result $? "found: a missing tool"
+grep -q 'install it with: sudo apt-get install .*clang' "$out/output"
+result $? "the missing tool is named with the command that installs it"
+finish

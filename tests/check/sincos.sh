@@ -1,0 +1,40 @@
+#!/bin/sh
+# The measurement of sine and cosine (tests/exhaustive/sincos.c) notices a wrong digit in any constant of core/sincos.h.
+. tests/host/test.sh
+begin check/sincos
+
+# measure FLAG STRIDE: builds with the core/ in $out/tree first, and runs.
+measure()
+{
+    rm -f "$out/program"
+    # shellcheck disable=SC2086
+    $CC -I"$out/tree" $FLAGS $1 tests/exhaustive/sincos.c -o "$out/program" -lm && "$out/program" "$2" >"$out/tap"
+}
+
+# planted REAL FROM TO: the measurement fails with FROM changed into TO, by its own judgement.
+planted()
+{
+    sed "s/$2/$3/" core/sincos.h >"$out/tree/core/sincos.h"
+    flag=$([ "$1" = double ] && echo -DISO_REAL_DOUBLE)
+    ! measure "$flag" 1009 && grep -q '^not ok' "$out/tap" && grep -qx 1..3 "$out/tap" &&
+        ! cmp -s core/sincos.h "$out/tree/core/sincos.h"
+    result $? "found in $1: $2 changed into $3"
+}
+
+mkdir -p "$out/tree/core"
+cp core/real.h core/sincos.h "$out/tree/core"
+measure "" 1009 && grep -qx 1..3 "$out/tap"
+result $? "the copy is good in float"
+measure -DISO_REAL_DOUBLE 1009 && grep -qx 1..3 "$out/tap"
+result $? "the copy is good in double"
+
+planted float 1.6666654611e-1 1.6666754611e-1
+planted float 8.3321608736e-3 8.3421608736e-3
+planted float 4.166664568298827e-2 4.166764568298827e-2
+planted float 7.54978995489188216e-8 7.56978995489188216e-8
+planted float 'quadrant + 1' 'quadrant + 3'
+planted double 6.07710050630396597660e-11 6.07710050630396597660e-12
+planted double 2.02226624879595063154e-21 2.02226624879595063154e-19
+planted double 8.33333333332248946124e-03 8.33333333342248946124e-03
+planted double 2.08757232129817482790e-09 2.08767232129817482790e-09
+finish
