@@ -1,0 +1,288 @@
+/* Runs a plant, writes its outputs down as a table, and sums the run up.
+ *
+ *     trace -o DIRECTORY [--clock UNIT] -- COMMAND [ARGUMENT...]
+ *
+ * COMMAND writes its run to its standard output (core/stream.h). The table goes to DIRECTORY/trace.csv, which is there
+ * only when it is whole. Exit status 0 means that the run reached its end with a finite state.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include <errno.h>
+#include <inttypes.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "tools/trace/decimal.h"
+#include "tools/trace/stream.h"
+
+typedef struct options {
+    const char *directory;
+    const char *clock; /* the unit of the port's clock */
+    char **command;
+} options;
+
+static const char usage[] = "usage: trace -o DIRECTORY [--clock UNIT] -- COMMAND [ARGUMENT...]\n"
+                            "\n"
+                            "Runs COMMAND, writes its outputs to DIRECTORY/trace.csv and prints a summary.\n"
+                            "\n"
+                            "    -o DIRECTORY    an existing directory\n"
+                            "    --clock UNIT    what the platform's clock counts: ns (unless told), cycles,\n"
+                            "                    instructions (these are summed up as instructions_per_step)\n";
+
+_Noreturn static void fail(const char *const what, const char *const why)
+{
+    fprintf(stderr, "trace: %s: %s\n", what, why);
+    exit(EXIT_FAILURE);
+}
+
+static options parse(const int argc, char **const argv)
+{
+    options chosen = {.clock = "ns"};
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--help") == 0) {
+            fputs(usage, stdout);
+            exit(EXIT_SUCCESS);
+        } else if (strcmp(argv[i], "-o") == 0 && i + 1 < argc) {
+            chosen.directory = argv[++i];
+        } else if (strcmp(argv[i], "--clock") == 0 && i + 1 < argc) {
+            chosen.clock = argv[++i];
+        } else if (strcmp(argv[i], "--") == 0 && i + 1 < argc) {
+            chosen.command = argv + i + 1;
+            break;
+        } else {
+            break;
+        }
+    }
+    if (chosen.directory == NULL || chosen.command == NULL) {
+        fputs(usage, stderr);
+        exit(EXIT_FAILURE);
+    }
+    return chosen;
+}
+
+/* Starts the command; its standard output is *output. */
+static pid_t start(char **const command, FILE **const output)
+{
+    int ends[2];
+    if (pipe(ends) != 0) {
+        fail("pipe", strerror(errno));
+    }
+    const pid_t child = fork();
+    if (child < 0) {
+        fail("fork", strerror(errno));
+    }
+    if (child == 0) {
+        dup2(ends[1], STDOUT_FILENO);
+        close(ends[0]);
+        close(ends[1]);
+        execvp(command[0], command);
+        fprintf(stderr, "trace: %s: %s\n", command[0], strerror(errno));
+        _exit(EXIT_FAILURE);
+    }
+    close(ends[1]);
+    *output = fdopen(ends[0], "rb");
+    if (*output == NULL) {
+        fail("pipe", strerror(errno));
+    }
+    return child;
+}
+
+static double seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* A line on the terminal that says how far the run is, from half a second on and ten times a second. */
+static void show_progress(const stream_header *const header, const uint64_t ticks, const bool last)
+{
+    enum { LOOK_EVERY = 256 };
+    static double next;
+    static bool shown;
+    if (isatty(STDERR_FILENO) == 0) {
+        return;
+    }
+    if (last) {
+        fputs(shown ? "\r\033[K" : "", stderr);
+        return;
+    }
+    if (ticks % LOOK_EVERY != 1) {
+        return;
+    }
+    const double now = seconds();
+    next = ticks == 1 ? now + 0.5 : next;
+    if (now >= next) {
+        next = now + 0.1;
+        shown = true;
+        const double t = (double)ticks * header->step_size;
+        const double end = 1e-9 * (double)header->duration_ns;
+        if (header->duration_ns > 0) {
+            fprintf(stderr, "\r%s: %.1f s of %.1f s, %.0f %%\033[K", header->scene, t, end, 100 * t / end);
+        } else {
+            fprintf(stderr, "\r%s: %.1f s\033[K", header->scene, t);
+        }
+    }
+}
+
+/* One row: the time as tick times step, and the outputs. */
+static void write_row(FILE *const table, const stream *const run, const uint64_t tick)
+{
+    char text[DECIMAL_BYTES];
+    fputs(decimal_of_double((double)tick * run->header.step_size, text), table);
+    for (size_t i = 0; i < run->header.outputs; i++) {
+        fprintf(table, ",%s", stream_value(run, i, text));
+    }
+    fputc('\n', table);
+}
+
+/* Copies the rows of the run to the table. False: run->error says why it stopped. */
+static bool write_table(FILE *const table, stream *const run)
+{
+    if (!stream_read_header(run)) {
+        return false;
+    }
+    fprintf(table, run->header.outputs > 0 ? "t,%s\n" : "t\n", run->header.names);
+    uint64_t ticks = 0;
+    stream_record record = stream_read(run);
+    while (record == STREAM_ROW) {
+        ticks++;
+        write_row(table, run, ticks);
+        if (ferror(table) != 0) {
+            snprintf(run->error, sizeof run->error, "the table cannot be written: %s", strerror(errno));
+            return false;
+        }
+        show_progress(&run->header, ticks, false);
+        record = stream_read(run);
+    }
+    show_progress(&run->header, ticks, true);
+    if (record == STREAM_END && ticks != run->end.ticks) {
+        snprintf(run->error, sizeof run->error, "%" PRIu32 " ticks were done, but %" PRIu64 " arrived", run->end.ticks,
+                 ticks);
+        return false;
+    }
+    return record == STREAM_END;
+}
+
+static void print_summary(const stream *const run, const char *const unit, const char *const path)
+{
+    const stream_header *const header = &run->header;
+    const stream_end *const end = &run->end;
+    char text[DECIMAL_BYTES];
+
+    printf("scene %s\nmethod %s\nstep %s\nreal %s\n", header->scene, header->method, header->step, header->real);
+    printf("ticks %" PRIu32 "\nlate %" PRIu32 "\nlost %" PRIu32 "\noverruns %" PRIu32 "\n", end->ticks, end->late,
+           end->lost, end->overruns);
+    if (end->ticks > 0) {
+        printf("execution %" PRIu32 " %.1f %" PRIu32 " %s\n", end->execution_min,
+               (double)end->execution_sum / end->ticks, end->execution_max, unit);
+        printf("margin %" PRId32 " %s\n", end->margin, unit);
+    }
+    printf("state");
+    for (size_t i = 0; i < header->states; i++) {
+        printf(" %s", stream_value(run, i, text));
+    }
+    printf("\nhash %016" PRIx64 "\n", end->hash);
+    if (end->ticks > 0 && strcmp(unit, "instructions") == 0) {
+        printf("instructions_per_step %" PRIu32, end->execution_min);
+        if (end->execution_max != end->execution_min) {
+            printf(" %" PRIu32, end->execution_max);
+        }
+        printf("\n");
+    }
+    printf("trace %s\n", path);
+}
+
+/* Waits for the command; how it ended, in words, or NULL if well. */
+static const char *verdict(const pid_t child)
+{
+    static char text[64];
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) {
+            return strerror(errno);
+        }
+    }
+    if (WIFSIGNALED(status)) {
+        snprintf(text, sizeof text, "it ended by signal %d", WTERMSIG(status));
+        return text;
+    }
+    if (WEXITSTATUS(status) != 0) {
+        snprintf(text, sizeof text, "it ended with status %d", WEXITSTATUS(status));
+        return text;
+    }
+    return NULL;
+}
+
+/* Runs the command and writes the table. False, with a message and no table, unless the run is whole; a run that the
+ * guard stopped is whole. */
+static bool record(const options *const chosen, stream *const run, FILE *const table)
+{
+    const pid_t child = start(chosen->command, &run->file);
+    const bool whole = write_table(table, run);
+    const bool given_up = !whole && feof(run->file) == 0;
+    if (given_up) {
+        kill(child, SIGTERM);
+    }
+    fclose(run->file);
+    const char *const ended = verdict(child);
+    if (!whole) {
+        fprintf(stderr, "trace: %s: %s%s%s\n", chosen->command[0], run->error, ended == NULL || given_up ? "" : "; ",
+                ended == NULL || given_up ? "" : ended);
+        return false;
+    }
+    if (ended != NULL && run->end.guard == run->header.states) {
+        fail(chosen->command[0], ended);
+    }
+    return true;
+}
+
+static char *join(const char *const directory, const char *const name)
+{
+    const size_t bytes = strlen(directory) + strlen(name) + 2;
+    char *const path = malloc(bytes);
+    if (path == NULL) {
+        fail(directory, strerror(errno));
+    }
+    snprintf(path, bytes, "%s/%s", directory, name);
+    return path;
+}
+
+int main(int argc, char **argv)
+{
+    static stream run;
+    const options chosen = parse(argc, argv);
+    char *const path = join(chosen.directory, "trace.csv");
+    char *const partial = join(chosen.directory, "trace.csv.partial");
+    FILE *const table = fopen(partial, "w");
+    if (table == NULL) {
+        fail(partial, strerror(errno));
+    }
+    if (!record(&chosen, &run, table)) {
+        (void)remove(partial);
+        return EXIT_FAILURE;
+    }
+    if (fclose(table) != 0) {
+        (void)remove(partial);
+        fail(path, strerror(errno));
+    }
+    if (rename(partial, path) != 0) {
+        fail(path, strerror(errno));
+    }
+    print_summary(&run, chosen.clock, path);
+    free(path);
+    free(partial);
+    if (fflush(stdout) != 0) {
+        fail("standard output", strerror(errno));
+    }
+    if (run.end.guard < run.header.states) {
+        fprintf(stderr, "trace: guard state %u at tick %" PRIu32 ": it is not finite\n", run.end.guard, run.end.tick);
+        return EXIT_FAILURE;
+    }
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,199 @@
+#include "tools/trace/stream.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/stream.h"
+#include "tools/trace/decimal.h"
+
+static const char truncated[] = "the run broke off before its end";
+
+static bool fail(stream *const run, const char *const message)
+{
+    snprintf(run->error, sizeof run->error, "%s", message);
+    return false;
+}
+
+/* A line without its end. False at the end of the file, or if the line does not fit. */
+static bool read_line(stream *const run, char *const line, const size_t bytes)
+{
+    if (fgets(line, (int)bytes, run->file) == NULL) {
+        return fail(run, truncated);
+    }
+    char *const end = strchr(line, '\n');
+    if (end == NULL) {
+        return fail(run, feof(run->file) != 0 ? truncated : "a line of the header is too long");
+    }
+    *end = '\0';
+    return true;
+}
+
+/* A whole number in hexadecimal. */
+static bool parse_number(const char *const text, uint64_t *const number)
+{
+    char *end = NULL;
+    *number = strtoull(text, &end, 16);
+    return *text != '\0' && *end == '\0';
+}
+
+/* Copies a value that fits. */
+static bool parse_text(const char *const value, char *const text, const size_t bytes)
+{
+    return snprintf(text, bytes, "%s", value) < (int)bytes;
+}
+
+static bool parse_field(stream_header *const header, const char *const key, const char *const value)
+{
+    const struct {
+        const char *key;
+        char *text;
+        size_t bytes;
+    } texts[] = {
+        {"scene", header->scene, sizeof header->scene}, {"method", header->method, sizeof header->method},
+        {"step", header->step, sizeof header->step},    {"real", header->real, sizeof header->real},
+        {"names", header->names, sizeof header->names},
+    };
+    const struct {
+        const char *key;
+        uint64_t *number;
+    } numbers[] = {
+        {"period_ns", &header->period_ns},
+        {"duration_ns", &header->duration_ns},
+        {"states", &header->states},
+        {"outputs", &header->outputs},
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        if (strcmp(key, texts[i].key) == 0) {
+            return parse_text(value, texts[i].text, texts[i].bytes);
+        }
+    }
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        if (strcmp(key, numbers[i].key) == 0) {
+            return parse_number(value, numbers[i].number);
+        }
+    }
+    return false;
+}
+
+static bool check_header(stream *const run)
+{
+    stream_header *const header = &run->header;
+    header->real_bytes = strcmp(header->real, "float") == 0    ? sizeof(float)
+                         : strcmp(header->real, "double") == 0 ? sizeof(double)
+                                                               : 0;
+    header->step_size = strtod(header->step, NULL);
+    if (header->real_bytes == 0 || !(header->step_size > 0) || header->period_ns == 0 ||
+        header->states > STREAM_VALUES_MAX || header->outputs > STREAM_VALUES_MAX) {
+        return fail(run, "the header of the run makes no sense");
+    }
+    return true;
+}
+
+bool stream_read_header(stream *const run)
+{
+    static char line[STREAM_TEXT_BYTES];
+    if (!read_line(run, line, sizeof line)) {
+        return false;
+    }
+    if (strcmp(line, ISO_STREAM_VERSION) != 0) {
+        snprintf(run->error, sizeof run->error, "not a run: it begins with '%.60s'", line);
+        return false;
+    }
+    while (read_line(run, line, sizeof line)) {
+        if (line[0] == '\0') {
+            return check_header(run);
+        }
+        char *const blank = strchr(line, ' ');
+        if (blank == NULL) {
+            return fail(run, "a line of the header has no value");
+        }
+        *blank = '\0';
+        if (!parse_field(&run->header, line, blank + 1)) {
+            snprintf(run->error, sizeof run->error, "the header's '%.60s' makes no sense", line);
+            return false;
+        }
+    }
+    return false;
+}
+
+/* A little-endian whole number. Zero at the end of the file, which the caller tests for once, at the end. */
+static uint64_t read_number(FILE *const file, const size_t bytes)
+{
+    uint8_t byte[sizeof(uint64_t)] = {0};
+    (void)!fread(byte, 1, bytes, file);
+    uint64_t number = 0;
+    for (size_t i = bytes; i > 0; i--) {
+        number = number << 8 | byte[i - 1];
+    }
+    return number;
+}
+
+static bool read_values(stream *const run, const uint64_t count)
+{
+    const size_t bytes = (size_t)count * run->header.real_bytes;
+    return fread(run->values, 1, bytes, run->file) == bytes;
+}
+
+static bool read_end(stream *const run)
+{
+    FILE *const file = run->file;
+    stream_end *const end = &run->end;
+    end->ticks = (uint32_t)read_number(file, sizeof end->ticks);
+    end->late = (uint32_t)read_number(file, sizeof end->late);
+    end->lost = (uint32_t)read_number(file, sizeof end->lost);
+    end->overruns = (uint32_t)read_number(file, sizeof end->overruns);
+    end->margin = (int32_t)(uint32_t)read_number(file, sizeof end->margin);
+    end->execution_min = (uint32_t)read_number(file, sizeof end->execution_min);
+    end->execution_max = (uint32_t)read_number(file, sizeof end->execution_max);
+    end->execution_sum = read_number(file, sizeof end->execution_sum);
+    end->hash = read_number(file, sizeof end->hash);
+    end->guard = (uint16_t)read_number(file, sizeof end->guard);
+    end->tick = (uint32_t)read_number(file, sizeof end->tick);
+    return read_values(run, run->header.states);
+}
+
+stream_record stream_read(stream *const run)
+{
+    const int tag = fgetc(run->file);
+    switch (tag) {
+    case ISO_STREAM_ROW:
+        if (read_values(run, run->header.outputs)) {
+            return STREAM_ROW;
+        }
+        break;
+    case ISO_STREAM_END:
+        if (read_end(run)) {
+            return STREAM_END;
+        }
+        break;
+    case ISO_STREAM_BAIL_OUT:
+        run->error[0] = ISO_STREAM_BAIL_OUT;
+        (void)read_line(run, run->error + 1, sizeof run->error - 1);
+        return STREAM_ERROR;
+    case EOF:
+        break;
+    default:
+        fail(run, "the run's stream is damaged");
+        return STREAM_ERROR;
+    }
+    fail(run, truncated);
+    return STREAM_ERROR;
+}
+
+const char *stream_value(const stream *const run, const size_t i, char *const text)
+{
+    const uint8_t *const at = run->values + i * run->header.real_bytes;
+    uint64_t bits = 0;
+    for (size_t byte = run->header.real_bytes; byte > 0; byte--) {
+        bits = bits << 8 | at[byte - 1];
+    }
+    if (run->header.real_bytes == sizeof(float)) {
+        const uint32_t half = (uint32_t)bits;
+        float value = 0;
+        memcpy(&value, &half, sizeof value);
+        return decimal_of_float(value, text);
+    }
+    double value = 0;
+    memcpy(&value, &bits, sizeof value);
+    return decimal_of_double(value, text);
+}

@@ -1,0 +1,61 @@
+/* Reads the stream of a run; core/stream.h says what is in it. */
+#ifndef ISO_TOOLS_TRACE_STREAM_H
+#define ISO_TOOLS_TRACE_STREAM_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+enum { STREAM_TEXT_BYTES = 65536, STREAM_VALUES_MAX = 65535 };
+
+/* What the header says. */
+typedef struct stream_header {
+    char scene[256];
+    char method[16];
+    char step[64];
+    char real[16];
+    char names[STREAM_TEXT_BYTES];
+    double step_size;  /* s */
+    size_t real_bytes; /* 4 or 8 */
+    uint64_t period_ns;
+    uint64_t duration_ns; /* 0: no end */
+    uint64_t states;
+    uint64_t outputs;
+} stream_header;
+
+/* What the end record says. */
+typedef struct stream_end {
+    uint32_t ticks;
+    uint32_t late;
+    uint32_t lost;
+    uint32_t overruns;
+    int32_t margin;
+    uint32_t execution_min;
+    uint32_t execution_max;
+    uint64_t execution_sum;
+    uint64_t hash;
+    uint16_t guard; /* the first state that is not finite; as many as there are states if all are */
+    uint32_t tick;
+} stream_end;
+
+typedef struct stream {
+    FILE *file;
+    char error[STREAM_TEXT_BYTES]; /* why the last call failed */
+    stream_header header;
+    stream_end end;
+    uint8_t values[STREAM_VALUES_MAX * sizeof(double)]; /* of the last row, or the final state */
+} stream;
+
+typedef enum stream_record { STREAM_ROW, STREAM_END, STREAM_ERROR } stream_record;
+
+/* Reads the header from run->file. False: run->error says why. */
+bool stream_read_header(stream *run);
+
+/* Reads the next record: a row into values, or the end into end and values. */
+stream_record stream_read(stream *run);
+
+/* Value i of values as the shortest decimal that reads back; text[DECIMAL_BYTES]. */
+const char *stream_value(const stream *run, size_t i, char *text);
+
+#endif
