@@ -186,30 +186,10 @@ static double addend(graph *g, node n, node *rest)
     return c;
 }
 
-/* Factors x of a = x y and b = x z; returns false where they share none. */
-static bool common_factor(const graph *g, node a, node b, node *x, node *y, node *z)
-{
-    const graph_node *p = &g->nodes[a], *q = &g->nodes[b];
-    if (p->op != OP_MUL || q->op != OP_MUL) {
-        return false;
-    }
-    if (p->a == q->a || p->a == q->b) {
-        *x = p->a;
-        *y = p->b;
-    } else if (p->b == q->a || p->b == q->b) {
-        *x = p->b;
-        *y = p->a;
-    } else {
-        return false;
-    }
-    *z = q->a == *x ? q->b : q->a;
-    return !is_constant(g, *x);
-}
-
-/* a + b where a repeated term, a cancelling part or a shared factor makes it simpler; -1 where none does. */
+/* a + b where a repeated term or a cancelling part makes it simpler; -1 where none does. */
 static node merge_terms(graph *g, node a, node b)
 {
-    node base_a, base_b, x, y, z;
+    node base_a, base_b;
     const double ca = coefficient(g, a, &base_a), cb = coefficient(g, b, &base_b);
     if (base_a == base_b) {
         return mul(g, constant(g, ca + cb), base_a);
@@ -224,12 +204,6 @@ static node merge_terms(graph *g, node a, node b)
     }
     if (p->op == OP_ADD && minus_b >= 0 && (p->a == minus_b || p->b == minus_b)) {
         return p->a == minus_b ? p->b : p->a;
-    }
-    if (g->factor && common_factor(g, a, b, &x, &y, &z)) {
-        return mul(g, x, add(g, y, z));
-    }
-    if (g->factor && minus_b >= 0 && common_factor(g, a, minus_b, &x, &y, &z)) {
-        return mul(g, x, sub(g, y, z));
     }
     return -1;
 }
@@ -309,8 +283,12 @@ node mul(graph *g, node a, node b)
     if (is(g, b, OP_NEG)) {
         return neg(g, mul(g, a, g->nodes[b].a));
     }
-    if (is_constant(g, a) && is(g, b, OP_MUL) && is_constant(g, g->nodes[b].a)) {
-        return mul(g, mul(g, a, g->nodes[b].a), g->nodes[b].b);
+    /* Constant factors gather: (c x) (d y) is (c d) (x y), and c (d y) is (c d) y. */
+    node base_a, base_b;
+    const double ca = is_constant(g, a) ? constant_value(g, a) : coefficient(g, a, &base_a);
+    const double cb = coefficient(g, b, &base_b);
+    if (ca != 1.0 && cb != 1.0) {
+        return mul(g, constant(g, ca * cb), is_constant(g, a) ? base_b : mul(g, base_a, base_b));
     }
     return binary(g, OP_MUL, a, b);
 }

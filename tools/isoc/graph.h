@@ -49,7 +49,6 @@ typedef struct graph {
     size_t count, room;
     node *table; /* open addressing, -1 is free */
     size_t table_size;
-    bool factor; /* x y + x z becomes x (y + z) */
     const char *sections[32];
     int section_count;
 } graph;
