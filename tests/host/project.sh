@@ -1,0 +1,37 @@
+# A copy of the project for tests that call make, so that what they build or alter disturbs nobody; read after
+# tests/host/test.sh and `begin`.
+
+# The tests run under make themselves: what that one was told is no concern of the one that is tried.
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD STEP SECONDS TARGET REAL
+
+# project: copies the sources into $out/project.
+project()
+{
+    mkdir -p "$out/project"
+    tar -cf - --exclude=./build --exclude=./.git . | tar -xf - -C "$out/project"
+}
+
+# call ARGUMENT...: make in the copy; its output is in $out/output, what it said in $out/errors. Returns its status.
+call()
+{
+    make -C "$out/project" --no-print-directory "$@" >"$out/output" 2>"$out/errors" </dev/null
+}
+
+# value KEY: what the last call printed for it.
+value()
+{
+    sed -n "s/^$1 //p" "$out/output"
+}
+
+# explain: shows the end of the last call as comments.
+explain()
+{
+    tail -n 15 "$out/output" "$out/errors" | sed 's/^/# /'
+}
+
+# expect STATUS NAME: a result; a failure is explained.
+expect()
+{
+    [ "$1" -eq 0 ] || explain
+    result "$1" "$2"
+}

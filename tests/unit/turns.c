@@ -1,0 +1,55 @@
+/* core/turns.h: whole turns are taken off an angle and counted; what is left points the same way. */
+#include "core/turns.h"
+#include "tests/tap.h"
+
+static const real two_pi = R(6.28318530717958648);
+static const real pi = R(3.14159265358979324);
+
+static void test_known(void)
+{
+    real angle = R(0.0);
+    tap_ok(iso_take_turns(&angle) == 0 && angle == R(0.0), "no angle: no turn");
+    angle = R(3.0);
+    tap_ok(iso_take_turns(&angle) == 0, "3 rad: no turn");
+    tap_same(angle, R(3.0), "3 rad stays as it is");
+    angle = R(-3.0);
+    tap_ok(iso_take_turns(&angle) == 0, "-3 rad: no turn");
+    tap_same(angle, R(-3.0), "-3 rad stays as it is");
+    angle = R(4.0);
+    tap_ok(iso_take_turns(&angle) == 1 && angle < R(-2.0), "4 rad: one turn, and a negative angle");
+    angle = R(-4.0);
+    tap_ok(iso_take_turns(&angle) == -1 && angle > R(2.0), "-4 rad: a turn back, and a positive angle");
+    angle = R(1e4);
+    tap_ok(iso_take_turns(&angle) == 1592, "1e4 rad: 1592 turns");
+    angle = R(-1e4);
+    tap_ok(iso_take_turns(&angle) == -1592, "-1e4 rad: -1592 turns");
+}
+
+/* Angles across the domain: the sine and cosine before and after differ by the errors of two calls, 1.5 ulp of 1.0
+ * each, and by the rounding of what is left, at most 1 ulp of 1.0 (half an ulp of pi). The whole number of turns is
+ * that of x times a rounded constant, rounded: half a turn is missed by at most x epsilon. */
+static void test_direction(void)
+{
+    const real tolerance = R(4.0) * ISO_REAL_EPSILON;
+    uint32_t turned = 0, outside = 0, miscounted = 0;
+    for (int32_t i = -20000; i <= 20000; i++) {
+        const real x = (real)i * R(0.49951171875);
+        real angle = x;
+        const real turns = (real)iso_take_turns(&angle);
+        const iso_sine_cosine before = iso_sincos(x);
+        const iso_sine_cosine after = iso_sincos(angle);
+        turned += iso_abs(before.sin - after.sin) > tolerance || iso_abs(before.cos - after.cos) > tolerance;
+        outside += iso_abs(angle) > pi + (iso_abs(x) + R(4.0)) * ISO_REAL_EPSILON;
+        miscounted += iso_abs(turns * two_pi + angle - x) > R(1e4) * R(2.0) * ISO_REAL_EPSILON;
+    }
+    tap_count(turned, 0, "what is left points the same way");
+    tap_count(outside, 0, "what is left is within pi, to rounding");
+    tap_count(miscounted, 0, "turns and what is left add up to the angle");
+}
+
+int main(void)
+{
+    test_known();
+    test_direction();
+    tap_done();
+}
