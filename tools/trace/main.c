@@ -5,8 +5,6 @@
  * COMMAND writes its run to its standard output (core/stream.h). The table goes to DIRECTORY/trace.csv, which is there
  * only when it is whole. Exit status 0 means that the run reached its end with a finite state.
  */
-#define _POSIX_C_SOURCE 200809L
-
 #include <errno.h>
 #include <inttypes.h>
 #include <signal.h>

@@ -1,0 +1,14 @@
+# Building for the Cortex-M4F board and running in QEMU: 2^10 ns of its time for one instruction.
+PORT_CC = arm-none-eabi-gcc
+PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
+PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
+PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections
+PORT_LINK = -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections
+PORT_SUFFIX = .elf
+PORT_CLOCK = instructions
+PORT_EXEC_TOOLS = qemu-system-arm
+PORT_EXEC = qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
+    -chardev stdio,id=console,signal=off \
+    -semihosting-config enable=on,target=native,chardev=console,arg=$(NAME),arg=$(NANOSECONDS) -kernel $(PROGRAM)
+PORT_NM = arm-none-eabi-nm
+PORT_SIZE = arm-none-eabi-size

@@ -1,0 +1,12 @@
+# Building for the host and running there, on a simulated tick.
+PORT_CC = $(CC)
+PORT_TOOLS = $(firstword $(CC))
+PORT_INSTALL = apt-get install gcc
+PORT_FLAGS =
+PORT_LINK =
+PORT_SUFFIX =
+PORT_CLOCK = ns
+PORT_EXEC_TOOLS =
+PORT_EXEC = $(PROGRAM) $(NANOSECONDS) $(if $(SCRIPT),$(call quote,$(SCRIPT)))
+PORT_NM = nm
+PORT_SIZE = size
