@@ -30,7 +30,7 @@ for scene in models/*.scene models/oscillator.c; do
         same "the same bits on the Cortex-M4F" SCENE="$scene" METHOD=$method TARGET=cortex-m4f
         value instructions_per_step | grep -Eqx '[0-9]+'
         expect $? "$plant, $method: $(value instructions_per_step) instructions, on every step"
-        same "the same bits without optimisation" SCENE="$scene" METHOD=$method OPTIMISE=-O0
+        same "the same bits without optimisation" SCENE="$scene" METHOD=$method CFLAGS=-O0
         same "the same bits from clang" SCENE="$scene" METHOD=$method CC=clang
     done
 done

@@ -23,7 +23,7 @@ compile()
 
 for compiler in gcc clang; do
     # shellcheck disable=SC2086
-    compile "$compiler $FLAGS $DOUBLE" $once
+    compile "$compiler $FLAGS -DISO_REAL_DOUBLE" $once
     result $? "$compiler for the host, tools and models' tests"
 done
 for real in "" -DISO_REAL_DOUBLE; do

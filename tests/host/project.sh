@@ -2,7 +2,7 @@
 # tests/host/test.sh and `begin`.
 
 # The tests run under make themselves: what that one was told is no concern of the one that is tried.
-unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD STEP SECONDS TARGET REAL
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD STEP SECONDS TARGET REAL SCRIPT V CFLAGS
 
 # project: copies the sources into $out/project.
 project()
@@ -17,10 +17,10 @@ call()
     make -C "$out/project" --no-print-directory "$@" >"$out/output" 2>"$out/errors" </dev/null
 }
 
-# value KEY: what the last call printed for it.
+# value KEY: what the last call printed for it in its summary, which comes last.
 value()
 {
-    sed -n "s/^$1 //p" "$out/output"
+    sed -n "s/^$1 //p" "$out/output" | tail -n 1
 }
 
 # explain: shows the end of the last call as comments.

@@ -242,6 +242,7 @@ static void test_slow(void)
     tap_count(run(&slow, 7, 0), 7, "slow: seven ticks");
     tap_count(loop.account.overruns, 2, "slow: the slow tick and the next end after their time");
     tap_count(loop.account.late, 2, "slow: two start late");
+    tap_count(loop.account.lost, 1, "slow: the first of them is told of only with the second");
     tap_count(loop.account.execution_max, 5 * PERIOD / 2, "slow: the execution time is the step's");
     tap_count(loop.account.execution_min, 0, "slow: the others take nothing");
     tap_same(x[0], R(7.0), "slow: no step is missing");

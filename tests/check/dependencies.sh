@@ -1,0 +1,119 @@
+#!/bin/sh
+# make builds what a change asks for, and nothing else: after every kind of change something is rebuilt, and then nothing.
+. tests/host/test.sh
+. tests/host/project.sh
+begin check/dependencies
+project
+
+program=build/host/float/double_pendulum/double_pendulum
+scene=$out/project/models/double_pendulum.scene
+
+# state: names, sizes and dates of everything built, but for the table, which every run writes anew.
+state()
+{
+    (cd "$out/project" && find build -type f ! -name 'trace.csv*' -exec ls --full-time {} + | awk '{ print $5, $6, $7, $9 }' | sort -k 4)
+}
+
+# built FILE...: the last call made these anew; $before is the state before it.
+built()
+{
+    state >"$out/after"
+    for file in "$@"; do
+        grep " $file\$" "$out/after" >"$out/line"
+        [ -s "$out/line" ] && ! grep -qxF "$(cat "$out/line")" "$out/before" || return 1
+    done
+}
+
+# unbuilt FILE...: the last call left these as they were.
+unbuilt()
+{
+    state >"$out/after"
+    for file in "$@"; do
+        grep " $file\$" "$out/after" >"$out/line"
+        [ -s "$out/line" ] && grep -qxF "$(cat "$out/line")" "$out/before" || return 1
+    done
+}
+
+# still ARGUMENT...: two calls in a row, the second of which builds nothing.
+still()
+{
+    call run SECONDS=1 "$@" && state >"$out/before" && call run SECONDS=1 "$@" && state | cmp -s - "$out/before"
+}
+
+# change NAME FILES ARGUMENT...: after what was altered just now, make builds FILES and then nothing.
+change()
+{
+    name=$1
+    files=$2
+    shift 2
+    # shellcheck disable=SC2086
+    call run SECONDS=1 "$@" && built $files
+    expect $? "$name: builds anew $files"
+    still "$@"
+    expect $? "$name: then nothing"
+}
+
+# touched FILE: its date is now, and later than that of all that was built before.
+touched()
+{
+    state >"$out/before"
+    touch "$out/project/$1"
+}
+
+still
+expect $? "nothing changed: nothing built"
+
+touched core/real.h
+change "core/real.h" "$program build/obj/host/float/core/loop.o build/host/float/double_pendulum/plant.o"
+touched core/sincos.h
+change "core/sincos.h, which the plant includes" "$program build/host/float/double_pendulum/plant.o"
+touched core/loop.c
+change "core/loop.c" "$program build/obj/host/float/core/loop.o"
+unbuilt build/isoc
+result $? "core/loop.c: the scene compiler is left alone"
+touched port/sim/script.h
+change "port/sim/script.h" "$program build/obj/host/float/port/sim/sim.o"
+touched tools/isoc/graph.h
+change "tools/isoc/graph.h" "build/isoc build/host/float/double_pendulum/plant.c"
+touched tools/trace/main.c
+change "tools/trace/main.c" "build/trace"
+
+state >"$out/before"
+sed -i 's/^body upper {/& # a heavier one/; s/mass 1 kg/mass 2 kg/' "$scene"
+change "the scene" "$program build/host/float/double_pendulum/plant.c"
+cp models/double_pendulum.scene "$scene"
+call run SECONDS=1
+
+state >"$out/before"
+change "METHOD" "$program build/host/float/double_pendulum/plant.o" METHOD=heun
+[ "$(value method)" = heun ]
+expect $? "METHOD: the program that ran is the new one"
+state >"$out/before"
+change "STEP" "$program build/host/float/double_pendulum/plant.o" STEP=2ms
+[ "$(value ticks)" = 500 ]
+expect $? "STEP: the program that ran is the new one"
+state >"$out/before"
+change "CFLAGS" "$program build/obj/host/float/core/loop.o build/host/float/double_pendulum/plant.o" CFLAGS=-O1
+call run SECONDS=1
+state >"$out/before"
+call run SECONDS=2 && [ "$(value ticks)" = 2000 ] && unbuilt $program build/isoc
+expect $? "SECONDS: builds nothing and runs for longer"
+state >"$out/before"
+call run SECONDS=1 REAL=double && unbuilt $program build/isoc &&
+    [ -x "$out/project/build/host/double/double_pendulum/double_pendulum" ]
+expect $? "REAL: builds beside, in a folder of its own"
+
+state >"$out/before"
+change "METHOD of a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/oscillator.c METHOD=heun
+[ "$(value method)" = heun ]
+expect $? "METHOD of a plant in C: the program that ran is the new one"
+touched models/oscillator.c
+change "a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/oscillator.c METHOD=heun
+
+# A Makefile that forgets a header is found: without the lists of included files, a touched header builds nothing.
+sed -i 's/^-include .*//' "$out/project/Makefile"
+call run SECONDS=1
+touched core/real.h
+! { call run SECONDS=1 && built $program; }
+expect $? "found: headers that make does not know of"
+finish
