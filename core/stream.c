@@ -91,18 +91,17 @@ void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
 {
     const iso_account *const account = &loop->account;
 
+    const uint32_t words[] = {
+        account->ticks,         account->late,          account->lost, account->overruns, (uint32_t)account->margin,
+        account->execution_min, account->execution_max, loop->guard,   loop->tick,
+    };
+
     put_byte(ISO_STREAM_END);
-    put_number(account->ticks, sizeof account->ticks);
-    put_number(account->late, sizeof account->late);
-    put_number(account->lost, sizeof account->lost);
-    put_number(account->overruns, sizeof account->overruns);
-    put_number((uint32_t)account->margin, sizeof account->margin);
-    put_number(account->execution_min, sizeof account->execution_min);
-    put_number(account->execution_max, sizeof account->execution_max);
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        put_number(words[i], sizeof words[i]);
+    }
     put_number(account->execution_sum, sizeof account->execution_sum);
     put_number(hash, sizeof hash);
-    put_number(loop->guard, sizeof loop->guard);
-    put_number(loop->tick, sizeof loop->tick);
     put_reals(loop->plant->x, loop->plant->states);
     flush();
 }

@@ -279,7 +279,8 @@ int main(int argc, char **argv)
         fail("standard output", strerror(errno));
     }
     if (run.end.guard < run.header.states) {
-        fprintf(stderr, "trace: guard state %u at tick %" PRIu32 ": it is not finite\n", run.end.guard, run.end.tick);
+        fprintf(stderr, "trace: guard state %" PRIu32 " at tick %" PRIu32 ": it is not finite\n", run.end.guard,
+                run.end.tick);
         return EXIT_FAILURE;
     }
     return EXIT_SUCCESS;

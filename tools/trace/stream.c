@@ -136,19 +136,18 @@ static bool read_values(stream *const run, const uint64_t count)
 
 static bool read_end(stream *const run)
 {
-    FILE *const file = run->file;
     stream_end *const end = &run->end;
-    end->ticks = (uint32_t)read_number(file, sizeof end->ticks);
-    end->late = (uint32_t)read_number(file, sizeof end->late);
-    end->lost = (uint32_t)read_number(file, sizeof end->lost);
-    end->overruns = (uint32_t)read_number(file, sizeof end->overruns);
-    end->margin = (int32_t)(uint32_t)read_number(file, sizeof end->margin);
-    end->execution_min = (uint32_t)read_number(file, sizeof end->execution_min);
-    end->execution_max = (uint32_t)read_number(file, sizeof end->execution_max);
-    end->execution_sum = read_number(file, sizeof end->execution_sum);
-    end->hash = read_number(file, sizeof end->hash);
-    end->guard = (uint16_t)read_number(file, sizeof end->guard);
-    end->tick = (uint32_t)read_number(file, sizeof end->tick);
+    uint32_t margin = 0;
+    uint32_t *const words[] = {
+        &end->ticks,         &end->late,          &end->lost,  &end->overruns, &margin,
+        &end->execution_min, &end->execution_max, &end->guard, &end->tick,
+    };
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        *words[i] = (uint32_t)read_number(run->file, sizeof *words[i]);
+    }
+    end->margin = (int32_t)margin;
+    end->execution_sum = read_number(run->file, sizeof end->execution_sum);
+    end->hash = read_number(run->file, sizeof end->hash);
     return read_values(run, run->header.states);
 }
 

@@ -33,10 +33,10 @@ typedef struct stream_end {
     int32_t margin;
     uint32_t execution_min;
     uint32_t execution_max;
+    uint32_t guard; /* the first state that is not finite; as many as there are states if all are */
+    uint32_t tick;  /* where the run stopped */
     uint64_t execution_sum;
     uint64_t hash;
-    uint16_t guard; /* the first state that is not finite; as many as there are states if all are */
-    uint32_t tick;
 } stream_end;
 
 typedef struct stream {
