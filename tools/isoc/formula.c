@@ -22,7 +22,9 @@ static void add_part(parser *p, formula *f, formula *part)
 /* Words that may follow a number on its line, and so are no misspelt unit. */
 static bool is_connective(const char *word)
 {
-    static const char *const words[] = {"at", "about", "rotate", "rest", "along", "of"};
+    static const char *const words[] = {"at",    "about",      "rotate",  "rest",   "along", "of",
+                                        "mass",  "com",        "inertia", "axis",   "start", "speed",
+                                        "child", "continuous", "damping", "spring", "drive"};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         if (strcmp(word, words[i]) == 0) {
             return true;

@@ -74,10 +74,9 @@ static void lex_number(lexer *l)
         l->at += 1 + sign;
         skip_digits(l);
     }
-    if (is_letter(look(l, 0)) || look(l, 0) == '.') {
-        source_problem(l->s, l->at, "'%c' cannot stand in a number; a unit follows after a space: 1.5e-3 kg",
-                       look(l, 0));
-        while (is_letter(look(l, 0)) || is_digit(look(l, 0)) || look(l, 0) == '.') {
+    if (look(l, 0) == '.') {
+        source_problem(l->s, l->at, "a number has one decimal point: 1.5e-3");
+        while (is_digit(look(l, 0)) || look(l, 0) == '.') {
             l->at++;
         }
     }

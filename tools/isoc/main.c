@@ -101,8 +101,8 @@ static bool override(arena *memory, const options *o, scene *s)
     if (o->step == NULL && o->method == NULL) {
         return true;
     }
-    const char *words = arena_format(memory, "%s%s%s%s", o->step == NULL ? "" : "step ", o->step == NULL ? "" : o->step,
-                                     o->method == NULL ? "" : "\nmethod ", o->method == NULL ? "" : o->method);
+    const char *step = o->step == NULL ? "" : arena_format(memory, "step %s\n", o->step);
+    const char *words = o->method == NULL ? step : arena_format(memory, "%smethod %s\n", step, o->method);
     source given = {.memory = memory, .path = "command line", .text = words, .length = strlen(words)};
     const scene read = parse_scene(&given, lex(&given));
     graph g;

@@ -87,7 +87,7 @@ static void build_bodies(builder *b)
         const body *written = &b->written->bodies[i];
         solid *made = &b->solids[i];
         made->joint = -1;
-        if (written->mass == NULL && written->name.text != NULL) {
+        if (written->mass == NULL && !written->broken) {
             source_problem(b->s, written->name.at, "the body '%s' has no mass: mass 1 kg", written->name.text);
         }
         const size_t problems = b->s->problem_count;
@@ -122,7 +122,7 @@ static void check_properties(builder *b, const joint *j)
         if (j->drive.text != NULL) {
             source_problem(b->s, j->drive.at, "a drive %s", why);
         }
-    } else if (j->axis == NULL) {
+    } else if (j->axis == NULL && !j->broken) {
         source_problem(b->s, j->name.at, "the joint '%s' has no axis: axis z", j->name.text);
     }
     if (j->continuous && j->kind != JOINT_REVOLUTE) {
@@ -135,7 +135,9 @@ static void check_properties(builder *b, const joint *j)
 static int resolve_end(builder *b, const joint *j, const placement *end, const char *which)
 {
     if (end->body.text == NULL) {
-        source_problem(b->s, j->name.at, "the joint '%s' has no %s", j->name.text, which);
+        if (!j->broken) {
+            source_problem(b->s, j->name.at, "the joint '%s' has no %s", j->name.text, which);
+        }
         return -1;
     }
     return find_body(b->s, b->written, end->body);
@@ -381,8 +383,12 @@ static void build_tree(builder *b)
                            b->written->joints[i].name.text);
         }
     }
-    for (size_t i = 0; i < b->written->body_count; i++) {
-        if (b->solids[i].joint < 0 && b->written->bodies[i].name.text != NULL) {
+    bool known = !b->written->broken;
+    for (size_t i = 0; i < joints; i++) {
+        known = known && b->children[i] >= 0 && !b->written->joints[i].broken;
+    }
+    for (size_t i = 0; i < b->written->body_count && known; i++) {
+        if (b->solids[i].joint < 0) {
             source_problem(b->s, b->written->bodies[i].name.at,
                            "the body '%s' is no joint's child: it hangs on nothing", b->written->bodies[i].name.text);
         }
@@ -460,14 +466,18 @@ static void build_inputs(builder *b)
                 torque = torque || user->kind == JOINT_REVOLUTE;
             }
         }
-        if (q->name.text != NULL && !force && !torque) {
+        if (q->name.text == NULL || (!force && !torque && b->written->broken)) {
+            continue;
+        }
+        if (!force && !torque) {
             source_problem(b->s, q->name.at, "the input '%s' drives no joint: write 'drive %s' in one", q->name.text,
                            q->name.text);
         } else if (force && torque) {
             source_problem(b->s, q->name.at, "the input '%s' drives a revolute and a prismatic joint", q->name.text);
         }
         made->input_names[i] = q->name.text;
-        made->drives[i] = scalar_value(b, q->value, torque ? newton_metre : newton, torque ? "a torque" : "a force");
+        made->drives[i] = scalar_value(b, force || torque ? q->value : NULL, torque ? newton_metre : newton,
+                                       torque ? "a torque" : "a force");
     }
     b->values.time_allowed = false;
 }
@@ -603,10 +613,17 @@ mechanism mechanism_build(source *s, graph *g, const scene *written)
     build_outputs(&b);
     build_parameters(&b);
 
+    if (written->broken) {
+        return b.made;
+    }
+    bool moves = false;
+    for (size_t i = 0; i < written->joint_count; i++) {
+        moves = moves || written->joints[i].kind != JOINT_FIXED;
+    }
     if (written->step == NULL) {
         source_problem(s, s->length, "the scene has no step: step 1 ms");
     }
-    if (b.made.link_count == 0) {
+    if (!moves) {
         source_problem(s, s->length, "nothing moves: the scene has no body on a revolute or prismatic joint");
     }
     if (written->output_count == 0) {

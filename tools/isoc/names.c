@@ -38,6 +38,17 @@ static void list_components(source *s, listing *l, const output *o)
     }
 }
 
+/* Whether a name's place has its problem already: the components of a name taken twice need no more words. */
+static bool is_told(const source *s, place at)
+{
+    for (size_t i = 0; i < s->problem_count; i++) {
+        if (s->problems[i].at == at) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void check_list(source *s, listing *l)
 {
     if (l->count > 1) {
@@ -45,7 +56,7 @@ static void check_list(source *s, listing *l)
     }
     for (size_t i = 1; i < l->count; i++) {
         const name *first = &l->names[i - 1], *again = &l->names[i];
-        if (first->at == again->at) {
+        if (first->at == again->at || is_told(s, again->at)) {
             continue;
         }
         if (strcmp(first->text, again->text) == 0) {
@@ -117,7 +128,10 @@ static int find_or_suggest(source *s, const void *things, size_t count, size_t s
     const int found = find_among(things, count, size, n);
     if (found < 0) {
         const char **names = arena_take(s->memory, count + 1, sizeof *names);
-        const size_t listed = collect(names, things, count, size);
+        size_t listed = collect(names, things, count, size);
+        if (strcmp(kind, "body") == 0) {
+            names[listed++] = "ground";
+        }
         source_problem(s, n.at, "no %s is called '%s'%s", kind, n.text, source_suggestion(s, n.text, names, listed));
     }
     return found;

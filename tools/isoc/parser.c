@@ -209,20 +209,21 @@ static void recover(parser *p, const char *const *words, size_t count)
     p->failed = false;
 }
 
-/* { property ... }, each read by parse_property. */
-static void parse_block(parser *p, void *to, void (*parse_property)(parser *, void *), const char *const *words,
+/* { property ... }, each read by parse_property. Returns whether all could be read. */
+static bool parse_block(parser *p, void *to, void (*parse_property)(parser *, void *), const char *const *words,
                         size_t count)
 {
     const token *open = p->next;
     if (!take_sign(p, '{')) {
         parse_problem(p, "expected {");
-        return;
+        return false;
     }
+    bool whole = true;
     while (!take_sign(p, '}')) {
         const bool statement = p->next->first_on_line && is_one_of(p->next, statement_words, COUNT(statement_words));
         if (p->next->kind == TOKEN_END || statement) {
             source_problem(p->s, open->at, "this { is never closed");
-            return;
+            return false;
         }
         if (!take_sign(p, ';')) {
             const token *before = p->next;
@@ -230,32 +231,40 @@ static void parse_block(parser *p, void *to, void (*parse_property)(parser *, vo
             if (p->failed) {
                 p->next += p->next == before;
                 recover(p, words, count);
+                whole = false;
             }
         }
     }
+    return whole;
 }
 
 static void parse_body(parser *p, scene *made)
 {
     body b = {.name = take_name(p, "expected a name for the body", true)};
-    if (!p->failed) {
-        parse_block(p, &b, parse_body_property, body_words, COUNT(body_words));
-    }
+    b.broken = p->failed || !parse_block(p, &b, parse_body_property, body_words, COUNT(body_words));
     made->bodies = arena_grow(p->s->memory, made->bodies, made->body_count, &made->body_room, sizeof b);
     made->bodies[made->body_count++] = b;
+}
+
+/* A kind that is none: the rest of the scene is looked at as if it were one that moves. */
+static void parse_kind(parser *p, scene *made, joint *j)
+{
+    j->kind = (joint_kind)take_one_of(p, joint_kinds, COUNT(joint_kinds), "fixed, revolute or prismatic");
+    if (p->failed && p->next[0].kind != TOKEN_END && p->next[1].sign == '{') {
+        made->broken = true;
+        j->kind = JOINT_REVOLUTE;
+        p->failed = false;
+        p->next++;
+    }
 }
 
 static void parse_joint(parser *p, scene *made)
 {
     joint j = {.name = take_name(p, "expected a name for the joint", true)};
     if (!p->failed) {
-        j.kind = (joint_kind)take_one_of(p, joint_kinds, COUNT(joint_kinds), "fixed, revolute or prismatic");
-        if (p->failed) {
-            recover(p, NULL, 0);
-            return;
-        }
-        parse_block(p, &j, parse_joint_property, joint_words, COUNT(joint_words));
+        parse_kind(p, made, &j);
     }
+    j.broken = p->failed || !parse_block(p, &j, parse_joint_property, joint_words, COUNT(joint_words));
     made->joints = arena_grow(p->s->memory, made->joints, made->joint_count, &made->joint_room, sizeof j);
     made->joints[made->joint_count++] = j;
 }
@@ -375,6 +384,7 @@ scene parse_scene(source *s, const token *tokens)
         const token *before = p.next;
         parse_statement(&p, &made);
         if (p.failed) {
+            made.broken = true;
             p.next += p.next == before;
             recover(&p, NULL, 0);
             p.next += next_is_sign(&p, '}');

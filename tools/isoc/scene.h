@@ -51,6 +51,7 @@ typedef struct placement {
 typedef struct body {
     name name;
     formula *mass, *com, *inertia;
+    bool broken; /* a property could not be read */
 } body;
 
 typedef enum joint_kind { JOINT_FIXED, JOINT_REVOLUTE, JOINT_PRISMATIC } joint_kind;
@@ -64,6 +65,7 @@ typedef struct joint {
     name drive;
     bool continuous;
     place continuous_at;
+    bool broken;
 } joint;
 
 typedef struct quantity {
@@ -93,6 +95,7 @@ typedef struct output {
 
 typedef struct scene {
     const char *name;
+    bool broken; /* a statement could not be read: what is missing may have stood there */
     formula *gravity, *step;
     name method;
     body *bodies;

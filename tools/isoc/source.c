@@ -1,5 +1,6 @@
 #include "tools/isoc/source.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -153,7 +154,7 @@ void source_report(source *s)
     }
 }
 
-/* Levenshtein (1966): the least number of characters to insert, delete or change. */
+/* Levenshtein (1966): the least number of characters to insert, delete or change; upper and lower case are alike. */
 static size_t distance(const char *a, const char *b)
 {
     size_t row[LONGEST_NAME_COMPARED + 1];
@@ -168,7 +169,7 @@ static size_t distance(const char *a, const char *b)
         size_t diagonal = row[0];
         row[0] = i;
         for (size_t j = 1; j <= b_length; j++) {
-            const size_t change = diagonal + (a[i - 1] != b[j - 1]);
+            const size_t change = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
             diagonal = row[j];
             const size_t indel = 1 + (row[j] < row[j - 1] ? row[j] : row[j - 1]);
             row[j] = change < indel ? change : indel;
@@ -179,7 +180,7 @@ static size_t distance(const char *a, const char *b)
 
 const char *source_suggestion(source *s, const char *typed, const char *const *names, size_t count)
 {
-    const size_t near = strlen(typed) < 4 ? 1 : 2;
+    const size_t length = strlen(typed), near = length < 2 ? 0 : length < 4 ? 1 : 2;
     size_t best = near + 1;
     const char *name = NULL;
     for (size_t i = 0; i < count; i++) {

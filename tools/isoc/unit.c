@@ -60,20 +60,11 @@ static const struct {
     const char *text;
     dimension of;
 } customary[] = {
-    {"a plain number", {0, 0, 0, 0}},
-    {"N", {1, 1, -2, 0}},
-    {"N*m", {1, 2, -2, 0}},
-    {"N/m", {1, 0, -2, 0}},
-    {"N*s/m", {1, 0, -1, 0}},
-    {"N*m/rad", {1, 2, -2, -1}},
-    {"N*m*s/rad", {1, 2, -1, -1}},
-    {"kg*m^2", {1, 2, 0, 0}},
-    {"m/s", {0, 1, -1, 0}},
-    {"m/s^2", {0, 1, -2, 0}},
-    {"rad/s", {0, 0, -1, 1}},
-    {"Hz", {0, 0, -1, 0}},
-    {"W", {1, 2, -3, 0}},
-    {"Pa", {1, -1, -2, 0}},
+
+    {"N", {1, 1, -2, 0}},        {"N*m", {1, 2, -2, 0}},        {"N/m", {1, 0, -2, 0}},   {"N*s/m", {1, 0, -1, 0}},
+    {"N*m/rad", {1, 2, -2, -1}}, {"N*m*s/rad", {1, 2, -1, -1}}, {"kg*m^2", {1, 2, 0, 0}}, {"m/s", {0, 1, -1, 0}},
+    {"m/s^2", {0, 1, -2, 0}},    {"rad/s", {0, 0, -1, 1}},      {"Hz", {0, 0, -1, 0}},    {"N*m*s", {1, 2, -1, 0}},
+    {"W", {1, 2, -3, 0}},        {"Pa", {1, -1, -2, 0}},
 };
 
 static const char *append_power(arena *memory, const char *text, const char *name, int exponent)
@@ -86,6 +77,12 @@ static const char *append_power(arena *memory, const char *text, const char *nam
                          : arena_format(memory, "%s%s%s^%d", text, separator, name, exponent);
 }
 
+const char *dimension_phrase(arena *memory, dimension d)
+{
+    const dimension none = {0, 0, 0, 0};
+    return dimension_equal(d, none) ? "has no unit" : arena_format(memory, "is in %s", dimension_text(memory, d));
+}
+
 const char *dimension_text(arena *memory, dimension d)
 {
     for (size_t i = 0; i < sizeof customary / sizeof customary[0]; i++) {
@@ -96,7 +93,8 @@ const char *dimension_text(arena *memory, dimension d)
     const char *text = append_power(memory, "", "kg", d.kg);
     text = append_power(memory, text, "m", d.m);
     text = append_power(memory, text, "s", d.s);
-    return append_power(memory, text, "rad", d.rad);
+    text = append_power(memory, text, "rad", d.rad);
+    return text[0] == '\0' ? "a plain number" : text;
 }
 
 static const named_unit *find_plain(const char *name)

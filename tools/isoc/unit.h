@@ -27,6 +27,9 @@ bool dimension_times(dimension *a, dimension b, int n);
 /* The dimension as a person writes its unit: N*m/rad, kg*m^2, or "a plain number". */
 const char *dimension_text(arena *memory, dimension d);
 
+/* "is in N*m/rad", or "has no unit". */
+const char *dimension_phrase(arena *memory, dimension d);
+
 /* Finds a unit by name, with an SI prefix where it takes one. */
 bool unit_find(const char *name, unit *found);
 

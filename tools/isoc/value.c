@@ -352,8 +352,8 @@ value value_of(values *v, const formula *f, dimension of, int parts, const char 
         return nothing();
     }
     if (!r.any && !dimension_equal(r.of, of)) {
-        source_problem(v->s, f->at, "%s is in %s; this is in %s", what, dimension_text(v->s->memory, of),
-                       dimension_text(v->s->memory, r.of));
+        source_problem(v->s, f->at, "%s %s; this %s", what, dimension_phrase(v->s->memory, of),
+                       dimension_phrase(v->s->memory, r.of));
         return nothing();
     }
     for (int i = 0; i < r.count; i++) {

@@ -1,0 +1,135 @@
+# Bad scenes: what isoc says of each, to the letter, and that it leaves its output alone. Prints TAP.
+# cases.pl COMMAND...: the compiler, bare or under valgrind.
+#
+# bad.txt: `== NAME`, then either the scene itself or lines `edit: OLD -> NEW` on the scene good.scene (each OLD stands in
+# it once; \0, \n, \t, \\ and \xHH are read as in C), then lines `> LINE:COLUMN: MESSAGE`, the errors in their order.
+use strict;
+use warnings;
+
+my @compiler = @ARGV;
+my $dir = 'build/tests/scenes/' . (@compiler > 1 ? 'memcheck' : 'plain');
+my $number = 0;
+system('rm', '-rf', $dir) == 0 && system('mkdir', '-p', $dir) == 0 or die "$dir: $!\n";
+
+sub check {
+    my ($good, $name, @told) = @_;
+    $number++;
+    print $good ? 'ok' : 'not ok', " $number - $name\n";
+    print map { "# $_\n" } @told unless $good;
+}
+
+sub slurp {
+    open my $file, '<:raw', $_[0] or return undef;
+    local $/;
+    return scalar <$file>;
+}
+
+sub spit {
+    open my $file, '>:raw', $_[0] or die "$_[0]: $!\n";
+    print $file $_[1];
+    close $file or die "$_[0]: $!\n";
+}
+
+# Runs the compiler with these arguments: exit status, lines of stderr, stdout.
+sub compile {
+    my ($out, $err) = ("$dir/stdout", "$dir/stderr");
+    my $pid = fork;
+    if (!$pid) {
+        open STDOUT, '>', $out or die;
+        open STDERR, '>', $err or die;
+        exec @compiler, @_ or die;
+    }
+    waitpid $pid, 0;
+    return ($? & 127 ? "signal $?" : $? >> 8, [split /\n/, slurp($err)], slurp($out));
+}
+
+sub unescape {
+    my ($text) = @_;
+    my %of = (n => "\n", t => "\t", '\\' => '\\', 0 => "\0");
+    $text =~ s/\\(x[0-9A-F]{2}|.)/length $1 > 1 ? chr hex substr $1, 1 : $of{$1}/ge;
+    return $text;
+}
+
+# A scene is refused with exactly these problems, and the plant of before is still what it was.
+sub refused {
+    my ($name, $scene, @expected) = @_;
+    spit("$dir/plant.h", 'as before');
+    spit("$dir/plant.c", 'as before');
+    my ($status, $lines, $stdout) = compile($scene, '-o', $dir);
+    my @told = map { /^\Q$scene\E:(?:(\d+:\d+):)? error: (.*)/ ? ($1 || '-') . ": $2" : () } @$lines;
+    my $same = slurp("$dir/plant.h") eq 'as before' && slurp("$dir/plant.c") eq 'as before';
+    my $good = $status eq '1' && $same && $stdout eq '' && "@told" eq "@expected";
+    check($good, $name, "status $status" . ($same ? '' : ', output touched'), map({ "expected $_" } @expected), map { "told     $_" } @told);
+}
+
+my $base = slurp('tests/scenes/good.scene');
+for my $case (grep { /\S/ } split /^== /m, slurp('tests/scenes/bad.txt')) {
+    my ($name, @lines) = split /\n/, $case;
+    my @expected = map { /^> (.*)/ ? $1 : () } @lines;
+    my @edits = map { /^edit: (.*?) -> (.*)/ ? [$1, $2] : () } @lines;
+    my $scene = @edits ? $base : join '', map { "$_\n" } grep { !/^> / } @lines;
+    for my $edit (@edits) {
+        my ($old, $new) = map { unescape($_) } @$edit;
+        my $count = () = $scene =~ /\Q$old\E/g;
+        $count == 1 or die "$name: '$old' stands $count times in good.scene\n";
+        $scene =~ s/\Q$old\E/$new/;
+    }
+    spit("$dir/bad.scene", $scene);
+    refused($name, "$dir/bad.scene", @expected);
+}
+
+# Scenes that are no text of a sensible size.
+spit("$dir/empty.scene", '');
+my @nothing = map { "1:1: $_" } 'nothing moves: the scene has no body on a revolute or prismatic joint',
+  'the scene has no output: output angle = position of a joint', 'the scene has no step: step 1 ms';
+refused('an empty file', "$dir/empty.scene", @nothing);
+spit("$dir/long.scene", 'step 1 ms ' . ('@' x 10_000_000));
+refused('a line of 10 MB', "$dir/long.scene", '1:11: \'@\' means nothing here',
+    map { s/1:1:/1:10000011:/r } @nothing[0, 1]);
+spit("$dir/long_name.scene", 'body ' . ('b' x 1_000_000));
+my ($status, $lines) = compile("$dir/long_name.scene", '-o', $dir);
+check($status eq '1' && "@$lines" =~ /a name of 1000000 characters: 64 is the most/, 'a name of 1 MB', @$lines);
+spit("$dir/deep.scene", 'step ' . ('(' x 100_000));
+($status, $lines) = compile("$dir/deep.scene", '-o', $dir);
+check($status eq '1' && "@$lines" =~ /nested too deeply/, '100,000 parentheses', @$lines[0 .. 3]);
+spit("$dir/noise.scene", join '', map { chr(($_ * 7919 + ($_ >> 3) * 104729) % 256) } 1 .. 100_000);
+($status, $lines) = compile("$dir/noise.scene", '-o', $dir);
+check($status eq '1' && @$lines < 200, '100 kB of noise gets a page of errors at most', scalar(@$lines) . ' lines');
+refused('a directory', $dir, '-: not a file but a directory: name a .scene file in it');
+refused('a file that is not there', "$dir/absent.scene", '-: No such file or directory');
+spit("$dir/caret.scene", $base =~ s/kg/kgg/r);
+($status, $lines) = compile("$dir/caret.scene", '-o', $dir);
+check($lines->[1] eq '        mass 1 kgg' && $lines->[2] eq '               ^', 'the line and a caret under the word', @$lines);
+
+# The control: the scene that all cases are made from is a good one, and then the plant is written.
+spit("$dir/plant.c", 'as before');
+($status, $lines) = compile('tests/scenes/good.scene', '-o', $dir);
+check($status eq '0' && !@$lines && slurp("$dir/plant.c") ne 'as before', 'good.scene is accepted', @$lines);
+my $first = slurp("$dir/plant.c") . slurp("$dir/plant.h");
+compile('tests/scenes/good.scene', '-o', "$dir/deeper/folder");
+check($first eq slurp("$dir/deeper/folder/plant.c") . slurp("$dir/deeper/folder/plant.h"),
+    'the same scene gives the same bytes, in another folder too');
+
+# The command line.
+for my $case (
+    [['--method', 'rk5'], "command line:1:8: error: no method is called 'rk5': euler, heun, rk4 or ab4 (did you mean 'rk4'?)"],
+    [['--step', '1 kg'], 'command line:1:6: error: the step is in s; this is in kg'],
+    [['--step', '-1 ms'], 'command line:1:6: error: a step is between 1 us and 1 s'],
+    [['--real', 'half'], 'isoc: error: --real is float or double, not half'],
+    [['--fast'], 'isoc: error: unknown option --fast'],
+    [['--step'], 'isoc: error: a value is missing after --step'],
+    [['-o', $dir], 'isoc: error: given twice: -o'],
+    [['other.scene'], 'isoc: error: more than one scene: other.scene'],
+) {
+    ($status, $lines) = compile('tests/scenes/good.scene', '-o', $dir, @{ $case->[0] });
+    check($status eq '1' && $lines->[0] eq $case->[1], "isoc @{$case->[0]}", "expected $case->[1]", @$lines);
+}
+($status, $lines) = compile('tests/scenes/good.scene');
+check($status eq '1' && $lines->[0] =~ /no folder for the plant/, 'isoc without -o', @$lines);
+($status, $lines) = compile('tests/scenes/good.scene', '-o', "$dir/plant.c/below");
+check($status eq '1' && $lines->[0] =~ /Not a directory/, 'an output folder that cannot be', @$lines);
+my $stdout;
+($status, $lines, $stdout) = compile('tests/scenes/good.scene', '-o', $dir, '--step', '500us', '--method', 'ab4', '--real', 'double');
+check($status eq '0' && $stdout =~ /^method ab4\nstep 0\.0005 s\nreal double\nstates 2\n/m, 'the command line overrides the scene', $stdout);
+
+print "1..$number\n";
