@@ -67,6 +67,10 @@ const char *code_literal(arena *memory, double value, bool is_double)
             break;
         }
     }
+    /* Without an exponent where that is as short: 20.0, not 2e+01. */
+    if (fabs(value) >= 10.0 && fabs(value) < 1e6 && strchr(digits, '.') == NULL) {
+        snprintf(digits, sizeof digits, "%.0f", value);
+    }
     const char *point = strpbrk(digits, ".e") == NULL ? ".0" : "";
     return arena_format(memory, "R(%s%s)", digits, point);
 }
@@ -90,6 +94,36 @@ static const char *unique_name(emitter *e, const char *wanted)
     e->taken = arena_grow(e->g->memory, e->taken, e->taken_count, &e->taken_room, sizeof *e->taken);
     e->taken[e->taken_count++] = name;
     return name;
+}
+
+/* Where the last of these operators before `room` stands, or 0. */
+static size_t last_operator(const char *line, size_t room, const char *signs)
+{
+    size_t cut = room;
+    while (cut > 0 && !(line[cut] == ' ' && strchr(signs, line[cut + 1]) != NULL && line[cut + 2] == ' ')) {
+        cut--;
+    }
+    return cut;
+}
+
+/* A statement, broken before an operator where it would pass the margin. */
+static void statement(text *out, const char *line)
+{
+    enum { MARGIN = 116 };
+    size_t left = strlen(line), room = MARGIN;
+    text_add(out, "    ");
+    while (left > room) {
+        size_t cut = last_operator(line, room, "+-");
+        cut = cut > 0 ? cut : last_operator(line, room, "*/");
+        if (cut == 0) {
+            break;
+        }
+        text_add(out, "%.*s\n       ", (int)cut, line);
+        line += cut;
+        left -= cut;
+        room = MARGIN - 4;
+    }
+    text_add(out, "%s\n", line);
 }
 
 static void heading(emitter *e, int section)
@@ -214,7 +248,7 @@ static void emit_node(emitter *e, node i)
     const char *wanted = n->name != NULL ? n->name : arena_format(e->g->memory, "t%d", ++e->temporaries);
     const char *name = unique_name(e, wanted);
     heading(e, n->section);
-    text_add(e->out, "    const real %s = %s;\n", name, e->shown[i].text);
+    statement(e->out, arena_format(e->g->memory, "const real %s = %s;", name, e->shown[i].text));
     e->shown[i] = (rendering){name, BINDS_WHOLE};
 }
 
@@ -267,7 +301,7 @@ bool code_emit(const code *c, text *out, double *culprit)
     }
     text_add(out, "\n");
     for (size_t i = 0; i < c->count; i++) {
-        text_add(out, "    %s = %s;\n", c->targets[i], e.shown[c->roots[i]].text);
+        statement(out, arena_format(g->memory, "%s = %s;", c->targets[i], e.shown[c->roots[i]].text));
     }
     *culprit = e.culprit;
     return e.culprit == 0.0;

@@ -51,14 +51,21 @@ static void emit_enum(text *out, const char *letter, const char *const *names, i
     text_add(out, "    %s\n};\n\n", total);
 }
 
+/* JOINT and JOINT_SPEED. */
+static const char *const *state_symbols(const mechanism *m, arena *memory)
+{
+    const char **states = arena_take(memory, 2 * (size_t)m->link_count, sizeof *states);
+    for (int i = 0; i < m->link_count; i++) {
+        states[i] = m->links[i].name;
+        states[m->link_count + i] = arena_format(memory, "%s_SPEED", m->links[i].name);
+    }
+    return states;
+}
+
 bool emit_header(const plant *p, text *out)
 {
     const mechanism *m = p->m;
-    const char **states = arena_take(out->memory, 2 * (size_t)m->link_count, sizeof *states);
-    for (int i = 0; i < m->link_count; i++) {
-        states[i] = m->links[i].name;
-        states[m->link_count + i] = arena_format(out->memory, "%s_SPEED", m->links[i].name);
-    }
+    const char *const *states = state_symbols(m, out->memory);
     text_add(out, "/* %s: what stands where in the arrays of its plant. Made by isoc from %s.scene. */\n", m->name,
              m->name);
     text_add(out, "#ifndef PLANT_H\n#define PLANT_H\n\n#include \"core/plant.h\"\n\n");
@@ -80,13 +87,16 @@ bool emit_header(const plant *p, text *out)
     return true;
 }
 
-static void emit_array(const plant *p, text *out, const char *array, const char *size, const double *numbers, int count)
+/* static const real ARRAY[SIZE] = {[PLANT_LETTER_NAME] = NUMBER, ...}; */
+static void emit_array(const plant *p, text *out, const char *array, const char *size, const char *letter,
+                       const char *const *names, const double *numbers, int count)
 {
-    text_add(out, "static const real %s[%s] = {", array, size);
+    text_add(out, "static const real %s[%s] = {\n", array, size);
     for (int i = 0; i < count; i++) {
-        text_add(out, "%s%s", i == 0 ? "" : ", ", code_literal(out->memory, numbers[i], p->is_double));
+        text_add(out, "    [PLANT_%s_%s] = %s,\n", letter, upper(out->memory, names[i]),
+                 code_literal(out->memory, numbers[i], p->is_double));
     }
-    text_add(out, "};\n");
+    text_add(out, "};\n\n");
 }
 
 static void emit_memory(const plant *p, text *out)
@@ -110,9 +120,9 @@ static void emit_memory(const plant *p, text *out)
         start[i] = m->links[i].start;
         start[m->link_count + i] = m->links[i].speed;
     }
-    emit_array(p, out, "start", "PLANT_STATES", start, 2 * m->link_count);
+    emit_array(p, out, "start", "PLANT_STATES", "X", state_symbols(m, out->memory), start, 2 * m->link_count);
     if (m->parameter_count > 0) {
-        emit_array(p, out, "defaults", "PLANT_PARAMETERS", m->defaults, m->parameter_count);
+        emit_array(p, out, "defaults", "PLANT_PARAMETERS", "P", m->parameter_names, m->defaults, m->parameter_count);
     }
 }
 
@@ -213,11 +223,11 @@ static void emit_description(const plant *p, text *out)
     if (m->parameter_count > 0) {
         text_add(out, "    .parameters = PLANT_PARAMETERS,\n    .p = memory.p,\n    .defaults = defaults,\n");
     }
-    text_add(out, "    .outputs = PLANT_OUTPUTS,\n    .output_names = \"");
+    text_add(out, "    .outputs = PLANT_OUTPUTS,\n    .output_names =");
     for (int i = 0; i < p->output_count; i++) {
-        text_add(out, "%s%s", i == 0 ? "" : ",", p->output_names[i]);
+        text_add(out, "\n        \"%s%s\"", p->output_names[i], i + 1 < p->output_count ? "," : "");
     }
-    text_add(out, "\",\n    .x = memory.x,\n    .y = memory.y,\n    .start = start,\n    .memory = &memory,\n");
+    text_add(out, ",\n    .x = memory.x,\n    .y = memory.y,\n    .start = start,\n    .memory = &memory,\n");
     text_add(out, "    .memory_bytes = sizeof memory,\n    .derivative = derivative,\n    .output = output,\n");
     text_add(out, "%s    .step = step,\n};\n", m->method == ISO_AB4 ? "    .prime = prime,\n" : "");
 }
@@ -235,7 +245,6 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
              timed_inputs ? "#include \"core/signal.h\"\n" : "",
              p->turn_count > 0 ? "#include \"core/turns.h\"\n" : "");
     emit_memory(p, out);
-    text_add(out, "\n");
     bool good = emit_function(p, g, out, "derivative", "dx", p->slopes, 2 * m->link_count, culprit);
     good = good && emit_function(p, g, out, "output", "y", p->outputs, p->output_count, culprit);
     good = good && (m->input_count == 0 || emit_drive(p, g, out, culprit));

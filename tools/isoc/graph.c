@@ -24,13 +24,15 @@ void graph_section(graph *g, const char *heading)
 
 node graph_name(graph *g, node n, const char *format, ...)
 {
-    if (g->nodes[n].op >= OP_ADD && g->nodes[n].name == NULL) {
+    const bool negated = g->nodes[n].op == OP_NEG;
+    graph_node *named = &g->nodes[negated ? g->nodes[n].a : n];
+    if (named->op >= OP_ADD && named->name == NULL) {
         char text[NAME_ROOM];
         va_list arguments;
         va_start(arguments, format);
         vsnprintf(text, sizeof text, format, arguments);
         va_end(arguments);
-        g->nodes[n].name = arena_copy(g->memory, text, strlen(text));
+        named->name = arena_format(g->memory, "%s%s", negated ? "minus_" : "", text);
     }
     return n;
 }

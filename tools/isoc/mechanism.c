@@ -456,6 +456,7 @@ static void build_inputs(builder *b)
     made->input_names = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->input_names);
     made->drives = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->drives);
     b->values.time_allowed = true;
+    graph_section(b->g, "Inputs as functions of time");
     for (int i = 0; i < made->input_count; i++) {
         const quantity *q = &b->written->inputs[i];
         bool force = false, torque = false;
