@@ -4,19 +4,22 @@
 begin dynamics
 ours="tests/dynamics/mechanism.c tests/host/report.c"
 
-for name in arm6 tree pendulum double_pendulum cart_pole; do
-    # shellcheck disable=SC2086
-    scene "$name" && program "$name.compare" tests/dynamics/compare.c "tests/dynamics/table_$name.c" $ours \
-        "$out/$name/plant.c"
-    result $? "$name builds"
-    joined "$name" "$out/$name.compare"
+for real in float double; do
+    real $real
+    for name in arm6 tree pendulum double_pendulum cart_pole; do
+        # shellcheck disable=SC2086
+        scene "$name" && program "$name.compare" tests/dynamics/compare.c "tests/dynamics/table_$name.c" $ours \
+            "$out/$name/plant.c"
+        result $? "$name builds in $real"
+        joined "$name in $real" "$out/$name.compare"
+    done
 done
 
 for name in pendulum double_pendulum cart_pole; do
     for plant in "$out/$name/plant.c" "tests/handwritten/$name.c"; do
         # shellcheck disable=SC2086
-        program "$name.closed" tests/dynamics/closed.c "tests/dynamics/closed_$name.c" "tests/dynamics/table_$name.c" \
-            $ours "$plant"
+        program "$name.closed" tests/dynamics/closed.c "tests/dynamics/closed_$name.c" \
+            "tests/dynamics/table_$name.c" $ours "$plant"
         result $? "$plant builds with its formula"
         joined "$plant" "$out/$name.closed"
     done

@@ -12,8 +12,8 @@ enum { ROD_MASS, HALF_LENGTH, RAIL_DAMPING, PARAMETERS };
 static const real start[4] = {R(0.0), R(0.087266462599716474), R(0.0), R(0.0)};
 static const real defaults[PARAMETERS] = {R(0.2), R(0.25), R(0.1)};
 
-static void derivative(real *restrict const dx, const real *restrict const x, const real *restrict const u,
-                       const real *restrict const p)
+static inline void derivative(real *restrict const dx, const real *restrict const x, const real *restrict const u,
+                              const real *restrict const p)
 {
     const iso_sine_cosine th = iso_sincos(x[1]);
     const real ml = p[ROD_MASS] * p[HALF_LENGTH];

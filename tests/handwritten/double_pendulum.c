@@ -10,8 +10,8 @@
 static const real start[4] = {R(1.5707963267948966), R(0.0), R(0.0), R(0.0)};
 static const real defaults[1] = {R(0.0)};
 
-static void derivative(real *restrict const dx, const real *restrict const x, const real *restrict const u,
-                       const real *restrict const p)
+static inline void derivative(real *restrict const dx, const real *restrict const x, const real *restrict const u,
+                              const real *restrict const p)
 {
     (void)u;
     (void)p;

@@ -1,10 +1,10 @@
+# shellcheck shell=sh
 # What the host tests share; read by each *.t with `. tests/host/test.sh`, from the project's root.
 # A script runs programs that print TAP and joins their results into one stream.
 
 : "${CC:=cc}"
 FLAGS="-std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes
     -Wmissing-prototypes -Wvla -Werror -O2 -ffp-contract=off -fno-math-errno -I."
-DOUBLE="-DISO_REAL_DOUBLE"
 tests=0
 failures=0
 
@@ -26,31 +26,42 @@ begin()
     out=build/tests/$1
     rm -rf "$out"
     mkdir -p "$out"
+    real double
 }
 
-# scene NAME: compiles models/NAME.scene for double into $out/NAME.
+# real float|double: what the scenes and programs that follow compute in.
+real()
+{
+    real=$1
+    case $1 in
+    float) REAL_FLAG= ;;
+    double) REAL_FLAG=-DISO_REAL_DOUBLE ;;
+    esac
+}
+
+# scene NAME: compiles models/NAME.scene into $out/NAME.
 scene()
 {
-    build/isoc "models/$1.scene" -o "$out/$1" --real double >"$out/$1.summary" && [ -s "$out/$1/plant.c" ]
+    build/isoc "models/$1.scene" -o "$out/$1" --real "$real" >"$out/$1.summary" && [ -s "$out/$1/plant.c" ]
 }
 
 # program FILE SOURCE...: compiles the sources into $out/FILE. Further flags stand in $EXTRA.
 program()
 {
-    file=$1
+    program_file=$1
     shift
     # shellcheck disable=SC2086
-    "$CC" $FLAGS $DOUBLE ${EXTRA-} "$@" -o "$out/$file" -lm
+    "$CC" $FLAGS $REAL_FLAG ${EXTRA-} "$@" -o "$out/$program_file" -lm
 }
 
 # joined NAME COMMAND...: runs a command that prints TAP and joins its results, each headed by NAME.
 joined()
 {
-    name=$1
+    joined_name=$1
     shift
-    status=0
-    "$@" >"$out/tap" || status=$?
-    awk -v name="$name" -v n="$tests" '
+    joined_status=0
+    "$@" >"$out/tap" || joined_status=$?
+    awk -v name="$joined_name" -v n="$tests" '
         /^1\.\.[0-9]+$/ { next }
         match($0, /^(not )?ok [0-9]+ - /) {
             sub(/[0-9]+ - /, ++n " - " name ": ")
@@ -60,8 +71,8 @@ joined()
     failed=$(grep -c '^not ok ' "$out/tap")
     tests=$((tests + ran))
     failures=$((failures + failed))
-    if ! grep -q "^1\.\.$ran\$" "$out/tap" || { [ "$status" -ne 0 ] && [ "$failed" -eq 0 ]; }; then
-        result 1 "$name: ended with status $status and no plan"
+    if ! grep -q "^1\.\.$ran\$" "$out/tap" || { [ "$joined_status" -ne 0 ] && [ "$failed" -eq 0 ]; }; then
+        result 1 "$joined_name: ended with status $joined_status"
     fi
 }
 

@@ -1,0 +1,89 @@
+#!/bin/sh
+# The price of a generated plant: instructions of an rk4 step beside those of a plant written by hand with the same
+# kernel, on the host in double (callgrind); operations of a derivative beside a published count; instructions of a step
+# on the Cortex-M4F.
+. tests/host/test.sh
+. tests/host/project.sh
+begin handwritten
+
+# instructions PROGRAM STEPS: what the program executes in all.
+instructions()
+{
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$1" "$2" 2>&1 | sed -n 's/.*Collected : //p'
+}
+
+# per_step PROGRAM: instructions of a step, the loop around it included; fails unless every thousand steps cost the same.
+per_step()
+{
+    a=$(instructions "$1" 1000)
+    b=$(instructions "$1" 2000)
+    c=$(instructions "$1" 3000)
+    echo $(((b - a) / 1000))
+    [ -n "$a" ] && [ $((c - b)) -eq $((b - a)) ] && [ $(((b - a) % 1000)) -eq 0 ]
+}
+
+# at_most_tenth_over GENERATED HAND: generated <= 1.1 x hand.
+at_most_tenth_over()
+{
+    [ "$1" -gt 0 ] && [ $((10 * $1)) -le $((11 * $2)) ]
+}
+
+for name in pendulum double_pendulum cart_pole; do
+    scene "$name" &&
+        program "$name.generated" tests/handwritten/count.c "$out/$name/plant.c" &&
+        program "$name.hand" tests/handwritten/count.c "tests/handwritten/$name.c"
+    result $? "$name builds"
+    generated=$(per_step "$out/$name.generated")
+    result $? "$name, generated: $generated instructions on every step"
+    hand=$(per_step "$out/$name.hand")
+    result $? "$name, by hand: $hand instructions on every step"
+    at_most_tenth_over "${generated:-0}" "${hand:-0}"
+    result $? "$name: generated at most 1.1 x by hand"
+    [ "$name" = double_pendulum ] && hand_double_pendulum=$hand
+done
+
+# Positive controls: a plant that does more than it must, and one whose steps differ.
+EXTRA=-O0 program unoptimised tests/handwritten/count.c "$out/double_pendulum/plant.c" &&
+    slow=$(per_step "$out/unoptimised") && ! at_most_tenth_over "$slow" "$hand_double_pendulum"
+result $? "control: $slow instructions are more than 1.1 x by hand"
+program libm tests/handwritten/count.c tests/handwritten/pendulum_libm.c && ! per_step "$out/libm" >/dev/null
+result $? "control: a sine that branches on its argument is seen"
+
+# The operations of arm6's derivative, which isoc counts, beside those of the articulated-body algorithm for n joints in
+# general position: 224 n - 259 multiplications and 205 n - 248 additions (McMillan and Orin 1995, IEEE Trans. Syst. Man
+# Cybern. 25(11); table 10.1 of Featherstone 2008, Rigid Body Dynamics Algorithms). isoc knows the geometry: 60 %.
+n=6
+scene arm6
+result $? "arm6 builds"
+# operations KIND: how many of a kind a derivative takes.
+operations()
+{
+    awk -v kind="$1" '$1 == "derivative" { for (i = 2; i < NF; i += 2) if ($i == kind) print $(i + 1) }' "$out/arm6.summary"
+}
+mul=$(operations mul)
+div=$(operations div)
+add=$(operations add)
+[ "${mul:-0}" -gt 0 ] && [ $((100 * (mul + div))) -le $((60 * (224 * n - 259))) ]
+result $? "arm6: ${mul:-?} multiplications and ${div:-?} divisions at most 60 % of $((224 * n - 259))"
+[ "${add:-0}" -gt 0 ] && [ $((100 * add)) -le $((60 * (205 * n - 248))) ]
+result $? "arm6: ${add:-?} additions at most 60 % of $((205 * n - 248))"
+# What isoc says must be there in the code: a multiplication is one sign, an addition or a subtraction one of two.
+derivative=$(sed -n '/^static void derivative/,/^}/p' "$out/arm6/plant.c" | sed 's|/\*.*\*/||')
+[ "$(printf '%s\n' "$derivative" | grep -o ' \* ' | grep -c .)" -eq "${mul:-0}" ]
+result $? "arm6: the multiplications are those in the code"
+[ "$(printf '%s\n' "$derivative" | grep -o ' [+-] ' | grep -c .)" -eq "${add:-0}" ]
+result $? "arm6: the additions are those in the code"
+
+# On the Cortex-M4F, in float: a budget of 750.
+limit=750
+project
+call run SCENE=models/double_pendulum.scene TARGET=cortex-m4f SECONDS=1
+expect $? "double_pendulum runs on the Cortex-M4F"
+count=$(value instructions_per_step)
+[ "${count:-0}" -gt 0 ] && [ "$count" -le $limit ]
+expect $? "double_pendulum, Cortex-M4F: ${count:-?} instructions in a step, at most $limit"
+# shellcheck disable=SC2046
+set -- $(value execution)
+[ "${1:-0}" -gt 0 ] && [ "$1" = "$3" ]
+expect $? "double_pendulum, Cortex-M4F: the least and the most are the same, ${1:-?}"
+finish
