@@ -87,12 +87,12 @@ SCENE_FILE := $(subst $(space),_,$(SCENE))
 NAME := $(shell printf %s $(call quote,$(basename $(notdir $(SCENE_FILE)))) | tr -c 'A-Za-z0-9_.-' _)
 OUT := build/$(TARGET)/$(REAL)/$(NAME)
 
-# The duration, and the step of a plant in C: a tick of the clock's 2^31 counts would not be told from a late one.
+# Times come as a number with a unit. The step of a plant in C is checked here, that of a scene by build/isoc.
 nanoseconds = $(shell awk -v text=$(call quote,$(1)) -v least=$(2) -v most=$(3) -v as=$(4) \
     -f tools/build/nanoseconds.awk)
 NANOSECONDS := $(call nanoseconds,$(SECONDS),1,1e18)
 ifeq ($(NANOSECONDS),)
-$(error SECONDS=$(SECONDS) is no duration; it could be 10 or 0.5)
+$(error SECONDS=$(SECONDS) is no time to run; it could be 10 or 0.5)
 endif
 
 ifeq ($(suffix $(SCENE_FILE)),.c)

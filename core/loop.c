@@ -64,6 +64,7 @@ static void book(iso_loop *const loop, const uint32_t begin, const uint32_t coun
     const int32_t margin = elapsed(end, loop->due + loop->period);
 
     account->ticks++;
+    account->lost += loop->tick != loop->reported;
     account->late += elapsed(loop->due, begin) > (int32_t)(loop->period >> ISO_LATE_SHIFT);
     account->overruns += margin < 0;
     account->margin = margin < account->margin ? margin : account->margin;
@@ -78,7 +79,6 @@ bool iso_loop_tick(iso_loop *const loop)
 
     if (loop->tick == loop->reported) {
         loop->reported = iso_port_wait();
-        loop->account.lost += loop->reported - loop->tick - 1;
     }
     const uint32_t begin = iso_port_clock();
     if (plant->drive != NULL) {

@@ -20,7 +20,7 @@ enum { ISO_LATE_SHIFT = 4 };
 typedef struct iso_account {
     uint32_t ticks;         /* done */
     uint32_t late;          /* of them, started late */
-    uint32_t lost;          /* of them, never reported by the port but with a later one */
+    uint32_t lost;          /* of them, reported by the port only with a later one */
     uint32_t overruns;      /* of them, ended after the next one was due */
     int32_t margin;         /* least time left when the outputs were out; positive is good */
     uint32_t execution_min; /* of a step: the call and nothing else */

@@ -1,6 +1,7 @@
 /* From reset to main, and from a fault to the end of the program.
  * Arm (2021), Armv7-M Architecture Reference Manual, DDI 0403E.e: B1.5 exceptions, B3.2 system control. */
 #include <stdint.h>
+#include <string.h>
 
 #include "port/mps2/semihosting.h"
 #include "port/mps2/tick.h"
@@ -10,12 +11,21 @@
 #define FPDSCR (*(volatile uint32_t *)0xE000EF3CU)
 #define CFSR (*(const volatile uint32_t *)0xE000ED28U)
 
+#define MPU_CTRL (*(volatile uint32_t *)0xE000ED94U)
+#define MPU_RBAR (*(volatile uint32_t *)0xE000ED9CU)
+#define MPU_RASR (*(volatile uint32_t *)0xE000EDA0U)
+
 /* Full access to coprocessors 10 and 11, the FPU. */
 #define CPACR_FPU_ON (UINT32_C(0xF) << 20)
 
-extern uint64_t data_begin[], data_end[], bss_begin[], bss_end[];
-extern const uint64_t data_image[];
-extern uint32_t stack_top[];
+/* Region 0: the 2^28 bytes below the RAM, where nobody may read, write or execute; all else as without an MPU. */
+#define MPU_BELOW_RAM (UINT32_C(0x10000000) | 1 << 4)
+#define MPU_NO_ACCESS (UINT32_C(1) << 28 | (28 - 1) << 1 | 1)
+#define MPU_ON (1 << 2 | 1)
+
+/* From the linker script: places, and sizes as addresses. */
+extern uint8_t data[], bss[], stack_top[];
+extern const uint8_t data_image[], data_bytes[], bss_bytes[];
 
 int main(int argc, char **argv);
 _Noreturn void reset(void);
@@ -70,12 +80,14 @@ _Noreturn void reset(void)
     FPDSCR = 0;
     __asm__ volatile("vmsr fpscr, %0" ::"r"(0) : "memory");
 
-    for (const uint64_t *from = data_image, *to = data_begin; to < data_end;) {
-        *(uint64_t *)(uintptr_t)to++ = *from++;
-    }
-    for (uint64_t *to = bss_begin; to < bss_end;) {
-        *to++ = 0;
-    }
+    /* A stack that grows out of the RAM faults at once. */
+    MPU_RBAR = MPU_BELOW_RAM;
+    MPU_RASR = MPU_NO_ACCESS;
+    MPU_CTRL = MPU_ON;
+    __asm__ volatile("dsb\n    isb" ::: "memory");
+
+    memcpy(data, data_image, (size_t)data_bytes);
+    memset(bss, 0, (size_t)bss_bytes);
 
     enum { ARGUMENTS_MAX = 4 };
     char *arguments[ARGUMENTS_MAX + 1] = {NULL};
@@ -87,21 +99,13 @@ typedef union vector {
     void (*handler)(void);
 } vector;
 
+/* By number of the exception; the first entry is the stack. Nothing else is enabled: other faults become hard ones. */
+enum { NON_MASKABLE = 2, HARD_FAULT = 3, SYSTICK = 15 };
+
 __attribute__((section(".vectors"), used)) const vector vectors[] = {
     {.stack = stack_top},
     {.handler = reset},
-    {.handler = fault_entry}, /* non-maskable interrupt */
-    {.handler = fault_entry}, /* hard fault, and those below as long as they are not enabled */
-    {.handler = fault_entry}, /* memory management */
-    {.handler = fault_entry}, /* bus */
-    {.handler = fault_entry}, /* usage */
-    {.handler = fault_entry},
-    {.handler = fault_entry},
-    {.handler = fault_entry},
-    {.handler = fault_entry},
-    {.handler = fault_entry}, /* supervisor call */
-    {.handler = fault_entry}, /* debug monitor */
-    {.handler = fault_entry},
-    {.handler = fault_entry}, /* pending supervisor call */
-    {.handler = tick_interrupt},
+    [NON_MASKABLE] = {.handler = fault_entry},
+    [HARD_FAULT] = {.handler = fault_entry},
+    [SYSTICK] = {.handler = tick_interrupt},
 };

@@ -114,7 +114,8 @@ void sim_script_read(const char *const path)
         read_line(text, path, line);
     }
     if (ferror(file) != 0) {
-        fail(path, line, strerror(errno));
+        fprintf(stderr, "%s: %s\n", path, strerror(errno));
+        exit(EXIT_FAILURE);
     }
     fclose(file);
 }

@@ -95,6 +95,9 @@ bool stream_read_header(stream *const run)
     if (!read_line(run, line, sizeof line)) {
         return false;
     }
+    if (line[0] == ISO_STREAM_BAIL_OUT) {
+        return fail(run, line);
+    }
     if (strcmp(line, ISO_STREAM_VERSION) != 0) {
         snprintf(run->error, sizeof run->error, "not a run: it begins with '%.60s'", line);
         return false;
