@@ -46,8 +46,9 @@ quote = '$(subst ','\'',$(1))'
 Q := $(if $(filter 1,$(V)),,@)
 say = @printf '  %-4s %s\n' $(1) $(call quote,$(2))
 
-# A recipe that leaves its target alone if it holds the text already, so that only a change makes others follow.
-remember = @mkdir -p $(@D); text=$(call quote,$(1)); \
+# A recipe that leaves its target alone if it holds these words (of the shell) already, so that only a change makes
+# others follow.
+remember = @mkdir -p $(@D); text=$$(printf '%s\n' $(1)); \
     printf '%s\n' "$$text" | cmp -s - $@ || printf '%s\n' "$$text" >$@
 
 # A recipe that stops if a tool is missing; TOOL:FILE is a file that the compiler TOOL must find.
@@ -126,7 +127,7 @@ TOOL_COMPILE := $(CC) $(WARNINGS) $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_RE
 TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c))
 
 build/obj/tools/flags: always
-	$(call remember,$(TOOL_COMPILE) $(TOOL_OBJECTS))
+	$(call remember,$(call quote,$(TOOL_COMPILE) $(TOOL_OBJECTS)))
 
 build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 	$(call require,$(firstword $(CC)),apt-get install gcc)
@@ -150,7 +151,7 @@ PROGRAM := $(OUT)/$(NAME)$(PORT_SUFFIX)
 
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	$(call remember,$(COMPILE))
+	$(call remember,$(call quote,$(COMPILE)))
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
@@ -161,7 +162,7 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 $(OUT)/choice: always
 	@test -e $(call quote,$(SCENE)) || { printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; \
 	    ls models >&2; exit 1; }
-	$(call remember,$(SCENE) $(CHOICE) '"$$(cksum <$(call quote,$(SCENE)))"')
+	$(call remember,$(call quote,$(SCENE) $(CHOICE)) "$$(cksum <$(call quote,$(SCENE)))")
 
 $(OUT)/plant.c: $(OUT)/choice build/isoc
 	$(call say,ISOC,$(SCENE))
@@ -174,7 +175,7 @@ $(OUT)/plant.o: $(OUT)/choice $(OBJ)/flags $(if $(filter %/plant.c,$(PLANT)),$(P
 LINK := $(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(OUT)/plant.o $(OBJECTS) -o $(PROGRAM)
 
 $(OUT)/link: always
-	$(call remember,$(LINK))
+	$(call remember,$(call quote,$(LINK)))
 
 $(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
 	$(call say,LINK,$@)

@@ -32,26 +32,26 @@ _Noreturn void reset(void);
 _Noreturn void fault(const uint32_t *frame);
 void fault_entry(void);
 
-static void put_word(const char *const name, const uint32_t word)
+static void put_word(const uint32_t word)
 {
     char digits[8];
-    size_t length = 0;
-    while (name[length] != '\0') {
-        length++;
-    }
     for (unsigned i = 0; i < sizeof digits; i++) {
         digits[i] = "0123456789abcdef"[word >> (28 - 4 * i) & 0xF];
     }
-    semihosting_write(name, length);
     semihosting_write(digits, sizeof digits);
 }
 
-/* frame is what the exception pushed, or NULL if that may itself have been the fault: r0-r3, r12, lr, pc, xpsr. */
+/* Says which fault, by the register CFSR, and where. frame is what the exception pushed: r0-r3, r12, lr, pc, xpsr; or
+ * NULL, if that may itself have been the fault. */
 _Noreturn void fault(const uint32_t *const frame)
 {
-    put_word("Bail out! fault ", CFSR);
+    static const char what[] = "Bail out! fault 0x";
+    static const char where[] = " at 0x";
+    semihosting_write(what, sizeof what - 1);
+    put_word(CFSR);
     if (frame != NULL) {
-        put_word(" at 0x", frame[6]);
+        semihosting_write(where, sizeof where - 1);
+        put_word(frame[6]);
     }
     semihosting_write("\n", 1);
     semihosting_exit(1);
