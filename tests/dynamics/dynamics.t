@@ -15,6 +15,12 @@ for real in float double; do
     done
 done
 
+for name in arm6 tree pendulum double_pendulum cart_pole; do
+    program "$name.power" tests/dynamics/power.c "tests/dynamics/table_$name.c" tests/host/report.c "$out/$name/plant.c"
+    result $? "$name builds with its power"
+    joined "$name" "$out/$name.power"
+done
+
 for name in pendulum double_pendulum cart_pole; do
     for plant in "$out/$name/plant.c" "tests/handwritten/$name.c"; do
         # shellcheck disable=SC2086

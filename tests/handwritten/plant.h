@@ -1,6 +1,6 @@
 /* The rest of a hand-written plant, once its derivative, its start and its parameters are there: the method and the step
- * of core/choice.h, and the same memory and kernel as a generated plant, so that only the derivative differs. It is declared inline: where the
- * compiler takes the hint, a step is cheaper still.
+ * of core/choice.h, and the same memory and kernel as a generated plant, so that only the derivative differs. It is
+ * declared inline: where the compiler takes the hint, a step is cheaper still.
  */
 #ifndef ISO_TESTS_HANDWRITTEN_PLANT_H
 #define ISO_TESTS_HANDWRITTEN_PLANT_H
