@@ -39,11 +39,14 @@ sub write_log {
     close $file or die "$log: $!\n";
 }
 
-# The lines of a failed file that tell why: failed tests and the comments after them, or its last lines.
+# The lines of a failed file that tell why: failed tests and the comments around them, or its last lines.
 sub show_failure {
     my ($name, $parser) = @_;
     my @kept = @{ $lines{$name} };
     my @shown = grep { /^(not ok|#|Bail out)/ } @kept;
+    if (@shown > 40) {
+        @shown = ((grep { !/^#/ } @shown), "# the comments stand in $log");
+    }
     if (!$parser->failed) {
         @shown = (@kept > 20 ? @kept[ -20 .. -1 ] : @kept, map { "# $_" } $parser->parse_errors);
     }

@@ -12,19 +12,18 @@ TEST_REALS := float double
 TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
 
 # Scripts that `make check` leaves to `make test`, since they take longer.
-TEST_SLOW := tests/check/same_bits.sh tests/check/poison.sh $(wildcard tests/*/*.t)
+TEST_SLOW := $(addprefix tests/check/,dependencies.sh poison.sh same_bits.sh) $(wildcard tests/*.t tests/*/*.t)
 
 TEST_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
-TEST_FLAGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \
-    -Wmissing-prototypes -Wvla -Werror -ffp-contract=off -fno-math-errno -g -I.
+TEST_FLAGS := $(WARNINGS) $(NUMERICS) -g -I.
 TEST_REAL_float :=
 TEST_REAL_double := -DISO_REAL_DOUBLE
 
 # A variant of the unit tests: compiler, flags, sources of its port, flags of its link.
 TEST_HOST_PORT := $(wildcard port/sim/*.c)
 TEST_CC_plain = $(CC)
-TEST_FLAGS_plain := -O2
+TEST_FLAGS_plain :=
 TEST_PORT_plain := $(TEST_HOST_PORT)
 TEST_LINK_plain :=
 
@@ -35,7 +34,7 @@ TEST_LINK_asan := $(TEST_FLAGS_asan)
 
 TEST_M4F_CPU := -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16
 TEST_CC_m4f := arm-none-eabi-gcc
-TEST_FLAGS_m4f := $(TEST_M4F_CPU) -O2 -ffunction-sections -fdata-sections
+TEST_FLAGS_m4f := $(TEST_M4F_CPU) -ffunction-sections -fdata-sections
 TEST_PORT_m4f := $(wildcard port/mps2/*.c)
 TEST_LINK_m4f := $(TEST_M4F_CPU) -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections
 
@@ -79,10 +78,10 @@ build/tests/memcheck/%: build/tests/plain/%
 TEST_PROGRAMS_exhaustive := $(foreach real,$(TEST_REALS),$(TEST_EXHAUSTIVE:%=build/tests/exhaustive/$(real)/%))
 build/tests/exhaustive/float/%: tests/exhaustive/%.c $(wildcard core/*.h) build/tests/plain/float/command
 	@mkdir -p $(@D)
-	@$(CC) $(TEST_FLAGS) -O2 $< -o $@ -lm
+	@$(CC) $(TEST_FLAGS) $< -o $@ -lm
 build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*.h) build/tests/plain/double/command
 	@mkdir -p $(@D)
-	@$(CC) $(TEST_FLAGS) -O2 -DISO_REAL_DOUBLE $< -o $@ -lm
+	@$(CC) $(TEST_FLAGS) -DISO_REAL_DOUBLE $< -o $@ -lm
 
 -include $(TEST_OBJECTS:.o=.d)
 

@@ -19,6 +19,6 @@ check -DISO_REAL_DOUBLE core port models tools tests
 result $? "cppcheck has nothing to say in double"
 
 printf 'int f(int n);\nint f(int n)\n{\n    int a[2] = {1, 2};\n    return n > 0 ? a[n] : a[2];\n}\n' >"$out/planted.c"
-! check "$out/planted.c"
+! check "$out/planted.c" >/dev/null
 result $? "found: an index beyond the end"
 finish

@@ -1,11 +1,11 @@
 /* A plant whose step or output depends on data in the way that PLANTED names: what poison.c must report. */
 #include "core/choice.h"
 
-#ifndef PLANTED
-#define PLANTED 0
-#endif
-
 enum { NOTHING, BRANCH, INDEX, LOOP, OUTPUT };
+
+#ifndef PLANTED
+#define PLANTED NOTHING
+#endif
 
 static struct {
     real x[ISO_METHOD_STATE(ISO_METHOD, 1)];
@@ -59,9 +59,14 @@ static void step(void)
 
 const iso_plant iso_the_plant = {
     .name = "planted",
+    .method = ISO_METHOD_NAME(ISO_METHOD),
+    .step_text = ISO_STEP_TEXT,
+    .step_size = ISO_STEP_SIZE,
+    .period_ns = ISO_STEP_NS,
     .states = 1,
     .outputs = 1,
     .parameters = 1,
+    .output_names = "x",
     .x = memory.x,
     .p = memory.p,
     .y = memory.y,

@@ -23,7 +23,7 @@ compile()
 
 for compiler in gcc clang; do
     # shellcheck disable=SC2086
-    compile "$compiler $FLAGS -DISO_REAL_DOUBLE" $once
+    compile "$compiler $FLAGS -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE" $once
     result $? "$compiler for the host, tools and models' tests"
 done
 for real in "" -DISO_REAL_DOUBLE; do
