@@ -199,7 +199,7 @@ LIMITS := $(if $(filter cortex-m4f/float/double_pendulum,$(OUT:build/%=%)),yes,n
 # GCC writes the call graph with the frame of every function into plant.ci.
 stack: $(OUT)/plant.o ## show the deepest stack of a step; recursion and frames without a bound fail
 	@mkdir -p $(OUT)/stack
-	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su -c $(call quote,$(PLANT)) -o $(OUT)/stack/plant.o || \
+	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) -o $(OUT)/stack/plant.o || \
 	    { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
 	@awk -v root=step -f tools/build/stack.awk $(OUT)/stack/plant.ci
 

@@ -5,6 +5,7 @@ PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-sy
 PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections
 PORT_LINK = -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections
 PORT_SUFFIX = .elf
+PORT_STACK =
 PORT_CLOCK = instructions
 PORT_EXEC_TOOLS = qemu-system-arm
 PORT_EXEC = qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \

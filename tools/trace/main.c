@@ -235,7 +235,8 @@ static bool record(const options *const chosen, stream *const run, FILE *const t
         return false;
     }
     if (ended != NULL && run->end.guard == run->header.states) {
-        fail(chosen->command[0], ended);
+        fprintf(stderr, "trace: %s: %s\n", chosen->command[0], ended);
+        return false;
     }
     return true;
 }
