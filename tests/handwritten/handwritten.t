@@ -50,8 +50,8 @@ program libm tests/handwritten/count.c tests/handwritten/pendulum_libm.c && ! pe
 result $? "control: a sine that branches on its argument is seen"
 
 # The operations of arm6's derivative, which isoc counts, beside those of the articulated-body algorithm for n joints in
-# general position: 224 n - 259 multiplications and 205 n - 248 additions (McMillan and Orin 1995, IEEE Trans. Syst. Man
-# Cybern. 25(11); table 10.1 of Featherstone 2008, Rigid Body Dynamics Algorithms). isoc knows the geometry: 60 %.
+# general position: 224 n - 259 multiplications and 205 n - 248 additions (McMillan and Orin 1995, as
+# tabulated by Featherstone 2008, Rigid Body Dynamics Algorithms, table 10.1). isoc knows the geometry: 60 %.
 n=6
 scene arm6
 result $? "arm6 builds"

@@ -282,7 +282,9 @@ static operations step_operations(iso_method method, int n, operations derivativ
     if (method == ISO_AB4) {
         return sum(sum(total, 1, derivative), n, combination(iso_table_ab4.b, ISO_AB4_STEPS));
     }
-    const iso_tableau *table = ISO_METHOD_PICK(method, &iso_tableau_euler, &iso_tableau_heun, &iso_tableau_rk4, NULL);
+    const iso_tableau *table = method == ISO_EULER  ? &iso_tableau_euler
+                               : method == ISO_HEUN ? &iso_tableau_heun
+                                                    : &iso_tableau_rk4;
     for (int i = 0; i < table->stages; i++) {
         total = sum(total, 1, derivative);
         if (i > 0) {

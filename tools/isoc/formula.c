@@ -225,12 +225,11 @@ static formula *parse_chain(parser *p, const char *signs, formula *(*parse_opera
         f->sign = p->next->sign;
         p->next++;
         formula *right = parse_operand(p);
-        if (right == NULL) {
-            return NULL;
+        if (right != NULL) {
+            add_part(p, f, left);
+            add_part(p, f, right);
         }
-        add_part(p, f, left);
-        add_part(p, f, right);
-        left = f;
+        left = right == NULL ? NULL : f;
     }
     return left;
 }

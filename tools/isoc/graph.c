@@ -8,6 +8,8 @@
 /* The trigonometry of constants is the target's own (in double), so that every host folds them to the same bits. */
 #include "core/sincos.h"
 
+_Static_assert(sizeof(real) == sizeof(double), "isoc folds constants in double: -DISO_REAL_DOUBLE");
+
 enum { FIRST_TABLE = 4096, NAME_ROOM = 160 };
 
 void graph_start(graph *g, arena *memory)
@@ -75,6 +77,7 @@ static void grow_table(graph *g)
     }
 }
 
+/* The node that exists already for this operation, or -1. */
 static node find(const graph *g, operation op, node a, node b)
 {
     const graph_node wanted = {.op = op, .a = a, .b = b};
@@ -259,6 +262,29 @@ node sub(graph *g, node a, node b)
     return add(g, a, neg(g, b));
 }
 
+static node find_product(const graph *g, node a, node b)
+{
+    return find(g, OP_MUL, a < b ? a : b, a < b ? b : a);
+}
+
+/* a (x y) where (a x) y or (a y) x exists already; -1 where neither does. */
+static node known_product(const graph *g, node a, node b)
+{
+    for (int turn = 0; turn < 2; turn++) {
+        const graph_node *product = &g->nodes[turn == 0 ? b : a];
+        const node other = turn == 0 ? a : b;
+        if (product->op == OP_MUL && !is_constant(g, product->a) && !is_constant(g, other)) {
+            const node with_a = find_product(g, other, product->a), with_b = find_product(g, other, product->b);
+            node known = with_a < 0 ? -1 : find_product(g, with_a, product->b);
+            known = known < 0 && with_b >= 0 ? find_product(g, with_b, product->a) : known;
+            if (known >= 0) {
+                return known;
+            }
+        }
+    }
+    return -1;
+}
+
 node mul(graph *g, node a, node b)
 {
     if (is_constant(g, b) || (b < a && !is_constant(g, a))) {
@@ -292,7 +318,8 @@ node mul(graph *g, node a, node b)
     if (ca != 1.0 && cb != 1.0) {
         return mul(g, constant(g, ca * cb), is_constant(g, a) ? base_b : mul(g, base_a, base_b));
     }
-    return binary(g, OP_MUL, a, b);
+    const node known = known_product(g, a, b);
+    return known >= 0 ? known : binary(g, OP_MUL, a, b);
 }
 
 node divide(graph *g, node a, node b)

@@ -45,8 +45,12 @@ static vector vector_value(builder *b, const formula *f, dimension of, const cha
 
 static node scalar_value(builder *b, const formula *f, dimension of, const char *what)
 {
-    const value v = f == NULL ? (value){0} : value_of(&b->values, f, of, 1, what);
-    return v.count == 1 ? v.parts[0] : constant(b->g, 0.0);
+    node r = constant(b->g, 0.0);
+    if (f != NULL) {
+        const value v = value_of(&b->values, f, of, 1, what);
+        r = v.count == 1 ? v.parts[0] : r;
+    }
+    return r;
 }
 
 /* --- bodies --- */

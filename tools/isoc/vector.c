@@ -191,18 +191,18 @@ tensor tensor_turn_out(graph *g, int k, node s, node c, tensor a)
     return matrix_tensor(m);
 }
 
-/* J + 2 (p.w) 1 - w p' - p w' with w = ms + m p / 2: the parallel-axis theorem about any point. */
+/* The parallel-axis theorem about any point, with ms' = ms + m p the first moment of the moved body:
+ * J_ii' = J_ii + sum over j other than i of p_j (ms_j + ms_j'), J_ij' = J_ij - (p_i ms_j + p_j ms_i'). */
 tensor tensor_shift(graph *g, tensor j, node mass, vector ms, vector p)
 {
-    const vector w = vector_add(g, ms, vector_scale(g, mul(g, constant(g, 0.5), mass), p));
-    const vector twice = vector_scale(g, constant(g, 2.0), p);
+    const vector moved = vector_add(g, ms, vector_scale(g, mass, p));
     node on[3];
     for (int i = 0; i < 3; i++) {
-        on[i] = mul(g, twice.at[i], w.at[i]);
+        on[i] = mul(g, p.at[i], add(g, ms.at[i], moved.at[i]));
     }
     tensor r = {add(g, on[1], on[2]), add(g, on[0], on[2]), add(g, on[0], on[1]), 0, 0, 0};
-    r.xy = neg(g, add(g, mul(g, p.at[0], w.at[1]), mul(g, p.at[1], w.at[0])));
-    r.xz = neg(g, add(g, mul(g, p.at[0], w.at[2]), mul(g, p.at[2], w.at[0])));
-    r.yz = neg(g, add(g, mul(g, p.at[1], w.at[2]), mul(g, p.at[2], w.at[1])));
+    r.xy = neg(g, add(g, mul(g, p.at[0], ms.at[1]), mul(g, p.at[1], moved.at[0])));
+    r.xz = neg(g, add(g, mul(g, p.at[0], ms.at[2]), mul(g, p.at[2], moved.at[0])));
+    r.yz = neg(g, add(g, mul(g, p.at[1], ms.at[2]), mul(g, p.at[2], moved.at[1])));
     return tensor_add(g, j, r);
 }

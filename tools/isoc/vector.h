@@ -48,8 +48,8 @@ vector tensor_apply(graph *g, tensor a, vector b);
 tensor tensor_rotate(graph *g, matrix r, tensor j);
 tensor tensor_turn_out(graph *g, int k, node s, node c, tensor j);
 
-/* The inertia about a point p of a body (mass, first moment ms about its origin, inertia j about its origin), where
- * p is minus the new origin: the body moved by p. */
+/* The inertia about the origin of a body that is moved by p, from its mass and from its first moment ms and inertia j
+ * about the origin before. */
 tensor tensor_shift(graph *g, tensor j, node mass, vector ms, vector p);
 
 #endif
