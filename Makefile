@@ -3,7 +3,7 @@
 #     scene --build/isoc--> plant.c --compiler--> program --build/trace--> trace.csv and a summary
 #
 # Everything made stands in build/: what belongs to one scene in build/TARGET/REAL/NAME/, objects that scenes share
-# in build/obj/, the tools beside them. Files named `flags`, `choice` and `link` there hold the command that made
+# in build/obj/, the tools build/isoc and build/trace. Files named `flags`, `choice` and `link` there hold the command that made
 # their neighbours, and change when it does.
 
 ## Usage: make TARGET [VARIABLE=VALUE...]
@@ -143,8 +143,7 @@ build/isoc build/trace:
 
 # --- The program -------------------------------------------------------------------------------------------------
 
-COMPILE := $(PORT_CC) $(WARNINGS) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. \
-    $(CFLAGS)
+COMPILE := $(PORT_CC) $(WARNINGS) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. $(CFLAGS)
 OBJ := build/obj/$(TARGET)/$(REAL)
 OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/*.c $(PORT)/*.c))
 PROGRAM := $(OUT)/$(NAME)$(PORT_SUFFIX)
@@ -194,13 +193,14 @@ size: $(PROGRAM) ## show the size of the firmware and of its parts; the double p
 	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | awk -v limits=$(LIMITS) -f tools/build/size.awk
 
 # The limits were set for this one.
-LIMITS := $(if $(filter cortex-m4f/float/double_pendulum,$(OUT:build/%=%)),yes,no)
+LIMITED := cortex-m4f float models/double_pendulum.scene
+LIMITS := $(if $(findstring $(LIMITED),$(TARGET) $(REAL) $(SCENE)),yes,no)
 
 # GCC writes the call graph with the frame of every function into plant.ci.
 stack: $(OUT)/plant.o ## show the deepest stack of a step; recursion and frames without a bound fail
 	@mkdir -p $(OUT)/stack
-	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) -o $(OUT)/stack/plant.o || \
-	    { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
+	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) \
+	    -o $(OUT)/stack/plant.o || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
 	@awk -v root=step -f tools/build/stack.awk $(OUT)/stack/plant.ci
 
 clean: ## remove all that was made
