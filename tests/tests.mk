@@ -47,9 +47,8 @@ TEST_COMMAND := $$(TEST_CC_$(1)) $$(TEST_FLAGS) $$(TEST_FLAGS_$(1)) $$(TEST_REAL
 TEST_PORT_OBJECTS := $$(patsubst %.c,$$(TEST_DIR)/%.o,tests/tap.c $$(TEST_PORT_$(1)))
 
 build/tests/$(1)/$(2)/command: private TEST_COMMAND := $$(TEST_COMMAND)
-build/tests/$(1)/$(2)/command: build/tests/force
-	@mkdir -p $$(@D)
-	@echo '$$(TEST_COMMAND) $$(TEST_LINK_$(1))' | cmp -s - $$@ || echo '$$(TEST_COMMAND) $$(TEST_LINK_$(1))' >$$@
+build/tests/$(1)/$(2)/command: always
+	$$(call remember,$$(TEST_COMMAND) $$(TEST_LINK_$(1)))
 
 build/tests/$(1)/$(2)/%.o: private TEST_COMMAND := $$(TEST_COMMAND)
 build/tests/$(1)/$(2)/%.o: %.c build/tests/$(1)/$(2)/command
@@ -86,18 +85,19 @@ build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*.h) build
 -include $(TEST_OBJECTS:.o=.d)
 
 .PRECIOUS: $(TEST_OBJECTS)
-.PHONY: test check test-run check-run build/tests/force
-build/tests/force:
+.PHONY: test check test-run check-run
 
 TEST_FAST := $(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f) $(TEST_PROGRAMS_exhaustive)
 TEST_ALL := $(TEST_FAST) $(TEST_PROGRAMS_memcheck) $(TEST_PROGRAMS_asan)
 TEST_PROVE = PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
 
-test: ## run all tests: unit tests in every variant, whole domains, checkers, models (a few minutes)
+# All tests: the unit tests in every variant, whole domains, checkers, models. A few minutes.
+test:
 	@tests/tools.sh
 	@$(MAKE) --no-print-directory -j$(TEST_JOBS) test-run
 
-check: ## run the fast part of the tests (less than a minute)
+# The fast part: less than a minute.
+check:
 	@tests/tools.sh
 	@$(MAKE) --no-print-directory -j$(TEST_JOBS) check-run
 

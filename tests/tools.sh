@@ -53,12 +53,12 @@ else
     echo "tests: something is missing; install it with: sudo $install" >&2
     exit 1
 fi
-echo "tests: $root $install"
+echo "tests: ${root:+$root }$install"
 log=build/tests/install.log
 mkdir -p build/tests
 if ! { $root apt-get update && $root env DEBIAN_FRONTEND=noninteractive $install; } >$log 2>&1; then
     tail -n 20 $log >&2
-    echo "tests: the installation failed: $root $install" >&2
+    echo "tests: the installation failed: ${root:+$root }$install" >&2
     exit 1
 fi
 left=$(missing | tr '\n' ' ')

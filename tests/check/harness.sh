@@ -85,15 +85,33 @@ printf '#!/bin/sh\necho "ok 1 - a"; echo "ok 2 - b"; echo 1..2\n' >"$out/variant
 ! variants && [ "$(tail -n 1 "$out/output")" = "3 passed, 1 failed" ] && grep -q 'asan 2, plain 1' "$out/output"
 result $? "found: a variant with another number of tests"
 
-# A machine that lacks a tool, and a user who may not install: the command is named.
+# A machine that lacks a tool, with a package manager and a user that are made up.
 mkdir -p "$out/bin"
-for tool in sh cut tr id cat uname perl prove grep arm-none-eabi-gcc qemu-system-arm valgrind clang-format cppcheck \
-    gnuplot apt-get "$CC"; do
+for tool in sh cut tr cat uname env ln mkdir tail perl prove grep arm-none-eabi-gcc qemu-system-arm valgrind \
+    clang-format cppcheck gnuplot as ld "$CC"; do
     ln -sf "$(command -v "$tool")" "$out/bin/$tool"
 done
-printf '#!/bin/sh\necho 1000\n' >"$out/id" && chmod +x "$out/id" && mv "$out/id" "$out/bin/id"
-! PATH="$PWD/$out/bin" sh tests/tools.sh >"$out/output" 2>&1
-result $? "found: a missing tool"
-grep -q 'install it with: sudo apt-get install .*clang' "$out/output"
-result $? "the missing tool is named with the command that installs it"
+
+# tools USER COMMAND: looks for the tools as the user of that number, where apt-get does COMMAND.
+tools()
+{
+    printf '#!/bin/sh\necho %s\n' "$1" >"$out/bin/id"
+    printf '#!/bin/sh\necho "$@" >>"%s/asked"\n[ "$1" = update ] || %s\n' "$out" "$2" >"$out/bin/apt-get"
+    chmod +x "$out/bin/id" "$out/bin/apt-get"
+    rm -f "$out/asked"
+    PATH="$PWD/$out/bin" sh tests/tools.sh >"$out/output" 2>&1
+}
+
+! tools 1000 true && [ ! -f "$out/asked" ]
+result $? "a user who may not install: fails, and installs nothing"
+grep -q 'install it with: sudo apt-get install .* clang *$' "$out/output"
+result $? "it names the command that installs what is missing, and no more"
+! tools 0 false && grep -q 'the installation failed: apt-get install .* clang' "$out/output"
+result $? "an installation that fails is told"
+! tools 0 true && grep -q 'still missing after the installation: clang' "$out/output"
+result $? "an installation that brings nothing is told"
+tools 0 "ln -s $(command -v clang) $out/bin/clang" && grep -q '^install .* clang' "$out/asked"
+result $? "root installs what is missing"
+tools 0 false && [ ! -f "$out/asked" ]
+result $? "nothing missing: nothing asked for"
 finish
