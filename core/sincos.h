@@ -1,7 +1,7 @@
 /* Sine and cosine without a branch, in + - * and the bits of the result.
  *
- * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/exhaustive/sincos.c). Beyond the domain the result
- * is a number of no meaning; for an infinity or a NaN it is NaN. sin(-x) = -sin(x) and cos(-x) = cos(x) exactly.
+ * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/exhaustive/sincos.c). Beyond the domain the
+ * result is a number of no meaning; for an infinity or a NaN it is NaN. sin(-x) = -sin(x), cos(-x) = cos(x) exactly.
  *
  * Reduction: Cody and Waite (1980), Software Manual for the Elementary Functions, ch. 8: pi/2 in three parts, the
  * first two short enough for k times them to be exact. Polynomials on [-pi/4, pi/4]: float from Moshier's Cephes
