@@ -7,10 +7,10 @@ begin check/same_bits
 project
 mkdir -p "$out/hash"
 
-# run ARGUMENT...: one second, in steps short enough for every method to be stable on every model.
+# run ARGUMENT...: ten seconds, in the steps of the scene.
 run()
 {
-    call run SECONDS=1 STEP=500us "$@"
+    call run SECONDS=10 "$@"
 }
 
 # each NAME ARGUMENT...: runs every model with every method; the hash must be that of the first time.

@@ -33,7 +33,7 @@ const table the_table = {
                  .stiffness = 0.5L,
                  .rest = TEN_DEGREES,
                  .input = 5},
-    ON(SPIN) = {REVOLUTE, HAND, {{0.0L, 0.0L, 0.0L}, 90.0L, X_AXIS}, Z_AXIS, .damping = 0.020L, .input = 6},
+    ON(SPIN) = {REVOLUTE, HAND, {{0.0L, 0.0L, 0.0L}, 90.0L, X_AXIS}, Z_AXIS, .damping = 0.005L, .input = 6},
 
     .mechanism.outputs = 8,
     .mechanism.output =
