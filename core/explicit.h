@@ -8,16 +8,14 @@
 
 #include <stdbool.h>
 
-#include "core/plant.h"
-#include "core/tableau.h"
-#include "core/unroll.h"
+#include "core/trail.h"
 
 /* Reals of work space for n states: the slopes of all stages, and the state of one. */
 #define ISO_EXPLICIT_WORK(n) ((ISO_STAGES_MAX + 1) * (n))
 
-/* x[i] + h / over * (c[0] k[0][i] + c[1] k[1][i] + ...) over the terms with c != 0. At least one c is not zero. */
-static inline real iso_combine(const real x, const real h_over, const int8_t *const c, const uint8_t terms,
-                               const real *const k, const size_t n)
+/* h / over * (c[0] k[0] + c[1] k[n] + ...) over the terms with c != 0. At least one c is not zero. */
+static inline real iso_combine(const real h_over, const int8_t *const c, const uint8_t terms, const real *const k,
+                               const size_t n)
 {
     real sum = R(0.0);
     bool first = true;
@@ -29,25 +27,28 @@ static inline real iso_combine(const real x, const real h_over, const int8_t *co
             first = false;
         }
     }
-    return x + h_over * sum;
+    return h_over * sum;
 }
 
-/* Advances x[n] by h: k_i = f(x + h sum_j a_ij k_j), x += h sum_i b_i k_i. u and p are held.
- * work[ISO_EXPLICIT_WORK(n)]. Local error of order h^(order + 1). Butcher (2016), eqs. 221a-d. */
-static inline void iso_explicit_step(const iso_tableau *const table, const size_t n, iso_derivative *const f,
-                                     const real h, real *restrict const x, const real *restrict const u,
+/* One step of h: k_i = f(x + h sum_j a_ij k_j), x += h sum_i b_i k_i. u and p are held. work[ISO_EXPLICIT_WORK(n)], less
+ * for fewer stages. Local error of order h^(order + 1). Butcher (2016), Numerical Methods for Ordinary Differential
+ * Equations, eqs. 221a-d. Returns the local error of the step before, where steps are checked. */
+static inline real iso_explicit_step(const iso_tableau *const table, const iso_trail *const trail,
+                                     iso_derivative *const f, const real h, const real *restrict const u,
                                      const real *restrict const p, real *restrict const work)
 {
+    const size_t n = trail->n;
     real *const k = work;
     real *const at = work + table->stages * n;
 
-    f(k, x, u, p);
+    f(k, trail->x, u, p);
+    const real error = iso_check(trail, h, k, NULL);
     ISO_UNROLL
     for (uint8_t i = 1; i < table->stages; i++) {
         const real h_over = h / (real)table->a_over[i];
         ISO_UNROLL
         for (size_t s = 0; s < n; s++) {
-            at[s] = iso_combine(x[s], h_over, table->a[i], i, k + s, n);
+            at[s] = trail->x[s] + iso_combine(h_over, table->a[i], i, k + s, n);
         }
         f(k + i * n, at, u, p);
     }
@@ -55,8 +56,30 @@ static inline void iso_explicit_step(const iso_tableau *const table, const size_
     const real h_over = h / (real)table->b_over;
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        x[s] = iso_combine(x[s], h_over, table->b, table->stages, k + s, n);
+        iso_advance(trail, s, iso_combine(h_over, table->b, table->stages, k + s, n));
     }
+    iso_keep_slope(trail, k);
+    return error;
+}
+
+/* One step of h of semi-implicit Euler for a mechanical plant, whose first half of the states are positions and whose
+ * second half are their rates, in the same order: v += h a(x, v), then x += h v. Symplectic without damping. Vogelaere
+ * (1956), Methods of integration which preserve the contact transformation property; Hairer, Lubich, Wanner (2006),
+ * Geometric Numerical Integration, eq. I.1.9. work[n]. */
+static inline real iso_semi_implicit_step(const iso_trail *const trail, iso_derivative *const f, const real h,
+                                          const real *restrict const u, const real *restrict const p,
+                                          real *restrict const work)
+{
+    const size_t half = trail->n / 2;
+    f(work, trail->x, u, p);
+    const real error = iso_check(trail, h, work, NULL);
+    ISO_UNROLL
+    for (size_t s = 0; s < half; s++) {
+        iso_advance(trail, half + s, h * work[half + s]);
+        iso_advance(trail, s, h * trail->x[half + s]);
+    }
+    iso_keep_slope(trail, work);
+    return error;
 }
 
 #endif

@@ -1,49 +1,172 @@
 /* The methods behind one name: a plant says which, and the others leave no trace in its code.
  *
- * `method` and n are constants where a plant calls these functions, so that the dispatch is gone when they are
- * inlined. A plant keeps what its method must remember behind its state: x[ISO_METHOD_STATE(method, n)].
+ * A recipe is a method with its options: ISO_RK4, or ISO_BDF4 | ISO_COMPENSATED | ISO_ITERATIONS(3). Recipe and n are
+ * constants where a plant calls these functions, so that the dispatch is gone when they are inlined. What a method must
+ * remember stands behind the state: x[ISO_METHOD_STATE(recipe, n)].
  */
 #ifndef ISO_CORE_METHOD_H
 #define ISO_CORE_METHOD_H
 
-#include "core/explicit.h"
 #include "core/multistep.h"
+#include "core/stiff.h"
 
-typedef enum iso_method { ISO_EULER, ISO_HEUN, ISO_RK4, ISO_AB4 } iso_method;
+typedef enum iso_method {
+    ISO_EULER,
+    ISO_HEUN,
+    ISO_RK4,
+    ISO_AB4,
+    ISO_SEMI_IMPLICIT, /* of a mechanical plant: half of the states are positions, half their rates */
+    ISO_ABM4,          /* PECE */
+    ISO_ABM4_PEC,
+    ISO_ABM4_PECECE,
+    ISO_BDF4,
+    ISO_ROSENBROCK,
+    ISO_METHODS
+} iso_method;
 
-/* Picks the entry of a method; a constant expression if the method is one. */
-#define ISO_METHOD_PICK(method, euler, heun, rk4, ab4)                                                                 \
-    ((method) == ISO_EULER ? (euler) : (method) == ISO_HEUN ? (heun) : (method) == ISO_RK4 ? (rk4) : (ab4))
+/* Options, each of which costs nothing where it is not named. */
+enum {
+    ISO_METHOD_BITS = 0xF,
+    ISO_COMPENSATED = 0x10, /* sums of increments without loss (Kahan-Babuska) */
+    ISO_CHECKED = 0x20,     /* the local error of every step is known */
+};
 
-#define ISO_METHOD_NAME(method) ISO_METHOD_PICK(method, "euler", "heun", "rk4", "ab4")
+#define ISO_ITERATIONS(count) ((count) << 8) /* of Newton, for bdf4; 2 where nothing is said */
 
-/* Reals of x: the n states, and behind them the method's history. */
-#define ISO_METHOD_STATE(method, n) ((n) + ISO_METHOD_PICK(method, 0, 0, 0, ISO_AB4_HISTORY(n)))
+/* What a recipe is made of; constant expressions. */
+#define ISO_METHOD_OF(recipe) ((recipe)&ISO_METHOD_BITS)
+#define ISO_IS(recipe, method) (ISO_METHOD_OF(recipe) == (method))
+#define ISO_IS_ABM4(recipe)                                                                                            \
+    (ISO_IS(recipe, ISO_ABM4) || ISO_IS(recipe, ISO_ABM4_PEC) || ISO_IS(recipe, ISO_ABM4_PECECE))
+#define ISO_IS_IMPLICIT(recipe) (ISO_IS(recipe, ISO_BDF4) || ISO_IS(recipe, ISO_ROSENBROCK))
+#define ISO_ITERATIONS_OF(recipe) (((recipe) >> 8) == 0 ? 2 : ((recipe) >> 8))
+#define ISO_IS_COMPENSATED(recipe) (((recipe)&ISO_COMPENSATED) != 0)
+#define ISO_IS_CHECKED(recipe) (((recipe)&ISO_CHECKED) != 0)
 
-/* Reals of work space of a step: the slopes of all stages and the state of one; and of priming. */
-#define ISO_METHOD_WORK(method, n) (ISO_METHOD_PICK(method, 2, 3, 5, 1) * (n))
-#define ISO_METHOD_PRIME_WORK(method, n) ISO_METHOD_PICK(method, 1, 1, 1, (n) + ISO_EXPLICIT_WORK(n))
+/* Whether a check compares with slopes of the steps before; abm4 and bdf4 have an estimate of their own. */
+#define ISO_CHECKS_SLOPES(recipe) (ISO_IS_CHECKED(recipe) && !ISO_IS_ABM4(recipe) && !ISO_IS(recipe, ISO_BDF4))
 
-/* Advances the n states of x[ISO_METHOD_STATE(method, n)] by h with u and p held. work[ISO_METHOD_WORK(method, n)]. */
-static inline void iso_method_step(const iso_method method, const size_t n, iso_derivative *const f, const real h,
-                                   real *const x, const real *const u, const real *const p, real *const work)
+#define ISO_ORDER_OF(recipe)                                                                                           \
+    (ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_SEMI_IMPLICIT)                                                    \
+         ? 1                                                                                                           \
+         : (ISO_IS(recipe, ISO_HEUN) ? 2 : (ISO_IS(recipe, ISO_ROSENBROCK) ? 3 : 4)))
+
+/* Slopes, increments and vectors of n reals that are kept behind the state. */
+#define ISO_SLOPES_KEPT(recipe)                                                                                        \
+    (ISO_IS_ABM4(recipe)                                                                                               \
+         ? ISO_AB4_STEPS                                                                                               \
+         : (ISO_CHECKS_SLOPES(recipe) ? ISO_ORDER_OF(recipe) : (ISO_IS(recipe, ISO_AB4) ? ISO_AB4_STEPS - 1 : 0)))
+#define ISO_INCREMENTS_KEPT(recipe) (ISO_IS(recipe, ISO_BDF4) ? ISO_BDF4_STEPS : 0)
+#define ISO_VECTORS_KEPT(recipe)                                                                                       \
+    (ISO_SLOPES_KEPT(recipe) + ISO_INCREMENTS_KEPT(recipe) + (ISO_CHECKS_SLOPES(recipe) ? 1 : 0) +                     \
+     (ISO_IS_COMPENSATED(recipe) ? 1 : 0))
+
+/* Reals of x: the n states, and behind them what the method keeps. */
+#define ISO_METHOD_STATE(recipe, n) ((n) * (1 + ISO_VECTORS_KEPT(recipe)))
+
+/* Reals of work space of a step, beside the factors of an implicit method; and of priming. */
+#define ISO_METHOD_WORK(recipe, n)                                                                                     \
+    ((n) *                                                                                                             \
+     (ISO_IS_IMPLICIT(recipe)                                                                                          \
+          ? 5                                                                                                          \
+          : (ISO_IS(recipe, ISO_RK4)                                                                                   \
+                 ? 5                                                                                                   \
+                 : (ISO_IS(recipe, ISO_HEUN) ? 3 : (ISO_IS(recipe, ISO_EULER) || ISO_IS_ABM4(recipe) ? 2 : 1)))))
+#define ISO_METHOD_PRIME_WORK(recipe, n) (ISO_SLOPES_KEPT(recipe) > 0 ? (n) + ISO_EXPLICIT_WORK(n) : 1)
+
+static inline iso_trail iso_trail_of(const unsigned recipe, const size_t n, real *const x)
 {
-    if (method == ISO_AB4) {
-        iso_ab4_step(n, f, h, x, u, p, x + n, work);
-    } else {
-        const iso_tableau *const table =
-            ISO_METHOD_PICK(method, &iso_tableau_euler, &iso_tableau_heun, &iso_tableau_rk4, NULL);
-        iso_explicit_step(table, n, f, h, x, u, p, work);
+    real *next = x + n;
+    iso_trail trail = {.n = n, .x = x, .kept = ISO_SLOPES_KEPT(recipe), .order = ISO_ORDER_OF(recipe)};
+    trail.slopes = next;
+    next += n * ISO_SLOPES_KEPT(recipe);
+    if (ISO_INCREMENTS_KEPT(recipe) > 0) {
+        trail.increments = next;
+        next += n * ISO_INCREMENTS_KEPT(recipe);
+    }
+    if (ISO_CHECKS_SLOPES(recipe)) {
+        trail.moved = next;
+        next += n;
+    }
+    if (ISO_IS_COMPENSATED(recipe)) {
+        trail.carry = next;
+    }
+    return trail;
+}
+
+/* How a run goes, beside its state. */
+typedef struct iso_progress {
+    real local_error; /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
+    real residual;    /* of the last Newton iteration */
+    uint8_t started;  /* steps since the start, up to those that bdf4 starts with */
+} iso_progress;
+
+/* Advances the n states of x[ISO_METHOD_STATE(recipe, n)] by h with u and p held. lu[eq->factors] only for implicit
+ * methods, work[ISO_METHOD_WORK(recipe, n)]. */
+static inline void iso_method_step(const unsigned recipe, const size_t n, const iso_equations *const eq, const real h,
+                                   real *const x, const real *const u, const real *const p, real *const lu,
+                                   real *const work, iso_progress *const progress)
+{
+    const iso_trail trail = iso_trail_of(recipe, n, x);
+    iso_derivative *const f = eq->derivative;
+    real error = R(0.0);
+    switch (ISO_METHOD_OF(recipe)) {
+    case ISO_EULER:
+        error = iso_explicit_step(&iso_tableau_euler, &trail, f, h, u, p, work);
+        break;
+    case ISO_HEUN:
+        error = iso_explicit_step(&iso_tableau_heun, &trail, f, h, u, p, work);
+        break;
+    case ISO_RK4:
+        error = iso_explicit_step(&iso_tableau_rk4, &trail, f, h, u, p, work);
+        break;
+    case ISO_AB4:
+        error = iso_ab4_step(&trail, f, h, u, p, work);
+        break;
+    case ISO_SEMI_IMPLICIT:
+        error = iso_semi_implicit_step(&trail, f, h, u, p, work);
+        break;
+    case ISO_ABM4:
+        error = iso_abm4_step(&trail, f, h, u, p, work, 1, true);
+        break;
+    case ISO_ABM4_PEC:
+        error = iso_abm4_step(&trail, f, h, u, p, work, 1, false);
+        break;
+    case ISO_ABM4_PECECE:
+        error = iso_abm4_step(&trail, f, h, u, p, work, 2, true);
+        break;
+    case ISO_BDF4:
+        /* Four steps of the linearly implicit method, whose local error is of the order of the formula's global one. */
+        if (progress->started < ISO_BDF4_STEPS) {
+            progress->started++;
+            error = iso_rosenbrock_step(&trail, eq, h, u, p, lu, work);
+        } else {
+            error =
+                iso_bdf4_step(&trail, eq, h, u, p, lu, work, (uint8_t)ISO_ITERATIONS_OF(recipe), &progress->residual);
+        }
+        break;
+    case ISO_ROSENBROCK:
+        error = iso_rosenbrock_step(&trail, eq, h, u, p, lu, work);
+        break;
+    default:
+        break;
+    }
+    if (ISO_IS_CHECKED(recipe)) {
+        progress->local_error = error;
     }
 }
 
-/* Fills the history behind the states of x, before the first step. work[ISO_METHOD_PRIME_WORK(method, n)]. */
-static inline void iso_method_prime(const iso_method method, const size_t n, iso_derivative *const f, const real h,
-                                    real *const x, const real *const u, const real *const p, real *const work)
+/* Fills what the method keeps behind the states of x, before the first step or after a jump.
+ * work[ISO_METHOD_PRIME_WORK(recipe, n)]. */
+static inline void iso_method_prime(const unsigned recipe, const size_t n, const iso_equations *const eq, const real h,
+                                    real *const x, const real *const u, const real *const p, real *const work,
+                                    iso_progress *const progress)
 {
-    if (method == ISO_AB4) {
-        iso_ab4_prime(n, f, h, x, u, p, x + n, work, work + n);
+    const iso_trail trail = iso_trail_of(recipe, n, x);
+    if (ISO_SLOPES_KEPT(recipe) > 0) {
+        iso_prime_slopes(&trail, eq->derivative, h, u, p, ISO_IS_ABM4(recipe), work, work + n);
     }
+    progress->started = 0;
 }
 
 #endif

@@ -14,6 +14,21 @@
 /* dx[states] = f(x[states], u[inputs], p[parameters]). The arrays do not overlap; an empty one may be NULL. */
 typedef void iso_derivative(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p);
 
+/* lu[factors] = what a plant keeps of 1 - hb J to solve with it, J[i][j] = df_i/dx_j at x, u, p. */
+typedef void iso_factor(real *restrict lu, const real *restrict x, const real *restrict u, const real *restrict p,
+                        real hb);
+
+/* d[states] = (1 - hb J)^-1 d, from the factors lu. */
+typedef void iso_solve(real *restrict d, const real *restrict lu);
+
+/* The equations of motion as a method needs them; the last three only for implicit methods. */
+typedef struct iso_equations {
+    iso_derivative *derivative;
+    iso_factor *factor;
+    iso_solve *solve;
+    size_t factors;
+} iso_equations;
+
 /* y[outputs] = g(x[states], u[inputs], p[parameters]). */
 typedef void iso_outputs(real *restrict y, const real *restrict x, const real *restrict u, const real *restrict p);
 

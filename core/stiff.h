@@ -1,0 +1,146 @@
+/* Implicit methods for stiff plants: the fourth-order backward differentiation formula and a linearly implicit method.
+ *
+ * Both solve with 1 - hb J, whose factors a plant computes from its analytic Jacobian J = df/dx, without a pivot search:
+ * time and order of operations do not depend on data.
+ */
+#ifndef ISO_CORE_STIFF_H
+#define ISO_CORE_STIFF_H
+
+#include "core/trail.h"
+
+/* Reals of work space for n states, beside the factors. */
+#define ISO_BDF4_WORK(n) (2 * (n))
+#define ISO_ROSENBROCK_WORK(n) (5 * (n))
+
+/* Puts an increment before the kept ones. */
+static inline void iso_keep_increment(const iso_trail *const trail, const size_t s, const real dx)
+{
+    ISO_UNROLL
+    for (size_t j = ISO_BDF4_STEPS; j-- > 1;) {
+        trail->increments[j * trail->n + s] = trail->increments[(j - 1) * trail->n + s];
+    }
+    trail->increments[s] = dx;
+}
+
+/* The sum of `terms` whole multiples of the kept increments of state s. */
+static inline real iso_past_increments(const iso_trail *const trail, const size_t s, const int8_t *const c,
+                                       const uint8_t terms)
+{
+    real sum = (real)c[0] * trail->increments[s];
+    ISO_UNROLL
+    for (uint8_t j = 1; j < terms; j++) {
+        sum += (real)c[j] * trail->increments[j * trail->n + s];
+    }
+    return sum;
+}
+
+/* One step of h of the backward differentiation formula (iso_table_bdf4), by `iterations` Newton iterations from the
+ * predictor with the Jacobian there. lu[eq->factors], work[ISO_BDF4_WORK(n)]. *residual is the largest part of the last
+ * correction. Returns the local error of this step from the difference to the predictor: with the error constants 1 and
+ * -12/125 of the two, 12/137 of it. */
+static inline real iso_bdf4_step(const iso_trail *const trail, const iso_equations *const eq, const real h,
+                                 const real *restrict const u, const real *restrict const p, real *restrict const lu,
+                                 real *restrict const work, const uint8_t iterations, real *const residual)
+{
+    const iso_bdf *const table = &iso_table_bdf4;
+    const size_t n = trail->n;
+    const real hb = h * ((real)table->slope / (real)table->over);
+    real *const at = work;
+    real *const g = work + n;
+    real error = R(0.0);
+
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        at[s] = trail->x[s] + iso_past_increments(trail, s, table->predictor, ISO_BDF4_STEPS);
+    }
+    eq->factor(lu, at, u, p, hb);
+
+    /* (1 - hb J) correction = past + hb f(at) - (at - x) */
+    for (uint8_t i = 0; i < iterations; i++) {
+        *residual = R(0.0);
+        eq->derivative(g, at, u, p);
+        ISO_UNROLL
+        for (size_t s = 0; s < n; s++) {
+            const real past = iso_past_increments(trail, s, table->b, ISO_BDF4_STEPS - 1) / (real)table->over;
+            g[s] = (past + hb * g[s]) - (at[s] - trail->x[s]);
+        }
+        eq->solve(g, lu);
+        ISO_UNROLL
+        for (size_t s = 0; s < n; s++) {
+            at[s] += g[s];
+            *residual = iso_larger(*residual, g[s]);
+        }
+    }
+
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        const real dx = at[s] - trail->x[s];
+        error = iso_larger(error, dx - iso_past_increments(trail, s, table->predictor, ISO_BDF4_STEPS));
+        iso_keep_increment(trail, s, dx);
+        iso_advance(trail, s, dx);
+    }
+    return R(12.0) / R(137.0) * error;
+}
+
+/* One step of h of the linearly implicit method iso_table_ros3: two evaluations, one Jacobian, three solutions.
+ * lu[eq->factors], work[ISO_ROSENBROCK_WORK(n)]. Local error of order h^4. Returns the local error of the step before,
+ * where steps are checked, seen through (1 - h gamma J)^-1, which takes the stiff part out of the slopes (Shampine and
+ * Baca 1984, Error estimators for stiff differential equations). */
+static inline real iso_rosenbrock_step(const iso_trail *const trail, const iso_equations *const eq, const real h,
+                                       const real *restrict const u, const real *restrict const p,
+                                       real *restrict const lu, real *restrict const work)
+{
+    const iso_rosenbrock *const table = &iso_table_ros3;
+    const size_t n = trail->n;
+    const real h_gamma = h * table->gamma;
+    real *const slope = work;
+    real *const k1 = work + n;
+    real *const k2 = work + 2 * n;
+    real *const k3 = work + 3 * n;
+    real *const at = work + 4 * n;
+    real error = R(0.0);
+
+    eq->derivative(slope, trail->x, u, p);
+    eq->factor(lu, trail->x, u, p, h_gamma);
+    if (trail->moved != NULL) {
+        (void)iso_check(trail, h, slope, at);
+        eq->solve(at, lu);
+        ISO_UNROLL
+        for (size_t s = 0; s < n; s++) {
+            error = iso_larger(error, at[s]);
+        }
+    }
+
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        k1[s] = h_gamma * slope[s];
+    }
+    eq->solve(k1, lu);
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        at[s] = trail->x[s] + table->a21 * k1[s];
+    }
+    iso_keep_slope(trail, slope);
+    eq->derivative(slope, at, u, p);
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        k2[s] = h_gamma * slope[s] + table->gamma * table->c21 * k1[s];
+    }
+    eq->solve(k2, lu);
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        k3[s] = h_gamma * slope[s] + (table->gamma * table->c31 * k1[s] + table->gamma * table->c32 * k2[s]);
+    }
+    eq->solve(k3, lu);
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        const real dx = (table->m[0] * k1[s] + table->m[1] * k2[s]) + table->m[2] * k3[s];
+        if (trail->increments != NULL) {
+            iso_keep_increment(trail, s, dx);
+        }
+        iso_advance(trail, s, dx);
+    }
+    return error;
+}
+
+#endif
