@@ -10,7 +10,7 @@
 ##
 # What to run and how; set on the command line.
 ##     SCENE=models/double_pendulum.scene  what to run: a scene, or a plant in C (core/plant.h)
-##     METHOD=euler|heun|rk4|ab4           in place of the scene's
+##     METHOD=rk4                          in place of the scene's
 ##     STEP=1ms                            in place of the scene's
 ##     SECONDS=10                          how long, in the plant's time
 ##     TARGET=host|cortex-m4f              where: this machine, or the board in QEMU
@@ -67,7 +67,7 @@ always:
 PORT_OF_host := port/sim
 PORT_OF_cortex-m4f := port/mps2
 PORT := $(PORT_OF_$(strip $(TARGET)))
-METHODS := euler heun rk4 ab4
+METHODS := euler heun rk4 ab4 semi_implicit abm4 abm4_pec abm4_pecece bdf4 rosenbrock
 REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
 
@@ -104,7 +104,7 @@ $(error STEP=$(STEP) is no step; it could be 1ms, 500us or 0.001, from 1us to 1s
 endif
 endif
 METHOD_MACRO := $(shell printf %s '$(METHOD)' | tr a-z A-Z)
-CHOICE := $(METHOD:%=-DISO_METHOD=ISO_$(METHOD_MACRO)) $(STEP_SECONDS:%=-DISO_STEP=%)
+CHOICE := $(METHOD:%=-DISO_METHOD=ISO_$(METHOD_MACRO) -DISO_METHOD_NAME=%) $(STEP_SECONDS:%=-DISO_STEP=%)
 PLANT := $(SCENE)
 else
 CHOICE := $(METHOD:%=--method %) $(if $(STEP),--step $(call quote,$(STEP))) --real $(REAL)

@@ -72,7 +72,8 @@ enum {
           : (ISO_IS(recipe, ISO_RK4)                                                                                   \
                  ? 5                                                                                                   \
                  : (ISO_IS(recipe, ISO_HEUN) ? 3 : (ISO_IS(recipe, ISO_EULER) || ISO_IS_ABM4(recipe) ? 2 : 1)))))
-#define ISO_METHOD_PRIME_WORK(recipe, n) (ISO_SLOPES_KEPT(recipe) > 0 ? (n) + ISO_EXPLICIT_WORK(n) : 1)
+#define ISO_METHOD_PRIME_WORK(recipe, n)                                                                               \
+    (ISO_IS_IMPLICIT(recipe) ? (n) : ISO_SLOPES_KEPT(recipe) > 0 ? (n) + ISO_EXPLICIT_WORK(n) : 1)
 
 static inline iso_trail iso_trail_of(const unsigned recipe, const size_t n, real *const x)
 {
@@ -163,10 +164,14 @@ static inline void iso_method_prime(const unsigned recipe, const size_t n, const
                                     iso_progress *const progress)
 {
     const iso_trail trail = iso_trail_of(recipe, n, x);
-    if (ISO_SLOPES_KEPT(recipe) > 0) {
+    if (ISO_IS_IMPLICIT(recipe)) {
+        iso_prime_constant(&trail, eq->derivative, h, u, p, work);
+    } else if (ISO_SLOPES_KEPT(recipe) > 0) {
         iso_prime_slopes(&trail, eq->derivative, h, u, p, ISO_IS_ABM4(recipe), work, work + n);
     }
-    progress->started = 0;
+    if (ISO_IS(recipe, ISO_BDF4)) {
+        progress->started = 0;
+    }
 }
 
 #endif

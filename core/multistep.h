@@ -73,6 +73,21 @@ static inline real iso_abm4_step(const iso_trail *const trail, iso_derivative *c
     return (real)iso_table_milne.b[0] / (real)iso_table_milne.over * error;
 }
 
+/* Fills the kept slopes with that of x, as if the motion had been even: for stiff plants, whose past cannot be computed.
+ * Only a check looks at them, and tells too much until they are real. slope[n]. */
+static inline void iso_prime_constant(const iso_trail *const trail, iso_derivative *const f, const real h,
+                                      const real *restrict const u, const real *restrict const p,
+                                      real *restrict const slope)
+{
+    f(slope, trail->x, u, p);
+    for (size_t s = 0; s < trail->n && trail->moved != NULL; s++) {
+        trail->moved[s] = h * slope[s];
+        for (size_t j = 0; j < trail->kept; j++) {
+            trail->slopes[j * trail->n + s] = slope[s];
+        }
+    }
+}
+
 /* Fills what the trail keeps by integrating backwards from x with rk4, so that the first step costs what every step
  * costs: `skip` slopes of x itself first, then those at t - h, t - 2h, ... They are exact to h^5, which keeps the fourth
  * order. x is left as it is. at[n], work[ISO_EXPLICIT_WORK(n)]. */

@@ -34,7 +34,7 @@ typedef void iso_outputs(real *restrict y, const real *restrict x, const real *r
 
 typedef struct iso_plant {
     const char *name;
-    const char *method;    /* euler, heun, rk4, ab4 */
+    const char *method;    /* as a scene calls it */
     const char *step_text; /* the step in seconds, as a decimal number */
     real step_size;        /* s */
     uint32_t period_ns;    /* the same step, as the port's tick */
@@ -44,13 +44,14 @@ typedef struct iso_plant {
     uint16_t parameters;
     const char *output_names; /* separated by commas */
 
-    real *x;              /* state, in the plant's memory */
-    real *u;              /* inputs */
-    real *p;              /* tunable parameters */
-    real *y;              /* outputs */
-    const real *start;    /* the state at tick 0 */
-    const real *defaults; /* of the parameters */
-    void *memory;         /* all that a snapshot must hold */
+    real *x;                             /* state, in the plant's memory */
+    real *u;                             /* inputs */
+    real *p;                             /* tunable parameters */
+    real *y;                             /* outputs */
+    const real *start;                   /* the state at tick 0 */
+    const real *defaults;                /* of the parameters */
+    const struct iso_progress *progress; /* how the last step went; NULL where nothing asks (core/method.h) */
+    void *memory;                        /* all that a snapshot must hold */
     size_t memory_bytes;
 
     iso_derivative *derivative;

@@ -9,7 +9,7 @@
 #include "core/trail.h"
 
 /* Reals of work space for n states, beside the factors. */
-#define ISO_BDF4_WORK(n) (2 * (n))
+#define ISO_BDF4_WORK(n) (3 * (n))
 #define ISO_ROSENBROCK_WORK(n) (5 * (n))
 
 /* Puts an increment before the kept ones. */
@@ -47,11 +47,13 @@ static inline real iso_bdf4_step(const iso_trail *const trail, const iso_equatio
     const real hb = h * ((real)table->slope / (real)table->over);
     real *const at = work;
     real *const g = work + n;
+    real *const past = work + 2 * n;
     real error = R(0.0);
 
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         at[s] = trail->x[s] + iso_past_increments(trail, s, table->predictor, ISO_BDF4_STEPS);
+        past[s] = R(1.0) / (real)table->over * iso_past_increments(trail, s, table->b, ISO_BDF4_STEPS - 1);
     }
     eq->factor(lu, at, u, p, hb);
 
@@ -61,8 +63,7 @@ static inline real iso_bdf4_step(const iso_trail *const trail, const iso_equatio
         eq->derivative(g, at, u, p);
         ISO_UNROLL
         for (size_t s = 0; s < n; s++) {
-            const real past = iso_past_increments(trail, s, table->b, ISO_BDF4_STEPS - 1) / (real)table->over;
-            g[s] = (past + hb * g[s]) - (at[s] - trail->x[s]);
+            g[s] = (past[s] + hb * g[s]) - (at[s] - trail->x[s]);
         }
         eq->solve(g, lu);
         ISO_UNROLL

@@ -3,6 +3,7 @@
  *     m x'' = F - c x' - k x,    F = 1 N for the first second, then 0
  */
 #include "core/choice.h"
+#include "core/dense.h"
 
 enum { POSITION, SPEED, STATES };
 enum { FORCE, INPUTS };
@@ -14,6 +15,7 @@ static struct {
     real u[INPUTS];
     real p[PARAMETERS];
     real y[OUTPUTS];
+    iso_progress progress;
 } memory;
 
 static const real start[STATES] = {[POSITION] = R(0.1)};
@@ -41,21 +43,43 @@ static void drive(const uint32_t tick)
     memory.u[FORCE] = iso_select(iso_less(t, R(1.0)), R(1.0), R(0.0));
 }
 
+/* For implicit methods: 1 - hb J with J = [0 1; -k/m -c/m], factored and solved. */
+static void factor(real *restrict const lu, const real *restrict const x, const real *restrict const u,
+                   const real *restrict const p, const real hb)
+{
+    (void)x;
+    (void)u;
+    lu[0] = R(0.0);
+    lu[1] = R(1.0);
+    lu[2] = -p[STIFFNESS] / p[MASS];
+    lu[3] = -p[DAMPING] / p[MASS];
+    iso_dense_factor(lu, STATES, hb);
+}
+
+static void solve(real *restrict const d, const real *restrict const lu)
+{
+    iso_dense_solve(d, lu, STATES);
+}
+
+static const iso_equations equations = {derivative, factor, solve, .factors = STATES * STATES};
+
 static void prime(void)
 {
     real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, STATES)];
-    iso_method_prime(ISO_METHOD, STATES, derivative, ISO_STEP_SIZE, memory.x, memory.u, memory.p, work);
+    iso_method_prime(ISO_METHOD, STATES, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, work,
+                     &memory.progress);
 }
 
 static void step(void)
 {
-    real work[ISO_METHOD_WORK(ISO_METHOD, STATES)];
-    iso_method_step(ISO_METHOD, STATES, derivative, ISO_STEP_SIZE, memory.x, memory.u, memory.p, work);
+    real work[ISO_METHOD_WORK(ISO_METHOD, STATES)], lu[STATES * STATES];
+    iso_method_step(ISO_METHOD, STATES, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, lu, work,
+                    &memory.progress);
 }
 
 const iso_plant iso_the_plant = {
     .name = "oscillator",
-    .method = ISO_METHOD_NAME(ISO_METHOD),
+    .method = ISO_METHOD_TEXT,
     .step_text = ISO_STEP_TEXT,
     .step_size = ISO_STEP_SIZE,
     .period_ns = ISO_STEP_NS,
@@ -70,6 +94,7 @@ const iso_plant iso_the_plant = {
     .y = memory.y,
     .start = start,
     .defaults = defaults,
+    .progress = &memory.progress,
     .memory = &memory,
     .memory_bytes = sizeof memory,
     .derivative = derivative,

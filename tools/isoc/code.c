@@ -170,6 +170,16 @@ static rendering show(emitter *e, node i)
         return (rendering){e->c->names.parameters[n->index], BINDS_WHOLE};
     case OP_TURNS:
         return (rendering){arena_format(memory, "(real)memory.turns[%d]", n->index), BINDS_WHOLE};
+    case OP_STEP:
+        return (rendering){"hb", BINDS_WHOLE};
+    case OP_FACTOR:
+        return (rendering){arena_format(memory, "lu_%d", n->index), BINDS_WHOLE};
+    case OP_RIGHT:
+        return (rendering){arena_format(memory, "r_%s", e->c->names.states[n->index]), BINDS_WHOLE};
+    case OP_LOCAL_ERROR:
+        return (rendering){"memory.progress.local_error", BINDS_WHOLE};
+    case OP_RESIDUAL:
+        return (rendering){"memory.progress.residual", BINDS_WHOLE};
     case OP_SLOPE:
         return (rendering){arena_format(memory, "dx[%d]", n->index), BINDS_WHOLE};
     case OP_ADD:
@@ -271,9 +281,9 @@ static void declare_leaves(emitter *e)
 {
     static const struct {
         operation op;
-        const char *array, *letter;
-    } kinds[] = {{OP_STATE, "x", "X"}, {OP_INPUT, "u", "U"}, {OP_PARAMETER, "p", "P"}};
-    for (size_t k = 0; k < 3; k++) {
+        const char *array;
+    } kinds[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}, {OP_RIGHT, "d"}, {OP_FACTOR, "lu"}};
+    for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
         for (size_t i = 0; i < e->g->count; i++) {
             const graph_node *n = &e->g->nodes[i];
             if (e->needed[i] && n->op == kinds[k].op) {

@@ -12,9 +12,27 @@ static const char *upper(arena *memory, const char *word)
     return copy;
 }
 
-static const char *method_symbol(iso_method method)
+/* The recipe as C: ISO_RK4 | ISO_CHECKED. */
+static const char *recipe_symbol(arena *memory, unsigned recipe)
 {
-    return ISO_METHOD_PICK(method, "ISO_EULER", "ISO_HEUN", "ISO_RK4", "ISO_AB4");
+    const char *options = ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "";
+    options = arena_format(memory, "%s%s", options, ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "");
+    if (recipe >> 8 != 0) {
+        options = arena_format(memory, "%s | ISO_ITERATIONS(%u)", options, recipe >> 8);
+    }
+    return arena_format(memory, "ISO_%s%s", upper(memory, method_names[ISO_METHOD_OF(recipe)]), options);
+}
+
+/* Whether a step tells how it went. */
+static bool has_progress(const mechanism *m)
+{
+    return ISO_IS_CHECKED(m->recipe) || ISO_IS(m->recipe, ISO_BDF4);
+}
+
+/* Whether the method keeps something that must be filled before the first step. */
+static bool is_primed(const mechanism *m)
+{
+    return ISO_SLOPES_KEPT(m->recipe) > 0 || ISO_IS(m->recipe, ISO_BDF4);
 }
 
 static const char *prefixed(arena *memory, const char *prefix, const char *word)
@@ -102,7 +120,8 @@ static void emit_array(const plant *p, text *out, const char *array, const char 
 static void emit_memory(const plant *p, text *out)
 {
     const mechanism *m = p->m;
-    text_add(out, "static struct {\n    real x[ISO_METHOD_STATE(%s, PLANT_STATES)];\n", method_symbol(m->method));
+    text_add(out, "static struct {\n    real x[ISO_METHOD_STATE(%s, PLANT_STATES)];\n",
+             recipe_symbol(out->memory, m->recipe));
     if (m->input_count > 0) {
         text_add(out, "    real u[PLANT_INPUTS];\n");
     }
@@ -112,6 +131,9 @@ static void emit_memory(const plant *p, text *out)
     text_add(out, "    real y[PLANT_OUTPUTS];\n");
     if (p->turn_count > 0) {
         text_add(out, "    int32_t turns[%d]; /* of the continuous joints */\n", p->turn_count);
+    }
+    if (has_progress(m)) {
+        text_add(out, "    iso_progress progress;\n");
     }
     text_add(out, "} memory;\n\n");
 
@@ -126,26 +148,35 @@ static void emit_memory(const plant *p, text *out)
     }
 }
 
-/* A function of plant.c that fills `array` from x, u and p with `count` roots. */
-static bool emit_function(const plant *p, graph *g, text *out, const char *function, const char *array,
-                          const node *roots, int count, double *culprit)
+static const char *const *targets_of(arena *memory, const char *array, int count)
 {
-    const char **targets = arena_take(out->memory, (size_t)count, sizeof *targets);
+    const char **targets = arena_take(memory, (size_t)count, sizeof *targets);
     for (int i = 0; i < count; i++) {
-        targets[i] = arena_format(out->memory, "%s[%d]", array, i);
+        targets[i] = arena_format(memory, "%s[%d]", array, i);
     }
-    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, roots, (size_t)count};
+    return targets;
+}
+
+/* A function of plant.c that fills `array` from x, u and p with `count` roots; `more` is a further parameter. */
+static bool emit_function(const plant *p, graph *g, text *out, const char *function, const char *array,
+                          const char *more, const node *roots, int count, double *culprit)
+{
+    static const struct {
+        operation op;
+        const char *name;
+    } arguments[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}};
+    const code body_of = {
+        g, names_of(p, out->memory), p->is_double, targets_of(out->memory, array, count), roots, (size_t)count};
     const bool derives = code_uses(g, roots, (size_t)count, OP_SLOPE);
     text_add(out, "static void %s(real *restrict const %s, const real *restrict const x,\n", function, array);
-    text_add(out, "    const real *restrict const u, const real *restrict const p)\n{\n");
-    if (!derives && !code_uses(g, roots, (size_t)count, OP_INPUT)) {
-        text_add(out, "    (void)u;\n");
+    text_add(out, "    const real *restrict const u, const real *restrict const p%s)\n{\n", more);
+    for (int i = 0; i < 3 && !derives; i++) {
+        if (!code_uses(g, roots, (size_t)count, arguments[i].op)) {
+            text_add(out, "    (void)%s;\n", arguments[i].name);
+        }
     }
-    if (!derives && !code_uses(g, roots, (size_t)count, OP_PARAMETER)) {
-        text_add(out, "    (void)p;\n");
-    }
-    if (!derives && !code_uses(g, roots, (size_t)count, OP_STATE)) {
-        text_add(out, "    (void)x;\n");
+    if (more[0] != '\0' && !code_uses(g, roots, (size_t)count, OP_STEP)) {
+        text_add(out, "    (void)hb;\n");
     }
     if (derives) {
         text_add(out, "    real dx[PLANT_STATES];\n    derivative(dx, x, u, p);\n");
@@ -155,16 +186,37 @@ static bool emit_function(const plant *p, graph *g, text *out, const char *funct
     return good;
 }
 
+/* What an implicit method solves with. */
+static bool emit_solver(const plant *p, graph *g, text *out, double *culprit)
+{
+    const int n = 2 * p->m->link_count;
+    const code body_of = {
+        g, names_of(p, out->memory), p->is_double, targets_of(out->memory, "d", n), p->j.solution, (size_t)n};
+    bool good = emit_function(p, g, out, "factor", "lu", ", const real hb", p->j.factors, p->j.factor_count, culprit);
+    text_add(out, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
+    good = code_emit(&body_of, out, culprit) && good;
+    text_add(out, "}\n\n");
+    return good;
+}
+
+/* The functions of the plant as a method takes them. */
+static void emit_equations(const plant *p, text *out)
+{
+    text_add(out, "static const iso_equations equations = {\n    .derivative = derivative,\n");
+    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+        text_add(out, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
+    }
+    text_add(out, "};\n\n");
+}
+
 /* The inputs as functions of time. */
 static bool emit_drive(const plant *p, graph *g, text *out, double *culprit)
 {
     const mechanism *m = p->m;
-    const char **targets = arena_take(out->memory, (size_t)m->input_count, sizeof *targets);
-    for (int i = 0; i < m->input_count; i++) {
-        targets[i] = arena_format(out->memory, "memory.u[%d]", i);
-    }
     const size_t count = (size_t)m->input_count;
-    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, m->drives, count};
+    const code body_of = {
+        g,    names_of(p, out->memory), p->is_double, targets_of(out->memory, "memory.u", m->input_count), m->drives,
+        count};
     text_add(out,
              "/* Inputs that the scene gives as functions of time; the others are zero until a port reads them. */\n");
     text_add(out, "static void drive(const uint32_t tick)\n{\n");
@@ -187,17 +239,23 @@ static const char *array_or_null(int count, const char *array)
 static void emit_step(const plant *p, text *out)
 {
     const mechanism *m = p->m;
-    const char *method = method_symbol(m->method), *u = array_or_null(m->input_count, "memory.u");
+    const char *recipe = recipe_symbol(out->memory, m->recipe), *u = array_or_null(m->input_count, "memory.u");
     const char *parameters = array_or_null(m->parameter_count, "memory.p");
     const char *h = code_literal(out->memory, m->step, p->is_double);
-    if (m->method == ISO_AB4) {
-        text_add(out, "static void prime(void)\n{\n    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", method);
-        text_add(out, "    iso_method_prime(%s, PLANT_STATES, derivative, %s, memory.x, %s, %s, work);\n}\n\n", method,
-                 h, u, parameters);
+    const char *progress = has_progress(m) ? "&memory.progress" : "NULL";
+    if (is_primed(m)) {
+        text_add(out, "static void prime(void)\n{\n    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", recipe);
+        text_add(out, "    iso_method_prime(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, work,\n", recipe, h, u,
+                 parameters);
+        text_add(out, "                     %s);\n}\n\n", progress);
     }
-    text_add(out, "static void step(void)\n{\n    real work[ISO_METHOD_WORK(%s, PLANT_STATES)];\n", method);
-    text_add(out, "    iso_method_step(%s, PLANT_STATES, derivative, %s, memory.x, %s, %s, work);\n", method, h, u,
-             parameters);
+    text_add(out, "static void step(void)\n{\n    real work[ISO_METHOD_WORK(%s, PLANT_STATES)];\n", recipe);
+    if (ISO_IS_IMPLICIT(m->recipe)) {
+        text_add(out, "    real lu[%d];\n", p->j.factor_count);
+    }
+    text_add(out, "    iso_method_step(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, %s, work,\n", recipe, h, u,
+             parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
+    text_add(out, "                    %s);\n", progress);
     int counted = 0;
     for (int i = 0; i < m->link_count; i++) {
         if (m->links[i].continuous) {
@@ -213,7 +271,7 @@ static void emit_description(const plant *p, text *out)
     const mechanism *m = p->m;
     const char *seconds = code_literal(out->memory, m->step, true); /* R(0.001) */
     text_add(out, "const iso_plant iso_the_plant = {\n");
-    text_add(out, "    .name = \"%s\",\n    .method = ISO_METHOD_NAME(%s),\n", m->name, method_symbol(m->method));
+    text_add(out, "    .name = \"%s\",\n    .method = \"%s\",\n", m->name, method_names[ISO_METHOD_OF(m->recipe)]);
     text_add(out, "    .step_text = \"%.*s\",\n    .step_size = %s,\n", (int)strlen(seconds) - 3, seconds + 2,
              code_literal(out->memory, m->step, p->is_double));
     text_add(out, "    .period_ns = UINT32_C(%.0f),\n    .states = PLANT_STATES,\n", m->step * 1e9);
@@ -229,7 +287,8 @@ static void emit_description(const plant *p, text *out)
     }
     text_add(out, ",\n    .x = memory.x,\n    .y = memory.y,\n    .start = start,\n    .memory = &memory,\n");
     text_add(out, "    .memory_bytes = sizeof memory,\n    .derivative = derivative,\n    .output = output,\n");
-    text_add(out, "%s    .step = step,\n};\n", m->method == ISO_AB4 ? "    .prime = prime,\n" : "");
+    text_add(out, "%s%s    .step = step,\n};\n", has_progress(m) ? "    .progress = &memory.progress,\n" : "",
+             is_primed(m) ? "    .prime = prime,\n" : "");
 }
 
 bool emit_source(const plant *p, graph *g, text *out, double *culprit)
@@ -245,65 +304,12 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
              timed_inputs ? "#include \"core/signal.h\"\n" : "",
              p->turn_count > 0 ? "#include \"core/turns.h\"\n" : "");
     emit_memory(p, out);
-    bool good = emit_function(p, g, out, "derivative", "dx", p->slopes, 2 * m->link_count, culprit);
-    good = good && emit_function(p, g, out, "output", "y", p->outputs, p->output_count, culprit);
+    bool good = emit_function(p, g, out, "derivative", "dx", "", p->slopes, 2 * m->link_count, culprit);
+    good = good && emit_function(p, g, out, "output", "y", "", p->outputs, p->output_count, culprit);
     good = good && (m->input_count == 0 || emit_drive(p, g, out, culprit));
+    good = good && (!ISO_IS_IMPLICIT(m->recipe) || emit_solver(p, g, out, culprit));
+    emit_equations(p, out);
     emit_step(p, out);
     emit_description(p, out);
     return good;
-}
-
-static void count_line(text *out, const char *what, operations n)
-{
-    text_add(out, "%s add %d mul %d div %d sqrt %d sincos %d\n", what, n.add, n.mul, n.div, n.sqrt, n.sincos);
-}
-
-/* What a combination of slopes costs for one state: products by other numbers than 1, sums, and x + h / over * sum. */
-static operations combination(const int8_t *coefficients, int terms)
-{
-    operations n = {.mul = 1};
-    for (int i = 0; i < terms; i++) {
-        n.add += coefficients[i] != 0;
-        n.mul += coefficients[i] != 0 && coefficients[i] != 1;
-    }
-    return n;
-}
-
-static operations sum(operations a, int times, operations b)
-{
-    return (operations){a.add + times * b.add, a.mul + times * b.mul, a.div + times * b.div, a.sqrt + times * b.sqrt,
-                        a.sincos + times * b.sincos};
-}
-
-/* A step of n states: the evaluations, and the method's own work. */
-static operations step_operations(iso_method method, int n, operations derivative)
-{
-    operations total = {0};
-    if (method == ISO_AB4) {
-        return sum(sum(total, 1, derivative), n, combination(iso_table_ab4.b, ISO_AB4_STEPS));
-    }
-    const iso_tableau *table = method == ISO_EULER  ? &iso_tableau_euler
-                               : method == ISO_HEUN ? &iso_tableau_heun
-                                                    : &iso_tableau_rk4;
-    for (int i = 0; i < table->stages; i++) {
-        total = sum(total, 1, derivative);
-        if (i > 0) {
-            total = sum(total, n, combination(table->a[i], i));
-        }
-    }
-    return sum(total, n, combination(table->b, table->stages));
-}
-
-void emit_summary(const plant *p, const graph *g, text *out)
-{
-    const mechanism *m = p->m;
-    const int n = 2 * m->link_count, real_bytes = p->is_double ? 8 : 4;
-    const operations derivative = code_count(g, p->slopes, (size_t)n);
-    text_add(out, "scene %s\nmethod %s\nstep %g s\nreal %s\n", m->name, ISO_METHOD_NAME(m->method), m->step,
-             p->is_double ? "double" : "float");
-    text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
-             p->output_count);
-    count_line(out, "derivative", derivative);
-    count_line(out, "step", step_operations(m->method, n, derivative));
-    text_add(out, "state_bytes %d\n", n * real_bytes);
 }

@@ -4,6 +4,7 @@
 
 #include "tools/isoc/code.h"
 #include "tools/isoc/dynamics.h"
+#include "tools/isoc/jacobian.h"
 
 /* All that is known of a plant when its equations are nodes. */
 typedef struct plant {
@@ -12,8 +13,8 @@ typedef struct plant {
     int input_count, output_count, turn_count;
     const char **output_names; /* one for each component */
     node *outputs;
-    node *slopes;       /* the derivative of each state */
-    bool accelerations; /* an output needs the derivative */
+    node *slopes; /* the derivative of each state */
+    jacobian j;   /* only for implicit methods */
     bool is_double;
 } plant;
 
@@ -23,8 +24,5 @@ plant plant_build(graph *g, const mechanism *m, bool is_double);
 /* The texts of the two files. Return false, with *culprit, if a constant leaves the range of real. */
 bool emit_header(const plant *p, text *out);
 bool emit_source(const plant *p, graph *g, text *out, double *culprit);
-
-/* What the plant costs, as lines `key value...`. */
-void emit_summary(const plant *p, const graph *g, text *out);
 
 #endif

@@ -15,14 +15,19 @@
 typedef int32_t node;
 
 typedef enum operation {
-    OP_CONSTANT,  /* value */
-    OP_STATE,     /* x[index] */
-    OP_INPUT,     /* u[index] */
-    OP_PARAMETER, /* p[index] */
-    OP_TURNS,     /* whole turns of a continuous joint: turns[index] */
-    OP_SLOPE,     /* dx[index], where a derivative has been evaluated before */
-    OP_PHASE,     /* an angle that grows by `value` turns a tick from `second` turns, in [-pi, pi) */
-    OP_RAMP,      /* the ticks since tick `value`, limited to [0, second] */
+    OP_CONSTANT,    /* value */
+    OP_STATE,       /* x[index] */
+    OP_INPUT,       /* u[index] */
+    OP_PARAMETER,   /* p[index] */
+    OP_TURNS,       /* whole turns of a continuous joint: turns[index] */
+    OP_STEP,        /* hb, the step times a coefficient of the method */
+    OP_FACTOR,      /* lu[index] */
+    OP_RIGHT,       /* d[index], a right side to be solved for */
+    OP_LOCAL_ERROR, /* of the step, where it is checked */
+    OP_RESIDUAL,    /* of the last Newton iteration */
+    OP_SLOPE,       /* dx[index], where a derivative has been evaluated before */
+    OP_PHASE,       /* an angle that grows by `value` turns a tick from `second` turns, in [-pi, pi) */
+    OP_RAMP,        /* the ticks since tick `value`, limited to [0, second] */
     OP_ADD,
     OP_SUB,
     OP_MUL,
@@ -49,7 +54,7 @@ typedef struct graph {
     size_t count, room;
     node *table; /* open addressing, -1 is free */
     size_t table_size;
-    const char *sections[32];
+    const char *sections[48];
     int section_count;
 } graph;
 

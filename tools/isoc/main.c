@@ -4,7 +4,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "tools/isoc/emit.h"
+#include "tools/isoc/cost.h"
 #include "tools/isoc/parser.h"
 
 static const char version[] = "isoc 0.1\n";
@@ -16,9 +16,10 @@ static const char help[] =
     "\n"
     "  SCENE          the scene, a text file\n"
     "  -o DIR         where plant.h and plant.c go; made if it is not there\n"
-    "  --method M     euler, heun, rk4 or ab4, instead of the scene's\n"
+    "  --method M     a method, instead of the scene's; --methods lists them\n"
     "  --step H       the step with its unit, e.g. 1ms, instead of the scene's\n"
     "  --real R       the number type of the plant: float (default) or double\n"
+    "  --methods      what each method costs, as a table\n"
     "  --help         this text\n"
     "  --version      the version\n"
     "\n"
@@ -183,7 +184,7 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
                 o->is_double ? "double" : "float", o->is_double ? "" : ": try --real double");
         return false;
     }
-    emit_summary(p, g, &summary);
+    cost_summary(p, g, &summary);
     if (!make_folder(memory, o->directory) || !write_file(memory, o->directory, "plant.h", &header) ||
         !write_file(memory, o->directory, "plant.c", &source_text)) {
         return false;
@@ -218,12 +219,28 @@ static bool compile(arena *memory, const options *o)
     return false;
 }
 
+/* --version, --help and --methods, which need no scene. */
+static bool answer(const char *argument)
+{
+    if (strcmp(argument, "--version") == 0) {
+        fputs(version, stdout);
+    } else if (strcmp(argument, "--help") == 0) {
+        fputs(help, stdout);
+    } else if (strcmp(argument, "--methods") == 0) {
+        text table = {.memory = arena_new()};
+        cost_methods(&table);
+        fwrite(table.bytes, 1, table.length, stdout);
+        arena_free(table.memory);
+    } else {
+        return false;
+    }
+    return true;
+}
+
 int main(int count, char **arguments)
 {
     for (int i = 1; i < count; i++) {
-        const bool asks_version = strcmp(arguments[i], "--version") == 0;
-        if (asks_version || strcmp(arguments[i], "--help") == 0) {
-            fputs(asks_version ? version : help, stdout);
+        if (answer(arguments[i])) {
             return 0;
         }
     }

@@ -555,21 +555,70 @@ static void build_parameters(builder *b)
 
 /* --- method and step --- */
 
-static void build_method(builder *b)
+const char *const method_names[ISO_METHODS] = {
+    [ISO_EULER] = "euler",
+    [ISO_HEUN] = "heun",
+    [ISO_RK4] = "rk4",
+    [ISO_AB4] = "ab4",
+    [ISO_SEMI_IMPLICIT] = "semi_implicit",
+    [ISO_ABM4] = "abm4",
+    [ISO_ABM4_PEC] = "abm4_pec",
+    [ISO_ABM4_PECECE] = "abm4_pecece",
+    [ISO_BDF4] = "bdf4",
+    [ISO_ROSENBROCK] = "rosenbrock",
+};
+
+static bool is_yes(builder *b, name word)
 {
-    static const char *const names[] = {"euler", "heun", "rk4", "ab4"};
-    const char *text = b->written->method.text;
-    b->made.method = ISO_RK4;
-    for (int i = 0; i < 4; i++) {
-        if (text != NULL && strcmp(text, names[i]) == 0) {
-            b->made.method = (iso_method)i;
-            return;
+    const bool yes = word.text != NULL && strcmp(word.text, "yes") == 0;
+    if (word.text != NULL && !yes && strcmp(word.text, "no") != 0) {
+        source_problem(b->s, word.at, "expected yes or no; found '%s'", word.text);
+    }
+    return yes;
+}
+
+static unsigned find_method(builder *b, name word)
+{
+    if (word.text == NULL) {
+        return ISO_RK4;
+    }
+    for (unsigned i = 0; i < ISO_METHODS; i++) {
+        if (strcmp(word.text, method_names[i]) == 0) {
+            return i;
         }
     }
-    if (text != NULL) {
-        source_problem(b->s, b->written->method.at, "no method is called '%s': euler, heun, rk4 or ab4%s", text,
-                       source_suggestion(b->s, text, names, 4));
+    const char *list = "";
+    for (unsigned i = 0; i < ISO_METHODS; i++) {
+        list = arena_format(b->s->memory, "%s%s%s", list, i == 0 ? "" : ", ", method_names[i]);
     }
+    source_problem(b->s, word.at, "no method is called '%s'%s; there are %s", word.text,
+                   source_suggestion(b->s, word.text, method_names, ISO_METHODS), list);
+    return ISO_RK4;
+}
+
+/* The method with its options: an output of the local error asks for the check as `checked yes` does. */
+static void build_method(builder *b)
+{
+    const scene *written = b->written;
+    unsigned recipe = find_method(b, written->method);
+    recipe |= is_yes(b, written->compensated) ? ISO_COMPENSATED : 0U;
+    recipe |= is_yes(b, written->checked) ? ISO_CHECKED : 0U;
+    for (size_t i = 0; i < written->output_count; i++) {
+        const output *o = &written->outputs[i];
+        recipe |= o->kind == OUTPUT_LOCAL_ERROR ? ISO_CHECKED : 0U;
+        if (o->kind == OUTPUT_RESIDUAL && !ISO_IS(recipe, ISO_BDF4)) {
+            source_problem(b->s, o->kind_at, "only bdf4 has a residual, of its Newton iteration");
+        }
+    }
+    if (written->iterations != NULL) {
+        const double count = value_constant(&b->values, written->iterations, plain, "the number of iterations", 2.0);
+        if (!(count >= 1.0 && count <= 10.0) || count != floor(count)) {
+            source_problem(b->s, written->iterations->at, "iterations are a whole number from 1 to 10");
+        } else {
+            recipe |= ISO_ITERATIONS((unsigned)count);
+        }
+    }
+    b->made.recipe = recipe;
 }
 
 static void build_step(builder *b)

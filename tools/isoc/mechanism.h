@@ -64,11 +64,14 @@ typedef struct mechanism {
     const char **parameter_names;
     const double *defaults;
 
-    iso_method method;
-    double step; /* s */
+    unsigned recipe; /* method and options: core/method.h */
+    double step;     /* s */
 } mechanism;
 
 /* Resolves names, units and places; notes problems. The result is whole only if there are none. */
+/* How a scene calls a method. */
+extern const char *const method_names[ISO_METHODS];
+
 mechanism mechanism_build(source *s, graph *g, const scene *written);
 
 /* Only the method and the step, for a scene that says nothing else; notes problems. */

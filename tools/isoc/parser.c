@@ -2,13 +2,14 @@
 
 #include <string.h>
 
-static const char *const statement_words[] = {"gravity", "step",   "method",  "body",    "joint",
-                                              "input",   "output", "tunable", "constant"};
+static const char *const statement_words[] = {"gravity", "step",    "method",   "body",        "joint",   "input",
+                                              "output",  "tunable", "constant", "compensated", "checked", "iterations"};
 static const char *const body_words[] = {"mass", "com", "inertia"};
 static const char *const joint_words[] = {"parent",     "child",   "axis",   "start", "speed",
                                           "continuous", "damping", "spring", "drive"};
 static const char *const joint_kinds[] = {"fixed", "revolute", "prismatic"};
-static const char *const output_kinds[] = {"position", "speed", "acceleration", "velocity", "turns", "energy"};
+static const char *const output_kinds[] = {"position", "speed",  "acceleration", "velocity",
+                                           "turns",    "energy", "local_error",  "residual"};
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
@@ -299,10 +300,11 @@ static void parse_output(parser *p, scene *made)
     }
     o.kind_at = p->next->at;
     if (!p->failed) {
-        o.kind = (output_kind)take_one_of(p, output_kinds, COUNT(output_kinds),
-                                          "position, speed, acceleration, velocity, turns or energy");
+        o.kind =
+            (output_kind)take_one_of(p, output_kinds, COUNT(output_kinds),
+                                     "position, speed, acceleration, velocity, turns, energy, local_error or residual");
     }
-    if (!p->failed && o.kind != OUTPUT_ENERGY) {
+    if (!p->failed && o.kind < OUTPUT_ENERGY) {
         if (!take_word(p, "of")) {
             parse_problem(p, "expected 'of' and the name of a joint or a body");
         } else {
@@ -323,21 +325,23 @@ static void parse_output(parser *p, scene *made)
     }
 }
 
-static void parse_method(parser *p, scene *made, const token *word)
+/* A word as a value: of `method`, and of switches. */
+static void parse_word(parser *p, name *slot, const token *word, const char *expected)
 {
-    const name n = take_name(p, "expected a method: euler, heun, rk4 or ab4", false);
-    if (made->method.text != NULL) {
-        source_problem(p->s, word->at, "a second 'method'; the first is in line %zu",
-                       source_line(p->s, made->method.at));
+    const name n = take_name(p, expected, false);
+    if (slot->text != NULL) {
+        source_problem(p->s, word->at, "a second '%s'; the first is in line %zu", word->text,
+                       source_line(p->s, slot->at));
     }
-    made->method = n;
+    *slot = n;
 }
 
 static void parse_statement(parser *p, scene *made)
 {
     const token *word = p->next;
-    switch (take_one_of(p, statement_words, COUNT(statement_words),
-                        "body, joint, gravity, step, method, input, output, tunable or constant")) {
+    switch (take_one_of(
+        p, statement_words, COUNT(statement_words),
+        "body, joint, gravity, step, method, compensated, checked, iterations, input, output, tunable or constant")) {
     case 0:
         set(p, &made->gravity, word, parse_formula(p));
         break;
@@ -345,7 +349,7 @@ static void parse_statement(parser *p, scene *made)
         set(p, &made->step, word, parse_formula(p));
         break;
     case 2:
-        parse_method(p, made, word);
+        parse_word(p, &made->method, word, "expected a method, such as rk4");
         break;
     case 3:
         parse_body(p, made);
@@ -364,6 +368,15 @@ static void parse_statement(parser *p, scene *made)
         break;
     case 8:
         parse_parameter(p, made, false);
+        break;
+    case 9:
+        parse_word(p, &made->compensated, word, "expected yes or no");
+        break;
+    case 10:
+        parse_word(p, &made->checked, word, "expected yes or no");
+        break;
+    case 11:
+        set(p, &made->iterations, word, parse_formula(p));
         break;
     default:
         break;

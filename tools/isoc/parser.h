@@ -1,6 +1,7 @@
 /* Tokens to a scene. The grammar (README.md has it with examples):
  *
- *   scene      = { gravity FORMULA | step FORMULA | method NAME | body | joint | parameter | input | output }
+ *   scene      = { gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
+ *                | iterations FORMULA | body | joint | parameter | input | output }
  *   body       = body NAME { mass FORMULA | com FORMULA | inertia FORMULA }
  *   joint      = joint NAME (fixed | revolute | prismatic) { parent placement | child placement | axis AXIS
  *                | start FORMULA | speed FORMULA | continuous | damping FORMULA | spring FORMULA [rest FORMULA]
@@ -8,7 +9,7 @@
  *   placement  = NAME [at FORMULA] { rotate FORMULA about AXIS }
  *   parameter  = (constant | tunable) NAME = FORMULA
  *   input      = input NAME [= FORMULA]
- *   output     = output NAME = energy | (position | speed | acceleration | velocity | turns) of NAME
+ *   output     = output NAME = energy | local_error | residual | (position | speed | acceleration | velocity | turns) of NAME
  *                [at FORMULA] [along (x | y | z)]
  */
 #ifndef ISOC_PARSER_H

@@ -56,8 +56,10 @@ static void build_outputs(plant *p, graph *g)
         const output *o = &m->outputs[i];
         if (o->kind == OUTPUT_ENERGY) {
             add_output(p, o->name.text, energy);
+        } else if (o->kind == OUTPUT_LOCAL_ERROR || o->kind == OUTPUT_RESIDUAL) {
+            add_output(p, o->name.text, leaf(g, o->kind == OUTPUT_RESIDUAL ? OP_RESIDUAL : OP_LOCAL_ERROR, 0));
         } else if (m->output_link[i] >= 0) {
-            p->accelerations = p->accelerations || o->kind == OUTPUT_ACCELERATION;
+
             add_output(p, o->name.text, joint_output(p, g, o, m->output_link[i]));
         } else {
             add_point(p, g, i);
@@ -76,6 +78,9 @@ plant plant_build(graph *g, const mechanism *m, bool is_double)
         p.slopes[i] = p.d.motions[i].qd;
         p.slopes[m->link_count + i] = p.d.acceleration[i];
         p.turn_count += m->links[i].continuous;
+    }
+    if (ISO_IS_IMPLICIT(m->recipe)) {
+        p.j = jacobian_build(g, &p.d);
     }
     build_outputs(&p, g);
     return p;

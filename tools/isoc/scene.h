@@ -81,6 +81,8 @@ typedef enum output_kind {
     OUTPUT_VELOCITY,
     OUTPUT_TURNS,
     OUTPUT_ENERGY,
+    OUTPUT_LOCAL_ERROR,
+    OUTPUT_RESIDUAL,
 } output_kind;
 
 typedef struct output {
@@ -97,7 +99,8 @@ typedef struct scene {
     const char *name;
     bool broken; /* a statement could not be read: what is missing may have stood there */
     formula *gravity, *step;
-    name method;
+    name method, compensated, checked; /* the last two: yes or no */
+    formula *iterations;
     body *bodies;
     joint *joints;
     quantity *parameters, *inputs;

@@ -1,0 +1,183 @@
+#include "tools/isoc/cost.h"
+
+/* a + times * b */
+static operations plus(operations a, int times, operations b)
+{
+    return (operations){a.add + times * b.add, a.mul + times * b.mul, a.div + times * b.div, a.sqrt + times * b.sqrt,
+                        a.sincos + times * b.sincos};
+}
+
+/* A sum of `terms` whole multiples, scaled by h / over: products by other numbers than 1 and -1, sums, the scaling. */
+static operations combination(const int *c, int terms)
+{
+    operations n = {.add = -1, .mul = 1};
+    for (int i = 0; i < terms; i++) {
+        n.add += c[i] != 0;
+        n.mul += c[i] != 0 && c[i] != 1 && c[i] != -1;
+    }
+    return n;
+}
+
+static operations of_tableau(const int8_t *row, int terms)
+{
+    int c[ISO_STAGES_MAX] = {0};
+    for (int i = 0; i < terms; i++) {
+        c[i] = row[i];
+    }
+    return combination(c, terms);
+}
+
+static operations of_adams(const iso_adams *table, int terms)
+{
+    int c[ISO_ADAMS_SLOPES] = {0};
+    for (int i = 0; i < terms; i++) {
+        c[i] = table->b[i];
+    }
+    return combination(c, terms);
+}
+
+static const operations one_sum = {.add = 1};
+
+/* What it takes to solve with 1 - hb J. */
+typedef struct implicit_cost {
+    operations factor, solve;
+} implicit_cost;
+
+static operations explicit_step(const iso_tableau *table, int n, operations derivative)
+{
+    operations total = plus(derivative, n, of_tableau(table->b, table->stages));
+    for (int i = 1; i < table->stages; i++) {
+        total = plus(plus(total, 1, derivative), n, plus(of_tableau(table->a[i], i), 1, one_sum));
+    }
+    return total;
+}
+
+static operations abm4_step(unsigned recipe, int n, operations derivative)
+{
+    const operations predict = of_adams(&iso_table_ab4, ISO_AB4_STEPS);
+    const operations correct = of_adams(&iso_table_am[ISO_AB4_STEPS - 1], ISO_AB4_STEPS);
+    const int corrections = ISO_IS(recipe, ISO_ABM4_PECECE) ? 2 : 1;
+    operations total = plus((operations){0}, n, plus(predict, 1, one_sum));
+    total = plus(total, corrections, plus(derivative, n, correct));
+    total = plus(total, (corrections - 1) * n, one_sum);
+    if (ISO_IS_CHECKED(recipe)) {
+        total = plus(total, n, plus(predict, 2, one_sum));
+        total.mul++;
+    }
+    return ISO_IS(recipe, ISO_ABM4_PEC) ? total : plus(total, 1, derivative);
+}
+
+static operations bdf4_step(unsigned recipe, int n, operations derivative, implicit_cost cost)
+{
+    const operations predict = {.add = 3, .mul = 3}, past = {.add = 2, .mul = 4}, residual = {.add = 5, .mul = 1};
+    operations total = plus(cost.factor, n, plus(plus(predict, 1, one_sum), 1, past));
+    const operations iteration = plus(plus(derivative, 1, cost.solve), n, residual);
+    total = plus(plus(total, ISO_ITERATIONS_OF((int)recipe), iteration), n, one_sum);
+    if (ISO_IS_CHECKED(recipe)) {
+        total = plus(total, n, plus(predict, 2, one_sum));
+        total.mul++;
+    }
+    return total;
+}
+
+static operations rosenbrock_step(int n, operations derivative, implicit_cost cost)
+{
+    const operations stages = {.add = 6, .mul = 8}; /* k1, the state of the second stage, k2, k3, the increment */
+    return plus(plus(plus(cost.factor, 2, derivative), 3, cost.solve), n, stages);
+}
+
+/* A step of n states, with its options. */
+static operations step_operations(unsigned recipe, int n, operations derivative, implicit_cost cost)
+{
+    operations total = {0};
+    switch (ISO_METHOD_OF(recipe)) {
+    case ISO_EULER:
+        total = explicit_step(&iso_tableau_euler, n, derivative);
+        break;
+    case ISO_HEUN:
+        total = explicit_step(&iso_tableau_heun, n, derivative);
+        break;
+    case ISO_RK4:
+        total = explicit_step(&iso_tableau_rk4, n, derivative);
+        break;
+    case ISO_AB4:
+        total = plus(derivative, n, of_adams(&iso_table_ab4, ISO_AB4_STEPS));
+        break;
+    case ISO_SEMI_IMPLICIT:
+        total = plus(derivative, n, (operations){.mul = 1});
+        break;
+    case ISO_BDF4:
+        total = bdf4_step(recipe, n, derivative, cost);
+        break;
+    case ISO_ROSENBROCK:
+        total = rosenbrock_step(n, derivative, cost);
+        break;
+    default:
+        total = abm4_step(recipe, n, derivative);
+        break;
+    }
+    if (ISO_CHECKS_SLOPES(recipe)) {
+        const int order = ISO_ORDER_OF(recipe);
+        total = plus(total, n, plus(of_adams(&iso_table_am[order], order + 1), 2, one_sum));
+        total = ISO_IS(recipe, ISO_ROSENBROCK) ? plus(total, 1, cost.solve) : total;
+    }
+    /* x += dx, or with what rounding took away */
+    return plus(total, ISO_IS_COMPENSATED(recipe) ? 7 * n : n, one_sum);
+}
+
+static void count_line(text *out, const char *what, operations n)
+{
+    text_add(out, "%s add %d mul %d div %d sqrt %d sincos %d\n", what, n.add, n.mul, n.div, n.sqrt, n.sincos);
+}
+
+void cost_summary(const plant *p, const graph *g, text *out)
+{
+    const mechanism *m = p->m;
+    const int n = 2 * m->link_count, real_bytes = p->is_double ? 8 : 4;
+    const operations derivative = code_count(g, p->slopes, (size_t)n);
+    implicit_cost cost = {{0}, {0}};
+    text_add(out, "scene %s\nmethod %s\nstep %g s\nreal %s\n", m->name, method_names[ISO_METHOD_OF(m->recipe)], m->step,
+             p->is_double ? "double" : "float");
+    text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
+             p->output_count);
+    count_line(out, "derivative", derivative);
+    if (ISO_IS_IMPLICIT(m->recipe)) {
+        cost.factor = code_count(g, p->j.factors, (size_t)p->j.factor_count);
+        cost.solve = code_count(g, p->j.solution, (size_t)n);
+        count_line(out, "factor", cost.factor);
+        count_line(out, "solve", cost.solve);
+        text_add(out, "factors %d\n", p->j.factor_count);
+    }
+    count_line(out, "step", step_operations(m->recipe, n, derivative, cost));
+    text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes, ISO_VECTORS_KEPT(m->recipe) * n * real_bytes);
+}
+
+/* Evaluations of the derivative in a step; a Jacobian is one factorisation. */
+static int evaluations(unsigned recipe)
+{
+    switch (ISO_METHOD_OF(recipe)) {
+    case ISO_HEUN:
+    case ISO_ABM4:
+    case ISO_ROSENBROCK:
+        return 2;
+    case ISO_RK4:
+    case ISO_ABM4_PECECE:
+        return ISO_IS(recipe, ISO_RK4) ? 4 : 3;
+    case ISO_BDF4:
+        return ISO_ITERATIONS_OF((int)recipe);
+    default:
+        return 1;
+    }
+}
+
+void cost_methods(text *out)
+{
+    text_add(out, "| method | order | evaluations | Jacobians | solutions | vectors kept | with a check |\n");
+    text_add(out, "|---|---|---|---|---|---|---|\n");
+    for (unsigned method = 0; method < ISO_METHODS; method++) {
+        const int solutions = ISO_IS(method, ISO_BDF4) ? ISO_ITERATIONS_OF((int)method) : 3;
+        text_add(out, "| %s | %d | %d | %d | %d | %d | %d |\n", method_names[method], ISO_ORDER_OF(method),
+                 evaluations(method), ISO_IS_IMPLICIT(method) ? 1 : 0, ISO_IS_IMPLICIT(method) ? solutions : 0,
+                 ISO_VECTORS_KEPT(method), ISO_VECTORS_KEPT(method | ISO_CHECKED));
+    }
+}

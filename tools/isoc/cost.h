@@ -1,0 +1,14 @@
+/* What a plant costs, counted: operations of its equations and of a step, and what each method keeps. */
+#ifndef ISOC_COST_H
+#define ISOC_COST_H
+
+#include "tools/isoc/emit.h"
+
+/* Lines `key value...` about one plant. */
+void cost_summary(const plant *p, const graph *g, text *out);
+
+/* One line for each method: order, evaluations, Jacobians and solutions a step, vectors of n reals kept from step to
+ * step, without and with a check. */
+void cost_methods(text *out);
+
+#endif
