@@ -1,19 +1,47 @@
-/* core/multistep.h: Adams-Bashforth of order four and its priming, against results that are exact in binary. */
+/* core/multistep.h: the Adams methods of order four and their priming, against results that are exact in binary. */
 #include "core/multistep.h"
 #include "tests/tap.h"
 
-enum { N = 2 };
+enum { N = 2, KEPT = ISO_AB4_STEPS };
 
-/* With h = 1.5, h / 24 = 1/16 and every number below is exact. */
+/* With h = 1.5, h / 24 = 1/16 and every number below is exact, but where 270 divides. */
 static const real h = R(1.5);
 
-/* t' = 1, q' = t^3: rk4 integrates it without error, so the primed history is exact. */
+/* Memory of one run: the states, and what a trail keeps behind them. */
+typedef struct run {
+    real x[N];
+    real slopes[KEPT * N + 1];
+    real moved[N];
+    real at[N];
+    real work[ISO_EXPLICIT_WORK(N)];
+    iso_trail trail;
+} run;
+
+static iso_trail *prepare(run *const r, const size_t kept, const real first, const real second)
+{
+    r->x[0] = first;
+    r->x[1] = second;
+    r->slopes[kept * N] = R(7.0);
+    r->trail = (iso_trail){.n = N, .x = r->x, .slopes = r->slopes, .kept = (uint8_t)kept};
+    return &r->trail;
+}
+
+/* t' = 1, q' = t^3: rk4 integrates it without error, so the primed slopes are exact. */
 static void cubic(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
 {
     (void)u;
     (void)p;
     dx[0] = R(1.0);
     dx[1] = x[0] * x[0] * x[0];
+}
+
+/* t' = 1, q' = t^4. */
+static void quartic(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    (void)u;
+    (void)p;
+    dx[0] = R(1.0);
+    dx[1] = (x[0] * x[0]) * (x[0] * x[0]);
 }
 
 /* q' = v, v' = -q. */
@@ -34,81 +62,147 @@ static void driven(real *restrict dx, const real *restrict x, const real *restri
 
 static void test_prime(void)
 {
-    real history[ISO_AB4_HISTORY(N) + 1], at[N], work[ISO_EXPLICIT_WORK(N)];
-    const real x[N] = {R(3.0), R(0.0)};
-    history[ISO_AB4_HISTORY(N)] = R(7.0);
-    iso_ab4_prime(N, cubic, h, x, NULL, NULL, history, at, work);
+    run r;
+    iso_trail *const trail = prepare(&r, 3, R(3.0), R(0.0));
+    trail->moved = r.moved;
+    iso_prime_slopes(trail, cubic, h, NULL, NULL, false, r.at, r.work);
+    tap_ok(r.x[0] == R(3.0) && r.x[1] == R(0.0), "prime: the state is left as it is");
+    tap_same(r.slopes[0 * N + 1], R(3.375), "prime: the newest slope is the one at t - h");
+    tap_same(r.slopes[1 * N + 1], R(0.0), "prime: then the one at t - 2h");
+    tap_same(r.slopes[2 * N + 1], R(-3.375), "prime: then the one at t - 3h");
+    tap_ok(r.slopes[0] == R(1.0) && r.slopes[N] == R(1.0) && r.slopes[2 * N] == R(1.0), "prime: slopes of every state");
+    tap_same(r.slopes[3 * N], R(7.0), "prime: what is kept ends where its size says");
+    tap_ok(r.moved[0] == h && r.moved[1] == R(18.984375), "prime: the increment from t - h to t");
 
-    tap_ok(x[0] == R(3.0) && x[1] == R(0.0), "prime: the state is left as it is");
-    tap_same(history[0 * N + 1], R(3.375), "prime: the newest slope is the one at t - h");
-    tap_same(history[1 * N + 1], R(0.0), "prime: then the one at t - 2h");
-    tap_same(history[2 * N + 1], R(-3.375), "prime: then the one at t - 3h");
-    tap_ok(history[0] == R(1.0) && history[N] == R(1.0) && history[2 * N] == R(1.0), "prime: slopes of every state");
-    tap_same(history[ISO_AB4_HISTORY(N)], R(7.0), "prime: the history ends where its size says");
+    (void)prepare(&r, 4, R(3.0), R(0.0));
+    iso_prime_slopes(trail, cubic, h, NULL, NULL, true, r.at, r.work);
+    tap_same(r.slopes[0 * N + 1], R(27.0), "prime from now: the newest slope is the one at t");
+    tap_same(r.slopes[1 * N + 1], R(3.375), "prime from now: then the one at t - h");
+    tap_same(r.slopes[3 * N + 1], R(-3.375), "prime from now: the last is the one at t - 3h");
+    tap_same(r.slopes[4 * N], R(7.0), "prime from now: what is kept ends where its size says");
 }
 
-static void test_cubic(void)
+static void test_ab4_cubic(void)
 {
-    real history[ISO_AB4_HISTORY(N)], at[N], work[ISO_EXPLICIT_WORK(N)], slope[N];
-    real x[N] = {R(0.0), R(0.0)};
-    iso_ab4_prime(N, cubic, h, x, NULL, NULL, history, at, work);
-    iso_ab4_step(N, cubic, h, x, NULL, NULL, history, slope);
-    tap_same(x[0], R(1.5), "step: time advances by h");
-    tap_same(x[1], R(1.265625), "step: the integral of a cubic slope is exact");
-    tap_same(history[0 * N + 1], R(0.0), "step: the slope used last is now the newest of the history");
-    tap_same(history[1 * N + 1], R(-3.375), "step: the history moves on by one");
-    tap_same(history[2 * N + 1], R(-27.0), "step: the history moves on by two");
-    iso_ab4_step(N, cubic, h, x, NULL, NULL, history, slope);
-    tap_same(x[1], R(20.25), "step: exact in the second step too");
+    run r;
+    iso_trail *const trail = prepare(&r, 3, R(0.0), R(0.0));
+    iso_prime_slopes(trail, cubic, h, NULL, NULL, false, r.at, r.work);
+    (void)iso_ab4_step(trail, cubic, h, NULL, NULL, r.work);
+    tap_same(r.x[0], R(1.5), "ab4: time advances by h");
+    tap_same(r.x[1], R(1.265625), "ab4: the integral of a cubic slope is exact");
+    tap_same(r.slopes[0 * N + 1], R(0.0), "ab4: the slope used last is now the newest that is kept");
+    tap_same(r.slopes[1 * N + 1], R(-3.375), "ab4: the others move on by one");
+    tap_same(r.slopes[2 * N + 1], R(-27.0), "ab4: and by two");
+    (void)iso_ab4_step(trail, cubic, h, NULL, NULL, r.work);
+    tap_same(r.x[1], R(20.25), "ab4: exact in the second step too");
 }
 
 /* By hand: 16 dq = 55*0 - 59*1 + 37*2 - 9*3 = -12 and 16 dv = 55*(-1) - 59*(-2) + 37*4 - 9*0 = 211. */
-static void test_by_hand(void)
+static void test_ab4_by_hand(void)
 {
-    real history[ISO_AB4_HISTORY(N)] = {R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
-    real slope[N];
-    real x[N] = {R(1.0), R(0.0)};
-    iso_ab4_step(N, oscillator, h, x, NULL, NULL, history, slope);
-    tap_same(x[0], R(0.25), "step: position by hand");
-    tap_same(x[1], R(13.1875), "step: speed by hand");
+    static const real slopes[3 * N] = {R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
+    run r;
+    iso_trail *const trail = prepare(&r, 3, R(1.0), R(0.0));
+    memcpy(r.slopes, slopes, sizeof slopes);
+    (void)iso_ab4_step(trail, oscillator, h, NULL, NULL, r.work);
+    tap_same(r.x[0], R(0.25), "ab4: position by hand");
+    tap_same(r.x[1], R(13.1875), "ab4: speed by hand");
 }
 
 static void test_inputs(void)
 {
-    real history[ISO_AB4_HISTORY(1)], at[1], work[ISO_EXPLICIT_WORK(1)], slope[1];
     const real u[1] = {R(3.0)};
     const real p[1] = {R(0.5)};
-    real x[1] = {R(1.0)};
-    iso_ab4_prime(1, driven, h, x, u, p, history, at, work);
-    tap_same(history[2], R(1.5), "prime: inputs and parameters reach the derivative");
-    iso_ab4_step(1, driven, h, x, u, p, history, slope);
-    tap_same(x[0], R(3.25), "step: inputs and parameters reach the derivative");
+    run r;
+    iso_trail *const trail = prepare(&r, 4, R(1.0), R(0.0));
+    trail->n = 1;
+    trail->kept = 3;
+    iso_prime_slopes(trail, driven, h, u, p, false, r.at, r.work);
+    tap_same(r.slopes[2], R(1.5), "prime: inputs and parameters reach the derivative");
+    (void)iso_ab4_step(trail, driven, h, u, p, r.work);
+    tap_same(r.x[0], R(3.25), "ab4: inputs and parameters reach the derivative");
+    trail->kept = 4;
+    iso_prime_slopes(trail, driven, h, u, p, true, r.at, r.work);
+    (void)iso_abm4_step(trail, driven, h, u, p, r.work, 1, true);
+    tap_same(r.x[0], R(5.5), "abm4: inputs and parameters reach the derivative");
 }
 
-/* With n known to the compiler, and known only when it runs: the same bits. */
-static void test_unrolled(void)
+typedef struct variant {
+    const char *cubic;   /* what is tested */
+    const char *quartic; /* ... */
+    const char *by_hand;
+    uint8_t corrections;
+    bool evaluate_last;
+    real position, speed; /* by hand */
+    real slope;           /* of the speed, kept from the end of the step */
+} variant;
+
+/* By hand, from q = 1, v = 0 and slopes (0, -1), (1, -2), (2, 4), (3, 0). Predicted as above: q = 1/4, v = 211/16.
+ * Corrected, 16 dq = 9 v - 8 and 16 dv = -9 q - 19 + 10 + 4 with the predicted q and v:
+ *     q = 1 + (9 * 211/16 - 5*1 + 2) / 16 = 2107/256,    v = (-9/4 - 19 + 10 + 4) / 16 = -29/64.
+ * Corrected again: q = 1 + (9 * (-29/64) - 3) / 16 = 571/1024,    v = (-9 * 2107/256 - 5) / 16 = -20243/4096. */
+static const variant variants[] = {
+    {"PECE: the integral of a cubic slope is exact", "PECE: Milne's estimate is the error of a quartic slope",
+     "PECE: by hand", 1, true, R(8.23046875), R(-0.453125), R(-8.23046875)},
+    {"PEC: the integral of a cubic slope is exact", "PEC: Milne's estimate is the error of a quartic slope",
+     "PEC: by hand", 1, false, R(8.23046875), R(-0.453125), R(-0.25)},
+    {"P(EC)^2E: the integral of a cubic slope is exact", "P(EC)^2E: Milne's estimate is the error of a quartic slope",
+     "P(EC)^2E: by hand", 2, true, R(0.5576171875), R(-4.942138671875), R(-0.5576171875)},
+};
+
+static void test_abm4_cubic(const variant *const v)
 {
-    volatile size_t any = N;
-    const size_t n = any;
-    real fixed[ISO_AB4_HISTORY(N)], history[ISO_AB4_HISTORY(N)], at[N], work[ISO_EXPLICIT_WORK(N)], slope[N];
-    real x[N] = {R(1.0), R(0.1)};
-    real y[N] = {R(1.0), R(0.1)};
-    iso_ab4_prime(N, oscillator, R(0.01), x, NULL, NULL, fixed, at, work);
-    iso_ab4_prime(n, oscillator, R(0.01), y, NULL, NULL, history, at, work);
-    tap_ok(memcmp(fixed, history, sizeof history) == 0, "prime: unrolled and run-time size give the same bits");
-    for (unsigned i = 0; i < 200; i++) {
-        iso_ab4_step(N, oscillator, R(0.01), x, NULL, NULL, fixed, slope);
-        iso_ab4_step(n, oscillator, R(0.01), y, NULL, NULL, history, slope);
+    run r;
+    iso_trail *const trail = prepare(&r, 4, R(0.0), R(0.0));
+    iso_prime_slopes(trail, cubic, h, NULL, NULL, true, r.at, r.work);
+    const real first = iso_abm4_step(trail, cubic, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
+    const bool good = r.x[0] == R(1.5) && r.x[1] == R(1.265625) && r.slopes[1] == R(3.375) && r.slopes[3] == R(0.0);
+    const real second = iso_abm4_step(trail, cubic, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
+    tap_ok(good && r.x[1] == R(20.25) && r.slopes[4 * N] == R(7.0) && first == R(0.0) && second == R(0.0), v->cubic);
+}
+
+/* Without feedback Milne's estimate is the error itself: 19/720 h^5 24. The slopes primed by rk4 are not used: they are
+ * those of t^4 in units of h at 0, -1, -2, -3. Everything is exact but for 19 / 270 and its product, and the error that
+ * is compared with: 4 roundings. */
+static void test_abm4_quartic(const variant *const v)
+{
+    run r;
+    iso_trail *const trail = prepare(&r, 4, R(0.0), R(0.0));
+    const real h4 = (h * h) * (h * h);
+    for (size_t j = 0; j < 4; j++) {
+        r.slopes[j * N] = R(1.0);
+        r.slopes[j * N + 1] = (real)(j * j * j * j) * h4;
     }
-    tap_ok(memcmp(x, y, sizeof x) == 0 && x[0] < R(0.0), "step: unrolled and run-time size give the same bits");
+    const real estimate = iso_abm4_step(trail, quartic, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
+    const real error = r.x[1] - h * h4 / R(5.0);
+    const real want = R(19.0) * R(24.0) / R(720.0) * (h * h4);
+    tap_ok(iso_abs(error - want) <= R(8.0) * ISO_REAL_EPSILON * want &&
+               iso_abs(estimate - want) <= R(8.0) * ISO_REAL_EPSILON * want,
+           v->quartic);
+}
+
+static void test_abm4_by_hand(const variant *const v)
+{
+    static const real slopes[4 * N] = {R(0.0), R(-1.0), R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
+    run r;
+    iso_trail *const trail = prepare(&r, 4, R(1.0), R(0.0));
+    memcpy(r.slopes, slopes, sizeof slopes);
+    (void)iso_abm4_step(trail, oscillator, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
+    tap_ok(r.x[0] == v->position && r.x[1] == v->speed && r.slopes[1] == v->slope && r.slopes[3] == R(-1.0) &&
+               r.slopes[7] == R(4.0) && r.slopes[4 * N] == R(7.0),
+           v->by_hand);
 }
 
 int main(void)
 {
     test_prime();
-    test_cubic();
-    test_by_hand();
+    test_ab4_cubic();
+    test_ab4_by_hand();
     test_inputs();
-    test_unrolled();
+    for (size_t i = 0; i < sizeof variants / sizeof *variants; i++) {
+        test_abm4_cubic(&variants[i]);
+        test_abm4_quartic(&variants[i]);
+        test_abm4_by_hand(&variants[i]);
+    }
     tap_done();
 }
