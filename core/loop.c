@@ -1,5 +1,7 @@
 #include "core/loop.h"
 
+#include "core/method.h"
+
 #include "port/port.h"
 
 /* Signed time from a to b on the clock, which wraps: right while they are less than 2^31 counts apart. */
@@ -72,6 +74,9 @@ static void book(iso_loop *const loop, const uint32_t begin, const uint32_t coun
     account->execution_min = counts < account->execution_min ? counts : account->execution_min;
     account->execution_max = counts > account->execution_max ? counts : account->execution_max;
     account->execution_sum += counts;
+    if (loop->plant->progress != NULL) {
+        account->local_error = iso_max(account->local_error, loop->plant->progress->local_error);
+    }
 }
 
 bool iso_loop_tick(iso_loop *const loop)
@@ -90,6 +95,10 @@ bool iso_loop_tick(iso_loop *const loop)
     loop->due += loop->period;
 
     const uint32_t before = iso_port_clock();
+    if (plant->jumped != NULL && plant->jumped()) {
+        plant->prime();
+        loop->account.restarts++;
+    }
     plant->step();
     const uint32_t after = iso_port_clock();
 

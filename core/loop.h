@@ -22,8 +22,10 @@ typedef struct iso_account {
     uint32_t late;          /* of them, started late */
     uint32_t lost;          /* of them, reported by the port only with a later one */
     uint32_t overruns;      /* of them, ended after the next one was due */
+    uint32_t restarts;      /* of the method's history, after a jump */
+    real local_error;       /* the largest of all steps, where steps are checked */
     int32_t margin;         /* least time left when the outputs were out; positive is good */
-    uint32_t execution_min; /* of a step: the call and nothing else */
+    uint32_t execution_min; /* of a step: the call, with a restart before it where there was a jump */
     uint32_t execution_max;
     uint64_t execution_sum;
 } iso_account;

@@ -6,6 +6,7 @@
 #ifndef ISO_CORE_PLANT_H
 #define ISO_CORE_PLANT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -57,6 +58,8 @@ typedef struct iso_plant {
     iso_derivative *derivative;
     iso_outputs *output;
     void (*drive)(uint32_t tick); /* sets u to the scene's functions of time; NULL without inputs */
+    bool (*jumped)(void);         /* whether an input or a parameter jumped, or something happened that ends the smooth
+                                     motion: then the history is of no use. NULL where no history is kept */
     void (*prime)(void);          /* fills the method's history from x and u; NULL for a one-step method */
     void (*step)(void);           /* advances x by one step with u held: the real-time part */
 } iso_plant;

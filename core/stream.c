@@ -93,7 +93,7 @@ void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
 
     const uint32_t words[] = {
         account->ticks,         account->late,          account->lost, account->overruns, (uint32_t)account->margin,
-        account->execution_min, account->execution_max, loop->guard,   loop->tick,
+        account->execution_min, account->execution_max, loop->guard,   loop->tick,        account->restarts,
     };
 
     put_byte(ISO_STREAM_END);
@@ -103,5 +103,6 @@ void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
     put_number(account->execution_sum, sizeof account->execution_sum);
     put_number(hash, sizeof hash);
     put_reals(loop->plant->x, loop->plant->states);
+    put_reals(&account->local_error, 1);
     flush();
 }

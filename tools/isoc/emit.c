@@ -12,6 +12,22 @@ static const char *upper(arena *memory, const char *word)
     return copy;
 }
 
+/* Whether the method keeps something that must be filled before the first step. */
+static bool is_primed(const mechanism *m)
+{
+    return ISO_SLOPES_KEPT(m->recipe) > 0 || ISO_IS(m->recipe, ISO_BDF4);
+}
+
+/* Whether the method keeps a history that a jump of an input or a change of a parameter makes useless. */
+static bool can_jump(const mechanism *m)
+{
+    bool jumps = m->parameter_count > 0;
+    for (int i = 0; i < m->input_count; i++) {
+        jumps = jumps || m->jumps[i] > 0.0;
+    }
+    return jumps && is_primed(m);
+}
+
 /* The recipe as C: ISO_RK4 | ISO_CHECKED. */
 static const char *recipe_symbol(arena *memory, unsigned recipe)
 {
@@ -27,12 +43,6 @@ static const char *recipe_symbol(arena *memory, unsigned recipe)
 static bool has_progress(const mechanism *m)
 {
     return ISO_IS_CHECKED(m->recipe) || ISO_IS(m->recipe, ISO_BDF4);
-}
-
-/* Whether the method keeps something that must be filled before the first step. */
-static bool is_primed(const mechanism *m)
-{
-    return ISO_SLOPES_KEPT(m->recipe) > 0 || ISO_IS(m->recipe, ISO_BDF4);
 }
 
 static const char *prefixed(arena *memory, const char *prefix, const char *word)
@@ -135,6 +145,10 @@ static void emit_memory(const plant *p, text *out)
     if (has_progress(m)) {
         text_add(out, "    iso_progress progress;\n");
     }
+    if (can_jump(m)) {
+        text_add(out, "%s%s", m->input_count > 0 ? "    real last_u[PLANT_INPUTS];\n" : "",
+                 m->parameter_count > 0 ? "    real last_p[PLANT_PARAMETERS];\n" : "");
+    }
     text_add(out, "} memory;\n\n");
 
     double *start = arena_take(out->memory, 2 * (size_t)m->link_count, sizeof *start);
@@ -236,6 +250,33 @@ static const char *array_or_null(int count, const char *array)
     return count > 0 ? array : "NULL";
 }
 
+/* What starts the method anew: an input that changed by more than its jump in a tick, a parameter that changed. */
+static void emit_jumped(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    text_add(out, "static bool jumped(void)\n{\n    bool jump = false;\n");
+    for (int i = 0; i < m->input_count; i++) {
+        if (m->jumps[i] > 0.0) {
+            text_add(out, "    jump |= iso_abs(memory.u[%d] - memory.last_u[%d]) > %s;\n", i, i,
+                     code_literal(out->memory, m->jumps[i], p->is_double));
+        }
+    }
+    for (int i = 0; i < m->parameter_count; i++) {
+        text_add(out, "    jump |= memory.p[%d] != memory.last_p[%d];\n", i, i);
+    }
+    text_add(out, "    remember();\n    return jump;\n}\n\n");
+}
+
+/* The inputs and parameters that jumped() compares with. */
+static void emit_remember(const plant *p, text *out)
+{
+    text_add(out, "static void remember(void)\n{\n");
+    text_add(out, "%s", p->m->input_count > 0 ? "    memcpy(memory.last_u, memory.u, sizeof memory.last_u);\n" : "");
+    text_add(out, "%s",
+             p->m->parameter_count > 0 ? "    memcpy(memory.last_p, memory.p, sizeof memory.last_p);\n" : "");
+    text_add(out, "}\n\n");
+}
+
 static void emit_step(const plant *p, text *out)
 {
     const mechanism *m = p->m;
@@ -243,11 +284,15 @@ static void emit_step(const plant *p, text *out)
     const char *parameters = array_or_null(m->parameter_count, "memory.p");
     const char *h = code_literal(out->memory, m->step, p->is_double);
     const char *progress = has_progress(m) ? "&memory.progress" : "NULL";
+    if (can_jump(m)) {
+        emit_remember(p, out);
+        emit_jumped(p, out);
+    }
     if (is_primed(m)) {
         text_add(out, "static void prime(void)\n{\n    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", recipe);
         text_add(out, "    iso_method_prime(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, work,\n", recipe, h, u,
                  parameters);
-        text_add(out, "                     %s);\n}\n\n", progress);
+        text_add(out, "                     %s);\n%s}\n\n", progress, can_jump(m) ? "    remember();\n" : "");
     }
     text_add(out, "static void step(void)\n{\n    real work[ISO_METHOD_WORK(%s, PLANT_STATES)];\n", recipe);
     if (ISO_IS_IMPLICIT(m->recipe)) {
@@ -287,8 +332,9 @@ static void emit_description(const plant *p, text *out)
     }
     text_add(out, ",\n    .x = memory.x,\n    .y = memory.y,\n    .start = start,\n    .memory = &memory,\n");
     text_add(out, "    .memory_bytes = sizeof memory,\n    .derivative = derivative,\n    .output = output,\n");
-    text_add(out, "%s%s    .step = step,\n};\n", has_progress(m) ? "    .progress = &memory.progress,\n" : "",
+    text_add(out, "%s%s", has_progress(m) ? "    .progress = &memory.progress,\n" : "",
              is_primed(m) ? "    .prime = prime,\n" : "");
+    text_add(out, "%s    .step = step,\n};\n", can_jump(m) ? "    .jumped = jumped,\n" : "");
 }
 
 bool emit_source(const plant *p, graph *g, text *out, double *culprit)

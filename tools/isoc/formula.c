@@ -24,7 +24,7 @@ static bool is_connective(const char *word)
 {
     static const char *const words[] = {"at",    "about",      "rotate",  "rest",   "along", "of",
                                         "mass",  "com",        "inertia", "axis",   "start", "speed",
-                                        "child", "continuous", "damping", "spring", "drive"};
+                                        "child", "continuous", "damping", "spring", "drive", "jump"};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         if (strcmp(word, words[i]) == 0) {
             return true;

@@ -11,8 +11,8 @@ static node derivative_of(graph *g, node i, node da, node db)
         return sub(g, da, db);
     case OP_MUL:
         return add(g, mul(g, da, n.b), mul(g, n.a, db));
-    case OP_DIV: /* (a / b)' = (a' - (a / b) b') / b */
-        return divide(g, sub(g, da, mul(g, i, db)), n.b);
+    case OP_DIV: /* (a / b)' = (a' - (a / b) b') / b, with one division for all derivatives */
+        return mul(g, sub(g, da, mul(g, i, db)), divide(g, constant(g, 1.0), n.b));
     case OP_NEG:
         return neg(g, da);
     case OP_SQRT:

@@ -458,6 +458,7 @@ static void build_inputs(builder *b)
     mechanism *made = &b->made;
     made->input_count = (int)b->written->input_count;
     made->input_names = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->input_names);
+    made->jumps = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->jumps);
     made->drives = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->drives);
     b->values.time_allowed = true;
     graph_section(b->g, "Inputs as functions of time");
@@ -481,8 +482,13 @@ static void build_inputs(builder *b)
             source_problem(b->s, q->name.at, "the input '%s' drives a revolute and a prismatic joint", q->name.text);
         }
         made->input_names[i] = q->name.text;
-        made->drives[i] = scalar_value(b, force || torque ? q->value : NULL, torque ? newton_metre : newton,
-                                       torque ? "a torque" : "a force");
+        const dimension effort = torque ? newton_metre : newton;
+        const char *what = torque ? "a torque" : "a force";
+        made->drives[i] = scalar_value(b, force || torque ? q->value : NULL, effort, what);
+        made->jumps[i] = value_constant(&b->values, force || torque ? q->jump : NULL, effort, what, 0.0);
+        if (q->jump != NULL && !(made->jumps[i] > 0.0)) {
+            source_problem(b->s, q->jump->at, "a jump is larger than zero");
+        }
     }
     b->values.time_allowed = false;
 }

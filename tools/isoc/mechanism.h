@@ -52,7 +52,8 @@ typedef struct mechanism {
 
     int input_count;
     const char **input_names;
-    node *drives; /* the inputs as functions of time */
+    node *drives;  /* the inputs as functions of time */
+    double *jumps; /* the changes of inputs that start a method anew; 0: none does */
 
     const output *outputs;
     size_t output_count;

@@ -285,6 +285,9 @@ static void parse_parameter(parser *p, scene *made, bool tunable)
 static void parse_input(parser *p, scene *made)
 {
     quantity q = {.name = take_name(p, "expected a name for the input", true)};
+    if (!p->failed && take_word(p, "jump")) {
+        q.jump = parse_formula(p);
+    }
     if (!p->failed && take_sign(p, '=')) {
         q.value = parse_formula(p);
     }
@@ -294,7 +297,7 @@ static void parse_input(parser *p, scene *made)
 
 static void parse_output(parser *p, scene *made)
 {
-    output o = {.name = take_name(p, "expected a name for the output", true), .along = -1};
+    output o = {.name = take_name(p, "expected a name for the output", false), .along = -1};
     if (!p->failed && !take_sign(p, '=')) {
         parse_problem(p, "expected =, as in: output angle = position of joint");
     }

@@ -8,7 +8,7 @@
  *                | drive NAME }
  *   placement  = NAME [at FORMULA] { rotate FORMULA about AXIS }
  *   parameter  = (constant | tunable) NAME = FORMULA
- *   input      = input NAME [= FORMULA]
+ *   input      = input NAME [jump FORMULA] [= FORMULA]
  *   output     = output NAME = energy | local_error | residual | (position | speed | acceleration | velocity | turns) of NAME
  *                [at FORMULA] [along (x | y | z)]
  */

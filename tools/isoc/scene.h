@@ -71,6 +71,7 @@ typedef struct joint {
 typedef struct quantity {
     name name;
     formula *value; /* of an input: NULL when nothing drives it */
+    formula *jump;  /* of an input: the change that starts a method anew, or NULL */
     bool tunable;
 } quantity;
 

@@ -186,6 +186,12 @@ static void print_summary(const stream *const run, const char *const unit, const
         printf(" %s", stream_value(run, i, text));
     }
     printf("\nhash %016" PRIx64 "\n", end->hash);
+    if (end->restarts > 0) {
+        printf("restarts %" PRIu32 "\n", end->restarts);
+    }
+    if (strcmp(stream_value(run, header->states, text), "0") != 0) {
+        printf("local_error %s\n", text);
+    }
     if (end->ticks > 0 && strcmp(unit, "instructions") == 0) {
         printf("instructions_per_step %" PRIu32, end->execution_min);
         if (end->execution_max != end->execution_min) {

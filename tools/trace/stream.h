@@ -35,6 +35,7 @@ typedef struct stream_end {
     uint32_t execution_max;
     uint32_t guard; /* the first state that is not finite; as many as there are states if all are */
     uint32_t tick;  /* where the run stopped */
+    uint32_t restarts;
     uint64_t execution_sum;
     uint64_t hash;
 } stream_end;
@@ -44,7 +45,8 @@ typedef struct stream {
     char error[STREAM_TEXT_BYTES]; /* why the last call failed */
     stream_header header;
     stream_end end;
-    uint8_t values[STREAM_VALUES_MAX * sizeof(double)]; /* of the last row, or the final state */
+    uint8_t
+        values[(STREAM_VALUES_MAX + 1) * sizeof(double)]; /* of the last row, or the final state and the local error */
 } stream;
 
 typedef enum stream_record { STREAM_ROW, STREAM_END, STREAM_ERROR } stream_record;
