@@ -1,7 +1,7 @@
 /* core/tableau.h: the order conditions of every table, exact in whole numbers.
  *
  * Hairer, Norsett, Wanner (1993), Solving Ordinary Differential Equations I, table II.2.1 (the rooted trees to order
- * four) and III.1 (the moments of Adams-Bashforth).
+ * four) and III.1 (the moments of the Adams methods).
  */
 #include "core/tableau.h"
 #include "tests/tap.h"
@@ -159,37 +159,287 @@ static void test_broken_tables(void)
     tap_count(order_of(&kutta3), 3, "the conditions tell order 3 from order 4");
 }
 
-/* over / (m + 1) = sum_j b_j (-j)^m: exact for polynomials of degree m. */
-static bool moment_holds(const iso_adams_bashforth *const t, const unsigned m)
+/* (m + 1) sum_j b_j t_j^m against over, with slopes at t = first, first - 1, ...: what the formula gives for the slope
+ * (m + 1) t^m, whose integral from 0 to 1 is 1. Times `over`, so that it is whole; zero where the formula is exact. */
+static int64_t adams_defect(const iso_adams *const t, const int first, const int64_t m)
 {
     int64_t sum = 0;
-    for (int j = 0; j < ISO_AB4_STEPS; j++) {
+    for (int j = 0; j < ISO_ADAMS_SLOPES; j++) {
         int64_t power = 1;
-        for (unsigned i = 0; i < m; i++) {
-            power *= -j;
+        for (int64_t i = 0; i < m; i++) {
+            power *= first - j;
         }
         sum += t->b[j] * power;
     }
-    return ((int64_t)m + 1) * sum == t->over;
+    return t->over - (m + 1) * sum;
 }
 
-static void test_adams_bashforth(void)
+/* The highest order, at most five: the formula is exact for slopes of the degrees below. */
+static unsigned adams_order(const iso_adams *const t, const int first)
 {
-    tap_ok(moment_holds(&iso_table_ab4, 0), "ab4: exact for a constant slope");
-    tap_ok(moment_holds(&iso_table_ab4, 1), "ab4: exact for a linear slope");
-    tap_ok(moment_holds(&iso_table_ab4, 2), "ab4: exact for a quadratic slope");
-    tap_ok(moment_holds(&iso_table_ab4, 3), "ab4: exact for a cubic slope");
-    tap_ok(!moment_holds(&iso_table_ab4, 4), "ab4: not exact for a quartic slope");
+    unsigned order = 0;
+    while (order < 5 && adams_defect(t, first, order) == 0) {
+        order++;
+    }
+    return order;
+}
 
-    iso_adams_bashforth broken = iso_table_ab4;
+enum { FROM_START = 0, FROM_END = 1 };
+
+static void test_adams(void)
+{
+    tap_count(adams_order(&iso_table_ab4, FROM_START), 4, "ab4: order 4");
+    tap_count(adams_order(&iso_table_am[0], FROM_END), 1, "am, no slope of before: order 1");
+    tap_count(adams_order(&iso_table_am[1], FROM_END), 2, "am, one slope of before: order 2");
+    tap_count(adams_order(&iso_table_am[2], FROM_END), 3, "am, two slopes of before: order 3");
+    tap_count(adams_order(&iso_table_am[3], FROM_END), 4, "am, three slopes of before: order 4");
+    tap_count(adams_order(&iso_table_am[4], FROM_END), 5, "am, four slopes of before: order 5");
+
+    bool empty = iso_table_ab4.b[4] == 0;
+    for (int row = 0; row < ISO_ADAMS_SLOPES; row++) {
+        for (int j = row + 1; j < ISO_ADAMS_SLOPES; j++) {
+            empty = empty && iso_table_am[row].b[j] == 0;
+        }
+    }
+    tap_ok(empty, "Adams: no weight beyond the slopes that a formula has");
+
+    iso_adams broken = iso_table_ab4;
     broken.b[2]++;
-    tap_ok(!moment_holds(&broken, 0), "a wrong Adams-Bashforth weight is noticed");
+    tap_count(adams_order(&broken, FROM_START), 0, "a wrong Adams-Bashforth weight is noticed");
+    broken = iso_table_am[3];
+    broken.b[0]++;
+    broken.b[1]--;
+    tap_count(adams_order(&broken, FROM_END), 1, "a weight moved to the next slope leaves order 1");
+    tap_count(adams_order(&iso_table_am[3], FROM_START), 1,
+              "an implicit formula taken for an explicit one has order 1");
+}
+
+/* The error of a formula of order p is C h^(p+1) x^(p+1), with C = defect / (over (p+1)!) (Hairer, Norsett, Wanner 1993,
+ * III.2). Milne's weight is -C_am / (C_ab - C_am): of the difference of the two, the corrector's part. */
+static bool milne_holds(const iso_adams *const weight)
+{
+    const int64_t am = -adams_defect(&iso_table_am[3], FROM_END, 4) * iso_table_ab4.over;
+    const int64_t ab = adams_defect(&iso_table_ab4, FROM_START, 4) * iso_table_am[3].over;
+    return am > 0 && weight->b[0] * (ab + am) == am * weight->over;
+}
+
+static void test_milne(void)
+{
+    /* 5! C over = 1004 for C = 251/720 and -76 for C = -19/720, both with over = 24. */
+    tap_ok(adams_defect(&iso_table_ab4, FROM_START, 4) == 1004, "ab4: error constant 251/720");
+    tap_ok(adams_defect(&iso_table_am[3], FROM_END, 4) == -76, "am of order four: error constant -19/720");
+    tap_ok(milne_holds(&iso_table_milne), "Milne: 19/270 of the difference");
+    const iso_adams broken = {.b = {1}, .over = 14};
+    tap_ok(!milne_holds(&broken), "a wrong Milne weight is noticed");
+}
+
+/* x = t^m at t = 1, 0, -1, -2, -3, -4 with h = 1. */
+static int64_t power_of(const int t, const int m)
+{
+    int64_t power = 1;
+    for (int i = 0; i < m; i++) {
+        power *= t;
+    }
+    return power;
+}
+
+/* over (dx - dx of the formula) for x = t^m from t = 0 to 1, the increments before known. */
+static int64_t bdf_defect(const iso_bdf *const t, const int m)
+{
+    int64_t sum = t->over * (power_of(1, m) - power_of(0, m)) - t->slope * m;
+    for (int j = 0; j < ISO_BDF4_STEPS - 1; j++) {
+        sum -= t->b[j] * (power_of(-j, m) - power_of(-j - 1, m));
+    }
+    return sum;
+}
+
+/* dx - dx of the predictor, likewise. */
+static int64_t predictor_defect(const iso_bdf *const t, const int m)
+{
+    int64_t sum = power_of(1, m) - power_of(0, m);
+    for (int j = 0; j < ISO_BDF4_STEPS; j++) {
+        sum -= t->predictor[j] * (power_of(-j, m) - power_of(-j - 1, m));
+    }
+    return sum;
+}
+
+/* The highest degree, at most five, up to which all defects are zero. */
+static int degree_of(const iso_bdf *const t, int64_t (*const defect)(const iso_bdf *t, int m))
+{
+    int degree = 0;
+    while (degree < 5 && defect(t, degree + 1) == 0) {
+        degree++;
+    }
+    return degree;
+}
+
+static void test_bdf4(void)
+{
+    const iso_bdf *const t = &iso_table_bdf4;
+    tap_count((uint32_t)degree_of(t, bdf_defect), 4, "bdf4: order 4");
+    tap_count((uint32_t)degree_of(t, predictor_defect), 4, "bdf4: the predictor continues degree 4");
+    /* 5! C = -288/25 for C = -12/125, and 120 for C = 1: the corrector's part of their difference is 12/137. */
+    tap_ok(bdf_defect(t, 5) == -288 && t->over == 25, "bdf4: error constant -12/125");
+    tap_ok(predictor_defect(t, 5) == 120, "bdf4: the predictor's error constant 1");
+
+    /* 1/25 (48 y - 36 y[-1] + 16 y[-2] - 3 y[-3]) - y in increments: partial sums of the coefficients. */
+    tap_ok(t->b[0] == 48 - t->over && t->b[1] == 48 - 36 - t->over && t->b[2] == 48 - 36 + 16 - t->over,
+           "bdf4: the increments' weights are those of the states");
+
+    iso_bdf broken = *t;
+    broken.b[1]++;
+    tap_count((uint32_t)degree_of(&broken, bdf_defect), 0, "a wrong bdf4 weight is noticed");
+    broken = *t;
+    broken.slope++;
+    tap_count((uint32_t)degree_of(&broken, bdf_defect), 0, "a wrong bdf4 slope is noticed");
+    broken = *t;
+    broken.predictor[3]++;
+    tap_count((uint32_t)degree_of(&broken, predictor_defect), 0, "a wrong bdf4 predictor is noticed");
+}
+
+enum { STAGES = ISO_ROSENBROCK_STAGES };
+
+/* v = a w. */
+static void apply(real v[STAGES], real a[STAGES][STAGES], const real w[STAGES])
+{
+    for (unsigned i = 0; i < STAGES; i++) {
+        v[i] = R(0.0);
+        for (unsigned j = 0; j < STAGES; j++) {
+            v[i] += a[i][j] * w[j];
+        }
+    }
+}
+
+/* a b, of lower triangular matrices. */
+static void product(real ab[STAGES][STAGES], real a[STAGES][STAGES], real b[STAGES][STAGES])
+{
+    for (unsigned i = 0; i < STAGES; i++) {
+        for (unsigned j = 0; j < STAGES; j++) {
+            ab[i][j] = R(0.0);
+            for (unsigned k = 0; k < STAGES; k++) {
+                ab[i][j] += a[i][k] * b[k][j];
+            }
+        }
+    }
+}
+
+enum { CONDITIONS = 4 };
+
+/* The left sides of the order conditions to order three, sum b_i = 1, sum b_i beta_i = 1/2, sum b_i alpha_i^2 = 1/3,
+ * sum b_i beta_ij beta_j = 1/6 (Hairer and Wanner 1996, table IV.7.1, with beta_ij = alpha_ij + gamma_ij and gamma_ii in
+ * it), from the coefficients that a step uses: (gamma_ij) = (1/gamma - c)^-1 = gamma (1 + gamma c + gamma^2 c c),
+ * alpha = a (gamma_ij), b = m (gamma_ij). */
+static void left_sides(const iso_rosenbrock *const t, real left[CONDITIONS])
+{
+    real a[STAGES][STAGES] = {{R(0.0)}, {t->a21}, {t->a21}};
+    real c[STAGES][STAGES] = {{R(0.0)}, {t->c21}, {t->c31, t->c32}};
+    real gamma[STAGES][STAGES], alpha[STAGES][STAGES], beta[STAGES][STAGES];
+    real b[STAGES] = {R(0.0)}, alpha2[STAGES], beta1[STAGES], beta2[STAGES];
+    const real one[STAGES] = {R(1.0), R(1.0), R(1.0)};
+
+    product(gamma, c, c);
+    for (unsigned i = 0; i < STAGES; i++) {
+        for (unsigned j = 0; j < STAGES; j++) {
+            gamma[i][j] = t->gamma * (t->gamma * (c[i][j] + t->gamma * gamma[i][j]) + (i == j ? R(1.0) : R(0.0)));
+        }
+    }
+    product(alpha, a, gamma);
+    for (unsigned j = 0; j < STAGES; j++) {
+        for (unsigned i = 0; i < STAGES; i++) {
+            b[j] += t->m[i] * gamma[i][j];
+            beta[i][j] = alpha[i][j] + gamma[i][j];
+        }
+    }
+    apply(alpha2, alpha, one);
+    apply(beta1, beta, one);
+    apply(beta2, beta, beta1);
+    for (unsigned k = 0; k < CONDITIONS; k++) {
+        left[k] = R(0.0);
+    }
+    for (unsigned i = 0; i < STAGES; i++) {
+        left[0] += b[i];
+        left[1] += b[i] * beta1[i];
+        left[2] += b[i] * (alpha2[i] * alpha2[i]);
+        left[3] += b[i] * beta2[i];
+    }
+}
+
+/* Roundings on the way from the exact coefficients to a term of a left side, at most: those of three gamma and two c in
+ * gamma_ij and of 5 operations, 10; of b_i 14, of beta_ij 15, of beta_j 17; two products and two sums. */
+enum { ROSENBROCK_ROUNDINGS = 14 + 15 + 17 + 4 };
+
+/* The same sums with every sign positive bound the sizes of all terms, and half an epsilon of them is one rounding. */
+static unsigned rosenbrock_order(const iso_rosenbrock *const t)
+{
+    static const real right[CONDITIONS] = {R(1.0), R(1.0) / R(2.0), R(1.0) / R(3.0), R(1.0) / R(6.0)};
+    const iso_rosenbrock positive = {
+        .gamma = iso_abs(t->gamma),
+        .a21 = iso_abs(t->a21),
+        .c21 = iso_abs(t->c21),
+        .c31 = iso_abs(t->c31),
+        .c32 = iso_abs(t->c32),
+        .m = {iso_abs(t->m[0]), iso_abs(t->m[1]), iso_abs(t->m[2])},
+    };
+    real left[CONDITIONS], size[CONDITIONS];
+    bool met[CONDITIONS];
+    left_sides(t, left);
+    left_sides(&positive, size);
+    for (unsigned k = 0; k < CONDITIONS; k++) {
+        met[k] = iso_abs(left[k] - right[k]) <= R(0.5) * ISO_REAL_EPSILON * (real)ROSENBROCK_ROUNDINGS * size[k];
+    }
+    return !met[0] ? 0 : (!met[1] ? 1 : (!met[2] || !met[3] ? 2 : 3));
+}
+
+/* R(infinity) = 1 + sum_i m_i k_i, where every stage of x' = lambda x tends to k_i = -(1 + sum_j a_ij k_j). */
+static real at_infinity(const iso_rosenbrock *const t)
+{
+    const real k1 = R(-1.0);
+    const real k2 = -(R(1.0) + t->a21 * k1);
+    const real k3 = -(R(1.0) + t->a21 * k1);
+    return R(1.0) + (t->m[0] * k1 + t->m[1] * k2 + t->m[2] * k3);
+}
+
+static void test_rosenbrock(void)
+{
+    const iso_rosenbrock *const t = &iso_table_ros3;
+    tap_count(rosenbrock_order(t), 3, "ros3: order 3");
+    tap_same(at_infinity(t), R(0.0), "ros3: R(infinity) = 0");
+    /* The one L-stable of order three: a root of 6 g^3 - 18 g^2 + 9 g - 1 (Hairer and Wanner 1996, table IV.6.4). From
+     * the inside out, the roundings of values of size 16, 8, 4 and 1 count g^2, g, g and 1, and that of g itself, times
+     * the derivative, 1: half of 6.6 epsilons in all. */
+    const real cubic = ((R(6.0) * t->gamma - R(18.0)) * t->gamma + R(9.0)) * t->gamma - R(1.0);
+    tap_ok(iso_abs(cubic) <= R(4.0) * ISO_REAL_EPSILON, "ros3: gamma is the one of an L-stable method");
+
+    iso_rosenbrock broken = *t;
+    broken.gamma += R(0.001);
+    tap_ok(rosenbrock_order(&broken) < 3, "a wrong gamma is noticed");
+    broken = *t;
+    broken.c21 += R(0.001);
+    tap_ok(rosenbrock_order(&broken) < 3, "a wrong c21 is noticed");
+    broken = *t;
+    broken.c31 += R(0.001);
+    tap_ok(rosenbrock_order(&broken) < 3, "a wrong c31 is noticed");
+    broken = *t;
+    broken.c32 += R(0.001);
+    tap_ok(rosenbrock_order(&broken) < 3, "a wrong c32 is noticed");
+    broken = *t;
+    broken.m[1] += R(0.001);
+    tap_ok(rosenbrock_order(&broken) < 3, "a wrong weight is noticed");
+    broken = *t;
+    broken.m[0] += R(0.001);
+    tap_ok(rosenbrock_order(&broken) < 3 && at_infinity(&broken) != R(0.0), "a wrong first weight is noticed");
+    broken = *t;
+    broken.a21 += R(0.001);
+    tap_ok(rosenbrock_order(&broken) < 3 && at_infinity(&broken) != R(0.0), "a wrong a21 is noticed");
 }
 
 int main(void)
 {
     test_tables();
     test_broken_tables();
-    test_adams_bashforth();
+    test_adams();
+    test_milne();
+    test_bdf4();
+    test_rosenbrock();
     tap_done();
 }
