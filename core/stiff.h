@@ -9,7 +9,7 @@
 #include "core/trail.h"
 
 /* Reals of work space for n states, beside the factors. */
-#define ISO_BDF4_WORK(n) (3 * (n))
+#define ISO_BDF4_WORK(n) (4 * (n))
 #define ISO_ROSENBROCK_WORK(n) (5 * (n))
 
 /* Puts an increment before the kept ones. */
@@ -48,37 +48,40 @@ static inline real iso_bdf4_step(const iso_trail *const trail, const iso_equatio
     real *const at = work;
     real *const g = work + n;
     real *const past = work + 2 * n;
+    real *const dx = work + 3 * n;
     real error = R(0.0);
 
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        at[s] = trail->x[s] + iso_past_increments(trail, s, table->predictor, ISO_BDF4_STEPS);
+        dx[s] = iso_past_increments(trail, s, table->predictor, ISO_BDF4_STEPS);
+        at[s] = trail->x[s] + dx[s];
         past[s] = R(1.0) / (real)table->over * iso_past_increments(trail, s, table->b, ISO_BDF4_STEPS - 1);
     }
     eq->factor(lu, at, u, p, hb);
 
-    /* (1 - hb J) correction = past + hb f(at) - (at - x) */
+    /* (1 - hb J) correction = past + hb f(x + dx) - dx; the increment is summed up by itself, since x would swallow
+     * corrections below half of its ulp. */
     for (uint8_t i = 0; i < iterations; i++) {
         *residual = R(0.0);
         eq->derivative(g, at, u, p);
         ISO_UNROLL
         for (size_t s = 0; s < n; s++) {
-            g[s] = (past[s] + hb * g[s]) - (at[s] - trail->x[s]);
+            g[s] = (past[s] + hb * g[s]) - dx[s];
         }
         eq->solve(g, lu);
         ISO_UNROLL
         for (size_t s = 0; s < n; s++) {
-            at[s] += g[s];
+            dx[s] += g[s];
+            at[s] = trail->x[s] + dx[s];
             *residual = iso_larger(*residual, g[s]);
         }
     }
 
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        const real dx = at[s] - trail->x[s];
-        error = iso_larger(error, dx - iso_past_increments(trail, s, table->predictor, ISO_BDF4_STEPS));
-        iso_keep_increment(trail, s, dx);
-        iso_advance(trail, s, dx);
+        error = iso_larger(error, dx[s] - iso_past_increments(trail, s, table->predictor, ISO_BDF4_STEPS));
+        iso_keep_increment(trail, s, dx[s]);
+        iso_advance(trail, s, dx[s]);
     }
     return R(12.0) / R(137.0) * error;
 }
