@@ -188,7 +188,7 @@ run: $(PROGRAM) build/trace ## run the scene: build/TARGET/REAL/NAME/trace.csv a
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(RUN)
 
-plot: $(PROGRAM) build/trace ## run the scene and draw its trace with gnuplot: trace.svg and trace.png beside the trace
+plot: $(PROGRAM) build/trace ## run the scene and draw it with gnuplot: trace.svg, path.svg and the same as png, beside the trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(RUN) >$(OUT)/summary.txt
