@@ -111,4 +111,20 @@ holds euler "" 32 euler
 holds heun "" 32 heun
 # Three older slopes of two states.
 holds "ab4, the method with a history" prime 56 ab4
+
+# lists LINE...: the verdict of the price list, when every program measures so.
+lists()
+{
+    mkdir -p "$out/list"
+    ln -sfn "$PWD/tools" "$out/list/tools"
+    ln -sfn "$PWD/models" "$out/list/models"
+    printf '#!/bin/sh\nprintf "%%s\\n" "%s"\n' "$1" >"$out/list/make"
+    chmod +x "$out/list/make"
+    (cd "$out/list" && MAKE=./make sh tools/build/cost.sh >output 2>errors)
+}
+
+! lists 'instructions_per_step 65 66' && grep -q 'not one instructions_per_step' "$out/list/errors"
+result $? "found: make cost refuses steps that differ"
+! lists 'instructions_per_step 65' && ! grep -q 'not one instructions_per_step' "$out/list/errors" && [ -s "$out/list/errors" ]
+result $? "found: and a program of which it knows no more than its steps"
 finish
