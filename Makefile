@@ -31,7 +31,7 @@ V =
 .SUFFIXES:
 MAKEFLAGS += --no-builtin-rules
 
-.PHONY: help run size stack clean
+.PHONY: help run plot size stack cost clean
 help: ## say what can be made; the same as make alone
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
@@ -182,9 +182,17 @@ $(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
 
 -include $(TOOL_OBJECTS:.o=.d) $(OBJECTS:.o=.d) $(OUT)/plant.d
 
+RUN = build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
+
 run: $(PROGRAM) build/trace ## run the scene: build/TARGET/REAL/NAME/trace.csv and a summary
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	$(Q)build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
+	$(Q)$(RUN)
+
+plot: $(PROGRAM) build/trace ## run the scene and draw it with gnuplot: trace.svg, path.svg and the same as png, beside the trace
+	$(call require,gnuplot,apt-get install gnuplot-nox)
+	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
+	$(Q)$(RUN) >$(OUT)/summary.txt
+	$(Q)sh tools/plot/plot.sh $(OUT) $(call quote,$(SCENE))
 
 # --- What it costs -----------------------------------------------------------------------------------------------
 
@@ -202,6 +210,10 @@ stack: $(OUT)/plant.o ## show the deepest stack of a step; recursion and frames 
 	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) \
 	    -o $(OUT)/stack/plant.o || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
 	@awk -v root=step -f tools/build/stack.awk $(OUT)/stack/plant.ci
+
+# Prints the tables and nothing else, so that they can be held against README.md.
+cost: ## price the models and the effects: instructions, operations, bytes; on the Cortex-M4F in float
+	@MAKE=$(call quote,$(MAKE)) sh tools/build/cost.sh
 
 clean: ## remove all that was made
 	rm -rf build

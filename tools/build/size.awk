@@ -26,6 +26,7 @@ function show(name, bytes, limit) {
 NR == 2 { text = $1; data = $2; bss = $3 }
 $NF == "STACK_BYTES" { stack = value_of($1) }
 NF == 4 && $4 ~ /^trace_buffer$/ { buffer = value_of($2) }
+NF == 4 && $3 ~ /^[bB]$/ && $4 == "memory" { memory = value_of($2) }
 NF == 4 && $3 ~ /^[tT]$/ && $4 ~ /^(step|derivative)(\.|$)/ { step += value_of($2) }
 
 END {
@@ -35,6 +36,7 @@ END {
     }
     show("text", text, 8192)
     show("step_text", step, 3072)
+    show("plant_memory", memory, 0)
     show("data_bss", data + bss - stack - buffer, 512)
     show("stack", stack, 0)
     show("trace_buffer", buffer, 0)

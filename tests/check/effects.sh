@@ -1,0 +1,130 @@
+#!/bin/sh
+# Only what the scene calls for: an effect that it does not name leaves no instruction, no byte and no symbol in the
+# plant's object for the Cortex-M4F; one that it names is there. The effects are those of the price list.
+. tests/host/test.sh
+begin check/effects
+
+list=tools/build/effects.txt
+base=models/pendulum.scene
+m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
+
+# object NAME [OPTION...]: compiles $out/NAME/pendulum.scene to $out/NAME/plant.o.
+object()
+{
+    folder=$out/$1
+    shift
+    # shellcheck disable=SC2086
+    build/isoc "$folder/pendulum.scene" -o "$folder" "$@" >"$folder/summary" &&
+        arm-none-eabi-gcc $FLAGS $m4f -c "$folder/plant.c" -o "$folder/plant.o"
+}
+
+# edited NAME SED: the base scene, edited; compiled.
+edited()
+{
+    mkdir -p "$out/$1"
+    sed "$2" $base >"$out/$1/pendulum.scene" && ! cmp -s $base "$out/$1/pendulum.scene" && object "$1"
+}
+
+# with EFFECT: the base scene with an effect of the list, in the folder $name; compiled.
+with()
+{
+    name=$(echo "$1" | tr -cs 'a-z\n' _)
+    mkdir -p "$out/$name"
+    awk -v effect="$1" -f tools/build/effect.awk $list $base >"$out/$name/pendulum.scene" && object "$name"
+}
+
+# symbols NAME: of its object, in alphabetical order, without what the compiler adds to them.
+symbols()
+{
+    arm-none-eabi-nm "$out/$1/plant.o" | awk '{ sub(/[.].*/, "", $NF); print $NF }' | sort -u | paste -sd ' '
+}
+
+# memory NAME: bytes of all that its plant keeps.
+memory()
+{
+    arm-none-eabi-nm -S "$out/$1/plant.o" | awk '$NF == "memory" { print $2 }' | sed 's/^0*//' |
+        { read -r bytes && echo $((0x$bytes)); }
+}
+
+same()
+{
+    [ -s "$out/$1/plant.o" ] && cmp -s "$out/$1/plant.o" "$out/base/plant.o"
+}
+
+# holds WHAT SYMBOLS BYTES NAME: the object has these symbols beside those of every plant, and this memory.
+holds()
+{
+    [ "$(symbols "$4")" = "$(printf '%s\n' derivative iso_the_plant_float memory output start step $2 | sort | paste -sd ' ')" ]
+    result $? "$1: symbols are those of every plant${2:+ and $2}"
+    [ "$(memory "$4")" -eq "$3" ]
+    result $? "$1: the memory is $3 bytes"
+}
+
+mkdir -p "$out/base"
+cp $base "$out/base"
+object base
+result $? "the base scene compiles"
+# Two states and six outputs.
+holds "no effect" "" 32 base
+[ -z "$(arm-none-eabi-nm -u "$out/base/plant.o")" ]
+result $? "no effect: the plant needs nothing of others"
+
+# What is not there in the end costs nothing, whatever the text.
+edited zero 's|axis z|axis z; damping 0 N*m*s/rad; spring 0 N*m/rad rest 10 deg|' && same zero
+result $? "damping and a spring of zero: the same object"
+edited unused 's|^method rk4|&\nconstant resistance = 0.1 N*m*s/rad|' && same unused
+result $? "a constant that nothing uses: the same object"
+edited weightless 's|^gravity.*|gravity (0, 0, 0) m/s^2|' && mkdir -p "$out/free" &&
+    sed '/^gravity/d' $base >"$out/free/pendulum.scene" && object free && cmp -s "$out/free/plant.o" "$out/weightless/plant.o"
+result $? "gravity of zero and none: the same object"
+! same free
+result $? "found: gravity"
+
+sed -n 's/^\([^#|][^|]*[^ |]\) *|.*/\1/p' $list >"$out/names"
+while IFS= read -r effect; do
+    with "$effect" && ! same "$name"
+    result $? "found: $effect"
+    mkdir -p "$out/without"
+    awk 'FNR == NR { base[$0]; next } { print ($0 in base ? "" : "# ") $0 }' $base "$out/$name/pendulum.scene" \
+        >"$out/without/pendulum.scene"
+    ! cmp -s "$out/without/pendulum.scene" $base && object without && same without
+    result $? "commented out: the same object as without: $effect"
+    case $effect in
+    "damping, tunable") holds "$effect" defaults 36 "$name" ;;
+    input*) holds "$effect" drive 36 "$name" ;;
+    continuous) holds "$effect" "" 36 "$name" ;;
+    "continuous, output of turns") holds "$effect" "" 40 "$name" ;;
+    "output of acceleration") holds "$effect" "" 36 "$name" ;;
+    "output of a point's velocity") holds "$effect" "" 44 "$name" ;;
+    *) holds "$effect" "" 32 "$name" ;;
+    esac
+done <"$out/names"
+[ "$(grep -c . "$out/names")" -ge 8 ]
+result $? "the list has its effects: $(grep -c . "$out/names")"
+
+for method in euler heun ab4; do
+    mkdir -p "$out/$method"
+    cp $base "$out/$method"
+    object $method --method $method
+done
+holds euler "" 32 euler
+holds heun "" 32 heun
+# Three older slopes of two states.
+holds "ab4, the method with a history" prime 56 ab4
+
+# lists LINE...: the verdict of the price list, when every program measures so.
+lists()
+{
+    mkdir -p "$out/list"
+    ln -sfn "$PWD/tools" "$out/list/tools"
+    ln -sfn "$PWD/models" "$out/list/models"
+    printf '#!/bin/sh\nprintf "%%s\\n" "%s"\n' "$1" >"$out/list/make"
+    chmod +x "$out/list/make"
+    (cd "$out/list" && MAKE=./make sh tools/build/cost.sh >output 2>errors)
+}
+
+! lists 'instructions_per_step 65 66' && grep -q 'not one instructions_per_step' "$out/list/errors"
+result $? "found: make cost refuses steps that differ"
+! lists 'instructions_per_step 65' && ! grep -q 'not one instructions_per_step' "$out/list/errors" && [ -s "$out/list/errors" ]
+result $? "found: and a program of which it knows no more than its steps"
+finish

@@ -1,0 +1,149 @@
+#!/bin/sh
+# README.md says what is so: its commands run, in a copy of the project, and print the lines shown below them; its tables are
+# those of `make cost`, its scene and its picture those of models/, its links lead somewhere. A README with one thing changed
+# is found.
+. tests/host/test.sh
+. tests/host/project.sh
+begin check/readme
+project
+mkdir -p "$out/printed"
+
+# commands README: those after `$ ` in its ```sh blocks, one on a line.
+commands()
+{
+    awk '/^```/ { shell = $0 == "```sh"; next } shell && sub(/^\$ /, "")' "$1"
+}
+
+# mentioned README: commands of make in its text and tables, one on a line.
+mentioned()
+{
+    awk '/^```/ { code = !code; next } !code' "$1" | tr '\n' ' ' | grep -o '`make [^`]*`' | tr -d '`' | sort -u
+}
+
+# shown README COMMAND: the lines below a command.
+shown()
+{
+    awk -v command="$ $2" '
+        /^```/ { on = 0 }
+        on && /^\$ / { on = 0 }
+        on
+        $0 == command { on = 1 }' "$1"
+}
+
+# printed COMMAND: the file with what a command printed.
+printed()
+{
+    echo "$out/printed/$(printf %s "$1" | cksum | tr ' ' -)"
+}
+
+# try COMMAND: runs it in the copy. A command whose output shows an error must fail, every other must not.
+try()
+{
+    (cd "$out/project" && eval "$1") </dev/null >"$(printed "$1")" 2>&1
+    status=$?
+    if shown README.md "$1" | grep -q ': error: '; then
+        [ $status -ne 0 ]
+    else
+        [ $status -eq 0 ]
+    fi
+}
+
+# table README NUMBER: its first or second table of prices.
+table()
+{
+    awk -v number="$2" '
+        /^\| model \| / || /^\| effect on / { on = ++n == number }
+        !/^\|/ { on = 0 }
+        on' "$1"
+}
+
+# first_block README: the text in the first ``` block.
+first_block()
+{
+    awk '/^```/ { if (n++) exit; next } n' "$1"
+}
+
+# targets README: whether the commands of make that take long, or away what is made, have a recipe.
+targets()
+{
+    for target in test check clean; do
+        mentioned "$1" | grep -qx "make $target" && grep -q "^$target:" Makefile tests/tests.mk || return 1
+    done
+}
+
+# wrong README: what it says that is not so.
+wrong()
+{
+    commands "$1" | while IFS= read -r command; do
+        if [ ! -s "$(printed "$command")" ]; then
+            echo "not run: $command"
+            continue
+        fi
+        shown "$1" "$command" | while IFS= read -r line; do
+            grep -qxF -- "$line" "$(printed "$command")" || echo "not printed by '$command': $line"
+        done
+    done
+    for number in 1 2; do
+        table "$1" $number >"$out/table"
+        table "$(printed "make cost")" $number >"$out/priced"
+        [ -s "$out/priced" ] || echo "make cost prints no table $number"
+        diff "$out/table" "$out/priced"
+    done
+    first_block "$1" | diff - models/pendulum.scene
+    grep -o '](\([^)]*\))' "$1" | tr -d ']()' | while IFS= read -r file; do
+        [ -e "$file" ] || echo "leads nowhere: $file"
+    done
+    awk 'length > 120 { print "longer than 120: " $0 }' "$1"
+}
+
+commands README.md >"$out/commands"
+mentioned README.md | grep -Evx 'make (test|check|clean)' >"$out/mentioned"
+[ "$(grep -c . "$out/commands")" -ge 4 ] && [ "$(grep -c . "$out/mentioned")" -ge 6 ]
+result $? "README.md has commands: $(grep -c . "$out/commands") with what they print, $(grep -c . "$out/mentioned") of make"
+cat "$out/commands" "$out/mentioned" >"$out/all"
+while IFS= read -r command; do
+    try "$command"
+    status=$?
+    [ $status -eq 0 ] || tail -n 5 "$(printed "$command")" | sed 's/^/# /'
+    result $status "$command"
+done <"$out/all"
+targets README.md
+result $? "make test, make check and make clean are there"
+
+wrong README.md >"$out/wrong"
+sed 's/^/# /' "$out/wrong"
+[ ! -s "$out/wrong" ]
+result $? "README.md shows what its commands print, and what is in models/"
+
+# The picture, but for the name of the gnuplot that drew it.
+picture=$out/project/build/host/float/double_pendulum/path.svg
+(cd "$out/project" && make plot) >/dev/null 2>&1
+grep -v '^<desc>' "$picture" >"$out/picture.svg"
+[ -s "$out/picture.svg" ] && grep -v '^<desc>' models/double_pendulum.svg | cmp -s - "$out/picture.svg"
+result $? "models/double_pendulum.svg is what make plot draws"
+[ "$(wc -c <models/double_pendulum.svg)" -lt 100000 ]
+result $? "the picture is smaller than 100 kB"
+
+# found NAME SED: README.md so changed says something wrong.
+found()
+{
+    sed "$2" README.md >"$out/changed.md"
+    ! cmp -s README.md "$out/changed.md" && [ -n "$(wrong "$out/changed.md")" ]
+    result $? "found: $1"
+}
+
+found "a digit of a hash" '/^hash /s/.$/x/'
+found "a number of a step" '/^instructions_per_step /s/$/0/'
+found "a price of a model" '/^| arm6 /s/|\([^|]*\)|$/|\10 |/'
+found "a price of an effect" '/^| damping |/s/+/+1/'
+found "a row left out" '/^| cart_pole /d'
+found "a number of the scene" 's/^step 1 ms/step 2 ms/'
+found "a word of an error" "s/did you mean 'kg'/did you mean 'g'/"
+found "a command that was not run" 's/^\$ make run.*/& SECONDS=3/'
+found "a link to nothing" 's|(core/plant.h)|(core/plants.h)|'
+sed 's/`make clean`/`make cleaner`/' README.md >"$out/changed.md"
+! targets "$out/changed.md"
+result $? "found: a target that is none"
+! try 'make run SCENE=models/absent.scene'
+result $? "found: a command that fails"
+finish

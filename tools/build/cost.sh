@@ -1,0 +1,91 @@
+#!/bin/sh
+# The price list, as two Markdown tables: what each model costs on the Cortex-M4F in float, and what each effect of
+# tools/build/effects.txt adds to the pendulum. Called by `make cost`, with the make to call in $MAKE.
+set -u
+
+fail()
+{
+    echo "make cost: $1" >&2
+    exit 1
+}
+
+# measure DIR SCENE METHOD: builds the firmware in build/cost/DIR and runs some of its steps; the lines of
+# make run, make size and make stack stand in build/cost/DIR/measured.
+measure()
+{
+    dir=build/cost/$1
+    mkdir -p "$dir"
+    "${MAKE:-make}" --no-print-directory run size stack TARGET=cortex-m4f REAL=float OUT="$dir" SCENE="$2" METHOD="$3" \
+        STEP= SECONDS=0.05 >"$dir/measured" </dev/null || fail "$2 with $3 cannot be measured; see $dir/measured"
+}
+
+# get KEY: the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
+get()
+{
+    awk -v key="$1" '$1 == key && (NF == 2 || $3 == "of") { value = $2; n++ } END { if (n != 1) exit 1; print value }' "$dir/measured" ||
+        fail "$dir/measured has not one $1"
+}
+
+# operations: of a derivative, as cells: add, mul, div, sqrt, sincos.
+operations()
+{
+    awk '$1 == "derivative" { printf "%s | %s | %s | %s | %s", $3, $5, $7, $9, $11; n++ } END { exit n != 1 }' \
+        "$dir/plant.txt" || fail "$dir/plant.txt has not one line of operations"
+}
+
+# tick: the most instructions from the time that a tick is due until its outputs are out: 25 in a microsecond, less what
+# was left.
+tick()
+{
+    awk '$1 == "step" { step = $2 } $1 == "margin" { margin = $2; n++ }
+        END { if (n != 1) exit 1; printf "%.0f\n", step * 25e6 - margin }' "$dir/measured" ||
+        fail "$dir/measured has not one margin"
+}
+
+# price: of the program measured last: instructions of a step and of a tick, bytes of the firmware's text and of the
+# plant's memory.
+price()
+{
+    instructions=$(get instructions_per_step) && all=$(tick) && text=$(get text) && memory=$(get plant_memory) || exit 1
+    echo "$instructions $all $text $memory"
+}
+
+model()
+{
+    steps=
+    for method in euler heun rk4 ab4; do
+        measure "$1-$method" "models/$1.scene" $method
+        instructions=$(get instructions_per_step) || exit 1
+        steps="$steps | $instructions"
+    done
+    dir=build/cost/$1-rk4
+    states=$(awk '$1 == "states" { print $2 }' "$dir/plant.txt")
+    operations=$(operations) && text=$(get step_text) && memory=$(get plant_memory) && stack=$(get stack_of_step) || exit 1
+    echo "| $1 | $states | $operations$steps | $text | $memory | $stack |"
+}
+
+effect()
+{
+    folder=build/cost/effects/$(echo "$1" | tr -cs 'a-z\n' -)
+    mkdir -p "$folder"
+    awk -v effect="$1" -f tools/build/effect.awk tools/build/effects.txt models/pendulum.scene \
+        >"$folder/pendulum.scene" || fail "no scene for '$1'"
+    measure "${folder#build/cost/}" "$folder/pendulum.scene" rk4
+    with=$(price) || exit 1
+    echo "$without $with" | awk -v name="$1" '
+        { printf "| %s | %+d | %+d | %+d | %+d |\n", name, $5 - $1, $6 - $2, $7 - $3, $8 - $4 }'
+}
+
+echo '| model | states | add | mul | div | sqrt | sincos | euler | heun | rk4 | ab4 | text | memory | stack |'
+echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
+for scene in pendulum double_pendulum cart_pole arm6 tree; do
+    model $scene
+done
+echo
+echo '| effect on the pendulum | instructions of a step | of a tick | bytes of text | of memory |'
+echo '|---|--:|--:|--:|--:|'
+measure pendulum-rk4 models/pendulum.scene rk4
+without=$(price) || exit 1
+sed -n 's/^\([^#|][^|]*[^ |]\) *|.*/\1/p' tools/build/effects.txt | while IFS= read -r name; do
+    effect "$name" || exit 1
+done
