@@ -1,0 +1,300 @@
+/* core/method.h: every recipe, with its recipe and its size known to the compiler and known only when it runs: the same
+ * bits, the evaluations and the memory that are claimed, and the error of a step that it checks. */
+#include "core/method.h"
+#include "core/dense.h"
+#include "tests/tap.h"
+
+enum {
+    N = 4,
+    FACTORS = N * N,
+    STATE_MAX = ISO_METHOD_STATE(ISO_RK4 | ISO_COMPENSATED | ISO_CHECKED, N),
+    WORK_MAX = 6 * N
+};
+
+static const real guard = R(7.0);
+
+static struct {
+    unsigned derivative, factor, solve;
+} calls;
+
+/* Henon and Heiles (1964): q1'' = -q1 - 2 q1 q2, q2'' = -q2 - q1^2 + q2^2. Every rounding shows. */
+static void derivative(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    (void)u;
+    (void)p;
+    calls.derivative++;
+    dx[0] = x[2];
+    dx[1] = x[3];
+    dx[2] = -x[0] - R(2.0) * (x[0] * x[1]);
+    dx[3] = (x[1] * x[1] - x[0] * x[0]) - x[1];
+}
+
+static void factor(real *restrict lu, const real *restrict x, const real *restrict u, const real *restrict p,
+                   const real hb)
+{
+    (void)u;
+    (void)p;
+    calls.factor++;
+    memset(lu, 0, FACTORS * sizeof *lu);
+    lu[0 * N + 2] = R(1.0);
+    lu[1 * N + 3] = R(1.0);
+    lu[2 * N + 0] = R(-1.0) - R(2.0) * x[1];
+    lu[2 * N + 1] = R(-2.0) * x[0];
+    lu[3 * N + 0] = R(-2.0) * x[0];
+    lu[3 * N + 1] = R(2.0) * x[1] - R(1.0);
+    iso_dense_factor(lu, N, hb);
+}
+
+static void solve(real *restrict d, const real *restrict lu)
+{
+    calls.solve++;
+    iso_dense_solve(d, lu, N);
+}
+
+static const iso_equations equations = {.derivative = derivative, .factor = factor, .solve = solve, .factors = FACTORS};
+
+/* All the memory of a run. */
+typedef struct run {
+    real x[STATE_MAX + 1];
+    real work[WORK_MAX + 1];
+    real lu[FACTORS + 1];
+    iso_progress progress;
+} run;
+
+typedef void prime_function(run *r, real h);
+typedef void step_function(run *r, real h);
+
+/* The two functions of a recipe that the compiler knows. */
+#define FIXED(name, recipe)                                                                                            \
+    static void prime_##name(run *const r, const real h)                                                               \
+    {                                                                                                                  \
+        iso_method_prime(recipe, N, &equations, h, r->x, NULL, NULL, r->work, &r->progress);                           \
+    }                                                                                                                  \
+    static void step_##name(run *const r, const real h)                                                                \
+    {                                                                                                                  \
+        iso_method_step(recipe, N, &equations, h, r->x, NULL, NULL, r->lu, r->work, &r->progress);                     \
+    }
+
+/* name, recipe, and a step's evaluations, Jacobians and solutions. */
+#define BOTH (ISO_COMPENSATED | ISO_CHECKED)
+#define RECIPES(X)                                                                                                     \
+    X(euler, ISO_EULER, 1, 0, 0)                                                                                       \
+    X(heun, ISO_HEUN, 2, 0, 0)                                                                                         \
+    X(rk4, ISO_RK4, 4, 0, 0)                                                                                           \
+    X(ab4, ISO_AB4, 1, 0, 0)                                                                                           \
+    X(semi_implicit, ISO_SEMI_IMPLICIT, 1, 0, 0)                                                                       \
+    X(abm4, ISO_ABM4, 2, 0, 0)                                                                                         \
+    X(abm4_pec, ISO_ABM4_PEC, 1, 0, 0)                                                                                 \
+    X(abm4_pecece, ISO_ABM4_PECECE, 3, 0, 0)                                                                           \
+    X(bdf4, ISO_BDF4, 2, 1, 2)                                                                                         \
+    X(bdf4_once, ISO_BDF4 | ISO_ITERATIONS(1), 1, 1, 1)                                                                \
+    X(rosenbrock, ISO_ROSENBROCK, 2, 1, 3)                                                                             \
+    X(euler_both, ISO_EULER | BOTH, 1, 0, 0)                                                                           \
+    X(heun_both, ISO_HEUN | BOTH, 2, 0, 0)                                                                             \
+    X(rk4_both, ISO_RK4 | BOTH, 4, 0, 0)                                                                               \
+    X(ab4_both, ISO_AB4 | BOTH, 1, 0, 0)                                                                               \
+    X(semi_implicit_both, ISO_SEMI_IMPLICIT | BOTH, 1, 0, 0)                                                           \
+    X(abm4_both, ISO_ABM4 | BOTH, 2, 0, 0)                                                                             \
+    X(abm4_pec_both, ISO_ABM4_PEC | BOTH, 1, 0, 0)                                                                     \
+    X(abm4_pecece_both, ISO_ABM4_PECECE | BOTH, 3, 0, 0)                                                               \
+    X(bdf4_both, ISO_BDF4 | BOTH | ISO_ITERATIONS(3), 3, 1, 3)                                                         \
+    X(rosenbrock_both, ISO_ROSENBROCK | BOTH, 2, 1, 4)
+
+#define DEFINE(name, recipe, evaluations, jacobians, solutions) FIXED(name, recipe)
+RECIPES(DEFINE)
+
+typedef struct recipe_case {
+    const char *name;
+    unsigned recipe;
+    prime_function *prime;
+    step_function *step;
+    unsigned evaluations, jacobians, solutions;
+} recipe_case;
+
+#define CASE(name, recipe, evaluations, jacobians, solutions)                                                          \
+    {#name, recipe, prime_##name, step_##name, evaluations, jacobians, solutions},
+static const recipe_case cases[] = {RECIPES(CASE)};
+
+/* A guard stands behind what the recipe says that it needs of states and of work. */
+static void begin(run *const r, const unsigned recipe, const size_t work)
+{
+    memset(r, 0, sizeof *r);
+    r->x[0] = R(0.1);
+    r->x[1] = R(0.2);
+    r->x[2] = R(0.3);
+    r->x[3] = R(-0.1);
+    r->x[ISO_METHOD_STATE(recipe, N)] = guard;
+    r->work[work] = guard;
+    r->lu[FACTORS] = guard;
+}
+
+enum { STEPS = 200 };
+
+/* Compiled once, for a recipe and a number of states that the compiler does not know. */
+static void run_any(run *const r, const unsigned recipe, const size_t n, const real h)
+{
+    iso_method_prime(recipe, n, &equations, h, r->x, NULL, NULL, r->work, &r->progress);
+    for (unsigned i = 0; i < STEPS; i++) {
+        iso_method_step(recipe, n, &equations, h, r->x, NULL, NULL, r->lu, r->work, &r->progress);
+    }
+}
+
+static void test_bits(const recipe_case *const c)
+{
+    static run fixed, any;
+    volatile unsigned recipe = c->recipe;
+    volatile size_t n = N;
+    begin(&fixed, c->recipe, WORK_MAX);
+    begin(&any, c->recipe, WORK_MAX);
+    c->prime(&fixed, R(0.01));
+    for (unsigned i = 0; i < STEPS; i++) {
+        c->step(&fixed, R(0.01));
+    }
+    run_any(&any, recipe, n, R(0.01));
+    const bool same = memcmp(fixed.x, any.x, sizeof fixed.x) == 0 && fixed.x[0] != R(0.1) &&
+                      iso_bits_of(fixed.progress.local_error) == iso_bits_of(any.progress.local_error) &&
+                      iso_bits_of(fixed.progress.residual) == iso_bits_of(any.progress.residual);
+    tap_ok(same, c->name);
+}
+
+/* What a step needs, after those that bdf4 starts with. */
+static void test_costs(const recipe_case *const c)
+{
+    static run r;
+    begin(&r, c->recipe, ISO_METHOD_PRIME_WORK(c->recipe, N));
+    c->prime(&r, R(0.01));
+    bool kept = r.work[ISO_METHOD_PRIME_WORK(c->recipe, N)] == guard && r.x[0] == R(0.1) && r.x[3] == R(-0.1);
+    r.work[ISO_METHOD_PRIME_WORK(c->recipe, N)] = R(0.0);
+    r.work[ISO_METHOD_WORK(c->recipe, N)] = guard;
+    for (unsigned i = 0; i < ISO_BDF4_STEPS; i++) {
+        c->step(&r, R(0.01));
+    }
+    memset(&calls, 0, sizeof calls);
+    c->step(&r, R(0.01));
+    tap_count(calls.derivative, c->evaluations, "evaluations of a step");
+    tap_ok(calls.factor == c->jacobians && calls.solve == c->solutions, "Jacobians and solutions of a step");
+    kept = kept && r.x[ISO_METHOD_STATE(c->recipe, N)] == guard && r.work[ISO_METHOD_WORK(c->recipe, N)] == guard &&
+           r.lu[FACTORS] == guard;
+    tap_ok(kept, "state, work space and factors end where their sizes say");
+    tap_ok((r.progress.local_error > R(0.0)) == ISO_IS_CHECKED(c->recipe), "the error of a step is told if asked for");
+    tap_ok(ISO_IS(c->recipe, ISO_BDF4) ? c->evaluations > 1 || r.progress.residual > R(0.0)
+                                       : r.progress.residual == R(0.0),
+           "the residual of Newton's first iteration is told");
+}
+
+/* t' = 1, q' = t^degree, but for semi_implicit, which needs a rate: q'' = 1. */
+static unsigned degree;
+
+static real power_of(const real t, const unsigned m)
+{
+    real power = R(1.0);
+    for (unsigned i = 0; i < m; i++) {
+        power *= t;
+    }
+    return power;
+}
+
+static void quadrature(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    (void)u;
+    (void)p;
+    dx[0] = R(1.0);
+    dx[1] = power_of(x[0], degree);
+}
+
+static void factor_quadrature(real *restrict lu, const real *restrict x, const real *restrict u, const real *restrict p,
+                              const real hb)
+{
+    (void)u;
+    (void)p;
+    lu[0] = R(0.0);
+    lu[1] = R(0.0);
+    lu[2] = (real)degree * power_of(x[0], degree - 1U);
+    lu[3] = R(0.0);
+    iso_dense_factor(lu, 2, hb);
+}
+
+static void solve_quadrature(real *restrict d, const real *restrict lu)
+{
+    iso_dense_solve(d, lu, 2);
+}
+
+/* A step from t = 0 to 1, after three before it, must be found wrong by just its error, q(1) - q(0) - 1 / (degree + 1),
+ * in the step after it. Sizes are below 128, and their roundings some dozen. */
+static void test_error(const unsigned recipe, const char *const name)
+{
+    static const iso_equations eq = {quadrature, factor_quadrature, solve_quadrature, 4};
+    static run r;
+    real from = R(0.0), to = R(0.0);
+    memset(&r, 0, sizeof r);
+    degree = ISO_ORDER_OF(recipe);
+    r.x[0] = R(-3.0);
+    iso_method_prime(recipe, 2, &eq, R(1.0), r.x, NULL, NULL, r.work, &r.progress);
+    for (unsigned i = 0; i < 5; i++) {
+        from = i == 3 ? r.x[1] : from;
+        to = i == 4 ? r.x[1] : to;
+        iso_method_step(recipe, 2, &eq, R(1.0), r.x, NULL, NULL, r.lu, r.work, &r.progress);
+    }
+    const real error = iso_abs((to - from) - R(1.0) / (real)(degree + 1));
+    const real tolerance = R(16.0) * R(128.0) * ISO_REAL_EPSILON;
+    tap_ok(error > R(8.0) * tolerance && iso_abs(r.progress.local_error - error) <= tolerance, name);
+}
+
+/* q'' = 1 by semi-implicit Euler: every step goes h^2 / 2 too far. */
+static void accelerate(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    (void)u;
+    (void)p;
+    dx[0] = x[1];
+    dx[1] = R(1.0);
+}
+
+static void test_semi_implicit_error(void)
+{
+    static const iso_equations eq = {.derivative = accelerate};
+    static run r;
+    const unsigned recipe = ISO_SEMI_IMPLICIT | ISO_CHECKED;
+    memset(&r, 0, sizeof r);
+    iso_method_prime(recipe, 2, &eq, R(0.5), r.x, NULL, NULL, r.work, &r.progress);
+    iso_method_step(recipe, 2, &eq, R(0.5), r.x, NULL, NULL, r.lu, r.work, &r.progress);
+    iso_method_step(recipe, 2, &eq, R(0.5), r.x, NULL, NULL, r.lu, r.work, &r.progress);
+    tap_same(r.progress.local_error, R(0.125), "semi_implicit: the error of a step is told in the next");
+}
+
+/* The first steps of bdf4 are those of the linearly implicit method, after a restart too. */
+static void test_bdf4_starts(void)
+{
+    static run bdf4, rosenbrock;
+    bool same = true;
+    begin(&bdf4, ISO_BDF4, WORK_MAX);
+    begin(&rosenbrock, ISO_ROSENBROCK, WORK_MAX);
+    for (unsigned again = 0; again < 2; again++) {
+        prime_bdf4(&bdf4, R(0.25));
+        memcpy(rosenbrock.x, bdf4.x, N * sizeof(real));
+        for (unsigned i = 0; i < ISO_BDF4_STEPS; i++) {
+            step_bdf4(&bdf4, R(0.25));
+            step_rosenbrock(&rosenbrock, R(0.25));
+        }
+        same = same && memcmp(bdf4.x, rosenbrock.x, N * sizeof(real)) == 0;
+        step_bdf4(&bdf4, R(0.25));
+        step_rosenbrock(&rosenbrock, R(0.25));
+        same = same && memcmp(bdf4.x, rosenbrock.x, N * sizeof(real)) != 0;
+    }
+    tap_ok(same, "bdf4: four linearly implicit steps, then its own");
+}
+
+int main(void)
+{
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        test_bits(&cases[i]);
+        test_costs(&cases[i]);
+    }
+    test_error(ISO_EULER | ISO_CHECKED, "euler: the error of a step is told in the next");
+    test_error(ISO_HEUN | ISO_CHECKED, "heun: the error of a step is told in the next");
+    test_error(ISO_RK4 | ISO_CHECKED, "rk4: the error of a step is told in the next");
+    test_error(ISO_AB4 | ISO_CHECKED, "ab4: the error of a step is told in the next");
+    test_error(ISO_ROSENBROCK | ISO_CHECKED, "rosenbrock: the error of a step is told in the next");
+    test_semi_implicit_error();
+    test_bdf4_starts();
+    tap_done();
+}
