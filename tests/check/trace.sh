@@ -75,14 +75,27 @@ expect $? "a script that does not exist"
 ! "$oscillator" 1s 2>"$out/errors" && grep -q "'1s'" "$out/errors"
 expect $? "a duration that is not a number"
 
+# emulate FIRMWARE ARGUMENT: runs it on the board.
+emulate()
+{
+    qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
+        -semihosting-config "enable=on,target=native,arg=plant,arg=$2" -kernel "$1" </dev/null
+}
+
+call run TARGET=cortex-m4f SECONDS=10
+expect $? "a run on the board"
+firmware=$out/project/build/cortex-m4f/float/double_pendulum/double_pendulum.elf
+emulate "$firmware" 10000000000 >"$out/stream"
+emulate "$firmware" 10000000000 | { sleep 1 && cat; } | cmp -s - "$out/stream"
+expect $? "a reader slower than the board loses nothing and costs the board no time"
+
 # board TEXT NAME STATEMENT: a program on the board that executes the statement ends with a message and status 1.
 board()
 {
     printf '#include "port/port.h"\nint main(void)\n{\n%s\nreturn 0;\n}\n' "$3" >"$out/fault.c"
     arm-none-eabi-gcc -std=c11 -O1 -I. -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -nostartfiles \
         --specs=nano.specs -T port/mps2/mps2.ld "$out/fault.c" port/mps2/*.c -o "$out/fault.elf" &&
-        qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
-            -semihosting-config enable=on,target=native -kernel "$out/fault.elf" >"$out/output" 2>"$out/errors"
+        emulate "$out/fault.elf" 0 >"$out/output" 2>"$out/errors"
     [ $? -eq 1 ] && cat "$out/output" "$out/errors" | grep -Eq "$1"
     expect $? "the board tells of $2"
 }
