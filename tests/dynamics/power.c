@@ -63,6 +63,7 @@ static balance run(const int steps)
     const uint32_t ticks = UINT32_C(1000000000) / iso_the_plant.period_ns;
     double x[STATES_MAX] = {0.0};
     double work[ISO_EXPLICIT_WORK(STATES_MAX)];
+    const iso_trail trail = {.n = n, .x = x};
     memcpy(x, iso_the_plant.start, (n - 1) * sizeof *x);
     const double before = energy(x);
     balance b = {0.0, 1.0};
@@ -72,7 +73,8 @@ static balance run(const int steps)
             iso_the_plant.drive(tick);
         }
         for (int i = 0; i < steps; i++) {
-            iso_explicit_step(&iso_tableau_rk4, n, derivative, h, x, iso_the_plant.u, iso_the_plant.defaults, work);
+            (void)iso_explicit_step(&iso_tableau_rk4, &trail, derivative, h, iso_the_plant.u, iso_the_plant.defaults,
+                                    work);
         }
         b.size += fabs(x[n - 1] - done);
     }

@@ -13,6 +13,7 @@
         real x[ISO_METHOD_STATE(ISO_METHOD, state_count)];                                                             \
         real u[(input_count) + 1];                                                                                     \
         real p[(parameter_count) + 1];                                                                                 \
+        iso_progress progress;                                                                                         \
     } memory;                                                                                                          \
                                                                                                                        \
     static void output(real *restrict const y, const real *restrict const x, const real *restrict const u,             \
@@ -24,16 +25,19 @@
         (void)p;                                                                                                       \
     }                                                                                                                  \
                                                                                                                        \
+    static const iso_equations equations = {.derivative = derivative};                                                 \
+                                                                                                                       \
     static void step(void)                                                                                             \
     {                                                                                                                  \
         real work[ISO_METHOD_WORK(ISO_METHOD, state_count)];                                                           \
-        iso_method_step(ISO_METHOD, state_count, derivative, ISO_STEP_SIZE, memory.x,                                  \
-                        (input_count) > 0 ? memory.u : NULL, (parameter_count) > 0 ? memory.p : NULL, work);           \
+        iso_method_step(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory.x,                                  \
+                        (input_count) > 0 ? memory.u : NULL, (parameter_count) > 0 ? memory.p : NULL, NULL, work,      \
+                        &memory.progress);                                                                             \
     }                                                                                                                  \
                                                                                                                        \
     const iso_plant iso_the_plant = {                                                                                  \
         .name = plant_name,                                                                                            \
-        .method = ISO_METHOD_NAME(ISO_METHOD),                                                                         \
+        .method = ISO_METHOD_TEXT,                                                                                     \
         .step_text = ISO_STEP_TEXT,                                                                                    \
         .step_size = ISO_STEP_SIZE,                                                                                    \
         .period_ns = ISO_STEP_NS,                                                                                      \

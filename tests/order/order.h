@@ -1,6 +1,8 @@
-/* A plant with a solution known at one time; the program links one. */
+/* A plant with a solution known at one time; the program links one of each. */
 #ifndef ISO_TESTS_ORDER_ORDER_H
 #define ISO_TESTS_ORDER_ORDER_H
+
+#include "core/plant.h"
 
 enum { ORDER_STATES_MAX = 4, ORDER_INPUTS_MAX = 1 };
 
@@ -12,5 +14,8 @@ typedef struct order_problem {
 } order_problem;
 
 extern const order_problem the_problem;
+
+/* The plant's, with its Jacobian. */
+extern const iso_equations *const the_equations;
 
 #endif

@@ -54,9 +54,10 @@ static state rounded(const long double *const y)
 static void run(state *const s, const int ms, const int steps_per_ms)
 {
     double work[ISO_EXPLICIT_WORK(REFERENCE_STATES_MAX)];
+    const iso_trail trail = {.n = (size_t)the_reference.states, .x = s->x};
     for (long n = 0; n < (long)ms * steps_per_ms; n++) {
-        iso_explicit_step(&iso_tableau_rk4, (size_t)the_reference.states, iso_the_plant.derivative, MS / steps_per_ms,
-                          s->x, iso_the_plant.u, iso_the_plant.p, work);
+        (void)iso_explicit_step(&iso_tableau_rk4, &trail, iso_the_plant.derivative, MS / steps_per_ms, iso_the_plant.u,
+                                iso_the_plant.p, work);
     }
 }
 

@@ -1,0 +1,11 @@
+/* A plant whose equations are in reach of the test: PLANT names its source. */
+#include "core/method.h"
+
+#ifndef PLANT
+#define PLANT "models/oscillator.c"
+#endif
+#include PLANT
+
+#include "tests/order/order.h"
+
+const iso_equations *const the_equations = &equations;
