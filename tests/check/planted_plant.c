@@ -90,6 +90,7 @@ const iso_plant iso_the_plant = {
     .y = memory.y,
     .start = start,
     .defaults = defaults,
+    .progress = &memory.progress,
     .memory = &memory,
     .memory_bytes = sizeof memory,
     .derivative = derivative,
