@@ -9,9 +9,6 @@
 
 #include "core/method.h"
 
-/* Those that bdf4 starts with, and two of its own. */
-enum { STEPS = ISO_BDF4_STEPS + 2 };
-
 static int tests, failures;
 
 static void ok(const bool passed, const char *const name)
@@ -48,6 +45,7 @@ int main(void)
         /* How many steps bdf4 has been started for is time, not data. */
         VALGRIND_MAKE_MEM_DEFINED(&plant->progress->started, sizeof plant->progress->started);
     }
+    /* Those that bdf4 starts with, and two of its own. */
     for (int i = 0; i < ISO_BDF4_STEPS + 2; i++) {
         plant->step();
     }
