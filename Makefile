@@ -12,7 +12,7 @@
 ##     SCENE=models/double_pendulum.scene  what to run: a scene, or a plant in C (core/plant.h)
 ##     METHOD=rk4                          in place of the scene's
 ##     STEP=1ms                            in place of the scene's
-##     SECONDS=10                          how long, in the plant's time
+##     SECONDS=10                          how long, in the plant's time; 5 for report and bench
 ##     TARGET=host|cortex-m4f              where: this machine, or the board in QEMU
 ##     REAL=float|double                   the type of its numbers
 ##     SCRIPT=FILE                         what goes wrong with the ticks, on the host (port/sim/script.h)
@@ -20,7 +20,7 @@
 SCENE = models/double_pendulum.scene
 METHOD =
 STEP =
-SECONDS = 10
+SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,10)
 TARGET = $(if $(filter size,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
 SCRIPT =
@@ -31,7 +31,7 @@ V =
 .SUFFIXES:
 MAKEFLAGS += --no-builtin-rules
 
-.PHONY: help run plot size stack cost clean
+.PHONY: help run plot size stack cost report bench clean
 help: ## say what can be made; the same as make alone
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
@@ -214,6 +214,22 @@ stack: $(OUT)/plant.o ## show the deepest stack of a step; recursion and frames 
 # Prints the tables and nothing else, so that they can be held against README.md.
 cost: ## price the models and the effects: instructions, operations, bytes; on the Cortex-M4F in float
 	@MAKE=$(call quote,$(MAKE)) sh tools/build/cost.sh
+
+# Both measure every method of METHODS on the board and on the host; a method is left out by another list.
+REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) NANOSECONDS=$(NANOSECONDS) \
+    METHODS=$(call quote,$(METHODS)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \
+    COMPILE=$(call quote,$(CC) $(WARNINGS) $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS))
+REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
+REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
+
+report: build/isoc build/trace ## error of every method over its price and over the step: tables and a picture in build/report/NAME/
+	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
+	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
+	@$(REPORT) sh tools/report/report.sh
+
+bench: build/isoc build/trace ## compare the methods at equal step and at equal error, as a table
+	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
+	@$(REPORT) sh tools/report/bench.sh
 
 clean: ## remove all that was made
 	rm -rf build

@@ -1,0 +1,23 @@
+#!/bin/sh
+# The methods at equal step and at equal error, as a Markdown table, and what it answers. Called by `make bench`; what is
+# made stands in build/bench/NAME/.
+WHAT="make bench"
+dir=build/bench/$NAME
+. tools/report/common.sh
+error=1e-6
+export error
+
+start
+reference "$time"
+first_m4f
+for method in $METHODS; do
+    echo double "$method"
+done | each tools/report/search.sh
+for method in $METHODS; do
+    echo float "$method"
+done | each tools/report/price.sh
+
+build/isoc --methods >"$dir/methods.md"
+for method in $METHODS; do
+    echo "$method $(cat "$dir/double-$method/bench" "$dir/float-$method/instructions" | tr '\n' ' ')"
+done | awk -v scene="$NAME" -v time="$time" -v step="$step" -v error="$error" -f tools/report/bench.awk "$dir/methods.md" -

@@ -1,0 +1,172 @@
+# shellcheck shell=sh
+# What make report and make bench share; read by the scripts beside it. From the Makefile they have in the environment
+#
+#     MAKE COMPILE          make, and the compiler with all flags but those of a plant
+#     SCENE NAME            what is measured, and the name that its folder has
+#     STEP METHODS          the step if it is not the scene's, and the methods
+#     NANOSECONDS           how long, in the plant's time
+#
+# and from the first of them WHAT, what they are called, and `dir`, the folder of all that they make.
+#
+# Every method is built in four kinds: float; compensated, in float with compensated sums; double; and reference, in
+# double with compensated sums. A program of a kind and method stands in $dir/KIND-METHOD/.
+set -u
+
+fail()
+{
+    echo "$WHAT: $1" >&2
+    exit 1
+}
+
+# prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C is read by a file of the same name.
+prepare()
+{
+    [ -f "$SCENE" ] || fail "there is no scene $SCENE"
+    for kind in float compensated double reference; do
+        mkdir -p "$dir/$kind" || exit 1
+        case $kind in
+        compensated | reference) compensated=yes ;;
+        *) compensated=no ;;
+        esac
+        case $SCENE in
+        *.c)
+            {
+                echo '#include "core/choice.h"'
+                if [ $compensated = yes ]; then
+                    echo 'enum { REPORT_METHOD = ISO_METHOD | ISO_COMPENSATED };'
+                    echo '#undef ISO_METHOD'
+                    echo '#define ISO_METHOD REPORT_METHOD'
+                fi
+                echo "#include \"$SCENE\""
+            } >"$dir/$kind/$NAME.c"
+            ;;
+        *)
+            { sed '/^ *compensated /d' "$SCENE" && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
+            ;;
+        esac || exit 1
+    done
+}
+
+# source_of KIND
+source_of()
+{
+    case $SCENE in
+    *.c) echo "$dir/$1/$NAME.c" ;;
+    *) echo "$dir/$1/$NAME.scene" ;;
+    esac
+}
+
+# build KIND METHOD FOLDER [FLAG...]: the program FOLDER/drive, its plant compiled with these flags as well.
+build()
+{
+    build_kind=$1
+    build_method=$2
+    folder=$3
+    shift 3
+    source=$(source_of "$build_kind")
+    mkdir -p "$folder" || exit 1
+    case $build_kind in
+    float | compensated) real=float && real_flag= ;;
+    *) real=double && real_flag=-DISO_REAL_DOUBLE ;;
+    esac
+    case $source in
+    *.c)
+        macro=ISO_$(echo "$build_method" | tr a-z A-Z)
+        set -- "$@" "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$build_method" ${STEP:+-DISO_STEP="$STEP"}
+        ;;
+    *)
+        build/isoc "$source" -o "$folder" --method "$build_method" --real $real ${STEP:+--step "$STEP"} \
+            >"$folder/plant.txt" || exit 1
+        source=$folder/plant.c
+        ;;
+    esac
+    # shellcheck disable=SC2086
+    $COMPILE $real_flag "$@" -c "$source" -o "$folder/plant.o" &&
+        $COMPILE $real_flag tools/report/drive.c "$folder/plant.o" -o "$folder/drive" || exit 1
+}
+
+# variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step.
+variable()
+{
+    build "$1" "$2" "$dir/$1-$2" -include tools/report/step.h
+}
+
+# The methods that the reference is computed by.
+REFERENCE_METHODS="rk4 abm4_pecece"
+
+# start: what is measured, ready for `reference`; sets step in seconds, coarsest, the number of steps four times as long
+# that make the time nearest to NANOSECONDS, and time.
+start()
+{
+    prepare
+    for method in $REFERENCE_METHODS; do
+        (variable reference $method) || fail "the reference cannot be built for $SCENE"
+    done
+    step=$("$dir/reference-rk4/drive" about) || exit 1
+    step=${step% *}
+    coarsest=$(awk -v ns="$NANOSECONDS" -v step="$step" \
+        'BEGIN { n = int(ns / (4e9 * step) + 0.5); print n < 1 ? 1 : n }')
+    time=$(awk -v n="$coarsest" -v step="$step" 'BEGIN { printf "%.17g\n", n * 4 * step }')
+    : >"$dir/reference.txt"
+}
+
+# reference TIME: adds to $dir/reference.txt a line: the time, how much the two methods differ there, and the state. The
+# step begins with 1/64 of the coarsest and is halved until they agree.
+reference()
+{
+    steps=$((64 * coarsest))
+    for halving in 0 1 2 3 4 5; do
+        for method in $REFERENCE_METHODS; do
+            "$dir/reference-$method/drive" "$1" $steps || exit 1
+        done >"$dir/references"
+        if awk -v time="$1" -v tolerance="${TOLERANCE:-1e-12}" -f tools/report/agree.awk "$dir/references" \
+            >"$dir/agreed"; then
+            cat "$dir/agreed" >>"$dir/reference.txt"
+            return
+        fi
+        steps=$((2 * steps))
+    done
+    fail "there is no reference for $NAME after $1 s: at steps of $(awk -v time="$1" -v n=$((steps / 2)) \
+        'BEGIN { printf "%.3g", time / n }') s rk4 and abm4_pecece still differ by $(cut -d ' ' -f 2 "$dir/agreed").
+A motion that is chaotic, or stiff, is known for a short time only: try SECONDS=$(awk -v time="$1" \
+        'BEGIN { print time / 4 }')"
+}
+
+# instructions_m4f KIND METHOD: of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that which
+# is nearer to the mean of fifty.
+instructions_m4f()
+{
+    m4f=$dir/$1-$2/m4f
+    mkdir -p "$m4f"
+    seconds=$(awk -v step="$step" 'BEGIN { printf "%.9f\n", 50 * step }')
+    "${MAKE:-make}" --no-print-directory run TARGET=cortex-m4f REAL=float OUT="$m4f" SCENE="$(source_of "$1")" METHOD="$2" \
+        STEP="$STEP" SECONDS="$seconds" >"$m4f/run" </dev/null || fail "$2 does not run on the Cortex-M4F; see $m4f/run"
+    awk '$1 == "execution" { print $3 - $2 < $4 - $3 ? $2 : $4; n++ } END { exit n != 1 }' "$m4f/run" ||
+        fail "$m4f/run has not one execution"
+}
+
+# instructions_host METHOD: of a step on this machine in double.
+instructions_host()
+{
+    build double "$1" "$dir/count-$1"
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect=steps "$dir/count-$1/drive" count 100 \
+        >"$dir/count-$1/counted" 2>&1 </dev/null || fail "callgrind does not count $1; see $dir/count-$1/counted"
+    awk '/Collected : / { print int($NF / 100); n++ } END { exit n != 1 }' "$dir/count-$1/counted" ||
+        fail "$dir/count-$1/counted has not one count"
+}
+
+# each COMMAND: runs `sh COMMAND KIND METHOD` for the lines of kinds and methods on the input, a few at once.
+each()
+{
+    WHAT=$WHAT dir=$dir step=$step coarsest=$coarsest time=$time \
+        xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh "$1" || exit 1
+}
+
+# A program for the board, so that those that are made at once find the objects that they share.
+first_m4f()
+{
+    # shellcheck disable=SC2086
+    set -- $METHODS
+    mkdir -p "$dir/float-$1"
+    instructions_m4f float "$1" >/dev/null
+}

@@ -1,0 +1,92 @@
+/* Runs a plant from its start and prints the state that it reaches, with as many steps as one likes.
+ *
+ *     drive about           its step in seconds, and its states
+ *     drive TIME STEPS...   for each number of steps a line: the steps, the time that they make with the step as a real,
+ *                           and the state there
+ *     drive count STEPS     only runs: once it is under way, the STEPS in the function `steps` are to be counted
+ *
+ * Inputs keep the values that they have at the start, so that what is seen is the method's error and not that of an input
+ * held over a step. Compiled with the plant under test, in its real; tools/report/step.h has told the plant of
+ * `report_step`, but not where instructions are counted.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/report/step.h"
+
+/* Steps after which every method is under way. */
+enum { START_STEPS = 8 };
+
+real report_step;
+
+static const iso_plant *const plant = &iso_the_plant;
+
+/* Everything as the loop has it at tick 0 (core/loop.h). */
+static void begin(void)
+{
+    memset(plant->memory, 0, plant->memory_bytes);
+    memcpy(plant->x, plant->start, plant->states * sizeof *plant->x);
+    if (plant->parameters > 0) {
+        memcpy(plant->p, plant->defaults, plant->parameters * sizeof *plant->p);
+    }
+    if (plant->drive != NULL) {
+        plant->drive(0);
+    }
+    if (plant->prime != NULL) {
+        plant->prime();
+    }
+}
+
+static void steps(const long count)
+{
+    for (long i = 0; i < count; i++) {
+        plant->step();
+    }
+}
+
+static long number(const char *const text)
+{
+    char *end = NULL;
+    const long count = strtol(text, &end, 10);
+    if (end == text || *end != '\0' || count < 1) {
+        fprintf(stderr, "drive: %s is no number of steps\n", text);
+        exit(EXIT_FAILURE);
+    }
+    return count;
+}
+
+static void run(const double time, const long count)
+{
+    report_step = (real)(time / (double)count);
+    begin();
+    steps(count);
+    printf("%ld %.17g", count, (double)count * (double)report_step);
+    for (size_t i = 0; i < plant->states; i++) {
+        printf(" %.17g", (double)plant->x[i]);
+    }
+    printf("\n");
+}
+
+int main(const int argc, char **const argv)
+{
+    void (*volatile const counted)(long) = steps; /* called, not inlined */
+    if (argc == 2 && strcmp(argv[1], "about") == 0) {
+        printf("%s %u\n", plant->step_text, (unsigned)plant->states);
+    } else if (argc == 3 && strcmp(argv[1], "count") == 0) {
+        report_step = plant->step_size;
+        begin();
+        for (int i = 0; i < START_STEPS; i++) {
+            plant->step();
+        }
+        counted(number(argv[2]));
+    } else if (argc >= 3) {
+        for (int i = 2; i < argc; i++) {
+            run(strtod(argv[1], NULL), number(argv[i]));
+        }
+    } else {
+        fputs("usage: drive about | drive TIME STEPS... | drive count STEPS\n", stderr);
+        return EXIT_FAILURE;
+    }
+    return EXIT_SUCCESS;
+}

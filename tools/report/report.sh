@@ -1,0 +1,55 @@
+#!/bin/sh
+# Work-precision of every method on one scene. Called by `make report`; everything stands in build/report/NAME/:
+# report.txt and report.tsv, the tables; work_precision.svg and .png, the picture.
+WHAT="make report"
+dir=build/report/$NAME
+. tools/report/common.sh
+
+start
+reference "$time"
+first_m4f
+for kind in float compensated double; do
+    for method in $METHODS; do
+        echo $kind "$method"
+    done
+done >"$dir/all"
+each tools/report/measure.sh <"$dir/all"
+
+while read -r kind method; do
+    instructions=$(cat "$dir/$kind-$method/instructions")
+    sed "s/^/$kind $method $instructions /" "$dir/$kind-$method/points"
+done <"$dir/all" >"$dir/measured.txt"
+cut -d ' ' -f 5 "$dir/measured.txt" | sort -u >"$dir/times"
+: >"$dir/reference.txt"
+while IFS= read -r at; do
+    reference "$at"
+done <"$dir/times"
+
+awk -f tools/report/errors.awk part=reference "$dir/reference.txt" part=points "$dir/measured.txt" >"$dir/report.tsv.new" &&
+    mv "$dir/report.tsv.new" "$dir/report.tsv" || exit 1
+{
+    echo "$NAME after $time s: error of the state, 2-norm over all states in SI units (m, rad, s)"
+    echo "Inputs keep their values at the start. The time of a float is the sum of its steps as float has them."
+    awk '{ print "Reference after " $1 " s: rk4 and abm4_pecece in double with compensated sums; they differ by " $2 }' \
+        "$dir/reference.txt"
+    echo
+    awk -f tools/report/text.awk "$dir/report.tsv"
+} >"$dir/report.txt"
+
+awk -v scene="$NAME" -v time="$time" -f tools/report/plot.awk "$dir/report.tsv" >"$dir/work_precision.gnuplot"
+for format in svg png; do
+    case $format in
+    svg) terminal="svg size 900,640 font 'sans-serif,11' background rgb 'white'" ;;
+    png) terminal="pngcairo size 900,640 font 'sans-serif,9'" ;;
+    esac
+    gnuplot -e "set terminal $terminal; set output '$dir/work_precision.$format'" "$dir/work_precision.gnuplot" ||
+        fail "gnuplot does not draw $dir/work_precision.gnuplot"
+done
+awk -f tools/report/compact.awk "$dir/work_precision.svg" >"$dir/work_precision.svg.new" &&
+    mv "$dir/work_precision.svg.new" "$dir/work_precision.svg" || exit 1
+
+cat "$dir/report.txt"
+echo
+for file in report.txt report.tsv work_precision.svg work_precision.png; do
+    echo "$dir/$file"
+done
