@@ -7,10 +7,23 @@ begin check/same_bits
 project
 mkdir -p "$out/hash"
 
-# run ARGUMENT...: ten seconds, in the steps of the scene.
+METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
+
+# run ARGUMENT...: ten seconds of the first four methods, two of the others, in the steps of the scene; but for PEC, which
+# is not stable there on a model with much damping.
 run()
 {
-    call run SECONDS=10 "$@"
+    case $method in
+    euler | heun | rk4 | ab4) call run SECONDS=10 "$@" ;;
+    abm4_pec) call run SECONDS=1 STEP=250us "$@" ;;
+    *) call run SECONDS=2 "$@" ;;
+    esac
+}
+
+# counted: every step took one number of instructions; with bdf4 one, and one for each of the four steps that start it.
+counted()
+{
+    value instructions_per_step | grep -Eqx "[0-9]+$([ "$method" = bdf4 ] && echo ' [0-9]+')"
 }
 
 # each NAME ARGUMENT...: runs every model with every method; the hash must be that of the first time.
@@ -20,7 +33,7 @@ each()
     shift
     for scene in models/*.scene models/oscillator.c; do
         plant=$(basename "$scene" | sed 's/\..*//')
-        for method in euler heun rk4 ab4; do
+        for method in $METHODS; do
             run SCENE="$scene" METHOD=$method "$@" && value hash | grep -Eqx '[0-9a-f]{16}'
             status=$?
             known=$out/hash/$plant-$method
@@ -28,7 +41,7 @@ each()
             [ $status -eq 0 ] && [ "$(value hash)" = "$(cat "$known")" ]
             expect $? "$plant, $method: $name, $(value hash)"
             if [ "$name" = "Cortex-M4F" ]; then
-                value instructions_per_step | grep -Eqx '[0-9]+'
+                counted
                 expect $? "$plant, $method: $(value instructions_per_step) instructions on every step"
             fi
         done
@@ -40,6 +53,7 @@ each "Cortex-M4F" TARGET=cortex-m4f
 each "without optimisation" CFLAGS=-O0
 each "clang" CC=clang
 
+method=rk4
 [ "$(ls "$out/hash" | wc -l)" -gt 4 ] && [ "$(sort -u "$out"/hash/* | wc -l)" -eq "$(ls "$out/hash" | wc -l)" ]
 result $? "the hash tells models and methods apart"
 run TARGET=cortex-m4f CFLAGS=-ffp-contract=fast && [ "$(value hash)" != "$(cat "$out/hash/double_pendulum-rk4")" ]
