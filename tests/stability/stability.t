@@ -1,0 +1,12 @@
+#!/bin/sh
+# Where every method is stable, in float and in double.
+. tests/host/test.sh
+begin stability
+
+for type in float double; do
+    real $type
+    program $type.run tests/stability/stability.c tests/stability/theory.c tests/host/report.c
+    result $? "$type builds"
+    joined $type "$out/$type.run"
+done
+finish
