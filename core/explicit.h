@@ -33,9 +33,9 @@ static inline real iso_combine(const real h_over, const int8_t *const c, const u
 /* One step of h: k_i = f(x + h sum_j a_ij k_j), x += h sum_i b_i k_i. u and p are held. work[ISO_EXPLICIT_WORK(n)], less
  * for fewer stages. Local error of order h^(order + 1). Butcher (2016), Numerical Methods for Ordinary Differential
  * Equations, eqs. 221a-d. Returns the local error of the step before, where steps are checked. */
-static inline real iso_explicit_step(const iso_tableau *const table, const iso_trail *const trail,
-                                     iso_derivative *const f, const real h, const real *restrict const u,
-                                     const real *restrict const p, real *restrict const work)
+ISO_INLINE real iso_explicit_step(const iso_tableau *const table, const iso_trail *const trail, iso_derivative *const f,
+                                  const real h, const real *restrict const u, const real *restrict const p,
+                                  real *restrict const work)
 {
     const size_t n = trail->n;
     real *const k = work;

@@ -7,6 +7,7 @@
 #ifndef ISO_CORE_METHOD_H
 #define ISO_CORE_METHOD_H
 
+#include "core/adams.h"
 #include "core/multistep.h"
 #include "core/stiff.h"
 
@@ -21,7 +22,8 @@ typedef enum iso_method {
     ISO_ABM4_PECECE,
     ISO_BDF4,
     ISO_ROSENBROCK,
-    ISO_METHODS
+    ISO_METHODS,            /* of a fixed step, which iso_method_step does */
+    ISO_ADAMS = ISO_METHODS /* of a step that varies within the tick: core/adams.h, which a plant calls itself */
 } iso_method;
 
 /* Options, each of which costs nothing where it is not named. */
@@ -44,7 +46,8 @@ enum {
 #define ISO_IS_CHECKED(recipe) (((recipe)&ISO_CHECKED) != 0)
 
 /* Whether a check compares with slopes of the steps before; abm4 and bdf4 have an estimate of their own. */
-#define ISO_CHECKS_SLOPES(recipe) (ISO_IS_CHECKED(recipe) && !ISO_IS_ABM4(recipe) && !ISO_IS(recipe, ISO_BDF4))
+#define ISO_CHECKS_SLOPES(recipe)                                                                                      \
+    (ISO_IS_CHECKED(recipe) && !ISO_IS_ABM4(recipe) && !ISO_IS(recipe, ISO_BDF4) && !ISO_IS(recipe, ISO_ADAMS))
 
 #define ISO_ORDER_OF(recipe)                                                                                           \
     (ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_SEMI_IMPLICIT)                                                    \
@@ -52,7 +55,8 @@ enum {
          : (ISO_IS(recipe, ISO_HEUN) ? 2 : (ISO_IS(recipe, ISO_ROSENBROCK) ? 3 : 4)))
 
 /* Slopes, increments and vectors of n reals that are kept behind the state. */
-#define ISO_SLOPES_KEPT(recipe)                                                                                        \
+#define ISO_SLOPES_KEPT(recipe) (ISO_IS(recipe, ISO_ADAMS) ? ISO_ADAMS_ROWS : ISO_FIXED_SLOPES_KEPT(recipe))
+#define ISO_FIXED_SLOPES_KEPT(recipe)                                                                                  \
     (ISO_IS_ABM4(recipe)                                                                                               \
          ? ISO_AB4_STEPS                                                                                               \
          : (ISO_CHECKS_SLOPES(recipe) ? ISO_ORDER_OF(recipe) : (ISO_IS(recipe, ISO_AB4) ? ISO_AB4_STEPS - 1 : 0)))
@@ -104,9 +108,9 @@ typedef struct iso_progress {
 
 /* Advances the n states of x[ISO_METHOD_STATE(recipe, n)] by h with u and p held. lu[eq->factors] only for implicit
  * methods, work[ISO_METHOD_WORK(recipe, n)]. */
-static inline void iso_method_step(const unsigned recipe, const size_t n, const iso_equations *const eq, const real h,
-                                   real *const x, const real *const u, const real *const p, real *const lu,
-                                   real *const work, iso_progress *const progress)
+ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso_equations *const eq, const real h,
+                                real *const x, const real *const u, const real *const p, real *const lu,
+                                real *const work, iso_progress *const progress)
 {
     const iso_trail trail = iso_trail_of(recipe, n, x);
     iso_derivative *const f = eq->derivative;

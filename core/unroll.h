@@ -1,4 +1,5 @@
-/* ISO_UNROLL before a loop: unroll it as far as its count is known. A hint for speed; it changes no bit. */
+/* Hints for speed; they change no bit. ISO_UNROLL before a loop: unroll it as far as its count is known. ISO_INLINE before a
+ * function: make it part of its callers, so that what they know at compile time is known in it. */
 #ifndef ISO_CORE_UNROLL_H
 #define ISO_CORE_UNROLL_H
 
@@ -7,5 +8,7 @@
 #else
 #define ISO_UNROLL _Pragma("GCC unroll 16")
 #endif
+
+#define ISO_INLINE static inline __attribute__((always_inline))
 
 #endif
