@@ -1,5 +1,5 @@
-/* Hints for speed; they change no bit. ISO_UNROLL before a loop: unroll it as far as its count is known. ISO_INLINE before a
- * function: make it part of its callers, so that what they know at compile time is known in it. */
+/* Hints for speed; they change no bit. ISO_UNROLL before a loop: unroll it as far as its count is known. ISO_INLINE
+ * before a function: make it part of its callers, so that what they know at compile time is known in it. */
 #ifndef ISO_CORE_UNROLL_H
 #define ISO_CORE_UNROLL_H
 
