@@ -52,6 +52,7 @@ typedef struct iso_plant {
     const real *start;                   /* the state at tick 0 */
     const real *defaults;                /* of the parameters */
     const struct iso_progress *progress; /* how the last step went; NULL where nothing asks (core/method.h) */
+    const struct iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/adams.h) */
     void *memory;                        /* all that a snapshot must hold */
     size_t memory_bytes;
 

@@ -1,5 +1,7 @@
 #include "core/stream.h"
 
+#include "core/adams.h"
+
 #include "port/port.h"
 
 /* Bytes on their way to the console. Records are written whole as long as they are shorter than the buffer. */
@@ -89,11 +91,14 @@ void iso_stream_row(const real *const y, const size_t outputs)
 
 void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
 {
+    static const iso_adams_state none;
     const iso_account *const account = &loop->account;
+    const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
 
     const uint32_t words[] = {
-        account->ticks,         account->late,          account->lost, account->overruns, (uint32_t)account->margin,
-        account->execution_min, account->execution_max, loop->guard,   loop->tick,        account->restarts,
+        account->ticks,         account->late,          account->lost,   account->overruns,   (uint32_t)account->margin,
+        account->execution_min, account->execution_max, loop->guard,     loop->tick,          account->restarts,
+        adams->restarts,        adams->substeps,        adams->rejected, adams->budget_bound, adams->evaluations,
     };
 
     put_byte(ISO_STREAM_END);

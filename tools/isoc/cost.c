@@ -148,7 +148,9 @@ void cost_summary(const plant *p, const graph *g, text *out)
         count_line(out, "solve", cost.solve);
         text_add(out, "factors %d\n", p->j.factor_count);
     }
-    count_line(out, "step", step_operations(m->recipe, n, derivative, cost));
+    if (!ISO_IS(m->recipe, ISO_ADAMS)) { /* whose sub-steps are as many as it needs */
+        count_line(out, "step", step_operations(m->recipe, n, derivative, cost));
+    }
     text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes, ISO_VECTORS_KEPT(m->recipe) * n * real_bytes);
 }
 

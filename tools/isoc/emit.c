@@ -42,7 +42,7 @@ static const char *recipe_symbol(arena *memory, unsigned recipe)
 /* Whether a step tells how it went. */
 static bool has_progress(const mechanism *m)
 {
-    return ISO_IS_CHECKED(m->recipe) || ISO_IS(m->recipe, ISO_BDF4);
+    return ISO_IS(m->recipe, ISO_ADAMS) || ISO_IS_CHECKED(m->recipe) || ISO_IS(m->recipe, ISO_BDF4);
 }
 
 static const char *prefixed(arena *memory, const char *prefix, const char *word)
@@ -144,6 +144,9 @@ static void emit_memory(const plant *p, text *out)
     }
     if (has_progress(m)) {
         text_add(out, "    iso_progress progress;\n");
+    }
+    if (ISO_IS(m->recipe, ISO_ADAMS)) {
+        text_add(out, "    iso_adams_state adams;\n");
     }
     if (can_jump(m)) {
         text_add(out, "%s%s", m->input_count > 0 ? "    real last_u[PLANT_INPUTS];\n" : "",
@@ -277,30 +280,78 @@ static void emit_remember(const plant *p, text *out)
     text_add(out, "}\n\n");
 }
 
-static void emit_step(const plant *p, text *out)
+static void emit_prime(const plant *p, text *out, const char *recipe, const char *h)
 {
     const mechanism *m = p->m;
-    const char *recipe = recipe_symbol(out->memory, m->recipe), *u = array_or_null(m->input_count, "memory.u");
+    const char *u = array_or_null(m->input_count, "memory.u");
     const char *parameters = array_or_null(m->parameter_count, "memory.p");
-    const char *h = code_literal(out->memory, m->step, p->is_double);
-    const char *progress = has_progress(m) ? "&memory.progress" : "NULL";
-    if (can_jump(m)) {
-        emit_remember(p, out);
-        emit_jumped(p, out);
-    }
-    if (is_primed(m)) {
-        text_add(out, "static void prime(void)\n{\n    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", recipe);
+    text_add(out, "static void prime(void)\n{\n");
+    if (ISO_IS(m->recipe, ISO_ADAMS)) {
+        text_add(out, "    const iso_trail trail = iso_trail_of(%s, PLANT_STATES, memory.x);\n", recipe);
+        text_add(out, "    real work[ISO_ADAMS_WORK(PLANT_STATES)];\n");
+        text_add(out, "    iso_adams_start(&options, &memory.adams, &trail, derivative, %s, %s, %s, work);\n", h, u,
+                 parameters);
+    } else {
+        text_add(out, "    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", recipe);
         text_add(out, "    iso_method_prime(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, work,\n", recipe, h, u,
                  parameters);
-        text_add(out, "                     %s);\n%s}\n\n", progress, can_jump(m) ? "    remember();\n" : "");
+        text_add(out, "                     %s);\n", has_progress(m) ? "&memory.progress" : "NULL");
     }
-    text_add(out, "static void step(void)\n{\n    real work[ISO_METHOD_WORK(%s, PLANT_STATES)];\n", recipe);
+    text_add(out, "%s}\n\n", can_jump(m) ? "    remember();\n" : "");
+}
+
+/* A tick of adams: as many steps as the tolerance asks for and the budget allows. */
+static void emit_adams(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char *tolerance = code_literal(out->memory, m->tolerance, p->is_double);
+    text_add(out, "static const iso_adams_options options = {\n    .tolerance_absolute = %s,\n", tolerance);
+    text_add(out, "    .tolerance_relative = %s,\n    .budget = %.0f,\n", tolerance, m->substeps);
+    text_add(out, "    .driven = %s,\n", m->input_count + m->parameter_count > 0 ? "true" : "false");
+    text_add(out, "    .level_max = %s,\n};\n\n", m->substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
+}
+
+/* The call of the method in step(). */
+static void emit_call(const plant *p, text *out, const char *recipe, const char *h)
+{
+    const mechanism *m = p->m;
+    const char *u = array_or_null(m->input_count, "memory.u");
+    const char *parameters = array_or_null(m->parameter_count, "memory.p");
+    if (ISO_IS(m->recipe, ISO_ADAMS)) {
+        text_add(out, "    const iso_trail trail = iso_trail_of(%s, PLANT_STATES, memory.x);\n", recipe);
+        text_add(out, "    real work[ISO_ADAMS_WORK(PLANT_STATES)];\n");
+        text_add(
+            out,
+            "    memory.progress.local_error =\n        iso_adams_tick(&options, &memory.adams, &trail, derivative, ");
+        text_add(out, "%s, %s, %s, work);\n", h, u, parameters);
+        return;
+    }
+    text_add(out, "    real work[ISO_METHOD_WORK(%s, PLANT_STATES)];\n", recipe);
     if (ISO_IS_IMPLICIT(m->recipe)) {
         text_add(out, "    real lu[%d];\n", p->j.factor_count);
     }
     text_add(out, "    iso_method_step(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, %s, work,\n", recipe, h, u,
              parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
-    text_add(out, "                    %s);\n", progress);
+    text_add(out, "                    %s);\n", has_progress(m) ? "&memory.progress" : "NULL");
+}
+
+static void emit_step(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char *recipe = recipe_symbol(out->memory, m->recipe);
+    const char *h = code_literal(out->memory, m->step, p->is_double);
+    if (ISO_IS(m->recipe, ISO_ADAMS)) {
+        emit_adams(p, out);
+    }
+    if (can_jump(m)) {
+        emit_remember(p, out);
+        emit_jumped(p, out);
+    }
+    if (is_primed(m)) {
+        emit_prime(p, out, recipe, h);
+    }
+    text_add(out, "static void step(void)\n{\n");
+    emit_call(p, out, recipe, h);
     int counted = 0;
     for (int i = 0; i < m->link_count; i++) {
         if (m->links[i].continuous) {
@@ -334,6 +385,7 @@ static void emit_description(const plant *p, text *out)
     text_add(out, "    .memory_bytes = sizeof memory,\n    .derivative = derivative,\n    .output = output,\n");
     text_add(out, "%s%s", has_progress(m) ? "    .progress = &memory.progress,\n" : "",
              is_primed(m) ? "    .prime = prime,\n" : "");
+    text_add(out, "%s", ISO_IS(m->recipe, ISO_ADAMS) ? "    .adams = &memory.adams,\n" : "");
     text_add(out, "%s    .step = step,\n};\n", can_jump(m) ? "    .jumped = jumped,\n" : "");
 }
 
@@ -354,7 +406,9 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
     good = good && emit_function(p, g, out, "output", "y", "", p->outputs, p->output_count, culprit);
     good = good && (m->input_count == 0 || emit_drive(p, g, out, culprit));
     good = good && (!ISO_IS_IMPLICIT(m->recipe) || emit_solver(p, g, out, culprit));
-    emit_equations(p, out);
+    if (!ISO_IS(m->recipe, ISO_ADAMS)) {
+        emit_equations(p, out);
+    }
     emit_step(p, out);
     emit_description(p, out);
     return good;

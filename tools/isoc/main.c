@@ -12,12 +12,13 @@ static const char version[] = "isoc 0.1\n";
 static const char help[] =
     "isoc: compiles a scene to a plant in straight-line C\n"
     "\n"
-    "  isoc SCENE -o DIR [--method M] [--step H] [--real float|double]\n"
+    "  isoc SCENE -o DIR [--method M] [--step H] [--tolerance T] [--real float|double]\n"
     "\n"
     "  SCENE          the scene, a text file\n"
     "  -o DIR         where plant.h and plant.c go; made if it is not there\n"
     "  --method M     a method, instead of the scene's; --methods lists them\n"
     "  --step H       the step with its unit, e.g. 1ms, instead of the scene's\n"
+    "  --tolerance T  of adams, which then takes as many sub-steps as it needs\n"
     "  --real R       the number type of the plant: float (default) or double\n"
     "  --methods      what each method costs, as a table\n"
     "  --help         this text\n"
@@ -27,7 +28,7 @@ static const char help[] =
     "A mistake in the scene is told as file:line:column; the exit status is then 1 and no file is touched.\n";
 
 typedef struct options {
-    const char *scene, *directory, *method, *step;
+    const char *scene, *directory, *method, *step, *tolerance;
     bool is_double;
 } options;
 
@@ -55,11 +56,12 @@ static bool read_options(char **arguments, options *o)
 {
     const char *real_name = NULL;
     for (char **a = arguments; *a != NULL; a++) {
-        const char **slot = strcmp(*a, "-o") == 0         ? &o->directory
-                            : strcmp(*a, "--method") == 0 ? &o->method
-                            : strcmp(*a, "--step") == 0   ? &o->step
-                            : strcmp(*a, "--real") == 0   ? &real_name
-                                                          : NULL;
+        const char **slot = strcmp(*a, "-o") == 0            ? &o->directory
+                            : strcmp(*a, "--method") == 0    ? &o->method
+                            : strcmp(*a, "--step") == 0      ? &o->step
+                            : strcmp(*a, "--tolerance") == 0 ? &o->tolerance
+                            : strcmp(*a, "--real") == 0      ? &real_name
+                                                             : NULL;
         if (slot != NULL) {
             if (!take_option(a, slot)) {
                 return false;
@@ -99,11 +101,14 @@ static const char *scene_name(arena *memory, const char *path)
 /* --step and --method, read as if they stood in the scene. Their problems are told at once. */
 static bool override(arena *memory, const options *o, scene *s)
 {
-    if (o->step == NULL && o->method == NULL) {
+    if (o->step == NULL && o->method == NULL && o->tolerance == NULL) {
         return true;
     }
     const char *step = o->step == NULL ? "" : arena_format(memory, "step %s\n", o->step);
-    const char *words = o->method == NULL ? step : arena_format(memory, "%smethod %s\n", step, o->method);
+    const char *method = o->method == NULL ? step : arena_format(memory, "%smethod %s\n", step, o->method);
+    const char *words = o->tolerance == NULL
+                            ? method
+                            : arena_format(memory, "%stolerance %s\nsubsteps 1000000\n", method, o->tolerance);
     source given = {.memory = memory, .path = "command line", .text = words, .length = strlen(words)};
     const scene read = parse_scene(&given, lex(&given));
     graph g;
@@ -113,6 +118,8 @@ static bool override(arena *memory, const options *o, scene *s)
     source_report(&given);
     s->step = read.step == NULL ? s->step : read.step;
     s->method = read.method.text == NULL ? s->method : read.method;
+    s->tolerance = read.tolerance == NULL ? s->tolerance : read.tolerance;
+    s->substeps = read.substeps == NULL ? s->substeps : read.substeps;
     return given.problem_count == 0;
 }
 

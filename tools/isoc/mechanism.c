@@ -561,7 +561,7 @@ static void build_parameters(builder *b)
 
 /* --- method and step --- */
 
-const char *const method_names[ISO_METHODS] = {
+const char *const method_names[ISO_METHODS + 1] = {
     [ISO_EULER] = "euler",
     [ISO_HEUN] = "heun",
     [ISO_RK4] = "rk4",
@@ -572,6 +572,7 @@ const char *const method_names[ISO_METHODS] = {
     [ISO_ABM4_PECECE] = "abm4_pecece",
     [ISO_BDF4] = "bdf4",
     [ISO_ROSENBROCK] = "rosenbrock",
+    [ISO_ADAMS] = "adams",
 };
 
 static bool is_yes(builder *b, name word)
@@ -588,18 +589,33 @@ static unsigned find_method(builder *b, name word)
     if (word.text == NULL) {
         return ISO_RK4;
     }
-    for (unsigned i = 0; i < ISO_METHODS; i++) {
+    for (unsigned i = 0; i <= ISO_METHODS; i++) {
         if (strcmp(word.text, method_names[i]) == 0) {
             return i;
         }
     }
     const char *list = "";
-    for (unsigned i = 0; i < ISO_METHODS; i++) {
+    for (unsigned i = 0; i <= ISO_METHODS; i++) {
         list = arena_format(b->s->memory, "%s%s%s", list, i == 0 ? "" : ", ", method_names[i]);
     }
     source_problem(b->s, word.at, "no method is called '%s'%s; there are %s", word.text,
-                   source_suggestion(b->s, word.text, method_names, ISO_METHODS), list);
+                   source_suggestion(b->s, word.text, method_names, ISO_METHODS + 1), list);
     return ISO_RK4;
+}
+
+/* What adams may do in a tick: a tolerance, and a budget of sub-steps. */
+static void build_adams(builder *b)
+{
+    const scene *written = b->written;
+    b->made.tolerance = value_constant(&b->values, written->tolerance, plain, "a tolerance", 1e-6);
+    b->made.substeps =
+        value_constant(&b->values, written->substeps, plain, "the number of sub-steps", ISO_ADAMS_BUDGET);
+    if (!(b->made.tolerance > 0.0)) {
+        source_problem(b->s, written->tolerance->at, "a tolerance is larger than zero");
+    }
+    if (!(b->made.substeps >= 1.0 && b->made.substeps <= 1e6) || b->made.substeps != floor(b->made.substeps)) {
+        source_problem(b->s, written->substeps->at, "sub-steps are a whole number from 1 to 1000000");
+    }
 }
 
 /* The method with its options: an output of the local error asks for the check as `checked yes` does. */
@@ -625,6 +641,7 @@ static void build_method(builder *b)
         }
     }
     b->made.recipe = recipe;
+    build_adams(b);
 }
 
 static void build_step(builder *b)

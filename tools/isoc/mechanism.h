@@ -65,13 +65,15 @@ typedef struct mechanism {
     const char **parameter_names;
     const double *defaults;
 
-    unsigned recipe; /* method and options: core/method.h */
-    double step;     /* s */
+    unsigned recipe;  /* method and options: core/method.h */
+    double tolerance; /* of adams */
+    double substeps;  /* its budget in a tick; 0: as good as none */
+    double step;      /* s */
 } mechanism;
 
 /* Resolves names, units and places; notes problems. The result is whole only if there are none. */
 /* How a scene calls a method. */
-extern const char *const method_names[ISO_METHODS];
+extern const char *const method_names[ISO_METHODS + 1];
 
 mechanism mechanism_build(source *s, graph *g, const scene *written);
 

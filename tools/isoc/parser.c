@@ -2,8 +2,9 @@
 
 #include <string.h>
 
-static const char *const statement_words[] = {"gravity", "step",    "method",   "body",        "joint",   "input",
-                                              "output",  "tunable", "constant", "compensated", "checked", "iterations"};
+static const char *const statement_words[] = {"gravity", "step",       "method",    "body",     "joint",
+                                              "input",   "output",     "tunable",   "constant", "compensated",
+                                              "checked", "iterations", "tolerance", "substeps"};
 static const char *const body_words[] = {"mass", "com", "inertia"};
 static const char *const joint_words[] = {"parent",     "child",   "axis",   "start", "speed",
                                           "continuous", "damping", "spring", "drive"};
@@ -342,9 +343,9 @@ static void parse_word(parser *p, name *slot, const token *word, const char *exp
 static void parse_statement(parser *p, scene *made)
 {
     const token *word = p->next;
-    switch (take_one_of(
-        p, statement_words, COUNT(statement_words),
-        "body, joint, gravity, step, method, compensated, checked, iterations, input, output, tunable or constant")) {
+    switch (take_one_of(p, statement_words, COUNT(statement_words),
+                        "body, joint, gravity, step, method, compensated, checked, iterations, tolerance, substeps, "
+                        "input, output, tunable or constant")) {
     case 0:
         set(p, &made->gravity, word, parse_formula(p));
         break;
@@ -380,6 +381,12 @@ static void parse_statement(parser *p, scene *made)
         break;
     case 11:
         set(p, &made->iterations, word, parse_formula(p));
+        break;
+    case 12:
+        set(p, &made->tolerance, word, parse_formula(p));
+        break;
+    case 13:
+        set(p, &made->substeps, word, parse_formula(p));
         break;
     default:
         break;

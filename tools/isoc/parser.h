@@ -1,7 +1,7 @@
 /* Tokens to a scene. The grammar (README.md has it with examples):
  *
  *   scene      = { gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
- *                | iterations FORMULA | body | joint | parameter | input | output }
+ *                | iterations FORMULA | tolerance FORMULA | substeps FORMULA | body | joint | parameter | input | output }
  *   body       = body NAME { mass FORMULA | com FORMULA | inertia FORMULA }
  *   joint      = joint NAME (fixed | revolute | prismatic) { parent placement | child placement | axis AXIS
  *                | start FORMULA | speed FORMULA | continuous | damping FORMULA | spring FORMULA [rest FORMULA]

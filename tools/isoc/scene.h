@@ -101,7 +101,7 @@ typedef struct scene {
     bool broken; /* a statement could not be read: what is missing may have stood there */
     formula *gravity, *step;
     name method, compensated, checked; /* the last two: yes or no */
-    formula *iterations;
+    formula *iterations, *tolerance, *substeps;
     body *bodies;
     joint *joints;
     quantity *parameters, *inputs;

@@ -186,8 +186,12 @@ static void print_summary(const stream *const run, const char *const unit, const
         printf(" %s", stream_value(run, i, text));
     }
     printf("\nhash %016" PRIx64 "\n", end->hash);
-    if (end->restarts > 0) {
-        printf("restarts %" PRIu32 "\n", end->restarts);
+    if (end->restarts + end->adams_restarts > 0) {
+        printf("restarts %" PRIu32 "\n", end->restarts + end->adams_restarts);
+    }
+    if (end->substeps > 0) {
+        printf("substeps %" PRIu32 "\nrejected %" PRIu32 "\nbudget_bound %" PRIu32 "\nevaluations %" PRIu32 "\n",
+               end->substeps, end->rejected, end->budget_bound, end->evaluations);
     }
     if (strcmp(stream_value(run, header->states, text), "0") != 0) {
         printf("local_error %s\n", text);

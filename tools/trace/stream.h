@@ -36,6 +36,7 @@ typedef struct stream_end {
     uint32_t guard; /* the first state that is not finite; as many as there are states if all are */
     uint32_t tick;  /* where the run stopped */
     uint32_t restarts;
+    uint32_t adams_restarts, substeps, rejected, budget_bound, evaluations; /* of adams; zeros for another method */
     uint64_t execution_sum;
     uint64_t hash;
 } stream_end;
