@@ -182,4 +182,6 @@ void cost_methods(text *out)
                  evaluations(method), ISO_IS_IMPLICIT(method) ? 1 : 0, ISO_IS_IMPLICIT(method) ? solutions : 0,
                  ISO_VECTORS_KEPT(method), ISO_VECTORS_KEPT(method | ISO_CHECKED));
     }
+    text_add(out, "| %s | 1 to %d | 2 a sub-step | 0 | 0 | %d | %d |\n", method_names[ISO_ADAMS], ISO_ADAMS_ORDERS,
+             ISO_VECTORS_KEPT(ISO_ADAMS), ISO_VECTORS_KEPT(ISO_ADAMS | ISO_CHECKED));
 }
