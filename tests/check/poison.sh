@@ -3,7 +3,7 @@
 # undefined, for every scene and the plant written by hand, with each method, in float and in double.
 . tests/host/test.sh
 begin check/poison
-METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] .*/\1/p')
+METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] |.*/\1/p')
 
 # build PLANT FLAG...: makes $out/program of the plant.
 build()
