@@ -213,16 +213,16 @@ stack: $(OUT)/plant.o ## show the deepest stack of a step; recursion and frames 
 
 # Prints the tables and nothing else, so that they can be held against README.md.
 cost: ## price the models and the effects: instructions, operations, bytes; on the Cortex-M4F in float
-	@MAKE=$(call quote,$(MAKE)) sh tools/build/cost.sh
+	@MAKE=$(call quote,$(MAKE)) METHODS=$(call quote,$(METHODS)) sh tools/build/cost.sh
 
-# Both measure every method of METHODS on the board and on the host; a method is left out by another list.
+# Both measure the methods of METHODS, all unless told.
 REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) NANOSECONDS=$(NANOSECONDS) \
     METHODS=$(call quote,$(METHODS)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \
     COMPILE=$(call quote,$(CC) $(WARNINGS) $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS))
 REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
 REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 
-report: build/isoc build/trace ## error of every method over its price and over the step: tables and a picture in build/report/NAME/
+report: build/isoc build/trace ## error of every method over its price and its step: build/report/NAME/
 	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/report/report.sh
