@@ -12,6 +12,7 @@
 ##     SCENE=models/double_pendulum.scene  what to run: a scene, or a plant in C (core/plant.h)
 ##     METHOD=rk4                          in place of the scene's
 ##     STEP=1ms                            in place of the scene's
+##     TOLERANCE=1e-9                      of adams, which then takes as many sub-steps as it needs
 ##     SECONDS=10                          how long, in the plant's time; 5 for report and bench
 ##     TARGET=host|cortex-m4f              where: this machine, or the board in QEMU
 ##     REAL=float|double                   the type of its numbers
@@ -67,6 +68,7 @@ always:
 PORT_OF_host := port/sim
 PORT_OF_cortex-m4f := port/mps2
 PORT := $(PORT_OF_$(strip $(TARGET)))
+# Methods of a fixed step; adams has one that varies within the tick.
 METHODS := euler heun rk4 ab4 semi_implicit abm4 abm4_pec abm4_pecece bdf4 rosenbrock
 REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
@@ -78,8 +80,8 @@ ifeq ($(filter float double,$(REAL)),)
 $(error REAL=$(REAL) is unknown; it can be float or double)
 endif
 ifneq ($(METHOD),)
-ifeq ($(filter $(METHODS),$(METHOD)),)
-$(error METHOD=$(METHOD) is unknown; it can be one of: $(METHODS))
+ifeq ($(filter $(METHODS) adams,$(METHOD)),)
+$(error METHOD=$(METHOD) is unknown; it can be one of: $(METHODS) adams)
 endif
 endif
 
@@ -107,7 +109,8 @@ METHOD_MACRO := $(shell printf %s '$(METHOD)' | tr a-z A-Z)
 CHOICE := $(METHOD:%=-DISO_METHOD=ISO_$(METHOD_MACRO) -DISO_METHOD_NAME=%) $(STEP_SECONDS:%=-DISO_STEP=%)
 PLANT := $(SCENE)
 else
-CHOICE := $(METHOD:%=--method %) $(if $(STEP),--step $(call quote,$(STEP))) --real $(REAL)
+CHOICE := $(METHOD:%=--method %) $(if $(STEP),--step $(call quote,$(STEP))) \
+    $(if $(TOLERANCE),--tolerance $(call quote,$(TOLERANCE))) --real $(REAL)
 PLANT := $(OUT)/plant.c
 endif
 
