@@ -12,7 +12,7 @@ TEST_REALS := float double
 TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
 
 # Scripts that `make check` leaves to `make test`, since they take longer.
-TEST_SLOW := $(addprefix tests/check/,dependencies.sh poison.sh readme.sh same_bits.sh) $(wildcard tests/*.t tests/*/*.t)
+TEST_SLOW := $(addprefix tests/check/,dependencies.sh poison.sh readme.sh report.sh same_bits.sh) $(wildcard tests/*.t tests/*/*.t)
 
 TEST_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
