@@ -232,7 +232,7 @@ static void test_imaginary_axis(void)
 static double oscillator_growth(const unsigned recipe, const double h)
 {
     const real p[2] = {R(0.0), R(1.0)};
-    real x[N] = {R(0.6), R(0.8)}, work[WORK_MAX], lu[N * N];
+    real x[STATE_MAX] = {R(0.6), R(0.8)}, work[WORK_MAX], lu[N * N];
     iso_progress progress = {.started = 0};
     const double before = hypot((double)x[0], (double)x[1]);
     iso_method_step(recipe, N, &linear, (real)h, x, NULL, p, lu, work, &progress);
