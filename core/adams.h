@@ -29,8 +29,8 @@ enum {
 /* The local error of a sub-step may be this, and this times |x| more, where nothing is said. */
 #define ISO_ADAMS_TOLERANCE R(1e-6)
 
-/* An estimate over its tolerance that no step would mend: of what is not finite, or is not known. */
-#define ISO_ADAMS_FAILED R(1e30)
+/* The estimate of what is not finite, or is not known: infinite. */
+#define ISO_ADAMS_FAILED iso_real_of(ISO_EXPONENT_BITS)
 
 /* Reals of x, the states and what is kept behind them, and of work space. */
 #define ISO_ADAMS_STATE(n) ((1 + ISO_ADAMS_ROWS) * (n))
@@ -99,7 +99,7 @@ static inline real iso_adams_step_size(const iso_adams_run *const run)
     return run->h_tick / (real)((uint32_t)1 << run->state->level);
 }
 
-/* |e| over what state s may err; what is not finite is too much. */
+/* |e| over what state s may err. */
 static inline real iso_adams_ratio(const iso_adams_run *const run, const size_t s, const real e)
 {
     const iso_adams_options *const o = run->options;
@@ -358,7 +358,7 @@ static inline bool iso_adams_reject(iso_adams_run *const run, const real estimat
     return true;
 }
 
-/* Walks to the end of the tick. */
+/* Walks to the end of the tick, or until the states are not finite. */
 static inline void iso_adams_walk(iso_adams_run *const run)
 {
     real before = R(0.0);
@@ -372,7 +372,7 @@ static inline void iso_adams_walk(iso_adams_run *const run)
             before = estimate;
         } else {
             before = R(0.0);
-            run->remaining--;
+            run->remaining = iso_not_finite(estimate) == 0 ? run->remaining - 1 : 0;
             run->state->substeps++;
             iso_adams_adapt(run, estimate, iso_adams_correct(run));
         }
