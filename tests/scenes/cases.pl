@@ -112,7 +112,8 @@ check($first eq slurp("$dir/deeper/folder/plant.c") . slurp("$dir/deeper/folder/
 
 # The command line.
 for my $case (
-    [['--method', 'rk5'], "command line:1:8: error: no method is called 'rk5': euler, heun, rk4 or ab4 (did you mean 'rk4'?)"],
+    [['--method', 'rk5'], "command line:1:8: error: no method is called 'rk5' (did you mean 'rk4'?); "
+      . 'there are euler, heun, rk4, ab4, semi_implicit, abm4, abm4_pec, abm4_pecece, bdf4, rosenbrock, adams'],
     [['--step', '1 kg'], 'command line:1:6: error: the step is in s; this is in kg'],
     [['--step', '-1 ms'], 'command line:1:6: error: a step is between 1 us and 1 s'],
     [['--real', 'half'], 'isoc: error: --real is float or double, not half'],

@@ -1,0 +1,55 @@
+/* What the parts that build a mechanism share: the scene as written, its values, and what is made of it so far. */
+#ifndef ISOC_BUILDER_H
+#define ISOC_BUILDER_H
+
+#include "tools/isoc/mechanism.h"
+
+static const dimension no_unit = {0, 0, 0, 0}, kilogram = {1, 0, 0, 0}, metre = {0, 1, 0, 0}, second = {0, 0, 1, 0},
+                       radian = {0, 0, 0, 1}, newton = {1, 1, -2, 0}, newton_metre = {1, 2, -2, 0};
+
+static const double largest_angle = 1e4; /* rad: the domain of core/sincos.h */
+
+/* What a body brings to its link. */
+typedef struct solid {
+    node mass;
+    vector com;
+    tensor inertia; /* about the centre of mass */
+    int joint;      /* whose child it is, or -1 */
+} solid;
+
+typedef struct builder {
+    source *s;
+    graph *g;
+    const scene *written;
+    values values;
+    solid *solids;
+    int *parents, *children; /* of the joints: bodies; -2 the ground, -1 unknown */
+    mechanism made;
+} builder;
+
+/* The value of a formula; zero where there is none, or where it was wrong. */
+vector vector_value(builder *b, const formula *f, dimension of, const char *what);
+node scalar_value(builder *b, const formula *f, dimension of, const char *what);
+
+/* Notes that a property cannot stand where it is written. */
+void refuse(builder *b, const formula *f, const char *property, const char *why);
+
+/* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame turned so that
+ * the axis is its coordinate axis *k, times *sign: the identity for x, y, z, -x, -y, -z. */
+bool unit_axis(builder *b, const formula *f, double axis[3]);
+void place_joint(builder *b, const placement *p, matrix *turn_made, vector *origin);
+matrix align(graph *g, const double a[3], int *k, double *sign);
+
+/* regroup.c: moves to the parents what the joints' motion does not change. */
+void regroup(builder *b);
+
+/* signals.c: inputs, outputs and tunable parameters. */
+void build_inputs(builder *b);
+void build_outputs(builder *b);
+void build_parameters(builder *b);
+
+/* recipe.c: the method with its options, and the step. */
+void build_method(builder *b);
+void build_step(builder *b);
+
+#endif
