@@ -304,10 +304,11 @@ static inline void iso_adams_lower(const iso_adams_run *const run)
     memset(run->trail->slopes + run->state->order * n, 0, n * sizeof *run->trail->slopes);
 }
 
-/* Order and step of the next sub-step: the order with the least error, and twice the step where that keeps the error
- * below half the tolerance. Both are left alone until the corrections come from as many even steps as the order needs;
- * at a start there are as many slopes as the order wants at once. Shampine and Gordon (1975), Computer Solution of
- * Ordinary Differential Equations, ch. 7. */
+/* Order and step of the next sub-step: the order with the least error, a lower one only for a quarter of it, since an
+ * exchange of rows disturbs the next estimates; and twice the step where that keeps the error below half the tolerance.
+ * Both are left alone until the corrections come from as many even steps as the order needs; at a start there are as many
+ * slopes as the order wants at once. After Shampine and Gordon (1975), Computer Solution of Ordinary Differential
+ * Equations, ch. 7. */
 static inline void iso_adams_adapt(iso_adams_run *const run, real estimate, const iso_adams_neighbours neighbours)
 {
     iso_adams_state *const state = run->state;
@@ -320,7 +321,7 @@ static inline void iso_adams_adapt(iso_adams_run *const run, real estimate, cons
     if (state->starting) {
         iso_adams_raise(run);
         state->starting = state->order < ISO_ADAMS_ORDERS;
-    } else if (neighbours.lower < estimate) {
+    } else if (R(4.0) * neighbours.lower < estimate) {
         iso_adams_lower(run);
         estimate = neighbours.lower;
         order--;
