@@ -8,7 +8,8 @@
  * The past is kept as a polynomial at the end of the last sub-step, in rows z_j = h^j x^(j) / j!: another step scales
  * them by powers of two, without rounding. Nordsieck (1962), Math. Comp. 16, 22-49; Gear (1971), Numerical Initial Value
  * Problems in Ordinary Differential Equations, ch. 9; Hairer, Norsett, Wanner (1993), Solving Ordinary Differential
- * Equations I, III.6. Rows above the order are zero, so that a sub-step costs the same at every order.
+ * Equations I, III.6. Rows above the order are zero, so that a sub-step costs the same at every order. Only
+ * loops over rows are unrolled: those over states are many, and code would grow with their product.
  */
 #ifndef ISO_CORE_ADAMS_H
 #define ISO_CORE_ADAMS_H
@@ -137,7 +138,6 @@ static inline void iso_adams_scale(const iso_trail *const trail, const real fact
     ISO_UNROLL
     for (size_t j = 0; j < ISO_ADAMS_ORDERS; j++) {
         power *= factor;
-        ISO_UNROLL
         for (size_t s = 0; s < trail->n; s++) {
             trail->slopes[j * trail->n + s] *= power;
         }
@@ -172,7 +172,6 @@ static inline void iso_adams_take_slope(const iso_adams_run *const run)
 {
     const real h = iso_adams_step_size(run);
     iso_adams_evaluate(run, run->trail->x);
-    ISO_UNROLL
     for (size_t s = 0; s < run->trail->n; s++) {
         run->trail->slopes[s] = h * run->slope[s];
     }
@@ -189,7 +188,6 @@ static inline void iso_adams_begin(iso_adams_run *const run)
     state->order = 1;
     state->age = 0;
     state->starting = true;
-    ISO_UNROLL
     for (size_t s = 0; s < run->trail->n; s++) {
         ratio = iso_max(ratio, iso_adams_ratio(run, s, iso_adams_step_size(run) * run->slope[s]));
     }
@@ -211,14 +209,12 @@ static inline real iso_adams_try(const iso_adams_run *const run)
     const real part = (real)table->error / (real)table->error_over;
     real z[ISO_ADAMS_ORDERS + 1];
     real largest = R(0.0);
-    ISO_UNROLL
     for (size_t s = 0; s < trail->n; s++) {
         iso_adams_predict(trail, s, z);
         run->increment[s] = z[0];
         run->at[s] = trail->x[s] + z[0];
     }
     iso_adams_evaluate(run, run->at);
-    ISO_UNROLL
     for (size_t s = 0; s < trail->n; s++) {
         iso_adams_predict(trail, s, z);
         run->slope[s] = h * run->slope[s] - z[1];
@@ -254,13 +250,11 @@ static inline iso_adams_neighbours iso_adams_correct(const iso_adams_run *const 
     for (size_t j = 0; j <= ISO_ADAMS_ORDERS; j++) {
         l[j] = (real)table->l[j] / (real)table->over;
     }
-    ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         run->error[s] += part * run->slope[s];
         iso_advance(trail, s, run->increment[s] + l[0] * run->slope[s]);
     }
     iso_adams_evaluate(run, trail->x);
-    ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         real z[ISO_ADAMS_ORDERS + 1];
         iso_adams_predict(trail, s, z);
@@ -288,7 +282,6 @@ static inline void iso_adams_raise(const iso_adams_run *const run)
     const size_t q = run->state->order;
     const iso_nordsieck *const table = &iso_table_nordsieck[q - 1];
     const real part = (real)table->l[q] / (real)(table->over * (int)(q + 1));
-    ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         run->trail->slopes[q * n + s] = part * run->trail->slopes[ISO_ADAMS_ORDERS * n + s];
     }
@@ -430,7 +423,6 @@ static inline real iso_adams_tick(const iso_adams_options *const options, iso_ad
         iso_adams_take_slope(&run);
     }
     iso_adams_walk(&run);
-    ISO_UNROLL
     for (size_t s = 0; s < trail->n; s++) {
         largest = iso_larger(largest, run.error[s]);
     }
