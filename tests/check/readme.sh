@@ -1,6 +1,6 @@
 #!/bin/sh
 # README.md says what is so: its commands run, in a copy of the project, and print the lines shown below them; its tables are
-# those of `make cost`, its scene and its picture those of models/, its links lead somewhere. A README with one thing changed
+# those of `make cost`, `make bench` and `build/isoc --methods`, its scene and its picture those of models/, its links lead somewhere. A README with one thing changed
 # is found.
 . tests/host/test.sh
 . tests/host/project.sh
@@ -48,13 +48,26 @@ try()
     fi
 }
 
-# table README NUMBER: its first or second table of prices.
+# The tables: how their first lines begin, and what prints them.
+tables='| model |:make cost
+| steps of |:make cost
+| effect on:make cost
+| method | order | evaluations | Jacobians |:build/isoc --methods
+| method | order | evaluations | error,:make bench'
+
+# table README BEGINNING: the table whose first line begins so, and the list that follows it, if there is one.
 table()
 {
-    awk -v number="$2" '
-        /^\| model \| / || /^\| effect on / { on = ++n == number }
-        !/^\|/ { on = 0 }
-        on' "$1"
+    awk -v beginning="$2" '
+        index($0, beginning) == 1 {
+            on = 1
+            gap = 0
+            n++
+        }
+        !/^[|-]/ && (gap || $0 != "") || gap && !/^-/ { on = 0 }
+        { gap = $0 == "" }
+        on && !gap
+        END { exit n != 1 }' "$1"
 }
 
 # first_block README: the text in the first ``` block.
@@ -83,11 +96,10 @@ wrong()
             grep -qxF -- "$line" "$(printed "$command")" || echo "not printed by '$command': $line"
         done
     done
-    for number in 1 2; do
-        table "$1" $number >"$out/table"
-        table "$(printed "make cost")" $number >"$out/priced"
-        [ -s "$out/priced" ] || echo "make cost prints no table $number"
-        diff "$out/table" "$out/priced"
+    echo "$tables" | while IFS=: read -r beginning command; do
+        table "$1" "$beginning" >"$out/table" || echo "not one table that begins: $beginning"
+        table "$(printed "$command")" "$beginning" >"$out/measured" || echo "$command prints no table: $beginning"
+        diff "$out/table" "$out/measured"
     done
     first_block "$1" | diff - models/pendulum.scene
     grep -o '](\([^)]*\))' "$1" | tr -d ']()' | while IFS= read -r file; do
@@ -100,7 +112,7 @@ commands README.md >"$out/commands"
 mentioned README.md | grep -Evx 'make (test|check|clean)' >"$out/mentioned"
 [ "$(grep -c . "$out/commands")" -ge 4 ] && [ "$(grep -c . "$out/mentioned")" -ge 6 ]
 result $? "README.md has commands: $(grep -c . "$out/commands") with what they print, $(grep -c . "$out/mentioned") of make"
-cat "$out/commands" "$out/mentioned" >"$out/all"
+{ cat "$out/commands" "$out/mentioned" && echo "build/isoc --methods"; } >"$out/all"
 while IFS= read -r command; do
     try "$command"
     status=$?
@@ -124,6 +136,20 @@ result $? "models/double_pendulum.svg is what make plot draws"
 [ "$(wc -c <models/double_pendulum.svg)" -lt 100000 ]
 result $? "the picture is smaller than 100 kB"
 
+# texts FILE: the texts of a drawing, one on a line.
+texts()
+{
+    grep -o '<text>.*</text>' "$1" | sed 's/<[^>]*>//g'
+}
+
+# The picture of the report, but for its points: those of the host depend on its compiler.
+picture=models/double_pendulum_work_precision.svg
+texts $picture >"$out/texts"
+texts "$out/project/build/report/double_pendulum/work_precision.svg" | cmp -s - "$out/texts" && [ -s "$out/texts" ]
+result $? "$picture has the axes and the methods that make report draws"
+[ "$(wc -c <$picture)" -lt 100000 ]
+result $? "and is smaller than 100 kB"
+
 # found NAME SED: README.md so changed says something wrong.
 found()
 {
@@ -135,6 +161,9 @@ found()
 found "a digit of a hash" '/^hash /s/.$/x/'
 found "a number of a step" '/^instructions_per_step /s/$/0/'
 found "a price of a model" '/^| arm6 /s/|\([^|]*\)|$/|\10 |/'
+found "an order of a method" '/^| rk4 | 4 | 4 | 0/s/| 4/| 3/'
+found "an error of a method" '/^| rk4 | 4 | 4 | [1-9]/s/e-0/e-1/'
+found "an answer" 's/^- abm4 takes 0/- abm4 takes 1/'
 found "a price of an effect" '/^| damping |/s/+/+1/'
 found "a row left out" '/^| cart_pole /d'
 found "a number of the scene" 's/^step 1 ms/step 2 ms/'

@@ -1,6 +1,6 @@
 #!/bin/sh
-# make report and make bench: the tables are whole, errors fall with the methods' orders, what runs with any step is what
-# make run runs, a reference that two methods do not agree on is refused. Wrong references and tables are seen.
+# make report and make bench: the tables are whole, errors fall with the methods' orders, what runs with any step is
+# what make run runs, a reference that two methods do not agree on is refused. Wrong references and tables are seen.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/report
@@ -131,6 +131,8 @@ result $? "found: one alone"
 expect $? "found: a time for which the motion is chaotic"
 ! call report SCENE=models/absent.scene && grep -q 'there is no scene models/absent.scene' "$out/errors"
 expect $? "found: a scene that is not there"
+! call report METHODS="rk4 adams" && grep -q 'adams chooses its steps itself' "$out/errors"
+expect $? "found: a method whose step is not fixed"
 
 # A plant in C, another step, and inputs.
 call report SCENE=models/oscillator.c METHODS="ab4 bdf4" STEP=2ms SECONDS=2

@@ -1,5 +1,5 @@
-# A line of the reference: the time, how far the two states of the input are apart (2-norm), and the first of them. Status 1
-# unless that is at most `tolerance` (1 + the norm of the state).
+# A line of the reference: the time, how far the two states of the input are apart (2-norm), and the first of them.
+# Status 1 unless that is at most `tolerance` (1 + the norm of the state).
 #
 #     awk -v time=2 -v tolerance=1e-12 -f agree.awk references
 #

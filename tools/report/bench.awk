@@ -2,8 +2,9 @@
 #
 #     awk -v scene=NAME -v time=5 -v step=0.001 -v error=1e-6 -f bench.awk methods.md measured
 #
-# The first is what `build/isoc --methods` prints. A line of the second is a method, its error with steps of twice `step`
-# and of `step`, the fewest steps of the time with at most `error` (0 if there are none), and the instructions of a step.
+# The first is what `build/isoc --methods` prints. A line of the second is a method, its error with steps of twice
+# `step` and of `step`, the fewest steps of the time with at most `error` (0 if there are none), and the instructions of
+# a step.
 
 # The table's lines: | method | order | evaluations | Jacobians | ...
 FILENAME != "-" {

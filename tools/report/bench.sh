@@ -1,6 +1,6 @@
 #!/bin/sh
-# The methods at equal step and at equal error, as a Markdown table, and what it answers. Called by `make bench`; what is
-# made stands in build/bench/NAME/.
+# The methods at equal step and at equal error, as a Markdown table, and what it answers. Called by `make bench`; what
+# is made stands in build/bench/NAME/.
 WHAT="make bench"
 dir=build/bench/$NAME
 . tools/report/common.sh

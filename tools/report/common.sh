@@ -18,7 +18,7 @@ fail()
     exit 1
 }
 
-# prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C is read by a file of the same name.
+# prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C takes its method from core/choice.h.
 prepare()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"
@@ -30,15 +30,12 @@ prepare()
         esac
         case $SCENE in
         *.c)
-            {
-                echo '#include "core/choice.h"'
-                if [ $compensated = yes ]; then
-                    echo 'enum { REPORT_METHOD = ISO_METHOD | ISO_COMPENSATED };'
-                    echo '#undef ISO_METHOD'
-                    echo '#define ISO_METHOD REPORT_METHOD'
-                fi
-                echo "#include \"$SCENE\""
-            } >"$dir/$kind/$NAME.c"
+            awk -v compensated=$compensated '
+                { print }
+                compensated == "yes" && /^#include "core\/choice.h"/ {
+                    print "enum { REPORT_METHOD = ISO_METHOD | ISO_COMPENSATED };"
+                    print "#undef ISO_METHOD\n#define ISO_METHOD REPORT_METHOD"
+                }' "$SCENE" >"$dir/$kind/$NAME.c"
             ;;
         *)
             { sed '/^ *compensated /d' "$SCENE" && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
@@ -98,6 +95,9 @@ REFERENCE_METHODS="rk4 abm4_pecece"
 # that make the time nearest to NANOSECONDS, and time.
 start()
 {
+    case " $METHODS " in
+    *" adams "*) fail "adams chooses its steps itself; only methods of a fixed step are compared" ;;
+    esac
     prepare
     for method in $REFERENCE_METHODS; do
         (variable reference $method) || fail "the reference cannot be built for $SCENE"
@@ -115,7 +115,7 @@ start()
 reference()
 {
     steps=$((64 * coarsest))
-    for halving in 0 1 2 3 4 5; do
+    for _ in 0 1 2 3 4 5; do
         for method in $REFERENCE_METHODS; do
             "$dir/reference-$method/drive" "$1" $steps || exit 1
         done >"$dir/references"
@@ -132,8 +132,8 @@ A motion that is chaotic, or stiff, is known for a short time only: try SECONDS=
         'BEGIN { print time / 4 }')"
 }
 
-# instructions_m4f KIND METHOD: of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that which
-# is nearer to the mean of fifty.
+# instructions_m4f KIND METHOD: of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that
+# which is nearer to the mean of fifty.
 instructions_m4f()
 {
     m4f=$dir/$1-$2/m4f

@@ -1,12 +1,12 @@
 /* Runs a plant from its start and prints the state that it reaches, with as many steps as one likes.
  *
  *     drive about           its step in seconds, and its states
- *     drive TIME STEPS...   for each number of steps a line: the steps, the time that they make with the step as a real,
- *                           and the state there
+ *     drive TIME STEPS...   for each number of steps a line: the steps, the time that they make with the step as a
+ *                           real, and the state there
  *     drive count STEPS     only runs: once it is under way, the STEPS in the function `steps` are to be counted
  *
- * Inputs keep the values that they have at the start, so that what is seen is the method's error and not that of an input
- * held over a step. Compiled with the plant under test, in its real; tools/report/step.h has told the plant of
+ * Inputs keep the values that they have at the start, so that what is seen is the method's error and not that of an
+ * input held over a step. Compiled with the plant under test, in its real; tools/report/step.h has told the plant of
  * `report_step`, but not where instructions are counted.
  */
 #include <stdio.h>

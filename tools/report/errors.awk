@@ -4,7 +4,8 @@
 #
 # A line of the first is one of tools/report/agree.awk; a line of the second is a kind, a method, the instructions of a
 # step, and a line of tools/report/drive.c. The error is the 2-norm of the difference to the reference of that time; the
-# order is log2 of the error before to this one, of half the step, while both are well above what the reference is sure of.
+# order is log2 of the error before to this one, of half the step, while both are well above what the reference is sure
+# of.
 part == "reference" {
     unsure[$1] = $2
     states = NF - 2

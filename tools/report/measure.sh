@@ -1,6 +1,6 @@
 #!/bin/sh
-# One method in one kind: $dir/KIND-METHOD/points, the states it reaches with six steps, each half of the one before, and
-# $dir/KIND-METHOD/instructions, those of a step.
+# One method in one kind: $dir/KIND-METHOD/points, the states it reaches with six steps, each half of the one before,
+# and $dir/KIND-METHOD/instructions, those of a step.
 #
 #     measure.sh KIND METHOD
 . tools/report/common.sh

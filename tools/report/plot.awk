@@ -1,5 +1,6 @@
-# Gnuplot's commands for the picture of a report, from its tab-separated values (tools/report/errors.awk): above error over
-# instructions per second of the plant's time, below error over the step; a column for each kind, a line for each method.
+# Gnuplot's commands for the picture of a report, from its tab-separated values (tools/report/errors.awk): above error
+# over instructions per second of the plant's time, below error over the step; a column for each kind, a line for each
+# method.
 BEGIN {
     FS = "\t"
     title["float"] = "float"

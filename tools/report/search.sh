@@ -1,14 +1,14 @@
 #!/bin/sh
-# One method in double: $dir/double-METHOD/bench, with its error at steps of twice the scene's and at the scene's, and with
-# the fewest steps from which on the error stays at most $error; 0 if that takes steps shorter than 1 us.
+# One method in double: $dir/double-METHOD/bench, with its error at steps of twice the scene's and at the scene's, and
+# with the fewest steps from which on the error stays at most $error; 0 if that takes steps shorter than 1 us.
 #
 #     search.sh double METHOD
 . tools/report/common.sh
 method=$2
 (variable double "$method") || fail "$method cannot be built for $SCENE; METHODS='...' chooses others"
 
-# errors STEPS...: a line for each: the steps and their error. The time is the whole of it: what a sum of that many steps
-# rounds away is nothing here.
+# errors STEPS...: a line for each: the steps and their error. The time is the whole of it: what a sum of that many
+# steps rounds away is nothing here.
 errors()
 {
     "$dir/double-$method/drive" "$time" "$@" | sed "s/^\([^ ]*\) [^ ]*/double $method 0 \1 $time/" >"$dir/double-$method/tried"

@@ -1,5 +1,5 @@
-/* Read before a plant (cc -include): its methods then take their step from a variable, so that one program runs with any
- * step. The numbers are the same; the instructions are not, since nothing of the step folds. */
+/* Read before a plant (cc -include): its methods then take their step from a variable, so that one program runs with
+ * any step. The numbers are the same; the instructions are not, since nothing of the step folds. */
 #ifndef ISO_REPORT_STEP_H
 #define ISO_REPORT_STEP_H
 
