@@ -63,9 +63,10 @@ ISO_INLINE real iso_explicit_step(const iso_tableau *const table, const iso_trai
 }
 
 /* One step of h of semi-implicit Euler for a mechanical plant, whose first half of the states are positions and whose
- * second half are their rates, in the same order: v += h a(x, v), then x += h v. Symplectic without damping. Vogelaere
- * (1956), Methods of integration which preserve the contact transformation property; Hairer, Lubich, Wanner (2006),
- * Geometric Numerical Integration, eq. I.1.9. work[n]. */
+ * second half are their rates, in the same order: v += h a(x, v), then x += h v. Symplectic where the mass matrix is
+ * constant and a comes from a potential of x; elsewhere the energy drifts, as with any method of order one
+ * (tests/hard/long_run.c). Vogelaere (1956), Methods of integration which preserve the contact transformation property;
+ * Hairer, Lubich, Wanner (2006), Geometric Numerical Integration, eq. I.1.9. work[n]. */
 static inline real iso_semi_implicit_step(const iso_trail *const trail, iso_derivative *const f, const real h,
                                           const real *restrict const u, const real *restrict const p,
                                           real *restrict const work)

@@ -1,0 +1,79 @@
+#!/bin/sh
+# Runs that go wrong end with a message of the guard that names state and tick, status 1, and the outputs of the last
+# good tick: explicit methods on a stiff bushing at 1 kHz; inputs that are not a number, infinite, or 1e38; a state that
+# is driven out of range. The plant is tests/hard/guarded.c: states are 0 free, 1 bushing, and their speeds 2 and 3.
+. tests/host/test.sh
+. tests/host/project.sh
+begin hard_guard
+project
+
+# guarded METHOD SECONDS FLAGS [REAL]: runs the plant; $csv is then the table.
+guarded()
+{
+    call run SCENE=tests/hard/guarded.c METHOD="$1" SECONDS="$2" CFLAGS="$3" REAL="${4:-float}"
+    status=$?
+    csv=$out/project/$(value trace)
+    return $status
+}
+
+# stops STATE TICK: the last run was stopped there; states and ticks are regular expressions. The table ends with
+# finite outputs of the tick before, and the summary counts no more.
+stops()
+{
+    found=$(sed -n 's/^trace: guard state \([0-9]*\) at tick \([0-9]*\): it is not finite$/\1 \2/p' "$out/errors")
+    tick=${found#* }
+    [ $status -ne 0 ] && grep -q 'run. Error 1$' "$out/errors" && echo "$found" | grep -Eqx "$1 $2" &&
+        [ "$(value ticks)" -eq $((tick - 1)) ] && [ "$(awk 'END { print NR - 1 }' "$csv")" -eq $((tick - 1)) ] &&
+        ! tail -n 1 "$csv" | grep -Eqi 'nan|inf'
+}
+
+# stiff METHOD REAL
+stiff()
+{
+    guarded "$1" 1 '' "$2"
+    stops '[13]' '[0-9]+'
+    expect $? "$1 in $2 on 1e8 N/m at 1 kHz: stopped at state ${found% *}, tick $tick"
+}
+
+for method in euler heun rk4 ab4 semi_implicit abm4 abm4_pec abm4_pecece; do
+    stiff $method float
+done
+stiff euler double
+stiff rk4 double
+for method in bdf4 rosenbrock; do
+    guarded $method 1 '' && tail -n 1 "$csv" | awk -F, '$3 ^ 2 > 1e-24 { exit 1 }'
+    expect $? "control: $method runs on, and comes to rest"
+done
+
+# Which state shows it first: the speed alone, where the position follows from speeds that know nothing of it yet.
+for method in euler:3 heun:1 rk4:1 ab4:3 semi_implicit:1 abm4:3 bdf4:1 rosenbrock:1; do
+    for fault in NOT_A_NUMBER INFINITE; do
+        guarded ${method%:*} 1 "-DSOFT -DFAULT_FORCE=BUSHING_FORCE -DFAULT_VALUE=$fault"
+        stops "${method#*:}" 101
+        expect $? "$fault into ${method%:*}: stopped at state ${found% *}, tick $tick"
+    done
+done
+
+# follows: from 0.2 s on the free body's position is that of 1e38 N from 0.1 s on, to 0.1 %
+# and what a method of order one lags behind.
+follows()
+{
+    awk -F, -v h=0.001 'NR > 1 && $1 > 0.2 { t = $1 - 0.1; want = 0.5e38 * t * t; n++
+        if (($2 / want - 1) ^ 2 > (0.001 + h / t) ^ 2) exit 1 } END { if (!n) exit 1 }' "$csv"
+}
+
+# 1e38 N on 1 kg: in float the position passes 3.4e38 m after 2.61 s; six times a speed, the sum of a method's slopes,
+# before. Six times the force itself is beyond float, and so is what ab4 and abm4 make of it: these stop at once.
+for method in euler heun semi_implicit bdf4 rosenbrock; do
+    guarded $method 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE'
+    stops 0 '[0-9]+' && [ "$tick" -le 2710 ] && follows
+    expect $? "1e38 N into $method: right until it is stopped at state ${found% *}, tick $tick"
+done
+for method in rk4 ab4 abm4; do
+    guarded $method 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE'
+    stops 2 101
+    expect $? "1e38 N into $method: stopped at state ${found% *}, tick $tick"
+done
+guarded rk4 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE' double && follows
+expect $? "control: in double there is room for it"
+finish

@@ -1,0 +1,124 @@
+/* A plant for the guard (tests/hard/guard.t): a body of 1 kg that moves freely, and one on a bushing of 1e8 N/m, or of
+ * 100 N/m with -DSOFT, undamped, that starts 1 mm aside. Each has a force. After 100 ticks that of the one named by
+ * FAULT_FORCE becomes FAULT_VALUE for good. Written by hand; method and step by core/choice.h. */
+#include "core/choice.h"
+#include "core/dense.h"
+
+enum { FREE, BUSHING, FREE_SPEED, BUSHING_SPEED, STATES };
+enum { FREE_FORCE, BUSHING_FORCE, INPUTS };
+enum { FAULT_TICK = 100 };
+
+#ifndef FAULT_FORCE
+#define FAULT_FORCE FREE_FORCE
+#define FAULT_VALUE R(0.0)
+#endif
+#ifdef SOFT
+#define STIFFNESS R(100.0)
+#else
+#define STIFFNESS R(1e8)
+#endif
+
+/* For FAULT_VALUE. */
+#define INFINITE iso_real_of(ISO_EXPONENT_BITS)
+#define NOT_A_NUMBER iso_real_of(ISO_EXPONENT_BITS | 1)
+#define ENORMOUS R(1e38)
+
+static struct {
+    real x[ISO_METHOD_STATE(ISO_METHOD, STATES)];
+    real u[INPUTS];
+    real y[STATES];
+    iso_progress progress;
+} memory;
+
+static const real start[STATES] = {[BUSHING] = R(0.001)};
+
+static void derivative(real *restrict const dx, const real *restrict const x, const real *restrict const u,
+                       const real *restrict const p)
+{
+    (void)p;
+    dx[FREE] = x[FREE_SPEED];
+    dx[BUSHING] = x[BUSHING_SPEED];
+    dx[FREE_SPEED] = u[FREE_FORCE];
+    dx[BUSHING_SPEED] = u[BUSHING_FORCE] - STIFFNESS * x[BUSHING];
+}
+
+static void output(real *restrict const y, const real *restrict const x, const real *restrict const u,
+                   const real *restrict const p)
+{
+    (void)u;
+    (void)p;
+    memcpy(y, x, STATES * sizeof *y);
+}
+
+static void drive(const uint32_t tick)
+{
+    memory.u[FREE_FORCE] = memory.u[BUSHING_FORCE] = R(0.0);
+    if (tick >= FAULT_TICK) {
+        memory.u[FAULT_FORCE] = FAULT_VALUE;
+    }
+}
+
+/* 1 - hb J of each body by itself, so that a fault of one stays with it. */
+static void factor(real *restrict const lu, const real *restrict const x, const real *restrict const u,
+                   const real *restrict const p, const real hb)
+{
+    (void)x;
+    (void)u;
+    (void)p;
+    for (size_t body = 0; body < 2; body++) {
+        real *const a = lu + 4 * body;
+        a[0] = a[3] = R(0.0);
+        a[1] = R(1.0);
+        a[2] = body == 0 ? R(0.0) : -STIFFNESS;
+        iso_dense_factor(a, 2, hb);
+    }
+}
+
+static void solve(real *restrict const d, const real *restrict const lu)
+{
+    for (size_t body = 0; body < 2; body++) {
+        real part[2] = {d[body], d[2 + body]};
+        iso_dense_solve(part, lu + 4 * body, 2);
+        d[body] = part[0];
+        d[2 + body] = part[1];
+    }
+}
+
+static const iso_equations equations = {derivative, factor, solve, 8};
+
+static void prime(void)
+{
+    real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, STATES)];
+    iso_method_prime(ISO_METHOD, STATES, &equations, ISO_STEP_SIZE, memory.x, memory.u, NULL, work, &memory.progress);
+}
+
+static void step(void)
+{
+    real work[ISO_METHOD_WORK(ISO_METHOD, STATES)];
+    real lu[8];
+    iso_method_step(ISO_METHOD, STATES, &equations, ISO_STEP_SIZE, memory.x, memory.u, NULL, lu, work,
+                    &memory.progress);
+}
+
+const iso_plant iso_the_plant = {
+    .name = "guarded",
+    .method = ISO_METHOD_TEXT,
+    .step_text = ISO_STEP_TEXT,
+    .step_size = ISO_STEP_SIZE,
+    .period_ns = ISO_STEP_NS,
+    .states = STATES,
+    .inputs = INPUTS,
+    .outputs = STATES,
+    .output_names = "free,bushing,free_speed,bushing_speed",
+    .x = memory.x,
+    .u = memory.u,
+    .y = memory.y,
+    .start = start,
+    .memory = &memory,
+    .memory_bytes = sizeof memory,
+    .derivative = derivative,
+    .output = output,
+    .drive = drive,
+    .prime = prime,
+    .step = step,
+};
