@@ -25,7 +25,9 @@ static uint32_t clock_overhead(void)
 
 void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
 {
-    memset(plant->memory, 0, plant->memory_bytes);
+    if (plant->memory_bytes > 0) {
+        memset(plant->memory, 0, plant->memory_bytes);
+    }
     memcpy(plant->x, plant->start, plant->states * sizeof *plant->x);
     if (plant->parameters > 0) {
         memcpy(plant->p, plant->defaults, plant->parameters * sizeof *plant->p);
