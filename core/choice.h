@@ -15,6 +15,9 @@
 #define ISO_STEP 0.001
 #endif
 
+_Static_assert(!ISO_IS(ISO_METHOD, ISO_ADAMS),
+               "adams is for scenes; a plant in C calls iso_adams_tick of core/adams.h");
+
 /* The step as a number, as text, and as the port's tick. */
 #define ISO_STEP_SIZE ISO_EXPAND(R, ISO_STEP)
 #define ISO_METHOD_TEXT ISO_EXPAND(ISO_STRING, ISO_METHOD_NAME)

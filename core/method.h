@@ -45,6 +45,10 @@ enum {
 #define ISO_IS_COMPENSATED(recipe) (((recipe)&ISO_COMPENSATED) != 0)
 #define ISO_IS_CHECKED(recipe) (((recipe)&ISO_CHECKED) != 0)
 
+/* In a plant that has no Jacobian: refuses the methods that need one when the plant is compiled. */
+#define ISO_HAS_NO_JACOBIAN(recipe)                                                                                    \
+    _Static_assert(!ISO_IS_IMPLICIT(recipe), "bdf4 and rosenbrock need a Jacobian, and this plant has none")
+
 /* Whether a check compares with slopes of the steps before; abm4 and bdf4 have an estimate of their own. */
 #define ISO_CHECKS_SLOPES(recipe)                                                                                      \
     (ISO_IS_CHECKED(recipe) && !ISO_IS_ABM4(recipe) && !ISO_IS(recipe, ISO_BDF4) && !ISO_IS(recipe, ISO_ADAMS))

@@ -126,6 +126,14 @@ refuses 'REAL|real' REAL=decimal
 refuses 'STEP|step' STEP=fast
 refuses 'SECONDS|seconds' SECONDS=soon
 
+# A plant by hand says that it has no Jacobian, and is then not compiled for a method that needs one.
+refuses 'adams is for scenes' SCENE=models/oscillator.c METHOD=adams
+sed '/^static void factor/,/^}/d; /^static void solve/,/^}/d; s/^static const iso_equations.*/ISO_HAS_NO_JACOBIAN(ISO_METHOD);\
+static const iso_equations equations = {.derivative = derivative};/' models/oscillator.c >"$out/elsewhere/simple.c"
+refuses 'need a Jacobian, and this plant has none' SCENE="$PWD/$out/elsewhere/simple.c" METHOD=bdf4
+run SCENE="$PWD/$out/elsewhere/simple.c" METHOD=heun SECONDS=1
+expect $? "a plant without a Jacobian runs with a method that needs none"
+
 # A machine without the cross compiler or the emulator: all tools but those that the target needs.
 mkdir -p "$out/bin"
 IFS=:
