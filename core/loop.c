@@ -25,19 +25,7 @@ static uint32_t clock_overhead(void)
 
 void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
 {
-    if (plant->memory_bytes > 0) {
-        memset(plant->memory, 0, plant->memory_bytes);
-    }
-    memcpy(plant->x, plant->start, plant->states * sizeof *plant->x);
-    if (plant->parameters > 0) {
-        memcpy(plant->p, plant->defaults, plant->parameters * sizeof *plant->p);
-    }
-    if (plant->drive != NULL) {
-        plant->drive(0);
-    }
-    if (plant->prime != NULL) {
-        plant->prime();
-    }
+    iso_plant_start(plant);
     *loop = (iso_loop){
         .plant = plant,
         .guard = plant->states,

@@ -65,6 +65,24 @@ typedef struct iso_plant {
     void (*step)(void);           /* advances x by one step with u held: the real-time part */
 } iso_plant;
 
+/* Puts everything to tick 0: state, parameters, inputs, and what the method keeps. */
+static inline void iso_plant_start(const iso_plant *const plant)
+{
+    if (plant->memory_bytes > 0) {
+        memset(plant->memory, 0, plant->memory_bytes);
+    }
+    memcpy(plant->x, plant->start, plant->states * sizeof *plant->x);
+    if (plant->parameters > 0) {
+        memcpy(plant->p, plant->defaults, plant->parameters * sizeof *plant->p);
+    }
+    if (plant->drive != NULL) {
+        plant->drive(0);
+    }
+    if (plant->prime != NULL) {
+        plant->prime();
+    }
+}
+
 /* The plant that this program runs. */
 #define iso_the_plant ISO_REAL_NAME(iso_the_plant)
 extern const iso_plant iso_the_plant;

@@ -28,16 +28,7 @@ static bool is_poisoned(const real *const x)
 int main(void)
 {
     const iso_plant *const plant = &iso_the_plant;
-    memcpy(plant->x, plant->start, plant->states * sizeof *plant->x);
-    if (plant->parameters > 0) {
-        memcpy(plant->p, plant->defaults, plant->parameters * sizeof *plant->p);
-    }
-    if (plant->drive != NULL) {
-        plant->drive(0);
-    }
-    if (plant->prime != NULL) {
-        plant->prime();
-    }
+    iso_plant_start(plant);
 
     const unsigned long before = VALGRIND_COUNT_ERRORS;
     VALGRIND_MAKE_MEM_UNDEFINED(plant->memory, plant->memory_bytes);

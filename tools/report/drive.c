@@ -22,22 +22,6 @@ real report_step;
 
 static const iso_plant *const plant = &iso_the_plant;
 
-/* Everything as the loop has it at tick 0 (core/loop.h). */
-static void begin(void)
-{
-    memset(plant->memory, 0, plant->memory_bytes);
-    memcpy(plant->x, plant->start, plant->states * sizeof *plant->x);
-    if (plant->parameters > 0) {
-        memcpy(plant->p, plant->defaults, plant->parameters * sizeof *plant->p);
-    }
-    if (plant->drive != NULL) {
-        plant->drive(0);
-    }
-    if (plant->prime != NULL) {
-        plant->prime();
-    }
-}
-
 static void steps(const long count)
 {
     for (long i = 0; i < count; i++) {
@@ -59,7 +43,7 @@ static long number(const char *const text)
 static void run(const double time, const long count)
 {
     report_step = (real)(time / (double)count);
-    begin();
+    iso_plant_start(plant);
     steps(count);
     printf("%ld %.17g", count, (double)count * (double)report_step);
     for (size_t i = 0; i < plant->states; i++) {
@@ -75,7 +59,7 @@ int main(const int argc, char **const argv)
         printf("%s %u\n", plant->step_text, (unsigned)plant->states);
     } else if (argc == 3 && strcmp(argv[1], "count") == 0) {
         report_step = plant->step_size;
-        begin();
+        iso_plant_start(plant);
         for (int i = 0; i < START_STEPS; i++) {
             plant->step();
         }
