@@ -15,7 +15,7 @@ run()
 {
     case $method in
     euler | heun | rk4 | ab4) call run SECONDS=10 "$@" ;;
-    abm4_pec) call run SECONDS=1 STEP=250us "$@" ;;
+    abm4_pec) call run SECONDS=1 STEP=500us "$@" ;;
     *) call run SECONDS=2 "$@" ;;
     esac
 }
@@ -60,7 +60,10 @@ each "without optimisation" CFLAGS=-O0
 each "clang" CC=clang
 
 method=rk4
-[ "$(ls "$out/hash" | wc -l)" -gt 4 ] && [ "$(sort -u "$out"/hash/* | wc -l)" -eq "$(ls "$out/hash" | wc -l)" ]
+# Of methods that differ by more than rounding: a second correction may change no bit of a float.
+told=$(ls "$out"/hash/*-euler "$out"/hash/*-heun "$out"/hash/*-rk4 "$out"/hash/*-ab4)
+# shellcheck disable=SC2086
+[ "$(echo "$told" | wc -l)" -eq 24 ] && [ "$(cat $told | sort -u | wc -l)" -eq 24 ]
 result $? "the hash tells models and methods apart"
 run TARGET=cortex-m4f CFLAGS=-ffp-contract=fast && [ "$(value hash)" != "$(cat "$out/hash/double_pendulum-rk4")" ]
 expect $? "found: fused multiply-add has other bits"

@@ -262,29 +262,6 @@ node sub(graph *g, node a, node b)
     return add(g, a, neg(g, b));
 }
 
-static node find_product(const graph *g, node a, node b)
-{
-    return find(g, OP_MUL, a < b ? a : b, a < b ? b : a);
-}
-
-/* a (x y) where (a x) y or (a y) x exists already; -1 where neither does. */
-static node known_product(const graph *g, node a, node b)
-{
-    for (int turn = 0; turn < 2; turn++) {
-        const graph_node *product = &g->nodes[turn == 0 ? b : a];
-        const node other = turn == 0 ? a : b;
-        if (product->op == OP_MUL && !is_constant(g, product->a) && !is_constant(g, other)) {
-            const node with_a = find_product(g, other, product->a), with_b = find_product(g, other, product->b);
-            node known = with_a < 0 ? -1 : find_product(g, with_a, product->b);
-            known = known < 0 && with_b >= 0 ? find_product(g, with_b, product->a) : known;
-            if (known >= 0) {
-                return known;
-            }
-        }
-    }
-    return -1;
-}
-
 node mul(graph *g, node a, node b)
 {
     if (is_constant(g, b) || (b < a && !is_constant(g, a))) {
@@ -312,14 +289,13 @@ node mul(graph *g, node a, node b)
         return neg(g, mul(g, a, g->nodes[b].a));
     }
     /* Constant factors gather: (c x) (d y) is (c d) (x y), and c (d y) is (c d) y. */
-    node base_a, base_b;
+    node base_a = a, base_b = b;
     const double ca = is_constant(g, a) ? constant_value(g, a) : coefficient(g, a, &base_a);
     const double cb = coefficient(g, b, &base_b);
     if (ca != 1.0 && cb != 1.0) {
         return mul(g, constant(g, ca * cb), is_constant(g, a) ? base_b : mul(g, base_a, base_b));
     }
-    const node known = known_product(g, a, b);
-    return known >= 0 ? known : binary(g, OP_MUL, a, b);
+    return binary(g, OP_MUL, a, b);
 }
 
 node divide(graph *g, node a, node b)
