@@ -12,7 +12,7 @@ TEST_REALS := float double
 TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
 
 # Scripts that `make check` leaves to `make test`, since they take longer.
-TEST_SLOW := $(addprefix tests/check/,dependencies.sh poison.sh readme.sh report.sh same_bits.sh) $(wildcard tests/*.t tests/*/*.t)
+TEST_SLOW := $(addprefix tests/check/,cost.sh dependencies.sh effects.sh jumps.sh plot.sh trace.sh poison.sh readme.sh report.sh same_bits.sh) $(wildcard tests/*.t tests/*/*.t)
 
 TEST_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
@@ -87,8 +87,8 @@ build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*.h) build
 .PRECIOUS: $(TEST_OBJECTS)
 .PHONY: test check test-run check-run
 
-TEST_FAST := $(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f) $(TEST_PROGRAMS_exhaustive)
-TEST_ALL := $(TEST_FAST) $(TEST_PROGRAMS_memcheck) $(TEST_PROGRAMS_asan)
+TEST_FAST := $(filter build/tests/plain/float/% build/tests/m4f/float/%,$(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f))
+TEST_ALL := $(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f) $(TEST_PROGRAMS_exhaustive) $(TEST_PROGRAMS_memcheck) $(TEST_PROGRAMS_asan)
 TEST_PROVE = PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
 
 # All tests: the unit tests in every variant, whole domains, checkers, models. A few minutes.
