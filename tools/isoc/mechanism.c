@@ -97,7 +97,7 @@ static void check_properties(builder *b, const joint *j)
     if (j->kind == JOINT_FIXED) {
         static const char why[] = "on a fixed joint, which does not move";
         refuse(b, j->axis, "an axis", why);
-        refuse(b, j->start, "a start", why);
+        refuse(b, j->start.coordinate, "a start", why);
         refuse(b, j->speed, "a speed", why);
         refuse(b, j->damping, "damping", why);
         refuse(b, j->spring, "a spring", why);
@@ -162,9 +162,9 @@ static void build_coordinate(builder *b, const joint *j, link *made)
     dimension_times(&stiffness, coordinate, -1);
     dimension_times(&resistance, speed, -1);
 
-    made->start = value_constant(&b->values, j->start, coordinate, "the start of this joint", 0.0);
+    made->start = value_constant(&b->values, j->start.coordinate, coordinate, "the start of this joint", 0.0);
     if (turns && fabs(made->start) > (j->continuous ? 3.14159265358979323846 : largest_angle)) {
-        source_problem(b->s, j->start->at, "the start is beyond %s", j->continuous ? "180 deg" : "10000 rad");
+        source_problem(b->s, j->start.coordinate->at, "the start is beyond %s", j->continuous ? "180 deg" : "10000 rad");
     }
     made->speed = value_constant(&b->values, j->speed, speed, "the speed of this joint", 0.0);
     made->damping = scalar_value(b, j->damping, resistance, "the damping of this joint");

@@ -9,8 +9,9 @@ static const char *const body_words[] = {"mass", "com", "inertia"};
 static const char *const joint_words[] = {"parent",     "child",   "axis",   "start", "speed",
                                           "continuous", "damping", "spring", "drive"};
 static const char *const joint_kinds[] = {"fixed", "revolute", "prismatic"};
-static const char *const output_kinds[] = {"position", "speed",  "acceleration", "velocity",
-                                           "turns",    "energy", "local_error",  "residual"};
+static const char *const output_kinds[] = {"position",    "speed",    "acceleration", "velocity",      "turns",
+                                           "orientation", "spin",     "force",        "moment",        "energy",
+                                           "local_error", "residual", "violation",    "violation_rate"};
 
 #define COUNT(array) (sizeof(array) / sizeof(array)[0])
 
@@ -163,7 +164,7 @@ static void parse_joint_property(parser *p, void *to)
         set(p, &j->axis, word, parse_axis(p));
         break;
     case 3:
-        set(p, &j->start, word, parse_formula(p));
+        set(p, &j->start.coordinate, word, parse_formula(p));
         break;
     case 4:
         set(p, &j->speed, word, parse_formula(p));

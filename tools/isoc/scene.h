@@ -54,19 +54,79 @@ typedef struct body {
     bool broken; /* a property could not be read */
 } body;
 
-typedef enum joint_kind { JOINT_FIXED, JOINT_REVOLUTE, JOINT_PRISMATIC } joint_kind;
+typedef enum joint_kind {
+    JOINT_FIXED,
+    JOINT_REVOLUTE,
+    JOINT_PRISMATIC,
+    JOINT_UNIVERSAL,   /* turns about `axis`, then about `second` */
+    JOINT_CYLINDRICAL, /* slides along `axis`, then turns about it */
+    JOINT_PLANAR,      /* slides across `axis`, then turns about it */
+    JOINT_SPHERICAL,
+    JOINT_FREE,
+} joint_kind;
+
+/* Where a joint starts: a coordinate alone, or a place and turns, or a place and a quaternion (w, x, y, z). */
+typedef struct pose {
+    formula *coordinate;
+    formula *position; /* at ... */
+    turn *turns;       /* rotate ... about ...; the axis is NULL where the joint has it */
+    size_t turn_count, turn_room;
+    formula *quaternion;
+} pose;
 
 typedef struct joint {
     name name;
     joint_kind kind;
     placement parent, child;
-    formula *axis, *start, *speed;
-    formula *damping, *spring, *rest;
+    formula *axis, *second;
+    pose start;
+    formula *speed, *spin; /* of what slides or is the only coordinate; of what turns, where the joint does both */
+    formula *damping, *spin_damping, *spring, *rest;
     name drive;
     bool continuous;
     place continuous_at;
     bool broken;
 } joint;
+
+/* A loop closure: what holds between two bodies, or between two joints, beside the joints of the tree. */
+typedef enum closure_kind {
+    CLOSE_FIXED,
+    CLOSE_REVOLUTE,
+    CLOSE_PRISMATIC,
+    CLOSE_SPHERICAL,
+    CLOSE_LINE,     /* the child's origin stays on the line along `axis` through the parent's */
+    CLOSE_DISTANCE, /* `length` between the origins */
+    CLOSE_GEAR,     /* first = ratio * second + what the starts give, of two joints' coordinates */
+    CLOSE_ROLLING, /* a ball of `radius` about the child's origin rolls on the plane through the parent's, normal `axis` */
+    CLOSE_MOTION, /* `first` follows `motion`, a function of time */
+} closure_kind;
+
+typedef struct closure {
+    name name;
+    closure_kind kind;
+    placement parent, child;
+    formula *axis, *length, *radius, *ratio, *motion;
+    name first, second; /* joints */
+    bool broken;
+} closure;
+
+/* A force of an input on a point of a body, along an axis of the body; with `moment` metres of lever about that axis. */
+typedef struct force {
+    name name;
+    name body;
+    formula *point, *axis, *moment;
+    name drive;
+    bool broken;
+} force;
+
+/* How the drift off the closures is held. */
+typedef struct stabilisation {
+    name kind;                     /* baumgarte, projection, lagrangian, none */
+    formula *alpha, *beta;         /* 1/s, of baumgarte */
+    formula *iterations;           /* of projection and lagrangian */
+    formula *penalty, *omega, *mu; /* of lagrangian: kg, 1/s, a number */
+    formula *limit;                /* of the violation, in m or rad: above it a tick is counted */
+} stabilisation;
 
 typedef struct quantity {
     name name;
@@ -81,16 +141,22 @@ typedef enum output_kind {
     OUTPUT_ACCELERATION,
     OUTPUT_VELOCITY,
     OUTPUT_TURNS,
+    OUTPUT_ORIENTATION, /* of a body: a quaternion, w x y z */
+    OUTPUT_SPIN,        /* of a body: angular velocity, in its own axes */
+    OUTPUT_FORCE,       /* of a joint or a closure, on its child, in the ground's axes */
+    OUTPUT_MOMENT,      /* about the child's origin */
     OUTPUT_ENERGY,
     OUTPUT_LOCAL_ERROR,
     OUTPUT_RESIDUAL,
+    OUTPUT_VIOLATION, /* of the closures: the largest, of positions */
+    OUTPUT_VIOLATION_RATE,
 } output_kind;
 
 typedef struct output {
     name name;
     output_kind kind;
     place kind_at;
-    name of;        /* a joint or a body */
+    name of;        /* a joint, a body or a closure */
     formula *point; /* in the body's frame; NULL: its origin */
     int along;      /* 0, 1, 2: only x, y or z; -1: all three */
     place along_at;
@@ -102,12 +168,15 @@ typedef struct scene {
     formula *gravity, *step;
     name method, compensated, checked; /* the last two: yes or no */
     formula *iterations, *tolerance, *substeps;
+    stabilisation stabilisation;
     body *bodies;
     joint *joints;
+    closure *closures;
+    force *forces;
     quantity *parameters, *inputs;
     output *outputs;
-    size_t body_count, joint_count, parameter_count, input_count, output_count;
-    size_t body_room, joint_room, parameter_room, input_room, output_room;
+    size_t body_count, joint_count, closure_count, force_count, parameter_count, input_count, output_count;
+    size_t body_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room;
 } scene;
 
 #endif
