@@ -111,13 +111,13 @@ typedef struct closure {
 } closure;
 
 /* A force of an input on a point of a body, along an axis of the body; with `moment` metres of lever about that axis. */
-typedef struct force {
+typedef struct body_force {
     name name;
     name body;
     formula *point, *axis, *moment;
     name drive;
     bool broken;
-} force;
+} body_force;
 
 /* How the drift off the closures is held. */
 typedef struct stabilisation {
@@ -172,7 +172,7 @@ typedef struct scene {
     body *bodies;
     joint *joints;
     closure *closures;
-    force *forces;
+    body_force *forces;
     quantity *parameters, *inputs;
     output *outputs;
     size_t body_count, joint_count, closure_count, force_count, parameter_count, input_count, output_count;
