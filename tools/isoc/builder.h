@@ -34,6 +34,18 @@ node scalar_value(builder *b, const formula *f, dimension of, const char *what);
 /* Notes that a property cannot stand where it is written. */
 void refuse(builder *b, const formula *f, const char *property, const char *why);
 
+/* What a property cannot be is told once, for a kind of joint. */
+void check_properties(builder *b, const joint *j);
+
+/* joints.c: the links that a joint is a chain of, from the parent's side, each with its axes against the joint's frame;
+ * their number. And the freedoms of all links. */
+enum { LINKS_OF_A_JOINT = 4 };
+int joint_parts(builder *b, const joint *j, link parts[LINKS_OF_A_JOINT], matrix aligned[LINKS_OF_A_JOINT]);
+void list_freedoms(builder *b);
+
+/* thrusts.c: forces of inputs on bodies. */
+void build_thrusts(builder *b);
+
 /* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame turned so that
  * the axis is its coordinate axis *k, times *sign: the identity for x, y, z, -x, -y, -z. */
 bool unit_axis(builder *b, const formula *f, double axis[3]);

@@ -133,7 +133,7 @@ static void count_line(text *out, const char *what, operations n)
 void cost_summary(const plant *p, const graph *g, text *out)
 {
     const mechanism *m = p->m;
-    const int n = 2 * m->link_count, real_bytes = p->is_double ? 8 : 4;
+    const int n = state_count(m), real_bytes = p->is_double ? 8 : 4;
     const operations derivative = code_count(g, p->slopes, (size_t)n);
     implicit_cost cost = {{0}, {0}};
     text_add(out, "scene %s\nmethod %s\nstep %g s\nreal %s\n", m->name, method_names[ISO_METHOD_OF(m->recipe)], m->step,

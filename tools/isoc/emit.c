@@ -50,16 +50,34 @@ static const char *prefixed(arena *memory, const char *prefix, const char *word)
     return arena_format(memory, "%s%s", prefix, word);
 }
 
+/* What each state is called: a position by its link, a speed by its freedom. */
+static const char *const *state_words(const mechanism *m, arena *memory)
+{
+    static const char *const endings[] = {"_w", "_x", "_y", "_z"};
+    const char **words = arena_take(memory, (size_t)state_count(m), sizeof *words);
+    for (int i = 0; i < m->link_count; i++) {
+        const link *l = &m->links[i];
+        for (int n = 0; n < positions_of(l->kind); n++) {
+            const bool is_ball = l->kind == JOINT_SPHERICAL;
+            words[l->position + n] = arena_format(memory, "%s%s", l->name, is_ball ? endings[n] : "");
+        }
+    }
+    for (int f = 0; f < m->freedom_count; f++) {
+        words[m->position_count + f] = m->freedoms[f].name;
+    }
+    return words;
+}
+
 /* q_JOINT and qd_JOINT, u_INPUT, p_PARAMETER. */
 static leaf_names names_of(const plant *p, arena *memory)
 {
     const mechanism *m = p->m;
-    const char **states = arena_take(memory, 2 * (size_t)m->link_count, sizeof *states);
+    const char *const *symbols = state_words(m, memory);
+    const char **states = arena_take(memory, (size_t)state_count(m), sizeof *states);
     const char **inputs = arena_take(memory, (size_t)m->input_count + 1, sizeof *inputs);
     const char **parameters = arena_take(memory, (size_t)m->parameter_count + 1, sizeof *parameters);
-    for (int i = 0; i < m->link_count; i++) {
-        states[i] = prefixed(memory, "q_", m->links[i].name);
-        states[m->link_count + i] = prefixed(memory, "qd_", m->links[i].name);
+    for (int i = 0; i < state_count(m); i++) {
+        states[i] = prefixed(memory, i < m->position_count ? "q_" : "qd_", symbols[i]);
     }
     for (int i = 0; i < m->input_count; i++) {
         inputs[i] = prefixed(memory, "u_", m->input_names[i]);
@@ -82,10 +100,10 @@ static void emit_enum(text *out, const char *letter, const char *const *names, i
 /* JOINT and JOINT_SPEED. */
 static const char *const *state_symbols(const mechanism *m, arena *memory)
 {
-    const char **states = arena_take(memory, 2 * (size_t)m->link_count, sizeof *states);
-    for (int i = 0; i < m->link_count; i++) {
-        states[i] = m->links[i].name;
-        states[m->link_count + i] = arena_format(memory, "%s_SPEED", m->links[i].name);
+    const char *const *words = state_words(m, memory);
+    const char **states = arena_take(memory, (size_t)state_count(m), sizeof *states);
+    for (int i = 0; i < state_count(m); i++) {
+        states[i] = i < m->position_count ? words[i] : arena_format(memory, "%s_SPEED", words[i]);
     }
     return states;
 }
@@ -99,8 +117,8 @@ bool emit_header(const plant *p, text *out)
     text_add(out, "#ifndef PLANT_H\n#define PLANT_H\n\n#include \"core/plant.h\"\n\n");
     text_add(out, "_Static_assert(sizeof(real) == %d, \"this plant was made with isoc --real %s\");\n\n",
              p->is_double ? 8 : 4, p->is_double ? "double" : "float");
-    text_add(out, "/* States x: joint positions (rad, m), then their speeds. */\n");
-    emit_enum(out, "X", states, 2 * m->link_count, "PLANT_STATES");
+    text_add(out, "/* States x: joint positions (rad, m; w x y z of a quaternion), then their speeds. */\n");
+    emit_enum(out, "X", states, state_count(m), "PLANT_STATES");
     if (m->input_count > 0) {
         text_add(out, "/* Inputs u: efforts (N, N*m). */\n");
         emit_enum(out, "U", m->input_names, m->input_count, "PLANT_INPUTS");
@@ -154,12 +172,8 @@ static void emit_memory(const plant *p, text *out)
     }
     text_add(out, "} memory;\n\n");
 
-    double *start = arena_take(out->memory, 2 * (size_t)m->link_count, sizeof *start);
-    for (int i = 0; i < m->link_count; i++) {
-        start[i] = m->links[i].start;
-        start[m->link_count + i] = m->links[i].speed;
-    }
-    emit_array(p, out, "start", "PLANT_STATES", "X", state_symbols(m, out->memory), start, 2 * m->link_count);
+    emit_array(p, out, "start", "PLANT_STATES", "X", state_symbols(m, out->memory), mechanism_start(m, out->memory),
+               state_count(m));
     if (m->parameter_count > 0) {
         emit_array(p, out, "defaults", "PLANT_PARAMETERS", "P", m->parameter_names, m->defaults, m->parameter_count);
     }
@@ -206,7 +220,7 @@ static bool emit_function(const plant *p, graph *g, text *out, const char *funct
 /* What an implicit method solves with. */
 static bool emit_solver(const plant *p, graph *g, text *out, double *culprit)
 {
-    const int n = 2 * p->m->link_count;
+    const int n = state_count(p->m);
     const code body_of = {
         g, names_of(p, out->memory), p->is_double, targets_of(out->memory, "d", n), p->j.solution, (size_t)n};
     bool good = emit_function(p, g, out, "factor", "lu", ", const real hb", p->j.factors, p->j.factor_count, culprit);
@@ -335,6 +349,21 @@ static void emit_call(const plant *p, text *out, const char *recipe, const char 
     text_add(out, "                    %s);\n", has_progress(m) ? "&memory.progress" : "NULL");
 }
 
+/* What is put right after a step, in place: unit quaternions, whole turns. */
+static bool emit_settle(const plant *p, graph *g, text *out, double *culprit)
+{
+    const char **targets = arena_take(out->memory, (size_t)p->settled_count + 1, sizeof *targets);
+    for (int i = 0; i < p->settled_count; i++) {
+        targets[i] = arena_format(out->memory, "x[%d]", p->settled_states[i]);
+    }
+    const code body_of = {
+        g, names_of(p, out->memory), p->is_double, targets, p->settled, (size_t)p->settled_count};
+    text_add(out, "static void settle(real *const x)\n{\n");
+    const bool good = code_emit(&body_of, out, culprit);
+    text_add(out, "}\n\n");
+    return good;
+}
+
 static void emit_step(const plant *p, text *out)
 {
     const mechanism *m = p->m;
@@ -352,6 +381,7 @@ static void emit_step(const plant *p, text *out)
     }
     text_add(out, "static void step(void)\n{\n");
     emit_call(p, out, recipe, h);
+    text_add(out, "%s", p->settled_count > 0 ? "    settle(memory.x);\n" : "");
     int counted = 0;
     for (int i = 0; i < m->link_count; i++) {
         if (m->links[i].continuous) {
@@ -402,10 +432,11 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
              timed_inputs ? "#include \"core/signal.h\"\n" : "",
              p->turn_count > 0 ? "#include \"core/turns.h\"\n" : "");
     emit_memory(p, out);
-    bool good = emit_function(p, g, out, "derivative", "dx", "", p->slopes, 2 * m->link_count, culprit);
+    bool good = emit_function(p, g, out, "derivative", "dx", "", p->slopes, state_count(m), culprit);
     good = good && emit_function(p, g, out, "output", "y", "", p->outputs, p->output_count, culprit);
     good = good && (m->input_count == 0 || emit_drive(p, g, out, culprit));
     good = good && (!ISO_IS_IMPLICIT(m->recipe) || emit_solver(p, g, out, culprit));
+    good = good && (p->settled_count == 0 || emit_settle(p, g, out, culprit));
     if (!ISO_IS(m->recipe, ISO_ADAMS)) {
         emit_equations(p, out);
     }

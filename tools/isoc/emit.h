@@ -13,8 +13,11 @@ typedef struct plant {
     int input_count, output_count, turn_count;
     const char **output_names; /* one for each component */
     node *outputs;
-    node *slopes; /* the derivative of each state */
-    jacobian j;   /* only for implicit methods */
+    node *slopes;        /* the derivative of each state */
+    node *settled;       /* what a step leaves some states at, from where the method leaves them */
+    int *settled_states; /* which */
+    int settled_count;
+    jacobian j; /* only for implicit methods */
     bool is_double;
 } plant;
 

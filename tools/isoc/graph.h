@@ -54,7 +54,7 @@ typedef struct graph {
     size_t count, room;
     node *table; /* open addressing, -1 is free */
     size_t table_size;
-    const char *sections[48];
+    const char *sections[96];
     int section_count;
 } graph;
 

@@ -73,14 +73,45 @@ static void factorise(graph *g, node *w, int n)
     }
 }
 
-/* With J = [0 1; A B] and r = (r_q, r_v): (1 - hb B - hb^2 A) d_v = r_v + hb A r_q, d_q = r_q + hb d_v. */
-static void solve(graph *g, jacobian *made, const node *lu, const node *coupling, node hb, int n)
+/* The states that are solved for: all but the positions whose rate is a speed, which follow from that speed. */
+typedef struct unknowns {
+    int *states; /* of the unknowns */
+    int count;
+    int *speeds; /* of every state: where among the unknowns its rate stands, or -1 */
+} unknowns;
+
+static unknowns choose_unknowns(graph *g, const node *slopes, int n)
 {
-    node *y = made->solution + n;
+    unknowns made = {.states = arena_take(g->memory, (size_t)n, sizeof *made.states)};
+    made.speeds = arena_take(g->memory, (size_t)n, sizeof *made.speeds);
     for (int i = 0; i < n; i++) {
-        y[i] = leaf(g, OP_RIGHT, n + i);
-        for (int j = 0; j < n; j++) {
-            y[i] = add(g, y[i], mul(g, put_down(g, made, coupling[i * n + j]), leaf(g, OP_RIGHT, j)));
+        if (g->nodes[slopes[i]].op != OP_STATE) {
+            made.states[made.count++] = i;
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        made.speeds[i] = -1;
+        for (int j = 0; j < made.count; j++) {
+            if (slopes[i] == leaf(g, OP_STATE, made.states[j])) {
+                made.speeds[i] = j;
+            }
+        }
+    }
+    return made;
+}
+
+/* With p the positions whose rates are speeds and z the other states, z' = f(p, z), and r = (r_p, r_z):
+ * (1 - hb B - hb^2 A) d_z = r_z + hb A r_p with A = df/dp and B = df/dz, then d_p = r_p + hb d_speed. */
+static void solve(graph *g, jacobian *made, const unknowns *z, const node *lu, const node *coupling, node hb,
+                  int states)
+{
+    const int n = z->count;
+    node *y = arena_take(g->memory, (size_t)n, sizeof *y);
+    for (int i = 0; i < n; i++) {
+        y[i] = leaf(g, OP_RIGHT, z->states[i]);
+        for (int j = 0; j < states; j++) {
+            const node factor = put_down(g, made, coupling[i * states + j]);
+            y[i] = add(g, y[i], mul(g, factor, leaf(g, OP_RIGHT, j)));
         }
         for (int j = 0; j < i; j++) {
             y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[i * n + j]), y[j]));
@@ -91,42 +122,51 @@ static void solve(graph *g, jacobian *made, const node *lu, const node *coupling
             y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[i * n + j]), y[j]));
         }
         y[i] = mul(g, y[i], put_down(g, made, lu[i * n + i]));
+        made->solution[z->states[i]] = y[i];
     }
-    for (int i = 0; i < n; i++) {
-        made->solution[i] = add(g, leaf(g, OP_RIGHT, i), mul(g, put_down(g, made, hb), y[i]));
+    for (int i = 0; i < states; i++) {
+        if (z->speeds[i] >= 0) {
+            const node moved = mul(g, put_down(g, made, hb), y[z->speeds[i]]);
+            made->solution[i] = add(g, leaf(g, OP_RIGHT, i), moved);
+        }
     }
 }
 
-jacobian jacobian_build(graph *g, const dynamics *d)
+jacobian jacobian_build(graph *g, const node *slopes, int states)
 {
-    const int n = d->m->link_count;
+    const unknowns z = choose_unknowns(g, slopes, states);
+    const int n = z.count;
     const size_t square = (size_t)n * (size_t)n;
-    node *by_q = arena_take(g->memory, square, sizeof *by_q), *by_qd = arena_take(g->memory, square, sizeof *by_qd);
-    node *column = arena_take(g->memory, (size_t)n, sizeof *column);
-    jacobian made = {.factors = arena_take(g->memory, 2 * square + 1, sizeof *made.factors)};
-    made.solution = arena_take(g->memory, 2 * (size_t)n, sizeof *made.solution);
+    node *f = arena_take(g->memory, (size_t)n, sizeof *f), *column = arena_take(g->memory, (size_t)n, sizeof *column);
+    node *lu = arena_take(g->memory, square, sizeof *lu);
+    node *coupling = arena_take(g->memory, (size_t)(n * states), sizeof *coupling);
+    jacobian made = {.factors = arena_take(g->memory, square + (size_t)(n * states) + 1, sizeof *made.factors)};
+    made.solution = arena_take(g->memory, (size_t)states, sizeof *made.solution);
+    for (int i = 0; i < n; i++) {
+        f[i] = slopes[z.states[i]];
+    }
 
     graph_section(g, "Jacobian of the accelerations: by positions and by speeds");
-    for (int j = 0; j < n; j++) {
-        differentiate(g, d->acceleration, (size_t)n, d->motions[j].q, column);
+    const node zero = constant(g, 0.0), one = constant(g, 1.0), hb = leaf(g, OP_STEP, 0);
+    for (size_t i = 0; i < square; i++) {
+        lu[i] = zero;
+    }
+    for (int j = 0, unknown = 0; j < states; j++) {
+        const bool is_unknown = z.speeds[j] < 0;
+        const int to = is_unknown ? unknown++ : z.speeds[j];
+        differentiate(g, f, (size_t)n, leaf(g, OP_STATE, j), column);
         for (int i = 0; i < n; i++) {
-            by_q[i * n + j] = column[i];
-        }
-        differentiate(g, d->acceleration, (size_t)n, d->motions[j].qd, column);
-        for (int i = 0; i < n; i++) {
-            by_qd[i * n + j] = column[i];
+            coupling[i * states + j] = is_unknown ? zero : mul(g, hb, column[i]);
+            lu[i * n + to] = add(g, is_unknown ? column[i] : coupling[i * states + j], lu[i * n + to]);
         }
     }
 
-    graph_section(g, "1 - hb B - hb^2 A = L U, for accelerations q'' with A = dq''/dq, B = dq''/dq'");
-    const node hb = leaf(g, OP_STEP, 0);
-    for (size_t k = 0; k < square; k++) {
-        const node one = constant(g, k % (size_t)(n + 1) == 0 ? 1.0 : 0.0);
-        by_q[k] = mul(g, hb, by_q[k]);
-        by_qd[k] = sub(g, one, mul(g, hb, add(g, by_qd[k], by_q[k])));
+    graph_section(g, "1 - hb B - hb^2 A = L U, for z' = f(p, z) with A = df/dp, B = df/dz");
+    for (int k = 0; k < n * n; k++) {
+        lu[k] = sub(g, k % (n + 1) == 0 ? one : zero, mul(g, hb, lu[k]));
     }
-    factorise(g, by_qd, n);
-    graph_section(g, "L U d_v = r_v + hb A r_q, then d_q = r_q + hb d_v");
-    solve(g, &made, by_qd, by_q, hb, n);
+    factorise(g, lu, n);
+    graph_section(g, "L U d_z = r_z + hb A r_p, then d_p = r_p + hb d_speed");
+    solve(g, &made, &z, lu, coupling, hb, states);
     return made;
 }

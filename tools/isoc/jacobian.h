@@ -1,9 +1,9 @@
-/* What an implicit method solves with: 1 - hb J for the Jacobian J of x' = f(x), by symbolic differentiation of the
- * accelerations, factored without a pivot search and unrolled for its zeros. */
+/* What an implicit method solves with: 1 - hb J for the Jacobian J of x' = f(x), by symbolic differentiation, factored
+ * without a pivot search and unrolled for its zeros. */
 #ifndef ISOC_JACOBIAN_H
 #define ISOC_JACOBIAN_H
 
-#include "tools/isoc/dynamics.h"
+#include "tools/isoc/graph.h"
 
 typedef struct jacobian {
     node *factors; /* what factor() leaves in lu[] for solve() */
@@ -14,6 +14,6 @@ typedef struct jacobian {
 /* The derivatives of `count` roots by a leaf. */
 void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives);
 
-jacobian jacobian_build(graph *g, const dynamics *d);
+jacobian jacobian_build(graph *g, const node *slopes, int states);
 
 #endif

@@ -126,23 +126,18 @@ static bool override(arena *memory, const options *o, scene *s)
 /* A joint that moves no inertia has no acceleration: told at the start, where it can be told from a bad moment later. */
 static void check_pivots(source *s, const graph *g, const plant *p)
 {
-    const int n = p->m->link_count;
+    const mechanism *m = p->m;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    double *x = arena_take(g->memory, 2 * (size_t)n, sizeof *x);
-    double *u = arena_take(g->memory, (size_t)p->m->input_count + 1, sizeof *u);
-    for (int i = 0; i < n; i++) {
-        x[i] = p->m->links[i].start;
-        x[n + i] = p->m->links[i].speed;
-    }
-    graph_evaluate(g, x, u, p->m->defaults, numbers);
-    for (int i = 0; i < n; i++) {
-        const double pivot = numbers[p->d.pivots[i]], inertia = numbers[p->d.inertias[i]];
+    double *u = arena_take(g->memory, (size_t)m->input_count + 1, sizeof *u);
+    graph_evaluate(g, mechanism_start(m, g->memory), u, m->defaults, numbers);
+    for (int f = 0; f < m->freedom_count; f++) {
+        const double pivot = numbers[p->d.mass.pivots[f]], inertia = numbers[p->d.mass.diagonal[f]];
         if (!(inertia > 0.0) || !(pivot > 1e-10 * inertia)) {
             source_problem(
-                s, p->m->links[i].at,
+                s, m->links[m->freedoms[f].link].at,
                 "the joint '%s' moves no inertia at the start (singular mass matrix): give a body beyond it an "
                 "inertia or a centre of mass off its axis",
-                p->m->links[i].name);
+                m->freedoms[f].name);
             return;
         }
     }

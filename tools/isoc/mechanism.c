@@ -2,6 +2,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 #include "tools/isoc/builder.h"
 #include "tools/isoc/inertia.h"
@@ -91,29 +92,6 @@ static void build_bodies(builder *b)
 
 /* --- joints, one by one --- */
 
-/* What a kind of joint cannot have. */
-static void check_properties(builder *b, const joint *j)
-{
-    if (j->kind == JOINT_FIXED) {
-        static const char why[] = "on a fixed joint, which does not move";
-        refuse(b, j->axis, "an axis", why);
-        refuse(b, j->start.coordinate, "a start", why);
-        refuse(b, j->speed, "a speed", why);
-        refuse(b, j->damping, "damping", why);
-        refuse(b, j->spring, "a spring", why);
-        if (j->drive.text != NULL) {
-            source_problem(b->s, j->drive.at, "a drive %s", why);
-        }
-    } else if (j->axis == NULL && !j->broken) {
-        source_problem(b->s, j->name.at, "the joint '%s' has no axis: axis z", j->name.text);
-    }
-    if (j->continuous && j->kind != JOINT_REVOLUTE) {
-        source_problem(b->s, j->continuous_at, "only a revolute joint is continuous");
-    } else if (j->continuous) {
-        refuse(b, j->spring, "a spring", "on a continuous joint, whose angle starts anew each turn");
-    }
-}
-
 static int resolve_end(builder *b, const joint *j, const placement *end, const char *which)
 {
     if (end->body.text == NULL) {
@@ -147,35 +125,6 @@ static void connect(builder *b, size_t i)
     }
 }
 
-static int find_drive(builder *b, const joint *j)
-{
-    return j->drive.text == NULL ? -1 : find_input(b->s, b->written, j->drive);
-}
-
-/* Coordinate, start and effects of a moving joint. */
-static void build_coordinate(builder *b, const joint *j, link *made)
-{
-    const bool turns = j->kind == JOINT_REVOLUTE;
-    const dimension coordinate = turns ? radian : metre, effort = turns ? newton_metre : newton;
-    dimension speed = coordinate, stiffness = effort, resistance = effort;
-    dimension_times(&speed, second, -1);
-    dimension_times(&stiffness, coordinate, -1);
-    dimension_times(&resistance, speed, -1);
-
-    made->start = value_constant(&b->values, j->start.coordinate, coordinate, "the start of this joint", 0.0);
-    if (turns && fabs(made->start) > (j->continuous ? 3.14159265358979323846 : largest_angle)) {
-        source_problem(b->s, j->start.coordinate->at, "the start is beyond %s", j->continuous ? "180 deg" : "10000 rad");
-    }
-    made->speed = value_constant(&b->values, j->speed, speed, "the speed of this joint", 0.0);
-    made->damping = scalar_value(b, j->damping, resistance, "the damping of this joint");
-    made->spring = scalar_value(b, j->spring, stiffness, "the spring of this joint");
-    made->rest = scalar_value(b, j->rest, coordinate, "the rest of this spring");
-    made->drive = find_drive(b, j);
-    if (value_now(&b->values, made->damping) < 0.0) {
-        source_problem(b->s, j->damping->at, "damping is not negative: it takes energy away");
-    }
-}
-
 /* --- the tree --- */
 
 /* Adds a body to its link, or to the ground, as it stands there. */
@@ -196,7 +145,7 @@ static void weld(builder *b, const solid *part, const body_frame *frame)
     l->mass = add(g, l->mass, part->mass);
 }
 
-/* Hangs the child of a joint on its parent, whose frame is known. */
+/* Hangs the child of a joint on its parent, whose frame is known, by a chain of links. */
 static void hang(builder *b, size_t i)
 {
     graph *g = b->g;
@@ -205,39 +154,34 @@ static void hang(builder *b, size_t i)
     const body_frame parent = b->parents[i] == -2 ? ground : b->made.frames[b->parents[i]];
     body_frame *child = &b->made.frames[b->children[i]];
 
-    matrix on_parent, on_child, aligned = matrix_identity(g);
+    matrix on_parent, on_child;
     vector at_parent, at_child;
     place_joint(b, &j->parent, &on_parent, &at_parent);
     place_joint(b, &j->child, &on_child, &at_child);
 
-    link made = {.name = j->name.text,
-                 .at = j->name.at,
-                 .parent = parent.link,
-                 .kind = j->kind,
-                 .continuous = j->continuous,
-                 .sign = 1.0};
-    double axis[3];
-    if (j->kind != JOINT_FIXED && j->axis != NULL && unit_axis(b, j->axis, axis)) {
-        aligned = align(g, axis, &made.axis, &made.sign);
+    /* From the axes that the last link has, to those of the joint: the last link's own axis is one of its axes. */
+    body_frame last = {parent.link, matrix_product(g, parent.turn, on_parent), vector_zero(g), true};
+    last.offset = vector_add(g, matrix_apply(g, parent.turn, at_parent), parent.offset);
+    link parts[LINKS_OF_A_JOINT];
+    matrix aligned[LINKS_OF_A_JOINT];
+    const int count = joint_parts(b, j, parts, aligned);
+    for (int n = 0; n < count; n++) {
+        link *made = &b->made.links[b->made.link_count];
+        *made = parts[n];
+        made->parent = last.link;
+        made->turn = matrix_snap(g, matrix_product(g, last.turn, aligned[n]));
+        made->offset = last.offset;
+        made->position = b->made.position_count;
+        made->freedom = b->made.freedom_count;
+        b->made.position_count += positions_of(made->kind);
+        b->made.freedom_count += freedoms_of(made->kind);
+        last = (body_frame){b->made.link_count++, matrix_transpose(aligned[n]), vector_zero(g), true};
     }
-    /* The joint's frame, aligned with its axis, in the parent's link; and the child's body in it. */
-    const matrix to_link = matrix_product(g, on_parent, aligned);
-    made.turn = matrix_snap(g, matrix_product(g, parent.turn, to_link));
-    made.offset = vector_add(g, matrix_apply(g, parent.turn, at_parent), parent.offset);
-    const matrix from_child = matrix_transpose(matrix_product(g, on_child, aligned));
-    const vector child_origin = matrix_apply(g, from_child, vector_sub(g, vector_zero(g), at_child));
-
-    if (j->kind == JOINT_FIXED) {
-        *child = (body_frame){parent.link, matrix_snap(g, matrix_product(g, made.turn, from_child)),
-                              vector_add(g, matrix_apply(g, made.turn, child_origin), made.offset), true};
-    } else {
-        made.mass = constant(g, 0.0);
-        made.first_moment = vector_zero(g);
-        made.inertia = tensor_zero(g);
-        build_coordinate(b, j, &made);
-        *child = (body_frame){b->made.link_count, matrix_snap(g, from_child), child_origin, true};
-        b->made.links[b->made.link_count++] = made;
-    }
+    child->link = last.link;
+    child->turn = matrix_snap(g, matrix_product(g, last.turn, matrix_transpose(on_child)));
+    const vector back = matrix_apply(g, child->turn, vector_sub(g, vector_zero(g), at_child));
+    child->offset = vector_add(g, last.offset, back);
+    child->placed = true;
     weld(b, &b->solids[b->children[i]], child);
 }
 
@@ -282,6 +226,17 @@ static void build_tree(builder *b)
     }
 }
 
+double *mechanism_start(const mechanism *m, arena *memory)
+{
+    double *x = arena_take(memory, (size_t)state_count(m) + 1, sizeof *x);
+    for (int i = 0; i < m->link_count; i++) {
+        const link *l = &m->links[i];
+        memcpy(x + l->position, l->start, (size_t)positions_of(l->kind) * sizeof *x);
+        memcpy(x + m->position_count + l->freedom, l->speed, (size_t)freedoms_of(l->kind) * sizeof *x);
+    }
+    return x;
+}
+
 mechanism mechanism_build(source *s, graph *g, const scene *written)
 {
     builder b = {.s = s, .g = g, .written = written};
@@ -289,7 +244,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written)
     b.parents = arena_take(s->memory, written->joint_count + 1, sizeof *b.parents);
     b.children = arena_take(s->memory, written->joint_count + 1, sizeof *b.children);
     b.made = (mechanism){.name = written->name, .ground_mass = constant(g, 0.0), .ground_moment = vector_zero(g)};
-    b.made.links = arena_take(s->memory, written->joint_count + 1, sizeof *b.made.links);
+    b.made.links = arena_take(s->memory, LINKS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.links);
     b.made.frames = arena_take(s->memory, written->body_count + 1, sizeof *b.made.frames);
     values_start(&b.values, s, g, written);
 
@@ -304,6 +259,8 @@ mechanism mechanism_build(source *s, graph *g, const scene *written)
         connect(&b, i);
     }
     build_tree(&b);
+    list_freedoms(&b);
+    build_thrusts(&b);
     regroup(&b);
     build_inputs(&b);
     build_outputs(&b);
@@ -320,7 +277,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written)
         source_problem(s, s->length, "the scene has no step: step 1 ms");
     }
     if (!moves) {
-        source_problem(s, s->length, "nothing moves: the scene has no body on a revolute or prismatic joint");
+        source_problem(s, s->length, "nothing moves: the scene has no body on a joint that is not fixed");
     }
     if (written->output_count == 0) {
         source_problem(s, s->length, "the scene has no output: output angle = position of a joint");

@@ -1,8 +1,13 @@
-/* A scene understood: the tree of links that the dynamics runs over, its inputs, outputs, step and method.
+/* A scene understood: the tree of links that the dynamics runs over, its closures, inputs, outputs, step and method.
  *
- * A link is a body that moves by one joint coordinate, with all that is welded to it. Its frame stands on the joint:
- * the joint turns it about, or moves it along, one of its own coordinate axes, so that no joint needs more than a
- * plane rotation. What a user wrote about bodies is carried into link frames here, at compile time.
+ * A link is a body, or nothing, that moves by one elementary joint, with all that is welded to it. Its frame stands on
+ * the joint: the joint turns it about, or moves it along, one of its own coordinate axes, so that it needs no more than
+ * a plane rotation; or it turns freely, by a unit quaternion. Every other joint is a chain of these: a free one slides
+ * along x, y and z, and then turns freely. What a user wrote about bodies is carried into link frames here, at compile
+ * time.
+ *
+ * States are the positions of all links, then their speeds. The speeds of a freely turning link are its angular velocity
+ * relative to its parent, in its own axes.
  */
 #ifndef ISOC_MECHANISM_H
 #define ISOC_MECHANISM_H
@@ -14,10 +19,12 @@
 enum { GROUND = -1 };
 
 typedef struct link {
-    const char *name; /* of the joint */
+    const char *name; /* of the joint, or of its part */
     place at;         /* where it is declared */
     int parent;       /* a link before this one, or GROUND */
-    joint_kind kind;  /* JOINT_REVOLUTE or JOINT_PRISMATIC */
+    joint_kind kind;  /* JOINT_REVOLUTE, JOINT_PRISMATIC or JOINT_SPHERICAL */
+    int position;     /* its first position among the states: 4 of a spherical joint, else 1 */
+    int freedom;      /* its first freedom: 3 of a spherical joint, else 1 */
     int axis;         /* 0, 1, 2 */
     double sign;      /* the joint's axis is sign * e_axis */
     bool continuous;
@@ -30,8 +37,23 @@ typedef struct link {
 
     node damping, spring, rest; /* zero where the scene names none */
     int drive;                  /* an input, or -1 */
-    double start, speed;
+    double start[4], speed[3];  /* a quaternion is w, x, y, z */
+    bool start_given, speed_given;
 } link;
+
+/* One way in which a link moves against its parent. */
+typedef struct freedom {
+    int link, axis;
+    int before; /* the freedom that this one hangs on, or GROUND */
+    const char *name;
+} freedom;
+
+/* A force of an input on a link. */
+typedef struct thrust {
+    int link, drive;
+    vector point, axis; /* constant, in the link's frame */
+    node lever;         /* the moment about the force's own line, per newton */
+} thrust;
 
 /* Where a body's own frame stands in its link's (or the ground's). */
 typedef struct body_frame {
@@ -44,8 +66,11 @@ typedef struct body_frame {
 typedef struct mechanism {
     const char *name;
     link *links;
-    int link_count;
+    freedom *freedoms;
+    int link_count, position_count, freedom_count;
     body_frame *frames; /* of the scene's bodies */
+    thrust *thrusts;
+    int thrust_count;
     vector gravity;
     node ground_mass; /* welded to the ground; for the energy */
     vector ground_moment;
@@ -71,10 +96,29 @@ typedef struct mechanism {
     double step;      /* s */
 } mechanism;
 
-/* Resolves names, units and places; notes problems. The result is whole only if there are none. */
 /* How a scene calls a method. */
 extern const char *const method_names[ISO_METHODS + 1];
 
+/* Positions and freedoms of an elementary joint. */
+static inline int positions_of(joint_kind kind)
+{
+    return kind == JOINT_SPHERICAL ? 4 : 1;
+}
+
+static inline int freedoms_of(joint_kind kind)
+{
+    return kind == JOINT_SPHERICAL ? 3 : 1;
+}
+
+static inline int state_count(const mechanism *m)
+{
+    return m->position_count + m->freedom_count;
+}
+
+/* The states at the start. */
+double *mechanism_start(const mechanism *m, arena *memory);
+
+/* Resolves names, units and places; notes problems. The result is whole only if there are none. */
 mechanism mechanism_build(source *s, graph *g, const scene *written);
 
 /* Only the method and the step, for a scene that says nothing else; notes problems. */

@@ -1,4 +1,5 @@
 #include "tools/isoc/emit.h"
+#include "tools/isoc/quaternion.h"
 
 static int turn_index(const mechanism *m, int link_wanted)
 {
@@ -13,13 +14,13 @@ static node joint_output(const plant *p, graph *g, const output *o, int i)
 {
     switch (o->kind) {
     case OUTPUT_POSITION:
-        return p->d.motions[i].q;
+        return p->d.k.motions[i].q[0];
     case OUTPUT_SPEED:
-        return p->d.motions[i].qd;
+        return p->d.k.motions[i].qd[0];
     case OUTPUT_TURNS:
         return leaf(g, OP_TURNS, turn_index(p->m, i));
     default:
-        return leaf(g, OP_SLOPE, p->m->link_count + i);
+        return leaf(g, OP_SLOPE, p->m->position_count + p->m->links[i].freedom);
     }
 }
 
@@ -29,27 +30,50 @@ static void add_output(plant *p, const char *label, node shown)
     p->outputs[p->output_count++] = shown;
 }
 
-/* A body's point: its position or velocity, whole or along one axis. */
-static void add_point(plant *p, graph *g, size_t i)
+/* A vector, whole or along one axis. */
+static void add_vector(plant *p, graph *g, const output *o, vector shown)
+{
+    for (int k = 0; k < 3; k++) {
+        if (o->along < 0) {
+            add_output(p, arena_format(g->memory, "%s_%c", o->name.text, "xyz"[k]), shown.at[k]);
+        } else if (o->along == k) {
+            add_output(p, o->name.text, shown.at[k]);
+        }
+    }
+}
+
+/* The orientation of a body as the product of those of all turns on the way to it. */
+static void add_orientation(plant *p, graph *g, const output *o, const body_frame *frame)
+{
+    node q[4];
+    body_orientation(&p->d.k, frame, q);
+    for (int i = 0; i < 4; i++) {
+        add_output(p, arena_format(g->memory, "%s_%c", o->name.text, "wxyz"[i]), q[i]);
+    }
+}
+
+static void add_of_body(plant *p, graph *g, size_t i)
 {
     const output *o = &p->m->outputs[i];
     const body_frame *frame = &p->m->frames[p->m->output_body[i]];
     const vector in_link = vector_add(g, matrix_apply(g, frame->turn, p->m->points[i]), frame->offset);
-    const vector made = o->kind == OUTPUT_POSITION ? point_position(&p->d, frame->link, in_link)
-                                                   : point_velocity(&p->d, frame->link, in_link);
-    for (int k = 0; k < 3; k++) {
-        if (o->along < 0) {
-            add_output(p, arena_format(g->memory, "%s_%c", o->name.text, "xyz"[k]), made.at[k]);
-        } else if (o->along == k) {
-            add_output(p, o->name.text, made.at[k]);
-        }
+    if (o->kind == OUTPUT_ORIENTATION) {
+        add_orientation(p, g, o, frame);
+    } else if (o->kind == OUTPUT_SPIN) {
+        const vector omega = frame->link == GROUND ? vector_zero(g) : p->d.k.motions[frame->link].omega;
+        add_vector(p, g, o, matrix_apply(g, matrix_transpose(frame->turn), omega));
+    } else if (o->kind == OUTPUT_POSITION) {
+        add_vector(p, g, o, outward_point(&p->d.k, frame->link, GROUND, in_link));
+    } else {
+        const vector velocity = point_velocity(&p->d.k, frame->link, in_link);
+        add_vector(p, g, o, outward_axes(&p->d.k, frame->link, GROUND, velocity));
     }
 }
 
 static void build_outputs(plant *p, graph *g)
 {
     const mechanism *m = p->m;
-    dynamics_velocities(&p->d);
+    kinematics_velocities(&p->d.k);
     const node energy = dynamics_energy(&p->d);
     graph_section(g, "Points in the ground's frame");
     for (size_t i = 0; i < m->output_count; i++) {
@@ -59,10 +83,26 @@ static void build_outputs(plant *p, graph *g)
         } else if (o->kind == OUTPUT_LOCAL_ERROR || o->kind == OUTPUT_RESIDUAL) {
             add_output(p, o->name.text, leaf(g, o->kind == OUTPUT_RESIDUAL ? OP_RESIDUAL : OP_LOCAL_ERROR, 0));
         } else if (m->output_link[i] >= 0) {
-
             add_output(p, o->name.text, joint_output(p, g, o, m->output_link[i]));
         } else {
-            add_point(p, g, i);
+            add_of_body(p, g, i);
+        }
+    }
+}
+
+/* What a step leaves the positions at: unit quaternions. */
+static void build_settled(plant *p, graph *g)
+{
+    const mechanism *m = p->m;
+    p->settled = arena_take(g->memory, (size_t)state_count(m), sizeof *p->settled);
+    p->settled_states = arena_take(g->memory, (size_t)state_count(m), sizeof *p->settled_states);
+    graph_section(g, "Unit quaternions: one step of Newton's method for 1 / norm");
+    for (int i = 0; i < m->link_count; i++) {
+        if (m->links[i].kind == JOINT_SPHERICAL) {
+            quaternion_normalise(g, p->d.k.motions[i].q, p->settled + p->settled_count);
+            for (int n = 0; n < 4; n++) {
+                p->settled_states[p->settled_count++] = m->links[i].position + n;
+            }
         }
     }
 }
@@ -70,18 +110,23 @@ static void build_outputs(plant *p, graph *g)
 plant plant_build(graph *g, const mechanism *m, bool is_double)
 {
     plant p = {.m = m, .input_count = m->input_count, .is_double = is_double};
-    p.output_names = arena_take(g->memory, 3 * m->output_count + 1, sizeof *p.output_names);
-    p.outputs = arena_take(g->memory, 3 * m->output_count + 1, sizeof *p.outputs);
-    p.slopes = arena_take(g->memory, 2 * (size_t)m->link_count, sizeof *p.slopes);
+    const size_t states = (size_t)state_count(m);
+    p.output_names = arena_take(g->memory, 4 * m->output_count + 1, sizeof *p.output_names);
+    p.outputs = arena_take(g->memory, 4 * m->output_count + 1, sizeof *p.outputs);
+    p.slopes = arena_take(g->memory, states, sizeof *p.slopes);
     p.d = dynamics_build(g, m);
+    graph_section(g, "Rates of the positions");
     for (int i = 0; i < m->link_count; i++) {
-        p.slopes[i] = p.d.motions[i].qd;
-        p.slopes[m->link_count + i] = p.d.acceleration[i];
+        position_rates(&p.d.k, i, p.slopes + m->links[i].position);
         p.turn_count += m->links[i].continuous;
     }
-    if (ISO_IS_IMPLICIT(m->recipe)) {
-        p.j = jacobian_build(g, &p.d);
+    for (int f = 0; f < m->freedom_count; f++) {
+        p.slopes[m->position_count + f] = p.d.acceleration[f];
     }
+    if (ISO_IS_IMPLICIT(m->recipe)) {
+        p.j = jacobian_build(g, p.slopes, state_count(m));
+    }
+    build_settled(&p, g);
     build_outputs(&p, g);
     return p;
 }

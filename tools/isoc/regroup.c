@@ -20,7 +20,7 @@ static void move_to_parent(builder *b, const link *from, node mass, vector ms, t
 
 /* What a joint's motion does not change is as well a part of the parent (Gautier and Khalil 1990, "Direct calculation of
  * minimum set of inertial parameters of serial robots", IEEE Trans. Robotics Automation 6(3)): about a revolute axis
- * the mass, the first moment along the axis and equal moments across it; of a prismatic joint the whole inertia. The
+ * the mass, the first moment along the axis and equal moments across it; of a prismatic joint the whole inertia; of a spherical joint the mass. The
  * motion stays the same to the last term, and most of each link's parameters are zero. */
 void regroup(builder *b)
 {
@@ -31,6 +31,11 @@ void regroup(builder *b)
         if (l->kind == JOINT_PRISMATIC) {
             move_to_parent(b, l, zero, vector_zero(g), l->inertia);
             l->inertia = tensor_zero(g);
+            continue;
+        }
+        if (l->kind == JOINT_SPHERICAL) {
+            move_to_parent(b, l, l->mass, vector_zero(g), tensor_zero(g));
+            l->mass = zero;
             continue;
         }
         node *const diagonal[3] = {&l->inertia.xx, &l->inertia.yy, &l->inertia.zz};

@@ -3,6 +3,11 @@
 #include "tools/isoc/builder.h"
 #include "tools/isoc/names.h"
 
+static bool same_name(name a, name b)
+{
+    return a.text != NULL && b.text != NULL && strcmp(a.text, b.text) == 0;
+}
+
 void build_inputs(builder *b)
 {
     mechanism *made = &b->made;
@@ -17,10 +22,13 @@ void build_inputs(builder *b)
         bool force = false, torque = false;
         for (size_t j = 0; j < b->written->joint_count; j++) {
             const joint *user = &b->written->joints[j];
-            if (user->drive.text != NULL && q->name.text != NULL && strcmp(user->drive.text, q->name.text) == 0) {
+            if (same_name(user->drive, q->name)) {
                 force = force || user->kind == JOINT_PRISMATIC;
                 torque = torque || user->kind == JOINT_REVOLUTE;
             }
+        }
+        for (size_t j = 0; j < b->written->force_count; j++) {
+            force = force || same_name(b->written->forces[j].drive, q->name);
         }
         if (q->name.text == NULL || (!force && !torque && b->written->broken)) {
             continue;
@@ -29,7 +37,8 @@ void build_inputs(builder *b)
             source_problem(b->s, q->name.at, "the input '%s' drives no joint: write 'drive %s' in one", q->name.text,
                            q->name.text);
         } else if (force && torque) {
-            source_problem(b->s, q->name.at, "the input '%s' drives a revolute and a prismatic joint", q->name.text);
+            source_problem(b->s, q->name.at, "the input '%s' is a torque in one place and a force in another",
+                           q->name.text);
         }
         made->input_names[i] = q->name.text;
         const dimension effort = torque ? newton_metre : newton;
@@ -44,29 +53,78 @@ void build_inputs(builder *b)
     b->values.time_allowed = false;
 }
 
+/* The coordinate that an output shows: of a joint that has one, or of a part of a joint that has more. */
+static int link_called(const mechanism *made, name n)
+{
+    for (int i = 0; i < made->link_count; i++) {
+        if (made->links[i].kind != JOINT_SPHERICAL && strcmp(made->links[i].name, n.text) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+/* The parts of a joint that an output can show, as a list; or what to write instead. */
+static const char *parts_of(builder *b, const joint *j)
+{
+    const char *list = "";
+    for (int i = 0; i < b->made.link_count; i++) {
+        const link *l = &b->made.links[i];
+        if (l->at == j->name.at && l->kind != JOINT_SPHERICAL) {
+            list = arena_format(b->s->memory, "%s%s%s", list, list[0] == '\0' ? "" : ", ", l->name);
+        }
+    }
+    return list[0] == '\0' ? "the orientation of its child" : list;
+}
+
 static void check_joint_output(builder *b, const output *o, const joint *j)
 {
     if (j->kind == JOINT_FIXED) {
         source_problem(b->s, o->of.at, "the joint '%s' is fixed: it has no coordinate", o->of.text);
+    } else if (j->kind != JOINT_REVOLUTE && j->kind != JOINT_PRISMATIC) {
+        source_problem(b->s, o->of.at, "the joint '%s' has more than one coordinate: show %s", o->of.text,
+                       parts_of(b, j));
     } else if (o->kind == OUTPUT_VELOCITY) {
         source_problem(b->s, o->kind_at, "a joint has a speed; a velocity is a body's");
+    } else if (o->kind == OUTPUT_ORIENTATION || o->kind == OUTPUT_SPIN) {
+        source_problem(b->s, o->kind_at, "a joint has a position and a speed; this is a body's");
     } else if (o->kind == OUTPUT_TURNS && !j->continuous) {
         source_problem(b->s, o->kind_at, "only a continuous joint counts its turns");
     }
+}
+
+static void check_coordinate_output(builder *b, const output *o)
+{
     refuse(b, o->point, "a point", "of a joint: only a body has points");
     if (o->along >= 0) {
         source_problem(b->s, o->along_at, "'along' with a joint: only a body's position and velocity have components");
     }
 }
 
-static int link_of_joint(const mechanism *made, const char *joint_name)
+static void build_output(builder *b, const output *o, int *link_shown, int *body_shown)
 {
-    for (int i = 0; i < made->link_count; i++) {
-        if (strcmp(made->links[i].name, joint_name) == 0) {
-            return i;
+    const scene *written = b->written;
+    bool is_joint = false;
+    *link_shown = link_called(&b->made, o->of);
+    const int of = *link_shown >= 0 ? -1 : find_joint_or_body(b->s, written, o->of, &is_joint);
+    for (size_t i = 0; i < written->joint_count; i++) {
+        const name *joint_name = &written->joints[i].name;
+        if (*link_shown >= 0 && joint_name->text != NULL && strcmp(joint_name->text, o->of.text) == 0) {
+            check_joint_output(b, o, &written->joints[i]);
         }
     }
-    return -1;
+    if (*link_shown >= 0) {
+        check_coordinate_output(b, o);
+    } else if (of >= 0 && is_joint) {
+        check_joint_output(b, o, &written->joints[of]);
+        check_coordinate_output(b, o);
+    } else if (of >= 0) {
+        *body_shown = of;
+        if (o->kind != OUTPUT_POSITION && o->kind != OUTPUT_VELOCITY && o->kind != OUTPUT_ORIENTATION &&
+            o->kind != OUTPUT_SPIN) {
+            source_problem(b->s, o->kind_at, "a body has a position and a velocity; this is a joint's");
+        }
+    }
 }
 
 void build_outputs(builder *b)
@@ -82,17 +140,8 @@ void build_outputs(builder *b)
         const output *o = &written->outputs[i];
         made->output_link[i] = made->output_body[i] = -1;
         made->points[i] = vector_value(b, o->point, metre, "a point");
-        bool is_joint = false;
-        const int of =
-            o->kind == OUTPUT_ENERGY || o->of.text == NULL ? -1 : find_joint_or_body(b->s, written, o->of, &is_joint);
-        if (of >= 0 && is_joint) {
-            check_joint_output(b, o, &written->joints[of]);
-            made->output_link[i] = link_of_joint(made, written->joints[of].name.text);
-        } else if (of >= 0) {
-            made->output_body[i] = of;
-            if (o->kind != OUTPUT_POSITION && o->kind != OUTPUT_VELOCITY) {
-                source_problem(b->s, o->kind_at, "a body has a position and a velocity; this is a joint's");
-            }
+        if (o->kind < OUTPUT_ENERGY && o->of.text != NULL) {
+            build_output(b, o, &made->output_link[i], &made->output_body[i]);
         }
     }
 }

@@ -1,0 +1,23 @@
+/* What the tree of links would take to move with q'' = 0: recursive Newton-Euler, as nodes.
+ *
+ * Luh, Walker, Paul (1980), "On-line computational scheme for mechanical manipulators", J. Dynamic Systems, Measurement,
+ * and Control 102(2), about link origins after Khalil and Kleinfinger (1987).
+ */
+#ifndef ISOC_BIAS_H
+#define ISOC_BIAS_H
+
+#include "tools/isoc/kinematics.h"
+
+/* Of a link at q'' = 0, the ground accelerated by -gravity; in link axes. */
+typedef struct acceleration {
+    vector alpha; /* angular */
+    vector a;     /* of the origin */
+} acceleration;
+
+/* Fills bias[freedoms] with the efforts, less what forces on bodies give, and accelerations[links]. */
+void bias_build(const kinematics *k, node *bias, acceleration *accelerations);
+
+/* The acceleration of a point of a link, or of the ground, in its axes. */
+vector point_acceleration(const kinematics *k, const acceleration *accelerations, int link, vector point);
+
+#endif
