@@ -1,11 +1,12 @@
-/* The part of the parser that reads formulas. */
+#include "tools/isoc/formula.h"
+
 #include <string.h>
 
-#include "tools/isoc/parser.h"
+#include "tools/isoc/block.h"
 
 enum { DEEPEST = 100 };
 
-formula *formula_new(parser *p, formula_kind kind, place at)
+static formula *formula_new(parser *p, formula_kind kind, place at)
 {
     formula *f = arena_take(p->s->memory, 1, sizeof *f);
     f->kind = kind;
@@ -20,17 +21,15 @@ static void add_part(parser *p, formula *f, formula *part)
 }
 
 /* Words that may follow a number on its line, and so are no misspelt unit. */
-static bool is_connective(const char *word)
+static bool next_is_connective(const parser *p)
 {
-    static const char *const words[] = {"at",    "about",      "rotate",  "rest",   "along", "of",
-                                        "mass",  "com",        "inertia", "axis",   "start", "speed",
-                                        "child", "continuous", "damping", "spring", "drive", "jump"};
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        if (strcmp(word, words[i]) == 0) {
+    static const char *const words[] = {"at", "about", "rotate", "quaternion", "rest", "along", "of", "jump"};
+    for (size_t i = 0; i < COUNT_OF(words); i++) {
+        if (next_is_word(p, words[i])) {
             return true;
         }
     }
-    return false;
+    return block_has_word(p->within, p->next);
 }
 
 static bool next_is_unit(const parser *p)
@@ -97,7 +96,7 @@ static unit parse_unit(parser *p)
 /* Reports a word that stands where only a unit can. */
 static void refuse_false_unit(parser *p)
 {
-    if (p->next->kind == TOKEN_NAME && !p->next->first_on_line && !is_connective(p->next->text)) {
+    if (p->next->kind == TOKEN_NAME && !p->next->first_on_line && !next_is_connective(p)) {
         size_t count;
         const char *const *names = unit_names(&count);
         source_problem(p->s, p->next->at, "unknown unit '%s'%s", p->next->text,

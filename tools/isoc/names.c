@@ -24,17 +24,27 @@ static int by_text(const void *left, const void *right)
     return order != 0 ? order : a->at < b->at ? -1 : a->at > b->at;
 }
 
-static bool is_vector(const output *o)
+const char *output_components(const output *o)
 {
-    return o->along < 0 && (o->kind == OUTPUT_VELOCITY || o->kind == OUTPUT_POSITION);
+    switch (o->kind) {
+    case OUTPUT_POSITION:
+    case OUTPUT_VELOCITY:
+    case OUTPUT_SPIN:
+    case OUTPUT_FORCE:
+    case OUTPUT_MOMENT:
+        return o->along < 0 ? "xyz" : "";
+    case OUTPUT_ORIENTATION:
+        return "wxyz";
+    default:
+        return "";
+    }
 }
 
-/* An output of three components declares NAME_x, NAME_y and NAME_z as well. */
+/* An output of several components declares NAME_x, NAME_y and so on as well. */
 static void list_components(source *s, listing *l, const output *o)
 {
-    for (int i = 0; i < 3 && is_vector(o) && o->name.text != NULL; i++) {
-        const char *text = arena_format(s->memory, "%s_%c", o->name.text, "xyz"[i]);
-        list_one(s, l, (name){text, o->name.at});
+    for (const char *c = output_components(o); *c != '\0' && o->name.text != NULL; c++) {
+        list_one(s, l, (name){arena_format(s->memory, "%s_%c", o->name.text, *c), o->name.at});
     }
 }
 
@@ -68,42 +78,50 @@ static void check_list(source *s, listing *l)
     }
 }
 
+/* Things of one sort: structs that begin with their name. */
+typedef struct group {
+    const void *things;
+    size_t count, size;
+} group;
+
+static name name_at(group g, size_t i)
+{
+    name n;
+    memcpy(&n, (const char *)g.things + i * g.size, sizeof n);
+    return n;
+}
+
+#define GROUP(written, things, number) ((group){(written)->things, (written)->number, sizeof *(written)->things})
+
+static void list_group(source *s, listing *l, group g)
+{
+    for (size_t i = 0; i < g.count; i++) {
+        list_one(s, l, name_at(g, i));
+    }
+}
+
 /* Outputs have names of their own: they may be called like what they show. */
 void names_check(source *s, const scene *written)
 {
     listing things = {0}, outputs = {0};
-    for (size_t i = 0; i < written->body_count; i++) {
-        list_one(s, &things, written->bodies[i].name);
-    }
-    for (size_t i = 0; i < written->joint_count; i++) {
-        list_one(s, &things, written->joints[i].name);
-    }
-    for (size_t i = 0; i < written->parameter_count; i++) {
-        list_one(s, &things, written->parameters[i].name);
-    }
-    for (size_t i = 0; i < written->input_count; i++) {
-        list_one(s, &things, written->inputs[i].name);
-    }
+    list_group(s, &things, GROUP(written, bodies, body_count));
+    list_group(s, &things, GROUP(written, joints, joint_count));
+    list_group(s, &things, GROUP(written, closures, closure_count));
+    list_group(s, &things, GROUP(written, forces, force_count));
+    list_group(s, &things, GROUP(written, parameters, parameter_count));
+    list_group(s, &things, GROUP(written, inputs, input_count));
+    list_group(s, &outputs, GROUP(written, outputs, output_count));
     for (size_t i = 0; i < written->output_count; i++) {
-        list_one(s, &outputs, written->outputs[i].name);
         list_components(s, &outputs, &written->outputs[i]);
     }
     check_list(s, &things);
     check_list(s, &outputs);
 }
 
-/* The name of thing i of an array of structs that begin with their name. */
-static name name_at(const void *things, size_t size, size_t i)
+static int find_among(group g, name n)
 {
-    name n;
-    memcpy(&n, (const char *)things + i * size, sizeof n);
-    return n;
-}
-
-static int find_among(const void *things, size_t count, size_t size, name n)
-{
-    for (size_t i = 0; i < count; i++) {
-        const name other = name_at(things, size, i);
+    for (size_t i = 0; i < g.count; i++) {
+        const name other = name_at(g, i);
         if (other.text != NULL && strcmp(other.text, n.text) == 0) {
             return (int)i;
         }
@@ -111,11 +129,11 @@ static int find_among(const void *things, size_t count, size_t size, name n)
     return -1;
 }
 
-static size_t collect(const char **names, const void *things, size_t count, size_t size)
+static size_t collect(const char **names, group g)
 {
     size_t found = 0;
-    for (size_t i = 0; i < count; i++) {
-        const name n = name_at(things, size, i);
+    for (size_t i = 0; i < g.count; i++) {
+        const name n = name_at(g, i);
         if (n.text != NULL) {
             names[found++] = n.text;
         }
@@ -123,51 +141,54 @@ static size_t collect(const char **names, const void *things, size_t count, size
     return found;
 }
 
-static int find_or_suggest(source *s, const void *things, size_t count, size_t size, name n, const char *kind)
+/* The index in the first of two groups, or in the second, which *in_first tells apart; `more` is a name beside them. */
+static int find_in(source *s, group first, group second, const char *more, name n, const char *what, bool *in_first)
 {
-    const int found = find_among(things, count, size, n);
+    int found = find_among(first, n);
+    *in_first = found >= 0;
+    found = found < 0 ? find_among(second, n) : found;
     if (found < 0) {
-        const char **names = arena_take(s->memory, count + 1, sizeof *names);
-        size_t listed = collect(names, things, count, size);
-        if (strcmp(kind, "body") == 0) {
-            names[listed++] = "ground";
+        const char **names = arena_take(s->memory, first.count + second.count + 1, sizeof *names);
+        size_t listed = collect(names, first);
+        listed += collect(names + listed, second);
+        if (more != NULL) {
+            names[listed++] = more;
         }
-        source_problem(s, n.at, "no %s is called '%s'%s", kind, n.text, source_suggestion(s, n.text, names, listed));
+        source_problem(s, n.at, "no %s is called '%s'%s", what, n.text, source_suggestion(s, n.text, names, listed));
     }
     return found;
 }
 
+static const group none = {NULL, 0, 0};
+
 int find_body(source *s, const scene *written, name n)
 {
-    if (strcmp(n.text, "ground") == 0) {
-        return -2;
-    }
-    return find_or_suggest(s, written->bodies, written->body_count, sizeof *written->bodies, n, "body");
+    bool in_first;
+    return strcmp(n.text, "ground") == 0
+               ? -2
+               : find_in(s, GROUP(written, bodies, body_count), none, "ground", n, "body", &in_first);
 }
 
 int find_joint(source *s, const scene *written, name n)
 {
-    return find_or_suggest(s, written->joints, written->joint_count, sizeof *written->joints, n, "joint");
+    bool in_first;
+    return find_in(s, GROUP(written, joints, joint_count), none, NULL, n, "joint", &in_first);
 }
 
 int find_input(source *s, const scene *written, name n)
 {
-    return find_or_suggest(s, written->inputs, written->input_count, sizeof *written->inputs, n, "input");
+    bool in_first;
+    return find_in(s, GROUP(written, inputs, input_count), none, NULL, n, "input", &in_first);
 }
 
 int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint)
 {
-    int found = find_among(written->joints, written->joint_count, sizeof *written->joints, n);
-    *is_joint = found >= 0;
-    if (found < 0) {
-        found = find_among(written->bodies, written->body_count, sizeof *written->bodies, n);
-    }
-    if (found < 0) {
-        const char **names = arena_take(s->memory, written->joint_count + written->body_count + 1, sizeof *names);
-        size_t listed = collect(names, written->joints, written->joint_count, sizeof *written->joints);
-        listed += collect(names + listed, written->bodies, written->body_count, sizeof *written->bodies);
-        source_problem(s, n.at, "no joint or body is called '%s'%s", n.text,
-                       source_suggestion(s, n.text, names, listed));
-    }
-    return found;
+    return find_in(s, GROUP(written, joints, joint_count), GROUP(written, bodies, body_count), NULL, n, "joint or body",
+                   is_joint);
+}
+
+int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint)
+{
+    return find_in(s, GROUP(written, joints, joint_count), GROUP(written, closures, closure_count), NULL, n,
+                   "joint or closure", is_joint);
 }

@@ -13,7 +13,11 @@ int find_body(source *s, const scene *written, name n);
 int find_joint(source *s, const scene *written, name n);
 int find_input(source *s, const scene *written, name n);
 
-/* The index of a joint or a body called n, told apart by *is_joint; -1 with a problem if none is. */
+/* The index of a joint, or of a body or a closure, called n, told apart by *is_joint; -1 with a problem if none is. */
 int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint);
+int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint);
+
+/* What an output's name is followed by, one letter for each of its columns: "xyz", "wxyz", or "" for one alone. */
+const char *output_components(const output *o);
 
 #endif
