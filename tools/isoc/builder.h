@@ -43,6 +43,9 @@ enum { LINKS_OF_A_JOINT = 4 };
 int joint_parts(builder *b, const joint *j, link parts[LINKS_OF_A_JOINT], matrix aligned[LINKS_OF_A_JOINT]);
 void list_freedoms(builder *b);
 
+/* closures.c: loop closures, and how the drift off them is held. */
+void build_closures(builder *b);
+
 /* thrusts.c: forces of inputs on bodies. */
 void build_thrusts(builder *b);
 

@@ -27,9 +27,16 @@ dynamics dynamics_build(graph *g, const mechanism *m)
     build_efforts(&d, bias, d.acceleration);
     d.mass = mass_matrix_build(&d.k);
 
-    graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias)");
+    graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias - Phi_q' lambda)");
     mass_matrix_inward(&d.mass, d.acceleration);
-    mass_matrix_scale(&d.mass, d.acceleration);
+    if (m->cut_count > 0) {
+        kinematics_velocities(&d.k);
+        graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
+        d.loops = augmented_build(&d.mass, constraints_build(&d.k, d.accelerations), d.acceleration);
+        graph_section(g, "Accelerations outward");
+    } else {
+        mass_matrix_scale(&d.mass, d.acceleration);
+    }
     mass_matrix_outward(&d.mass, d.acceleration);
     for (size_t f = 0; f < n; f++) {
         graph_name(g, d.acceleration[f], "qdd_%s", m->freedoms[f].name);

@@ -5,8 +5,7 @@
 #ifndef ISOC_DYNAMICS_H
 #define ISOC_DYNAMICS_H
 
-#include "tools/isoc/bias.h"
-#include "tools/isoc/mass_matrix.h"
+#include "tools/isoc/augmented.h"
 
 typedef struct dynamics {
     const mechanism *m;
@@ -15,6 +14,7 @@ typedef struct dynamics {
     mass_matrix mass;
     acceleration *accelerations; /* of the links, at q'' = 0 */
     node *acceleration;          /* [freedoms] q'' */
+    augmented loops;             /* without constraints where nothing is closed */
 } dynamics;
 
 /* Makes the nodes of the accelerations. */

@@ -356,8 +356,7 @@ static bool emit_settle(const plant *p, graph *g, text *out, double *culprit)
     for (int i = 0; i < p->settled_count; i++) {
         targets[i] = arena_format(out->memory, "x[%d]", p->settled_states[i]);
     }
-    const code body_of = {
-        g, names_of(p, out->memory), p->is_double, targets, p->settled, (size_t)p->settled_count};
+    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, p->settled, (size_t)p->settled_count};
     text_add(out, "static void settle(real *const x)\n{\n");
     const bool good = code_emit(&body_of, out, culprit);
     text_add(out, "}\n\n");

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "tools/isoc/assembly.h"
 #include "tools/isoc/cost.h"
 #include "tools/isoc/parser.h"
 
@@ -212,6 +213,7 @@ static bool compile(arena *memory, const options *o)
     const mechanism m = mechanism_build(&s, &g, &written);
     if (s.problem_count == 0) {
         const plant p = plant_build(&g, &m, o->is_double);
+        assemble(&s, &p.d);
         check_pivots(&s, &g, &p);
         if (s.problem_count == 0) {
             return write_plant(memory, o, &p, &g);

@@ -261,6 +261,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written)
     build_tree(&b);
     list_freedoms(&b);
     build_thrusts(&b);
+    build_closures(&b);
     regroup(&b);
     build_inputs(&b);
     build_outputs(&b);

@@ -55,6 +55,26 @@ typedef struct thrust {
     node lever;         /* the moment about the force's own line, per newton */
 } thrust;
 
+/* A side of a closure: its frame on a link. */
+typedef struct cut_end {
+    int link; /* or GROUND */
+    matrix turn;
+    vector point;
+} cut_end;
+
+/* A loop closure. */
+typedef struct cut {
+    const char *name;
+    place at;
+    closure_kind kind;
+    cut_end parent, child; /* of a gear or a motion: only the links, first and second */
+    int base;              /* the last link that both sides hang on, or GROUND */
+    int axis;              /* 0, 1, 2: of the frames */
+    node length;           /* distance; radius; what a gear or a motion starts at */
+    node ratio;
+    node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
+} cut;
+
 /* Where a body's own frame stands in its link's (or the ground's). */
 typedef struct body_frame {
     int link;
@@ -69,6 +89,13 @@ typedef struct mechanism {
     freedom *freedoms;
     int link_count, position_count, freedom_count;
     body_frame *frames; /* of the scene's bodies */
+    cut *cuts;
+    int cut_count;
+    double alpha, beta;        /* 1/s, of Baumgarte */
+    double regularisation;     /* 1/penalty, on the diagonal of the Schur complement */
+    int multiplier_iterations; /* of the augmented Lagrangian; else 1 */
+    int projections;           /* iterations of the projection after a step */
+    double violation_limit;    /* m or rad; 0: none */
     thrust *thrusts;
     int thrust_count;
     vector gravity;

@@ -1,0 +1,40 @@
+/* The equations of motion with closures, by the augmentation method, as nodes:
+ *
+ *     [ M      Phi_q' ] [ q''    ]   [ effort - bias ]
+ *     [ Phi_q  0      ] [ lambda ] = [ gamma         ],   gamma = -Phi_dd - 2 alpha Phi' - beta^2 Phi
+ *
+ * solved by the Schur complement A = Phi_q M^-1 Phi_q' over the factors of M: A lambda = Phi_q M^-1 (effort - bias) -
+ * gamma. Nikravesh (1988), Computer-Aided Analysis of Mechanical Systems, ch. 13; gamma after Baumgarte (1972),
+ * "Stabilization of constraints and integrals of motion in dynamical systems", Comp. Meth. Appl. Mech. Eng. 1.
+ *
+ * The augmented Lagrangian of Bayo, Garcia de Jalon and Serna (1988), "A modified Lagrangian formulation for the dynamic
+ * analysis of constrained mechanical systems", Comp. Meth. Appl. Mech. Eng. 71, is the same with A + 1/penalty in the
+ * place of A, which has an inverse even where A has none, and a few iterations of the multipliers. In its iteration
+ * lambda grows by delta with (A + e) delta = r, e = 1/penalty, and what is left of r is e delta: so that each further
+ * iteration is one more solution with the same factors.
+ */
+#ifndef ISOC_AUGMENTED_H
+#define ISOC_AUGMENTED_H
+
+#include "tools/isoc/constraints.h"
+#include "tools/isoc/mass_matrix.h"
+
+typedef struct augmented {
+    const mass_matrix *mass;
+    constraints held;
+    int *order;        /* in which the constraints are eliminated: the one with the fewest neighbours first */
+    node **reach;      /* [constraints][freedoms] D^-1 L'^-1 Phi_q' */
+    node *schur;       /* [constraints constraints] A + e: after the factorisation L, and 1 / D on the diagonal */
+    node *pivots;      /* D */
+    node *diagonal;    /* of A + e */
+    node *multipliers; /* [constraints] lambda */
+} augmented;
+
+/* From effort := L'^-1 (effort - bias) to effort := D^-1 L'^-1 (effort - bias - Phi_q' lambda). */
+augmented augmented_build(const mass_matrix *mass, constraints held, node *effort);
+
+/* The change of the freedoms that takes the least kinetic energy, and with it `gap` off the constraints:
+ * -M^-1 Phi_q' (A + e)^-1 gap. */
+void augmented_project(const augmented *a, const node *gap, node *change);
+
+#endif
