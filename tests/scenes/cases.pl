@@ -80,7 +80,7 @@ for my $case (grep { /\S/ } split /^== /m, slurp('tests/scenes/bad.txt')) {
 
 # Scenes that are no text of a sensible size.
 spit("$dir/empty.scene", '');
-my @nothing = map { "1:1: $_" } 'nothing moves: the scene has no body on a revolute or prismatic joint',
+my @nothing = map { "1:1: $_" } 'nothing moves: the scene has no body on a joint that is not fixed',
   'the scene has no output: output angle = position of a joint', 'the scene has no step: step 1 ms';
 refused('an empty file', "$dir/empty.scene", @nothing);
 spit("$dir/long.scene", 'step 1 ms ' . ('@' x 10_000_000));

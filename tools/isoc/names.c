@@ -24,30 +24,6 @@ static int by_text(const void *left, const void *right)
     return order != 0 ? order : a->at < b->at ? -1 : a->at > b->at;
 }
 
-const char *output_components(const output *o)
-{
-    switch (o->kind) {
-    case OUTPUT_POSITION:
-    case OUTPUT_VELOCITY:
-    case OUTPUT_SPIN:
-    case OUTPUT_FORCE:
-    case OUTPUT_MOMENT:
-        return o->along < 0 ? "xyz" : "";
-    case OUTPUT_ORIENTATION:
-        return "wxyz";
-    default:
-        return "";
-    }
-}
-
-/* An output of several components declares NAME_x, NAME_y and so on as well. */
-static void list_components(source *s, listing *l, const output *o)
-{
-    for (const char *c = output_components(o); *c != '\0' && o->name.text != NULL; c++) {
-        list_one(s, l, (name){arena_format(s->memory, "%s_%c", o->name.text, *c), o->name.at});
-    }
-}
-
 /* Whether a name's place has its problem already: the components of a name taken twice need no more words. */
 static bool is_told(const source *s, place at)
 {
@@ -91,33 +67,6 @@ static name name_at(group g, size_t i)
     return n;
 }
 
-#define GROUP(written, things, number) ((group){(written)->things, (written)->number, sizeof *(written)->things})
-
-static void list_group(source *s, listing *l, group g)
-{
-    for (size_t i = 0; i < g.count; i++) {
-        list_one(s, l, name_at(g, i));
-    }
-}
-
-/* Outputs have names of their own: they may be called like what they show. */
-void names_check(source *s, const scene *written)
-{
-    listing things = {0}, outputs = {0};
-    list_group(s, &things, GROUP(written, bodies, body_count));
-    list_group(s, &things, GROUP(written, joints, joint_count));
-    list_group(s, &things, GROUP(written, closures, closure_count));
-    list_group(s, &things, GROUP(written, forces, force_count));
-    list_group(s, &things, GROUP(written, parameters, parameter_count));
-    list_group(s, &things, GROUP(written, inputs, input_count));
-    list_group(s, &outputs, GROUP(written, outputs, output_count));
-    for (size_t i = 0; i < written->output_count; i++) {
-        list_components(s, &outputs, &written->outputs[i]);
-    }
-    check_list(s, &things);
-    check_list(s, &outputs);
-}
-
 static int find_among(group g, name n)
 {
     for (size_t i = 0; i < g.count; i++) {
@@ -127,6 +76,94 @@ static int find_among(group g, name n)
         }
     }
     return -1;
+}
+
+#define GROUP(written, things, number) ((group){(written)->things, (written)->number, sizeof *(written)->things})
+
+static void list_group(source *s, listing *l, group g)
+{
+    for (size_t i = 0; i < g.count; i++) {
+        list_one(s, l, name_at(g, i));
+    }
+}
+
+/* A joint of several coordinates declares NAME_first and so on, in upper case and with _SPEED in plant.h. */
+static void list_parts(source *s, listing *l, const joint *j, const char *after)
+{
+    static const char *const endings[][8] = {
+        [JOINT_UNIVERSAL] = {"first", "second"},
+        [JOINT_CYLINDRICAL] = {"slide", "turn"},
+        [JOINT_PLANAR] = {"x", "y", "z", "turn"},
+        [JOINT_SPHERICAL] = {"w", "x", "y", "z"},
+        [JOINT_FREE] = {"x", "y", "z", "turn", "turn_w", "turn_x", "turn_y", "turn_z"},
+    };
+    for (int i = 0; i < 8 && j->name.text != NULL && endings[j->kind][i] != NULL; i++) {
+        list_one(s, l,
+                 (name){arena_format(s->memory, "%s_%s%s", j->name.text, endings[j->kind][i], after), j->name.at});
+    }
+}
+
+/* What stands for the states in plant.h: a joint's coordinates, and their speeds. */
+static void list_states(source *s, listing *l, const joint *j)
+{
+    list_one(s, l, j->name);
+    list_parts(s, l, j, "");
+    if (j->name.text != NULL) {
+        list_one(s, l, (name){arena_format(s->memory, "%s_speed", j->name.text), j->name.at});
+    }
+    list_parts(s, l, j, "_speed");
+}
+
+/* The letters of an output's columns; none where it has but one. */
+static const char *components(const scene *written, const output *o)
+{
+    switch (o->kind) {
+    case OUTPUT_POSITION:
+        if (o->of.text == NULL || find_among(GROUP(written, bodies, body_count), o->of) < 0) {
+            return "";
+        }
+        return o->along < 0 ? "xyz" : "";
+    case OUTPUT_VELOCITY:
+    case OUTPUT_SPIN:
+    case OUTPUT_FORCE:
+    case OUTPUT_MOMENT:
+        return o->along < 0 ? "xyz" : "";
+    case OUTPUT_ORIENTATION:
+        return "wxyz";
+    default:
+        return "";
+    }
+}
+
+/* An output of several components declares NAME_x and so on as well. */
+static void list_components(source *s, listing *l, const scene *written, const output *o)
+{
+    for (const char *c = components(written, o); *c != '\0' && o->name.text != NULL; c++) {
+        list_one(s, l, (name){arena_format(s->memory, "%s_%c", o->name.text, *c), o->name.at});
+    }
+}
+
+/* Outputs have names of their own: they may be called like what they show. */
+void names_check(source *s, const scene *written)
+{
+    listing things = {0}, states = {0}, outputs = {0};
+    list_group(s, &things, GROUP(written, bodies, body_count));
+    list_group(s, &things, GROUP(written, joints, joint_count));
+    list_group(s, &things, GROUP(written, closures, closure_count));
+    list_group(s, &things, GROUP(written, forces, force_count));
+    list_group(s, &things, GROUP(written, parameters, parameter_count));
+    list_group(s, &things, GROUP(written, inputs, input_count));
+    list_group(s, &outputs, GROUP(written, outputs, output_count));
+    for (size_t i = 0; i < written->output_count; i++) {
+        list_components(s, &outputs, written, &written->outputs[i]);
+    }
+    for (size_t i = 0; i < written->joint_count; i++) {
+        list_parts(s, &things, &written->joints[i], "");
+        list_states(s, &states, &written->joints[i]);
+    }
+    check_list(s, &things);
+    check_list(s, &states);
+    check_list(s, &outputs);
 }
 
 static size_t collect(const char **names, group g)

@@ -17,7 +17,4 @@ int find_input(source *s, const scene *written, name n);
 int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint);
 int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint);
 
-/* What an output's name is followed by, one letter for each of its columns: "xyz", "wxyz", or "" for one alone. */
-const char *output_components(const output *o);
-
 #endif

@@ -28,14 +28,14 @@ enum {
 typedef struct start_form {
     bool coordinate, position, quaternion;
     bool own_axes; /* each turn names its axis; otherwise the joint has it */
-    size_t least_turns, most_turns;
+    size_t most_turns;
     const char *example;
 } start_form;
 
 static const start_form forms[] = {
     [JOINT_REVOLUTE] = {.coordinate = true, .example = "start 10 deg"},
     [JOINT_PRISMATIC] = {.coordinate = true, .example = "start 10 mm"},
-    [JOINT_UNIVERSAL] = {.least_turns = 2, .most_turns = 2, .example = "start rotate 10 deg rotate 20 deg"},
+    [JOINT_UNIVERSAL] = {.most_turns = 2, .example = "start rotate 10 deg rotate 20 deg"},
     [JOINT_CYLINDRICAL] = {.position = true, .most_turns = 1, .example = "start at 10 mm rotate 20 deg"},
     [JOINT_PLANAR] = {.position = true, .most_turns = 1, .example = "start at (1, 2, 0) m rotate 20 deg"},
     [JOINT_SPHERICAL] = {.quaternion = true,
@@ -76,6 +76,7 @@ static const place *foreign_part(const start_form *form, const pose *start)
 /* The slot is the joint; one of an unknown kind is broken, and may start in any way. */
 static void read_start(parser *p, const token *word, void *slot)
 {
+    (void)word;
     joint *j = slot;
     const start_form *form = &forms[j->kind];
     const bool parts = next_is_word(p, "at") || next_is_word(p, "rotate") || next_is_word(p, "quaternion");
@@ -88,7 +89,6 @@ static void read_start(parser *p, const token *word, void *slot)
         return;
     }
     const place *at = foreign_part(form, &j->start);
-    at = at == NULL && j->start.turn_count < form->least_turns ? &word->at : at;
     if (at != NULL) {
         source_problem(p->s, *at, "a %s joint starts like this: %s", kind_names[j->kind], form->example);
         j->start = (pose){0};

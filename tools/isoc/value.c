@@ -110,8 +110,8 @@ static value evaluate_number(values *v, const formula *f)
 static value evaluate_vector(values *v, const formula *f)
 {
     value r = {.any = true};
-    if (f->count != 3 && f->count != 6) {
-        source_problem(v->s, f->at, "a vector has three parts (x, y, z); this has %zu", f->count);
+    if (f->count > VALUE_PARTS) {
+        source_problem(v->s, f->at, "%zu parts: a vector has three (x, y, z), and nothing has more than six", f->count);
         return nothing();
     }
     for (size_t i = 0; i < f->count; i++) {
@@ -340,6 +340,18 @@ static bool right_parts(int count, int parts)
     return parts == 0 ? count == 3 || count == 6 : count == parts;
 }
 
+static const char *form_of(int parts)
+{
+    static const char *const forms[] = {
+        "(xx, yy, zz) or (xx, yy, zz; xy, xz, yz)",
+        "one number",
+        "two numbers (first, second)",
+        "a vector (x, y, z)",
+        "four numbers (w, x, y, z)",
+    };
+    return forms[parts];
+}
+
 value value_of(values *v, const formula *f, dimension of, int parts, const char *what)
 {
     value r = evaluate(v, f);
@@ -347,8 +359,8 @@ value value_of(values *v, const formula *f, dimension of, int parts, const char 
         return r;
     }
     if (!right_parts(r.count, parts)) {
-        const char *form = parts == 1 ? "one number" : parts == 3 ? "a vector (x, y, z)" : "(xx, yy, zz; xy, xz, yz)";
-        source_problem(v->s, f->at, "%s is %s", what, form);
+        const char *found = r.count == 1 ? "one number" : arena_format(v->s->memory, "%d numbers", r.count);
+        source_problem(v->s, f->at, "%s is %s; this is %s", what, form_of(parts), found);
         return nothing();
     }
     if (!r.any && !dimension_equal(r.of, of)) {

@@ -8,7 +8,7 @@
 enum { VALUE_PARTS = 6 };
 
 typedef struct value {
-    int count; /* of parts: 1 a scalar, 3 a vector; 0: there was a problem, which has been noted */
+    int count; /* of parts: 1 a scalar, 3 a vector, 2, 4 or 6; 0: there was a problem, which has been noted */
     node parts[VALUE_PARTS];
     dimension of;
     bool any; /* a plain zero, which is zero in every unit */
@@ -32,7 +32,8 @@ void values_start(values *v, source *s, graph *g, const scene *written);
 /* All parameters, in the order of the scene; notes what is wrong with them. */
 void values_resolve(values *v);
 
-/* The value of f, which must have this dimension and number of parts (3 or 6 for an inertia: parts = 0 allows both).
+/* The value of f, which must have this dimension and number of parts (1 to 4; 0 for an inertia, which has 3
+ * or 6).
  * `what` names the quantity in messages. Returns count 0 after noting a problem. */
 value value_of(values *v, const formula *f, dimension of, int parts, const char *what);
 
