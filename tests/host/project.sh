@@ -4,11 +4,15 @@
 # The tests run under make themselves: what that one was told is no concern of the one that is tried.
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD STEP SECONDS TARGET REAL SCRIPT V CFLAGS
 
-# project: copies the sources into $out/project.
+# project: copies the sources into $out/project, and the tools as far as they are built, with their dates: what is
+# built once is not built again for every test.
 project()
 {
     mkdir -p "$out/project"
-    tar -cf - --exclude=./build --exclude=./.git . | tar -xf - -C "$out/project"
+    {
+        find . ! -type d ! -path './build/*' ! -path './.git/*'
+        find build/isoc build/trace build/obj/tools -type f 2>/dev/null
+    } | tar -cf - -T - | tar -xf - -C "$out/project"
 }
 
 # call ARGUMENT...: make in the copy; its output is in $out/output, what it said in $out/errors. Returns its status.

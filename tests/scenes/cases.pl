@@ -1,14 +1,17 @@
 # Bad scenes: what isoc says of each, to the letter, and that it leaves its output alone. Prints TAP.
-# cases.pl COMMAND...: the compiler, bare or under valgrind.
+# cases.pl plain COMMAND...: the compiler. cases.pl memcheck COMMAND...: tests/scenes/many.c under valgrind.
 #
 # bad.txt: `== NAME`, then either the scene itself or lines `edit: OLD -> NEW` on the scene good.scene (each OLD stands in
 # it once; \0, \n, \t, \\ and \xHH are read as in C), then lines `> LINE:COLUMN: MESSAGE`, the errors in their order.
-use strict;
+$|=1; use strict;
 use warnings;
+use IPC::Open2;
 
-my @compiler = @ARGV;
-my $dir = 'build/tests/scenes/' . (@compiler > 1 ? 'memcheck' : 'plain');
+my ($kind, @compiler) = @ARGV;
+my $dir = "build/tests/scenes/$kind";
 my $number = 0;
+my ($answers, $requests);
+open2($answers, $requests, @compiler) if $kind eq 'memcheck';
 system('rm', '-rf', $dir) == 0 && system('mkdir', '-p', $dir) == 0 or die "$dir: $!\n";
 
 sub check {
@@ -30,17 +33,33 @@ sub spit {
     close $file or die "$_[0]: $!\n";
 }
 
-# Runs the compiler with these arguments: exit status, lines of stderr, stdout.
-sub compile {
-    my ($out, $err) = ("$dir/stdout", "$dir/stderr");
+# Runs the command with these arguments; its status as wait has it.
+sub run_alone {
+    my ($out, $err, @arguments) = @_;
     my $pid = fork;
     if (!$pid) {
         open STDOUT, '>', $out or die;
         open STDERR, '>', $err or die;
-        exec @compiler, @_ or die;
+        exec @compiler, @arguments or die;
     }
     waitpid $pid, 0;
-    return ($? & 127 ? "signal $?" : $? >> 8, [split /\n/, slurp($err)], slurp($out));
+    return $?;
+}
+
+# The same by the one process that runs many.
+sub run_one_of_many {
+    my ($out, $err, @arguments) = @_;
+    print $requests map({ "$_\0" } $out, $err, @arguments), "\n";
+    $requests->flush;
+    my $status = <$answers> // die "@compiler ended\n";
+    return $status + 0;
+}
+
+# Runs the compiler with these arguments: exit status, lines of stderr, stdout.
+sub compile {
+    my ($out, $err) = ("$dir/stdout", "$dir/stderr");
+    my $status = $kind eq 'memcheck' ? run_one_of_many($out, $err, 'isoc', @_) : run_alone($out, $err, @_);
+    return ($status & 127 ? "signal $status" : $status >> 8, [split /\n/, slurp($err)], slurp($out));
 }
 
 sub unescape {
@@ -132,5 +151,13 @@ check($status eq '1' && $lines->[0] =~ /Not a directory/, 'an output folder that
 my $stdout;
 ($status, $lines, $stdout) = compile('tests/scenes/good.scene', '-o', $dir, '--step', '500us', '--method', 'ab4', '--real', 'double');
 check($status eq '0' && $stdout =~ /^method ab4\nstep 0\.0005 s\nreal double\nstates 2\n/m, 'the command line overrides the scene', $stdout);
+
+# Memcheck finds what is planted, and nothing where nothing is.
+if ($kind eq 'memcheck') {
+    for my $case (['leak', 99], ['unset', 99], ['nothing', 0]) {
+        my $status = run_one_of_many("$dir/stdout", "$dir/stderr", 'planted', $case->[0]) >> 8;
+        check($status == $case->[1], "memcheck ends with $case->[1] for: $case->[0]", "status $status");
+    }
+}
 
 print "1..$number\n";
