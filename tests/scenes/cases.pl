@@ -154,7 +154,7 @@ check($status eq '0' && $stdout =~ /^method ab4\nstep 0\.0005 s\nreal double\nst
 
 # Memcheck finds what is planted, and nothing where nothing is.
 if ($kind eq 'memcheck') {
-    for my $case (['leak', 99], ['unset', 99], ['nothing', 0]) {
+    for my $case (['leak', 99], ['branch', 99], ['nothing', 0]) {
         my $status = run_one_of_many("$dir/stdout", "$dir/stderr", 'planted', $case->[0]) >> 8;
         check($status == $case->[1], "memcheck ends with $case->[1] for: $case->[0]", "status $status");
     }
