@@ -2,14 +2,14 @@
 # Generated plants against dynamics written in other ways: maximal coordinates and formulas by hand, in long double.
 . tests/host/test.sh
 begin dynamics
-ours="tests/dynamics/mechanism.c tests/host/report.c"
+. tests/dynamics/solver.sh
 
 for real in float double; do
     real $real
+    compare
     for name in arm6 tree pendulum double_pendulum cart_pole; do
         # shellcheck disable=SC2086
-        scene "$name" && program "$name.compare" tests/dynamics/compare.c "tests/dynamics/table_$name.c" $ours \
-            "$out/$name/plant.c"
+        scene "$name" && program "$name.compare" "tests/dynamics/table_$name.c" "$out/$name/plant.c" $compare
         result $? "$name builds in $real"
         joined "$name in $real" "$out/$name.compare"
     done
@@ -25,7 +25,7 @@ for name in pendulum double_pendulum cart_pole; do
     for plant in "$out/$name/plant.c" "tests/handwritten/$name.c"; do
         # shellcheck disable=SC2086
         program "$name.closed" tests/dynamics/closed.c "tests/dynamics/closed_$name.c" \
-            "tests/dynamics/table_$name.c" $ours "$plant"
+            "tests/dynamics/table_$name.c" "$plant" $solver
         result $? "$plant builds with its formula"
         joined "$plant" "$out/$name.closed"
     done

@@ -1,17 +1,27 @@
-/* A tree of rigid bodies in maximal coordinates, in long double: the independent check of generated plants.
+/* Rigid bodies in maximal coordinates, in long double: the independent check of generated plants.
  *
- * Every body has its six equations of Newton and Euler in the world frame and every joint its six constraint
- * equations; one dense elimination gives accelerations and joint reactions together. Velocities come from jets of the
- * poses. Nothing is recursive, projected or symbolic here, and nothing is read from the scene compiler.
+ * Every body has its six equations of Newton and Euler in the world frame; every joint and every loop closure holds the
+ * two bodies that it is between by equations on their poses, all alike. One dense elimination gives accelerations and
+ * reactions together. Velocities, and the second derivatives of the equations, come from jets. Nothing is recursive,
+ * projected or symbolic here, and nothing is read from the scene compiler.
  */
 #ifndef ISO_TESTS_DYNAMICS_MECHANISM_H
 #define ISO_TESTS_DYNAMICS_MECHANISM_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "tests/dynamics/jet.h"
 
-enum { BODIES_MAX = 6, OUTPUTS_MAX = 12, GROUND = -1 };
+enum {
+    BODIES_MAX = 13,
+    CLOSURES_MAX = 6,
+    THRUSTS_MAX = 4,
+    OUTPUTS_MAX = 12,
+    GROUND = -1,
+    COORDINATES_MAX = 7, /* of a joint */
+    SPEEDS_MAX = 6,
+};
 
 typedef struct rigid_body {
     wide mass;       /* kg */
@@ -26,10 +36,25 @@ typedef struct placement {
     wide axis[3];
 } placement;
 
-typedef enum joint_kind { FIXED, REVOLUTE, PRISMATIC } joint_kind;
+/* The last two are closures only. */
+typedef enum joint_kind {
+    FIXED,
+    REVOLUTE,
+    PRISMATIC,
+    UNIVERSAL,
+    CYLINDRICAL,
+    PLANAR,
+    SPHERICAL,
+    FREE,
+    LINE,
+    DISTANCE,
+} joint_kind;
 
-/* Joint i carries body i. Its generalised force is u[input - 1] - damping q' - stiffness (q - rest), in N or N m;
- * input 0 is none. */
+/* Joint i carries body i. The axis is x, y or z where the joint is planar; `second` is square to it.
+ * Coordinates: what slides, then what turns. Planar: along the two axes that follow the normal, in the order x, y, z, x.
+ * Spherical and free: a quaternion w, x, y, z, whose speeds are the angular velocity in the axes of the child's frame.
+ * The generalised force of the only coordinate is u[input - 1] - damping q' - stiffness (q - rest), in N or N m; input
+ * 0 is none. Where there are several, it is -damping q' of what slides, -spin_damping q' of what turns. */
 typedef struct tree_joint {
     joint_kind kind;
     int parent; /* a body of lower index, or GROUND */
@@ -40,13 +65,47 @@ typedef struct tree_joint {
     wide stiffness;
     wide rest;
     int input;
+    wide second[3];
+    wide spin_damping;
 } tree_joint;
 
-typedef enum output_kind { POSITION, SPEED, ACCELERATION, TURNS, POINT, POINT_VELOCITY, ENERGY } output_kind;
+/* What holds between a body and its parent, beside the joints of the tree. */
+typedef struct loop_closure {
+    joint_kind kind;
+    int parent, child;
+    placement on_parent;
+    placement on_child;
+    wide axis[3];
+    wide length; /* of DISTANCE, m */
+} loop_closure;
+
+/* The force u[input - 1] on a point of a body, along an axis of the body; and that times `lever` as a moment about it. */
+typedef struct thrust {
+    int body;
+    wide at[3];
+    wide axis[3];
+    wide lever;
+    int input;
+} thrust;
+
+typedef enum output_kind {
+    POSITION,
+    SPEED,
+    ACCELERATION,
+    TURNS,
+    POINT,
+    POINT_VELOCITY,
+    ENERGY,
+    ORIENTATION,
+    BODY_SPIN,
+    FORCE,  /* of a closure on its child, world axes */
+    MOMENT, /* about the origin of the child's frame */
+    VIOLATION,
+} output_kind;
 
 typedef struct tree_output {
     output_kind kind;
-    int of;        /* joint or body */
+    int of;        /* joint, body or closure */
     wide point[3]; /* m, in the body's frame */
 } tree_output;
 
@@ -55,18 +114,22 @@ typedef struct mechanism {
     int bodies;
     rigid_body body[BODIES_MAX];
     tree_joint joint[BODIES_MAX];
+    int closures;
+    loop_closure closure[CLOSURES_MAX];
+    int thrusts;
+    thrust thrust[THRUSTS_MAX];
     int outputs;
     tree_output output[OUTPUTS_MAX];
 } mechanism;
 
-/* Motion of the joints, fixed ones included with zeros: position, speed, acceleration. */
+/* Coordinates, speeds and accelerations of the joints. */
 typedef struct joint_motion {
-    wide q[BODIES_MAX];
-    wide qd[BODIES_MAX];
-    wide qdd[BODIES_MAX];
+    wide q[BODIES_MAX][COORDINATES_MAX];
+    wide v[BODIES_MAX][SPEEDS_MAX];
+    wide a[BODIES_MAX][SPEEDS_MAX];
 } joint_motion;
 
-/* World pose of body i: point b of the body is at origin + turn b. */
+/* World pose of a frame: its point b is at origin + turn b. */
 typedef struct pose {
     jet33 turn;
     jet3 origin;
@@ -79,19 +142,23 @@ typedef struct body_motion {
     jet3 omega;    /* to first order */
     jet33 inertia; /* about com, world axes */
     wide hinge[3]; /* origin of the joint's frame on the child */
-    wide axis[3];  /* direction of the joint, unit vector */
+    /* How each speed of the joint moves the child against its parent: the point at the hinge, and the turn. */
+    wide slide[SPEEDS_MAX][3];
+    wide turn[SPEEDS_MAX][3];
 } body_motion;
 
-/* Forces and moments that the joint puts on its child at `hinge`, with those of drive, damping and spring. */
-typedef struct joint_reaction {
+/* Force and moment that a joint or closure puts on its child, at the origin of its frame on the child; of a joint with those
+ * of drive, damping and spring. */
+typedef struct reaction {
     wide force[3];
     wide moment[3];
-} joint_reaction;
+} reaction;
 
 typedef struct solution {
-    wide qdd[BODIES_MAX];
+    wide a[BODIES_MAX][SPEEDS_MAX];   /* of the joints */
     wide acceleration[BODIES_MAX][3]; /* of the centres of mass */
-    joint_reaction reaction[BODIES_MAX];
+    reaction joint[BODIES_MAX];
+    reaction closure[CLOSURES_MAX];
 } solution;
 
 /* Linear momentum, and angular momentum about the world's origin; to first order in time. */
@@ -100,29 +167,55 @@ typedef struct momentum {
     jet3 angular;
 } momentum;
 
-/* Number of joints that are not fixed. */
+int joint_coordinates(joint_kind kind);
+int joint_speeds(joint_kind kind);
+
+/* Coordinates and speeds of all joints. */
+int mechanism_coordinates(const mechanism *m);
 int mechanism_freedoms(const mechanism *m);
 
-/* Poses and velocities of all bodies along the motion. */
+/* Whether a body is `root` or hangs on it; all hang on GROUND, which hangs on nothing. */
+bool mechanism_carries(const mechanism *m, int root, int body);
+
+/* Poses and velocities of all bodies along the motion; or of body i alone, when its parent is known. */
 void mechanism_move(const mechanism *m, const joint_motion *motion, body_motion out[BODIES_MAX]);
+void mechanism_move_body(const mechanism *m, const joint_motion *motion, int i, body_motion out[BODIES_MAX]);
 
-/* Generalised force of joint j for the inputs u: drive, damping and spring. */
-wide mechanism_force(const mechanism *m, int j, const joint_motion *motion, const wide *u);
+/* The frame p on a body that stands at `on`, or on the ground if that is NULL. */
+pose frame_on(const pose *on, const placement *p);
 
-/* Accelerations and reactions from the equations of motion; motion->qdd is not read. False if they are singular. */
+/* Where body i stands; NULL for GROUND. */
+static inline const pose *pose_of(const body_motion moved[BODIES_MAX], const int i)
+{
+    return i == GROUND ? NULL : &moved[i].body;
+}
+
+/* Moves coordinates and speeds to where the closures hold, by least changes. False if Newton's method does not get there. */
+bool mechanism_close(const mechanism *m, joint_motion *motion);
+
+/* Generalised force of speed k of joint j without its spring, for the inputs u; and the spring's. */
+wide mechanism_effort(const mechanism *m, int j, int k, const joint_motion *motion, const wide *u);
+wide mechanism_spring(const mechanism *m, int j, const joint_motion *motion);
+
+/* Where the force of a thrust attacks, and its axis. */
+void mechanism_thrust(const mechanism *m, const body_motion moved[BODIES_MAX], int n, wide point[3], wide axis[3]);
+
+/* Accelerations and reactions from the equations of motion; motion->a is not read. Equations of closures that follow from
+ * others are left out. False if some contradict others. */
 bool mechanism_solve(const mechanism *m, const joint_motion *motion, const wide *u, solution *out);
 
 /* Kinetic and potential energy (gravity from the ground's origin, springs); to first order in time. */
 jet mechanism_energy(const mechanism *m, const joint_motion *motion, const body_motion moved[BODIES_MAX]);
 
-/* Momentum of body `root` and of all bodies that hang on it; add their weight and its moment about the origin. */
+/* Momentum of body `root` (of all for GROUND) and of all bodies that hang on it; their weight and its moment about the
+ * origin. */
 momentum mechanism_momentum(const mechanism *m, const body_motion moved[BODIES_MAX], int root, wide weight[3],
                             wide weight_moment[3]);
 
-/* Whether `body` is `root` or hangs on it. */
-bool mechanism_carries(const mechanism *m, int root, int body);
+/* The outputs in order, vectors as their numbers; returns how many. TURNS and VIOLATION give zero. */
+int mechanism_outputs(const mechanism *m, const joint_motion *motion, const solution *solved, wide *y);
 
-/* The outputs in order, vectors as three numbers; returns how many. TURNS gives zero. */
-int mechanism_outputs(const mechanism *m, const joint_motion *motion, wide *y);
+/* How many numbers an output has. */
+int output_numbers(output_kind kind);
 
 #endif

@@ -1,0 +1,17 @@
+/* Balances of energy and momentum with the accelerations of the plant. */
+#ifndef ISO_TESTS_DYNAMICS_BALANCE_H
+#define ISO_TESTS_DYNAMICS_BALANCE_H
+
+#include "tests/dynamics/sample.h"
+
+/* The worst over some states, each relative to its terms. */
+typedef struct balances {
+    wide energy;  /* dE/dt = power of drives and thrusts - power of dampers */
+    wide freedom; /* momentum of all that hangs on a joint, along each of its freedoms */
+    wide ground;  /* momentum of the whole, all six components */
+} balances;
+
+/* With every acceleration of the plant times 1 + off. */
+balances balances_of(const sample s[STATES], wide off);
+
+#endif

@@ -1,0 +1,191 @@
+#include "tests/dynamics/hold.h"
+
+#include <string.h>
+
+#include "tests/dynamics/wide3.h"
+
+/* What is asked of the place of the child's origin, and of its axes. */
+typedef enum place_held { ANYWHERE, AT_POINT, ON_LINE, IN_PLANE, AT_DISTANCE } place_held;
+typedef enum axes_held { ANY_AXES, SAME_AXES, SAME_AXIS, SQUARE_AXES } axes_held;
+
+/* Two unit vectors square to the axis and to each other. */
+typedef struct square_axes {
+    wide first[3], second[3];
+} square_axes;
+
+static const struct {
+    place_held place;
+    axes_held axes;
+} kinds[] = {
+    [FIXED] = {AT_POINT, SAME_AXES},       [REVOLUTE] = {AT_POINT, SAME_AXIS},   [PRISMATIC] = {ON_LINE, SAME_AXES},
+    [UNIVERSAL] = {AT_POINT, SQUARE_AXES}, [CYLINDRICAL] = {ON_LINE, SAME_AXIS}, [PLANAR] = {IN_PLANE, SAME_AXIS},
+    [SPHERICAL] = {AT_POINT, ANY_AXES},    [FREE] = {ANYWHERE, ANY_AXES},        [LINE] = {ON_LINE, ANY_AXES},
+    [DISTANCE] = {AT_DISTANCE, ANY_AXES},
+};
+
+hold hold_of_joint(const mechanism *const m, const int j)
+{
+    const tree_joint *const of = &m->joint[j];
+    hold h = {of->kind, of->parent, j, of->on_parent, of->on_child, {0.0L}, {0.0L}, 0.0L};
+    memcpy(h.axis, of->axis, sizeof h.axis);
+    memcpy(h.second, of->second, sizeof h.second);
+    return h;
+}
+
+hold hold_of_closure(const mechanism *const m, const int n)
+{
+    const loop_closure *const of = &m->closure[n];
+    hold h = {of->kind, of->parent, of->child, of->on_parent, of->on_child, {0.0L}, {0.0L}, of->length};
+    memcpy(h.axis, of->axis, sizeof h.axis);
+    return h;
+}
+
+/* A direction of a frame, in the world. */
+static jet3 direction(const pose *const frame, const wide e[3])
+{
+    return jet33_apply(&frame->turn, jet3_constant(e));
+}
+
+static int place_rows(const hold *const h, const pose *const p, const pose *const c, const square_axes *const square,
+                      jet *const row)
+{
+    static const wide axes[3][3] = {{1.0L, 0.0L, 0.0L}, {0.0L, 1.0L, 0.0L}, {0.0L, 0.0L, 1.0L}};
+    const jet3 from = jet3_add(c->origin, jet3_scale(-1.0L, p->origin));
+    switch (kinds[h->kind].place) {
+    case AT_POINT:
+        for (int i = 0; i < 3; i++) {
+            row[i] = jet3_dot(direction(p, axes[i]), from);
+        }
+        return 3;
+    case ON_LINE:
+        row[0] = jet3_dot(direction(p, square->first), from);
+        row[1] = jet3_dot(direction(p, square->second), from);
+        return 2;
+    case IN_PLANE:
+        row[0] = jet3_dot(direction(p, h->axis), from);
+        return 1;
+    case AT_DISTANCE:
+        row[0] = jet_add(jet3_dot(from, from), jet_constant(-h->length * h->length));
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+static int axes_rows(const hold *const h, const pose *const p, const pose *const c, const square_axes *const square,
+                     jet *const row)
+{
+    static const wide axes[3][3] = {{1.0L, 0.0L, 0.0L}, {0.0L, 1.0L, 0.0L}, {0.0L, 0.0L, 1.0L}};
+    switch (kinds[h->kind].axes) {
+    case SAME_AXES:
+        for (int i = 0; i < 3; i++) {
+            row[i] = jet3_dot(direction(p, axes[i]), direction(c, axes[(i + 1) % 3]));
+        }
+        return 3;
+    case SAME_AXIS:
+        row[0] = jet3_dot(direction(p, square->first), direction(c, h->axis));
+        row[1] = jet3_dot(direction(p, square->second), direction(c, h->axis));
+        return 2;
+    case SQUARE_AXES:
+        row[0] = jet3_dot(direction(p, h->axis), direction(c, h->second));
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+/* The equations for the poses of the parent and of the child, of which one may be the ground. */
+static int equations(const hold *const h, const pose bodies[2], jet row[HELD_MAX])
+{
+    wide e[3] = {0.0L, 0.0L, 1.0L};
+    square_axes square;
+    if (dot(h->axis, h->axis) > 0.0L) {
+        unit(h->axis, e);
+    }
+    across(e, square.first, square.second);
+    const pose p = frame_on(h->parent == GROUND ? NULL : &bodies[0], &h->on_parent);
+    const pose c = frame_on(h->child == GROUND ? NULL : &bodies[1], &h->on_child);
+    const int places = place_rows(h, &p, &c, &square, row);
+    return places + axes_rows(h, &p, &c, &square, row + places);
+}
+
+/* The pose of a body that stands as `moved` does and turns with omega, its centre of mass accelerated by a, itself by
+ * alpha: R'' = (alpha x + omega x omega x) R, o'' likewise. */
+static pose accelerated(const body_motion *const moved, const pose *const at, const wide omega[3], const wide a[3],
+                        const wide alpha[3])
+{
+    pose b = *at;
+    wide com[3];
+    wide origin[3];
+    part(moved->com, 0, com);
+    part(at->origin, 0, origin);
+    for (int column = 0; column < 4; column++) {
+        wide arm[3];
+        wide turned[3];
+        wide swung[3];
+        wide second[3];
+        for (int i = 0; i < 3; i++) {
+            arm[i] = column < 3 ? at->turn.m[i][column].c[0] : origin[i] - com[i];
+        }
+        cross(omega, arm, turned);
+        cross(omega, turned, second);
+        cross(alpha, arm, swung);
+        for (int i = 0; i < 3; i++) {
+            jet *const to = column < 3 ? &b.turn.m[i][column] : &b.origin.x[i];
+            to->c[2] = (second[i] + swung[i] + (column < 3 ? 0.0L : a[i])) / 2.0L;
+        }
+    }
+    return b;
+}
+
+/* The pose without its velocity. */
+static pose at_rest(const pose *const moving)
+{
+    pose b;
+    for (int i = 0; i < 3; i++) {
+        b.origin.x[i] = jet_constant(moving->origin.x[i].c[0]);
+        for (int j = 0; j < 3; j++) {
+            b.turn.m[i][j] = jet_constant(moving->turn.m[i][j].c[0]);
+        }
+    }
+    return b;
+}
+
+held hold_linearise(const hold *const h, const body_motion moved[BODIES_MAX])
+{
+    static const wide zero[3] = {0.0L, 0.0L, 0.0L};
+    const int of[2] = {h->parent, h->child};
+    pose coasting[2] = {0};
+    pose still[2] = {0};
+    jet row[HELD_MAX];
+    held made = {0};
+    for (int side = 0; side < 2; side++) {
+        if (of[side] != GROUND) {
+            const body_motion *const b = &moved[of[side]];
+            wide omega[3];
+            part(b->omega, 0, omega);
+            coasting[side] = accelerated(b, &b->body, omega, zero, zero);
+            still[side] = at_rest(&b->body);
+        }
+    }
+    made.rows = equations(h, coasting, row);
+    for (int r = 0; r < made.rows; r++) {
+        made.value[r] = row[r].c[0];
+        made.rate[r] = row[r].c[1];
+        made.bias[r] = 2.0L * row[r].c[2];
+    }
+    /* From rest, second derivatives are linear in the accelerations, with the factors that rates have in velocities. */
+    for (int side = 0; side < 2; side++) {
+        for (int k = 0; k < 6 && of[side] != GROUND; k++) {
+            wide pushed[6] = {0.0L};
+            pose bodies[2] = {still[0], still[1]};
+            pushed[k] = 1.0L;
+            bodies[side] = accelerated(&moved[of[side]], &still[side], zero, pushed, pushed + 3);
+            (void)equations(h, bodies, row);
+            for (int r = 0; r < made.rows; r++) {
+                (side == 0 ? made.of_parent : made.of_child)[r][k] = 2.0L * row[r].c[2];
+            }
+        }
+    }
+    return made;
+}

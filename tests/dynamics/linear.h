@@ -1,0 +1,20 @@
+/* Linear equations in long double, some of which may follow from others. */
+#ifndef ISO_TESTS_DYNAMICS_LINEAR_H
+#define ISO_TESTS_DYNAMICS_LINEAR_H
+
+#include <stdbool.h>
+
+#include "tests/dynamics/jet.h"
+
+enum { UNKNOWNS_MAX = 160 };
+
+typedef struct linear_system {
+    int n;
+    wide a[UNKNOWNS_MAX][UNKNOWNS_MAX + 1]; /* the last column, [n], is the right-hand side */
+} linear_system;
+
+/* Gauss's elimination with complete pivoting. Equations that follow from others are left out, and as many of the n unknowns
+ * x are zero. False if some equations contradict others. Overwrites the system. */
+bool linear_solve(linear_system *s, wide *x);
+
+#endif

@@ -1,0 +1,28 @@
+/* Random states of a mechanism, with what the plant and the independent dynamics say there. */
+#ifndef ISO_TESTS_DYNAMICS_SAMPLE_H
+#define ISO_TESTS_DYNAMICS_SAMPLE_H
+
+#include "core/plant.h"
+#include "tests/dynamics/tables.h"
+
+enum { STATES = 100, STATES_MAX = 64, INPUTS_MAX = 6, NUMBERS_MAX = 4 * OUTPUTS_MAX };
+
+typedef struct sample {
+    real x[STATES_MAX];
+    real u[INPUTS_MAX];
+    real dx[STATES_MAX];
+    wide input[INPUTS_MAX];
+    joint_motion motion; /* a is the plant's */
+    solution exact;
+    wide
+        condition; /* how much more than the coordinates the accelerations change, relative to both; 1 without closures */
+} sample;
+
+/* All states: angles over the whole circle, sliders within 0.5 m, speeds to 10 rad/s or m/s, inputs to 10 N or N m; where
+ * there are closures, about the scene's start, and then moved to where they hold. False if one cannot be found. */
+bool sample_all(sample s[STATES]);
+
+/* The plant's positions change as its speeds say: the worst error relative to the speed; exact but for quaternions. */
+wide sample_position_rates(const sample *s);
+
+#endif
