@@ -348,6 +348,18 @@ node power(graph *g, node a, int n)
     return product;
 }
 
+node sum_of_products(graph *g, node a, node b, node c, node d)
+{
+    const node ab = mul(g, a, b), cd = mul(g, c, d);
+    return add(g, ab, cd);
+}
+
+node difference_of_products(graph *g, node a, node b, node c, node d)
+{
+    const node ab = mul(g, a, b), cd = mul(g, c, d);
+    return sub(g, ab, cd);
+}
+
 static double evaluate_one(const graph_node *n, const double *x, const double *u, const double *p, const double *v)
 {
     switch (n->op) {

@@ -1,6 +1,10 @@
 /* The one expression graph. A node is an operation on earlier nodes; equal nodes are the same node; constants fold and
  * zeros, ones, negations and repeated terms vanish as a node is made. Algorithms are written over nodes as they would
  * be over numbers. The simplifications are those of exact arithmetic: they happen before the bits are fixed.
+ *
+ * Nodes are numbered as they are made, and the operands of sums and products stand in that order. C leaves open which
+ * argument of a call, operand or initialiser is evaluated first: so at most one of them makes nodes other than
+ * constants, and the others are made before, one after the other. Then every compiler's isoc writes the same bytes.
  */
 #ifndef ISOC_GRAPH_H
 #define ISOC_GRAPH_H
@@ -79,6 +83,10 @@ node root(graph *g, node a);
 node sine(graph *g, node a);
 node cosine(graph *g, node a);
 node power(graph *g, node a, int n); /* n >= 0 */
+
+/* a b + c d, and a b - c d. */
+node sum_of_products(graph *g, node a, node b, node c, node d);
+node difference_of_products(graph *g, node a, node b, node c, node d);
 
 bool is_constant(const graph *g, node n);
 bool is_zero(const graph *g, node n);

@@ -10,9 +10,11 @@ static node derivative_of(graph *g, node i, node da, node db)
     case OP_SUB:
         return sub(g, da, db);
     case OP_MUL:
-        return add(g, mul(g, da, n.b), mul(g, n.a, db));
-    case OP_DIV: /* (a / b)' = (a' - (a / b) b') / b, with one division for all derivatives */
-        return mul(g, sub(g, da, mul(g, i, db)), divide(g, constant(g, 1.0), n.b));
+        return sum_of_products(g, da, n.b, n.a, db);
+    case OP_DIV: { /* (a / b)' = (a' - (a / b) b') / b, with one division for all derivatives */
+        const node above = sub(g, da, mul(g, i, db)), inverse = divide(g, constant(g, 1.0), n.b);
+        return mul(g, above, inverse);
+    }
     case OP_NEG:
         return neg(g, da);
     case OP_SQRT:

@@ -42,14 +42,14 @@ vector vector_cross(graph *g, vector a, vector b)
     vector r;
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        r.at[i] = sub(g, mul(g, a.at[j], b.at[k]), mul(g, a.at[k], b.at[j]));
+        r.at[i] = difference_of_products(g, a.at[j], b.at[k], a.at[k], b.at[j]);
     }
     return r;
 }
 
 node vector_dot(graph *g, vector a, vector b)
 {
-    const node xy = add(g, mul(g, a.at[0], b.at[0]), mul(g, a.at[1], b.at[1]));
+    const node xy = sum_of_products(g, a.at[0], b.at[0], a.at[1], b.at[1]);
     return add(g, xy, mul(g, a.at[2], b.at[2]));
 }
 
@@ -128,8 +128,8 @@ vector turn_out(graph *g, int k, node s, node c, vector a)
 {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     vector r = a;
-    r.at[i] = sub(g, mul(g, c, a.at[i]), mul(g, s, a.at[j]));
-    r.at[j] = add(g, mul(g, s, a.at[i]), mul(g, c, a.at[j]));
+    r.at[i] = difference_of_products(g, c, a.at[i], s, a.at[j]);
+    r.at[j] = sum_of_products(g, s, a.at[i], c, a.at[j]);
     return r;
 }
 
@@ -144,12 +144,6 @@ tensor tensor_zero(graph *g)
     return (tensor){zero, zero, zero, zero, zero, zero};
 }
 
-tensor tensor_add(graph *g, tensor a, tensor b)
-{
-    return (tensor){add(g, a.xx, b.xx), add(g, a.yy, b.yy), add(g, a.zz, b.zz),
-                    add(g, a.xy, b.xy), add(g, a.xz, b.xz), add(g, a.yz, b.yz)};
-}
-
 static matrix tensor_matrix(tensor a)
 {
     return (matrix){{{a.xx, a.xy, a.xz}, {a.xy, a.yy, a.yz}, {a.xz, a.yz, a.zz}}};
@@ -158,6 +152,17 @@ static matrix tensor_matrix(tensor a)
 static tensor matrix_tensor(matrix m)
 {
     return (tensor){m.at[0][0], m.at[1][1], m.at[2][2], m.at[0][1], m.at[0][2], m.at[1][2]};
+}
+
+tensor tensor_add(graph *g, tensor a, tensor b)
+{
+    a.xx = add(g, a.xx, b.xx);
+    a.yy = add(g, a.yy, b.yy);
+    a.zz = add(g, a.zz, b.zz);
+    a.xy = add(g, a.xy, b.xy);
+    a.xz = add(g, a.xz, b.xz);
+    a.yz = add(g, a.yz, b.yz);
+    return a;
 }
 
 vector tensor_apply(graph *g, tensor a, vector b)
@@ -177,8 +182,8 @@ tensor tensor_turn_out(graph *g, int k, node s, node c, tensor a)
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     matrix m = tensor_matrix(a);
     const node ii = m.at[i][i], jj = m.at[j][j], ij = m.at[i][j];
-    const node twice = mul(g, constant(g, 2.0), ij);
-    const node t = add(g, mul(g, s, sub(g, ii, jj)), mul(g, c, twice));
+    const node across = sub(g, ii, jj), twice = mul(g, constant(g, 2.0), ij);
+    const node t = sum_of_products(g, s, across, c, twice);
     const node st = mul(g, s, t);
     vector axis = {{m.at[k][0], m.at[k][1], m.at[k][2]}};
     axis = turn_out(g, k, s, c, axis);
@@ -200,9 +205,12 @@ tensor tensor_shift(graph *g, tensor j, node mass, vector ms, vector p)
     for (int i = 0; i < 3; i++) {
         on[i] = mul(g, p.at[i], add(g, ms.at[i], moved.at[i]));
     }
-    tensor r = {add(g, on[1], on[2]), add(g, on[0], on[2]), add(g, on[0], on[1]), 0, 0, 0};
-    r.xy = neg(g, add(g, mul(g, p.at[0], ms.at[1]), mul(g, p.at[1], moved.at[0])));
-    r.xz = neg(g, add(g, mul(g, p.at[0], ms.at[2]), mul(g, p.at[2], moved.at[0])));
-    r.yz = neg(g, add(g, mul(g, p.at[1], ms.at[2]), mul(g, p.at[2], moved.at[1])));
+    tensor r;
+    r.xx = add(g, on[1], on[2]);
+    r.yy = add(g, on[0], on[2]);
+    r.zz = add(g, on[0], on[1]);
+    r.xy = neg(g, sum_of_products(g, p.at[0], ms.at[1], p.at[1], moved.at[0]));
+    r.xz = neg(g, sum_of_products(g, p.at[0], ms.at[2], p.at[2], moved.at[0]));
+    r.yz = neg(g, sum_of_products(g, p.at[1], ms.at[2], p.at[2], moved.at[1]));
     return tensor_add(g, j, r);
 }
