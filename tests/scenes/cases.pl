@@ -1,8 +1,9 @@
 # Bad scenes: what isoc says of each, to the letter, and that it leaves its output alone. Prints TAP.
 # cases.pl plain COMMAND...: the compiler. cases.pl memcheck COMMAND...: tests/scenes/many.c under valgrind.
 #
-# bad.txt: `== NAME`, then either the scene itself or lines `edit: OLD -> NEW` on the scene good.scene (each OLD stands in
-# it once; \0, \n, \t, \\ and \xHH are read as in C), then lines `> LINE:COLUMN: MESSAGE`, the errors in their order.
+# bad.txt: `== NAME`, then either the scene itself or lines `edit: OLD -> NEW` on the scene good.scene, or on the one that
+# a line `of: SCENE` names (each OLD stands in it once; \0, \n, \t, \\ and \xHH are read as in C), then lines
+# `> LINE:COLUMN: MESSAGE`, the errors in their order.
 $|=1; use strict;
 use warnings;
 use IPC::Open2;
@@ -81,16 +82,17 @@ sub refused {
     check($good, $name, "status $status" . ($same ? '' : ', output touched'), map({ "expected $_" } @expected), map { "told     $_" } @told);
 }
 
-my $base = slurp('tests/scenes/good.scene');
+my %base = map { $_ => slurp("tests/scenes/$_.scene") } 'good', 'closed';
 for my $case (grep { /\S/ } split /^== /m, slurp('tests/scenes/bad.txt')) {
     my ($name, @lines) = split /\n/, $case;
     my @expected = map { /^> (.*)/ ? $1 : () } @lines;
     my @edits = map { /^edit: (.*?) -> (.*)/ ? [$1, $2] : () } @lines;
-    my $scene = @edits ? $base : join '', map { "$_\n" } grep { !/^> / } @lines;
+    my ($of) = map { /^of: (.*)/ ? $1 : () } @lines, 'of: good';
+    my $scene = @edits ? $base{$of} : join '', map { "$_\n" } grep { !/^> / } @lines;
     for my $edit (@edits) {
         my ($old, $new) = map { unescape($_) } @$edit;
         my $count = () = $scene =~ /\Q$old\E/g;
-        $count == 1 or die "$name: '$old' stands $count times in good.scene\n";
+        $count == 1 or die "$name: '$old' stands $count times in $of.scene\n";
         $scene =~ s/\Q$old\E/$new/;
     }
     spit("$dir/bad.scene", $scene);
@@ -116,14 +118,16 @@ spit("$dir/noise.scene", join '', map { chr(($_ * 7919 + ($_ >> 3) * 104729) % 2
 check($status eq '1' && @$lines < 200, '100 kB of noise gets a page of errors at most', scalar(@$lines) . ' lines');
 refused('a directory', $dir, '-: not a file but a directory: name a .scene file in it');
 refused('a file that is not there', "$dir/absent.scene", '-: No such file or directory');
-spit("$dir/caret.scene", $base =~ s/kg/kgg/r);
+spit("$dir/caret.scene", $base{good} =~ s/kg/kgg/r);
 ($status, $lines) = compile("$dir/caret.scene", '-o', $dir);
 check($lines->[1] eq '        mass 1 kgg' && $lines->[2] eq '               ^', 'the line and a caret under the word', @$lines);
 
-# The control: the scene that all cases are made from is a good one, and then the plant is written.
-spit("$dir/plant.c", 'as before');
-($status, $lines) = compile('tests/scenes/good.scene', '-o', $dir);
-check($status eq '0' && !@$lines && slurp("$dir/plant.c") ne 'as before', 'good.scene is accepted', @$lines);
+# The control: the scenes that all cases are made from are good ones, and then the plant is written.
+for my $name ('closed', 'good') {
+    spit("$dir/plant.c", 'as before');
+    ($status, $lines) = compile("tests/scenes/$name.scene", '-o', $dir);
+    check($status eq '0' && !@$lines && slurp("$dir/plant.c") ne 'as before', "$name.scene is accepted", @$lines);
+}
 my $first = slurp("$dir/plant.c") . slurp("$dir/plant.h");
 compile('tests/scenes/good.scene', '-o', "$dir/deeper/folder");
 check($first eq slurp("$dir/deeper/folder/plant.c") . slurp("$dir/deeper/folder/plant.h"),

@@ -85,12 +85,11 @@ static void read_start(parser *p, const token *word, void *slot)
     } else {
         j->start = (pose){.coordinate = parse_formula(p)};
     }
-    if (p->failed || j->broken) {
-        return;
-    }
-    const place *at = foreign_part(form, &j->start);
+    const place *at = p->failed || j->broken ? NULL : foreign_part(form, &j->start);
     if (at != NULL) {
         source_problem(p->s, *at, "a %s joint starts like this: %s", kind_names[j->kind], form->example);
+    }
+    if (at != NULL || p->failed) {
         j->start = (pose){0};
     }
 }
@@ -135,12 +134,17 @@ void read_joint_statement(parser *p, const token *word, void *slot)
 {
     (void)word;
     scene *made = slot;
-    joint j = {.name = take_new_name(p, "expected a name for the joint")};
-    size_t kind = p->failed ? joint_block.kind_count : parse_kind(p, &joint_block);
-    j.broken = p->failed || kind == joint_block.kind_count;
-    j.kind = j.broken ? JOINT_REVOLUTE : (joint_kind)kind; /* what is unknown counts as one that moves */
-    made->broken |= j.broken;
+    joint j = {.name = take_new_name(p, "expected a name for the joint"), .kind = JOINT_REVOLUTE};
+    const size_t kind = p->failed ? joint_block.kind_count : parse_kind(p, &joint_block);
+    const bool known = kind < joint_block.kind_count;
+    j.kind = known ? (joint_kind)kind : j.kind;
+    j.broken = !known;
     j.broken |= p->failed || !parse_block(p, &joint_block, kind, j.name, &j);
+    if (!known) {
+        /* What is unknown counts as a joint that moves. */
+        made->broken = true;
+        j = (joint){.name = j.name, .kind = j.kind, .parent = j.parent, .child = j.child, .broken = true};
+    }
     made->joints = arena_grow(p->s->memory, made->joints, made->joint_count, &made->joint_room, sizeof j);
     made->joints[made->joint_count++] = j;
 }
