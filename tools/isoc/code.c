@@ -192,8 +192,11 @@ static rendering show(emitter *e, node i)
                            BINDS_PRODUCT};
     case OP_NEG:
         return (rendering){arena_format(memory, "-%s", operand(e, n->a, BINDS_WHOLE)), BINDS_PRODUCT};
-    case OP_SQRT:
-        return (rendering){arena_format(memory, "iso_sqrt(%s)", e->shown[n->a].text), BINDS_WHOLE};
+    case OP_ABS:
+        return (rendering){arena_format(memory, "iso_abs(%s)", e->shown[n->a].text), BINDS_WHOLE};
+    case OP_MAX:
+        return (rendering){arena_format(memory, "iso_max(%s, %s)", e->shown[n->a].text, e->shown[n->b].text),
+                           BINDS_WHOLE};
     default:
         return (rendering){"", BINDS_WHOLE};
     }
@@ -327,10 +330,9 @@ operations code_count(const graph *g, const node *roots, size_t count)
         const graph_node *n = &g->nodes[i];
         if (needed[i]) {
             const bool trigonometric = n->op == OP_SIN || n->op == OP_COS;
-            made.add += n->op == OP_ADD || n->op == OP_SUB || n->op == OP_NEG;
+            made.add += n->op == OP_ADD || n->op == OP_SUB || n->op == OP_NEG || n->op == OP_ABS || n->op == OP_MAX;
             made.mul += n->op == OP_MUL;
             made.div += n->op == OP_DIV;
-            made.sqrt += n->op == OP_SQRT;
             made.sincos += trigonometric && !turned[n->a];
             turned[n->a] = turned[n->a] || trigonometric;
         }

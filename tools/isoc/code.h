@@ -15,7 +15,7 @@ typedef struct text {
 void text_add(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 typedef struct operations {
-    int add, mul, div, sqrt, sincos;
+    int add, mul, div, sincos; /* comparisons and signs count as additions */
 } operations;
 
 /* How leaves are called in the code. */

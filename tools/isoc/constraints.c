@@ -308,3 +308,14 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
     }
     return made;
 }
+
+node largest_violation(const kinematics *k, const constraints *held, bool of_rates)
+{
+    graph *g = k->g;
+    node largest = constant(g, 0.0);
+    for (int r = 0; r < held->count; r++) {
+        const node one = magnitude(g, of_rates ? held->all[r].rate : held->all[r].position);
+        largest = is_zero(g, largest) ? one : larger(g, largest, one);
+    }
+    return largest;
+}

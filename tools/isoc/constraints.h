@@ -28,6 +28,9 @@ typedef struct constraints {
     int *dropped_cuts;
 } constraints;
 
+/* The largest |Phi|, or |Phi'| of all constraints. */
+node largest_violation(const kinematics *k, const constraints *held, bool of_rates);
+
 /* Needs kinematics_velocities. */
 constraints constraints_build(const kinematics *k, const acceleration *accelerations);
 

@@ -3,7 +3,7 @@
 /* a + times * b */
 static operations plus(operations a, int times, operations b)
 {
-    return (operations){a.add + times * b.add, a.mul + times * b.mul, a.div + times * b.div, a.sqrt + times * b.sqrt,
+    return (operations){a.add + times * b.add, a.mul + times * b.mul, a.div + times * b.div,
                         a.sincos + times * b.sincos};
 }
 
@@ -127,7 +127,7 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
 
 static void count_line(text *out, const char *what, operations n)
 {
-    text_add(out, "%s add %d mul %d div %d sqrt %d sincos %d\n", what, n.add, n.mul, n.div, n.sqrt, n.sincos);
+    text_add(out, "%s add %d mul %d div %d sincos %d\n", what, n.add, n.mul, n.div, n.sincos);
 }
 
 void cost_summary(const plant *p, const graph *g, text *out)

@@ -15,31 +15,32 @@ static void build_efforts(const dynamics *d, const node *bias, node *effort)
     }
 }
 
-dynamics dynamics_build(graph *g, const mechanism *m)
+const dynamics *dynamics_build(graph *g, const mechanism *m)
 {
     const size_t n = (size_t)m->freedom_count;
-    dynamics d = {.m = m, .g = g, .k = kinematics_build(g, m)};
-    d.acceleration = arena_take(g->memory, n, sizeof *d.acceleration);
-    d.accelerations = arena_take(g->memory, (size_t)m->link_count, sizeof *d.accelerations);
+    dynamics *d = arena_take(g->memory, 1, sizeof *d);
+    *d = (dynamics){.m = m, .g = g, .k = kinematics_build(g, m)};
+    d->acceleration = arena_take(g->memory, n, sizeof *d->acceleration);
+    d->accelerations = arena_take(g->memory, (size_t)m->link_count, sizeof *d->accelerations);
     node *bias = arena_take(g->memory, n, sizeof *bias);
 
-    bias_build(&d.k, bias, d.accelerations);
-    build_efforts(&d, bias, d.acceleration);
-    d.mass = mass_matrix_build(&d.k);
+    bias_build(&d->k, bias, d->accelerations);
+    build_efforts(d, bias, d->acceleration);
+    d->mass = mass_matrix_build(&d->k);
 
     graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias - Phi_q' lambda)");
-    mass_matrix_inward(&d.mass, d.acceleration);
+    mass_matrix_inward(&d->mass, d->acceleration);
     if (m->cut_count > 0) {
-        kinematics_velocities(&d.k);
+        kinematics_velocities(&d->k);
         graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
-        d.loops = augmented_build(&d.mass, constraints_build(&d.k, d.accelerations), d.acceleration);
+        d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations), d->acceleration);
         graph_section(g, "Accelerations outward");
     } else {
-        mass_matrix_scale(&d.mass, d.acceleration);
+        mass_matrix_scale(&d->mass, d->acceleration);
     }
-    mass_matrix_outward(&d.mass, d.acceleration);
+    mass_matrix_outward(&d->mass, d->acceleration);
     for (size_t f = 0; f < n; f++) {
-        graph_name(g, d.acceleration[f], "qdd_%s", m->freedoms[f].name);
+        graph_name(g, d->acceleration[f], "qdd_%s", m->freedoms[f].name);
     }
     return d;
 }

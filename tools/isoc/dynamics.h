@@ -17,8 +17,8 @@ typedef struct dynamics {
     augmented loops;             /* without constraints where nothing is closed */
 } dynamics;
 
-/* Makes the nodes of the accelerations. */
-dynamics dynamics_build(graph *g, const mechanism *m);
+/* Makes the nodes of the accelerations. Its parts point to one another: it stays where it is. */
+const dynamics *dynamics_build(graph *g, const mechanism *m);
 
 /* Kinetic energy, gravitational energy (zero at the ground's origin) and energy of the springs; needs
  * kinematics_velocities. */

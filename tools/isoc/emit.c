@@ -349,14 +349,14 @@ static void emit_call(const plant *p, text *out, const char *recipe, const char 
     text_add(out, "                    %s);\n", has_progress(m) ? "&memory.progress" : "NULL");
 }
 
-/* What is put right after a step, in place: unit quaternions, whole turns. */
+/* What is put right after a step, in place. */
 static bool emit_settle(const plant *p, graph *g, text *out, double *culprit)
 {
-    const char **targets = arena_take(out->memory, (size_t)p->settled_count + 1, sizeof *targets);
-    for (int i = 0; i < p->settled_count; i++) {
-        targets[i] = arena_format(out->memory, "x[%d]", p->settled_states[i]);
+    const char **targets = arena_take(out->memory, (size_t)p->after.count + 1, sizeof *targets);
+    for (int i = 0; i < p->after.count; i++) {
+        targets[i] = arena_format(out->memory, "x[%d]", p->after.states[i]);
     }
-    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, p->settled, (size_t)p->settled_count};
+    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, p->after.values, (size_t)p->after.count};
     text_add(out, "static void settle(real *const x)\n{\n");
     const bool good = code_emit(&body_of, out, culprit);
     text_add(out, "}\n\n");
@@ -380,7 +380,11 @@ static void emit_step(const plant *p, text *out)
     }
     text_add(out, "static void step(void)\n{\n");
     emit_call(p, out, recipe, h);
-    text_add(out, "%s", p->settled_count > 0 ? "    settle(memory.x);\n" : "");
+    if (m->projections > 1 && p->after.count > 0) {
+        text_add(out, "    for (int i = 0; i < %d; i++) {\n        settle(memory.x);\n    }\n", m->projections);
+    } else if (p->after.count > 0) {
+        text_add(out, "    settle(memory.x);\n");
+    }
     int counted = 0;
     for (int i = 0; i < m->link_count; i++) {
         if (m->links[i].continuous) {
@@ -435,7 +439,7 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
     good = good && emit_function(p, g, out, "output", "y", "", p->outputs, p->output_count, culprit);
     good = good && (m->input_count == 0 || emit_drive(p, g, out, culprit));
     good = good && (!ISO_IS_IMPLICIT(m->recipe) || emit_solver(p, g, out, culprit));
-    good = good && (p->settled_count == 0 || emit_settle(p, g, out, culprit));
+    good = good && (p->after.count == 0 || emit_settle(p, g, out, culprit));
     if (!ISO_IS(m->recipe, ISO_ADAMS)) {
         emit_equations(p, out);
     }

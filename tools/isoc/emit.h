@@ -5,19 +5,18 @@
 #include "tools/isoc/code.h"
 #include "tools/isoc/dynamics.h"
 #include "tools/isoc/jacobian.h"
+#include "tools/isoc/settled.h"
 
 /* All that is known of a plant when its equations are nodes. */
 typedef struct plant {
     const mechanism *m;
-    dynamics d;
+    const dynamics *d;
     int input_count, output_count, turn_count;
     const char **output_names; /* one for each component */
     node *outputs;
-    node *slopes;        /* the derivative of each state */
-    node *settled;       /* what a step leaves some states at, from where the method leaves them */
-    int *settled_states; /* which */
-    int settled_count;
-    jacobian j; /* only for implicit methods */
+    node *slopes;  /* the derivative of each state */
+    settled after; /* of a step */
+    jacobian j;    /* only for implicit methods */
     bool is_double;
 } plant;
 

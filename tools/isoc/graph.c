@@ -318,9 +318,20 @@ node divide(graph *g, node a, node b)
     return binary(g, OP_DIV, a, b);
 }
 
-node root(graph *g, node a)
+node larger(graph *g, node a, node b)
 {
-    return is_constant(g, a) ? constant(g, sqrt(constant_value(g, a))) : intern(g, (graph_node){.op = OP_SQRT, .a = a});
+    if (is_constant(g, a) && is_constant(g, b)) {
+        return constant(g, fmax(constant_value(g, a), constant_value(g, b)));
+    }
+    return a == b ? a : a < b ? binary(g, OP_MAX, a, b) : binary(g, OP_MAX, b, a);
+}
+
+node magnitude(graph *g, node a)
+{
+    if (is_constant(g, a)) {
+        return constant(g, fabs(constant_value(g, a)));
+    }
+    return intern(g, (graph_node){.op = OP_ABS, .a = is(g, a, OP_NEG) ? g->nodes[a].a : a});
 }
 
 node sine(graph *g, node a)
@@ -381,8 +392,10 @@ static double evaluate_one(const graph_node *n, const double *x, const double *u
         return v[n->a] / v[n->b];
     case OP_NEG:
         return -v[n->a];
-    case OP_SQRT:
-        return sqrt(v[n->a]);
+    case OP_ABS:
+        return fabs(v[n->a]);
+    case OP_MAX:
+        return fmax(v[n->a], v[n->b]);
     case OP_SIN:
         return iso_sincos(v[n->a]).sin;
     case OP_COS:

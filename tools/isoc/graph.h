@@ -35,9 +35,10 @@ typedef enum operation {
     OP_ADD,
     OP_SUB,
     OP_MUL,
-    OP_DIV,
+    OP_MAX, /* the larger */
+    OP_DIV, /* the last of two operands */
     OP_NEG,
-    OP_SQRT,
+    OP_ABS,
     OP_SIN,
     OP_COS,
     OPERATIONS
@@ -79,7 +80,8 @@ node sub(graph *g, node a, node b);
 node mul(graph *g, node a, node b);
 node divide(graph *g, node a, node b);
 node neg(graph *g, node a);
-node root(graph *g, node a);
+node larger(graph *g, node a, node b);
+node magnitude(graph *g, node a);
 node sine(graph *g, node a);
 node cosine(graph *g, node a);
 node power(graph *g, node a, int n); /* n >= 0 */

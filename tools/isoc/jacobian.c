@@ -17,8 +17,6 @@ static node derivative_of(graph *g, node i, node da, node db)
     }
     case OP_NEG:
         return neg(g, da);
-    case OP_SQRT:
-        return divide(g, da, mul(g, constant(g, 2.0), i));
     case OP_SIN:
         return mul(g, cosine(g, n.a), da);
     case OP_COS:

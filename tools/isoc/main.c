@@ -132,7 +132,7 @@ static void check_pivots(source *s, const graph *g, const plant *p)
     double *u = arena_take(g->memory, (size_t)m->input_count + 1, sizeof *u);
     graph_evaluate(g, mechanism_start(m, g->memory), u, m->defaults, numbers);
     for (int f = 0; f < m->freedom_count; f++) {
-        const double pivot = numbers[p->d.mass.pivots[f]], inertia = numbers[p->d.mass.diagonal[f]];
+        const double pivot = numbers[p->d->mass.pivots[f]], inertia = numbers[p->d->mass.diagonal[f]];
         if (!(inertia > 0.0) || !(pivot > 1e-10 * inertia)) {
             source_problem(
                 s, m->links[m->freedoms[f].link].at,
@@ -213,7 +213,7 @@ static bool compile(arena *memory, const options *o)
     const mechanism m = mechanism_build(&s, &g, &written);
     if (s.problem_count == 0) {
         const plant p = plant_build(&g, &m, o->is_double);
-        assemble(&s, &p.d);
+        assemble(&s, p.d);
         check_pivots(&s, &g, &p);
         if (s.problem_count == 0) {
             return write_plant(memory, o, &p, &g);

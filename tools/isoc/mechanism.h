@@ -112,6 +112,7 @@ typedef struct mechanism {
     vector *points;   /* of the outputs, in their body's frame */
     int *output_link; /* the joint's, or -1 for a body */
     int *output_body;
+    int *output_cut; /* of a force or a moment: the closure */
 
     int parameter_count;
     const char **parameter_names;

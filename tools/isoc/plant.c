@@ -1,5 +1,4 @@
 #include "tools/isoc/emit.h"
-#include "tools/isoc/quaternion.h"
 
 static int turn_index(const mechanism *m, int link_wanted)
 {
@@ -14,9 +13,9 @@ static node joint_output(const plant *p, graph *g, const output *o, int i)
 {
     switch (o->kind) {
     case OUTPUT_POSITION:
-        return p->d.k.motions[i].q[0];
+        return p->d->k.motions[i].q[0];
     case OUTPUT_SPEED:
-        return p->d.k.motions[i].qd[0];
+        return p->d->k.motions[i].qd[0];
     case OUTPUT_TURNS:
         return leaf(g, OP_TURNS, turn_index(p->m, i));
     default:
@@ -46,7 +45,7 @@ static void add_vector(plant *p, graph *g, const output *o, vector shown)
 static void add_orientation(plant *p, graph *g, const output *o, const body_frame *frame)
 {
     node q[4];
-    body_orientation(&p->d.k, frame, q);
+    body_orientation(&p->d->k, frame, q);
     for (int i = 0; i < 4; i++) {
         add_output(p, arena_format(g->memory, "%s_%c", o->name.text, "wxyz"[i]), q[i]);
     }
@@ -60,21 +59,36 @@ static void add_of_body(plant *p, graph *g, size_t i)
     if (o->kind == OUTPUT_ORIENTATION) {
         add_orientation(p, g, o, frame);
     } else if (o->kind == OUTPUT_SPIN) {
-        const vector omega = frame->link == GROUND ? vector_zero(g) : p->d.k.motions[frame->link].omega;
+        const vector omega = frame->link == GROUND ? vector_zero(g) : p->d->k.motions[frame->link].omega;
         add_vector(p, g, o, matrix_apply(g, matrix_transpose(frame->turn), omega));
     } else if (o->kind == OUTPUT_POSITION) {
-        add_vector(p, g, o, outward_point(&p->d.k, frame->link, GROUND, in_link));
+        add_vector(p, g, o, outward_point(&p->d->k, frame->link, GROUND, in_link));
     } else {
-        const vector velocity = point_velocity(&p->d.k, frame->link, in_link);
-        add_vector(p, g, o, outward_axes(&p->d.k, frame->link, GROUND, velocity));
+        const vector velocity = point_velocity(&p->d->k, frame->link, in_link);
+        add_vector(p, g, o, outward_axes(&p->d->k, frame->link, GROUND, velocity));
     }
+}
+
+/* What a closure does to its child, in the ground's axes: the multipliers times what each constraint bears. */
+static void add_reaction(plant *p, graph *g, const output *o, int index)
+{
+    const augmented *loops = &p->d->loops;
+    vector sum = vector_zero(g);
+    for (int r = 0; r < loops->held.count; r++) {
+        const constraint *c = &loops->held.all[r];
+        if (c->cut == index) {
+            const vector borne = o->kind == OUTPUT_FORCE ? c->force : c->moment;
+            sum = vector_add(g, sum, vector_scale(g, loops->multipliers[r], borne));
+        }
+    }
+    add_vector(p, g, o, outward_axes(&p->d->k, p->m->cuts[index].base, GROUND, sum));
 }
 
 static void build_outputs(plant *p, graph *g)
 {
     const mechanism *m = p->m;
-    kinematics_velocities(&p->d.k);
-    const node energy = dynamics_energy(&p->d);
+    kinematics_velocities(&p->d->k);
+    const node energy = dynamics_energy(p->d);
     graph_section(g, "Points in the ground's frame");
     for (size_t i = 0; i < m->output_count; i++) {
         const output *o = &m->outputs[i];
@@ -82,27 +96,15 @@ static void build_outputs(plant *p, graph *g)
             add_output(p, o->name.text, energy);
         } else if (o->kind == OUTPUT_LOCAL_ERROR || o->kind == OUTPUT_RESIDUAL) {
             add_output(p, o->name.text, leaf(g, o->kind == OUTPUT_RESIDUAL ? OP_RESIDUAL : OP_LOCAL_ERROR, 0));
+        } else if (o->kind == OUTPUT_VIOLATION || o->kind == OUTPUT_VIOLATION_RATE) {
+            const bool of_rates = o->kind == OUTPUT_VIOLATION_RATE;
+            add_output(p, o->name.text, largest_violation(&p->d->k, &p->d->loops.held, of_rates));
+        } else if (m->output_cut[i] >= 0) {
+            add_reaction(p, g, o, m->output_cut[i]);
         } else if (m->output_link[i] >= 0) {
             add_output(p, o->name.text, joint_output(p, g, o, m->output_link[i]));
         } else {
             add_of_body(p, g, i);
-        }
-    }
-}
-
-/* What a step leaves the positions at: unit quaternions. */
-static void build_settled(plant *p, graph *g)
-{
-    const mechanism *m = p->m;
-    p->settled = arena_take(g->memory, (size_t)state_count(m), sizeof *p->settled);
-    p->settled_states = arena_take(g->memory, (size_t)state_count(m), sizeof *p->settled_states);
-    graph_section(g, "Unit quaternions: one step of Newton's method for 1 / norm");
-    for (int i = 0; i < m->link_count; i++) {
-        if (m->links[i].kind == JOINT_SPHERICAL) {
-            quaternion_normalise(g, p->d.k.motions[i].q, p->settled + p->settled_count);
-            for (int n = 0; n < 4; n++) {
-                p->settled_states[p->settled_count++] = m->links[i].position + n;
-            }
         }
     }
 }
@@ -117,16 +119,16 @@ plant plant_build(graph *g, const mechanism *m, bool is_double)
     p.d = dynamics_build(g, m);
     graph_section(g, "Rates of the positions");
     for (int i = 0; i < m->link_count; i++) {
-        position_rates(&p.d.k, i, p.slopes + m->links[i].position);
+        position_rates(&p.d->k, i, p.slopes + m->links[i].position);
         p.turn_count += m->links[i].continuous;
     }
     for (int f = 0; f < m->freedom_count; f++) {
-        p.slopes[m->position_count + f] = p.d.acceleration[f];
+        p.slopes[m->position_count + f] = p.d->acceleration[f];
     }
     if (ISO_IS_IMPLICIT(m->recipe)) {
         p.j = jacobian_build(g, p.slopes, state_count(m));
     }
-    build_settled(&p, g);
+    p.after = settled_build(g, p.d);
     build_outputs(&p, g);
     return p;
 }

@@ -101,6 +101,26 @@ static void check_coordinate_output(builder *b, const output *o)
     }
 }
 
+static bool is_reaction(const output *o)
+{
+    return o->kind == OUTPUT_FORCE || o->kind == OUTPUT_MOMENT;
+}
+
+/* The closure whose force or moment an output shows. */
+static int closure_called(builder *b, const output *o)
+{
+    for (int i = 0; i < b->made.cut_count; i++) {
+        if (strcmp(b->made.cuts[i].name, o->of.text) == 0) {
+            if (b->made.cuts[i].kind == CLOSE_GEAR || b->made.cuts[i].kind == CLOSE_MOTION) {
+                source_problem(b->s, o->of.at, "'%s' acts along joints, not by a force between bodies", o->of.text);
+            }
+            return i;
+        }
+    }
+    source_problem(b->s, o->of.at, "no closure is called '%s'", o->of.text);
+    return -1;
+}
+
 static void build_output(builder *b, const output *o, int *link_shown, int *body_shown)
 {
     const scene *written = b->written;
@@ -136,11 +156,17 @@ void build_outputs(builder *b)
     made->points = arena_take(b->s->memory, written->output_count + 1, sizeof *made->points);
     made->output_link = arena_take(b->s->memory, written->output_count + 1, sizeof *made->output_link);
     made->output_body = arena_take(b->s->memory, written->output_count + 1, sizeof *made->output_body);
+    made->output_cut = arena_take(b->s->memory, written->output_count + 1, sizeof *made->output_cut);
     for (size_t i = 0; i < written->output_count; i++) {
         const output *o = &written->outputs[i];
-        made->output_link[i] = made->output_body[i] = -1;
+        made->output_link[i] = made->output_body[i] = made->output_cut[i] = -1;
         made->points[i] = vector_value(b, o->point, metre, "a point");
-        if (o->kind < OUTPUT_ENERGY && o->of.text != NULL) {
+        const bool violates = o->kind == OUTPUT_VIOLATION || o->kind == OUTPUT_VIOLATION_RATE;
+        if (violates && b->written->closure_count == 0) {
+            source_problem(b->s, o->kind_at, "nothing is closed that could be violated");
+        } else if (is_reaction(o) && o->of.text != NULL) {
+            made->output_cut[i] = closure_called(b, o);
+        } else if (o->kind < OUTPUT_ENERGY && o->of.text != NULL) {
             build_output(b, o, &made->output_link[i], &made->output_body[i]);
         }
     }
