@@ -1,6 +1,6 @@
-/* Under memcheck: steps of iso_the_plant with all of the plant's memory marked undefined, but for the count of steps
- * since the start. Any branch, loop count or address that depends on state, history, input or parameter is an error that
- * memcheck counts.
+/* Under memcheck: steps of every plant with all of its memory marked undefined, but for the count of steps since the
+ * start. Any branch, loop count or address that depends on state, history, input or parameter is an error that memcheck
+ * counts. Many plants stand in one program, since memcheck takes longer to start than a plant to run.
  */
 #include <stdbool.h>
 #include <stdio.h>
@@ -8,14 +8,15 @@
 #include <valgrind/memcheck.h>
 
 #include "core/method.h"
+#include "tests/check/poison.h"
 
 static int tests, failures;
 
-static void ok(const bool passed, const char *const name)
+static void ok(const bool passed, const char *const name, const char *const text)
 {
     tests++;
     failures += passed ? 0 : 1;
-    printf("%sok %d - %s\n", passed ? "" : "not ", tests, name);
+    printf("%sok %d - %s: %s\n", passed ? "" : "not ", tests, name, text);
 }
 
 /* Whether any bit of x is marked undefined. */
@@ -25,9 +26,8 @@ static bool is_poisoned(const real *const x)
     return VALGRIND_GET_VBITS(x, &undefined, sizeof undefined) == 1 && undefined != 0;
 }
 
-int main(void)
+static void examine(const iso_plant *const plant, const char *const name)
 {
-    const iso_plant *const plant = &iso_the_plant;
     iso_plant_start(plant);
 
     const unsigned long before = VALGRIND_COUNT_ERRORS;
@@ -49,9 +49,16 @@ int main(void)
     }
     VALGRIND_MAKE_MEM_DEFINED(plant->memory, plant->memory_bytes);
 
-    ok(poisoned, "memcheck watches, and the marks reach every state");
-    ok(after_step == before, "a step does not depend on data");
-    ok(after_output == after_step, "nor do the outputs");
+    ok(poisoned, name, "memcheck watches, and the marks reach every state");
+    ok(after_step == before, name, "a step does not depend on data");
+    ok(after_output == after_step, name, "nor do the outputs");
+}
+
+int main(void)
+{
+    for (const poison_case *c = poison_cases; c->name != NULL; c++) {
+        examine(c->plant, c->name);
+    }
     printf("1..%d\n", tests);
     return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

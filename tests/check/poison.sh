@@ -5,70 +5,97 @@
 begin check/poison
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] |.*/\1/p')
 
-# build PLANT FLAG...: makes $out/program of the plant.
-build()
+# batch DIR float|double: begins a program of many plants in that real.
+batch()
 {
-    rm -f "$out/program"
-    # shellcheck disable=SC2086
-    $CC $FLAGS -g tests/check/poison.c "$@" -o "$out/program"
+    folder=$out/$1
+    real "$2"
+    count=0
+    mkdir -p "$folder"
 }
 
-watch()
+# add NAME PLANT [FLAG...]: the plant's object, under a symbol of its own, and a line of the list of cases.
+add()
 {
-    valgrind --quiet "$out/program" 2>"$out/errors"
-}
-
-# examine NAME PLANT FLAG...: the plant's step is free of data.
-examine()
-{
-    name=$1
+    count=$((count + 1))
+    printf '%s\n' "    {\"$1\", &plant_$count}," >>"$folder/cases"
+    echo "extern const iso_plant plant_$count;" >>"$folder/plants"
     shift
-    if build "$@"; then
-        joined "$name" watch
-    else
-        result 1 "$name: builds"
-    fi
+    # shellcheck disable=SC2086
+    $CC $FLAGS $REAL_FLAG -g -c "$@" -o "$folder/$count.o" &&
+        objcopy --redefine-sym "iso_the_plant_$real=plant_$count" "$folder/$count.o" || rm -f "$folder/$count.o"
 }
 
-# generated SCENE METHOD REAL FLAG...: the plant of a scene.
+# generated SCENE METHOD: the plant of a scene.
 generated()
 {
-    name=$(basename "$1" .scene)
-    build/isoc "$1" -o "$out/$name" --method "$2" --real "$3" >/dev/null
-    scene=$1
-    method=$2
-    real=$3
-    shift 3
-    examine "$(basename "$scene" .scene), $method, $real" "$out/$name/plant.c" "$@"
+    build/isoc "$1" -o "$folder/plant" --method "$2" --real "$real" >/dev/null
+    add "$(basename "$1" .scene), $2, $real" "$folder/plant/plant.c"
+}
+
+# watch: the program of all that was added, under memcheck; no program where one was not built.
+watch()
+{
+    {
+        echo '#include "tests/check/poison.h"'
+        cat "$folder/plants"
+        echo 'const poison_case poison_cases[] = {'
+        cat "$folder/cases"
+        echo '    {NULL, NULL},'
+        echo '};'
+    } >"$folder/list.c"
+    # shellcheck disable=SC2086
+    $CC $FLAGS $REAL_FLAG -g tests/check/poison.c "$folder/list.c" "$folder"/*.o -o "$folder/program" &&
+        valgrind --quiet "$folder/program" 2>"$folder/errors"
 }
 
 # Every method on every model; in double, and with a check and compensation, on one that has all kinds of joints.
+batch float float
+{ cat models/tree.scene && printf 'checked yes\ncompensated yes\n'; } >"$out/tree_checked.scene"
 for method in $METHODS; do
-    upper=$(echo "$method" | tr a-z A-Z)
-    for scene in models/*.scene; do
-        generated "$scene" "$method" float
+    for scene in models/*.scene "$out/tree_checked.scene"; do
+        generated "$scene" "$method"
     done
-    generated models/tree.scene "$method" double -DISO_REAL_DOUBLE
-    { cat models/tree.scene && printf 'checked yes\ncompensated yes\n'; } >"$out/tree_checked.scene"
-    generated "$out/tree_checked.scene" "$method" float
-    examine "oscillator, $method, float" models/oscillator.c "-DISO_METHOD=ISO_$upper"
-    examine "oscillator, $method, checked and compensated, double" models/oscillator.c \
-        "-DISO_METHOD=(ISO_$upper|ISO_CHECKED|ISO_COMPENSATED)" -DISO_REAL_DOUBLE
+    add "oscillator, $method, float" models/oscillator.c "-DISO_METHOD=ISO_$(echo "$method" | tr a-z A-Z)"
 done
+joined "examined" watch
 
-# planted KIND NAME TEST: memcheck finds it, in the test of that number and no other.
+batch double double
+for method in $METHODS; do
+    generated models/tree.scene "$method"
+    add "oscillator, $method, checked and compensated, double" models/oscillator.c \
+        "-DISO_METHOD=(ISO_$(echo "$method" | tr a-z A-Z)|ISO_CHECKED|ISO_COMPENSATED)"
+done
+joined "examined" watch
+
+# planted KIND TESTS NAME: memcheck finds it with every method, in the tests of these numbers of three and no other.
 planted()
 {
     for method in EULER RK4 AB4 ABM4 BDF4 ROSENBROCK; do
-        build tests/check/planted_plant.c "-DPLANTED=$1" "-DISO_METHOD=ISO_$method" -DISO_METHOD_NAME=any && watch >"$out/tap"
-        [ "$(sed -n 's/^not ok \([0-9]*\) .*/\1/p' "$out/tap" | paste -sd ' ')" = "$3" ] && grep -qx 1..3 "$out/tap"
-        result $? "$method: $2"
+        add "$1 $method" tests/check/planted_plant.c "-DPLANTED=$1" "-DISO_METHOD=ISO_$method" -DISO_METHOD_NAME=any
+        echo "$method: $3" >>"$folder/names"
+        echo "${2:-none}" >>"$folder/expected"
     done
 }
 
-planted NOTHING "the plant that the violations are planted in is clean" ""
-planted BRANCH "found: a branch on the state" 2
-planted INDEX "found: an index from the state" 2
-planted LOOP "found: a loop count from the state" 2
-planted OUTPUT "found: a branch on the state in the outputs" 3
+batch planted float
+planted NOTHING "" "the plant that the violations are planted in is clean"
+planted BRANCH 2 "found: a branch on the state"
+planted INDEX 2 "found: an index from the state"
+planted LOOP 2 "found: a loop count from the state"
+planted OUTPUT 3 "found: a branch on the state in the outputs"
+watch >"$out/tap"
+# Of every three tests those that failed.
+awk '/^(not )?ok [0-9]+ - / {
+        failed = failed (/^not/ ? n % 3 + 1 : "")
+        if (++n % 3 == 0) {
+            print failed == "" ? "none" : failed
+            failed = ""
+        }
+    }' "$out/tap" >"$out/found"
+paste -d '|' "$folder/expected" "$out/found" "$folder/names" >"$out/compared"
+while IFS='|' read -r expected found name; do
+    [ "$expected" = "$found" ]
+    result $? "$name"
+done <"$out/compared"
 finish
