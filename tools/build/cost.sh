@@ -10,14 +10,17 @@ fail()
     exit 1
 }
 
-# measure DIR SCENE METHOD: builds the firmware in build/cost/DIR and runs some of its steps; the lines of
-# make run, make size and make stack stand in build/cost/DIR/measured.
+# measure DIR SCENE METHOD [GOAL...]: builds the firmware in build/cost/DIR and runs some of its steps; the lines of
+# make run, and of the further goals, stand in build/cost/DIR/measured.
 measure()
 {
     dir=build/cost/$1
+    scene=$2
+    method=$3
+    shift 3
     mkdir -p "$dir"
-    "${MAKE:-make}" --no-print-directory run size stack TARGET=cortex-m4f REAL=float OUT="$dir" SCENE="$2" METHOD="$3" \
-        STEP= SECONDS=0.05 >"$dir/measured" </dev/null || fail "$2 with $3 cannot be measured; see $dir/measured"
+    "${MAKE:-make}" --no-print-directory run "$@" TARGET=cortex-m4f REAL=float OUT="$dir" SCENE="$scene" \
+        METHOD="$method" STEP= SECONDS=0.05 >"$dir/measured" </dev/null || fail "$scene with $method cannot be measured; see $dir/measured"
 }
 
 # get KEY: the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
@@ -66,7 +69,7 @@ price()
 
 model()
 {
-    measure "$1-rk4" "models/$1.scene" rk4
+    measure "$1-rk4" "models/$1.scene" rk4 size stack
     states=$(awk '$1 == "states" { print $2 }' "$dir/plant.txt")
     instructions=$(get instructions_per_step) && operations=$(operations) && text=$(get step_text) &&
         memory=$(get plant_memory) && stack=$(get stack_of_step) || exit 1
@@ -91,7 +94,7 @@ effect()
     mkdir -p "$folder"
     awk -v effect="$1" -f tools/build/effect.awk tools/build/effects.txt models/pendulum.scene \
         >"$folder/pendulum.scene" || fail "no scene for '$1'"
-    measure "${folder#build/cost/}" "$folder/pendulum.scene" rk4
+    measure "${folder#build/cost/}" "$folder/pendulum.scene" rk4 size
     with=$(price) || exit 1
     echo "$without $with" | awk -v name="$1" '
         { printf "| %s | %+d | %+d | %+d | %+d |\n", name, $5 - $1, $6 - $2, $7 - $3, $8 - $4 }'
@@ -100,19 +103,19 @@ effect()
 models="pendulum double_pendulum cart_pole arm6 tree"
 echo '| model | states | add | mul | div | sincos | rk4 | text | memory | stack |'
 echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
-for scene in $models; do
-    model $scene
+for name in $models; do
+    model $name
 done
 echo
 echo "| steps of |$(for method in $METHODS; do printf ' %s |' "$method"; done)"
 echo "|---|$(for method in $METHODS; do printf -- '--:|'; done)"
-for scene in $models; do
-    methods $scene
+for name in $models; do
+    methods $name
 done
 echo
 echo '| effect on the pendulum | instructions of a step | of a tick | bytes of text | of memory |'
 echo '|---|--:|--:|--:|--:|'
-measure pendulum-rk4 models/pendulum.scene rk4
+measure pendulum-rk4 models/pendulum.scene rk4 size
 without=$(price) || exit 1
 sed -n 's/^\([^#|][^|]*[^ |]\) *|.*/\1/p' tools/build/effects.txt | while IFS= read -r name; do
     effect "$name" || exit 1
