@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "tools/isoc/builder.h"
+#include "tools/isoc/jacobian.h"
 #include "tools/isoc/names.h"
 
 /* The last link that both hang on. */
@@ -116,10 +117,37 @@ static bool build_gear(builder *b, const closure *written, cut *made)
     return true;
 }
 
+/* The rate of what depends on time by its phases alone. */
+static node rate_of(builder *b, node moving)
+{
+    node sum = constant(b->g, 0.0);
+    for (int i = 0; i < b->made.clocks.count; i++) {
+        node slope;
+        differentiate(b->g, &moving, 1, leaf(b->g, OP_STATE, b->made.clocks.first + i), &slope);
+        sum = add(b->g, sum, mul(b->g, constant(b->g, b->made.clocks.all[i].rate), slope));
+    }
+    return sum;
+}
+
+/* Prescribed as a function of phases, which are states: so that a method of order four sees it at fourth order. */
 static bool build_motion(builder *b, const closure *written, cut *made)
 {
     made->parent.link = made->child.link = coordinate_of(b, written->first);
-    return made->parent.link >= 0 && written->motion != NULL;
+    if (made->parent.link < 0 || written->motion == NULL) {
+        return false;
+    }
+    if (b->made.links[made->parent.link].continuous) {
+        source_problem(b->s, written->first.at, "a motion of a continuous joint, whose angle starts anew each turn");
+    }
+    b->values.time_allowed = true;
+    b->values.clocks = &b->made.clocks;
+    const dimension of = coordinate_dimension(&b->made.links[made->parent.link]);
+    made->motion = scalar_value(b, written->motion, of, "the motion of this joint");
+    b->values.time_allowed = false;
+    b->values.clocks = NULL;
+    made->motion_rate = rate_of(b, made->motion);
+    made->motion_bias = rate_of(b, made->motion_rate);
+    return true;
 }
 
 static void build_closure(builder *b, const closure *written)
@@ -189,8 +217,10 @@ static void build_stabilisation(builder *b)
 void build_closures(builder *b)
 {
     b->made.cuts = arena_take(b->s->memory, b->written->closure_count + 1, sizeof *b->made.cuts);
+    b->made.clocks.first = b->made.position_count;
     for (size_t i = 0; i < b->written->closure_count; i++) {
         build_closure(b, &b->written->closures[i]);
     }
+    b->made.position_count += b->made.clocks.count;
     build_stabilisation(b);
 }

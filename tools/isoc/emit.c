@@ -62,6 +62,9 @@ static const char *const *state_words(const mechanism *m, arena *memory)
             words[l->position + n] = arena_format(memory, "%s%s", l->name, is_ball ? endings[n] : "");
         }
     }
+    for (int i = 0; i < m->clocks.count; i++) {
+        words[m->clocks.first + i] = arena_format(memory, "phase_%d", i + 1);
+    }
     for (int f = 0; f < m->freedom_count; f++) {
         words[m->position_count + f] = m->freedoms[f].name;
     }
@@ -392,6 +395,9 @@ static void emit_step(const plant *p, text *out)
                      upper(out->memory, m->links[i].name));
         }
     }
+    for (int i = 0; i < m->clocks.count; i++) {
+        text_add(out, "    (void)iso_take_turns(&memory.x[PLANT_X_PHASE_%d]);\n", i + 1);
+    }
     text_add(out, "}\n\n");
 }
 
@@ -433,7 +439,7 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
              " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n#include \"plant.h\"\n\n");
     text_add(out, "#include \"core/method.h\"\n%s#include \"core/sincos.h\"\n%s\n",
              timed_inputs ? "#include \"core/signal.h\"\n" : "",
-             p->turn_count > 0 ? "#include \"core/turns.h\"\n" : "");
+             p->turn_count + m->clocks.count > 0 ? "#include \"core/turns.h\"\n" : "");
     emit_memory(p, out);
     bool good = emit_function(p, g, out, "derivative", "dx", "", p->slopes, state_count(m), culprit);
     good = good && emit_function(p, g, out, "output", "y", "", p->outputs, p->output_count, culprit);

@@ -234,6 +234,9 @@ double *mechanism_start(const mechanism *m, arena *memory)
         memcpy(x + l->position, l->start, (size_t)positions_of(l->kind) * sizeof *x);
         memcpy(x + m->position_count + l->freedom, l->speed, (size_t)freedoms_of(l->kind) * sizeof *x);
     }
+    for (int i = 0; i < m->clocks.count; i++) {
+        x[m->clocks.first + i] = m->clocks.all[i].phase;
+    }
     return x;
 }
 

@@ -96,6 +96,7 @@ typedef struct mechanism {
     int multiplier_iterations; /* of the augmented Lagrangian; else 1 */
     int projections;           /* iterations of the projection after a step */
     double violation_limit;    /* m or rad; 0: none */
+    clocks clocks;             /* of motions; states between the links' positions and the speeds */
     thrust *thrusts;
     int thrust_count;
     vector gravity;

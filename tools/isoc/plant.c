@@ -122,6 +122,9 @@ plant plant_build(graph *g, const mechanism *m, bool is_double)
         position_rates(&p.d->k, i, p.slopes + m->links[i].position);
         p.turn_count += m->links[i].continuous;
     }
+    for (int i = 0; i < m->clocks.count; i++) {
+        p.slopes[m->clocks.first + i] = constant(g, m->clocks.all[i].rate);
+    }
     for (int f = 0; f < m->freedom_count; f++) {
         p.slopes[m->position_count + f] = p.d->acceleration[f];
     }

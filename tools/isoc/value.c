@@ -224,6 +224,21 @@ static value evaluate_power(values *v, const formula *f)
     return r;
 }
 
+/* The state that is this phase; the same for equal ones. */
+static node clock_of(values *v, double rate, double phase)
+{
+    clocks *c = v->clocks;
+    int i = 0;
+    while (i < c->count && (c->all[i].rate != rate || c->all[i].phase != phase)) {
+        i++;
+    }
+    if (i == c->count) {
+        c->all = arena_grow(v->s->memory, c->all, (size_t)c->count, &c->room, sizeof *c->all);
+        c->all[c->count++] = (clock){rate, phase};
+    }
+    return leaf(v->g, OP_STATE, c->first + i);
+}
+
 /* sin(3 Hz), sin(3 Hz, 90 deg), sin(2 rad/s): a phase that grows with the ticks. */
 static value evaluate_wave(values *v, const formula *f)
 {
@@ -250,7 +265,8 @@ static value evaluate_wave(values *v, const formula *f)
         source_problem(v->s, f->parts[0]->at, "more than half a period in a step: the wave cannot be seen");
         return nothing();
     }
-    const node angle = timed(v->g, OP_PHASE, turns, phase / (2 * pi));
+    const node angle = v->clocks != NULL ? clock_of(v, 2 * pi * turns / v->step, phase)
+                                         : timed(v->g, OP_PHASE, turns, phase / (2 * pi));
     return scalar(strcmp(f->name, "sin") == 0 ? sine(v->g, angle) : cosine(v->g, angle), plain);
 }
 
@@ -298,6 +314,11 @@ static value evaluate_call(values *v, const formula *f)
     if (!wave && strcmp(f->name, "table") != 0) {
         source_problem(v->s, f->at, "no function is called '%s'%s", f->name,
                        source_suggestion(v->s, f->name, functions, 3));
+        return nothing();
+    }
+    if (v->clocks != NULL && !wave) {
+        source_problem(v->s, f->at,
+                       "a motion is made of sines and cosines, whose rates are smooth; 'table' has corners");
         return nothing();
     }
     if (!v->time_allowed) {
