@@ -29,6 +29,7 @@ missing()
     have clang-format || echo clang-format
     have cppcheck || echo cppcheck
     have gnuplot || echo gnuplot-nox
+    have dot || echo graphviz
     if have ${CC:-cc} && ! have_sanitizers; then
         case $(${CC:-cc} --version) in
         *clang*) echo "libclang-rt-$(${CC:-cc} -dumpversion | cut -d. -f1)-dev" ;;

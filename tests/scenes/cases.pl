@@ -143,6 +143,7 @@ for my $case (
     [['--fast'], 'isoc: error: unknown option --fast'],
     [['--step'], 'isoc: error: a value is missing after --step'],
     [['-o', $dir], 'isoc: error: given twice: -o'],
+    [['--dot'], "isoc: error: --dot makes no plant: leave out -o $dir"],
     [['other.scene'], 'isoc: error: more than one scene: other.scene'],
 ) {
     ($status, $lines) = compile('tests/scenes/good.scene', '-o', $dir, @{ $case->[0] });

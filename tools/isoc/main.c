@@ -6,6 +6,7 @@
 
 #include "tools/isoc/assembly.h"
 #include "tools/isoc/cost.h"
+#include "tools/isoc/dot.h"
 #include "tools/isoc/parser.h"
 
 static const char version[] = "isoc 0.1\n";
@@ -14,6 +15,7 @@ static const char help[] =
     "isoc: compiles a scene to a plant in straight-line C\n"
     "\n"
     "  isoc SCENE -o DIR [--method M] [--step H] [--tolerance T] [--real float|double]\n"
+    "  isoc SCENE --dot\n"
     "\n"
     "  SCENE          the scene, a text file\n"
     "  -o DIR         where plant.h and plant.c go; made if it is not there\n"
@@ -21,6 +23,7 @@ static const char help[] =
     "  --step H       the step with its unit, e.g. 1ms, instead of the scene's\n"
     "  --tolerance T  of adams, which then takes as many sub-steps as it needs\n"
     "  --real R       the number type of the plant: float (default) or double\n"
+    "  --dot          nothing but a graph of bodies, joints and closures, for graphviz: isoc SCENE --dot | dot -Tsvg\n"
     "  --methods      what each method costs, as a table\n"
     "  --help         this text\n"
     "  --version      the version\n"
@@ -30,7 +33,7 @@ static const char help[] =
 
 typedef struct options {
     const char *scene, *directory, *method, *step, *tolerance;
-    bool is_double;
+    bool is_double, draws;
 } options;
 
 static bool complain(const char *message, const char *argument)
@@ -68,6 +71,8 @@ static bool read_options(char **arguments, options *o)
                 return false;
             }
             a++;
+        } else if (strcmp(*a, "--dot") == 0) {
+            o->draws = true;
         } else if ((*a)[0] == '-' && (*a)[1] != '\0') {
             return complain("unknown option", *a);
         } else if (o->scene != NULL) {
@@ -77,8 +82,11 @@ static bool read_options(char **arguments, options *o)
         }
     }
     o->is_double = real_name != NULL && strcmp(real_name, "double") == 0;
-    if (o->scene == NULL || o->directory == NULL) {
+    if (o->scene == NULL || (o->directory == NULL && !o->draws)) {
         return complain(o->scene == NULL ? "no scene named" : "no folder for the plant: -o DIR", NULL);
+    }
+    if (o->directory != NULL && o->draws) {
+        return complain("--dot makes no plant: leave out -o", o->directory);
     }
     if (real_name != NULL && !o->is_double && strcmp(real_name, "float") != 0) {
         return complain("--real is float or double, not", real_name);
@@ -196,6 +204,14 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
     return fflush(stdout) == 0;
 }
 
+static bool write_graph(arena *memory, const scene *written)
+{
+    text drawing = {.memory = memory};
+    dot_write(written, &drawing);
+    fwrite(drawing.bytes, 1, drawing.length, stdout);
+    return fflush(stdout) == 0;
+}
+
 static bool compile(arena *memory, const options *o)
 {
     source s;
@@ -211,6 +227,9 @@ static bool compile(arena *memory, const options *o)
     graph_start(&g, memory);
     graph_section(&g, "Constants of the scene");
     const mechanism m = mechanism_build(&s, &g, &written);
+    if (s.problem_count == 0 && o->draws) {
+        return write_graph(memory, &written);
+    }
     if (s.problem_count == 0) {
         const plant p = plant_build(&g, &m, o->is_double);
         assemble(&s, p.d);

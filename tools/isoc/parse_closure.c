@@ -2,11 +2,12 @@
 #include <stddef.h>
 
 #include "tools/isoc/formula.h"
+#include "tools/isoc/parser.h"
 #include "tools/isoc/pose.h"
 #include "tools/isoc/statements.h"
 
-static const char *const kind_names[] = {"fixed",    "revolute", "prismatic", "spherical", "line",
-                                         "distance", "gear",     "rolling",   "motion"};
+const char *const closure_kinds[] = {"fixed",    "revolute", "prismatic", "spherical", "line",
+                                     "distance", "gear",     "rolling",   "motion"};
 
 enum {
     REVOLUTE = 1 << CLOSE_REVOLUTE,
@@ -36,7 +37,8 @@ static const property properties[] = {
 };
 #undef IN
 
-static const block closure_block = {"closure", kind_names, COUNT_OF(kind_names), properties, COUNT_OF(properties)};
+static const block closure_block = {"closure", closure_kinds, COUNT_OF(closure_kinds), properties,
+                                    COUNT_OF(properties)};
 
 void read_closure(parser *p, const token *word, void *slot)
 {

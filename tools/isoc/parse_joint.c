@@ -2,11 +2,12 @@
 #include <stddef.h>
 
 #include "tools/isoc/formula.h"
+#include "tools/isoc/parser.h"
 #include "tools/isoc/pose.h"
 #include "tools/isoc/statements.h"
 
-static const char *const kind_names[] = {"fixed",       "revolute", "prismatic", "universal",
-                                         "cylindrical", "planar",   "spherical", "free"};
+const char *const joint_kinds[] = {"fixed",       "revolute", "prismatic", "universal",
+                                   "cylindrical", "planar",   "spherical", "free"};
 
 enum {
     FIXED = 1 << JOINT_FIXED,
@@ -87,7 +88,7 @@ static void read_start(parser *p, const token *word, void *slot)
     }
     const place *at = p->failed || j->broken ? NULL : foreign_part(form, &j->start);
     if (at != NULL) {
-        source_problem(p->s, *at, "a %s joint starts like this: %s", kind_names[j->kind], form->example);
+        source_problem(p->s, *at, "a %s joint starts like this: %s", joint_kinds[j->kind], form->example);
     }
     if (at != NULL || p->failed) {
         j->start = (pose){0};
@@ -128,7 +129,7 @@ static const property properties[] = {
 };
 #undef IN
 
-static const block joint_block = {"joint", kind_names, COUNT_OF(kind_names), properties, COUNT_OF(properties)};
+static const block joint_block = {"joint", joint_kinds, COUNT_OF(joint_kinds), properties, COUNT_OF(properties)};
 
 void read_joint_statement(parser *p, const token *word, void *slot)
 {

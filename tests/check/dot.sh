@@ -1,0 +1,43 @@
+#!/bin/sh
+# isoc --dot: graphviz draws every body, joint and closure of a scene, closures dashed, with their effects.
+. tests/host/test.sh
+begin check/dot
+
+# statements WORD...: how many the scene has of them.
+statements()
+{
+    grep -Ec "^($(echo "$*" | tr ' ' '|')) " "$scene"
+}
+
+# drawn PATTERN: how many lines of the drawing have it.
+drawn()
+{
+    grep -c -- "$1" "$out/drawing.svg"
+}
+
+for scene in models/*.scene tests/scenes/*.scene; do
+    build/isoc --dot "$scene" >"$out/graph.dot" && dot -Tsvg "$out/graph.dot" >"$out/drawing.svg" 2>"$out/errors" &&
+        [ ! -s "$out/errors" ]
+    result $? "$scene is drawn, and nothing is said against it"
+    [ "$(drawn 'class="node"')" -eq $(($(statements body) + 1)) ]
+    result $? "$scene: a node for each of $(statements body) bodies, and the ground"
+    [ "$(drawn 'class="edge"')" -eq "$(statements joint close)" ] && [ "$(drawn stroke-dasharray)" -eq "$(statements close)" ]
+    result $? "$scene: an edge for each of $(statements joint) joints, a dashed one for each of $(statements close) closures"
+done
+
+# Effects; the last drawing is that of good.scene.
+for told in closed:'force jet: thrust' closed:chain closed:distance closed:gear closed:universal closed:damping \
+    good:'drive: push' good:revolute; do
+    build/isoc --dot "tests/scenes/${told%%:*}.scene" | dot -Tsvg >"$out/drawing.svg" && grep -qF ">${told#*:}</text>" \
+        "$out/drawing.svg"
+    result $? "${told%%:*}: ${told#*:}"
+done
+! grep -qF '>spring</text>' "$out/drawing.svg"
+result $? "found: an effect that is not there"
+
+! build/isoc --dot models/pendulum.scene | head -c 60 | dot -Tsvg >"$out/drawing.svg" 2>"$out/errors"
+result $? "found: half a graph"
+echo 'step 1 ms' >"$out/bad.scene"
+! build/isoc --dot "$out/bad.scene" >"$out/graph.dot" 2>"$out/errors" && [ ! -s "$out/graph.dot" ] && [ -s "$out/errors" ]
+result $? "a scene with mistakes has no graph"
+finish
