@@ -184,7 +184,7 @@ static bool close_positions(const assembly *a, bool *is_free)
                        name_of(a, worst), left, rank, a->held->count);
         return false;
     }
-    if (rank < a->held->count && a->m->regularisation == 0.0) {
+    if (rank < a->held->count && !a->m->is_redundant) {
         source_problem(a->s, place_of(a, a->held->count - 1),
                        "the closures repeat each other: rank %d of %d constraints at the start; leave out what is "
                        "redundant, or write stabilisation lagrangian",

@@ -1,5 +1,9 @@
 #include "tools/isoc/augmented.h"
 
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
 /* The least neighbours first (Tinney and Walker 1967, scheme 2), with the fill that an elimination brings. */
 static void choose_order(graph *g, const node *schur, int n, int *order)
 {
@@ -82,8 +86,8 @@ static void solve(const augmented *a, node *x)
     }
 }
 
-/* A = (L'^-1 Phi_q')' D^-1 (L'^-1 Phi_q'), and e on the diagonal. */
-static void build_schur(augmented *a, node regularisation)
+/* A = (L'^-1 Phi_q')' D^-1 (L'^-1 Phi_q'). */
+static void build_schur(augmented *a)
 {
     const mass_matrix *mass = a->mass;
     graph *g = mass->k->g;
@@ -107,8 +111,24 @@ static void build_schur(augmented *a, node regularisation)
             }
             a->schur[r * n + s] = a->schur[s * n + r] = sum;
         }
-        a->schur[r * n + r] = a->diagonal[r] = add(g, a->schur[r * n + r], regularisation);
     }
+}
+
+/* e: 1 / penalty, or as the rounding asks for. */
+static double regularisation(const augmented *a)
+{
+    const mechanism *m = a->mass->k->m;
+    graph *g = a->mass->k->g;
+    if (!m->is_redundant || m->penalty > 0.0) {
+        return m->is_redundant ? 1.0 / m->penalty : 0.0;
+    }
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers), sum = 0.0;
+    double *u = arena_take(g->memory, (size_t)m->input_count + 1, sizeof *u);
+    graph_evaluate(g, mechanism_start(m, g->memory), u, m->defaults, numbers);
+    for (int r = 0; r < a->held.count; r++) {
+        sum += numbers[a->schur[r * a->held.count + r]];
+    }
+    return sum / a->held.count * sqrt(0.5 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON));
 }
 
 /* Phi_q M^-1 (effort - bias) - gamma. */
@@ -141,9 +161,12 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
     a.diagonal = arena_take(g->memory, (size_t)n, sizeof *a.diagonal);
     a.multipliers = arena_take(g->memory, (size_t)n, sizeof *a.multipliers);
     node *delta = arena_take(g->memory, (size_t)n, sizeof *delta);
-    const node regularisation = constant(g, m->regularisation);
 
-    build_schur(&a, regularisation);
+    build_schur(&a);
+    const node e = constant(g, regularisation(&a));
+    for (int r = 0; r < n; r++) {
+        a.schur[r * n + r] = a.diagonal[r] = add(g, a.schur[r * n + r], e);
+    }
     choose_order(g, a.schur, n, a.order);
     factorise(&a, m);
     build_demand(&a, effort, delta);
@@ -156,7 +179,7 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
         solve(&a, delta);
         for (int r = 0; r < n; r++) {
             a.multipliers[r] = add(g, a.multipliers[r], delta[r]);
-            delta[r] = mul(g, regularisation, delta[r]);
+            delta[r] = mul(g, e, delta[r]);
         }
     }
     for (int r = 0; r < n; r++) {

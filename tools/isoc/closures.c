@@ -205,7 +205,8 @@ static void build_stabilisation(builder *b)
         const double omega = option(b, written->omega, rate, "omega", usual, 0.0);
         made->beta = omega;
         made->alpha = omega * option(b, written->mu, no_unit, "mu", 1.0, 0.0);
-        made->regularisation = 1.0 / option(b, written->penalty, kilogram, "the penalty", 1e7, 1e-9);
+        made->is_redundant = true;
+        made->penalty = option(b, written->penalty, kilogram, "the penalty", 0.0, 1e-9);
         made->multiplier_iterations =
             (int)option(b, written->iterations, no_unit, "the number of iterations", 3.0, 1.0);
     } else if (is_projection) {

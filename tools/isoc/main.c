@@ -226,7 +226,8 @@ static bool compile(arena *memory, const options *o)
     }
     graph_start(&g, memory);
     graph_section(&g, "Constants of the scene");
-    const mechanism m = mechanism_build(&s, &g, &written);
+    mechanism m = mechanism_build(&s, &g, &written);
+    m.is_double = o->is_double;
     if (s.problem_count == 0 && o->draws) {
         return write_graph(memory, &written);
     }

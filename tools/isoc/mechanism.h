@@ -92,7 +92,9 @@ typedef struct mechanism {
     cut *cuts;
     int cut_count;
     double alpha, beta;        /* 1/s, of Baumgarte */
-    double regularisation;     /* 1/penalty, on the diagonal of the Schur complement */
+    bool is_redundant;         /* the Schur complement may be singular: augmented Lagrangian */
+    double penalty;            /* kg, of the augmented Lagrangian; 0: from the rounding (tools/isoc/augmented.h) */
+    bool is_double;            /* the number type of the plant */
     int multiplier_iterations; /* of the augmented Lagrangian; else 1 */
     int projections;           /* iterations of the projection after a step */
     double violation_limit;    /* m or rad; 0: none */
