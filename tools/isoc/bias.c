@@ -53,7 +53,8 @@ static void push(const kinematics *k, const thrust *t, wrench *w)
 {
     graph *g = k->g;
     const vector force = vector_scale(g, leaf(g, OP_INPUT, t->drive), t->axis);
-    const vector about = vector_add(g, vector_cross(g, t->point, force), vector_scale(g, t->lever, force));
+    const vector swung = vector_cross(g, t->point, force);
+    const vector about = vector_add(g, swung, vector_scale(g, t->lever, force));
     w->force = vector_sub(g, w->force, force);
     w->moment = vector_sub(g, w->moment, about);
 }

@@ -34,9 +34,6 @@ node scalar_value(builder *b, const formula *f, dimension of, const char *what);
 /* Notes that a property cannot stand where it is written. */
 void refuse(builder *b, const formula *f, const char *property, const char *why);
 
-/* What a property cannot be is told once, for a kind of joint. */
-void check_properties(builder *b, const joint *j);
-
 /* joints.c: the links that a joint is a chain of, from the parent's side, each with its axes against the joint's frame;
  * their number. And the freedoms of all links. */
 enum { LINKS_OF_A_JOINT = 4 };

@@ -77,7 +77,7 @@ static bool build_between(builder *b, const closure *written, cut *made)
 /* The link of a joint of one coordinate, or -1. */
 static int coordinate_of(builder *b, name n)
 {
-    if (n.text == NULL) {
+    if (n.text == NULL || b->written->broken) {
         return -1;
     }
     for (int i = 0; i < b->made.link_count; i++) {
@@ -183,20 +183,12 @@ static double option(builder *b, const formula *f, dimension of, const char *wha
  * Omega, with mu = 1: gamma is the same. */
 static void build_stabilisation(builder *b)
 {
-    static const char *const kinds[] = {"baumgarte", "projection", "lagrangian", "none"};
     static const dimension rate = {0, 0, -1, 0};
     const stabilisation *written = &b->written->stabilisation;
     mechanism *made = &b->made;
     const char *kind = written->kind.text == NULL ? "baumgarte" : written->kind.text;
     const bool is_lagrangian = strcmp(kind, "lagrangian") == 0, is_projection = strcmp(kind, "projection") == 0;
     const bool draws = is_lagrangian || strcmp(kind, "baumgarte") == 0;
-    bool known = strcmp(kind, "none") == 0 || is_projection || draws;
-    if (!known) {
-        source_problem(b->s, written->kind.at,
-                       "no stabilisation is called '%s'%s; there are baumgarte, projection, "
-                       "lagrangian, none",
-                       kind, source_suggestion(b->s, kind, kinds, 4));
-    }
     const double usual = draws ? 0.1 / made->step : 0.0;
     made->alpha = option(b, written->alpha, rate, "alpha", usual, 0.0);
     made->beta = option(b, written->beta, rate, "beta", written->alpha != NULL ? made->alpha : usual, 0.0);

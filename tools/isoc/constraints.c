@@ -1,5 +1,7 @@
 #include "tools/isoc/constraints.h"
 
+#include <math.h>
+
 /* One side of a closure: how its point and its axes move, in base axes. */
 typedef struct side {
     vector point, velocity, acceleration;
@@ -153,19 +155,34 @@ static void hold_across(const pair *p, constraints *to, vector u, vector w, cons
     put(k, to, made, called);
 }
 
+/* How far the points are apart at the start. */
+static node distance_at_start(const pair *p)
+{
+    graph *g = p->k->g;
+    const mechanism *m = p->k->m;
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers), square = 0.0;
+    double *u = arena_take(g->memory, (size_t)m->input_count + 1, sizeof *u);
+    graph_evaluate(g, mechanism_start(m, g->memory), u, m->defaults, numbers);
+    for (int i = 0; i < 3; i++) {
+        square += numbers[p->apart.at[i]] * numbers[p->apart.at[i]];
+    }
+    return constant(g, sqrt(square));
+}
+
 /* Phi = (|r|^2 - length^2) / (2 length), in metres. */
 static void hold_distance(const pair *p, constraints *to, const char *called)
 {
     const kinematics *k = p->k;
     graph *g = k->g;
     constraint made = blank(k, p->index);
-    const vector d = vector_scale(g, divide(g, constant(g, 1.0), p->c->length), p->apart);
+    const node length = is_zero(g, p->c->length) ? distance_at_start(p) : p->c->length;
+    const vector d = vector_scale(g, divide(g, constant(g, 1.0), length), p->apart);
     const node half = constant(g, 0.5);
-    made.position = mul(g, half, sub(g, vector_dot(g, d, p->apart), p->c->length));
+    made.position = mul(g, half, sub(g, vector_dot(g, d, p->apart), length));
     for (int f = 0; f < k->m->freedom_count; f++) {
         made.row[f] = vector_dot(g, d, vector_sub(g, p->child.linear[f], p->parent.linear[f]));
     }
-    const node square = divide(g, vector_dot(g, p->apart_rate, p->apart_rate), p->c->length);
+    const node square = divide(g, vector_dot(g, p->apart_rate, p->apart_rate), length);
     made.bias = add(g, vector_dot(g, d, p->apart_bias), square);
     made.force = vector_scale(g, constant(g, -1.0), d);
     put(k, to, made, called);
@@ -183,7 +200,8 @@ static void hold_rolling(const pair *p, constraints *to, vector t, vector n, con
         const node linear = vector_dot(g, t, p->child.linear[f]);
         made.row[f] = add(g, linear, vector_dot(g, arm, p->child.angular[f]));
     }
-    made.bias = add(g, vector_dot(g, t, p->apart_bias), vector_dot(g, arm, p->child.alpha));
+    const node carried = vector_dot(g, t, p->apart_bias);
+    made.bias = add(g, carried, vector_dot(g, arm, p->child.alpha));
     made.force = vector_scale(g, constant(g, -1.0), t);
     made.moment = vector_scale(g, constant(g, -1.0), arm);
     put(k, to, made, called);

@@ -7,92 +7,6 @@
 
 static const double half_turn = 3.14159265358979323846;
 
-/* --- what a kind of joint can have --- */
-
-typedef enum property {
-    HAS_AXIS = 1,
-    HAS_SECOND = 2,
-    HAS_COORDINATE = 4, /* one coordinate: start, spring, drive */
-    HAS_PLACE = 8,      /* start at */
-    HAS_ANGLES = 16,    /* start rotate, about the joint's own axes */
-    HAS_TURNS = 32,     /* start rotate ... about ..., or a quaternion */
-    HAS_SPEED = 64,
-    HAS_SPIN = 128,
-    HAS_DAMPING = 256,
-    HAS_SPIN_DAMPING = 512,
-} property;
-
-static const struct {
-    const char *name;
-    int has, angles;
-} kinds[] = {
-    [JOINT_FIXED] = {"fixed", 0, 0},
-    [JOINT_REVOLUTE] = {"revolute", HAS_AXIS | HAS_COORDINATE | HAS_SPEED | HAS_DAMPING, 0},
-    [JOINT_PRISMATIC] = {"prismatic", HAS_AXIS | HAS_COORDINATE | HAS_SPEED | HAS_DAMPING, 0},
-    [JOINT_UNIVERSAL] = {"universal", HAS_AXIS | HAS_SECOND | HAS_ANGLES | HAS_SPIN | HAS_SPIN_DAMPING, 2},
-    [JOINT_CYLINDRICAL] = {"cylindrical",
-                           HAS_AXIS | HAS_PLACE | HAS_ANGLES | HAS_SPEED | HAS_SPIN | HAS_DAMPING | HAS_SPIN_DAMPING,
-                           1},
-    [JOINT_PLANAR] = {"planar",
-                      HAS_AXIS | HAS_PLACE | HAS_ANGLES | HAS_SPEED | HAS_SPIN | HAS_DAMPING | HAS_SPIN_DAMPING, 1},
-    [JOINT_SPHERICAL] = {"spherical", HAS_TURNS | HAS_SPIN | HAS_SPIN_DAMPING, 0},
-    [JOINT_FREE] = {"free", HAS_PLACE | HAS_TURNS | HAS_SPEED | HAS_SPIN | HAS_DAMPING | HAS_SPIN_DAMPING, 0},
-};
-
-static void check_start(builder *b, const joint *j, int has)
-{
-    const pose *p = &j->start;
-    const char *why = arena_format(b->s->memory, "on a %s joint", kinds[j->kind].name);
-    refuse(b, has & HAS_COORDINATE ? NULL : p->coordinate, "a start of one coordinate", why);
-    refuse(b, has & HAS_PLACE ? NULL : p->position, "a start 'at' a place", why);
-    refuse(b, has & HAS_TURNS ? NULL : p->quaternion, "a quaternion", why);
-    for (size_t i = 0; i < p->turn_count; i++) {
-        const turn *t = &p->turns[i];
-        if ((has & (HAS_ANGLES | HAS_TURNS)) == 0) {
-            source_problem(b->s, t->at, "a turn at the start %s", why);
-        } else if ((has & HAS_ANGLES) != 0 && t->axis != NULL) {
-            source_problem(b->s, t->axis->at, "an axis here %s, which has its own: rotate 10 deg", why);
-        } else if ((has & HAS_TURNS) != 0 && t->axis == NULL) {
-            source_problem(b->s, t->at, "a turn at the start %s is about an axis: rotate 10 deg about x", why);
-        } else if ((has & HAS_ANGLES) != 0 && (int)i >= kinds[j->kind].angles) {
-            source_problem(b->s, t->at, "more turns than the joint has angles");
-        }
-    }
-}
-
-void check_properties(builder *b, const joint *j)
-{
-    const int has = kinds[j->kind].has;
-    const char *why = j->kind == JOINT_FIXED ? "on a fixed joint, which does not move"
-                                             : arena_format(b->s->memory, "on a %s joint", kinds[j->kind].name);
-    refuse(b, has & HAS_AXIS ? NULL : j->axis, "an axis", why);
-    refuse(b, has & HAS_SECOND ? NULL : j->second, "a second axis", why);
-    refuse(b, has & HAS_SPEED ? NULL : j->speed, "a speed", why);
-    refuse(b, has & HAS_SPIN ? NULL : j->spin, "a spin", why);
-    refuse(b, has & HAS_DAMPING ? NULL : j->damping, "damping", why);
-    refuse(b, has & HAS_SPIN_DAMPING ? NULL : j->spin_damping, "spin_damping", why);
-    refuse(b, has & HAS_COORDINATE ? NULL : j->spring, "a spring", why);
-    if (j->kind == JOINT_FIXED) {
-        refuse(b, j->start.coordinate, "a start", why);
-    } else {
-        check_start(b, j, has);
-    }
-    if (j->drive.text != NULL && (has & HAS_COORDINATE) == 0) {
-        source_problem(b->s, j->drive.at, "a drive %s", why);
-    }
-    if ((has & HAS_AXIS) != 0 && j->axis == NULL && !j->broken) {
-        source_problem(b->s, j->name.at, "the joint '%s' has no axis: axis z", j->name.text);
-    }
-    if ((has & HAS_SECOND) != 0 && j->second == NULL && !j->broken) {
-        source_problem(b->s, j->name.at, "the joint '%s' has no second axis: second y", j->name.text);
-    }
-    if (j->continuous && j->kind != JOINT_REVOLUTE) {
-        source_problem(b->s, j->continuous_at, "only a revolute joint is continuous");
-    } else if (j->continuous) {
-        refuse(b, j->spring, "a spring", "on a continuous joint, whose angle starts anew each turn");
-    }
-}
-
 /* --- numbers of the start --- */
 
 static dimension per_second(dimension of)
@@ -104,7 +18,10 @@ static dimension per_second(dimension of)
 /* `count` constants; zeros where nothing is written. */
 static void constants(builder *b, const formula *f, dimension of, int count, const char *what, double *numbers)
 {
-    const value v = f == NULL ? (value){0} : value_of(&b->values, f, of, count, what);
+    value v = {0};
+    if (f != NULL) {
+        v = value_of(&b->values, f, of, count, what);
+    }
     for (int i = 0; i < count; i++) {
         const bool known = i < v.count && is_constant(b->g, v.parts[i]);
         numbers[i] = known ? constant_value(b->g, v.parts[i]) : 0.0;
@@ -133,12 +50,13 @@ static void start_quaternion(builder *b, const joint *j, double q[4])
 {
     const formula *f = j->start.quaternion;
     if (f != NULL) {
+        const size_t problems = b->s->problem_count;
         constants(b, f, no_unit, 4, "a quaternion", q);
         const double norm = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
         for (int i = 0; i < 4; i++) {
             q[i] = norm > 0.0 ? q[i] / norm : 0.0;
         }
-        if (!(norm > 0.0)) {
+        if (!(norm > 0.0) && b->s->problem_count == problems) {
             source_problem(b->s, f->at, "a quaternion of length zero is no orientation: quaternion (1, 0, 0, 0)");
         }
         return;
@@ -200,6 +118,9 @@ static link single(builder *b, const joint *j, int axis, double sign)
     made.rest = scalar_value(b, j->rest, coordinate, "the rest of this spring");
     made.drive = j->drive.text == NULL ? -1 : find_input(b->s, b->written, j->drive);
     made.continuous = j->continuous;
+    if (j->continuous) {
+        refuse(b, j->spring, "a spring", "on a continuous joint, whose angle starts anew each turn");
+    }
     return made;
 }
 
@@ -299,7 +220,7 @@ int joint_parts(builder *b, const joint *j, link parts[LINKS_OF_A_JOINT], matrix
     if (j->kind == JOINT_UNIVERSAL) {
         return universal_parts(b, j, parts, aligned);
     }
-    if (kinds[j->kind].has & HAS_AXIS && j->axis != NULL && unit_axis(b, j->axis, axis)) {
+    if (j->axis != NULL && unit_axis(b, j->axis, axis)) {
         turned = align(b->g, axis, &k, &sign);
     }
     for (int n = 0; n < LINKS_OF_A_JOINT; n++) {

@@ -77,9 +77,6 @@ static void build_bodies(builder *b)
         const body *written = &b->written->bodies[i];
         solid *made = &b->solids[i];
         made->joint = -1;
-        if (written->mass == NULL && !written->broken) {
-            source_problem(b->s, written->name.at, "the body '%s' has no mass: mass 1 kg", written->name.text);
-        }
         const size_t problems = b->s->problem_count;
         made->mass = scalar_value(b, written->mass, kilogram, "a mass");
         if (written->mass != NULL && b->s->problem_count == problems && !(value_now(&b->values, made->mass) > 0.0)) {
@@ -92,23 +89,17 @@ static void build_bodies(builder *b)
 
 /* --- joints, one by one --- */
 
-static int resolve_end(builder *b, const joint *j, const placement *end, const char *which)
+static int resolve_end(builder *b, const placement *end)
 {
-    if (end->body.text == NULL) {
-        if (!j->broken) {
-            source_problem(b->s, j->name.at, "the joint '%s' has no %s", j->name.text, which);
-        }
-        return -1;
-    }
-    return find_body(b->s, b->written, end->body);
+    return end->body.text == NULL ? -1 : find_body(b->s, b->written, end->body);
 }
 
 /* Which bodies a joint connects; a body is the child of one joint. */
 static void connect(builder *b, size_t i)
 {
     const joint *j = &b->written->joints[i];
-    b->parents[i] = resolve_end(b, j, &j->parent, "parent");
-    const int child = b->children[i] = resolve_end(b, j, &j->child, "child");
+    b->parents[i] = resolve_end(b, &j->parent);
+    const int child = b->children[i] = resolve_end(b, &j->child);
     if (child == -2) {
         source_problem(b->s, j->child.body.at, "the ground is nobody's child: swap parent and child");
         b->children[i] = -1;
@@ -258,7 +249,6 @@ mechanism mechanism_build(source *s, graph *g, const scene *written)
     b.made.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
     build_bodies(&b);
     for (size_t i = 0; i < written->joint_count; i++) {
-        check_properties(&b, &written->joints[i]);
         connect(&b, i);
     }
     build_tree(&b);

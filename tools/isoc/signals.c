@@ -109,7 +109,8 @@ static bool is_reaction(const output *o)
 /* The closure whose force or moment an output shows. */
 static int closure_called(builder *b, const output *o)
 {
-    for (int i = 0; i < b->made.cut_count; i++) {
+    const int found = find_closure(b->s, b->written, o->of);
+    for (int i = 0; i < b->made.cut_count && found >= 0; i++) {
         if (strcmp(b->made.cuts[i].name, o->of.text) == 0) {
             if (b->made.cuts[i].kind == CLOSE_GEAR || b->made.cuts[i].kind == CLOSE_MOTION) {
                 source_problem(b->s, o->of.at, "'%s' acts along joints, not by a force between bodies", o->of.text);
@@ -117,7 +118,6 @@ static int closure_called(builder *b, const output *o)
             return i;
         }
     }
-    source_problem(b->s, o->of.at, "no closure is called '%s'", o->of.text);
     return -1;
 }
 
