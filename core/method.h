@@ -11,20 +11,31 @@
 #include "core/multistep.h"
 #include "core/stiff.h"
 
-typedef enum iso_method {
-    ISO_EULER,
-    ISO_HEUN,
-    ISO_RK4,
-    ISO_AB4,
-    ISO_SEMI_IMPLICIT, /* of a mechanical plant: half of the states are positions, half their rates */
-    ISO_ABM4,          /* PECE */
-    ISO_ABM4_PEC,
-    ISO_ABM4_PECECE,
-    ISO_BDF4,
-    ISO_ROSENBROCK,
-    ISO_METHODS,            /* of a fixed step, which iso_method_step does */
-    ISO_ADAMS = ISO_METHODS /* of a step that varies within the tick: core/adams.h, which a plant calls itself */
-} iso_method;
+/* Every method, X(constant, name in a scene): those of a fixed step, which iso_method_step does, and last the one whose
+ * step varies within the tick, which a plant calls itself. Semi-implicit Euler is of a mechanical plant: half of the
+ * states are positions, half their rates. Abm4 evaluates after its correction too (PECE). */
+#define ISO_METHOD_LIST(X)                                                                                             \
+    X(ISO_EULER, "euler")                                                                                              \
+    X(ISO_HEUN, "heun")                                                                                                \
+    X(ISO_RK4, "rk4")                                                                                                  \
+    X(ISO_AB4, "ab4")                                                                                                  \
+    X(ISO_SEMI_IMPLICIT, "semi_implicit")                                                                              \
+    X(ISO_ABM4, "abm4")                                                                                                \
+    X(ISO_ABM4_PEC, "abm4_pec")                                                                                        \
+    X(ISO_ABM4_PECECE, "abm4_pecece")                                                                                  \
+    X(ISO_BDF4, "bdf4")                                                                                                \
+    X(ISO_ROSENBROCK, "rosenbrock")                                                                                    \
+    X(ISO_ADAMS, "adams")
+#define ISO_METHOD_CONSTANT(constant, name) constant,
+#define ISO_METHOD_ENTRY(constant, name) [constant] = (name),
+
+typedef enum iso_method { ISO_METHOD_LIST(ISO_METHOD_CONSTANT) ISO_METHODS = ISO_ADAMS } iso_method;
+
+/* What they are called: an array of ISO_METHODS + 1. */
+#define ISO_METHOD_NAMES                                                                                               \
+    {                                                                                                                  \
+        ISO_METHOD_LIST(ISO_METHOD_ENTRY)                                                                              \
+    }
 
 /* Options, each of which costs nothing where it is not named. */
 enum {

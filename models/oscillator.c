@@ -10,13 +10,7 @@ enum { FORCE, INPUTS };
 enum { MASS, DAMPING, STIFFNESS, PARAMETERS };
 enum { OUT_POSITION, OUT_SPEED, OUT_ENERGY, OUTPUTS };
 
-static struct {
-    real x[ISO_METHOD_STATE(ISO_METHOD, STATES)];
-    real u[INPUTS];
-    real p[PARAMETERS];
-    real y[OUTPUTS];
-    iso_progress progress;
-} memory;
+ISO_PLANT_MEMORY(STATES, INPUTS, PARAMETERS, OUTPUTS);
 
 static const real start[STATES] = {[POSITION] = R(0.1)};
 static const real defaults[PARAMETERS] = {[MASS] = R(0.5), [DAMPING] = R(0.4), [STIFFNESS] = R(80.0)};
@@ -63,43 +57,5 @@ static void solve(real *restrict const d, const real *restrict const lu)
 
 static const iso_equations equations = {derivative, factor, solve, .factors = STATES * STATES};
 
-static void prime(void)
-{
-    real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, STATES)];
-    iso_method_prime(ISO_METHOD, STATES, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, work,
-                     &memory.progress);
-}
-
-static void step(void)
-{
-    real work[ISO_METHOD_WORK(ISO_METHOD, STATES)], lu[STATES * STATES];
-    iso_method_step(ISO_METHOD, STATES, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, lu, work,
-                    &memory.progress);
-}
-
-const iso_plant iso_the_plant = {
-    .name = "oscillator",
-    .method = ISO_METHOD_TEXT,
-    .step_text = ISO_STEP_TEXT,
-    .step_size = ISO_STEP_SIZE,
-    .period_ns = ISO_STEP_NS,
-    .states = STATES,
-    .inputs = INPUTS,
-    .outputs = OUTPUTS,
-    .parameters = PARAMETERS,
-    .output_names = "position,speed,energy",
-    .x = memory.x,
-    .u = memory.u,
-    .p = memory.p,
-    .y = memory.y,
-    .start = start,
-    .defaults = defaults,
-    .progress = &memory.progress,
-    .memory = &memory,
-    .memory_bytes = sizeof memory,
-    .derivative = derivative,
-    .output = output,
-    .drive = drive,
-    .prime = prime,
-    .step = step,
-};
+ISO_PLANT(STATES, INPUTS, PARAMETERS, OUTPUTS, .name = "oscillator", .output_names = "position,speed,energy",
+          .defaults = defaults, .drive = drive);

@@ -8,12 +8,7 @@ enum { NOTHING, BRANCH, INDEX, LOOP, OUTPUT };
 #define PLANTED NOTHING
 #endif
 
-static struct {
-    real x[ISO_METHOD_STATE(ISO_METHOD, 1)];
-    real p[1];
-    real y[1];
-    iso_progress progress;
-} memory;
+ISO_PLANT_MEMORY(1, 0, 1, 1);
 
 static const real start[1] = {R(1.0)};
 static const real defaults[1] = {R(2.0)};
@@ -63,38 +58,4 @@ static void solve(real *restrict const d, const real *restrict const lu)
 
 static const iso_equations equations = {derivative, factor, solve, .factors = 1};
 
-static void prime(void)
-{
-    real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, 1)];
-    iso_method_prime(ISO_METHOD, 1, &equations, ISO_STEP_SIZE, memory.x, NULL, memory.p, work, &memory.progress);
-}
-
-static void step(void)
-{
-    real work[ISO_METHOD_WORK(ISO_METHOD, 1)], lu[1];
-    iso_method_step(ISO_METHOD, 1, &equations, ISO_STEP_SIZE, memory.x, NULL, memory.p, lu, work, &memory.progress);
-}
-
-const iso_plant iso_the_plant = {
-    .name = "planted",
-    .method = ISO_METHOD_TEXT,
-    .step_text = ISO_STEP_TEXT,
-    .step_size = ISO_STEP_SIZE,
-    .period_ns = ISO_STEP_NS,
-    .states = 1,
-    .outputs = 1,
-    .parameters = 1,
-    .output_names = "x",
-    .x = memory.x,
-    .p = memory.p,
-    .y = memory.y,
-    .start = start,
-    .defaults = defaults,
-    .progress = &memory.progress,
-    .memory = &memory,
-    .memory_bytes = sizeof memory,
-    .derivative = derivative,
-    .output = output,
-    .prime = prime,
-    .step = step,
-};
+ISO_PLANT(1, 0, 1, 1, .name = "planted", .output_names = "x", .defaults = defaults);

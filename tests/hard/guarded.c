@@ -23,12 +23,7 @@ enum { FAULT_TICK = 100 };
 #define NOT_A_NUMBER iso_real_of(ISO_EXPONENT_BITS | 1)
 #define ENORMOUS R(1e38)
 
-static struct {
-    real x[ISO_METHOD_STATE(ISO_METHOD, STATES)];
-    real u[INPUTS];
-    real y[STATES];
-    iso_progress progress;
-} memory;
+ISO_PLANT_MEMORY(STATES, INPUTS, 0, STATES);
 
 static const real start[STATES] = {[BUSHING] = R(0.001)};
 
@@ -86,39 +81,5 @@ static void solve(real *restrict const d, const real *restrict const lu)
 
 static const iso_equations equations = {derivative, factor, solve, 8};
 
-static void prime(void)
-{
-    real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, STATES)];
-    iso_method_prime(ISO_METHOD, STATES, &equations, ISO_STEP_SIZE, memory.x, memory.u, NULL, work, &memory.progress);
-}
-
-static void step(void)
-{
-    real work[ISO_METHOD_WORK(ISO_METHOD, STATES)];
-    real lu[8];
-    iso_method_step(ISO_METHOD, STATES, &equations, ISO_STEP_SIZE, memory.x, memory.u, NULL, lu, work,
-                    &memory.progress);
-}
-
-const iso_plant iso_the_plant = {
-    .name = "guarded",
-    .method = ISO_METHOD_TEXT,
-    .step_text = ISO_STEP_TEXT,
-    .step_size = ISO_STEP_SIZE,
-    .period_ns = ISO_STEP_NS,
-    .states = STATES,
-    .inputs = INPUTS,
-    .outputs = STATES,
-    .output_names = "free,bushing,free_speed,bushing_speed",
-    .x = memory.x,
-    .u = memory.u,
-    .y = memory.y,
-    .start = start,
-    .memory = &memory,
-    .memory_bytes = sizeof memory,
-    .derivative = derivative,
-    .output = output,
-    .drive = drive,
-    .prime = prime,
-    .step = step,
-};
+ISO_PLANT(STATES, INPUTS, 0, STATES, .name = "guarded", .output_names = "free,bushing,free_speed,bushing_speed",
+          .drive = drive);

@@ -62,6 +62,9 @@ double hard_error(const hard_run *run, const long double *exact);
  * no later state looks right again. */
 void hard_expect_failure(const hard_problem *problem, unsigned recipe, double h, long steps);
 
+/* The same of every explicit method of general equations. */
+void hard_expect_explicit_failures(const hard_problem *problem, double h, long steps);
+
 /* What a method must reach on a stiff problem: at time t after n steps the error is at most `error`, and 2^order less
  * with every halving of the step; order 0 is a single run. */
 typedef struct hard_claim {

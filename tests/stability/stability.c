@@ -24,18 +24,7 @@ enum { STEPS = 8000, N = 2, STATE_MAX = 8 * N, WORK_MAX = 8 * N };
 /* Of the theory, in double. */
 #define ROUNDING 1e-12
 
-static const char *const names[ISO_METHODS] = {
-    [ISO_EULER] = "euler",
-    [ISO_HEUN] = "heun",
-    [ISO_RK4] = "rk4",
-    [ISO_AB4] = "ab4",
-    [ISO_SEMI_IMPLICIT] = "semi_implicit",
-    [ISO_ABM4] = "abm4",
-    [ISO_ABM4_PEC] = "abm4 pec",
-    [ISO_ABM4_PECECE] = "abm4 pecece",
-    [ISO_BDF4] = "bdf4",
-    [ISO_ROSENBROCK] = "rosenbrock",
-};
+static const char *const names[ISO_METHODS + 1] = ISO_METHOD_NAMES;
 
 /* x' = z x, p = {Re z, Im z}. */
 static void rotate(real *restrict const dx, const real *restrict const x, const real *restrict const u,

@@ -1,21 +1,13 @@
 /* core/explicit.h: euler, heun, rk4 and semi-implicit Euler against results that are exact in binary. */
 #include "core/explicit.h"
 #include "tests/tap.h"
+#include "tests/unit/equations.h"
 
 enum { N_MAX = 3 };
 
 /* With h = 1.5 the divisions by 2 and 6 are exact, and so is every number below. */
 static const real h = R(1.5);
 static const real h_oscillator = R(0.75);
-
-/* t' = 1, q' = t^3. */
-static void cubic(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
-{
-    (void)u;
-    (void)p;
-    dx[0] = R(1.0);
-    dx[1] = x[0] * x[0] * x[0];
-}
 
 /* t' = 1, q' = t. */
 static void linear(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
@@ -24,22 +16,6 @@ static void linear(real *restrict dx, const real *restrict x, const real *restri
     (void)p;
     dx[0] = R(1.0);
     dx[1] = x[0];
-}
-
-/* q' = v, v' = -q. */
-static void oscillator(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
-{
-    (void)u;
-    (void)p;
-    dx[0] = x[1];
-    dx[1] = -x[0];
-}
-
-/* q' = u p. */
-static void driven(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
-{
-    (void)x;
-    dx[0] = u[0] * p[0];
 }
 
 /* Lorenz (1963): every rounding shows. */

@@ -1,6 +1,7 @@
 /* core/multistep.h: the Adams methods of order four and their priming, against results that are exact in binary. */
 #include "core/multistep.h"
 #include "tests/tap.h"
+#include "tests/unit/equations.h"
 
 enum { N = 2, KEPT = ISO_AB4_STEPS };
 
@@ -26,15 +27,6 @@ static iso_trail *prepare(run *const r, const size_t kept, const real first, con
     return &r->trail;
 }
 
-/* t' = 1, q' = t^3: rk4 integrates it without error, so the primed slopes are exact. */
-static void cubic(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
-{
-    (void)u;
-    (void)p;
-    dx[0] = R(1.0);
-    dx[1] = x[0] * x[0] * x[0];
-}
-
 /* t' = 1, q' = t^4. */
 static void quartic(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
 {
@@ -42,22 +34,6 @@ static void quartic(real *restrict dx, const real *restrict x, const real *restr
     (void)p;
     dx[0] = R(1.0);
     dx[1] = (x[0] * x[0]) * (x[0] * x[0]);
-}
-
-/* q' = v, v' = -q. */
-static void oscillator(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
-{
-    (void)u;
-    (void)p;
-    dx[0] = x[1];
-    dx[1] = -x[0];
-}
-
-/* q' = u p. */
-static void driven(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
-{
-    (void)x;
-    dx[0] = u[0] * p[0];
 }
 
 static void test_prime(void)

@@ -3,19 +3,7 @@
 
 #include "tools/isoc/builder.h"
 
-const char *const method_names[ISO_METHODS + 1] = {
-    [ISO_EULER] = "euler",
-    [ISO_HEUN] = "heun",
-    [ISO_RK4] = "rk4",
-    [ISO_AB4] = "ab4",
-    [ISO_SEMI_IMPLICIT] = "semi_implicit",
-    [ISO_ABM4] = "abm4",
-    [ISO_ABM4_PEC] = "abm4_pec",
-    [ISO_ABM4_PECECE] = "abm4_pecece",
-    [ISO_BDF4] = "bdf4",
-    [ISO_ROSENBROCK] = "rosenbrock",
-    [ISO_ADAMS] = "adams",
-};
+const char *const method_names[ISO_METHODS + 1] = ISO_METHOD_NAMES;
 
 static bool is_yes(builder *b, name word)
 {
