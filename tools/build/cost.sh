@@ -102,7 +102,7 @@ effect()
 
 models="pendulum double_pendulum cart_pole arm6 tree"
 echo '| model | states | add | mul | div | sincos | rk4 | text | memory | stack |'
-echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
+echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
 for name in $models; do
     model $name
 done
