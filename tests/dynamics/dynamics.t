@@ -8,10 +8,13 @@ for real in float double; do
     real $real
     compare
     for name in arm6 tree pendulum double_pendulum cart_pole; do
-        # shellcheck disable=SC2086
-        scene "$name" && program "$name.compare" "tests/dynamics/table_$name.c" "$out/$name/plant.c" $compare
-        result $? "$name builds in $real"
-        joined "$name in $real" "$out/$name.compare"
+        for formulation in articulated composite; do
+            # shellcheck disable=SC2086
+            scene "$name" --formulation $formulation &&
+                program "$name.compare" "tests/dynamics/table_$name.c" "$out/$name/plant.c" $compare
+            result $? "$name builds in $real, $formulation"
+            joined "$name in $real, $formulation" "$out/$name.compare"
+        done
     done
 done
 

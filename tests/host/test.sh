@@ -39,10 +39,13 @@ real()
     esac
 }
 
-# scene NAME: compiles models/NAME.scene into $out/NAME.
+# scene NAME [OPTION...]: compiles models/NAME.scene into $out/NAME, with these options of isoc.
 scene()
 {
-    build/isoc "models/$1.scene" -o "$out/$1" --real "$real" >"$out/$1.summary" && [ -s "$out/$1/plant.c" ]
+    scene_name=$1
+    shift
+    build/isoc "models/$scene_name.scene" -o "$out/$scene_name" --real "$real" "$@" >"$out/$scene_name.summary" &&
+        [ -s "$out/$scene_name/plant.c" ]
 }
 
 # program FILE SOURCE...: compiles the sources into $out/FILE. Further flags stand in $EXTRA.

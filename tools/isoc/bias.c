@@ -1,10 +1,5 @@
 #include "tools/isoc/bias.h"
 
-/* A force on a link and its moment about the link's origin. */
-typedef struct wrench {
-    vector force, moment;
-} wrench;
-
 vector point_acceleration(const kinematics *k, const acceleration *all, int i, vector point)
 {
     graph *g = k->g;
@@ -14,7 +9,16 @@ vector point_acceleration(const kinematics *k, const acceleration *all, int i, v
     return vector_add(g, all[i].a, swing(g, k->motions[i].omega, all[i].alpha, point));
 }
 
-static acceleration accelerate_outward(const kinematics *k, int i, const acceleration *all)
+acceleration joint_coriolis(const kinematics *k, int i)
+{
+    graph *g = k->g;
+    const motion *now = &k->motions[i];
+    const vector turned = vector_cross(g, now->carried, now->rate), zero = vector_zero(g);
+    return slides(&k->m->links[i]) ? (acceleration){zero, vector_scale(g, constant(g, 2.0), turned)}
+                                   : (acceleration){turned, zero};
+}
+
+acceleration accelerate_outward(const kinematics *k, int i, const acceleration *all)
 {
     graph *g = k->g;
     const link *l = &k->m->links[i];
@@ -22,12 +26,9 @@ static acceleration accelerate_outward(const kinematics *k, int i, const acceler
     acceleration made;
     made.alpha = l->parent == GROUND ? vector_zero(g) : from_parent(k, i, all[l->parent].alpha);
     made.a = from_parent(k, i, point_acceleration(k, all, l->parent, now->p));
-    const vector coriolis = vector_cross(g, now->carried, now->rate);
-    if (slides(l)) {
-        made.a = vector_add(g, made.a, vector_scale(g, constant(g, 2.0), coriolis));
-    } else {
-        made.alpha = vector_add(g, made.alpha, coriolis);
-    }
+    const acceleration coriolis = joint_coriolis(k, i);
+    made.alpha = vector_add(g, made.alpha, coriolis.alpha);
+    made.a = vector_add(g, made.a, coriolis.a);
     vector_name(g, made.alpha, "alpha", l->name);
     vector_name(g, made.a, "a", l->name);
     return made;
@@ -59,6 +60,17 @@ static void push(const kinematics *k, const thrust *t, wrench *w)
     w->moment = vector_sub(g, w->moment, about);
 }
 
+void inertial_wrenches(const kinematics *k, const acceleration *accelerations, wrench *wrenches)
+{
+    const mechanism *m = k->m;
+    for (int i = 0; i < m->link_count; i++) {
+        wrenches[i] = inertial_wrench(k, i, accelerations[i]);
+    }
+    for (int i = 0; i < m->thrust_count; i++) {
+        push(k, &m->thrusts[i], &wrenches[m->thrusts[i].link]);
+    }
+}
+
 static wrench wrench_to_parent(const kinematics *k, int i, wrench w)
 {
     wrench made;
@@ -78,12 +90,7 @@ void bias_build(const kinematics *k, node *bias, acceleration *accelerations)
         accelerations[i] = accelerate_outward(k, i, accelerations);
     }
     graph_section(g, "Forces and moments inward: what q'' = 0 would take (bias)");
-    for (int i = 0; i < m->link_count; i++) {
-        wrenches[i] = inertial_wrench(k, i, accelerations[i]);
-    }
-    for (int i = 0; i < m->thrust_count; i++) {
-        push(k, &m->thrusts[i], &wrenches[m->thrusts[i].link]);
-    }
+    inertial_wrenches(k, accelerations, wrenches);
     for (int i = m->link_count - 1; i >= 0; i--) {
         const link *l = &m->links[i];
         vector_name(g, wrenches[i].force, "force", l->name);

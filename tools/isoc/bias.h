@@ -14,6 +14,15 @@ typedef struct acceleration {
     vector a;     /* of the origin */
 } acceleration;
 
+/* What a link's joint adds to its acceleration by turning its own rate. */
+acceleration joint_coriolis(const kinematics *k, int link);
+
+/* The acceleration of a link at q'' = 0 from that of its parent, which stands in `all`. */
+acceleration accelerate_outward(const kinematics *k, int link, const acceleration *all);
+
+/* What each link takes by itself for its acceleration, less what forces on it give. */
+void inertial_wrenches(const kinematics *k, const acceleration *accelerations, wrench *wrenches);
+
 /* Fills bias[freedoms] with the efforts, less what forces on bodies give, and accelerations[links]. */
 void bias_build(const kinematics *k, node *bias, acceleration *accelerations);
 

@@ -140,6 +140,11 @@ void cost_summary(const plant *p, const graph *g, text *out)
              p->is_double ? "double" : "float");
     text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
              p->output_count);
+    for (formulation f = 0; f < FORMULATIONS && m->cut_count == 0; f++) {
+        const char *verdict = f == p->formulations.kept ? "kept" : "left";
+        count_line(out, arena_format(out->memory, "formulation %s %s", formulation_names[f], verdict),
+                   p->formulations.of[f]);
+    }
     count_line(out, "derivative", derivative);
     if (ISO_IS_IMPLICIT(m->recipe)) {
         cost.factor = code_count(g, p->j.factors, (size_t)p->j.factor_count);

@@ -1,10 +1,13 @@
 #include "tools/isoc/dynamics.h"
 
+#include "tools/isoc/articulated.h"
+
+const char *const formulation_names[FORMULATIONS] = {"composite", "articulated"};
+
 /* u - d q' - k (q - rest) - bias */
 static void build_efforts(const dynamics *d, const node *bias, node *effort)
 {
     graph *g = d->g;
-    graph_section(g, "Efforts less bias: drives, damping, springs");
     for (int f = 0; f < d->m->freedom_count; f++) {
         const link *l = &d->m->links[d->m->freedoms[f].link];
         const motion *now = &d->k.motions[d->m->freedoms[f].link];
@@ -15,7 +18,43 @@ static void build_efforts(const dynamics *d, const node *bias, node *effort)
     }
 }
 
-const dynamics *dynamics_build(graph *g, const mechanism *m)
+static void solve_composite(dynamics *d, node *bias)
+{
+    const mechanism *m = d->m;
+    graph *g = d->g;
+    node *x = d->acceleration;
+    bias_build(&d->k, bias, d->accelerations);
+    graph_section(g, "Efforts less bias: drives, damping, springs");
+    build_efforts(d, bias, x);
+    d->mass = mass_matrix_build(&d->k);
+    graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias - Phi_q' lambda)");
+    mass_matrix_inward(&d->mass, x);
+    if (m->cut_count > 0) {
+        kinematics_velocities(&d->k);
+        graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
+        d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations), x);
+        graph_section(g, "Accelerations outward");
+    } else {
+        mass_matrix_scale(&d->mass, x);
+    }
+    mass_matrix_outward(&d->mass, x);
+}
+
+/* Articulated bodies feel by themselves what is the bias elsewhere. The mass matrix is there all the same, for the check of
+ * its pivots; what nothing else needs is not emitted. */
+static void solve_articulated(dynamics *d, node *bias)
+{
+    graph_section(d->g, "Efforts: drives, damping, springs");
+    for (int f = 0; f < d->m->freedom_count; f++) {
+        bias[f] = constant(d->g, 0.0);
+    }
+    build_efforts(d, bias, d->acceleration);
+    articulated_solve(&d->k, d->acceleration);
+    bias_build(&d->k, bias, d->accelerations);
+    d->mass = mass_matrix_build(&d->k);
+}
+
+const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
 {
     const size_t n = (size_t)m->freedom_count;
     dynamics *d = arena_take(g->memory, 1, sizeof *d);
@@ -23,22 +62,11 @@ const dynamics *dynamics_build(graph *g, const mechanism *m)
     d->acceleration = arena_take(g->memory, n, sizeof *d->acceleration);
     d->accelerations = arena_take(g->memory, (size_t)m->link_count, sizeof *d->accelerations);
     node *bias = arena_take(g->memory, n, sizeof *bias);
-
-    bias_build(&d->k, bias, d->accelerations);
-    build_efforts(d, bias, d->acceleration);
-    d->mass = mass_matrix_build(&d->k);
-
-    graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias - Phi_q' lambda)");
-    mass_matrix_inward(&d->mass, d->acceleration);
-    if (m->cut_count > 0) {
-        kinematics_velocities(&d->k);
-        graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
-        d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations), d->acceleration);
-        graph_section(g, "Accelerations outward");
+    if (chosen == FORMULATION_ARTICULATED && m->cut_count == 0) {
+        solve_articulated(d, bias);
     } else {
-        mass_matrix_scale(&d->mass, d->acceleration);
+        solve_composite(d, bias);
     }
-    mass_matrix_outward(&d->mass, d->acceleration);
     for (size_t f = 0; f < n; f++) {
         graph_name(g, d->acceleration[f], "qdd_%s", m->freedoms[f].name);
     }

@@ -1,11 +1,18 @@
 /* The equations of motion, as nodes: M(q) q'' + bias(q, q') + Phi_q' lambda = effort, Phi_q q'' = gamma.
  *
- * A tree of links alone needs the first; closed loops need both (tools/isoc/augmented.h).
+ * A tree of links alone needs the first, which either formulation solves; closed loops need both, and the factors of M
+ * (tools/isoc/augmented.h).
  */
 #ifndef ISOC_DYNAMICS_H
 #define ISOC_DYNAMICS_H
 
 #include "tools/isoc/augmented.h"
+
+/* How the accelerations of a tree are found: from the factors of the mass matrix of composite bodies
+ * (tools/isoc/mass_matrix.h), or by articulated bodies (tools/isoc/articulated.h). */
+typedef enum formulation { FORMULATION_COMPOSITE, FORMULATION_ARTICULATED, FORMULATIONS } formulation;
+
+extern const char *const formulation_names[FORMULATIONS];
 
 typedef struct dynamics {
     const mechanism *m;
@@ -17,8 +24,8 @@ typedef struct dynamics {
     augmented loops;             /* without constraints where nothing is closed */
 } dynamics;
 
-/* Makes the nodes of the accelerations. Its parts point to one another: it stays where it is. */
-const dynamics *dynamics_build(graph *g, const mechanism *m);
+/* Makes the nodes of the accelerations; closed loops are always composite. Its parts point to one another: it stays where it is. */
+const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen);
 
 /* Kinetic energy, gravitational energy (zero at the ground's origin) and energy of the springs; needs
  * kinematics_velocities. */

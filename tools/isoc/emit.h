@@ -7,10 +7,17 @@
 #include "tools/isoc/jacobian.h"
 #include "tools/isoc/settled.h"
 
+/* What a tree's equations take in each formulation, and which is kept. */
+typedef struct choice {
+    formulation kept;
+    operations of[FORMULATIONS];
+} choice;
+
 /* All that is known of a plant when its equations are nodes. */
 typedef struct plant {
     const mechanism *m;
     const dynamics *d;
+    choice formulations;
     int input_count, output_count, turn_count;
     const char **output_names; /* one for each component */
     node *outputs;
@@ -20,8 +27,8 @@ typedef struct plant {
     bool is_double;
 } plant;
 
-/* The nodes of derivative and outputs. */
-plant plant_build(graph *g, const mechanism *m, bool is_double);
+/* The nodes of derivative and outputs, in the formulation that is wanted, or the cheaper one if it is FORMULATIONS. */
+plant plant_build(graph *g, const mechanism *m, bool is_double, formulation wanted);
 
 /* The texts of the two files. Return false, with *culprit, if a constant leaves the range of real. */
 bool emit_header(const plant *p, text *out);

@@ -19,6 +19,16 @@ void graph_start(graph *g, arena *memory)
     memset(g->table, -1, g->table_size * sizeof *g->table);
 }
 
+graph graph_copy(const graph *g)
+{
+    graph made = *g;
+    made.nodes = arena_take(g->memory, g->room, sizeof *made.nodes);
+    made.table = arena_take(g->memory, g->table_size, sizeof *made.table);
+    memcpy(made.nodes, g->nodes, g->count * sizeof *made.nodes);
+    memcpy(made.table, g->table, g->table_size * sizeof *made.table);
+    return made;
+}
+
 void graph_section(graph *g, const char *heading)
 {
     g->sections[g->section_count++] = heading;

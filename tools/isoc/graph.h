@@ -65,6 +65,9 @@ typedef struct graph {
 
 void graph_start(graph *g, arena *memory);
 
+/* A graph to try on: what is made in it is not in the other. */
+graph graph_copy(const graph *g);
+
 /* Nodes made from here on stand under this heading. */
 void graph_section(graph *g, const char *heading);
 

@@ -23,12 +23,17 @@ vector unturn(const kinematics *k, int i, vector a)
                                       : turn_out(k->g, l->axis, now->s, now->c, a);
 }
 
-tensor unturn_tensor(const kinematics *k, int i, tensor j)
+matrix unturn_matrix(const kinematics *k, int i, matrix a)
 {
     const link *l = &k->m->links[i];
     const motion *now = &k->motions[i];
-    return l->kind == JOINT_SPHERICAL ? tensor_rotate(k->g, now->free_turn, j)
-                                      : tensor_turn_out(k->g, l->axis, now->s, now->c, j);
+    return l->kind == JOINT_SPHERICAL ? matrix_rotate(k->g, now->free_turn, a)
+                                      : matrix_turn_out(k->g, l->axis, now->s, now->c, a);
+}
+
+tensor unturn_tensor(const kinematics *k, int i, tensor j)
+{
+    return matrix_tensor(unturn_matrix(k, i, tensor_matrix(j)));
 }
 
 /* R = turn * (what the joint turns). One full matrix where both are needed at once, else two sparse ones. */

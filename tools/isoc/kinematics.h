@@ -16,6 +16,11 @@ typedef struct motion {
     vector v;         /* velocity of the origin, in the link's axes; after kinematics_velocities */
 } motion;
 
+/* A force on a link and its moment about the link's origin. */
+typedef struct wrench {
+    vector force, moment;
+} wrench;
+
 typedef struct kinematics {
     const mechanism *m;
     graph *g;
@@ -37,8 +42,9 @@ vector axis_of(const kinematics *k, int f);
 vector to_parent(const kinematics *k, int link, vector a);
 vector from_parent(const kinematics *k, int link, vector a);
 
-/* Across the joint alone: from link axes to the axes that the link would have unturned, and a tensor likewise. */
+/* Across the joint alone: from link axes to the axes that the link would have unturned, and tensors likewise. */
 vector unturn(const kinematics *k, int link, vector a);
+matrix unturn_matrix(const kinematics *k, int link, matrix a);
 tensor unturn_tensor(const kinematics *k, int link, tensor j);
 
 /* From the axes of a link to those of one before it, or the ground's; the place of a point of a link in that frame. */

@@ -14,7 +14,7 @@ static const char version[] = "isoc 0.1\n";
 static const char help[] =
     "isoc: compiles a scene to a plant in straight-line C\n"
     "\n"
-    "  isoc SCENE -o DIR [--method M] [--step H] [--tolerance T] [--real float|double]\n"
+    "  isoc SCENE -o DIR [--method M] [--step H] [--tolerance T] [--real float|double] [--formulation F]\n"
     "  isoc SCENE --dot\n"
     "\n"
     "  SCENE          the scene, a text file\n"
@@ -23,6 +23,7 @@ static const char help[] =
     "  --step H       the step with its unit, e.g. 1ms, instead of the scene's\n"
     "  --tolerance T  of adams, which then takes as many sub-steps as it needs\n"
     "  --real R       the number type of the plant: float (default) or double\n"
+    "  --formulation F  composite or articulated bodies, instead of the cheaper; closed loops are always composite\n"
     "  --dot          nothing but a graph of bodies, joints and closures, for graphviz: isoc SCENE --dot | dot -Tsvg\n"
     "  --methods      what each method costs, as a table\n"
     "  --help         this text\n"
@@ -34,6 +35,7 @@ static const char help[] =
 typedef struct options {
     const char *scene, *directory, *method, *step, *tolerance;
     bool is_double, draws;
+    formulation wanted; /* FORMULATIONS: the cheaper one */
 } options;
 
 static bool complain(const char *message, const char *argument)
@@ -58,14 +60,15 @@ static bool take_option(char **argument, const char **slot)
 
 static bool read_options(char **arguments, options *o)
 {
-    const char *real_name = NULL;
+    const char *real_name = NULL, *formulation_name = NULL;
     for (char **a = arguments; *a != NULL; a++) {
-        const char **slot = strcmp(*a, "-o") == 0            ? &o->directory
-                            : strcmp(*a, "--method") == 0    ? &o->method
-                            : strcmp(*a, "--step") == 0      ? &o->step
-                            : strcmp(*a, "--tolerance") == 0 ? &o->tolerance
-                            : strcmp(*a, "--real") == 0      ? &real_name
-                                                             : NULL;
+        const char **slot = strcmp(*a, "-o") == 0              ? &o->directory
+                            : strcmp(*a, "--method") == 0      ? &o->method
+                            : strcmp(*a, "--step") == 0        ? &o->step
+                            : strcmp(*a, "--tolerance") == 0   ? &o->tolerance
+                            : strcmp(*a, "--real") == 0        ? &real_name
+                            : strcmp(*a, "--formulation") == 0 ? &formulation_name
+                                                               : NULL;
         if (slot != NULL) {
             if (!take_option(a, slot)) {
                 return false;
@@ -82,6 +85,11 @@ static bool read_options(char **arguments, options *o)
         }
     }
     o->is_double = real_name != NULL && strcmp(real_name, "double") == 0;
+    for (o->wanted = 0; o->wanted < FORMULATIONS; o->wanted++) {
+        if (formulation_name != NULL && strcmp(formulation_name, formulation_names[o->wanted]) == 0) {
+            break;
+        }
+    }
     if (o->scene == NULL || (o->directory == NULL && !o->draws)) {
         return complain(o->scene == NULL ? "no scene named" : "no folder for the plant: -o DIR", NULL);
     }
@@ -90,6 +98,9 @@ static bool read_options(char **arguments, options *o)
     }
     if (real_name != NULL && !o->is_double && strcmp(real_name, "float") != 0) {
         return complain("--real is float or double, not", real_name);
+    }
+    if (formulation_name != NULL && o->wanted == FORMULATIONS) {
+        return complain("--formulation is composite or articulated, not", formulation_name);
     }
     return true;
 }
@@ -232,7 +243,10 @@ static bool compile(arena *memory, const options *o)
         return write_graph(memory, &written);
     }
     if (s.problem_count == 0) {
-        const plant p = plant_build(&g, &m, o->is_double);
+        if (m.cut_count > 0 && o->wanted == FORMULATION_ARTICULATED) {
+            return complain("closed loops have no articulated formulation:", o->scene);
+        }
+        const plant p = plant_build(&g, &m, o->is_double, o->wanted);
         assemble(&s, p.d);
         check_pivots(&s, &g, &p);
         if (s.problem_count == 0) {

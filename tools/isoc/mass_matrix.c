@@ -1,10 +1,5 @@
 #include "tools/isoc/mass_matrix.h"
 
-/* A force on a link and its moment about the link's origin. */
-typedef struct wrench {
-    vector force, moment;
-} wrench;
-
 static node at_freedom(const kinematics *k, int f, wrench w)
 {
     const link *l = &k->m->links[k->m->freedoms[f].link];

@@ -109,28 +109,66 @@ static void build_outputs(plant *p, graph *g)
     }
 }
 
-plant plant_build(graph *g, const mechanism *m, bool is_double)
+/* The derivative of the states, and what an implicit method solves with. */
+static void build_slopes(plant *p, graph *g, formulation chosen)
 {
-    plant p = {.m = m, .input_count = m->input_count, .is_double = is_double};
-    const size_t states = (size_t)state_count(m);
-    p.output_names = arena_take(g->memory, 4 * m->output_count + 1, sizeof *p.output_names);
-    p.outputs = arena_take(g->memory, 4 * m->output_count + 1, sizeof *p.outputs);
-    p.slopes = arena_take(g->memory, states, sizeof *p.slopes);
-    p.d = dynamics_build(g, m);
+    const mechanism *m = p->m;
+    p->slopes = arena_take(g->memory, (size_t)state_count(m), sizeof *p->slopes);
+    p->d = dynamics_build(g, m, chosen);
     graph_section(g, "Rates of the positions");
     for (int i = 0; i < m->link_count; i++) {
-        position_rates(&p.d->k, i, p.slopes + m->links[i].position);
-        p.turn_count += m->links[i].continuous;
+        position_rates(&p->d->k, i, p->slopes + m->links[i].position);
     }
     for (int i = 0; i < m->clocks.count; i++) {
-        p.slopes[m->clocks.first + i] = constant(g, m->clocks.all[i].rate);
+        p->slopes[m->clocks.first + i] = constant(g, m->clocks.all[i].rate);
     }
     for (int f = 0; f < m->freedom_count; f++) {
-        p.slopes[m->position_count + f] = p.d->acceleration[f];
+        p->slopes[m->position_count + f] = p->d->acceleration[f];
     }
     if (ISO_IS_IMPLICIT(m->recipe)) {
-        p.j = jacobian_build(g, p.slopes, state_count(m));
+        p->j = jacobian_build(g, p->slopes, state_count(m));
     }
+}
+
+/* Cycles of a Cortex-M4F, by its operations; sines and cosines are the same in all formulations. */
+static int price(operations n)
+{
+    enum { DIVISION = 14 };
+    return n.add + n.mul + DIVISION * n.div;
+}
+
+/* Tries both formulations on copies of the graph. An implicit method evaluates twice for each Jacobian. */
+static choice choose(const plant *p, const graph *g, formulation wanted)
+{
+    choice made = {.kept = FORMULATION_COMPOSITE};
+    int prices[FORMULATIONS];
+    for (formulation f = 0; f < FORMULATIONS; f++) {
+        graph trial = graph_copy(g);
+        plant tried = *p;
+        build_slopes(&tried, &trial, f);
+        made.of[f] = code_count(&trial, tried.slopes, (size_t)state_count(p->m));
+        prices[f] = price(made.of[f]);
+        if (ISO_IS_IMPLICIT(p->m->recipe)) {
+            prices[f] = 2 * prices[f] + price(code_count(&trial, tried.j.factors, (size_t)tried.j.factor_count));
+        }
+        made.kept = prices[f] < prices[made.kept] ? f : made.kept;
+    }
+    made.kept = wanted < FORMULATIONS ? wanted : made.kept;
+    return made;
+}
+
+plant plant_build(graph *g, const mechanism *m, bool is_double, formulation wanted)
+{
+    plant p = {.m = m, .input_count = m->input_count, .is_double = is_double};
+    p.output_names = arena_take(g->memory, 4 * m->output_count + 1, sizeof *p.output_names);
+    p.outputs = arena_take(g->memory, 4 * m->output_count + 1, sizeof *p.outputs);
+    for (int i = 0; i < m->link_count; i++) {
+        p.turn_count += m->links[i].continuous;
+    }
+    if (m->cut_count == 0) {
+        p.formulations = choose(&p, g, wanted);
+    }
+    build_slopes(&p, g, p.formulations.kept);
     p.after = settled_build(g, p.d);
     build_outputs(&p, g);
     return p;

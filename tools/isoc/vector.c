@@ -102,6 +102,16 @@ matrix matrix_transpose(matrix a)
     return r;
 }
 
+matrix matrix_add(graph *g, matrix a, matrix b)
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            a.at[i][j] = add(g, a.at[i][j], b.at[i][j]);
+        }
+    }
+    return a;
+}
+
 vector matrix_apply(graph *g, matrix a, vector b)
 {
     vector r;
@@ -138,18 +148,59 @@ vector turn_in(graph *g, int k, node s, node c, vector a)
     return turn_out(g, k, neg(g, s), c, a);
 }
 
+static bool is_multiple_of_identity(const graph *g, matrix a)
+{
+    bool is = a.at[0][0] == a.at[1][1] && a.at[0][0] == a.at[2][2];
+    for (int i = 0; i < 3; i++) {
+        is = is && is_zero(g, a.at[i][(i + 1) % 3]) && is_zero(g, a.at[i][(i + 2) % 3]);
+    }
+    return is;
+}
+
+matrix matrix_rotate(graph *g, matrix r, matrix a)
+{
+    return is_multiple_of_identity(g, a) ? a : matrix_product(g, r, matrix_product(g, a, matrix_transpose(r)));
+}
+
+/* With i, j, k cyclic and t = s (A_ii - A_jj) + c (A_ij + A_ji), since c^2 + s^2 = 1:
+ * A_ii' = A_ii - s t, A_jj' = A_jj + s t, A_ij' = c t - A_ji, A_ji' = c t - A_ij. The axis' own row and column turn
+ * like vectors. */
+matrix matrix_turn_out(graph *g, int k, node s, node c, matrix a)
+{
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const node ii = a.at[i][i], jj = a.at[j][j], ij = a.at[i][j], ji = a.at[j][i];
+    const node across = sub(g, ii, jj), both = add(g, ij, ji);
+    const node t = sum_of_products(g, s, across, c, both);
+    const node st = mul(g, s, t);
+    const vector column = turn_out(g, k, s, c, (vector){{a.at[0][k], a.at[1][k], a.at[2][k]}});
+    const vector row = turn_out(g, k, s, c, (vector){{a.at[k][0], a.at[k][1], a.at[k][2]}});
+
+    a.at[i][i] = sub(g, ii, st);
+    a.at[j][j] = add(g, jj, st);
+    const node ct = mul(g, c, t);
+    a.at[i][j] = sub(g, ct, ji);
+    a.at[j][i] = sub(g, ct, ij);
+    for (int n = 0; n < 3; n++) {
+        if (n != k) {
+            a.at[n][k] = column.at[n];
+            a.at[k][n] = row.at[n];
+        }
+    }
+    return a;
+}
+
 tensor tensor_zero(graph *g)
 {
     const node zero = constant(g, 0.0);
     return (tensor){zero, zero, zero, zero, zero, zero};
 }
 
-static matrix tensor_matrix(tensor a)
+matrix tensor_matrix(tensor a)
 {
     return (matrix){{{a.xx, a.xy, a.xz}, {a.xy, a.yy, a.yz}, {a.xz, a.yz, a.zz}}};
 }
 
-static tensor matrix_tensor(matrix m)
+tensor matrix_tensor(matrix m)
 {
     return (tensor){m.at[0][0], m.at[1][1], m.at[2][2], m.at[0][1], m.at[0][2], m.at[1][2]};
 }
@@ -172,28 +223,7 @@ vector tensor_apply(graph *g, tensor a, vector b)
 
 tensor tensor_rotate(graph *g, matrix r, tensor j)
 {
-    return matrix_tensor(matrix_product(g, r, matrix_product(g, tensor_matrix(j), matrix_transpose(r))));
-}
-
-/* With i, j, k cyclic and t = s (J_ii - J_jj) + 2 c J_ij, since c^2 + s^2 = 1:
- * J_ii' = J_ii - s t, J_jj' = J_jj + s t, J_ij' = c t - J_ij. The axis' own row turns like a vector. */
-tensor tensor_turn_out(graph *g, int k, node s, node c, tensor a)
-{
-    const int i = (k + 1) % 3, j = (k + 2) % 3;
-    matrix m = tensor_matrix(a);
-    const node ii = m.at[i][i], jj = m.at[j][j], ij = m.at[i][j];
-    const node across = sub(g, ii, jj), twice = mul(g, constant(g, 2.0), ij);
-    const node t = sum_of_products(g, s, across, c, twice);
-    const node st = mul(g, s, t);
-    vector axis = {{m.at[k][0], m.at[k][1], m.at[k][2]}};
-    axis = turn_out(g, k, s, c, axis);
-
-    m.at[i][i] = sub(g, ii, st);
-    m.at[j][j] = add(g, jj, st);
-    m.at[i][j] = m.at[j][i] = sub(g, mul(g, c, t), ij);
-    m.at[i][k] = m.at[k][i] = axis.at[i];
-    m.at[j][k] = m.at[k][j] = axis.at[j];
-    return matrix_tensor(m);
+    return matrix_tensor(matrix_rotate(g, r, tensor_matrix(j)));
 }
 
 /* The parallel-axis theorem about any point, with ms' = ms + m p the first moment of the moved body:

@@ -30,6 +30,7 @@ bool vector_is_constant(const graph *g, vector a);
 matrix matrix_identity(graph *g);
 matrix matrix_product(graph *g, matrix a, matrix b);
 matrix matrix_transpose(matrix a);
+matrix matrix_add(graph *g, matrix a, matrix b);
 vector matrix_apply(graph *g, matrix a, vector b);
 
 /* A constant matrix with the entries that rounding left near 0 and +-1 (within 4 ulp of 1) put right, so that a turn
@@ -40,13 +41,18 @@ matrix matrix_snap(graph *g, matrix a);
 vector turn_out(graph *g, int k, node s, node c, vector a);
 vector turn_in(graph *g, int k, node s, node c, vector a);
 
+/* R A R' for a matrix R, and for a turn about coordinate axis k. */
+matrix matrix_rotate(graph *g, matrix r, matrix a);
+matrix matrix_turn_out(graph *g, int k, node s, node c, matrix a);
+
+matrix tensor_matrix(tensor a);
+tensor matrix_tensor(matrix m);
 tensor tensor_zero(graph *g);
 tensor tensor_add(graph *g, tensor a, tensor b);
 vector tensor_apply(graph *g, tensor a, vector b);
 
-/* R J R' for a matrix R, and for a turn about coordinate axis k. */
+/* R J R' */
 tensor tensor_rotate(graph *g, matrix r, tensor j);
-tensor tensor_turn_out(graph *g, int k, node s, node c, tensor j);
 
 /* The inertia about the origin of a body that is moved by p, from its mass and from its first moment ms and inertia j
  * about the origin before. */
