@@ -107,18 +107,15 @@ static void feel(graph *g, articulated *b, acceleration given)
 }
 
 /* From link axes to the parent's. */
-static articulated turned(const kinematics *k, int i, const articulated *b)
+static void turn_to_parent(const kinematics *k, int i, articulated *b)
 {
-    graph *g = k->g;
-    articulated made;
     for (int row = ANGULAR; row <= LINEAR; row += 3) {
         for (int column = row; column <= LINEAR; column += 3) {
             const matrix unturned = unturn_matrix(k, i, block_of(b, row, column));
-            put_block(&made, row, column, matrix_rotate(g, k->m->links[i].turn, unturned));
+            put_block(b, row, column, matrix_rotate(k->g, k->m->links[i].turn, unturned));
         }
-        put_vector(made.bias, row, to_parent(k, i, vector_at(b->bias, row)));
+        put_vector(b->bias, row, to_parent(k, i, vector_at(b->bias, row)));
     }
-    return made;
 }
 
 /* From the link's origin to the parent's, that is by p. With inertia J, coupling H and mass M:
@@ -157,17 +154,16 @@ static void name_parts(graph *g, const char *owner, const articulated *b)
     vector_name(g, vector_at(b->bias, LINEAR), "force", owner);
 }
 
-/* What a link adds to its parent. It is accelerated whatever the joints do: by its own joint's turned rate, and at its
- * origin by omega x (omega x p) of the parent. */
-static articulated at_parent(const kinematics *k, int i, articulated *b)
+/* To what a link adds to its parent. It is accelerated whatever the joints do: by its own joint's turned rate, and at
+ * its origin by omega x (omega x p) of the parent. */
+static void carry_to_parent(const kinematics *k, int i, articulated *b)
 {
     graph *g = k->g;
     const vector p = k->motions[i].p, still = vector_zero(g);
     feel(g, b, joint_coriolis(k, i));
-    articulated made = turned(k, i, b);
-    feel(g, &made, (acceleration){still, swing(g, k->motions[k->m->links[i].parent].omega, still, p)});
-    shift(g, &made, p);
-    return made;
+    turn_to_parent(k, i, b);
+    feel(g, b, (acceleration){still, swing(g, k->motions[k->m->links[i].parent].omega, still, p)});
+    shift(g, b, p);
 }
 
 static void inward(const kinematics *k, const node *effort, articulated *bodies, release *releases)
@@ -179,8 +175,8 @@ static void inward(const kinematics *k, const node *effort, articulated *bodies,
             releases[f] = let_go(k, f, effort[f], &bodies[i]);
         }
         if (l->parent != GROUND) {
-            const articulated added = at_parent(k, i, &bodies[i]);
-            join(k->g, &added, &bodies[l->parent]);
+            carry_to_parent(k, i, &bodies[i]);
+            join(k->g, &bodies[i], &bodies[l->parent]);
         }
     }
 }

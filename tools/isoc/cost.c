@@ -130,6 +130,20 @@ static void count_line(text *out, const char *what, operations n)
     text_add(out, "%s add %d mul %d div %d sincos %d\n", what, n.add, n.mul, n.div, n.sincos);
 }
 
+/* Closed loops need the factors of the mass matrix: there is no choice. */
+static void formulation_lines(const plant *p, text *out)
+{
+    if (p->m->cut_count > 0) {
+        text_add(out, "formulation %s only\n", formulation_names[p->formulations.kept]);
+        return;
+    }
+    for (formulation f = 0; f < FORMULATIONS; f++) {
+        const char *verdict = f == p->formulations.kept ? "kept" : "left";
+        count_line(out, arena_format(out->memory, "formulation %s %s", formulation_names[f], verdict),
+                   p->formulations.of[f]);
+    }
+}
+
 void cost_summary(const plant *p, const graph *g, text *out)
 {
     const mechanism *m = p->m;
@@ -140,11 +154,7 @@ void cost_summary(const plant *p, const graph *g, text *out)
              p->is_double ? "double" : "float");
     text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
              p->output_count);
-    for (formulation f = 0; f < FORMULATIONS && m->cut_count == 0; f++) {
-        const char *verdict = f == p->formulations.kept ? "kept" : "left";
-        count_line(out, arena_format(out->memory, "formulation %s %s", formulation_names[f], verdict),
-                   p->formulations.of[f]);
-    }
+    formulation_lines(p, out);
     count_line(out, "derivative", derivative);
     if (ISO_IS_IMPLICIT(m->recipe)) {
         cost.factor = code_count(g, p->j.factors, (size_t)p->j.factor_count);
