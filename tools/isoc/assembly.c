@@ -14,7 +14,7 @@ typedef struct assembly {
     const dynamics *d;
     const mechanism *m;
     const constraints *held;
-    double *x, *u, *numbers;
+    double *x, *numbers;
     bool *looped; /* [freedoms] whether a closure feels it */
     double *jacobian;
 } assembly;
@@ -23,7 +23,7 @@ static void evaluate(const assembly *a)
 {
     const graph *g = a->d->g;
     const int n = a->m->freedom_count;
-    graph_evaluate(g, a->x, a->u, a->m->defaults, a->numbers);
+    graph_evaluate(g, a->x, NULL, a->m->defaults, a->numbers);
     for (int r = 0; r < a->held->count; r++) {
         for (int f = 0; f < n; f++) {
             a->jacobian[r * n + f] = a->numbers[a->held->all[r].row[f]];
@@ -241,7 +241,6 @@ void assemble(source *s, const dynamics *d)
         return;
     }
     assembly a = {.s = s, .d = d, .m = m, .held = &d->loops.held, .x = mechanism_start(m, s->memory)};
-    a.u = arena_take(s->memory, (size_t)m->input_count + 1, sizeof *a.u);
     a.numbers = arena_take(s->memory, d->g->count, sizeof *a.numbers);
     a.jacobian = arena_take(s->memory, n * (size_t)a.held->count + 1, sizeof *a.jacobian);
     a.looped = arena_take(s->memory, n, sizeof *a.looped);

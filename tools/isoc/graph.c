@@ -387,9 +387,9 @@ static double evaluate_one(const graph_node *n, const double *x, const double *u
     case OP_CONSTANT:
         return n->value;
     case OP_STATE:
-        return x[n->index];
+        return x == NULL ? 0.0 : x[n->index];
     case OP_INPUT:
-        return u[n->index];
+        return u == NULL ? 0.0 : u[n->index];
     case OP_PARAMETER:
         return p[n->index];
     case OP_ADD:

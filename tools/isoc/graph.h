@@ -97,7 +97,8 @@ bool is_constant(const graph *g, node n);
 bool is_zero(const graph *g, node n);
 double constant_value(const graph *g, node n);
 
-/* The numbers of all nodes (values[g->count]) for these x, u, p; dx and functions of time count as zero. */
+/* The numbers of all nodes (values[g->count]) for these x, u, p; functions of time, dx, and x or u that are NULL, count
+ * as zero. */
 void graph_evaluate(const graph *g, const double *x, const double *u, const double *p, double *values);
 
 /* Marks needed[g->count] for all that the `count` roots depend on. */

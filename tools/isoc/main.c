@@ -148,8 +148,7 @@ static void check_pivots(source *s, const graph *g, const plant *p)
 {
     const mechanism *m = p->m;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    double *u = arena_take(g->memory, (size_t)m->input_count + 1, sizeof *u);
-    graph_evaluate(g, mechanism_start(m, g->memory), u, m->defaults, numbers);
+    graph_evaluate(g, mechanism_start(m, g->memory), NULL, m->defaults, numbers);
     for (int f = 0; f < m->freedom_count; f++) {
         const double pivot = numbers[p->d->mass.pivots[f]], inertia = numbers[p->d->mass.diagonal[f]];
         if (!(inertia > 0.0) || !(pivot > 1e-10 * inertia)) {

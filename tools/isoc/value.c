@@ -418,7 +418,6 @@ double value_constant(values *v, const formula *f, dimension of, const char *wha
 double value_now(const values *v, node n)
 {
     double *numbers = arena_take(v->s->memory, v->g->count, sizeof *numbers);
-    double none[1] = {0.0};
-    graph_evaluate(v->g, none, none, v->defaults, numbers);
+    graph_evaluate(v->g, NULL, NULL, v->defaults, numbers);
     return numbers[n];
 }
