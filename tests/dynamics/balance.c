@@ -135,18 +135,19 @@ static wide momentum_balance(const mechanism *const m, const sample *const s, co
     return fabsl(b.sum) / b.size;
 }
 
-/* dp/dt = weight + forces from without and of the joints with the ground, dL/dt about the origin = their moments; reactions
- * from the independent solver, momentum from the plant's motion. */
-static wide ground_balance(const mechanism *const m, const sample *const s, const body_motion moved[BODIES_MAX])
+/* Of all that hangs on root's joint, or of all for GROUND: dp/dt = weight + forces from without and of that joint, or of
+ * the joints with the ground, dL/dt about the origin = their moments; reactions from s->exact, momentum from the motion. */
+static wide reaction_balance(const mechanism *const m, const sample *const s, const body_motion moved[BODIES_MAX],
+                             const int root)
 {
     wide weight[3];
     wide weight_moment[3];
-    const momentum sum = mechanism_momentum(m, moved, GROUND, weight, weight_moment);
-    wrench all = outside(m, s, moved, GROUND);
+    const momentum sum = mechanism_momentum(m, moved, root, weight, weight_moment);
+    wrench all = outside(m, s, moved, root);
     accumulate(all.force, 1.0L, weight);
     accumulate(all.moment, 1.0L, weight_moment);
     for (int j = 0; j < m->bodies; j++) {
-        if (m->joint[j].parent == GROUND) {
+        if (root == GROUND ? m->joint[j].parent == GROUND : j == root) {
             wrench_add(&all, 1.0L, moved[j].hinge, s->exact.joint[j].force, s->exact.joint[j].moment);
         }
     }
@@ -178,7 +179,7 @@ balances balances_of(const sample s[STATES], const wide off)
         }
         mechanism_move(m, &one.motion, moved);
         worst.energy = fmaxl(worst.energy, energy_balance(m, &one) / one.condition);
-        worst.ground = fmaxl(worst.ground, ground_balance(m, &one, moved) / one.condition);
+        worst.ground = fmaxl(worst.ground, reaction_balance(m, &one, moved, GROUND) / one.condition);
         for (int j = 0; j < m->bodies; j++) {
             for (int k = 0; k < joint_speeds(m->joint[j].kind); k++) {
                 worst.freedom = fmaxl(worst.freedom, momentum_balance(m, &one, moved, j, k) / one.condition);
@@ -186,4 +187,16 @@ balances balances_of(const sample s[STATES], const wide off)
         }
     }
     return worst;
+}
+
+wide balance_of_reactions(const sample *const s)
+{
+    const mechanism *const m = &the_table.mechanism;
+    body_motion moved[BODIES_MAX];
+    wide worst = 0.0L;
+    mechanism_move(m, &s->motion, moved);
+    for (int j = 0; j < m->bodies; j++) {
+        worst = fmaxl(worst, reaction_balance(m, s, moved, j));
+    }
+    return worst / s->condition;
 }

@@ -14,4 +14,7 @@ typedef struct balances {
 /* With every acceleration of the plant times 1 + off. */
 balances balances_of(const sample s[STATES], wide off);
 
+/* The momentum of what hangs on each joint, all six components, with the reactions of s->exact: the worst. */
+wide balance_of_reactions(const sample *s);
+
 #endif

@@ -34,50 +34,18 @@ acceleration accelerate_outward(const kinematics *k, int i, const acceleration *
     return made;
 }
 
-/* Newton and Euler about the link's origin: F = m a + swing(ms), N = J alpha + omega x J omega + ms x a. */
-static wrench inertial_wrench(const kinematics *k, int i, acceleration now)
-{
-    graph *g = k->g;
-    const link *l = &k->m->links[i];
-    const vector w = k->motions[i].omega;
-    wrench made;
-    made.force = vector_scale(g, l->mass, now.a);
-    made.force = vector_add(g, made.force, swing(g, w, now.alpha, l->first_moment));
-    const vector gyroscopic = vector_cross(g, w, tensor_apply(g, l->inertia, w));
-    const vector angular = vector_add(g, tensor_apply(g, l->inertia, now.alpha), gyroscopic);
-    made.moment = vector_add(g, angular, vector_cross(g, l->first_moment, now.a));
-    return made;
-}
-
-/* Takes off what a force on a body gives: u e at its point, with a moment about its own line. */
-static void push(const kinematics *k, const thrust *t, wrench *w)
-{
-    graph *g = k->g;
-    const vector force = vector_scale(g, leaf(g, OP_INPUT, t->drive), t->axis);
-    const vector swung = vector_cross(g, t->point, force);
-    const vector about = vector_add(g, swung, vector_scale(g, t->lever, force));
-    w->force = vector_sub(g, w->force, force);
-    w->moment = vector_sub(g, w->moment, about);
-}
-
 void inertial_wrenches(const kinematics *k, const acceleration *accelerations, wrench *wrenches)
 {
     const mechanism *m = k->m;
     for (int i = 0; i < m->link_count; i++) {
-        wrenches[i] = inertial_wrench(k, i, accelerations[i]);
+        const link *l = &m->links[i];
+        const composite whole = {l->mass, l->first_moment, l->inertia};
+        wrenches[i] = wrench_of_motion(k->g, whole, k->motions[i].omega, accelerations[i]);
     }
     for (int i = 0; i < m->thrust_count; i++) {
-        push(k, &m->thrusts[i], &wrenches[m->thrusts[i].link]);
+        wrench *pushed = &wrenches[m->thrusts[i].link];
+        *pushed = wrench_sub(k->g, *pushed, wrench_of_thrust(k->g, &m->thrusts[i]));
     }
-}
-
-static wrench wrench_to_parent(const kinematics *k, int i, wrench w)
-{
-    wrench made;
-    made.force = to_parent(k, i, w.force);
-    made.moment = to_parent(k, i, w.moment);
-    made.moment = vector_add(k->g, made.moment, vector_cross(k->g, k->motions[i].p, made.force));
-    return made;
 }
 
 void bias_build(const kinematics *k, node *bias, acceleration *accelerations)
@@ -100,10 +68,7 @@ void bias_build(const kinematics *k, node *bias, acceleration *accelerations)
             bias[f] = graph_name(g, along, "bias_%s", m->freedoms[f].name);
         }
         if (l->parent != GROUND) {
-            const wrench w = wrench_to_parent(k, i, wrenches[i]);
-            wrench *parent = &wrenches[l->parent];
-            parent->force = vector_add(g, parent->force, w.force);
-            parent->moment = vector_add(g, parent->moment, w.moment);
+            wrenches[l->parent] = wrench_add(g, wrenches[l->parent], wrench_to_parent(k, i, wrenches[i]));
         }
     }
 }

@@ -6,13 +6,7 @@
 #ifndef ISOC_BIAS_H
 #define ISOC_BIAS_H
 
-#include "tools/isoc/kinematics.h"
-
-/* Of a link at q'' = 0, the ground accelerated by -gravity; in link axes. */
-typedef struct acceleration {
-    vector alpha; /* angular */
-    vector a;     /* of the origin */
-} acceleration;
+#include "tools/isoc/wrench.h"
 
 /* What a link's joint adds to its acceleration by turning its own rate. */
 acceleration joint_coriolis(const kinematics *k, int link);

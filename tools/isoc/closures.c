@@ -35,6 +35,7 @@ static bool build_end(builder *b, const placement *p, matrix aligned, cut_end *e
     }
     const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
     const body_frame frame = on == -2 ? ground : b->made.frames[on];
+    end->body = on == -2 ? GROUND : on;
     end->link = frame.link;
     end->turn = matrix_snap(g, matrix_product(g, frame.turn, matrix_product(g, turned, aligned)));
     end->point = vector_add(g, matrix_apply(g, frame.turn, origin), frame.offset);

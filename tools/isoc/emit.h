@@ -21,9 +21,10 @@ typedef struct plant {
     int input_count, output_count, turn_count;
     const char **output_names; /* one for each component */
     node *outputs;
-    node *slopes;  /* the derivative of each state */
-    settled after; /* of a step */
-    jacobian j;    /* only for implicit methods */
+    node *slopes;                /* the derivative of each state */
+    settled after;               /* of a step */
+    acceleration *accelerations; /* of the links, where reactions of joints are shown */
+    jacobian j;                  /* only for implicit methods */
     bool is_double;
 } plant;
 

@@ -16,11 +16,6 @@ typedef struct motion {
     vector v;         /* velocity of the origin, in the link's axes; after kinematics_velocities */
 } motion;
 
-/* A force on a link and its moment about the link's origin. */
-typedef struct wrench {
-    vector force, moment;
-} wrench;
-
 typedef struct kinematics {
     const mechanism *m;
     graph *g;

@@ -7,14 +7,7 @@
 #ifndef ISOC_MASS_MATRIX_H
 #define ISOC_MASS_MATRIX_H
 
-#include "tools/isoc/kinematics.h"
-
-/* A link with all that hangs on it, seen as one rigid body. */
-typedef struct composite {
-    node mass;
-    vector ms;      /* first moment, about the link's origin, in its axes */
-    tensor inertia; /* likewise */
-} composite;
+#include "tools/isoc/wrench.h"
 
 typedef struct mass_matrix {
     const kinematics *k;

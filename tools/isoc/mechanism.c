@@ -118,22 +118,24 @@ static void connect(builder *b, size_t i)
 
 /* --- the tree --- */
 
-/* Adds a body to its link, or to the ground, as it stands there. */
-static void weld(builder *b, const solid *part, const body_frame *frame)
+/* Adds a body to its link, or to the ground, as it stands there; and returns it. */
+static composite weld(builder *b, const solid *part, const body_frame *frame)
 {
     graph *g = b->g;
     const vector com = vector_add(g, matrix_apply(g, frame->turn, part->com), frame->offset);
-    const vector moment = vector_scale(g, part->mass, com);
+    composite own = {part->mass, vector_scale(g, part->mass, com), tensor_zero(g)};
     if (frame->link == GROUND) {
-        b->made.ground_mass = add(g, b->made.ground_mass, part->mass);
-        b->made.ground_moment = vector_add(g, b->made.ground_moment, moment);
-        return;
+        b->made.ground_mass = add(g, b->made.ground_mass, own.mass);
+        b->made.ground_moment = vector_add(g, b->made.ground_moment, own.ms);
+        return own;
     }
     link *l = &b->made.links[frame->link];
     const tensor turned = tensor_rotate(g, frame->turn, part->inertia);
-    l->inertia = tensor_add(g, l->inertia, tensor_shift(g, turned, part->mass, vector_zero(g), com));
-    l->first_moment = vector_add(g, l->first_moment, moment);
-    l->mass = add(g, l->mass, part->mass);
+    own.inertia = tensor_shift(g, turned, part->mass, vector_zero(g), com);
+    l->inertia = tensor_add(g, l->inertia, own.inertia);
+    l->first_moment = vector_add(g, l->first_moment, own.ms);
+    l->mass = add(g, l->mass, own.mass);
+    return own;
 }
 
 /* Hangs the child of a joint on its parent, whose frame is known, by a chain of links. */
@@ -173,7 +175,11 @@ static void hang(builder *b, size_t i)
     const vector back = matrix_apply(g, child->turn, vector_sub(g, vector_zero(g), at_child));
     child->offset = vector_add(g, last.offset, back);
     child->placed = true;
-    weld(b, &b->solids[b->children[i]], child);
+
+    member *made = &b->made.members[b->children[i]];
+    *made = (member){.joint = j->name.text, .parent = b->parents[i] == -2 ? GROUND : b->parents[i]};
+    made->hinge = last.offset;
+    made->own = weld(b, &b->solids[b->children[i]], child);
 }
 
 /* Hangs joints on what is placed, the first declared first, until none is left that can be. */
@@ -240,6 +246,8 @@ mechanism mechanism_build(source *s, graph *g, const scene *written)
     b.made = (mechanism){.name = written->name, .ground_mass = constant(g, 0.0), .ground_moment = vector_zero(g)};
     b.made.links = arena_take(s->memory, LINKS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.links);
     b.made.frames = arena_take(s->memory, written->body_count + 1, sizeof *b.made.frames);
+    b.made.members = arena_take(s->memory, written->body_count + 1, sizeof *b.made.members);
+    b.made.body_count = (int)written->body_count;
     values_start(&b.values, s, g, written);
 
     names_check(s, written);

@@ -50,14 +50,14 @@ typedef struct freedom {
 
 /* A force of an input on a link. */
 typedef struct thrust {
-    int link, drive;
+    int body, link, drive;
     vector point, axis; /* constant, in the link's frame */
     node lever;         /* the moment about the force's own line, per newton */
 } thrust;
 
 /* A side of a closure: its frame on a link. */
 typedef struct cut_end {
-    int link; /* or GROUND */
+    int body, link; /* or GROUND */
     matrix turn;
     vector point;
 } cut_end;
@@ -75,6 +75,21 @@ typedef struct cut {
     node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
 } cut;
 
+/* A body, or several seen as one, in the frame of a link or of the ground. */
+typedef struct composite {
+    node mass;
+    vector ms;      /* first moment, about the frame's origin */
+    tensor inertia; /* likewise */
+} composite;
+
+/* A body as what it hangs by feels it: what the joints' motion does not change is moved between links, not here. */
+typedef struct member {
+    const char *joint; /* that it hangs by */
+    int parent;        /* the body that it hangs on, or GROUND */
+    vector hinge;      /* the joint's frame on the body, in the link's */
+    composite own;     /* likewise */
+} member;
+
 /* Where a body's own frame stands in its link's (or the ground's). */
 typedef struct body_frame {
     int link;
@@ -89,6 +104,8 @@ typedef struct mechanism {
     freedom *freedoms;
     int link_count, position_count, freedom_count;
     body_frame *frames; /* of the scene's bodies */
+    member *members;    /* likewise */
+    int body_count;
     cut *cuts;
     int cut_count;
     double alpha, beta;        /* 1/s, of Baumgarte */
@@ -114,8 +131,8 @@ typedef struct mechanism {
     size_t output_count;
     vector *points;   /* of the outputs, in their body's frame */
     int *output_link; /* the joint's, or -1 for a body */
-    int *output_body;
-    int *output_cut; /* of a force or a moment: the closure */
+    int *output_body; /* of a joint's force or moment: the child */
+    int *output_cut;  /* of a closure's */
 
     int parameter_count;
     const char **parameter_names;

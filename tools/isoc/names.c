@@ -212,12 +212,6 @@ int find_joint(source *s, const scene *written, name n)
     return find_in(s, GROUP(written, joints, joint_count), none, NULL, n, "joint", &in_first);
 }
 
-int find_closure(source *s, const scene *written, name n)
-{
-    bool in_first;
-    return find_in(s, GROUP(written, closures, closure_count), none, NULL, n, "closure", &in_first);
-}
-
 int find_input(source *s, const scene *written, name n)
 {
     bool in_first;
@@ -228,4 +222,10 @@ int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint)
 {
     return find_in(s, GROUP(written, joints, joint_count), GROUP(written, bodies, body_count), NULL, n, "joint or body",
                    is_joint);
+}
+
+int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint)
+{
+    return find_in(s, GROUP(written, joints, joint_count), GROUP(written, closures, closure_count), NULL, n,
+                   "joint or closure", is_joint);
 }

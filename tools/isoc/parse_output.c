@@ -28,8 +28,8 @@ static const char *const owners[COUNT_OF(kind_names)] = {
     [OUTPUT_TURNS] = "a joint",
     [OUTPUT_ORIENTATION] = "a body",
     [OUTPUT_SPIN] = "a body",
-    [OUTPUT_FORCE] = "a closure",
-    [OUTPUT_MOMENT] = "a closure",
+    [OUTPUT_FORCE] = "a joint or a closure",
+    [OUTPUT_MOMENT] = "a joint or a closure",
 };
 
 static bool is_of_point(output_kind kind)

@@ -1,4 +1,5 @@
 #include "tools/isoc/emit.h"
+#include "tools/isoc/reaction.h"
 
 static int turn_index(const mechanism *m, int link_wanted)
 {
@@ -69,19 +70,20 @@ static void add_of_body(plant *p, graph *g, size_t i)
     }
 }
 
-/* What a closure does to its child, in the ground's axes: the multipliers times what each constraint bears. */
-static void add_reaction(plant *p, graph *g, const output *o, int index)
+/* What a joint or a closure gives to its child. */
+static void add_reaction(plant *p, graph *g, size_t i)
 {
-    const augmented *loops = &p->d->loops;
-    vector sum = vector_zero(g);
-    for (int r = 0; r < loops->held.count; r++) {
-        const constraint *c = &loops->held.all[r];
-        if (c->cut == index) {
-            const vector borne = o->kind == OUTPUT_FORCE ? c->force : c->moment;
-            sum = vector_add(g, sum, vector_scale(g, loops->multipliers[r], borne));
-        }
+    const output *o = &p->m->outputs[i];
+    const int body_shown = p->m->output_body[i], cut_shown = p->m->output_cut[i];
+    wrench w;
+    if (cut_shown >= 0) {
+        w = closure_reaction(p->d, cut_shown);
+    } else {
+        p->accelerations = p->accelerations == NULL ? reaction_accelerations(p->d) : p->accelerations;
+        graph_section(g, "Reactions");
+        w = joint_reaction(p->d, p->accelerations, body_shown);
     }
-    add_vector(p, g, o, outward_axes(&p->d->k, p->m->cuts[index].base, GROUND, sum));
+    add_vector(p, g, o, o->kind == OUTPUT_FORCE ? w.force : w.moment);
 }
 
 static void build_outputs(plant *p, graph *g)
@@ -99,8 +101,8 @@ static void build_outputs(plant *p, graph *g)
         } else if (o->kind == OUTPUT_VIOLATION || o->kind == OUTPUT_VIOLATION_RATE) {
             const bool of_rates = o->kind == OUTPUT_VIOLATION_RATE;
             add_output(p, o->name.text, largest_violation(&p->d->k, &p->d->loops.held, of_rates));
-        } else if (m->output_cut[i] >= 0) {
-            add_reaction(p, g, o, m->output_cut[i]);
+        } else if (o->kind == OUTPUT_FORCE || o->kind == OUTPUT_MOMENT) {
+            add_reaction(p, g, i);
         } else if (m->output_link[i] >= 0) {
             add_output(p, o->name.text, joint_output(p, g, o, m->output_link[i]));
         } else {

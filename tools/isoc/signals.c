@@ -101,24 +101,20 @@ static void check_coordinate_output(builder *b, const output *o)
     }
 }
 
-static bool is_reaction(const output *o)
+/* The closure whose force or moment an output shows, or the child of the joint. */
+static void build_reaction(builder *b, const output *o, int *body_shown, int *cut_shown)
 {
-    return o->kind == OUTPUT_FORCE || o->kind == OUTPUT_MOMENT;
-}
-
-/* The closure whose force or moment an output shows. */
-static int closure_called(builder *b, const output *o)
-{
-    const int found = find_closure(b->s, b->written, o->of);
-    for (int i = 0; i < b->made.cut_count && found >= 0; i++) {
-        if (strcmp(b->made.cuts[i].name, o->of.text) == 0) {
-            if (b->made.cuts[i].kind == CLOSE_GEAR || b->made.cuts[i].kind == CLOSE_MOTION) {
-                source_problem(b->s, o->of.at, "'%s' acts along joints, not by a force between bodies", o->of.text);
-            }
-            return i;
+    bool is_joint;
+    const int of = find_joint_or_closure(b->s, b->written, o->of, &is_joint);
+    if (of >= 0 && is_joint) {
+        *body_shown = b->children[of];
+    } else if (of >= 0) {
+        const closure_kind kind = b->written->closures[of].kind;
+        *cut_shown = of;
+        if (kind == CLOSE_GEAR || kind == CLOSE_MOTION) {
+            source_problem(b->s, o->of.at, "'%s' acts along joints, not by a force between bodies", o->of.text);
         }
     }
-    return -1;
 }
 
 static void build_output(builder *b, const output *o, int *link_shown, int *body_shown)
@@ -164,8 +160,8 @@ void build_outputs(builder *b)
         const bool violates = o->kind == OUTPUT_VIOLATION || o->kind == OUTPUT_VIOLATION_RATE;
         if (violates && b->written->closure_count == 0) {
             source_problem(b->s, o->kind_at, "nothing is closed that could be violated");
-        } else if (is_reaction(o) && o->of.text != NULL) {
-            made->output_cut[i] = closure_called(b, o);
+        } else if ((o->kind == OUTPUT_FORCE || o->kind == OUTPUT_MOMENT) && o->of.text != NULL) {
+            build_reaction(b, o, &made->output_body[i], &made->output_cut[i]);
         } else if (o->kind < OUTPUT_ENERGY && o->of.text != NULL) {
             build_output(b, o, &made->output_link[i], &made->output_body[i]);
         }

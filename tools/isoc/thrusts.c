@@ -27,7 +27,7 @@ static void build_thrust(builder *b, const body_force *written)
         }
         return;
     }
-    thrust made = {.link = frame->link, .drive = drive, .lever = lever};
+    thrust made = {.body = pushed, .link = frame->link, .drive = drive, .lever = lever};
     made.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
     made.axis = matrix_apply(g, frame->turn, vector_of(g, axis[0], axis[1], axis[2]));
     b->made.thrusts[b->made.thrust_count++] = made;

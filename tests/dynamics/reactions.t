@@ -1,0 +1,38 @@
+#!/bin/sh
+# Reactions of joints and closures of generated plants against the independent dynamics, and in simple cases by hand.
+. tests/host/test.sh
+begin reactions
+. tests/dynamics/solver.sh
+
+# reacting SCENE TABLE: the scene shows the reactions of all joints and then of all closures, as the table wants them, with
+# nothing added to the equations of motion to hold the closures; the plant against the table.
+reacting()
+{
+    name=$(basename "$1" .scene)
+    mkdir -p "$out/$name"
+    {
+        sed 's/^stabilisation \(baumgarte\|projection\) .*/stabilisation none/' "$1"
+        { grep '^joint ' "$1"; grep '^close ' "$1"; } |
+            awk '{ print "output force_of_" $2 " = force of " $2 "\noutput moment_of_" $2 " = moment of " $2 }'
+    } >"$out/$name/$name.scene"
+    # shellcheck disable=SC2086
+    build/isoc "$out/$name/$name.scene" -o "$out/$name" --real "$real" >"$out/$name/summary" &&
+        program "$name.reactions" "$2" "$out/$name/plant.c" $reactions
+    result $? "$name builds in $real"
+    joined "$name in $real" "$out/$name.reactions"
+}
+
+for real in float double; do
+    real $real
+    compare
+    reactions="tests/dynamics/reactions.c $(echo "$compare" | sed 's|[^ ]*/compare[^ ]*||')"
+    for name in arm6 tree pendulum double_pendulum cart_pole; do
+        reacting "models/$name.scene" "tests/dynamics/table_$name.c"
+    done
+
+    build/isoc tests/dynamics/statics.scene -o "$out/statics" --real $real >"$out/statics.summary" &&
+        program statics.program tests/dynamics/statics.c tests/host/report.c "$out/statics/plant.c"
+    result $? "statics builds in $real"
+    joined "statics in $real" "$out/statics.program"
+done
+finish

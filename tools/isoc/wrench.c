@@ -1,0 +1,46 @@
+#include "tools/isoc/wrench.h"
+
+wrench wrench_add(graph *g, wrench a, wrench b)
+{
+    a.force = vector_add(g, a.force, b.force);
+    a.moment = vector_add(g, a.moment, b.moment);
+    return a;
+}
+
+wrench wrench_sub(graph *g, wrench a, wrench b)
+{
+    a.force = vector_sub(g, a.force, b.force);
+    a.moment = vector_sub(g, a.moment, b.moment);
+    return a;
+}
+
+wrench wrench_at(graph *g, vector point, vector force, vector moment)
+{
+    return (wrench){force, vector_add(g, vector_cross(g, point, force), moment)};
+}
+
+/* Newton and Euler about the origin: F = m a + swing(ms), N = J alpha + omega x J omega + ms x a. */
+wrench wrench_of_motion(graph *g, composite whole, vector w, acceleration now)
+{
+    wrench made;
+    made.force = vector_scale(g, whole.mass, now.a);
+    made.force = vector_add(g, made.force, swing(g, w, now.alpha, whole.ms));
+    const vector gyroscopic = vector_cross(g, w, tensor_apply(g, whole.inertia, w));
+    const vector angular = vector_add(g, tensor_apply(g, whole.inertia, now.alpha), gyroscopic);
+    made.moment = vector_add(g, angular, vector_cross(g, whole.ms, now.a));
+    return made;
+}
+
+/* u e at its point, with a moment about its own line. */
+wrench wrench_of_thrust(graph *g, const thrust *t)
+{
+    const vector force = vector_scale(g, leaf(g, OP_INPUT, t->drive), t->axis);
+    return wrench_at(g, t->point, force, vector_scale(g, t->lever, force));
+}
+
+wrench wrench_to_parent(const kinematics *k, int i, wrench w)
+{
+    const vector force = to_parent(k, i, w.force), moment = to_parent(k, i, w.moment);
+    const vector about = vector_cross(k->g, k->motions[i].p, force);
+    return (wrench){force, vector_add(k->g, moment, about)};
+}
