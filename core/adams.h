@@ -82,7 +82,7 @@ static const iso_nordsieck iso_table_nordsieck[ISO_ADAMS_ORDERS] = {
 typedef struct iso_adams_run {
     const iso_adams_options *options;
     iso_adams_state *state;
-    const iso_trail *trail; /* its slopes are the rows */
+    const iso_trail *trail; /* its past are the rows */
     iso_derivative *f;
     const real *u;
     const real *p;
@@ -120,7 +120,7 @@ static inline void iso_adams_predict(const iso_trail *const trail, const size_t 
     z[0] = R(0.0);
     ISO_UNROLL
     for (size_t j = 1; j <= ISO_ADAMS_ORDERS; j++) {
-        z[j] = trail->slopes[(j - 1) * trail->n + s];
+        z[j] = trail->past[(j - 1) * trail->n + s];
     }
     ISO_UNROLL
     for (size_t k = 0; k < ISO_ADAMS_ORDERS; k++) {
@@ -139,7 +139,7 @@ static inline void iso_adams_scale(const iso_trail *const trail, const real fact
     for (size_t j = 0; j < ISO_ADAMS_ORDERS; j++) {
         power *= factor;
         for (size_t s = 0; s < trail->n; s++) {
-            trail->slopes[j * trail->n + s] *= power;
+            trail->past[j * trail->n + s] *= power;
         }
     }
 }
@@ -173,7 +173,7 @@ static inline void iso_adams_take_slope(const iso_adams_run *const run)
     const real h = iso_adams_step_size(run);
     iso_adams_evaluate(run, run->trail->x);
     for (size_t s = 0; s < run->trail->n; s++) {
-        run->trail->slopes[s] = h * run->slope[s];
+        run->trail->past[s] = h * run->slope[s];
     }
 }
 
@@ -183,7 +183,7 @@ static inline void iso_adams_begin(iso_adams_run *const run)
 {
     iso_adams_state *const state = run->state;
     real ratio = R(0.0);
-    memset(run->trail->slopes, 0, ISO_ADAMS_ROWS * run->trail->n * sizeof *run->trail->slopes);
+    memset(run->trail->past, 0, ISO_ADAMS_ROWS * run->trail->n * sizeof *run->trail->past);
     iso_adams_take_slope(run);
     state->order = 1;
     state->age = 0;
@@ -244,7 +244,7 @@ static inline iso_adams_neighbours iso_adams_correct(const iso_adams_run *const 
     const real part_below = (real)(below->error * table->over) / (real)(below->error_over * table->l[q]);
     const real part_above = (real)above->error / (real)above->error_over;
     iso_adams_neighbours estimates = {R(0.0), R(0.0)};
-    real *const last = trail->slopes + ISO_ADAMS_ORDERS * n;
+    real *const last = trail->past + ISO_ADAMS_ORDERS * n;
     real l[ISO_ADAMS_ORDERS + 1];
     ISO_UNROLL
     for (size_t j = 0; j <= ISO_ADAMS_ORDERS; j++) {
@@ -260,12 +260,12 @@ static inline iso_adams_neighbours iso_adams_correct(const iso_adams_run *const 
         iso_adams_predict(trail, s, z);
         const real slope = h * run->slope[s];
         const real e = slope - z[1];
-        trail->slopes[s] = slope;
+        trail->past[s] = slope;
         ISO_UNROLL
         for (size_t j = 2; j <= ISO_ADAMS_ORDERS; j++) {
-            trail->slopes[(j - 1) * n + s] = z[j] + l[j] * e;
+            trail->past[(j - 1) * n + s] = z[j] + l[j] * e;
         }
-        const real highest = trail->slopes[(q - 1) * n + s];
+        const real highest = trail->past[(q - 1) * n + s];
         estimates.lower = iso_max(estimates.lower, iso_adams_ratio(run, s, part_below * highest));
         estimates.higher = iso_max(estimates.higher, iso_adams_ratio(run, s, part_above * (e - last[s])));
         last[s] = e;
@@ -283,7 +283,7 @@ static inline void iso_adams_raise(const iso_adams_run *const run)
     const iso_nordsieck *const table = &iso_table_nordsieck[q - 1];
     const real part = (real)table->l[q] / (real)(table->over * (int)(q + 1));
     for (size_t s = 0; s < n; s++) {
-        run->trail->slopes[q * n + s] = part * run->trail->slopes[ISO_ADAMS_ORDERS * n + s];
+        run->trail->past[q * n + s] = part * run->trail->past[ISO_ADAMS_ORDERS * n + s];
     }
     run->state->order++;
     run->state->age = 0;
@@ -294,7 +294,7 @@ static inline void iso_adams_lower(const iso_adams_run *const run)
     const size_t n = run->trail->n;
     run->state->order--;
     run->state->age = 0;
-    memset(run->trail->slopes + run->state->order * n, 0, n * sizeof *run->trail->slopes);
+    memset(run->trail->past + run->state->order * n, 0, n * sizeof *run->trail->past);
 }
 
 /* Order and step of the next sub-step: the order with the least error, a lower one only for a quarter of it, since an
@@ -395,7 +395,7 @@ static inline iso_adams_run iso_adams_run_of(const iso_adams_options *const opti
     };
 }
 
-/* Before the first tick, and after a jump: starts from the states in the trail, whose slopes are [ISO_ADAMS_ROWS n]. One
+/* Before the first tick, and after a jump: starts from the states in the trail, whose past is [ISO_ADAMS_ROWS n]. One
  * evaluation. The counts go on. work[ISO_ADAMS_WORK(n)]. */
 static inline void iso_adams_start(const iso_adams_options *const options, iso_adams_state *const state,
                                    const iso_trail *const trail, iso_derivative *const f, const real h_tick,

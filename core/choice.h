@@ -39,12 +39,11 @@ _Static_assert(!ISO_IS(ISO_METHOD, ISO_ADAMS),
 #define ISO_PLANT(state_count, input_count, parameter_count, output_count, ...)                                        \
     static void prime(void)                                                                                            \
     {                                                                                                                  \
-        real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, state_count)];                                                     \
-        iso_method_prime(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, work,       \
-                         &memory.progress);                                                                            \
+        real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, state_count)], lu[(state_count) * (state_count)];                  \
+        iso_method_prime(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, lu, work);  \
     }                                                                                                                  \
                                                                                                                        \
-    static void step(void)                                                                                             \
+    ISO_FLAT static void step(void)                                                                                    \
     {                                                                                                                  \
         real work[ISO_METHOD_WORK(ISO_METHOD, state_count)], lu[(state_count) * (state_count)];                        \
         iso_method_step(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, lu, work,    \

@@ -43,6 +43,7 @@ ISO_INLINE real iso_explicit_step(const iso_tableau *const table, const iso_trai
 
     f(k, trail->x, u, p);
     const real error = iso_check(trail, h, k, NULL);
+    iso_keep_slope(trail, h, k);
     ISO_UNROLL
     for (uint8_t i = 1; i < table->stages; i++) {
         const real h_over = h / (real)table->a_over[i];
@@ -58,7 +59,6 @@ ISO_INLINE real iso_explicit_step(const iso_tableau *const table, const iso_trai
     for (size_t s = 0; s < n; s++) {
         iso_advance(trail, s, iso_combine(h_over, table->b, table->stages, k + s, n));
     }
-    iso_keep_slope(trail, k);
     return error;
 }
 
@@ -74,12 +74,12 @@ static inline real iso_semi_implicit_step(const iso_trail *const trail, iso_deri
     const size_t half = trail->n / 2;
     f(work, trail->x, u, p);
     const real error = iso_check(trail, h, work, NULL);
+    iso_keep_slope(trail, h, work);
     ISO_UNROLL
     for (size_t s = 0; s < half; s++) {
         iso_advance(trail, half + s, h * work[half + s]);
         iso_advance(trail, s, h * trail->x[half + s]);
     }
-    iso_keep_slope(trail, work);
     return error;
 }
 

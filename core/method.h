@@ -69,47 +69,40 @@ enum {
          ? 1                                                                                                           \
          : (ISO_IS(recipe, ISO_HEUN) ? 2 : (ISO_IS(recipe, ISO_ROSENBROCK) ? 3 : 4)))
 
-/* Slopes, increments and vectors of n reals that are kept behind the state. */
-#define ISO_SLOPES_KEPT(recipe) (ISO_IS(recipe, ISO_ADAMS) ? ISO_ADAMS_ROWS : ISO_FIXED_SLOPES_KEPT(recipe))
-#define ISO_FIXED_SLOPES_KEPT(recipe)                                                                                  \
-    (ISO_IS_ABM4(recipe)                                                                                               \
-         ? ISO_AB4_STEPS                                                                                               \
-         : (ISO_CHECKS_SLOPES(recipe) ? ISO_ORDER_OF(recipe) : (ISO_IS(recipe, ISO_AB4) ? ISO_AB4_STEPS - 1 : 0)))
+/* Slopes before the end of a step that its check uses: one more than the order. The leading term of an error can pass
+ * through zero in all states at about the same time, and then the next one decides. */
+#define ISO_CHECK_KEPT(recipe) (ISO_CHECKS_SLOPES(recipe) ? ISO_ORDER_OF(recipe) + 1 : 0)
+
+/* Vectors of n reals that are kept behind the state: sums or rows, increments, the check, what rounding has taken. */
+#define ISO_PAST_KEPT(recipe)                                                                                          \
+    (ISO_IS(recipe, ISO_ADAMS) ? ISO_ADAMS_ROWS                                                                        \
+                               : (ISO_IS_ABM4(recipe) ? ISO_ABM4_SUMS : (ISO_IS(recipe, ISO_AB4) ? ISO_AB4_SUMS : 0)))
 #define ISO_INCREMENTS_KEPT(recipe) (ISO_IS(recipe, ISO_BDF4) ? ISO_BDF4_STEPS : 0)
-#define ISO_VECTORS_KEPT(recipe)                                                                                       \
-    (ISO_SLOPES_KEPT(recipe) + ISO_INCREMENTS_KEPT(recipe) + (ISO_CHECKS_SLOPES(recipe) ? 1 : 0) +                     \
-     (ISO_IS_COMPENSATED(recipe) ? 1 : 0))
+#define ISO_HISTORY_KEPT(recipe) (ISO_PAST_KEPT(recipe) + ISO_INCREMENTS_KEPT(recipe) + ISO_CHECK_KEPT(recipe))
+#define ISO_VECTORS_KEPT(recipe) (ISO_HISTORY_KEPT(recipe) + (ISO_IS_COMPENSATED(recipe) ? 1 : 0))
+
+/* Whether there is a history, which must be primed before the first step. */
+#define ISO_IS_PRIMED(recipe) (ISO_HISTORY_KEPT(recipe) > 0)
 
 /* Reals of x: the n states, and behind them what the method keeps. */
 #define ISO_METHOD_STATE(recipe, n) ((n) * (1 + ISO_VECTORS_KEPT(recipe)))
 
 /* Reals of work space of a step, beside the factors of an implicit method; and of priming. */
 #define ISO_METHOD_WORK(recipe, n)                                                                                     \
-    ((n) *                                                                                                             \
-     (ISO_IS_IMPLICIT(recipe)                                                                                          \
-          ? 5                                                                                                          \
-          : (ISO_IS(recipe, ISO_RK4)                                                                                   \
-                 ? 5                                                                                                   \
-                 : (ISO_IS(recipe, ISO_HEUN) ? 3 : (ISO_IS(recipe, ISO_EULER) || ISO_IS_ABM4(recipe) ? 2 : 1)))))
+    ((n) * (ISO_IS_IMPLICIT(recipe) || ISO_IS(recipe, ISO_RK4)                                                         \
+                ? 5                                                                                                    \
+                : (ISO_IS(recipe, ISO_HEUN) ? 3 : (ISO_IS(recipe, ISO_EULER) || ISO_IS_ABM4(recipe) ? 2 : 1))))
 #define ISO_METHOD_PRIME_WORK(recipe, n)                                                                               \
-    (ISO_IS_IMPLICIT(recipe) ? (n) : ISO_SLOPES_KEPT(recipe) > 0 ? (n) + ISO_EXPLICIT_WORK(n) : 1)
+    (ISO_IS(recipe, ISO_BDF4) ? ISO_BDF4_PRIME_WORK(n)                                                                 \
+                              : (ISO_IS_IMPLICIT(recipe) ? (n) : (ISO_IS_PRIMED(recipe) ? ISO_PRIME_WORK(n) : 1)))
 
 static inline iso_trail iso_trail_of(const unsigned recipe, const size_t n, real *const x)
 {
-    real *next = x + n;
-    iso_trail trail = {.n = n, .x = x, .kept = ISO_SLOPES_KEPT(recipe), .order = ISO_ORDER_OF(recipe)};
-    trail.slopes = next;
-    next += n * ISO_SLOPES_KEPT(recipe);
-    if (ISO_INCREMENTS_KEPT(recipe) > 0) {
-        trail.increments = next;
-        next += n * ISO_INCREMENTS_KEPT(recipe);
-    }
-    if (ISO_CHECKS_SLOPES(recipe)) {
-        trail.moved = next;
-        next += n;
-    }
+    iso_trail trail = {.n = n, .x = x, .past = x + n, .checked = ISO_CHECK_KEPT(recipe)};
+    trail.increments = trail.past + n * ISO_PAST_KEPT(recipe);
+    trail.check = trail.increments + n * ISO_INCREMENTS_KEPT(recipe);
     if (ISO_IS_COMPENSATED(recipe)) {
-        trail.carry = next;
+        trail.carry = trail.check + n * (size_t)ISO_CHECK_KEPT(recipe);
     }
     return trail;
 }
@@ -118,7 +111,6 @@ static inline iso_trail iso_trail_of(const unsigned recipe, const size_t n, real
 typedef struct iso_progress {
     real local_error; /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
     real residual;    /* of the last Newton iteration */
-    uint8_t started;  /* steps since the start, up to those that bdf4 starts with */
 } iso_progress;
 
 /* Advances the n states of x[ISO_METHOD_STATE(recipe, n)] by h with u and p held. lu[eq->factors] only for implicit
@@ -156,14 +148,7 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
         error = iso_abm4_step(&trail, f, h, u, p, work, 2, true);
         break;
     case ISO_BDF4:
-        /* Four steps of the linearly implicit method, whose local error is of the order of the formula's global one. */
-        if (progress->started < ISO_BDF4_STEPS) {
-            progress->started++;
-            error = iso_rosenbrock_step(&trail, eq, h, u, p, lu, work);
-        } else {
-            error =
-                iso_bdf4_step(&trail, eq, h, u, p, lu, work, (uint8_t)ISO_ITERATIONS_OF(recipe), &progress->residual);
-        }
+        error = iso_bdf4_step(&trail, eq, h, u, p, lu, work, (uint8_t)ISO_ITERATIONS_OF(recipe), &progress->residual);
         break;
     case ISO_ROSENBROCK:
         error = iso_rosenbrock_step(&trail, eq, h, u, p, lu, work);
@@ -176,20 +161,44 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     }
 }
 
-/* Fills what the method keeps behind the states of x, before the first step or after a jump.
- * work[ISO_METHOD_PRIME_WORK(recipe, n)]. */
+/* For an explicit method: what it keeps of the slopes that lead to x, the oldest first. work[ISO_PRIME_WORK(n)]. */
+static inline void iso_prime_explicit(const unsigned recipe, const iso_trail *const trail, iso_derivative *const f,
+                                      const real h, const real *const u, const real *const p, real *const work)
+{
+    const size_t n = trail->n;
+    const uint8_t count = ISO_IS_ABM4(recipe) || ISO_CHECK_KEPT(recipe) == 0 ? ISO_AB4_STEPS : ISO_CHECK_KEPT(recipe);
+    real *const moved = work;
+    real *const at = work + n;
+    real *const slopes = work + 2 * n;
+    iso_walk_back(n, f, h, trail->x, u, p, count, ISO_IS_ABM4(recipe), slopes, moved, at,
+                  slopes + ISO_ADAMS_SLOPES * n);
+    for (uint8_t past = count; past-- > 0;) {
+        const real *const slope = slopes + past * n;
+        if (ISO_IS_ABM4(recipe)) {
+            iso_abm4_take_slope(trail, h, slope);
+        } else if (ISO_IS(recipe, ISO_AB4)) {
+            iso_ab4_take_slope(trail, h, slope);
+        }
+        iso_keep_slope(trail, h, slope);
+    }
+    for (size_t s = 0; s < n && trail->checked > 0; s++) {
+        trail->check[s] = moved[s] - trail->check[s];
+    }
+}
+
+/* Fills what the method keeps behind the states of x, before the first step or after a jump; the states stay as they
+ * are. lu[eq->factors] only for bdf4, work[ISO_METHOD_PRIME_WORK(recipe, n)]. */
 static inline void iso_method_prime(const unsigned recipe, const size_t n, const iso_equations *const eq, const real h,
-                                    real *const x, const real *const u, const real *const p, real *const work,
-                                    iso_progress *const progress)
+                                    real *const x, const real *const u, const real *const p, real *const lu,
+                                    real *const work)
 {
     const iso_trail trail = iso_trail_of(recipe, n, x);
-    if (ISO_IS_IMPLICIT(recipe)) {
-        iso_prime_constant(&trail, eq->derivative, h, u, p, work);
-    } else if (ISO_SLOPES_KEPT(recipe) > 0) {
-        iso_prime_slopes(&trail, eq->derivative, h, u, p, ISO_IS_ABM4(recipe), work, work + n);
-    }
     if (ISO_IS(recipe, ISO_BDF4)) {
-        progress->started = 0;
+        iso_bdf4_prime(&trail, eq, h, u, p, lu, work);
+    } else if (ISO_IS_IMPLICIT(recipe)) {
+        iso_prime_constant(&trail, eq->derivative, h, u, p, work);
+    } else if (ISO_IS_PRIMED(recipe)) {
+        iso_prime_explicit(recipe, &trail, eq->derivative, h, u, p, work);
     }
 }
 

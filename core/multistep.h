@@ -4,107 +4,104 @@
 
 #include "core/explicit.h"
 
-/* h / over * (b[0] slope + b[1] kept[0] + ...), over `terms` slopes. */
-static inline real iso_adams_increment(const iso_adams *const table, const real h, const real slope,
-                                       const real *const kept, const size_t n, const uint8_t terms)
+/* Sums kept: what the slopes so far add to the next step; of abm4 first to its predictor, then to its corrector. */
+enum {
+    ISO_AB4_SUMS = ISO_AB4_STEPS - 1,
+    ISO_ABM4_PREDICTOR = ISO_AB4_STEPS,
+    ISO_ABM4_CORRECTOR = ISO_AB4_STEPS - 1,
+    ISO_ABM4_SUMS = ISO_ABM4_PREDICTOR + ISO_ABM4_CORRECTOR,
+};
+
+static inline void iso_ab4_take_slope(const iso_trail *const trail, const real h, const real *const slope)
 {
-    real sum = (real)table->b[0] * slope;
-    ISO_UNROLL
-    for (uint8_t j = 1; j < terms; j++) {
-        sum += (real)table->b[j] * kept[(j - 1) * n];
-    }
-    return h / (real)table->over * sum;
+    iso_take_slope(&iso_table_ab4, 1, ISO_AB4_SUMS, h, trail->n, slope, trail->past);
+}
+
+static inline void iso_abm4_take_slope(const iso_trail *const trail, const real h, const real *const slope)
+{
+    const size_t n = trail->n;
+    iso_take_slope(&iso_table_ab4, 0, ISO_ABM4_PREDICTOR, h, n, slope, trail->past);
+    iso_take_slope(&iso_table_am[3], 1, ISO_ABM4_CORRECTOR, h, n, slope, trail->past + ISO_ABM4_PREDICTOR * n);
 }
 
 /* Adams-Bashforth, one evaluation: x += h / 24 (55 f - 59 f[-1] + 37 f[-2] - 9 f[-3]). Local error 251/720 h^5 x^(5).
- * work[n]. Returns the local error of the step before, where steps are checked. */
-static inline real iso_ab4_step(const iso_trail *const trail, iso_derivative *const f, const real h,
-                                const real *restrict const u, const real *restrict const p, real *restrict const work)
+ * trail->past[ISO_AB4_SUMS n], work[n]. Returns the local error of the step before, where steps are checked. */
+ISO_INLINE real iso_ab4_step(const iso_trail *const trail, iso_derivative *const f, const real h,
+                             const real *restrict const u, const real *restrict const p, real *restrict const work)
 {
+    const real weight = iso_weight(&iso_table_ab4, h, 0);
     f(work, trail->x, u, p);
     const real error = iso_check(trail, h, work, NULL);
+    iso_keep_slope(trail, h, work);
     ISO_UNROLL
     for (size_t s = 0; s < trail->n; s++) {
-        iso_advance(trail, s,
-                    iso_adams_increment(&iso_table_ab4, h, work[s], trail->slopes + s, trail->n, ISO_AB4_STEPS));
+        iso_advance(trail, s, weight * work[s] - trail->past[s]);
     }
-    iso_keep_slope(trail, work);
+    iso_ab4_take_slope(trail, h, work);
     return error;
 }
 
 /* Adams-Bashforth-Moulton: predict, then evaluate and correct `corrections` times, then evaluate once more if
- * `evaluate_last`: P(EC)^m or P(EC)^m E. The kept slopes begin with that of the state now, from the step before.
- * Local error -19/720 h^5 x^(5). work[2 n]. Returns Milne's estimate of it, of this very step: 19/270 of the largest
- * difference between predictor and corrector. */
-static inline real iso_abm4_step(const iso_trail *const trail, iso_derivative *const f, const real h,
-                                 const real *restrict const u, const real *restrict const p, real *restrict const work,
-                                 const uint8_t corrections, const bool evaluate_last)
+ * `evaluate_last`: P(EC)^m or P(EC)^m E. Local error -19/720 h^5 x^(5). trail->past[ISO_ABM4_SUMS n], work[2 n]. Returns
+ * Milne's estimate of it, of this very step: 19/270 of the largest difference between predictor and corrector. */
+ISO_INLINE real iso_abm4_step(const iso_trail *const trail, iso_derivative *const f, const real h,
+                              const real *restrict const u, const real *restrict const p, real *restrict const work,
+                              const uint8_t corrections, const bool evaluate_last)
 {
     const size_t n = trail->n;
-    const real *const kept = trail->slopes;
+    const real *const predicted = trail->past;
+    const real *const corrector = trail->past + ISO_ABM4_PREDICTOR * n;
+    const real weight = iso_weight(&iso_table_am[3], h, 0);
     real *const slope = work;
     real *const at = work + n;
     real error = R(0.0);
 
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        at[s] = trail->x[s] + iso_adams_increment(&iso_table_ab4, h, kept[s], kept + n + s, n, ISO_AB4_STEPS);
+        at[s] = trail->x[s] + predicted[s];
     }
     ISO_UNROLL
     for (uint8_t i = 1; i < corrections; i++) {
         f(slope, at, u, p);
         ISO_UNROLL
         for (size_t s = 0; s < n; s++) {
-            at[s] = trail->x[s] + iso_adams_increment(&iso_table_am[3], h, slope[s], kept + s, n, ISO_AB4_STEPS);
+            at[s] = trail->x[s] + (weight * slope[s] + corrector[s]);
         }
     }
     f(slope, at, u, p);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        const real predicted = iso_adams_increment(&iso_table_ab4, h, kept[s], kept + n + s, n, ISO_AB4_STEPS);
-        const real corrected = iso_adams_increment(&iso_table_am[3], h, slope[s], kept + s, n, ISO_AB4_STEPS);
-        error = iso_larger(error, corrected - predicted);
+        const real corrected = weight * slope[s] + corrector[s];
+        error = iso_larger(error, corrected - predicted[s]);
         iso_advance(trail, s, corrected);
     }
     if (evaluate_last) {
         f(slope, trail->x, u, p);
     }
-    iso_keep_slope(trail, slope);
+    iso_abm4_take_slope(trail, h, slope);
     return (real)iso_table_milne.b[0] / (real)iso_table_milne.over * error;
 }
 
-/* Fills the kept slopes with that of x, as if the motion had been even: for stiff plants, whose past cannot be computed.
- * Only a check looks at them, and tells too much until they are real. slope[n]. */
-static inline void iso_prime_constant(const iso_trail *const trail, iso_derivative *const f, const real h,
-                                      const real *restrict const u, const real *restrict const p,
-                                      real *restrict const slope)
-{
-    f(slope, trail->x, u, p);
-    for (size_t s = 0; s < trail->n && trail->moved != NULL; s++) {
-        trail->moved[s] = h * slope[s];
-        for (size_t j = 0; j < trail->kept; j++) {
-            trail->slopes[j * trail->n + s] = slope[s];
-        }
-    }
-}
+/* Reals of work space for priming: the slopes, the increment and a state of walking back, and its stages. */
+#define ISO_PRIME_WORK(n) ((ISO_ADAMS_SLOPES + 2) * (n) + ISO_EXPLICIT_WORK(n))
 
-/* Fills what the trail keeps by integrating backwards from x with rk4, so that the first step costs what every step
- * costs: `skip` slopes of x itself first, then those at t - h, t - 2h, ... They are exact to h^5, which keeps the fourth
- * order. x is left as it is. at[n], work[ISO_EXPLICIT_WORK(n)]. */
-static inline void iso_prime_slopes(const iso_trail *const trail, iso_derivative *const f, const real h,
-                                    const real *restrict const u, const real *restrict const p, const bool from_now,
-                                    real *restrict const at, real *restrict const work)
+/* The slopes of the motion that leads to x, by integrating backwards with rk4: `count` of them, the newest first, that of
+ * x itself if `from_now`, or else that at t - h. They are exact to h^5, which keeps the fourth order. moved[n] is the
+ * increment from t - h to x. slopes[count n], at[n], work[ISO_EXPLICIT_WORK(n)]. */
+static inline void iso_walk_back(const size_t n, iso_derivative *const f, const real h, const real *const x,
+                                 const real *restrict const u, const real *restrict const p, const uint8_t count,
+                                 const bool from_now, real *restrict const slopes, real *restrict const moved,
+                                 real *restrict const at, real *restrict const work)
 {
-    const size_t n = trail->n;
     const iso_trail back = {.n = n, .x = at};
-    memcpy(at, trail->x, n * sizeof *at);
-    for (size_t past = 0; past < trail->kept; past++) {
+    memcpy(at, x, n * sizeof *at);
+    for (size_t past = 0; past < count; past++) {
         if (past > 0 || !from_now) {
             (void)iso_explicit_step(&iso_tableau_rk4, &back, f, -h, u, p, work);
         }
-        f(trail->slopes + past * n, at, u, p);
-        for (size_t s = 0; s < n && past == 0 && trail->moved != NULL; s++) {
-            trail->moved[s] = trail->x[s] - at[s];
+        f(slopes + past * n, at, u, p);
+        for (size_t s = 0; s < n && past == 0; s++) {
+            moved[s] = x[s] - at[s];
         }
     }
 }

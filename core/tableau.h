@@ -53,7 +53,7 @@ static const iso_tableau iso_tableau_rk4 = {
  * the step and an implicit one with that at its end. Bashforth and Adams (1883), An Attempt to Test the Theories of
  * Capillary Action, ch. 3; in this form Hairer, Norsett, Wanner (1993), Solving Ordinary Differential Equations I,
  * tables III.1.1 and III.1.2. */
-enum { ISO_ADAMS_SLOPES = 5, ISO_AB4_STEPS = 4 };
+enum { ISO_ADAMS_SLOPES = 6, ISO_AB4_STEPS = 4 };
 
 typedef struct iso_adams {
     int16_t b[ISO_ADAMS_SLOPES];
@@ -69,6 +69,7 @@ static const iso_adams iso_table_am[ISO_ADAMS_SLOPES] = {
     {.b = {5, 8, -1}, .over = 12},
     {.b = {9, 19, -5, 1}, .over = 24},
     {.b = {251, 646, -264, 106, -19}, .over = 720},
+    {.b = {475, 1427, -798, 482, -173, 27}, .over = 1440},
 };
 
 /* Milne (1926), Amer. Math. Monthly 33, 455-460: of the difference corrector - predictor of the pair of order four,

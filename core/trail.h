@@ -1,5 +1,5 @@
 /* What a method keeps from step to step behind the states, and what is done with it alike for every method: advancing
- * the state, keeping slopes, checking a step.
+ * the state, keeping the past, checking a step.
  *
  * All of it is known at compile time: a pointer that is NULL, or a count that is zero, leaves no code.
  */
@@ -13,12 +13,11 @@
 typedef struct iso_trail {
     size_t n;
     real *x;          /* [n] the states */
-    real *slopes;     /* [kept n] at the steps before this one, the newest first */
+    real *past;       /* sums of the slopes so far (core/multistep.h), or rows (core/adams.h) */
     real *increments; /* [ISO_BDF4_STEPS n] of the steps before this one, the newest first; only bdf4 */
-    real *moved;      /* [n] the last increment; NULL where steps are not checked */
+    real *check;      /* [checked n] sums of the slopes so far, the first one taken from the increment: iso_check */
     real *carry;      /* [n] what rounding has taken from x so far; NULL where x is not compensated */
-    uint8_t kept;
-    uint8_t order; /* of the method, where steps are checked */
+    uint8_t checked;  /* slopes before the end of a step that its check uses; 0 where steps are not checked */
 } iso_trail;
 
 /* x[s] += dx. Compensated: the rounding error of the sum, exact by Knuth (1998), The Art of Computer Programming 2,
@@ -26,8 +25,8 @@ typedef struct iso_trail {
  * is compiled with, which forbid a compiler to take the difference for zero. */
 static inline void iso_advance(const iso_trail *const trail, const size_t s, const real dx)
 {
-    if (trail->moved != NULL) {
-        trail->moved[s] = dx;
+    if (trail->checked > 0) {
+        trail->check[s] = dx - trail->check[s];
     }
     if (trail->carry == NULL) {
         trail->x[s] += dx;
@@ -41,18 +40,32 @@ static inline void iso_advance(const iso_trail *const trail, const size_t s, con
     }
 }
 
-/* Puts the slope of this step before the kept ones. */
-static inline void iso_keep_slope(const iso_trail *const trail, const real *const slope)
+/* h |b[j]| / over: the weight of a slope. In an Adams method the signs of the slopes before the end of a step alternate. */
+static inline real iso_weight(const iso_adams *const table, const real h, const uint8_t j)
 {
-    const size_t n = trail->n;
+    return h * (real)(table->b[j] < 0 ? -table->b[j] : table->b[j]) / (real)table->over;
+}
+
+/* One slope f more in the sums that an Adams method keeps in place of slopes:
+ *
+ *     sums[0] = w[first] f - sums[1],   sums[1] = w[first + 1] f - sums[2], ...,   sums[terms - 1] = w[first + terms - 1] f
+ *
+ * Then sums[0] is what the slopes so far add to the next step. That takes as many products and sums as with the slopes
+ * themselves, and moves none: the transposed form of a filter, Oppenheim and Schafer (2010), Discrete-Time Signal
+ * Processing, 6.4. After `terms` slopes nothing is left of what the sums were. sums[terms n]. */
+ISO_INLINE void iso_take_slope(const iso_adams *const table, const uint8_t first, const uint8_t terms, const real h,
+                               const size_t n, const real *const slope, real *const sums)
+{
     ISO_UNROLL
-    for (size_t s = 0; s < n; s++) {
+    for (uint8_t j = 0; j < terms; j++) {
+        const real weight = iso_weight(table, h, (uint8_t)(first + j));
         ISO_UNROLL
-        for (size_t j = trail->kept; j-- > 1;) {
-            trail->slopes[j * n + s] = trail->slopes[(j - 1) * n + s];
-        }
-        if (trail->kept > 0) {
-            trail->slopes[s] = slope[s];
+        for (size_t s = 0; s < n; s++) {
+            real sum = weight * slope[s];
+            if (j + 1U < terms) {
+                sum -= sums[(j + 1U) * n + s];
+            }
+            sums[j * n + s] = sum;
         }
     }
 }
@@ -64,22 +77,16 @@ static inline real iso_larger(const real a, const real b)
 }
 
 /* The local error of the last step, state by state, at no evaluation: its increment against that of the implicit Adams
- * method of one order more, whose slopes are all known now: `slope` at the end of that step, the kept ones before.
- * Exact to h^(order + 2). error[n], or NULL to give only the largest, which is returned. */
+ * method with `checked` slopes from before the end of that step, and with `slope` there. Exact to h^(checked + 2).
+ * error[n], or NULL to give only the largest, which is returned. */
 static inline real iso_check(const iso_trail *const trail, const real h, const real *const slope, real *const error)
 {
     real largest = R(0.0);
-    if (trail->moved != NULL) {
-        const iso_adams *const am = &iso_table_am[trail->order];
-        const real h_over = h / (real)am->over;
+    if (trail->checked > 0) {
+        const real weight = iso_weight(&iso_table_am[trail->checked], h, 0);
         ISO_UNROLL
         for (size_t s = 0; s < trail->n; s++) {
-            real sum = (real)am->b[0] * slope[s];
-            ISO_UNROLL
-            for (size_t j = 0; j < trail->order; j++) {
-                sum += (real)am->b[j + 1] * trail->slopes[j * trail->n + s];
-            }
-            const real e = trail->moved[s] - h_over * sum;
+            const real e = trail->check[s] - weight * slope[s];
             largest = iso_larger(largest, e);
             if (error != NULL) {
                 error[s] = e;
@@ -87,6 +94,13 @@ static inline real iso_check(const iso_trail *const trail, const real h, const r
         }
     }
     return largest;
+}
+
+/* For the next check, before the states advance: what the formula has of the slopes so far, of which `slope` is the
+ * newest. */
+ISO_INLINE void iso_keep_slope(const iso_trail *const trail, const real h, const real *const slope)
+{
+    iso_take_slope(&iso_table_am[trail->checked], 1, trail->checked, h, trail->n, slope, trail->check);
 }
 
 #endif

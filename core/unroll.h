@@ -1,5 +1,6 @@
 /* Hints for speed; they change no bit. ISO_UNROLL before a loop: unroll it as far as its count is known. ISO_INLINE
- * before a function: make it part of its callers, so that what they know at compile time is known in it. */
+ * before a function: make it part of its callers, so that what they know at compile time is known in it. ISO_FLAT before a
+ * function: make all that it calls part of it. */
 #ifndef ISO_CORE_UNROLL_H
 #define ISO_CORE_UNROLL_H
 
@@ -10,5 +11,6 @@
 #endif
 
 #define ISO_INLINE static inline __attribute__((always_inline))
+#define ISO_FLAT __attribute__((flatten))
 
 #endif

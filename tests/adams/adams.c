@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "core/multistep.h"
+#include "core/method.h"
 #include "tests/adams/problems.h"
 #include "tests/host/report.h"
 
@@ -23,7 +23,7 @@ static void prepare(memory *const m, const size_t n, const double *const start, 
 {
     memset(m, 0, sizeof *m);
     memcpy(m->x, start, n * sizeof *start);
-    m->trail = (iso_trail){.n = n, .x = m->x, .slopes = m->x + n, .kept = ISO_ADAMS_ROWS};
+    m->trail = (iso_trail){.n = n, .x = m->x, .past = m->x + n};
     m->options = (iso_adams_options){
         .tolerance_absolute = tolerance,
         .tolerance_relative = tolerance,
@@ -75,16 +75,14 @@ static double run_with(memory *const m, const problem *const p, const double tol
 
 static double error_of_abm4(const problem *const p, const long steps)
 {
-    double x[N_MAX];
-    double slopes[ISO_AB4_STEPS * N_MAX];
-    double at[N_MAX];
-    double work[ISO_EXPLICIT_WORK(N_MAX)];
+    double x[ISO_METHOD_STATE(ISO_ABM4, N_MAX)];
+    double work[ISO_METHOD_PRIME_WORK(ISO_ABM4, N_MAX)];
     const double h = p->end / (double)steps;
-    const iso_trail trail = {.n = p->n, .x = x, .slopes = slopes, .kept = ISO_AB4_STEPS};
-    memcpy(x, p->start, sizeof x);
-    iso_prime_slopes(&trail, p->f, h, NULL, NULL, true, at, work);
+    const iso_equations equations = {.derivative = p->f};
+    memcpy(x, p->start, p->n * sizeof *x);
+    iso_method_prime(ISO_ABM4, p->n, &equations, h, x, NULL, NULL, NULL, work);
     for (long i = 0; i < steps; i++) {
-        (void)iso_abm4_step(&trail, p->f, h, NULL, NULL, work, 1, true);
+        iso_method_step(ISO_ABM4, p->n, &equations, h, x, NULL, NULL, NULL, work, NULL);
     }
     return distance(x, p->reference, p->n);
 }

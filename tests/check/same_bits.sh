@@ -20,12 +20,12 @@ run()
     esac
 }
 
-# counted: every step took one number of instructions; with bdf4 one, and one for each of the four steps that start it;
-# with adams, whose sub-steps the budget bounds, two that say from what to what.
+# counted: every step took one number of instructions; with adams, whose sub-steps the budget bounds, two that say from
+# what to what.
 counted()
 {
     case $method in
-    bdf4 | adams) value instructions_per_step | grep -Eqx '[0-9]+( [0-9]+)?' ;;
+    adams) value instructions_per_step | grep -Eqx '[0-9]+( [0-9]+)?' ;;
     *) value instructions_per_step | grep -Eqx '[0-9]+' ;;
     esac
 }

@@ -4,9 +4,12 @@
 begin estimate
 
 # A plant of an implicit method has a Jacobian for all.
-build/isoc models/double_pendulum.scene -o "$out/double_pendulum" --real double --method bdf4 >/dev/null &&
-    EXTRA="-DPLANT=\"$out/double_pendulum/plant.c\"" program double_pendulum.run tests/estimate/estimate.c \
-        tests/order/plant.c tests/order/double_pendulum.c tests/host/report.c
-result $? "double_pendulum builds"
-joined double_pendulum "$out/double_pendulum.run"
+for number in double float; do
+    real $number
+    build/isoc models/double_pendulum.scene -o "$out/$number" --real $number --method bdf4 >/dev/null &&
+        EXTRA="-DPLANT=\"$out/$number/plant.c\"" program $number.run tests/estimate/estimate.c tests/order/plant.c \
+            tests/order/double_pendulum.c tests/host/report.c
+    result $? "double_pendulum builds in $number"
+    joined double_pendulum "$out/$number.run"
+done
 finish

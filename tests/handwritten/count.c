@@ -1,17 +1,26 @@
-/* Steps a plant from its start as many times as the argument says, for an instrument to count. */
+/* Steps a plant from its start as many times as the argument says, or evaluates its derivative there if a second argument
+ * says so, for an instrument to count. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/plant.h"
 
+enum { COUNT_STATES_MAX = 16 };
+
 int main(const int count, char **const arguments)
 {
     const iso_plant *const plant = &iso_the_plant;
-    const long steps = count == 2 ? strtol(arguments[1], NULL, 10) : 0;
+    const long steps = count > 1 ? strtol(arguments[1], NULL, 10) : 0;
+    const bool evaluate = count > 2 && strcmp(arguments[2], "derivative") == 0;
+    real dx[COUNT_STATES_MAX];
     memcpy(plant->x, plant->start, plant->states * sizeof(real));
     memcpy(plant->p, plant->defaults, plant->parameters * sizeof(real));
     for (long n = 0; n < steps; n++) {
-        plant->step();
+        if (evaluate) {
+            plant->derivative(dx, plant->x, plant->u, plant->p);
+        } else {
+            plant->step();
+        }
     }
-    return steps > 0 ? 0 : 1;
+    return steps > 0 && plant->states <= COUNT_STATES_MAX ? 0 : 1;
 }

@@ -49,6 +49,46 @@ result $? "control: $slow instructions are more than 1.1 x by hand"
 program libm tests/handwritten/count.c tests/handwritten/pendulum_libm.c && ! per_step "$out/libm" >/dev/null
 result $? "control: a sine that branches on its argument is seen"
 
+# inside FUNCTION PROGRAM ARGUMENT...: instructions of a call of it, all that it calls included.
+inside()
+{
+    function=$1
+    shift
+    for calls in 1000 2000; do
+        valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$function" "$1" $calls ${2:+"$2"} 2>&1 |
+            sed -n 's/.*Collected : //p'
+    done | paste -sd ' ' | awk 'NF == 2 { print ($2 - $1) / 1000 }'
+}
+
+# at_most_15_percent STEP DERIVATIVE EVALUATIONS: what a step takes beyond its evaluations, of the step; sets overhead.
+at_most_15_percent()
+{
+    overhead=$(echo "$1 $2 $3" | awk 'NF == 3 { printf "%.1f", 100 * ($1 - $3 * $2) / $1 }')
+    awk -v overhead="${overhead:-100}" 'BEGIN { exit !(overhead <= 15.0) }'
+}
+
+# beyond METHOD EVALUATIONS: the double pendulum's steps.
+beyond()
+{
+    mkdir -p "$out/$1"
+    build/isoc models/double_pendulum.scene -o "$out/$1" --real double --method "$1" >/dev/null &&
+        program "$1.run" tests/handwritten/count.c "$out/$1/plant.c"
+    result $? "double_pendulum with $1 builds"
+    derivative=$(inside derivative "$out/$1.run" derivative)
+    step=$(inside step "$out/$1.run")
+    at_most_15_percent "$step" "$derivative" "$2"
+    result $? "$1: of $step instructions $overhead % are beyond $2 evaluations of $derivative"
+}
+
+beyond rk4 4
+beyond abm4 2
+beyond ab4 1
+# Positive control: a step that calls its derivative, and does not have it in itself.
+sed 's/^ISO_FLAT //' "$out/ab4/plant.c" >"$out/ab4/called.c" &&
+    program called tests/handwritten/count.c "$out/ab4/called.c" &&
+    step=$(inside step "$out/called") && ! at_most_15_percent "$step" "$derivative" 1
+result $? "control: with a call, of $step instructions $overhead % are beyond one evaluation of $derivative"
+
 # The operations of arm6's derivative, which isoc counts, beside those of the articulated-body algorithm for n joints in
 # general position: 224 n - 259 multiplications and 205 n - 248 additions (McMillan and Orin 1995, as
 # tabulated by Featherstone 2008, Rigid Body Dynamics Algorithms, table 10.1). isoc knows the geometry: 60 %.

@@ -15,7 +15,7 @@ const char *hard_name(const unsigned recipe)
 void hard_prime(hard_run *const run)
 {
     iso_method_prime(run->recipe, run->problem->n, &run->problem->equations, run->h, run->x, run->u, run->problem->p,
-                     run->work, &run->progress);
+                     run->lu, run->work);
 }
 
 void hard_begin(hard_run *const run, const hard_problem *const problem, const unsigned recipe, const double h)

@@ -34,9 +34,9 @@ typedef struct hard_run {
     unsigned recipe;
     real h;
     real u[1];
-    real x[ISO_METHOD_STATE(ISO_AB4 | ISO_CHECKED | ISO_COMPENSATED, HARD_STATES_MAX) + 2 * HARD_STATES_MAX];
+    real x[ISO_METHOD_STATE(ISO_AB4 | ISO_CHECKED | ISO_COMPENSATED, HARD_STATES_MAX)];
     real lu[HARD_STATES_MAX * HARD_STATES_MAX];
-    real work[ISO_METHOD_WORK(ISO_BDF4, HARD_STATES_MAX) + ISO_EXPLICIT_WORK(HARD_STATES_MAX)];
+    real work[ISO_PRIME_WORK(HARD_STATES_MAX)];
     iso_progress progress;
 } hard_run;
 

@@ -7,7 +7,7 @@
  * axis. The solution is that of the matrix exponential at 90 digits.
  *
  * What must hold, in float and in double:
- *   at 1 kHz, over both fast modes, bdf4 has an error of 4.4e-9 at 0.5 s and 2^-4 of it at half the step, rosenbrock
+ *   at 1 kHz, over both fast modes, bdf4 has an error of 5.5e-9 at 0.5 s and 2^-4 of it at half the step, rosenbrock
  *   1.4e-7 and 2^-3 (the largest of any state, relative), and in float 400 epsilons, which zu and zu' lose: their
  *   slopes are differences of forces 2e4 times as large.
  *   bdf4 is A(73.35 degrees)-stable, no more: in the band 0.206 s < h < 0.256 s the body's mode grows, by the largest
@@ -138,7 +138,7 @@ static void test_limits(void)
 int main(void)
 {
     static const hard_claim claims[] = {
-        {ISO_BDF4, 0.5, at_half, 500, 4.4e-9, 4},
+        {ISO_BDF4, 0.5, at_half, 500, 5.5e-9, 4},
         {ISO_ROSENBROCK, 0.5, at_half, 500, 1.4e-7, 3},
         {ISO_BDF4, 0.1, at_tenth, 100, 1.4e-9, 4},
         {ISO_ROSENBROCK, 0.1, at_tenth, 100, 2.4e-8, 3},

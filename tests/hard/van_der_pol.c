@@ -4,9 +4,9 @@
  * for IVP Solvers, VDPOL. The solution was computed at 58 digits by two methods.
  *
  * What must hold, in float and in double (errors are the largest of a state, relative):
- *   bdf4 and rosenbrock, stepping over the first layer, at 0.5 s with h = 1/128 s: 2.1e-5 and 3.1e-5, and order two:
- *   the layer is not resolved, nor by the four steps that start bdf4.
- *   started beyond the layer, from the solution at 0.25 s: bdf4 is of order four (3.2e-9 with h = 1/256 s), rosenbrock
+ *   stepping over the first layer, which is not resolved, at 0.5 s with h = 1/128 s: bdf4, whose history is that of
+ *   the solution beyond it, 7e-8 and order four; rosenbrock 3.1e-5 and order two.
+ *   started beyond the layer, from the solution at 0.25 s: bdf4 is of order four (3.4e-9 with h = 1/256 s), rosenbrock
  *   of order two, which is ROS3's on a plant so stiff that it is nearly algebraic (Hairer and Wanner, VI.3).
  *   across the jump with h = 0.4 us: 1.2e-2 and 2.5e-3 at 1 s. In float only with compensation: h y2 is less than an
  *   ulp of y1.
@@ -76,13 +76,13 @@ static double told(const unsigned recipe, const double t, const double h)
 int main(void)
 {
     static const hard_claim early[] = {
-        {ISO_BDF4, 0.5, at_half, 64, 2.1e-5, 2},
+        {ISO_BDF4, 0.5, at_half, 64, 7e-8, 4},
         {ISO_ROSENBROCK, 0.5, at_half, 64, 3.1e-5, 2},
         {ISO_BDF4, 1.0, at_one, 2500000, 1.2e-2, 0},
         {ISO_ROSENBROCK, 1.0, at_one, 2500000, 2.5e-3, 0},
     };
     static const hard_claim late[] = {
-        {ISO_BDF4, 0.25, at_half, 64, 3.2e-9, 4},
+        {ISO_BDF4, 0.25, at_half, 64, 3.4e-9, 4},
         {ISO_ROSENBROCK, 0.25, at_half, 128, 8e-7, 2},
     };
     hard_expect_claims(&problem, early, sizeof early / sizeof *early, 40.0);

@@ -17,7 +17,7 @@
 enum {
     HALVINGS = 4,
     FACTORS_MAX = ORDER_STATES_MAX * ORDER_STATES_MAX,
-    VECTORS_MAX = 8,
+    VECTORS_MAX = 10,
 };
 
 /* The accepted distance of an observed order from the method's. */
@@ -84,13 +84,13 @@ static void run(const method *const m, const unsigned recipe, const int k, doubl
     const double *const p = iso_the_plant.defaults;
     const iso_equations eq = {the_equations->derivative, scaled_factor, the_equations->solve, the_equations->factors};
     const iso_trail trail = {.n = n, .x = x};
-    double work[ISO_EXPLICIT_WORK(ORDER_STATES_MAX) + ORDER_STATES_MAX], lu[FACTORS_MAX];
-    iso_progress progress = {.started = m->unprimed ? ISO_BDF4_STEPS : 0};
+    double work[ISO_PRIME_WORK(ORDER_STATES_MAX)], lu[FACTORS_MAX];
+    iso_progress progress = {.local_error = 0.0};
     jacobian_scale = m->jacobian;
     memset(x, 0, ORDER_STATES_MAX * VECTORS_MAX * sizeof *x);
     memcpy(x, the_problem.start, n * sizeof *x);
     if (!m->unprimed) {
-        iso_method_prime(recipe, n, &eq, h, x, u, p, work, &progress);
+        iso_method_prime(recipe, n, &eq, h, x, u, p, lu, work);
     }
     for (long step = 0; step < 1L << k; step++) {
         if (m->table != NULL) {

@@ -23,7 +23,7 @@ static void prepare(memory *const m, const real first, const real second)
     memset(m, 0, sizeof *m);
     m->x[0] = first;
     m->x[1] = second;
-    m->trail = (iso_trail){.n = N, .x = m->x, .slopes = m->x + N, .kept = ISO_ADAMS_ROWS};
+    m->trail = (iso_trail){.n = N, .x = m->x, .past = m->x + N};
     m->options = (iso_adams_options){
         .tolerance_absolute = ISO_ADAMS_TOLERANCE,
         .tolerance_relative = ISO_ADAMS_TOLERANCE,
@@ -45,7 +45,7 @@ static real tick(memory *const m, iso_derivative *const f, const real h, const r
 
 static real *row(memory *const m, const size_t j)
 {
-    return m->trail.slopes + (j - 1) * N;
+    return m->trail.past + (j - 1) * N;
 }
 
 /* t' = 1, q' = t^3. */
@@ -406,7 +406,7 @@ static void test_abm4(void)
     /* Slopes, the newest first, of a motion that passes at 1, 0; any would do. */
     static const real slopes[ISO_AB4_STEPS] = {R(-1.0), R(-0.75), R(-0.5), R(0.25)};
     real x[N] = {R(1.0), R(0.0)};
-    real kept[ISO_AB4_STEPS * N];
+    real kept[ISO_AB4_STEPS * N], sums[ISO_ABM4_SUMS * N];
     real work[2 * N];
     memory m;
     prepare(&m, x[0], x[1]);
@@ -423,7 +423,10 @@ static void test_abm4(void)
         row(&m, 3)[s] = by * (R(48.0) * f0 - R(120.0) * f1 + R(96.0) * f2 - R(24.0) * f3);
         row(&m, 4)[s] = by * (R(6.0) * f0 - R(18.0) * f1 + R(18.0) * f2 - R(6.0) * f3);
     }
-    const iso_trail trail = {.n = N, .x = x, .slopes = kept, .kept = ISO_AB4_STEPS};
+    const iso_trail trail = {.n = N, .x = x, .past = sums};
+    for (size_t j = ISO_AB4_STEPS; j-- > 0;) {
+        iso_abm4_take_slope(&trail, h, kept + j * N);
+    }
     real off = R(0.0);
     real first = R(0.0);
     for (int i = 0; i < STEPS; i++) {

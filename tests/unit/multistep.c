@@ -3,15 +3,16 @@
 #include "tests/tap.h"
 #include "tests/unit/equations.h"
 
-enum { N = 2, KEPT = ISO_AB4_STEPS };
+enum { N = 2, KEPT = ISO_ABM4_SUMS };
 
 /* With h = 1.5, h / 24 = 1/16 and every number below is exact, but where 270 divides. */
 static const real h = R(1.5);
 
-/* Memory of one run: the states, and what a trail keeps behind them. */
+/* Memory of one run: the states, and what a trail keeps behind them; and of its past, the newest slope first. */
 typedef struct run {
     real x[N];
-    real slopes[KEPT * N + 1];
+    real past[KEPT * N + 1];
+    real slopes[ISO_AB4_STEPS * N + 1];
     real moved[N];
     real at[N];
     real work[ISO_EXPLICIT_WORK(N)];
@@ -20,11 +21,30 @@ typedef struct run {
 
 static iso_trail *prepare(run *const r, const size_t kept, const real first, const real second)
 {
+    memset(r, 0, sizeof *r);
     r->x[0] = first;
     r->x[1] = second;
-    r->slopes[kept * N] = R(7.0);
-    r->trail = (iso_trail){.n = N, .x = r->x, .slopes = r->slopes, .kept = (uint8_t)kept};
+    r->past[kept * N] = R(7.0);
+    r->slopes[ISO_AB4_STEPS * N] = R(7.0);
+    r->trail = (iso_trail){.n = N, .x = r->x, .past = r->past};
     return &r->trail;
+}
+
+typedef void take_slope(const iso_trail *trail, real h, const real *slope);
+
+/* Fills the sums from r->slopes, the oldest first. */
+static void take(run *const r, take_slope *const method, const size_t count)
+{
+    for (size_t j = count; j-- > 0;) {
+        method(&r->trail, h, r->slopes + j * r->trail.n);
+    }
+}
+
+static void prime(run *const r, iso_derivative *const f, const real *const u, const real *const p,
+                  take_slope *const method, const uint8_t count, const bool from_now)
+{
+    iso_walk_back(r->trail.n, f, h, r->x, u, p, count, from_now, r->slopes, r->moved, r->at, r->work);
+    take(r, method, count);
 }
 
 /* t' = 1, q' = t^4. */
@@ -36,53 +56,53 @@ static void quartic(real *restrict dx, const real *restrict x, const real *restr
     dx[1] = (x[0] * x[0]) * (x[0] * x[0]);
 }
 
-static void test_prime(void)
+static void test_walk_back(void)
 {
     run r;
-    iso_trail *const trail = prepare(&r, 3, R(3.0), R(0.0));
-    trail->moved = r.moved;
-    iso_prime_slopes(trail, cubic, h, NULL, NULL, false, r.at, r.work);
+    (void)prepare(&r, 0, R(3.0), R(0.0));
+    r.slopes[3 * N] = R(7.0);
+    iso_walk_back(N, cubic, h, r.x, NULL, NULL, 3, false, r.slopes, r.moved, r.at, r.work);
     tap_ok(r.x[0] == R(3.0) && r.x[1] == R(0.0), "prime: the state is left as it is");
     tap_same(r.slopes[0 * N + 1], R(3.375), "prime: the newest slope is the one at t - h");
     tap_same(r.slopes[1 * N + 1], R(0.0), "prime: then the one at t - 2h");
     tap_same(r.slopes[2 * N + 1], R(-3.375), "prime: then the one at t - 3h");
     tap_ok(r.slopes[0] == R(1.0) && r.slopes[N] == R(1.0) && r.slopes[2 * N] == R(1.0), "prime: slopes of every state");
-    tap_same(r.slopes[3 * N], R(7.0), "prime: what is kept ends where its size says");
+    tap_same(r.slopes[3 * N], R(7.0), "prime: no more than asked for");
     tap_ok(r.moved[0] == h && r.moved[1] == R(18.984375), "prime: the increment from t - h to t");
 
-    (void)prepare(&r, 4, R(3.0), R(0.0));
-    iso_prime_slopes(trail, cubic, h, NULL, NULL, true, r.at, r.work);
+    iso_walk_back(N, cubic, h, r.x, NULL, NULL, 4, true, r.slopes, r.moved, r.at, r.work);
     tap_same(r.slopes[0 * N + 1], R(27.0), "prime from now: the newest slope is the one at t");
     tap_same(r.slopes[1 * N + 1], R(3.375), "prime from now: then the one at t - h");
     tap_same(r.slopes[3 * N + 1], R(-3.375), "prime from now: the last is the one at t - 3h");
-    tap_same(r.slopes[4 * N], R(7.0), "prime from now: what is kept ends where its size says");
+    tap_same(r.slopes[4 * N], R(7.0), "prime from now: no more than asked for");
 }
 
 static void test_ab4_cubic(void)
 {
     run r;
-    iso_trail *const trail = prepare(&r, 3, R(0.0), R(0.0));
-    iso_prime_slopes(trail, cubic, h, NULL, NULL, false, r.at, r.work);
+    iso_trail *const trail = prepare(&r, ISO_AB4_SUMS, R(0.0), R(0.0));
+    prime(&r, cubic, NULL, NULL, iso_ab4_take_slope, 3, false);
     (void)iso_ab4_step(trail, cubic, h, NULL, NULL, r.work);
     tap_same(r.x[0], R(1.5), "ab4: time advances by h");
     tap_same(r.x[1], R(1.265625), "ab4: the integral of a cubic slope is exact");
-    tap_same(r.slopes[0 * N + 1], R(0.0), "ab4: the slope used last is now the newest that is kept");
-    tap_same(r.slopes[1 * N + 1], R(-3.375), "ab4: the others move on by one");
-    tap_same(r.slopes[2 * N + 1], R(-27.0), "ab4: and by two");
     (void)iso_ab4_step(trail, cubic, h, NULL, NULL, r.work);
     tap_same(r.x[1], R(20.25), "ab4: exact in the second step too");
+    tap_same(r.past[ISO_AB4_SUMS * N], R(7.0), "ab4: what is kept ends where its size says");
 }
 
-/* By hand: 16 dq = 55*0 - 59*1 + 37*2 - 9*3 = -12 and 16 dv = 55*(-1) - 59*(-2) + 37*4 - 9*0 = 211. */
+/* By hand: 16 dq = 55*0 - 59*1 + 37*2 - 9*3 = -12 and 16 dv = 55*(-1) - 59*(-2) + 37*4 - 9*0 = 211. Kept is then what the
+ * next step adds to w0 f, negated: 16 (59*0 - 37*1 + 9*2) and 16 (59*(-1) - 37*(-2) + 9*4). */
 static void test_ab4_by_hand(void)
 {
     static const real slopes[3 * N] = {R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
     run r;
-    iso_trail *const trail = prepare(&r, 3, R(1.0), R(0.0));
+    iso_trail *const trail = prepare(&r, ISO_AB4_SUMS, R(1.0), R(0.0));
     memcpy(r.slopes, slopes, sizeof slopes);
+    take(&r, iso_ab4_take_slope, 3);
     (void)iso_ab4_step(trail, oscillator, h, NULL, NULL, r.work);
     tap_same(r.x[0], R(0.25), "ab4: position by hand");
     tap_same(r.x[1], R(13.1875), "ab4: speed by hand");
+    tap_ok(r.past[0] == R(-19.0) / R(16.0) && r.past[1] == R(51.0) / R(16.0), "ab4: what is kept, by hand");
 }
 
 static void test_inputs(void)
@@ -90,15 +110,13 @@ static void test_inputs(void)
     const real u[1] = {R(3.0)};
     const real p[1] = {R(0.5)};
     run r;
-    iso_trail *const trail = prepare(&r, 4, R(1.0), R(0.0));
+    iso_trail *const trail = prepare(&r, 0, R(1.0), R(0.0));
     trail->n = 1;
-    trail->kept = 3;
-    iso_prime_slopes(trail, driven, h, u, p, false, r.at, r.work);
+    prime(&r, driven, u, p, iso_ab4_take_slope, 3, false);
     tap_same(r.slopes[2], R(1.5), "prime: inputs and parameters reach the derivative");
     (void)iso_ab4_step(trail, driven, h, u, p, r.work);
     tap_same(r.x[0], R(3.25), "ab4: inputs and parameters reach the derivative");
-    trail->kept = 4;
-    iso_prime_slopes(trail, driven, h, u, p, true, r.at, r.work);
+    prime(&r, driven, u, p, iso_abm4_take_slope, 4, true);
     (void)iso_abm4_step(trail, driven, h, u, p, r.work, 1, true);
     tap_same(r.x[0], R(5.5), "abm4: inputs and parameters reach the derivative");
 }
@@ -110,7 +128,7 @@ typedef struct variant {
     uint8_t corrections;
     bool evaluate_last;
     real position, speed; /* by hand */
-    real slope;           /* of the speed, kept from the end of the step */
+    real slope;           /* of the speed, taken at the end of the step */
 } variant;
 
 /* By hand, from q = 1, v = 0 and slopes (0, -1), (1, -2), (2, 4), (3, 0). Predicted as above: q = 1/4, v = 211/16.
@@ -129,26 +147,27 @@ static const variant variants[] = {
 static void test_abm4_cubic(const variant *const v)
 {
     run r;
-    iso_trail *const trail = prepare(&r, 4, R(0.0), R(0.0));
-    iso_prime_slopes(trail, cubic, h, NULL, NULL, true, r.at, r.work);
+    iso_trail *const trail = prepare(&r, ISO_ABM4_SUMS, R(0.0), R(0.0));
+    prime(&r, cubic, NULL, NULL, iso_abm4_take_slope, 4, true);
     const real first = iso_abm4_step(trail, cubic, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
-    const bool good = r.x[0] == R(1.5) && r.x[1] == R(1.265625) && r.slopes[1] == R(3.375) && r.slopes[3] == R(0.0);
+    const bool good = r.x[0] == R(1.5) && r.x[1] == R(1.265625);
     const real second = iso_abm4_step(trail, cubic, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
-    tap_ok(good && r.x[1] == R(20.25) && r.slopes[4 * N] == R(7.0) && first == R(0.0) && second == R(0.0), v->cubic);
+    tap_ok(good && r.x[1] == R(20.25) && r.past[ISO_ABM4_SUMS * N] == R(7.0) && first == R(0.0) && second == R(0.0),
+           v->cubic);
 }
 
-/* Without feedback Milne's estimate is the error itself: 19/720 h^5 24. The slopes primed by rk4 are not used: they are
- * those of t^4 in units of h at 0, -1, -2, -3. Everything is exact but for 19 / 270 and its product, and the error that
- * is compared with: 4 roundings. */
+/* Without feedback Milne's estimate is the error itself: 19/720 h^5 24. The slopes are those of t^4 in units of h at 0, -1,
+ * -2, -3. Everything is exact but for 19 / 270 and its product, and the error that is compared with: 4 roundings. */
 static void test_abm4_quartic(const variant *const v)
 {
     run r;
-    iso_trail *const trail = prepare(&r, 4, R(0.0), R(0.0));
+    iso_trail *const trail = prepare(&r, ISO_ABM4_SUMS, R(0.0), R(0.0));
     const real h4 = (h * h) * (h * h);
     for (size_t j = 0; j < 4; j++) {
         r.slopes[j * N] = R(1.0);
         r.slopes[j * N + 1] = (real)(j * j * j * j) * h4;
     }
+    take(&r, iso_abm4_take_slope, 4);
     const real estimate = iso_abm4_step(trail, quartic, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
     const real error = r.x[1] - h * h4 / R(5.0);
     const real want = R(19.0) * R(24.0) / R(720.0) * (h * h4);
@@ -157,21 +176,26 @@ static void test_abm4_quartic(const variant *const v)
            v->quartic);
 }
 
+/* The newest slope, that of the speed, stands in the last of either's sums, with the weights 9/16 and 1/16; in the one
+ * before it is joined by the slope -1 that was the newest: 37/16 slope + 9/16, 5/16 slope + 1/16. */
 static void test_abm4_by_hand(const variant *const v)
 {
     static const real slopes[4 * N] = {R(0.0), R(-1.0), R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
+    const real part = R(1.0) / R(16.0);
     run r;
-    iso_trail *const trail = prepare(&r, 4, R(1.0), R(0.0));
+    iso_trail *const trail = prepare(&r, ISO_ABM4_SUMS, R(1.0), R(0.0));
     memcpy(r.slopes, slopes, sizeof slopes);
+    take(&r, iso_abm4_take_slope, 4);
     (void)iso_abm4_step(trail, oscillator, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
-    tap_ok(r.x[0] == v->position && r.x[1] == v->speed && r.slopes[1] == v->slope && r.slopes[3] == R(-1.0) &&
-               r.slopes[7] == R(4.0) && r.slopes[4 * N] == R(7.0),
+    tap_ok(r.x[0] == v->position && r.x[1] == v->speed && r.past[3 * N + 1] == part * (R(9.0) * v->slope) &&
+               r.past[2 * N + 1] == part * (R(37.0) * v->slope + R(9.0)) && r.past[6 * N + 1] == part * v->slope &&
+               r.past[5 * N + 1] == part * (R(5.0) * v->slope + R(1.0)) && r.past[ISO_ABM4_SUMS * N] == R(7.0),
            v->by_hand);
 }
 
 int main(void)
 {
-    test_prime();
+    test_walk_back();
     test_ab4_cubic();
     test_ab4_by_hand();
     test_inputs();

@@ -174,11 +174,11 @@ static int64_t adams_defect(const iso_adams *const t, const int first, const int
     return t->over - (m + 1) * sum;
 }
 
-/* The highest order, at most five: the formula is exact for slopes of the degrees below. */
+/* The highest order, at most six: the formula is exact for slopes of the degrees below. */
 static unsigned adams_order(const iso_adams *const t, const int first)
 {
     unsigned order = 0;
-    while (order < 5 && adams_defect(t, first, order) == 0) {
+    while (order < 6 && adams_defect(t, first, order) == 0) {
         order++;
     }
     return order;
@@ -195,7 +195,17 @@ static void test_adams(void)
     tap_count(adams_order(&iso_table_am[3], FROM_END), 4, "am, three slopes of before: order 4");
     tap_count(adams_order(&iso_table_am[4], FROM_END), 5, "am, four slopes of before: order 5");
 
-    bool empty = iso_table_ab4.b[4] == 0;
+    tap_count(adams_order(&iso_table_am[5], FROM_END), 6, "am, five slopes of before: order 6");
+
+    bool empty = iso_table_ab4.b[4] == 0 && iso_table_ab4.b[5] == 0;
+    bool alternate = true;
+    for (int j = 0; j < ISO_ADAMS_SLOPES; j++) {
+        alternate = alternate && iso_table_ab4.b[j] * (j % 2 == 0 ? 1 : -1) >= 0;
+        for (int row = 0; row < ISO_ADAMS_SLOPES && j > 0; row++) {
+            alternate = alternate && iso_table_am[row].b[j] * (j % 2 == 0 ? -1 : 1) >= 0;
+        }
+    }
+    tap_ok(alternate, "Adams: the weights of the slopes before the end of a step alternate in sign");
     for (int row = 0; row < ISO_ADAMS_SLOPES; row++) {
         for (int j = row + 1; j < ISO_ADAMS_SLOPES; j++) {
             empty = empty && iso_table_am[row].b[j] == 0;

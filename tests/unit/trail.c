@@ -1,4 +1,4 @@
-/* core/trail.h: advancing the state with and without compensation, keeping slopes, checking a step. */
+/* core/trail.h: advancing the state with and without compensation, sums of slopes, checking a step. */
 #include "core/trail.h"
 #include "tests/tap.h"
 
@@ -7,13 +7,14 @@ static const real big = R(2.0) / ISO_REAL_EPSILON;
 
 static void test_advance(void)
 {
-    real x[2] = {R(1.0), R(2.0)}, moved[2] = {R(0.0), R(0.0)};
+    real x[2] = {R(1.0), R(2.0)}, check[2] = {R(3.0), R(4.0)};
     const iso_trail plain = {.n = 2, .x = x};
-    const iso_trail watched = {.n = 2, .x = x, .moved = moved};
+    const iso_trail watched = {.n = 2, .x = x, .check = check, .checked = 1};
     iso_advance(&plain, 1, R(0.5));
-    tap_ok(x[0] == R(1.0) && x[1] == R(2.5) && moved[1] == R(0.0), "advance: the state that is named");
+    tap_ok(x[0] == R(1.0) && x[1] == R(2.5) && check[1] == R(4.0), "advance: the state that is named");
     iso_advance(&watched, 1, R(0.25));
-    tap_ok(x[1] == R(2.75) && moved[1] == R(0.25) && moved[0] == R(0.0), "advance: the increment is kept for a check");
+    tap_ok(x[1] == R(2.75) && check[1] == R(-3.75) && check[0] == R(3.0),
+           "advance: for a check the sum of the slopes is taken from the increment");
 }
 
 /* x and carry after x + dx: what rounding takes from the sum is all in the carry. */
@@ -74,20 +75,25 @@ static void test_many(void)
            "compensated: a million times one of many digits, to an ulp");
 }
 
-static void test_keep(void)
+/* With h = 45/16 the denominators 2, 12, 24, 720 and 1440 divide it in binary. */
+static const real h = R(2.8125);
+
+/* The implicit formula of order four without its first weight, h / 24 (19, -5, 1), over slopes 2, 3, 5, the newest last, of
+ * one state, and their negatives of the other. What the sums were before must not show. */
+static void test_take_slope(void)
 {
-    real x[2] = {R(0.0), R(0.0)};
-    real slopes[7] = {R(1.0), R(2.0), R(3.0), R(4.0), R(5.0), R(6.0), R(9.0)};
-    const real slope[2] = {R(7.0), R(8.0)};
-    const iso_trail trail = {.n = 2, .x = x, .slopes = slopes, .kept = 3};
-    const iso_trail none = {.n = 2, .x = x, .slopes = slopes, .kept = 0};
-    iso_keep_slope(&trail, slope);
-    tap_ok(slopes[0] == R(7.0) && slopes[1] == R(8.0), "keep: the newest stands first");
-    tap_ok(slopes[2] == R(1.0) && slopes[3] == R(2.0) && slopes[4] == R(3.0) && slopes[5] == R(4.0),
-           "keep: the others move on, the oldest goes");
-    tap_same(slopes[6], R(9.0), "keep: nothing beyond");
-    iso_keep_slope(&none, slope + 1);
-    tap_same(slopes[0], R(7.0), "keep: nothing where none are kept");
+    static const real slopes[3][2] = {{R(2.0), R(-2.0)}, {R(3.0), R(-3.0)}, {R(5.0), R(-5.0)}};
+    const real part = h / R(24.0);
+    real sums[7] = {R(11.0), R(12.0), R(13.0), R(14.0), R(15.0), R(16.0), R(9.0)};
+    for (int i = 0; i < 3; i++) {
+        iso_take_slope(&iso_table_am[3], 1, 3, h, 2, slopes[i], sums);
+    }
+    tap_same(sums[0], part * (R(19.0) * R(5.0) - R(5.0) * R(3.0) + R(2.0)), "sums: first that of all slopes");
+    tap_same(sums[2], part * (R(5.0) * R(5.0) - R(3.0)), "sums: then what the next slope is added to");
+    tap_same(sums[4], part * R(5.0), "sums: and what the one after it");
+    tap_ok(sums[1] == -sums[0] && sums[3] == -sums[2] && sums[5] == -sums[4], "sums: of every state");
+    iso_take_slope(&iso_table_am[3], 1, 0, h, 2, slopes[0], sums + 6);
+    tap_same(sums[6], R(9.0), "sums: nothing beyond, and nothing where none are kept");
 }
 
 static real power_of(const int t, const unsigned m)
@@ -99,33 +105,32 @@ static real power_of(const int t, const unsigned m)
     return power;
 }
 
-/* With h = 45/16 the denominators 2, 12, 24 and 720 divide it in binary. */
-static const real h = R(2.8125);
-
-/* What a check of a method of this order says to an increment of h (1 + wrong), true but for `wrong` where the slope is
- * (degree + 1) t^degree from t = 0 to 1, in units of h. A second state stands still. */
-static real check(const uint8_t order, const unsigned degree, const real wrong, real *const error)
+/* What a check with so many slopes from before the end of the step says to an increment of h (1 + wrong), true but for
+ * `wrong` where the slope is (degree + 1) t^degree from t = 0 to 1, in units of h. A second state stands still. */
+static real check(const uint8_t checked, const unsigned degree, const real wrong, real *const error)
 {
-    real x[2] = {R(0.0), R(0.0)}, moved[2] = {h + h * wrong, R(0.0)};
-    real slopes[8] = {R(0.0)};
-    const real slope[2] = {(real)(degree + 1), R(0.0)};
-    for (int j = 0; j < 4; j++) {
-        slopes[2 * j] = (real)(degree + 1) * power_of(-j, degree);
+    real x[2] = {R(0.0), R(0.0)}, kept[2 * ISO_ADAMS_SLOPES] = {R(0.0)};
+    const iso_trail trail = {.n = 2, .x = x, .check = kept, .checked = checked};
+    for (int past = checked; past-- > 0;) {
+        const real slope[2] = {(real)(degree + 1) * power_of(-past, degree), R(0.0)};
+        iso_keep_slope(&trail, h, slope);
     }
-    const iso_trail trail = {.n = 2, .x = x, .slopes = slopes, .moved = moved, .kept = order, .order = order};
+    iso_advance(&trail, 0, h + h * wrong);
+    iso_advance(&trail, 1, R(0.0));
+    const real slope[2] = {(real)(degree + 1), R(0.0)};
     return iso_check(&trail, h, slope, error);
 }
 
-static void test_check(const uint8_t order, const char *const exact, const char *const wrong)
+static void test_check(const uint8_t checked, const char *const exact, const char *const wrong)
 {
     real error[2] = {R(9.0), R(9.0)};
     bool zero = true;
-    for (unsigned degree = 0; degree <= order; degree++) {
-        zero = zero && check(order, degree, R(0.0), NULL) == R(0.0);
+    for (unsigned degree = 0; degree <= checked; degree++) {
+        zero = zero && check(checked, degree, R(0.0), NULL) == R(0.0);
     }
-    tap_ok(zero && check(order, order + 1U, R(0.0), NULL) > R(0.0), exact);
-    tap_ok(check(order, order, R(0.125), error) == R(0.125) * h && error[0] == R(0.125) * h && error[1] == R(0.0) &&
-               check(order, order, R(-0.125), error) == R(0.125) * h && error[0] == R(-0.125) * h,
+    tap_ok(zero && check(checked, checked + 1U, R(0.0), NULL) > R(0.0), exact);
+    tap_ok(check(checked, checked, R(0.125), error) == R(0.125) * h && error[0] == R(0.125) * h && error[1] == R(0.0) &&
+               check(checked, checked, R(-0.125), error) == R(0.125) * h && error[0] == R(-0.125) * h,
            wrong);
 }
 
@@ -134,11 +139,12 @@ int main(void)
     test_advance();
     test_compensated();
     test_many();
-    test_keep();
-    test_check(1, "check of order 1: exact for degree 1, not 2", "check of order 1: an increment wrong by h/8");
-    test_check(2, "check of order 2: exact for degree 2, not 3", "check of order 2: an increment wrong by h/8");
-    test_check(3, "check of order 3: exact for degree 3, not 4", "check of order 3: an increment wrong by h/8");
-    test_check(4, "check of order 4: exact for degree 4, not 5", "check of order 4: an increment wrong by h/8");
+    test_take_slope();
+    test_check(1, "check with 1 slope: exact for degree 1, not 2", "check with 1 slope: an increment wrong by h/8");
+    test_check(2, "check with 2 slopes: exact for degree 2, not 3", "check with 2 slopes: an increment wrong by h/8");
+    test_check(3, "check with 3 slopes: exact for degree 3, not 4", "check with 3 slopes: an increment wrong by h/8");
+    test_check(4, "check with 4 slopes: exact for degree 4, not 5", "check with 4 slopes: an increment wrong by h/8");
+    test_check(5, "check with 5 slopes: exact for degree 5, not 6", "check with 5 slopes: an increment wrong by h/8");
     const iso_trail unchecked = {.n = 1};
     tap_same(iso_check(&unchecked, h, NULL, NULL), R(0.0), "no check: no error");
     tap_done();

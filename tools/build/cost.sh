@@ -30,19 +30,6 @@ get()
         fail "$dir/measured has not one $1"
 }
 
-# steady METHOD: the instructions of a step. The first ones of bdf4 are those of another method: there it is the one number
-# of the two, least and most, that is nearer to the mean of fifty.
-steady()
-{
-    case $1 in
-    bdf4)
-        awk '$1 == "execution" { print $3 - $2 < $4 - $3 ? $2 : $4; n++ } END { exit n != 1 }' "$dir/measured" ||
-            fail "$dir/measured has not one execution"
-        ;;
-    *) get instructions_per_step ;;
-    esac
-}
-
 # operations: of a derivative, as cells: add, mul, div, sincos.
 operations()
 {
@@ -82,7 +69,7 @@ methods()
     line="| $1"
     for method in $METHODS; do
         measure "$1-$method" "models/$1.scene" "$method"
-        instructions=$(steady "$method") || exit 1
+        instructions=$(get instructions_per_step) || exit 1
         line="$line | $instructions"
     done
     echo "$line |"

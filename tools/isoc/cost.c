@@ -27,13 +27,10 @@ static operations of_tableau(const int8_t *row, int terms)
     return combination(c, terms);
 }
 
-static operations of_adams(const iso_adams *table, int terms)
+/* A formula of `terms` slopes, by its sums. */
+static operations of_slopes(int terms)
 {
-    int c[ISO_ADAMS_SLOPES] = {0};
-    for (int i = 0; i < terms; i++) {
-        c[i] = table->b[i];
-    }
-    return combination(c, terms);
+    return (operations){.add = terms - 1, .mul = terms};
 }
 
 static const operations one_sum = {.add = 1};
@@ -54,14 +51,13 @@ static operations explicit_step(const iso_tableau *table, int n, operations deri
 
 static operations abm4_step(unsigned recipe, int n, operations derivative)
 {
-    const operations predict = of_adams(&iso_table_ab4, ISO_AB4_STEPS);
-    const operations correct = of_adams(&iso_table_am[ISO_AB4_STEPS - 1], ISO_AB4_STEPS);
+    const operations correct = {.add = 1, .mul = 1};
     const int corrections = ISO_IS(recipe, ISO_ABM4_PECECE) ? 2 : 1;
-    operations total = plus((operations){0}, n, plus(predict, 1, one_sum));
-    total = plus(total, corrections, plus(derivative, n, correct));
-    total = plus(total, (corrections - 1) * n, one_sum);
+    operations total = plus((operations){0}, n, plus(of_slopes(ISO_ABM4_PREDICTOR), 1, of_slopes(ISO_ABM4_CORRECTOR)));
+    total = plus(total, corrections * n, plus(correct, 1, one_sum)); /* the sum is that of the state before */
+    total = plus(total, corrections, derivative);
     if (ISO_IS_CHECKED(recipe)) {
-        total = plus(total, n, plus(predict, 2, one_sum));
+        total = plus(total, n, one_sum);
         total.mul++;
     }
     return ISO_IS(recipe, ISO_ABM4_PEC) ? total : plus(total, 1, derivative);
@@ -101,7 +97,7 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
         total = explicit_step(&iso_tableau_rk4, n, derivative);
         break;
     case ISO_AB4:
-        total = plus(derivative, n, of_adams(&iso_table_ab4, ISO_AB4_STEPS));
+        total = plus(derivative, n, of_slopes(ISO_AB4_STEPS));
         break;
     case ISO_SEMI_IMPLICIT:
         total = plus(derivative, n, (operations){.mul = 1});
@@ -117,8 +113,7 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
         break;
     }
     if (ISO_CHECKS_SLOPES(recipe)) {
-        const int order = ISO_ORDER_OF(recipe);
-        total = plus(total, n, plus(of_adams(&iso_table_am[order], order + 1), 2, one_sum));
+        total = plus(total, n, plus(of_slopes(ISO_CHECK_KEPT(recipe) + 1), 1, one_sum));
         total = ISO_IS(recipe, ISO_ROSENBROCK) ? plus(total, 1, cost.solve) : total;
     }
     /* x += dx, or with what rounding took away */
@@ -169,8 +164,7 @@ void cost_summary(const plant *p, const graph *g, text *out)
     text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes, ISO_VECTORS_KEPT(m->recipe) * n * real_bytes);
 }
 
-/* Evaluations of the derivative in a step; a Jacobian is one factorisation. */
-static int evaluations(unsigned recipe)
+int cost_evaluations(unsigned recipe)
 {
     switch (ISO_METHOD_OF(recipe)) {
     case ISO_HEUN:
@@ -194,7 +188,7 @@ void cost_methods(text *out)
     for (unsigned method = 0; method < ISO_METHODS; method++) {
         const int solutions = ISO_IS(method, ISO_BDF4) ? ISO_ITERATIONS_OF((int)method) : 3;
         text_add(out, "| %s | %d | %d | %d | %d | %d | %d |\n", method_names[method], ISO_ORDER_OF(method),
-                 evaluations(method), ISO_IS_IMPLICIT(method) ? 1 : 0, ISO_IS_IMPLICIT(method) ? solutions : 0,
+                 cost_evaluations(method), ISO_IS_IMPLICIT(method) ? 1 : 0, ISO_IS_IMPLICIT(method) ? solutions : 0,
                  ISO_VECTORS_KEPT(method), ISO_VECTORS_KEPT(method | ISO_CHECKED));
     }
     text_add(out, "| %s | 1 to %d | 2 a sub-step | 0 | 0 | %d | %d |\n", method_names[ISO_ADAMS], ISO_ADAMS_ORDERS,

@@ -7,6 +7,9 @@
 /* Lines `key value...` about one plant. */
 void cost_summary(const plant *p, const graph *g, text *out);
 
+/* Evaluations of the derivative in a step. */
+int cost_evaluations(unsigned recipe);
+
 /* One line for each method: order, evaluations, Jacobians and solutions a step, vectors of n reals kept from step to
  * step, without and with a check. */
 void cost_methods(text *out);

@@ -1,5 +1,7 @@
 #include "tools/isoc/emit.h"
 
+#include "tools/isoc/cost.h"
+
 #include <ctype.h>
 #include <string.h>
 
@@ -15,7 +17,7 @@ static const char *upper(arena *memory, const char *word)
 /* Whether the method keeps something that must be filled before the first step. */
 static bool is_primed(const mechanism *m)
 {
-    return ISO_SLOPES_KEPT(m->recipe) > 0 || ISO_IS(m->recipe, ISO_BDF4);
+    return ISO_IS_PRIMED(m->recipe);
 }
 
 /* Whether the method keeps a history that a jump of an input or a change of a parameter makes useless. */
@@ -297,6 +299,13 @@ static void emit_remember(const plant *p, text *out)
     text_add(out, "}\n\n");
 }
 
+static void emit_factors(const plant *p, text *out)
+{
+    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+        text_add(out, "    real lu[%d];\n", p->j.factor_count);
+    }
+}
+
 static void emit_prime(const plant *p, text *out, const char *recipe, const char *h)
 {
     const mechanism *m = p->m;
@@ -310,9 +319,9 @@ static void emit_prime(const plant *p, text *out, const char *recipe, const char
                  parameters);
     } else {
         text_add(out, "    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", recipe);
-        text_add(out, "    iso_method_prime(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, work,\n", recipe, h, u,
-                 parameters);
-        text_add(out, "                     %s);\n", has_progress(m) ? "&memory.progress" : "NULL");
+        emit_factors(p, out);
+        text_add(out, "    iso_method_prime(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, %s, work);\n", recipe,
+                 h, u, parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
     }
     text_add(out, "%s}\n\n", can_jump(m) ? "    remember();\n" : "");
 }
@@ -344,9 +353,7 @@ static void emit_call(const plant *p, text *out, const char *recipe, const char 
         return;
     }
     text_add(out, "    real work[ISO_METHOD_WORK(%s, PLANT_STATES)];\n", recipe);
-    if (ISO_IS_IMPLICIT(m->recipe)) {
-        text_add(out, "    real lu[%d];\n", p->j.factor_count);
-    }
+    emit_factors(p, out);
     text_add(out, "    iso_method_step(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, %s, work,\n", recipe, h, u,
              parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
     text_add(out, "                    %s);\n", has_progress(m) ? "&memory.progress" : "NULL");
@@ -366,7 +373,16 @@ static bool emit_settle(const plant *p, graph *g, text *out, double *culprit)
     return good;
 }
 
-static void emit_step(const plant *p, text *out)
+/* Whether a step copies all that it calls into itself: up to so many operations in its evaluations, a sine and cosine
+ * counted as 25. Calls cost a fifth of a small plant's step, and little of a large one's, whose copies take much text. */
+static bool is_flat(const plant *p, const graph *g)
+{
+    enum { MOST = 400, OF_SINCOS = 25 };
+    const operations n = code_count(g, p->slopes, (size_t)state_count(p->m));
+    return cost_evaluations(p->m->recipe) * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= MOST;
+}
+
+static void emit_step(const plant *p, const graph *g, text *out)
 {
     const mechanism *m = p->m;
     const char *recipe = recipe_symbol(out->memory, m->recipe);
@@ -381,7 +397,7 @@ static void emit_step(const plant *p, text *out)
     if (is_primed(m)) {
         emit_prime(p, out, recipe, h);
     }
-    text_add(out, "static void step(void)\n{\n");
+    text_add(out, "%sstatic void step(void)\n{\n", is_flat(p, g) ? "ISO_FLAT " : "");
     emit_call(p, out, recipe, h);
     if (m->projections > 1 && p->after.count > 0) {
         text_add(out, "    for (int i = 0; i < %d; i++) {\n        settle(memory.x);\n    }\n", m->projections);
@@ -449,7 +465,7 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
     if (!ISO_IS(m->recipe, ISO_ADAMS)) {
         emit_equations(p, out);
     }
-    emit_step(p, out);
+    emit_step(p, g, out);
     emit_description(p, out);
     return good;
 }
