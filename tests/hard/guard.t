@@ -63,17 +63,15 @@ follows()
 }
 
 # 1e38 N on 1 kg: in float the position passes 3.4e38 m after 2.61 s; six times a speed, the sum of a method's slopes,
-# before. Six times the force itself is beyond float, and so is what ab4 and abm4 make of it: these stop at once.
-for method in euler heun semi_implicit bdf4 rosenbrock; do
+# before. Six times the force itself is beyond float, so that rk4 stops at once.
+for method in euler heun semi_implicit ab4 abm4 bdf4 rosenbrock; do
     guarded $method 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE'
     stops 0 '[0-9]+' && [ "$tick" -le 2710 ] && follows
     expect $? "1e38 N into $method: right until it is stopped at state ${found% *}, tick $tick"
 done
-for method in rk4 ab4 abm4; do
-    guarded $method 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE'
-    stops 2 101
-    expect $? "1e38 N into $method: stopped at state ${found% *}, tick $tick"
-done
+guarded rk4 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE'
+stops 2 101
+expect $? "1e38 N into rk4: stopped at state ${found% *}, tick $tick"
 guarded rk4 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE' double && follows
 expect $? "control: in double there is room for it"
 finish
