@@ -5,11 +5,12 @@
 begin check/poison
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] |.*/\1/p')
 
-# batch DIR float|double: begins a program of many plants in that real.
+# batch DIR float|double [COMPILER]: begins a program of many plants in that real.
 batch()
 {
     folder=$out/$1
     real "$2"
+    compiler=${3:-$CC}
     count=0
     mkdir -p "$folder"
 }
@@ -22,7 +23,7 @@ add()
     echo "extern const iso_plant plant_$count;" >>"$folder/plants"
     shift
     # shellcheck disable=SC2086
-    $CC $FLAGS $REAL_FLAG -g -c "$@" -o "$folder/$count.o" &&
+    $compiler $FLAGS $REAL_FLAG -gdwarf-4 -c "$@" -o "$folder/$count.o" &&
         objcopy --redefine-sym "iso_the_plant_$real=plant_$count" "$folder/$count.o" || rm -f "$folder/$count.o"
 }
 
@@ -45,7 +46,7 @@ watch()
         echo '};'
     } >"$folder/list.c"
     # shellcheck disable=SC2086
-    $CC $FLAGS $REAL_FLAG -g tests/check/poison.c "$folder/list.c" "$folder"/*.o -o "$folder/program" &&
+    $CC $FLAGS $REAL_FLAG -gdwarf-4 tests/check/poison.c "$folder/list.c" "$folder"/*.o -o "$folder/program" &&
         valgrind --quiet "$folder/program" 2>"$folder/errors"
 }
 
@@ -67,6 +68,13 @@ for method in $METHODS; do
         "-DISO_METHOD=(ISO_$(echo "$method" | tr a-z A-Z)|ISO_CHECKED|ISO_COMPENSATED)"
 done
 joined "examined" watch
+
+# Clang has its own ways to make a branch of a selection; steps with a check and compensation select the most.
+batch clang float clang
+for method in $METHODS; do
+    generated "$out/tree_checked.scene" "$method"
+done
+joined "by clang" watch
 
 # planted KIND TESTS NAME: memcheck finds it with every method, in the tests of these numbers of three and no other.
 planted()
