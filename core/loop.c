@@ -35,16 +35,26 @@ void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
     loop->overhead = clock_overhead();
 }
 
-/* The first state that is not finite. The test of all is without a branch; the search is for the report only. */
+/* All ones if state i is not finite or out of its range, else zero; without a branch on it. */
+static iso_bits is_bad(const iso_plant *const plant, const uint16_t i)
+{
+    iso_bits bad = iso_not_finite(plant->x[i]);
+    if (plant->range != NULL) {
+        bad |= iso_less(plant->range[i], iso_abs(plant->x[i])) & iso_less(R(0.0), plant->range[i]);
+    }
+    return bad;
+}
+
+/* The first bad state. The test of all is without a branch; the search is for the report only. */
 static uint16_t guard(const iso_plant *const plant)
 {
     iso_bits bad = 0;
     for (uint16_t i = 0; i < plant->states; i++) {
-        bad |= iso_not_finite(plant->x[i]);
+        bad |= is_bad(plant, i);
     }
     uint16_t first = plant->states;
     if (bad != 0) {
-        for (first = 0; iso_not_finite(plant->x[first]) == 0; first++) {
+        for (first = 0; is_bad(plant, first) == 0; first++) {
         }
     }
     return first;

@@ -37,14 +37,14 @@ typedef struct iso_loop {
     uint32_t due;      /* when tick was due, on the port's clock */
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
-    uint16_t guard;    /* the first state that is not finite; plant->states if all are */
+    uint16_t guard;    /* the first state that is not finite or out of range; plant->states if there is none */
     iso_account account;
 } iso_loop;
 
 /* Sets the plant to its start and starts the ticks. */
 void iso_loop_start(iso_loop *loop, const iso_plant *plant);
 
-/* Does the next tick. Returns false if a state is no longer finite: then the outputs stay as they were, nothing is
+/* Does the next tick. Returns false if a state is no longer finite, or out of range: then the outputs stay as they were, nothing is
  * published or accounted, and loop->guard and loop->tick say where. */
 bool iso_loop_tick(iso_loop *loop);
 

@@ -12,6 +12,9 @@
 
 #include "core/real.h"
 
+/* Beyond it, the domain of iso_sincos, the sine of an angle is a number of no meaning (rad). */
+#define ISO_ANGLE_RANGE R(1e4)
+
 /* dx[states] = f(x[states], u[inputs], p[parameters]). The arrays do not overlap; an empty one may be NULL. */
 typedef void iso_derivative(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p);
 
@@ -45,12 +48,14 @@ typedef struct iso_plant {
     uint16_t parameters;
     const char *output_names; /* separated by commas */
 
-    real *x;                             /* state, in the plant's memory */
-    real *u;                             /* inputs */
-    real *p;                             /* tunable parameters */
-    real *y;                             /* outputs */
-    const real *start;                   /* the state at tick 0 */
-    const real *defaults;                /* of the parameters */
+    real *x;              /* state, in the plant's memory */
+    real *u;              /* inputs */
+    real *p;              /* tunable parameters */
+    real *y;              /* outputs */
+    const real *start;    /* the state at tick 0 */
+    const real *defaults; /* of the parameters */
+    const real *range;    /* [states] each may be this large, for the guard; 0 where any finite number may
+                                            be; NULL where all may. ISO_ANGLE_RANGE for an angle whose sine is taken */
     const struct iso_progress *progress; /* how the last step went; NULL where nothing asks (core/method.h) */
     const struct iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/adams.h) */
     void *memory;                        /* all that a snapshot must hold */

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Runs that go wrong end with a message of the guard that names state and tick, status 1, and the outputs of the last
 # good tick: explicit methods on a stiff bushing at 1 kHz; inputs that are not a number, infinite, or 1e38; a state that
-# is driven out of range. The plant is tests/hard/guarded.c: states are 0 free, 1 bushing, and their speeds 2 and 3.
+# is driven out of range. The plant is, but for a wheel at the end, tests/hard/guarded.c: states are 0 free, 1 bushing,
+# and their speeds 2 and 3.
 . tests/host/test.sh
 . tests/host/project.sh
 begin hard_guard
@@ -20,12 +21,14 @@ guarded()
 # finite outputs of the tick before, and the summary counts no more.
 stops()
 {
-    found=$(sed -n 's/^trace: guard state \([0-9]*\) at tick \([0-9]*\): it is not finite$/\1 \2/p' "$out/errors")
+    found=$(sed -n "s/^trace: guard state \([0-9]*\) at tick \([0-9]*\): it is $why\$/\1 \2/p" "$out/errors")
     tick=${found#* }
     [ $status -ne 0 ] && grep -q 'run. Error 1$' "$out/errors" && echo "$found" | grep -Eqx "$1 $2" &&
         [ "$(value ticks)" -eq $((tick - 1)) ] && [ "$(awk 'END { print NR - 1 }' "$csv")" -eq $((tick - 1)) ] &&
         ! tail -n 1 "$csv" | grep -Eqi 'nan|inf'
 }
+
+why='not finite'
 
 # stiff METHOD REAL
 stiff()
@@ -74,4 +77,41 @@ stops 2 101
 expect $? "1e38 N into rk4: stopped at state ${found% *}, tick $tick"
 guarded rk4 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE' double && follows
 expect $? "control: in double there is room for it"
+
+# wheel SPEED OPTION METHOD: a wheel that turns evenly, its angle in the sine of an unbalance; step 1 ms.
+wheel()
+{
+    cat >"$out/wheel.scene" <<END
+step 1 ms
+body rotor {
+    mass 1 kg
+    com (0, 0.1, 0) m
+}
+joint shaft revolute {
+    parent ground
+    child rotor
+    axis z
+    speed $1 rad/s
+    $2
+}
+output angle = position of shaft
+END
+    call run SCENE="$(pwd)/$out/wheel.scene" METHOD="$3" SECONDS=0.02
+    status=$?
+    csv=$out/project/$(value trace)
+}
+
+# 950 rad in a tick: the 10th ends at 9500, the 11th at 10450 rad, beyond the domain of the sine.
+why='out of range'
+for method in rk4 ab4 bdf4 adams; do
+    wheel 950000 '' $method
+    stops 0 11
+    expect $? "an angle beyond 10000 rad with $method: stopped at state ${found% *}, tick $tick"
+done
+wheel -950000 '' rk4
+stops 0 11
+expect $? "and one below -10000 rad"
+wheel 950000 continuous rk4
+[ $status -eq 0 ] && [ "$(value ticks)" = 20 ]
+expect $? "control: a continuous joint turns on"
 finish

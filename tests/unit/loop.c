@@ -86,7 +86,8 @@ static void fake_publish(const real *const y, const size_t outputs)
 static real x[2], u[1], p[1], y[1];
 static const real start[2] = {R(0.0), R(5.0)};
 static const real defaults[1] = {R(8.0)};
-static uint32_t primed, steps, fail_at;
+static uint32_t primed, steps, fail_at, leave_at;
+static real range[2];
 static real input_of_step, state_when_primed;
 
 static void derivative(real *restrict const dx, const real *restrict const state, const real *restrict const input,
@@ -127,6 +128,9 @@ static void step(void)
     if (steps == fail_at) {
         x[1] = iso_real_of(ISO_EXPONENT_BITS);
     }
+    if (steps == leave_at) {
+        x[1] = -(range[1] + range[1] * ISO_REAL_EPSILON);
+    }
 }
 
 static const iso_plant plant = {
@@ -142,6 +146,7 @@ static const iso_plant plant = {
     .y = y,
     .start = start,
     .defaults = defaults,
+    .range = range,
     .derivative = derivative,
     .output = output,
     .drive = drive,
@@ -273,6 +278,23 @@ static void test_guard(void)
     tap_count(loop.guard, plant.states, "guard: no state is named while all are finite");
 }
 
+/* The second state leaves its range downwards by an ulp; it may stay at its end. The first has none. */
+static void test_range(void)
+{
+    const script quiet = {0};
+    range[1] = R(8.0);
+    leave_at = 4;
+    tap_count(run(&quiet, 9, 0), 3, "range: three good ticks before the state is too large");
+    tap_count(loop.guard, 1, "range: names the state");
+    tap_count(loop.tick, 4, "range: names the tick");
+    tap_count(published, 3, "range: the bad tick is not published");
+    tap_same(y[0], R(30.0), "range: the last good outputs stand");
+    leave_at = 0;
+    range[1] = R(5.0);
+    tap_count(run(&quiet, 9, 0), 9, "range: a state at the end of its range is good");
+    range[1] = R(0.0);
+}
+
 int main(void)
 {
     test_start();
@@ -282,5 +304,6 @@ int main(void)
     test_slow();
     test_exactly_full();
     test_guard();
+    test_range();
     tap_done();
 }

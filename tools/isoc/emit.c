@@ -150,6 +150,35 @@ static void emit_array(const plant *p, text *out, const char *array, const char 
     text_add(out, "};\n\n");
 }
 
+/* Whether a link's position is an angle that is not kept within a turn, and whose sine is taken. */
+static bool is_angle(const link *l)
+{
+    return l->kind == JOINT_REVOLUTE && !l->continuous;
+}
+
+static bool has_angles(const mechanism *m)
+{
+    bool any = false;
+    for (int i = 0; i < m->link_count; i++) {
+        any = any || is_angle(&m->links[i]);
+    }
+    return any;
+}
+
+/* How large each state may be, for the guard. */
+static void emit_range(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char *const *symbols = state_symbols(m, out->memory);
+    text_add(out, "static const real range[PLANT_STATES] = {\n");
+    for (int i = 0; i < m->link_count; i++) {
+        if (is_angle(&m->links[i])) {
+            text_add(out, "    [PLANT_X_%s] = ISO_ANGLE_RANGE,\n", upper(out->memory, symbols[m->links[i].position]));
+        }
+    }
+    text_add(out, "};\n\n");
+}
+
 static void emit_memory(const plant *p, text *out)
 {
     const mechanism *m = p->m;
@@ -179,6 +208,9 @@ static void emit_memory(const plant *p, text *out)
 
     emit_array(p, out, "start", "PLANT_STATES", "X", state_symbols(m, out->memory), mechanism_start(m, out->memory),
                state_count(m));
+    if (has_angles(m)) {
+        emit_range(p, out);
+    }
     if (m->parameter_count > 0) {
         emit_array(p, out, "defaults", "PLANT_PARAMETERS", "P", m->parameter_names, m->defaults, m->parameter_count);
     }
@@ -436,7 +468,8 @@ static void emit_description(const plant *p, text *out)
     for (int i = 0; i < p->output_count; i++) {
         text_add(out, "\n        \"%s%s\"", p->output_names[i], i + 1 < p->output_count ? "," : "");
     }
-    text_add(out, ",\n    .x = memory.x,\n    .y = memory.y,\n    .start = start,\n    .memory = &memory,\n");
+    text_add(out, ",\n    .x = memory.x,\n    .y = memory.y,\n    .start = start,\n%s    .memory = &memory,\n",
+             has_angles(m) ? "    .range = range,\n" : "");
     text_add(out, "    .memory_bytes = sizeof memory,\n    .derivative = derivative,\n    .output = output,\n");
     text_add(out, "%s%s", has_progress(m) ? "    .progress = &memory.progress,\n" : "",
              is_primed(m) ? "    .prime = prime,\n" : "");

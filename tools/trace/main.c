@@ -7,6 +7,7 @@
  */
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -290,8 +291,9 @@ int main(int argc, char **argv)
         fail("standard output", strerror(errno));
     }
     if (run.end.guard < run.header.states) {
-        fprintf(stderr, "trace: guard state %" PRIu32 " at tick %" PRIu32 ": it is not finite\n", run.end.guard,
-                run.end.tick);
+        char text[DECIMAL_BYTES];
+        fprintf(stderr, "trace: guard state %" PRIu32 " at tick %" PRIu32 ": it is %s\n", run.end.guard, run.end.tick,
+                isfinite(strtod(stream_value(&run, run.end.guard, text), NULL)) ? "out of range" : "not finite");
         return EXIT_FAILURE;
     }
     return EXIT_SUCCESS;

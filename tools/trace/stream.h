@@ -33,8 +33,9 @@ typedef struct stream_end {
     int32_t margin;
     uint32_t execution_min;
     uint32_t execution_max;
-    uint32_t guard; /* the first state that is not finite; as many as there are states if all are */
-    uint32_t tick;  /* where the run stopped */
+    uint32_t
+        guard; /* the first state that is not finite or out of range; as many as there are states if there is none */
+    uint32_t tick; /* where the run stopped */
     uint32_t restarts;
     uint32_t adams_restarts, substeps, rejected, budget_bound, evaluations; /* of adams; zeros for another method */
     uint64_t execution_sum;
