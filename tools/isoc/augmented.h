@@ -15,6 +15,12 @@
  * at the start times the square root of the unit roundoff u: rounding then changes A + e, and the multipliers that no
  * constraint needs, by a part of sqrt(u) at most, and a constraint is held wherever it moves the freedoms by more than
  * u^(1/4) of what it usually does.
+ *
+ * Where A has the eigenvalue a, n iterations leave (e / (a + e))^n of what is demanded, and make up to n / e of a rounding
+ * error where a is near zero. With n = 3 less than u is left as soon as a is u^(1/6) of the mean, 6 % in float; more
+ * iterations reach little further and tear more where the closures lose rank. Parallelograms that pass there for 20 s in
+ * float, with 16 speeds: the energy changes by a part of at most 2.4e-2 with n = 1, 4e-4 with 2, 3e-4 with 3, 8e-4
+ * with 5, 2e-3 with 8.
  */
 #ifndef ISOC_AUGMENTED_H
 #define ISOC_AUGMENTED_H
