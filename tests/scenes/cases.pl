@@ -3,7 +3,7 @@
 #
 # bad.txt: `== NAME`, then either the scene itself or lines `edit: OLD -> NEW` on the scene good.scene, or on the one that
 # a line `of: SCENE` names (each OLD stands in it once; \0, \n, \t, \\ and \xHH are read as in C), then lines
-# `> LINE:COLUMN: MESSAGE`, the errors in their order.
+# `> LINE:COLUMN: MESSAGE`, the errors in their order; a scene without one is to be accepted.
 $|=1; use strict;
 use warnings;
 use IPC::Open2;
@@ -82,7 +82,15 @@ sub refused {
     check($good, $name, "status $status" . ($same ? '' : ', output touched'), map({ "expected $_" } @expected), map { "told     $_" } @told);
 }
 
-my %base = map { $_ => slurp("tests/scenes/$_.scene") } 'good', 'closed';
+# A scene is accepted without a word, and its plant written.
+sub accepted {
+    my ($name, $scene) = @_;
+    spit("$dir/plant.c", 'as before');
+    my ($status, $lines) = compile($scene, '-o', $dir);
+    check($status eq '0' && !@$lines && slurp("$dir/plant.c") ne 'as before', "$name: accepted", @$lines);
+}
+
+my %base = map { $_ => slurp("tests/scenes/$_.scene") } 'good', 'closed', 'loop';
 for my $case (grep { /\S/ } split /^== /m, slurp('tests/scenes/bad.txt')) {
     my ($name, @lines) = split /\n/, $case;
     my @expected = map { /^> (.*)/ ? $1 : () } @lines;
@@ -96,7 +104,7 @@ for my $case (grep { /\S/ } split /^== /m, slurp('tests/scenes/bad.txt')) {
         $scene =~ s/\Q$old\E/$new/;
     }
     spit("$dir/bad.scene", $scene);
-    refused($name, "$dir/bad.scene", @expected);
+    @expected ? refused($name, "$dir/bad.scene", @expected) : accepted($name, "$dir/bad.scene");
 }
 
 # Scenes that are no text of a sensible size.
@@ -123,11 +131,22 @@ spit("$dir/caret.scene", $base{good} =~ s/kg/kgg/r);
 check($lines->[1] eq '        mass 1 kgg' && $lines->[2] eq '               ^', 'the line and a caret under the word', @$lines);
 
 # The control: the scenes that all cases are made from are good ones, and then the plant is written.
-for my $name ('closed', 'good') {
-    spit("$dir/plant.c", 'as before');
-    ($status, $lines) = compile("tests/scenes/$name.scene", '-o', $dir);
-    check($status eq '0' && !@$lines && slurp("$dir/plant.c") ne 'as before', "$name.scene is accepted", @$lines);
-}
+accepted("$_.scene", "tests/scenes/$_.scene") for 'loop', 'closed', 'good';
+
+# Where the closures put what has no start is told, and is so: the pin's two sides meet, and move alike.
+my (undef, undef, $summary) = compile('tests/scenes/loop.scene', '-o', $dir);
+my %at = $summary =~ /^assembled (\w+) (\S+) rad(?:\/s)?$/mg;
+my $coupler = atan2(1, 0) + $at{elbow};
+my @gaps = (
+    0.26 * cos($coupler) - 0.39 - 0.25 * cos $at{foot},
+    0.1 + 0.26 * sin($coupler) - 0.25 * sin $at{foot},
+    -0.1 - 0.26 * sin($coupler) * (1 + $at{elbow_speed}) + 0.25 * sin($at{foot}) * $at{foot_speed},
+    0.26 * cos($coupler) * (1 + $at{elbow_speed}) - 0.25 * cos($at{foot}) * $at{foot_speed},
+);
+check(keys %at == 4 && !grep({ abs > 1e-8 } @gaps), 'what is assembled is told, and closes the loop', $summary, "@gaps");
+(undef, undef, $summary) = compile('tests/scenes/good.scene', '-o', $dir);
+check($summary !~ /^assembled/m, 'where nothing is assembled nothing is told', $summary);
+
 my $first = slurp("$dir/plant.c") . slurp("$dir/plant.h");
 compile('tests/scenes/good.scene', '-o', "$dir/deeper/folder");
 check($first eq slurp("$dir/deeper/folder/plant.c") . slurp("$dir/deeper/folder/plant.h"),

@@ -3,256 +3,192 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/least_squares.h"
+#include "tools/isoc/closing.h"
 
-static const double closed = 1e-6;      /* m, rad, and per second: what the digits of given values may leave open */
-static const double tight = 1e-13;      /* where Newton's method ends */
-static const double longest_move = 0.5; /* m or rad in an iteration */
+static const double closed = 1e-6; /* m, rad, and per second: what the digits of given values may leave open */
+static const double exact = 1e-10; /* what rounding leaves */
 
 typedef struct assembly {
     source *s;
-    const dynamics *d;
     const mechanism *m;
     const constraints *held;
-    double *x, *numbers;
-    bool *looped; /* [freedoms] whether a closure feels it */
-    double *jacobian;
+    closing c;
+    bool *is_free; /* [freedoms] */
 } assembly;
 
-static void evaluate(const assembly *a)
-{
-    const graph *g = a->d->g;
-    const int n = a->m->freedom_count;
-    graph_evaluate(g, a->x, NULL, a->m->defaults, a->numbers);
-    for (int r = 0; r < a->held->count; r++) {
-        for (int f = 0; f < n; f++) {
-            a->jacobian[r * n + f] = a->numbers[a->held->all[r].row[f]];
-        }
-    }
-}
-
-static double largest_gap(const assembly *a, bool rates, int *worst)
-{
-    double largest = 0.0;
-    *worst = 0;
-    for (int r = 0; r < a->held->count; r++) {
-        const constraint *c = &a->held->all[r];
-        const double gap = fabs(a->numbers[rates ? c->rate : c->position]);
-        if (!(gap <= largest)) {
-            largest = gap;
-            *worst = r;
-        }
-    }
-    return largest;
-}
-
-/* Moves the positions of a link by what its freedoms move. */
-static void move_link(const assembly *a, const link *l, const double *by)
-{
-    double *q = a->x + l->position;
-    if (l->kind != JOINT_SPHERICAL) {
-        q[0] += by[0];
-        return;
-    }
-    const double w = q[0], i = q[1], j = q[2], k = q[3];
-    q[0] = w - 0.5 * (i * by[0] + j * by[1] + k * by[2]);
-    q[1] = i + 0.5 * (w * by[0] + j * by[2] - k * by[1]);
-    q[2] = j + 0.5 * (w * by[1] + k * by[0] - i * by[2]);
-    q[3] = k + 0.5 * (w * by[2] + i * by[1] - j * by[0]);
-    const double norm = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    for (int n = 0; n < 4; n++) {
-        q[n] /= norm;
-    }
-}
-
-static void move(const assembly *a, bool rates, const double *by)
-{
-    for (int i = 0; i < a->m->link_count; i++) {
-        const link *l = &a->m->links[i];
-        if (!rates) {
-            move_link(a, l, by + l->freedom);
-        } else {
-            for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
-                a->x[a->m->position_count + f] += by[f];
-            }
-        }
-    }
-}
-
-/* The least move of the free ones that closes the gaps, to first order; the rank of their columns. */
-static int newton(const assembly *a, bool rates, const bool *is_free, double *by)
-{
-    const int n = a->m->freedom_count, rows = a->held->count;
-    arena *memory = a->s->memory;
-    double *matrix_free = arena_take(memory, (size_t)(rows * n) + 1, sizeof *matrix_free);
-    double *gaps = arena_take(memory, (size_t)rows + 1, sizeof *gaps);
-    double largest = 0.0;
-    for (int r = 0; r < rows; r++) {
-        gaps[r] = -a->numbers[rates ? a->held->all[r].rate : a->held->all[r].position];
-        for (int f = 0; f < n; f++) {
-            matrix_free[r * n + f] = is_free[f] ? a->jacobian[r * n + f] : 0.0;
-        }
-    }
-    const int rank = least_squares(memory, matrix_free, rows, n, gaps, by);
-    for (int f = 0; f < n; f++) {
-        largest = fmax(largest, fabs(by[f]));
-    }
-    for (int f = 0; f < n && !rates && largest > longest_move; f++) {
-        by[f] *= longest_move / largest;
-    }
-    return rank;
-}
-
-/* Newton's method over the free ones. Returns the gap that is left, *rank and the *worst constraint. */
-static double close_gaps(const assembly *a, bool rates, const bool *is_free, int *rank, int *worst)
-{
-    enum { ITERATIONS = 200 };
-    double *by = arena_take(a->s->memory, (size_t)a->m->freedom_count + 1, sizeof *by);
-    evaluate(a);
-    double gap = largest_gap(a, rates, worst);
-    *rank = newton(a, rates, is_free, by);
-    for (int i = 0; i < ITERATIONS && gap > tight; i++) {
-        move(a, rates, by);
-        evaluate(a);
-        const double before = gap;
-        gap = largest_gap(a, rates, worst);
-        *rank = newton(a, rates, is_free, by);
-        if (gap < closed && gap > 0.5 * before) {
-            break; /* rounding */
-        }
-    }
-    return gap;
-}
-
-/* The names of the free coordinates, for a message. */
-static const char *list_free(const assembly *a, const bool *is_free)
+/* The joints, or their parts, with free coordinates, for a message. */
+static const char *list_free(const assembly *a)
 {
     const char *list = "";
-    for (int f = 0; f < a->m->freedom_count; f++) {
-        if (is_free[f]) {
-            list = arena_format(a->s->memory, "%s%s%s", list, list[0] == '\0' ? "" : ", ", a->m->freedoms[f].name);
+    for (int i = 0; i < a->m->link_count; i++) {
+        const link *l = &a->m->links[i];
+        bool any = false;
+        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+            any = any || a->is_free[f];
+        }
+        if (any) {
+            list = arena_format(a->s->memory, "%s%s%s", list, list[0] == '\0' ? "" : ", ", l->name);
         }
     }
     return list;
 }
 
-static int choose_free(const assembly *a, bool rates, bool all, bool *is_free)
+/* Those that closures feel: all, or those without a start. Returns how many. */
+static int choose_free(const assembly *a, bool rates, bool all)
 {
     int count = 0;
     for (int f = 0; f < a->m->freedom_count; f++) {
         const link *l = &a->m->links[a->m->freedoms[f].link];
         const bool given = rates ? l->speed_given : l->start_given;
-        is_free[f] = a->looped[f] && (all || !given);
-        count += is_free[f];
+        a->is_free[f] = false;
+        for (int r = 0; r < a->held->count && (all || !given); r++) {
+            const bool feels = closing_counts(&a->c, rates, r) && !is_zero(a->c.d->g, a->held->all[r].row[f]);
+            a->is_free[f] = a->is_free[f] || feels;
+        }
+        count += a->is_free[f];
     }
     return count;
 }
 
-static place place_of(const assembly *a, int row)
+static const cut *cut_of(const assembly *a, gap open)
 {
-    return a->m->cuts[a->held->all[row].cut].at;
+    return &a->m->cuts[a->held->all[open.row].cut];
 }
 
-static const char *name_of(const assembly *a, int row)
+/* What the constraint is measured in: that of axes by an angle, that of joints as their coordinate is. */
+static const char *unit_of(const assembly *a, gap open)
 {
-    return a->m->cuts[a->held->all[row].cut].name;
+    const graph *g = a->c.d->g;
+    const cut *at = cut_of(a, open);
+    const vector force = a->held->all[open.row].force;
+    const bool of_joints = at->kind == CLOSE_GEAR || at->kind == CLOSE_MOTION;
+    const bool is_length = of_joints ? slides(&a->m->links[at->parent.link])
+                                     : !is_zero(g, force.at[0]) || !is_zero(g, force.at[1]) || !is_zero(g, force.at[2]);
+    return is_length ? "m" : "rad";
 }
 
-static bool close_positions(const assembly *a, bool *is_free)
+static void tell_open(const assembly *a, gap open, int count)
 {
-    int rank, worst;
-    const int count = choose_free(a, false, false, is_free);
-    const double gap = close_gaps(a, false, is_free, &rank, &worst);
-    if (!(gap <= closed)) {
-        source_problem(a->s, place_of(a, worst),
-                       "'%s' cannot close: it stays %.3g (m or rad) open, with rank %d of %d constraints over the "
-                       "coordinates without a start: %s",
-                       name_of(a, worst), gap, rank, a->held->count, count == 0 ? "none" : list_free(a, is_free));
+    const char *list = list_free(a);
+    choose_free(a, false, true);
+    const bool would_close = closing_search(&a->c, a->is_free, closed).size <= closed;
+    source_problem(a->s, cut_of(a, open)->at,
+                   "'%s' cannot close: it stays %.3g %s open, with rank %d of %d constraints over the coordinates "
+                   "without a start: %s%s",
+                   cut_of(a, open)->name, open.size, unit_of(a, open), open.rank, open.all, count == 0 ? "none" : list,
+                   would_close ? "; it closes if starts are left out" : "");
+}
+
+static bool close_positions(const assembly *a)
+{
+    const int count = choose_free(a, false, false);
+    const gap open = closing_search(&a->c, a->is_free, closed);
+    if (!(open.size <= closed)) {
+        tell_open(a, open, count);
         return false;
     }
-    if (rank < count) {
-        source_problem(a->s, place_of(a, worst),
+    if (open.rank < count) {
+        source_problem(a->s, cut_of(a, open)->at,
                        "the closures leave %d of %d coordinates undetermined (rank %d): give a start to %d of %s",
-                       count - rank, count, rank, count - rank, list_free(a, is_free));
+                       count - open.rank, count, open.rank, count - open.rank, list_free(a));
         return false;
     }
-    choose_free(a, false, true, is_free);
-    const double left = close_gaps(a, false, is_free, &rank, &worst);
-    if (!(left <= 1e3 * tight)) {
-        source_problem(a->s, place_of(a, worst),
-                       "'%s' contradicts the other closures: %.3g (m or rad) stay open, with rank %d of %d constraints",
-                       name_of(a, worst), left, rank, a->held->count);
-        return false;
-    }
-    if (rank < a->held->count && !a->m->is_redundant) {
-        source_problem(a->s, place_of(a, a->held->count - 1),
-                       "the closures repeat each other: rank %d of %d constraints at the start; leave out what is "
-                       "redundant, or write stabilisation lagrangian",
-                       rank, a->held->count);
+    choose_free(a, false, true);
+    const gap left = closing_run(&a->c, false, a->is_free);
+    if (!(left.size <= exact)) {
+        source_problem(a->s, cut_of(a, left)->at,
+                       "'%s' contradicts the other closures: %.3g %s stay open, with rank %d of %d constraints",
+                       cut_of(a, left)->name, left.size, unit_of(a, left), left.rank, left.all);
         return false;
     }
     return true;
 }
 
-static void close_speeds(const assembly *a, bool *is_free)
+static bool close_speeds(const assembly *a)
 {
-    int rank, worst;
-    choose_free(a, true, false, is_free);
-    const double gap = close_gaps(a, true, is_free, &rank, &worst);
-    if (!(gap <= closed)) {
-        source_problem(a->s, place_of(a, worst),
-                       "the speeds given at the start tear '%s' open at %.3g (m/s or rad/s): leave out all but one",
-                       name_of(a, worst), gap);
-        return;
+    choose_free(a, true, false);
+    const gap open = closing_run(&a->c, true, a->is_free);
+    if (!(open.size <= closed)) {
+        source_problem(a->s, cut_of(a, open)->at,
+                       "the speeds given at the start tear '%s' open at %.3g %s/s: leave out those that follow from "
+                       "the others",
+                       cut_of(a, open)->name, open.size, unit_of(a, open));
+        return false;
     }
-    choose_free(a, true, true, is_free);
-    close_gaps(a, true, is_free, &rank, &worst);
+    choose_free(a, true, true);
+    const gap left = closing_run(&a->c, true, a->is_free);
+    if (left.rank < left.all && !a->m->is_redundant) {
+        source_problem(a->s, a->m->cuts[a->held->all[a->held->count - 1].cut].at,
+                       "the closures repeat each other: rank %d of %d constraints at the start; leave out what is "
+                       "redundant, or write stabilisation lagrangian",
+                       left.rank, left.all);
+        return false;
+    }
+    return true;
 }
 
 /* Constraints that hold by the shape of the scene do so only if they are not off by a constant. */
 static bool check_dropped(const assembly *a)
 {
     for (int i = 0; i < a->held->dropped; i++) {
-        const double gap = fabs(a->numbers[a->held->dropped_gaps[i]]);
+        const double off = fabs(a->c.numbers[a->held->dropped_gaps[i]]);
         const cut *c = &a->m->cuts[a->held->dropped_cuts[i]];
-        if (!(gap <= closed)) {
+        if (!(off <= closed)) {
             source_problem(a->s, c->at, "'%s' cannot close: it is %.3g (m or rad) off where no joint moves it", c->name,
-                           gap);
+                           off);
             return false;
         }
     }
     return true;
 }
 
+/* A distance that is what the start gives must be one. */
+static bool check_distances(const assembly *a)
+{
+    for (int r = 0; r < a->held->count; r++) {
+        const constraint *c = &a->held->all[r];
+        if (a->m->cuts[c->cut].kind == CLOSE_DISTANCE && !(a->c.numbers[c->length] > closed)) {
+            source_problem(a->s, a->m->cuts[c->cut].at,
+                           "the points of '%s' are together at the start, which is no distance: length 1 m, or a start "
+                           "that parts them",
+                           a->m->cuts[c->cut].name);
+            return false;
+        }
+    }
+    return true;
+}
+
+static double largest_change(const double *from, const double *to, int count)
+{
+    double largest = 0.0;
+    for (int n = 0; n < count; n++) {
+        largest = fmax(largest, fabs(to[n] - from[n]));
+    }
+    return largest;
+}
+
 static void keep_start(const assembly *a)
 {
     for (int i = 0; i < a->m->link_count; i++) {
         link *l = &a->m->links[i];
-        memcpy(l->start, a->x + l->position, (size_t)positions_of(l->kind) * sizeof *a->x);
-        memcpy(l->speed, a->x + a->m->position_count + l->freedom, (size_t)freedoms_of(l->kind) * sizeof *a->x);
+        const double *x = a->c.x + l->position;
+        const double *speed = a->c.x + a->m->position_count + l->freedom;
+        l->start_found = largest_change(l->start, x, positions_of(l->kind)) > closed;
+        l->speed_found = largest_change(l->speed, speed, freedoms_of(l->kind)) > closed;
+        memcpy(l->start, x, (size_t)positions_of(l->kind) * sizeof *x);
+        memcpy(l->speed, speed, (size_t)freedoms_of(l->kind) * sizeof *x);
     }
 }
 
 void assemble(source *s, const dynamics *d)
 {
     const mechanism *m = d->m;
-    const size_t n = (size_t)m->freedom_count;
     if (m->cut_count == 0) {
         return;
     }
-    assembly a = {.s = s, .d = d, .m = m, .held = &d->loops.held, .x = mechanism_start(m, s->memory)};
-    a.numbers = arena_take(s->memory, d->g->count, sizeof *a.numbers);
-    a.jacobian = arena_take(s->memory, n * (size_t)a.held->count + 1, sizeof *a.jacobian);
-    a.looped = arena_take(s->memory, n, sizeof *a.looped);
-    bool *is_free = arena_take(s->memory, n, sizeof *is_free);
-    for (int r = 0; r < a.held->count; r++) {
-        for (size_t f = 0; f < n; f++) {
-            a.looped[f] = a.looped[f] || !is_zero(d->g, a.held->all[r].row[f]);
-        }
-    }
-    evaluate(&a);
-    if (check_dropped(&a) && close_positions(&a, is_free)) {
-        close_speeds(&a, is_free);
+    assembly a = {.s = s, .m = m, .held = &d->loops.held, .c = closing_start(s->memory, d)};
+    a.is_free = arena_take(s->memory, (size_t)m->freedom_count, sizeof *a.is_free);
+    if (check_distances(&a) && check_dropped(&a) && close_positions(&a) && close_speeds(&a)) {
         keep_start(&a);
     }
 }

@@ -138,7 +138,9 @@ static bool build_motion(builder *b, const closure *written, cut *made)
         return false;
     }
     if (b->made.links[made->parent.link].continuous) {
-        source_problem(b->s, written->first.at, "a motion of a continuous joint, whose angle starts anew each turn");
+        source_problem(b->s, written->first.at,
+                       "a motion of the continuous joint '%s', whose angle starts anew each turn: leave out continuous",
+                       written->first.text);
     }
     b->values.time_allowed = true;
     b->values.clocks = &b->made.clocks;

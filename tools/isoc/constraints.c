@@ -177,6 +177,7 @@ static void hold_distance(const pair *p, constraints *to, const char *called)
     const node length = is_zero(g, p->c->length) ? distance_at_start(p) : p->c->length;
     const vector d = vector_scale(g, divide(g, constant(g, 1.0), length), p->apart);
     const node half = constant(g, 0.5);
+    made.length = length;
     made.position = mul(g, half, sub(g, vector_dot(g, d, p->apart), length));
     for (int f = 0; f < k->m->freedom_count; f++) {
         made.row[f] = vector_dot(g, d, vector_sub(g, p->child.linear[f], p->parent.linear[f]));

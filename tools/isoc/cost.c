@@ -139,6 +139,27 @@ static void formulation_lines(const plant *p, text *out)
     }
 }
 
+/* Where the closures put what the scene gives no start. */
+static void assembled_lines(const mechanism *m, text *out)
+{
+    for (int i = 0; i < m->link_count; i++) {
+        const link *l = &m->links[i];
+        const char *of = slides(l) ? "m" : "rad";
+        if (l->kind == JOINT_SPHERICAL && l->start_found) {
+            const double *q = l->start;
+            text_add(out, "assembled %s quaternion %.9g %.9g %.9g %.9g\n", l->name, q[0], q[1], q[2], q[3]);
+        } else if (l->start_found) {
+            text_add(out, "assembled %s %.9g %s\n", l->name, l->start[0], of);
+        }
+        if (l->kind == JOINT_SPHERICAL && l->speed_found) {
+            const double *w = l->speed;
+            text_add(out, "assembled %s_spin %.9g %.9g %.9g rad/s\n", l->name, w[0], w[1], w[2]);
+        } else if (l->speed_found) {
+            text_add(out, "assembled %s_speed %.9g %s/s\n", l->name, l->speed[0], of);
+        }
+    }
+}
+
 void cost_summary(const plant *p, const graph *g, text *out)
 {
     const mechanism *m = p->m;
@@ -149,6 +170,7 @@ void cost_summary(const plant *p, const graph *g, text *out)
              p->is_double ? "double" : "float");
     text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
              p->output_count);
+    assembled_lines(m, out);
     formulation_lines(p, out);
     count_line(out, "derivative", derivative);
     if (ISO_IS_IMPLICIT(m->recipe)) {

@@ -146,17 +146,21 @@ static bool override(arena *memory, const options *o, scene *s)
 /* A joint that moves no inertia has no acceleration: told at the start, where it can be told from a bad moment later. */
 static void check_pivots(source *s, const graph *g, const plant *p)
 {
+    static const char *const about[] = {" about its x axis", " about its y axis", " about its z axis"};
     const mechanism *m = p->m;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     graph_evaluate(g, mechanism_start(m, g->memory), NULL, m->defaults, numbers);
-    for (int f = 0; f < m->freedom_count; f++) {
+    /* From the tips inward, as they are eliminated: what comes after a bad pivot is bad too. */
+    for (int f = m->freedom_count - 1; f >= 0; f--) {
         const double pivot = numbers[p->d->mass.pivots[f]], inertia = numbers[p->d->mass.diagonal[f]];
+        const link *l = &m->links[m->freedoms[f].link];
         if (!(inertia > 0.0) || !(pivot > 1e-10 * inertia)) {
-            source_problem(
-                s, m->links[m->freedoms[f].link].at,
-                "the joint '%s' moves no inertia at the start (singular mass matrix): give a body beyond it an "
-                "inertia or a centre of mass off its axis",
-                m->freedoms[f].name);
+            const bool is_ball = l->kind == JOINT_SPHERICAL;
+            source_problem(s, l->at,
+                           "the joint '%s' moves no inertia%s at the start (singular mass matrix): give a body beyond "
+                           "it an inertia%s",
+                           l->name, is_ball ? about[f - l->freedom] : "",
+                           is_ball ? "" : " or a centre of mass off its axis");
             return;
         }
     }
