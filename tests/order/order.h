@@ -4,7 +4,7 @@
 
 #include "core/plant.h"
 
-enum { ORDER_STATES_MAX = 4, ORDER_INPUTS_MAX = 1 };
+enum { ORDER_STATES_MAX = 6, ORDER_INPUTS_MAX = 1 };
 
 typedef struct order_problem {
     int states;
