@@ -25,7 +25,7 @@ typedef struct iso_account {
     uint32_t restarts;      /* of the method's history, after a jump */
     real local_error;       /* the largest of all steps, where steps are checked */
     int32_t margin;         /* least time left when the outputs were out; positive is good */
-    uint32_t execution_min; /* of a step: the call, with a restart before it where there was a jump */
+    uint32_t execution_min; /* of a step: the call; where there was a jump, with all that a restart takes */
     uint32_t execution_max;
     uint64_t execution_sum;
 } iso_account;

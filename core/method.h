@@ -64,6 +64,10 @@ enum {
 #define ISO_CHECKS_SLOPES(recipe)                                                                                      \
     (ISO_IS_CHECKED(recipe) && !ISO_IS_ABM4(recipe) && !ISO_IS(recipe, ISO_BDF4) && !ISO_IS(recipe, ISO_ADAMS))
 
+/* Whether a jump of the motion is watched for: where steps are checked, and what is kept enters the next. */
+#define ISO_IS_WATCHED(recipe)                                                                                         \
+    (ISO_IS_CHECKED(recipe) && (ISO_IS_ABM4(recipe) || ISO_IS(recipe, ISO_AB4) || ISO_IS(recipe, ISO_BDF4)))
+
 #define ISO_ORDER_OF(recipe)                                                                                           \
     (ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_SEMI_IMPLICIT)                                                    \
          ? 1                                                                                                           \
@@ -111,7 +115,25 @@ static inline iso_trail iso_trail_of(const unsigned recipe, const size_t n, real
 typedef struct iso_progress {
     real local_error; /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
     real residual;    /* of the last Newton iteration */
+    real usual;       /* local error, where jumps are watched for: iso_watch */
+    uint8_t watched;  /* steps, up to ISO_USUAL_STEPS */
+    bool jumped;      /* the motion did, in this step: what the method keeps is of no use, nor is the step */
 } iso_progress;
+
+/* A local error so many times its usual size is a jump of the motion: kinks are by 1 / h or a higher power of it larger
+ * than the error of a smooth motion, which grows little in a step. The usual size is the largest of late, and is forgotten
+ * by a sixteenth in a step; nothing is usual before so many steps. */
+#define ISO_JUMP R(64.0)
+enum { ISO_USUAL_STEPS = 16 };
+
+/* Whether the motion jumped within the step whose error this is. Without a branch on it. */
+static inline void iso_watch(iso_progress *const progress, const real error)
+{
+    const bool known = progress->watched == ISO_USUAL_STEPS;
+    progress->jumped = known & (iso_less(ISO_JUMP * progress->usual, error) != 0);
+    progress->usual = iso_max(error, progress->usual - progress->usual / (real)ISO_USUAL_STEPS);
+    progress->watched = (uint8_t)(progress->watched + !known);
+}
 
 /* Advances the n states of x[ISO_METHOD_STATE(recipe, n)] by h with u and p held. lu[eq->factors] only for implicit
  * methods, work[ISO_METHOD_WORK(recipe, n)]. */
@@ -158,6 +180,9 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     }
     if (ISO_IS_CHECKED(recipe)) {
         progress->local_error = error;
+    }
+    if (ISO_IS_WATCHED(recipe)) {
+        iso_watch(progress, error);
     }
 }
 

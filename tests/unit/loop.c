@@ -4,6 +4,7 @@
  * any port.
  */
 #include "core/loop.h"
+#include "core/method.h"
 #include "port/port.h"
 #include "tests/tap.h"
 
@@ -295,6 +296,54 @@ static void test_range(void)
     range[1] = R(0.0);
 }
 
+/* A step that finds a jump is made again from where it began; all other memory is as it was, the error is not. */
+static struct {
+    real x[2], u[1], p[1], y[1];
+    iso_progress progress;
+} watched_memory, watched_before;
+
+static void watched_step(void)
+{
+    steps++;
+    watched_memory.x[0] += primed > 1 ? R(1.0) : R(100.0);
+    watched_memory.x[1] = R(3.0);
+    watched_memory.progress.usual += R(1.0);
+    watched_memory.progress.jumped = steps == 1 || steps == 4 || steps == 5;
+}
+
+static void watched_prime(void)
+{
+    primed++;
+    state_when_primed = watched_memory.x[0] + watched_memory.x[1];
+}
+
+static void test_jump(void)
+{
+    static const script quiet;
+    iso_plant watched = plant;
+    watched.x = watched_memory.x;
+    watched.u = watched_memory.u;
+    watched.p = watched_memory.p;
+    watched.y = watched_memory.y;
+    watched.progress = &watched_memory.progress;
+    watched.memory = &watched_memory;
+    watched.memory_bytes = sizeof watched_memory;
+    watched.before = &watched_before;
+    watched.drive = NULL;
+    watched.prime = watched_prime;
+    watched.step = watched_step;
+    events = &quiet;
+    steps = primed = 0;
+    iso_loop_start(&loop, &watched);
+    tap_ok(iso_loop_tick(&loop) && steps == 2 && primed == 2, "jump: the step is made again, with a new history");
+    tap_same(state_when_primed, R(5.0), "jump: which is that of the state before the step");
+    tap_same(watched_memory.x[0], R(1.0), "jump: the step begins there too");
+    tap_same(watched_memory.progress.usual, R(2.0), "jump: but the error stays known");
+    tap_count(loop.account.restarts, 1, "jump: and is accounted");
+    tap_ok(iso_loop_tick(&loop) && steps == 3 && loop.account.restarts == 1, "jump: a step without one is made once");
+    tap_ok(iso_loop_tick(&loop) && steps == 5 && loop.account.restarts == 2, "jump: a step is made again only once");
+}
+
 int main(void)
 {
     test_start();
@@ -305,5 +354,6 @@ int main(void)
     test_exactly_full();
     test_guard();
     test_range();
+    test_jump();
     tap_done();
 }

@@ -258,6 +258,45 @@ static void test_semi_implicit_error(void)
     tap_same(r.progress.local_error, R(0.28125), "semi_implicit: the error of a step is told in the next");
 }
 
+/* Errors of size 1 for as long as it takes to know it, then one of this size. */
+static bool leaps(const real error)
+{
+    iso_progress progress = {.local_error = R(0.0)};
+    for (int i = 0; i < ISO_USUAL_STEPS; i++) {
+        iso_watch(&progress, R(1.0));
+    }
+    iso_watch(&progress, error);
+    return progress.jumped;
+}
+
+static void test_watch(void)
+{
+    iso_progress progress = {.local_error = R(0.0)};
+    bool never = true;
+    for (int i = 0; i < ISO_USUAL_STEPS; i++) {
+        iso_watch(&progress, i % 2 == 0 ? R(0.0) : R(1e6));
+        never = never && !progress.jumped;
+    }
+    tap_ok(never, "watch: nothing is usual at the start");
+    tap_ok(!leaps(ISO_JUMP) && leaps(ISO_JUMP + R(1.0)) && !leaps(R(0.0)), "watch: a jump is a leap of the error");
+    tap_ok(!leaps(iso_real_of(ISO_EXPONENT_BITS | 1)), "watch: what is not a number is left to the guard");
+
+    for (int i = 0; i < 2 * ISO_USUAL_STEPS; i++) {
+        iso_watch(&progress, R(1.0));
+    }
+    iso_watch(&progress, R(1e4));
+    const bool first = progress.jumped;
+    iso_watch(&progress, R(1e4));
+    tap_ok(!first && !progress.jumped, "watch: what was usual of late is so yet");
+    for (int i = 0; i < 16 * ISO_USUAL_STEPS; i++) {
+        iso_watch(&progress, R(1.0));
+    }
+    iso_watch(&progress, R(1e4));
+    tap_ok(progress.jumped, "watch: but not for ever");
+    iso_watch(&progress, R(1e4));
+    tap_ok(!progress.jumped, "watch: a second leap to the same size is none");
+}
+
 int main(void)
 {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -270,5 +309,6 @@ int main(void)
     test_error(ISO_AB4 | ISO_CHECKED, "ab4: the error of a step is told in the next");
     test_error(ISO_ROSENBROCK | ISO_CHECKED, "rosenbrock: the error of a step is told in the next");
     test_semi_implicit_error();
+    test_watch();
     tap_done();
 }

@@ -204,7 +204,7 @@ static void emit_memory(const plant *p, text *out)
         text_add(out, "%s%s", m->input_count > 0 ? "    real last_u[PLANT_INPUTS];\n" : "",
                  m->parameter_count > 0 ? "    real last_p[PLANT_PARAMETERS];\n" : "");
     }
-    text_add(out, "} memory;\n\n");
+    text_add(out, "} memory%s;\n\n", ISO_IS_WATCHED(m->recipe) ? ", before" : "");
 
     emit_array(p, out, "start", "PLANT_STATES", "X", state_symbols(m, out->memory), mechanism_start(m, out->memory),
                state_count(m));
@@ -470,6 +470,7 @@ static void emit_description(const plant *p, text *out)
     }
     text_add(out, ",\n    .x = memory.x,\n    .y = memory.y,\n    .start = start,\n%s    .memory = &memory,\n",
              has_angles(m) ? "    .range = range,\n" : "");
+    text_add(out, "%s", ISO_IS_WATCHED(m->recipe) ? "    .before = &before,\n" : "");
     text_add(out, "    .memory_bytes = sizeof memory,\n    .derivative = derivative,\n    .output = output,\n");
     text_add(out, "%s%s", has_progress(m) ? "    .progress = &memory.progress,\n" : "",
              is_primed(m) ? "    .prime = prime,\n" : "");
