@@ -62,23 +62,29 @@ ISO_INLINE real iso_explicit_step(const iso_tableau *const table, const iso_trai
     return error;
 }
 
-/* One step of h of semi-implicit Euler for a mechanical plant, whose first half of the states are positions and whose
- * second half are their rates, in the same order: v += h a(x, v), then x += h v. Symplectic where the mass matrix is
- * constant and a comes from a potential of x; elsewhere the energy drifts, as with any method of order one
- * (tests/hard/long_run.c). Vogelaere (1956), Methods of integration which preserve the contact transformation property;
- * Hairer, Lubich, Wanner (2006), Geometric Numerical Integration, eq. I.1.9. work[n]. */
-static inline real iso_semi_implicit_step(const iso_trail *const trail, iso_derivative *const f, const real h,
+/* One step of h of semi-implicit Euler for a mechanical plant: v += h a(q, v) for the speeds v, then q += h q'(q, v) for
+ * the positions q, with the new speeds. Symplectic where q' = v, the mass matrix is constant and a comes from a potential
+ * of q; elsewhere the energy drifts, as with any method of order one (tests/hard/long_run.c). Vogelaere (1956), Methods of
+ * integration which preserve the contact transformation property; Hairer, Lubich, Wanner (2006), Geometric Numerical
+ * Integration, eq. I.1.9. work[n]. */
+static inline real iso_semi_implicit_step(const iso_trail *const trail, const iso_equations *const eq, const real h,
                                           const real *restrict const u, const real *restrict const p,
                                           real *restrict const work)
 {
-    const size_t half = trail->n / 2;
-    f(work, trail->x, u, p);
+    const size_t positions = eq->rates == NULL ? trail->n / 2 : eq->positions;
+    eq->derivative(work, trail->x, u, p);
     const real error = iso_check(trail, h, work, NULL);
     iso_keep_slope(trail, h, work);
     ISO_UNROLL
-    for (size_t s = 0; s < half; s++) {
-        iso_advance(trail, half + s, h * work[half + s]);
-        iso_advance(trail, s, h * trail->x[half + s]);
+    for (size_t s = positions; s < trail->n; s++) {
+        iso_advance(trail, s, h * work[s]);
+    }
+    if (eq->rates != NULL) {
+        eq->rates(work, trail->x, u, p);
+    }
+    ISO_UNROLL
+    for (size_t s = 0; s < positions; s++) {
+        iso_advance(trail, s, h * (eq->rates == NULL ? trail->x[positions + s] : work[s]));
     }
     return error;
 }

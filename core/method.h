@@ -158,7 +158,7 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
         error = iso_ab4_step(&trail, f, h, u, p, work);
         break;
     case ISO_SEMI_IMPLICIT:
-        error = iso_semi_implicit_step(&trail, f, h, u, p, work);
+        error = iso_semi_implicit_step(&trail, eq, h, u, p, work);
         break;
     case ISO_ABM4:
         error = iso_abm4_step(&trail, f, h, u, p, work, 1, true);

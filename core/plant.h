@@ -25,12 +25,14 @@ typedef void iso_factor(real *restrict lu, const real *restrict x, const real *r
 /* d[states] = (1 - hb J)^-1 d, from the factors lu. */
 typedef void iso_solve(real *restrict d, const real *restrict lu);
 
-/* The equations of motion as a method needs them; the last three only for implicit methods. */
+/* The equations of motion as a method needs them. */
 typedef struct iso_equations {
     iso_derivative *derivative;
-    iso_factor *factor;
+    iso_factor *factor; /* these three for implicit methods only */
     iso_solve *solve;
     size_t factors;
+    iso_derivative *rates; /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
+    size_t positions;      /* how many of the states are positions, which come first, where `rates` is given */
 } iso_equations;
 
 /* y[outputs] = g(x[states], u[inputs], p[parameters]). */

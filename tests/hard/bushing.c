@@ -48,8 +48,8 @@ static void solve(real *restrict const d, const real *restrict const lu)
 }
 
 static const hard_problem problems[] = {
-    {"bushing without damping", STATES, {derivative, factor, solve, 4}, {0.0, 0.0}, undamped},
-    {"bushing with damping", STATES, {derivative, factor, solve, 4}, {0.0, 0.0}, damped},
+    {"bushing without damping", STATES, {derivative, factor, solve, .factors = 4}, {0.0, 0.0}, undamped},
+    {"bushing with damping", STATES, {derivative, factor, solve, .factors = 4}, {0.0, 0.0}, damped},
 };
 
 /* Rosenbrock's growth at z: three stages of y' = z y / h, each solved with 1 - gamma z. */

@@ -146,7 +146,8 @@ static void factorise(real *const lu, const real *const x, const real *const p, 
     {                                                                                                                  \
         iso_dense_solve(d, lu, 2 * links);                                                                             \
     }                                                                                                                  \
-    const iso_equations chain_of_##links = {derivative_##links, factor_##links, solve_##links, 4 * links * links};
+    const iso_equations chain_of_##links = {derivative_##links, factor_##links, solve_##links,                         \
+                                            .factors = 4 * links * links};
 
 CHAIN_OF(1)
 CHAIN_OF(2)

@@ -42,7 +42,7 @@ static void solve(real *restrict const d, const real *restrict const lu)
     iso_dense_solve(d, lu, 1);
 }
 
-static const hard_problem from_one = {"decay", 1, {derivative, factor, solve, 1}, {1.0}, NULL};
+static const hard_problem from_one = {"decay", 1, {derivative, factor, solve, .factors = 1}, {1.0}, NULL};
 
 static void test_method(const unsigned recipe)
 {

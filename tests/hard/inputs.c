@@ -36,7 +36,7 @@ static void solve(real *restrict const d, const real *restrict const lu)
     iso_dense_solve(d, lu, 2);
 }
 
-static const hard_problem problem = {"oscillator", 2, {derivative, factor, solve, 4}, {0.01, 0.0}, NULL};
+static const hard_problem problem = {"oscillator", 2, {derivative, factor, solve, .factors = 4}, {0.01, 0.0}, NULL};
 
 typedef real signal(long tick, int k);
 

@@ -29,14 +29,14 @@ static const real light_tip[] = {R(9.81), R(1.0), R(1.0), R(1e3), R(1e6)};
 static const real heavy_tip[] = {R(9.81), R(1.0), R(1e6), R(1e3), R(1.0)};
 
 static const mass_case cases[] = {
-    {.problem = {"light_tip", STATES, {NULL, NULL, NULL, 0}, {1.0, 0.5, 0.8}, light_tip},
+    {.problem = {"light_tip", STATES, {.derivative = NULL}, {1.0, 0.5, 0.8}, light_tip},
      .k = 11,
      .exact = {-0.978569202054988L, -0.799321896318418L, -0.000289000338197758L, -0.566546391969171L,
                -4.64936125993142L, -4.06888522738103L},
      .angle = {3e-5, 1e-11},
      .rate = {3e-5, 1e-11},
      .energy = {5e-6, 5e-14}},
-    {.problem = {"heavy_tip", STATES, {NULL, NULL, NULL, 0}, {0.5, 0.5, 0.5}, heavy_tip},
+    {.problem = {"heavy_tip", STATES, {.derivative = NULL}, {0.5, 0.5, 0.5}, heavy_tip},
      .k = 15,
      .exact = {-0.104447306637695L, -0.104447666665176L, -0.104638798787056L, -0.87606065407L, -0.87663086211L,
                -0.87139878725L},

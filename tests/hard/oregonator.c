@@ -48,7 +48,7 @@ static const long double at[2][3] = {
     {1.0008746251996256156e+00L, 1.1443369723844962118e+03L, 8.3721499666246241444e+01L},
 };
 
-static const hard_problem problem = {"Oregonator", 3, {derivative, factor, solve, 9}, {1.0, 2.0, 3.0}, NULL};
+static const hard_problem problem = {"Oregonator", 3, {derivative, factor, solve, .factors = 9}, {1.0, 2.0, 3.0}, NULL};
 
 int main(void)
 {

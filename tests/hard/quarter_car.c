@@ -72,7 +72,7 @@ static const long double at_half[STATES] = {-0.0124555228518904710933196492562L,
                                             0.0000143718091182539471789253954992L};
 
 static const hard_problem problem = {
-    "quarter car", STATES, {derivative, factor, solve, 16}, {0.05, 0.01, 0.0, 0.0}, NULL};
+    "quarter car", STATES, {derivative, factor, solve, .factors = 16}, {0.05, 0.01, 0.0, 0.0}, NULL};
 
 /* The growth per step of the slowest pair of modes, seen after all others died away: for z_n = Re(c r^n) the number
  * z_n^2 - z_(n-1) z_(n+1) is |c r^n Im(r)|^2 / |r|^2, so that two of them SPAN steps apart give |r|. */

@@ -56,7 +56,7 @@ static const long double at[3][3] = {
     {1.8320225777670931130e-01L, 8.9423712527759092599e-07L, 8.1679684798616541111e-01L},
 };
 
-static const hard_problem problem = {"Robertson", 3, {derivative, factor, solve, 9}, {1.0, 0.0, 0.0}, NULL};
+static const hard_problem problem = {"Robertson", 3, {derivative, factor, solve, .factors = 9}, {1.0, 0.0, 0.0}, NULL};
 
 int main(void)
 {

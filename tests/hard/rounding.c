@@ -30,7 +30,7 @@ static void derivative(real *restrict const dx, const real *restrict const x, co
     dx[1] = -GRAVITY * iso_sincos(x[0]).sin;
 }
 
-static const hard_problem problem = {"pendulum", 2, {derivative, NULL, NULL, 0}, {(double)START, 0.0}, NULL};
+static const hard_problem problem = {"pendulum", 2, {.derivative = derivative}, {(double)START, 0.0}, NULL};
 
 /* sin(q/2) = k cd(w t, k), q' = -2 w k sqrt(1 - k^2) sd(w t, k) with k = sin(START / 2), w^2 = g. Abramowitz and Stegun
  * (1964), 16.4: the amplitude by descending the arithmetic-geometric mean. */

@@ -56,9 +56,9 @@ static void solve(real *restrict const d, const real *restrict const lu)
 static const long double at_half[2] = {1.5967689510526617598e+00L, -1.0303911878393566657e+00L};
 static const long double at_one[2] = {-1.8636462548081338895e+00L, 7.5354308654354336010e-01L};
 
-static const hard_problem problem = {"Van der Pol", 2, {derivative, factor, solve, 4}, {2.0, 0.0}, NULL};
+static const hard_problem problem = {"Van der Pol", 2, {derivative, factor, solve, .factors = 4}, {2.0, 0.0}, NULL};
 static const hard_problem beyond_layer = {
-    "Van der Pol beyond its first layer", 2, {derivative, factor, solve, 4}, {START}, NULL};
+    "Van der Pol beyond its first layer", 2, {derivative, factor, solve, .factors = 4}, {START}, NULL};
 
 /* The largest local error that the method tells of on the way to t. */
 static double told(const unsigned recipe, const double t, const double h)

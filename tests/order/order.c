@@ -82,11 +82,12 @@ static void run(const method *const m, const unsigned recipe, const int k, doubl
     const double h = ldexp(1.0, -k);
     const double *const u = the_problem.input;
     const double *const p = iso_the_plant.defaults;
-    const iso_equations eq = {the_equations->derivative, scaled_factor, the_equations->solve, the_equations->factors};
+    iso_equations eq = *the_equations;
     const iso_trail trail = {.n = n, .x = x};
     double work[ISO_PRIME_WORK(ORDER_STATES_MAX)], lu[FACTORS_MAX];
     iso_progress progress = {.local_error = 0.0};
     jacobian_scale = m->jacobian;
+    eq.factor = scaled_factor;
     memset(x, 0, ORDER_STATES_MAX * VECTORS_MAX * sizeof *x);
     memcpy(x, the_problem.start, n * sizeof *x);
     if (!m->unprimed) {

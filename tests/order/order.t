@@ -1,5 +1,6 @@
 #!/bin/sh
-# The order of every method, observed on a generated plant, on a closed loop and on a hand-written plant.
+# The order of every method, observed on a generated plant, on a closed loop and on a hand-written plant; of semi-implicit
+# Euler on bodies that turn freely too.
 . tests/host/test.sh
 begin order
 ours="tests/order/order.c tests/order/plant.c tests/host/report.c"
@@ -21,4 +22,11 @@ joined four_bar "$out/four_bar.run"
 EXTRA='-DPLANT="models/oscillator.c"' program oscillator.run $ours tests/order/oscillator.c
 result $? "oscillator builds"
 joined oscillator "$out/oscillator.run"
+
+for name in tumble top; do
+    build/isoc "tests/order/$name.scene" -o "$out/$name" --real double >/dev/null &&
+        EXTRA="-DPLANT=\"$out/$name/plant.c\"" program "$name.run" tests/order/turning.c tests/order/plant.c tests/host/report.c
+    result $? "$name builds"
+    joined "$name" "$out/$name.run"
+done
 finish

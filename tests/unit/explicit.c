@@ -81,15 +81,45 @@ static void test_semi_implicit(void)
     real work[3] = {R(0.0), R(0.0), R(7.0)};
     real x[3] = {R(1.0), R(0.0), R(9.0)};
     const iso_trail trail = {.n = 2, .x = x};
-    (void)iso_semi_implicit_step(&trail, oscillator, h_oscillator, NULL, NULL, work);
+    const iso_equations eq = {.derivative = oscillator};
+    (void)iso_semi_implicit_step(&trail, &eq, h_oscillator, NULL, NULL, work);
     tap_same(x[1], R(-0.75), "semi_implicit: oscillator, speed v - h q");
     tap_same(x[0], R(0.4375), "semi_implicit: oscillator, position q + h (v - h q)");
     tap_ok(work[2] == R(7.0) && x[2] == R(9.0), "semi_implicit: work space and state end at n");
 
     /* Symplectic: q^2 - h q v + v^2 stays, here 1. */
     tap_same(x[0] * x[0] - h_oscillator * x[0] * x[1] + x[1] * x[1], R(1.0), "semi_implicit: the invariant stays");
-    (void)iso_semi_implicit_step(&trail, oscillator, h_oscillator, NULL, NULL, work);
+    (void)iso_semi_implicit_step(&trail, &eq, h_oscillator, NULL, NULL, work);
     tap_same(x[0] * x[0] - h_oscillator * x[0] * x[1] + x[1] * x[1], R(1.0), "semi_implicit: in the second step too");
+}
+
+/* q1' = v, q2' = 2 v, v' = -q1: two positions of one speed. */
+static void rates(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    (void)u;
+    (void)p;
+    dx[0] = x[2];
+    dx[1] = R(2.0) * x[2];
+}
+
+static void coupled(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    rates(dx, x, u, p);
+    dx[2] = -x[0];
+}
+
+/* More positions than speeds: the rates are those of the new speed. */
+static void test_semi_implicit_rates(void)
+{
+    real work[4] = {R(0.0), R(0.0), R(0.0), R(7.0)};
+    real x[4] = {R(1.0), R(3.0), R(0.0), R(9.0)};
+    const iso_trail trail = {.n = 3, .x = x};
+    const iso_equations eq = {.derivative = coupled, .rates = rates, .positions = 2};
+    (void)iso_semi_implicit_step(&trail, &eq, R(0.75), NULL, NULL, work);
+    tap_same(x[2], R(-0.75), "semi_implicit: two positions, speed v - h q1");
+    tap_same(x[0], R(0.4375), "semi_implicit: two positions, q1 + h (v - h q1)");
+    tap_same(x[1], R(1.875), "semi_implicit: two positions, q2 + 2 h (v - h q1)");
+    tap_ok(work[3] == R(7.0) && x[3] == R(9.0), "semi_implicit: two positions, work space and state end at n");
 }
 
 static void test_inputs(void)
@@ -145,6 +175,7 @@ int main(void)
     test_heun();
     test_rk4();
     test_semi_implicit();
+    test_semi_implicit_rates();
     test_inputs();
     test_work();
     test_unrolled();

@@ -220,7 +220,7 @@ static void solve_quadrature(real *restrict d, const real *restrict lu)
  * in the step after it. Sizes are below 128, and their roundings some dozen. */
 static void test_error(const unsigned recipe, const char *const name)
 {
-    static const iso_equations eq = {quadrature, factor_quadrature, solve_quadrature, 4};
+    static const iso_equations eq = {quadrature, factor_quadrature, solve_quadrature, .factors = 4};
     static run r;
     real from = R(0.0), to = R(0.0);
     memset(&r, 0, sizeof r);

@@ -107,9 +107,9 @@ static void factor_decay(real *restrict lu, const real *restrict x, const real *
     iso_dense_factor(lu, 1, hb);
 }
 
-static const iso_equations powers_equations = {powers, factor_powers, solve_3, 9};
-static const iso_equations square_equations = {square, factor_square, solve_1, 1};
-static const iso_equations decay_equations = {decay, factor_decay, solve_1, 1};
+static const iso_equations powers_equations = {powers, factor_powers, solve_3, .factors = 9};
+static const iso_equations square_equations = {square, factor_square, solve_1, .factors = 1};
+static const iso_equations decay_equations = {decay, factor_decay, solve_1, .factors = 1};
 
 /* From t = 1 to 2 after steps of 1. bdf4 is exact for t and t^4; for t^5 it gives (23 - 13 + 3*31 + 12*80) / 25 = 42.52
  * where 31 is right, and its predictor 4 - 6 + 4*31 - 211 = -89: the estimate is a fifth of 131.52. Roundings: some

@@ -181,7 +181,10 @@ void cost_summary(const plant *p, const graph *g, text *out)
         text_add(out, "factors %d\n", p->j.factor_count);
     }
     if (!ISO_IS(m->recipe, ISO_ADAMS)) { /* whose sub-steps are as many as it needs */
-        count_line(out, "step", step_operations(m->recipe, n, derivative, cost));
+        const operations rates = code_count(g, p->slopes, (size_t)p->rate_count);
+        const operations settle = code_count(g, p->after.values, (size_t)p->after.count);
+        const operations step = plus(step_operations(m->recipe, n, derivative, cost), 1, rates);
+        count_line(out, "step", plus(step, m->projections > 1 ? m->projections : 1, settle));
     }
     text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes, ISO_VECTORS_KEPT(m->recipe) * n * real_bytes);
 }

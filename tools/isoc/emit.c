@@ -274,6 +274,9 @@ static void emit_equations(const plant *p, text *out)
     if (ISO_IS_IMPLICIT(p->m->recipe)) {
         text_add(out, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
     }
+    if (p->rate_count > 0) {
+        text_add(out, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
+    }
     text_add(out, "};\n\n");
 }
 
@@ -495,6 +498,8 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
     good = good && emit_function(p, g, out, "output", "y", "", p->outputs, p->output_count, culprit);
     good = good && (m->input_count == 0 || emit_drive(p, g, out, culprit));
     good = good && (!ISO_IS_IMPLICIT(m->recipe) || emit_solver(p, g, out, culprit));
+    good =
+        good && (p->rate_count == 0 || emit_function(p, g, out, "rates", "dx", "", p->slopes, p->rate_count, culprit));
     good = good && (p->after.count == 0 || emit_settle(p, g, out, culprit));
     if (!ISO_IS(m->recipe, ISO_ADAMS)) {
         emit_equations(p, out);

@@ -22,6 +22,7 @@ typedef struct plant {
     const char **output_names; /* one for each component */
     node *outputs;
     node *slopes;                /* the derivative of each state */
+    int rate_count;              /* of them those that semi_implicit asks for again; 0: they are the speeds */
     settled after;               /* of a step */
     acceleration *accelerations; /* of the links, where reactions of joints are shown */
     jacobian j;                  /* only for implicit methods */

@@ -127,6 +127,9 @@ static void build_slopes(plant *p, graph *g, formulation chosen)
     for (int f = 0; f < m->freedom_count; f++) {
         p->slopes[m->position_count + f] = p->d->acceleration[f];
     }
+    if (ISO_IS(m->recipe, ISO_SEMI_IMPLICIT) && m->position_count != m->freedom_count) {
+        p->rate_count = m->position_count;
+    }
     if (ISO_IS_IMPLICIT(m->recipe)) {
         p->j = jacobian_build(g, p->slopes, state_count(m));
     }
