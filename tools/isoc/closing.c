@@ -189,7 +189,7 @@ gap closing_search(const closing *c, const bool *is_free, double enough)
     memcpy(best, c->x, states * sizeof *best);
     evaluate(c);
     const double reach = aim(c, false, is_free, by).size;
-    double least = INFINITY;
+    double least = HUGE_VAL;
     for (int n = 0; n < TRIES && !(least <= enough); n++) {
         memcpy(c->x, start, states * sizeof *start);
         if (n > 0) {
