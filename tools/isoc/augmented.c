@@ -130,17 +130,20 @@ static double regularisation(const augmented *a)
     return sum / a->held.count * sqrt(0.5 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON));
 }
 
+node demand_of(graph *g, const mechanism *m, const constraint *c)
+{
+    const node twice_alpha = constant(g, 2.0 * m->alpha), square_beta = constant(g, m->beta * m->beta);
+    const node damped = mul(g, twice_alpha, c->rate), drawn = mul(g, square_beta, c->position);
+    return add(g, c->bias, add(g, damped, drawn));
+}
+
 /* Phi_q M^-1 (effort - bias) - gamma. */
 static void build_demand(const augmented *a, const node *effort, node *demand)
 {
-    const mechanism *m = a->mass->k->m;
     graph *g = a->mass->k->g;
-    const node twice_alpha = constant(g, 2.0 * m->alpha), square_beta = constant(g, m->beta * m->beta);
     graph_section(g, "What the closures demand");
     for (int r = 0; r < a->held.count; r++) {
-        const constraint *c = &a->held.all[r];
-        const node damped = mul(g, twice_alpha, c->rate), drawn = mul(g, square_beta, c->position);
-        demand[r] = add(g, c->bias, add(g, damped, drawn));
+        demand[r] = demand_of(g, a->mass->k->m, &a->held.all[r]);
         for (int f = 0; f < a->mass->n; f++) {
             demand[r] = add(g, demand[r], mul(g, a->reach[r][f], effort[f]));
         }
@@ -162,7 +165,7 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
     node *delta = arena_take(g->memory, (size_t)n, sizeof *delta);
 
     build_schur(&a);
-    const node e = constant(g, regularisation(&a));
+    const node e = a.regularisation = constant(g, regularisation(&a));
     for (int r = 0; r < n; r++) {
         a.schur[r * n + r] = a.diagonal[r] = add(g, a.schur[r * n + r], e);
     }

@@ -31,16 +31,20 @@
 typedef struct augmented {
     const mass_matrix *mass;
     constraints held;
-    int *order;        /* in which the constraints are eliminated: the one with the fewest neighbours first */
-    node **reach;      /* [constraints][freedoms] D^-1 L'^-1 Phi_q' */
-    node *schur;       /* [constraints constraints] A + e: after the factorisation L, and 1 / D on the diagonal */
-    node *pivots;      /* D */
-    node *diagonal;    /* of A + e */
-    node *multipliers; /* [constraints] lambda */
+    int *order;          /* in which the constraints are eliminated: the one with the fewest neighbours first */
+    node **reach;        /* [constraints][freedoms] D^-1 L'^-1 Phi_q' */
+    node *schur;         /* [constraints constraints] A + e: after the factorisation L, and 1 / D on the diagonal */
+    node *pivots;        /* D */
+    node *diagonal;      /* of A + e */
+    node regularisation; /* e */
+    node *multipliers;   /* [constraints] lambda */
 } augmented;
 
 /* From effort := L'^-1 (effort - bias) to effort := D^-1 L'^-1 (effort - bias - Phi_q' lambda). */
 augmented augmented_build(const mass_matrix *mass, constraints held, node *effort);
+
+/* -gamma of a constraint: Phi_dd + 2 alpha Phi' + beta^2 Phi. */
+node demand_of(graph *g, const mechanism *m, const constraint *c);
 
 /* The change of the freedoms that takes the least kinetic energy, and with it `gap` off the constraints:
  * -M^-1 Phi_q' (A + e)^-1 gap. */

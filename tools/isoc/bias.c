@@ -48,6 +48,24 @@ void inertial_wrenches(const kinematics *k, const acceleration *accelerations, w
     }
 }
 
+void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts)
+{
+    graph *g = k->g;
+    const mechanism *m = k->m;
+    for (int i = m->link_count - 1; i >= 0; i--) {
+        const link *l = &m->links[i];
+        vector_name(g, wrenches[i].force, "force", l->name);
+        vector_name(g, wrenches[i].moment, "moment", l->name);
+        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+            const node along = vector_dot(g, axis_of(k, f), slides(l) ? wrenches[i].force : wrenches[i].moment);
+            efforts[f] = graph_name(g, along, "bias_%s", m->freedoms[f].name);
+        }
+        if (l->parent != GROUND) {
+            wrenches[l->parent] = wrench_add(g, wrenches[l->parent], wrench_to_parent(k, i, wrenches[i]));
+        }
+    }
+}
+
 void bias_build(const kinematics *k, node *bias, acceleration *accelerations)
 {
     graph *g = k->g;
@@ -59,16 +77,5 @@ void bias_build(const kinematics *k, node *bias, acceleration *accelerations)
     }
     graph_section(g, "Forces and moments inward: what q'' = 0 would take (bias)");
     inertial_wrenches(k, accelerations, wrenches);
-    for (int i = m->link_count - 1; i >= 0; i--) {
-        const link *l = &m->links[i];
-        vector_name(g, wrenches[i].force, "force", l->name);
-        vector_name(g, wrenches[i].moment, "moment", l->name);
-        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
-            const node along = vector_dot(g, axis_of(k, f), slides(l) ? wrenches[i].force : wrenches[i].moment);
-            bias[f] = graph_name(g, along, "bias_%s", m->freedoms[f].name);
-        }
-        if (l->parent != GROUND) {
-            wrenches[l->parent] = wrench_add(g, wrenches[l->parent], wrench_to_parent(k, i, wrenches[i]));
-        }
-    }
+    efforts_of_wrenches(k, wrenches, bias);
 }

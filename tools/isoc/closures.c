@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "tools/isoc/builder.h"
-#include "tools/isoc/jacobian.h"
+#include "tools/isoc/differentiate.h"
 #include "tools/isoc/names.h"
 
 /* The last link that both hang on. */

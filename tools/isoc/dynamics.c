@@ -4,8 +4,7 @@
 
 const char *const formulation_names[FORMULATIONS] = {"composite", "articulated"};
 
-/* u - d q' - k (q - rest) - bias */
-static void build_efforts(const dynamics *d, const node *bias, node *effort)
+void efforts_less(const dynamics *d, const node *bias, node *effort)
 {
     graph *g = d->g;
     for (int f = 0; f < d->m->freedom_count; f++) {
@@ -25,7 +24,7 @@ static void solve_composite(dynamics *d, node *bias)
     node *x = d->acceleration;
     bias_build(&d->k, bias, d->accelerations);
     graph_section(g, "Efforts less bias: drives, damping, springs");
-    build_efforts(d, bias, x);
+    efforts_less(d, bias, x);
     d->mass = mass_matrix_build(&d->k);
     graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias - Phi_q' lambda)");
     mass_matrix_inward(&d->mass, x);
@@ -48,7 +47,7 @@ static void solve_articulated(dynamics *d, node *bias)
     for (int f = 0; f < d->m->freedom_count; f++) {
         bias[f] = constant(d->g, 0.0);
     }
-    build_efforts(d, bias, d->acceleration);
+    efforts_less(d, bias, d->acceleration);
     articulated_solve(&d->k, d->acceleration);
     bias_build(&d->k, bias, d->accelerations);
     d->mass = mass_matrix_build(&d->k);

@@ -27,6 +27,9 @@ typedef struct dynamics {
 /* Makes the nodes of the accelerations; closed loops are always composite. Its parts point to one another: it stays where it is. */
 const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen);
 
+/* effort[freedoms]: u - d q' - k (q - rest) - bias. */
+void efforts_less(const dynamics *d, const node *bias, node *effort);
+
 /* Kinetic energy, gravitational energy (zero at the ground's origin) and energy of the springs; needs
  * kinematics_velocities. */
 node dynamics_energy(const dynamics *d);

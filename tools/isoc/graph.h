@@ -29,6 +29,7 @@ typedef enum operation {
     OP_RIGHT,       /* d[index], a right side to be solved for */
     OP_LOCAL_ERROR, /* of the step, where it is checked */
     OP_RESIDUAL,    /* of the last Newton iteration */
+    OP_MULTIPLIER,  /* lambda[index], until what computes it takes its place */
     OP_SLOPE,       /* dx[index], where a derivative has been evaluated before */
     OP_PHASE,       /* an angle that grows by `value` turns a tick from `second` turns, in [-pi, pi) */
     OP_RAMP,        /* the ticks since tick `value`, limited to [0, second] */

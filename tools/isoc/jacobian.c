@@ -1,48 +1,8 @@
 #include "tools/isoc/jacobian.h"
 
-/* The rules of differentiation; da and db are the derivatives of the operands. */
-static node derivative_of(graph *g, node i, node da, node db)
-{
-    const graph_node n = g->nodes[i];
-    switch (n.op) {
-    case OP_ADD:
-        return add(g, da, db);
-    case OP_SUB:
-        return sub(g, da, db);
-    case OP_MUL:
-        return sum_of_products(g, da, n.b, n.a, db);
-    case OP_DIV: { /* (a / b)' = (a' - (a / b) b') / b, with one division for all derivatives */
-        const node above = sub(g, da, mul(g, i, db)), inverse = divide(g, constant(g, 1.0), n.b);
-        return mul(g, above, inverse);
-    }
-    case OP_NEG:
-        return neg(g, da);
-    case OP_SIN:
-        return mul(g, cosine(g, n.a), da);
-    case OP_COS:
-        return neg(g, mul(g, sine(g, n.a), da));
-    default:
-        return constant(g, 0.0);
-    }
-}
-
-void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives)
-{
-    const size_t before = g->count; /* what is made on the way is not differentiated */
-    const node zero = constant(g, 0.0), one = constant(g, 1.0);
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    node *d = arena_take(g->memory, g->count, sizeof *d);
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < before; i++) {
-        d[i] = (node)i == by ? one : zero;
-        if (needed[i] && g->nodes[i].op >= OP_ADD) {
-            d[i] = derivative_of(g, (node)i, d[g->nodes[i].a], d[g->nodes[i].b]);
-        }
-    }
-    for (size_t i = 0; i < count; i++) {
-        derivatives[i] = d[roots[i]];
-    }
-}
+#include "tools/isoc/balance.h"
+#include "tools/isoc/code.h"
+#include "tools/isoc/differentiate.h"
 
 /* Where factors are put down: a constant stays one, any other node gets its place in lu[]. */
 static node put_down(graph *g, jacobian *made, node n)
@@ -73,44 +33,95 @@ static void factorise(graph *g, node *w, int n)
     }
 }
 
-/* The states that are solved for: all but the positions whose rate is a speed, which follow from that speed. */
+/* The unknowns z and their equations, weights (d_z - r_z) = hb d(left): all states but the positions whose rate is a
+ * speed, which follow from that speed; and multipliers. */
 typedef struct unknowns {
-    int *states; /* of the unknowns */
-    int count;
-    int *speeds; /* of every state: where among the unknowns its rate stands, or -1 */
+    int states, count;
+    int *of;       /* [count] the state of an unknown, or -1: a multiplier */
+    int *partner;  /* [states] the unknown that a state is, or whose value is its rate */
+    bool *follows; /* [states] whether it is the latter */
+    node *left;    /* [count] */
+    node *weights; /* [count count] */
 } unknowns;
 
-static unknowns choose_unknowns(graph *g, const node *slopes, int n)
+static unknowns unknowns_of(graph *g, const node *slopes, int states, int most)
 {
-    unknowns made = {.states = arena_take(g->memory, (size_t)n, sizeof *made.states)};
-    made.speeds = arena_take(g->memory, (size_t)n, sizeof *made.speeds);
-    for (int i = 0; i < n; i++) {
-        if (g->nodes[slopes[i]].op != OP_STATE) {
-            made.states[made.count++] = i;
+    const size_t room = (size_t)most;
+    unknowns z = {.states = states, .of = arena_take(g->memory, room, sizeof *z.of)};
+    z.partner = arena_take(g->memory, (size_t)states, sizeof *z.partner);
+    z.follows = arena_take(g->memory, (size_t)states, sizeof *z.follows);
+    z.left = arena_take(g->memory, room, sizeof *z.left);
+    z.weights = arena_take(g->memory, room * room, sizeof *z.weights);
+    /* From the tips to the root, where M has its zeros. */
+    for (int i = states - 1; i >= 0; i--) {
+        z.follows[i] = g->nodes[slopes[i]].op == OP_STATE;
+        if (!z.follows[i]) {
+            z.partner[i] = z.count;
+            z.of[z.count++] = i;
         }
     }
-    for (int i = 0; i < n; i++) {
-        made.speeds[i] = -1;
-        for (int j = 0; j < made.count; j++) {
-            if (slopes[i] == leaf(g, OP_STATE, made.states[j])) {
-                made.speeds[i] = j;
-            }
-        }
+    for (int i = 0; i < states; i++) {
+        z.partner[i] = z.follows[i] ? z.partner[g->nodes[slopes[i]].index] : z.partner[i];
     }
-    return made;
+    return z;
 }
 
-/* With p the positions whose rates are speeds and z the other states, z' = f(p, z), and r = (r_p, r_z):
- * (1 - hb B - hb^2 A) d_z = r_z + hb A r_p with A = df/dp and B = df/dz, then d_p = r_p + hb d_speed. */
-static void solve(graph *g, jacobian *made, const unknowns *z, const node *lu, const node *coupling, node hb,
-                  int states)
+/* z' = f: the weights are those of the unit matrix. */
+static unknowns solved_equations(graph *g, const dynamics *d, const node *slopes)
+{
+    const int states = state_count(d->m);
+    unknowns z = unknowns_of(g, slopes, states, states);
+    for (int i = 0; i < z.count; i++) {
+        z.left[i] = slopes[z.of[i]];
+        for (int j = 0; j < z.count; j++) {
+            z.weights[i * z.count + j] = constant(g, i == j ? 1.0 : 0.0);
+        }
+    }
+    return z;
+}
+
+/* The balance of forces in the place of the rates of the speeds, and of the constraints beside them. */
+static unknowns balanced_equations(graph *g, const dynamics *d, const node *slopes)
+{
+    const mechanism *m = d->m;
+    const int states = state_count(m), rows = balance_rows(d), n = m->freedom_count;
+    unknowns z = unknowns_of(g, slopes, states, states + rows - n);
+    node *left = arena_take(g->memory, (size_t)rows, sizeof *left);
+    node *weights = arena_take(g->memory, (size_t)(rows * rows), sizeof *weights);
+    int *row = arena_take(g->memory, (size_t)(states + rows), sizeof *row); /* of the balance; -1: an explicit rate */
+    balance_build(d, left, weights);
+    for (int i = 0; i < z.count; i++) {
+        row[i] = z.of[i] < m->position_count ? -1 : z.of[i] - m->position_count;
+    }
+    for (int r = n; r < rows; r++) {
+        row[z.count] = r;
+        z.of[z.count++] = -1;
+    }
+    const node zero = constant(g, 0.0), one = constant(g, 1.0);
+    for (int i = 0; i < z.count; i++) {
+        z.left[i] = row[i] < 0 ? slopes[z.of[i]] : left[row[i]];
+        for (int j = 0; j < z.count; j++) {
+            const bool both = row[i] >= 0 && row[j] >= 0;
+            z.weights[i * z.count + j] = both ? weights[row[i] * rows + row[j]] : i == j ? one : zero;
+        }
+    }
+    return z;
+}
+
+/* With p the positions that follow from speeds: (W - hb left_z - hb^2 left_p) d_z = W r_z + hb left_p r_p, then
+ * d_p = r_p + hb d_speed. */
+static void solve(graph *g, jacobian *made, const unknowns *z, const node *lu, const node *coupling, node hb)
 {
     const int n = z->count;
     node *y = arena_take(g->memory, (size_t)n, sizeof *y);
     for (int i = 0; i < n; i++) {
-        y[i] = leaf(g, OP_RIGHT, z->states[i]);
-        for (int j = 0; j < states; j++) {
-            const node factor = put_down(g, made, coupling[i * states + j]);
+        y[i] = constant(g, 0.0);
+        for (int j = 0; j < n; j++) {
+            const node weight = put_down(g, made, z->weights[i * n + j]);
+            y[i] = z->of[j] < 0 ? y[i] : add(g, y[i], mul(g, weight, leaf(g, OP_RIGHT, z->of[j])));
+        }
+        for (int j = 0; j < z->states; j++) {
+            const node factor = put_down(g, made, coupling[i * z->states + j]);
             y[i] = add(g, y[i], mul(g, factor, leaf(g, OP_RIGHT, j)));
         }
         for (int j = 0; j < i; j++) {
@@ -122,51 +133,82 @@ static void solve(graph *g, jacobian *made, const unknowns *z, const node *lu, c
             y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[i * n + j]), y[j]));
         }
         y[i] = mul(g, y[i], put_down(g, made, lu[i * n + i]));
-        made->solution[z->states[i]] = y[i];
     }
-    for (int i = 0; i < states; i++) {
-        if (z->speeds[i] >= 0) {
-            const node moved = mul(g, put_down(g, made, hb), y[z->speeds[i]]);
+    for (int i = 0; i < z->states; i++) {
+        const node found = y[z->partner[i]];
+        made->solution[i] = found;
+        if (z->follows[i]) {
+            const node moved = mul(g, put_down(g, made, hb), found);
             made->solution[i] = add(g, leaf(g, OP_RIGHT, i), moved);
         }
     }
 }
 
-jacobian jacobian_build(graph *g, const node *slopes, int states)
+/* What the leaves of balanced equations stand for takes their place. */
+static void put_solution(graph *g, const dynamics *d, const node *slopes, node *nodes, int count)
 {
-    const unknowns z = choose_unknowns(g, slopes, states);
-    const int n = z.count;
-    const size_t square = (size_t)n * (size_t)n;
-    node *f = arena_take(g->memory, (size_t)n, sizeof *f), *column = arena_take(g->memory, (size_t)n, sizeof *column);
-    node *lu = arena_take(g->memory, square, sizeof *lu);
-    node *coupling = arena_take(g->memory, (size_t)(n * states), sizeof *coupling);
-    jacobian made = {.factors = arena_take(g->memory, square + (size_t)(n * states) + 1, sizeof *made.factors)};
-    made.solution = arena_take(g->memory, (size_t)states, sizeof *made.solution);
-    for (int i = 0; i < n; i++) {
-        f[i] = slopes[z.states[i]];
-    }
+    replace_leaves(g, nodes, (size_t)count, OP_SLOPE, slopes);
+    replace_leaves(g, nodes, (size_t)count, OP_MULTIPLIER, d->loops.multipliers);
+}
 
-    graph_section(g, "Jacobian of the accelerations: by positions and by speeds");
-    const node zero = constant(g, 0.0), one = constant(g, 1.0), hb = leaf(g, OP_STEP, 0);
+static jacobian build(graph *g, const dynamics *d, const node *slopes, const unknowns *z)
+{
+    const int n = z->count, states = z->states;
+    const size_t square = (size_t)(n * n), coupled = (size_t)(n * states);
+    node *column = arena_take(g->memory, (size_t)n, sizeof *column);
+    node *lu = arena_take(g->memory, square, sizeof *lu), *coupling = arena_take(g->memory, coupled, sizeof *coupling);
+    jacobian made = {.factors = arena_take(g->memory, 2 * square + coupled + 1, sizeof *made.factors)};
+    made.solution = arena_take(g->memory, (size_t)states, sizeof *made.solution);
+
+    graph_section(g, "Derivatives by positions and by speeds");
+    const node zero = constant(g, 0.0), hb = leaf(g, OP_STEP, 0);
     for (size_t i = 0; i < square; i++) {
         lu[i] = zero;
     }
-    for (int j = 0, unknown = 0; j < states; j++) {
-        const bool is_unknown = z.speeds[j] < 0;
-        const int to = is_unknown ? unknown++ : z.speeds[j];
-        differentiate(g, f, (size_t)n, leaf(g, OP_STATE, j), column);
+    for (int j = 0; j < states; j++) {
+        node *to = lu + z->partner[j];
+        differentiate(g, z->left, (size_t)n, leaf(g, OP_STATE, j), column);
         for (int i = 0; i < n; i++) {
-            coupling[i * states + j] = is_unknown ? zero : mul(g, hb, column[i]);
-            lu[i * n + to] = add(g, is_unknown ? column[i] : coupling[i * states + j], lu[i * n + to]);
+            coupling[i * states + j] = z->follows[j] ? mul(g, hb, column[i]) : zero;
+            to[i * n] = add(g, z->follows[j] ? coupling[i * states + j] : column[i], to[i * n]);
         }
     }
+    put_solution(g, d, slopes, lu, n * n);
+    put_solution(g, d, slopes, coupling, n * states);
 
-    graph_section(g, "1 - hb B - hb^2 A = L U, for z' = f(p, z) with A = df/dp, B = df/dz");
+    graph_section(g, "W - hb B - hb^2 A = L U, for W z' = left(p, z) with A = d left / dp, B = d left / dz");
     for (int k = 0; k < n * n; k++) {
-        lu[k] = sub(g, k % (n + 1) == 0 ? one : zero, mul(g, hb, lu[k]));
+        lu[k] = sub(g, z->weights[k], mul(g, hb, lu[k]));
     }
     factorise(g, lu, n);
-    graph_section(g, "L U d_z = r_z + hb A r_p, then d_p = r_p + hb d_speed");
-    solve(g, &made, &z, lu, coupling, hb, states);
+    graph_section(g, "L U d_z = W r_z + hb A r_p, then d_p = r_p + hb d_speed");
+    solve(g, &made, z, lu, coupling, hb);
     return made;
+}
+
+/* Operations of a step: a factorisation and two or three solutions. */
+static int price(const graph *g, const jacobian *j, int states)
+{
+    enum { DIVISION = 14, SOLUTIONS = 3 };
+    const operations factor = code_count(g, j->factors, (size_t)j->factor_count);
+    const operations once = code_count(g, j->solution, (size_t)states);
+    return factor.add + factor.mul + DIVISION * factor.div + SOLUTIONS * (once.add + once.mul);
+}
+
+jacobian jacobian_build(graph *g, const dynamics *d, const node *slopes)
+{
+    const int states = state_count(d->m);
+    graph trial = graph_copy(g);
+    dynamics tried = *d;
+    tried.g = tried.k.g = &trial;
+    const unknowns solved = solved_equations(&trial, &tried, slopes);
+    const jacobian of_solved = build(&trial, &tried, slopes, &solved);
+    const int solved_price = price(&trial, &of_solved, states);
+    graph again = graph_copy(g);
+    tried.g = tried.k.g = &again;
+    const unknowns balanced = balanced_equations(&again, &tried, slopes);
+    const jacobian of_balanced = build(&again, &tried, slopes, &balanced);
+    const bool balances = price(&again, &of_balanced, states) < solved_price;
+    const unknowns kept = balances ? balanced_equations(g, d, slopes) : solved_equations(g, d, slopes);
+    return build(g, d, slopes, &kept);
 }

@@ -1,9 +1,13 @@
 /* What an implicit method solves with: 1 - hb J for the Jacobian J of x' = f(x), by symbolic differentiation, factored
- * without a pivot search and unrolled for its zeros. */
+ * without a pivot search and unrolled for its zeros.
+ *
+ * Either of the solved equations z' = f, or of those before (tools/isoc/balance.h): W z' = left(z') where only what does
+ * not depend on z' is differentiated, so that W (d - r) = hb (d left / dx) d. The cheaper is kept.
+ */
 #ifndef ISOC_JACOBIAN_H
 #define ISOC_JACOBIAN_H
 
-#include "tools/isoc/graph.h"
+#include "tools/isoc/dynamics.h"
 
 typedef struct jacobian {
     node *factors; /* what factor() leaves in lu[] for solve() */
@@ -11,9 +15,6 @@ typedef struct jacobian {
     node *solution; /* d[], from the right side and the factors */
 } jacobian;
 
-/* The derivatives of `count` roots by a leaf. */
-void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives);
-
-jacobian jacobian_build(graph *g, const node *slopes, int states);
+jacobian jacobian_build(graph *g, const dynamics *d, const node *slopes);
 
 #endif

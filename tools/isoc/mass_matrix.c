@@ -1,5 +1,7 @@
 #include "tools/isoc/mass_matrix.h"
 
+#include <string.h>
+
 static node at_freedom(const kinematics *k, int f, wrench w)
 {
     const link *l = &k->m->links[k->m->freedoms[f].link];
@@ -141,6 +143,8 @@ mass_matrix mass_matrix_build(const kinematics *k)
     m.pivots = arena_take(k->g->memory, n, sizeof *m.pivots);
     m.inverse = arena_take(k->g->memory, n, sizeof *m.inverse);
     build_rows(&m);
+    m.entries = arena_take(k->g->memory, n * n, sizeof *m.entries);
+    memcpy(m.entries, m.at, n * n * sizeof *m.entries);
     for (size_t i = 0; i < n; i++) {
         m.diagonal[i] = m.at[i * n + i];
     }

@@ -131,7 +131,7 @@ static void build_slopes(plant *p, graph *g, formulation chosen)
         p->rate_count = m->position_count;
     }
     if (ISO_IS_IMPLICIT(m->recipe)) {
-        p->j = jacobian_build(g, p->slopes, state_count(m));
+        p->j = jacobian_build(g, p->d, p->slopes);
     }
 }
 

@@ -1,0 +1,13 @@
+/* Symbolic differentiation, and putting nodes in the place of leaves. */
+#ifndef ISOC_DIFFERENTIATE_H
+#define ISOC_DIFFERENTIATE_H
+
+#include "tools/isoc/graph.h"
+
+/* The derivatives of `count` roots by a leaf. */
+void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives);
+
+/* Puts by[index] in the place of every leaf of this operation, in `count` roots. */
+void replace_leaves(graph *g, node *roots, size_t count, operation op, const node *by);
+
+#endif
