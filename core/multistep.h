@@ -12,12 +12,12 @@ enum {
     ISO_ABM4_SUMS = ISO_ABM4_PREDICTOR + ISO_ABM4_CORRECTOR,
 };
 
-static inline void iso_ab4_take_slope(const iso_trail *const trail, const real h, const real *const slope)
+ISO_INLINE void iso_ab4_take_slope(const iso_trail *const trail, const real h, const real *const slope)
 {
     iso_take_slope(&iso_table_ab4, 1, ISO_AB4_SUMS, h, trail->n, slope, trail->past);
 }
 
-static inline void iso_abm4_take_slope(const iso_trail *const trail, const real h, const real *const slope)
+ISO_INLINE void iso_abm4_take_slope(const iso_trail *const trail, const real h, const real *const slope)
 {
     const size_t n = trail->n;
     iso_take_slope(&iso_table_ab4, 0, ISO_ABM4_PREDICTOR, h, n, slope, trail->past);

@@ -40,10 +40,24 @@ static inline void iso_advance(const iso_trail *const trail, const size_t s, con
     }
 }
 
-/* h |b[j]| / over: the weight of a slope. In an Adams method the signs of the slopes before the end of a step alternate. */
-static inline real iso_weight(const iso_adams *const table, const real h, const uint8_t j)
+/* h b[j] / over, if that comes before `end`, else zero. */
+ISO_INLINE real iso_weight_before(const iso_adams *const table, const real h, const uint8_t j, const uint8_t end)
 {
-    return h * (real)(table->b[j] < 0 ? -table->b[j] : table->b[j]) / (real)table->over;
+    return j < end ? h * (real)table->b[j] / (real)table->over : R(0.0);
+}
+
+/* |h b[j] / over|: the weight of a slope. In an Adams method the signs of the slopes before the end of a step alternate.
+ * The last weight is what the others leave of h: their roundings would else drive every state off, by an epsilon of all
+ * its motion. */
+ISO_INLINE real iso_weight(const iso_adams *const table, const real h, const uint8_t j)
+{
+    real weight = iso_weight_before(table, h, j, ISO_ADAMS_SLOPES);
+    if (j + 1 == ISO_ADAMS_SLOPES || table->b[j + 1] == 0) {
+        weight = h - iso_weight_before(table, h, 0, j) - iso_weight_before(table, h, 1, j) -
+                 iso_weight_before(table, h, 2, j) - iso_weight_before(table, h, 3, j) -
+                 iso_weight_before(table, h, 4, j);
+    }
+    return table->b[j] < 0 ? -weight : weight;
 }
 
 /* One slope f more in the sums that an Adams method keeps in place of slopes:

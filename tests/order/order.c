@@ -6,8 +6,12 @@
  * the ranges below e(h) is over 5e-12, and D h / (2 ln 2) below 0.09. Only the PEC form of abm4 has so large a D, 60 / s,
  * that it must begin at 2^-10 s; its last errors, 2e-14, are seen compensated only. Steps are powers of two, which meet
  * 1 s exactly.
+ *
+ * With the argument `errors` the errors are printed, compensated unless there is a second argument, in whichever real the
+ * program has: tests/order/order.t holds those in float against those in double.
  */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/method.h"
@@ -17,6 +21,7 @@
 enum {
     HALVINGS = 4,
     FACTORS_MAX = 3 * ORDER_STATES_MAX * ORDER_STATES_MAX,
+    PARAMETERS_MAX = 4,
     VECTORS_MAX = 10,
 };
 
@@ -67,7 +72,7 @@ static const method controls[] = {
     {"rosenbrock with a Jacobian 1 % off", ISO_ROSENBROCK, 3, 8, NULL, false, 1.01},
 };
 
-static double jacobian_scale;
+static real jacobian_scale;
 
 static void scaled_factor(real *restrict const lu, const real *restrict const x, const real *restrict const u,
                           const real *restrict const p, const real hb)
@@ -76,20 +81,22 @@ static void scaled_factor(real *restrict const lu, const real *restrict const x,
 }
 
 /* The state at 1 s with steps of 2^-k s. */
-static void run(const method *const m, const unsigned recipe, const int k, double x[ORDER_STATES_MAX * VECTORS_MAX])
+static void run(const method *const m, const unsigned recipe, const int k, real x[ORDER_STATES_MAX * VECTORS_MAX])
 {
     const size_t n = (size_t)the_problem.states;
-    const double h = ldexp(1.0, -k);
-    const double *const u = the_problem.input;
-    const double *const p = iso_the_plant.defaults;
+    const real h = (real)ldexp(1.0, -k);
+    const real u[ORDER_INPUTS_MAX] = {(real)the_problem.input[0]};
+    const real *const p = iso_the_plant.defaults;
     iso_equations eq = *the_equations;
     const iso_trail trail = {.n = n, .x = x};
-    double work[ISO_PRIME_WORK(ORDER_STATES_MAX)], lu[FACTORS_MAX];
-    iso_progress progress = {.local_error = 0.0};
-    jacobian_scale = m->jacobian;
+    real work[ISO_PRIME_WORK(ORDER_STATES_MAX)], lu[FACTORS_MAX];
+    iso_progress progress = {.local_error = R(0.0)};
+    jacobian_scale = (real)m->jacobian;
     eq.factor = scaled_factor;
     memset(x, 0, ORDER_STATES_MAX * VECTORS_MAX * sizeof *x);
-    memcpy(x, the_problem.start, n * sizeof *x);
+    for (size_t i = 0; i < n; i++) {
+        x[i] = (real)the_problem.start[i];
+    }
     if (!m->unprimed) {
         iso_method_prime(recipe, n, &eq, h, x, u, p, lu, work);
     }
@@ -105,11 +112,15 @@ static void run(const method *const m, const unsigned recipe, const int k, doubl
 /* The error at 1 s: 2-norm over the states. */
 static double error_of(const method *const m, const unsigned recipe, const int k)
 {
-    double x[ORDER_STATES_MAX * VECTORS_MAX];
+    real x[ORDER_STATES_MAX * VECTORS_MAX];
+    double defaults[PARAMETERS_MAX] = {0.0};
     long double y[ORDER_STATES_MAX] = {0.0L};
     long double square = 0.0L;
     run(m, recipe, k, x);
-    the_problem.exact(y, iso_the_plant.defaults);
+    for (int i = 0; i < iso_the_plant.parameters; i++) {
+        defaults[i] = (double)iso_the_plant.defaults[i];
+    }
+    the_problem.exact(y, defaults);
     for (int i = 0; i < the_problem.states; i++) {
         square += ((long double)x[i] - y[i]) * ((long double)x[i] - y[i]);
     }
@@ -132,10 +143,26 @@ static bool has_order(const method *const m, const unsigned options)
     return all;
 }
 
-int main(void)
+/* Lines `name k error`, with steps of 2^-k s. */
+static int print_errors(const unsigned options)
 {
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        for (int k = methods[i].coarsest; k <= methods[i].coarsest + HALVINGS; k++) {
+            printf("%s\t%d\t%.9e\n", methods[i].name, k,
+                   error_of(&methods[i], (methods[i].recipe & ~(unsigned)ISO_COMPENSATED) | options, k));
+        }
+    }
+    return 0;
+}
+
+int main(const int count, char **const arguments)
+{
+    if (count > 1 && strcmp(arguments[1], "errors") == 0) {
+        return print_errors(count > 2 ? 0 : ISO_COMPENSATED);
+    }
     if (!report_ok(iso_the_plant.states == the_problem.states && iso_the_plant.inputs <= ORDER_INPUTS_MAX &&
-                       the_equations->factors > 0 && the_equations->factors <= FACTORS_MAX,
+                       iso_the_plant.parameters <= PARAMETERS_MAX && the_equations->factors > 0 &&
+                       the_equations->factors <= FACTORS_MAX,
                    "the plant has the problem's states, and a Jacobian")) {
         return report_done();
     }

@@ -29,4 +29,36 @@ for name in tumble top; do
     result $? "$name builds"
     joined "$name" "$out/$name.run"
 done
+
+# In float the error of a method is that in double, and what rounding adds: each rounded coefficient of a method drives a
+# state off by up to half an epsilon of all its motion, which is some 20 m or rad, or per second, in this second. So an
+# order shows as far as that lets it. Steps of which nothing is carried to the next add half an ulp each: the control.
+# near PLANT [plain]: whether all errors are.
+near()
+{
+    "$out/$1.float" errors ${2:+"$2"} | paste - "$out/double.tsv" | awk -F'\t' '
+        { off = $3 > $6 ? $3 - $6 : $6 - $3; wrong = wrong || $1 != $4 || $2 != $5 }
+        off > most { most = off; name = $1 " with 2^-" $2 " s" }
+        END { printf "%.1e, of %s", most, name; exit !(!wrong && NR >= 50 && most <= 20 * 2 ^ -23) }' >"$out/most"
+}
+
+# shellcheck disable=SC2086
+for plant in double_pendulum oscillator; do
+    source=models/oscillator.c
+    if [ $plant = double_pendulum ]; then
+        source=$out/float/plant.c
+        build/isoc models/double_pendulum.scene -o "$out/float" --real float --method bdf4 >/dev/null
+    fi
+    real float
+    EXTRA="-DPLANT=\"$source\"" program $plant.float $ours tests/order/$plant.c
+    result $? "$plant builds in float"
+    real double
+    "$out/$plant.run" errors >"$out/double.tsv"
+    near "$plant"
+    result $? "$plant in float: every error is that in double, to $(cat "$out/most")"
+    if [ $plant = double_pendulum ]; then
+        ! near "$plant" plain
+        result $? "control: $plant in float, plain sums: to $(cat "$out/most")"
+    fi
+done
 finish

@@ -406,7 +406,7 @@ static void test_abm4(void)
     /* Slopes, the newest first, of a motion that passes at 1, 0; any would do. */
     static const real slopes[ISO_AB4_STEPS] = {R(-1.0), R(-0.75), R(-0.5), R(0.25)};
     real x[N] = {R(1.0), R(0.0)};
-    real kept[ISO_AB4_STEPS * N], sums[ISO_ABM4_SUMS * N];
+    real kept[ISO_AB4_STEPS * N], sums[ISO_ABM4_SUMS * N] = {R(0.0)};
     real work[2 * N];
     memory m;
     prepare(&m, x[0], x[1]);
