@@ -71,6 +71,15 @@ static uint16_t guard(const iso_plant *const plant)
     return first;
 }
 
+/* Books how far off the closures the plant is. */
+static void book_violation(const iso_plant *const plant, iso_account *const account)
+{
+    real off = R(0.0);
+    plant->violation(&off, plant->x, plant->u, plant->p);
+    account->violated += (uint32_t)(iso_less(plant->violation_limit, off) & 1);
+    account->violation = iso_max(account->violation, off);
+}
+
 /* Books a tick that woke up at begin, spent counts on its step and was done at end. */
 static void book(iso_loop *const loop, const uint32_t begin, const uint32_t counts, const uint32_t end)
 {
@@ -127,6 +136,9 @@ bool iso_loop_tick(iso_loop *const loop)
     }
     plant->output(plant->y, plant->x, plant->u, plant->p);
     iso_port_publish(plant->y, plant->outputs);
+    if (plant->violation != NULL) {
+        book_violation(plant, &loop->account);
+    }
     book(loop, begin, after - before - loop->overhead, iso_port_clock());
     return true;
 }

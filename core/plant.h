@@ -67,6 +67,8 @@ typedef struct iso_plant {
 
     iso_derivative *derivative;
     iso_outputs *output;
+    iso_outputs *violation; /* y[1], m or rad: how far off their closures the states are; NULL where nothing asks */
+    real violation_limit;   /* a tick that ends farther off is counted */
     void (*drive)(uint32_t tick); /* sets u to the scene's functions of time; NULL without inputs */
     bool (*jumped)(void);         /* whether an input or a parameter jumped, or something happened that ends the smooth
                                      motion: then the history is of no use. NULL where no history is kept */

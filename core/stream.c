@@ -99,6 +99,7 @@ void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
         account->ticks,         account->late,          account->lost,   account->overruns,   (uint32_t)account->margin,
         account->execution_min, account->execution_max, loop->guard,     loop->tick,          account->restarts,
         adams->restarts,        adams->substeps,        adams->rejected, adams->budget_bound, adams->evaluations,
+        account->violated,
     };
 
     put_byte(ISO_STREAM_END);
@@ -109,5 +110,6 @@ void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
     put_number(hash, sizeof hash);
     put_reals(loop->plant->x, loop->plant->states);
     put_reals(&account->local_error, 1);
+    put_reals(&account->violation, 1);
     flush();
 }

@@ -296,6 +296,33 @@ static void test_range(void)
     range[1] = R(0.0);
 }
 
+/* How far off its closures the plant is: at the limit after two ticks and six, above it after three and five. */
+static void violation(real *restrict const out, const real *restrict const state, const real *restrict const input,
+                      const real *restrict const parameter)
+{
+    static const real off[] = {R(0.0), R(0.25), R(0.5), R(0.75), R(0.125), R(2.0), R(0.5)};
+    (void)input;
+    (void)parameter;
+    out[0] = off[(int)state[0]];
+}
+
+static void test_violation(void)
+{
+    static const script quiet;
+    iso_plant closed = plant;
+    closed.violation = violation;
+    closed.violation_limit = R(0.5);
+    events = &quiet;
+    steps = fail_at = 0;
+    iso_loop_start(&loop, &closed);
+    for (int i = 0; i < 6; i++) {
+        (void)iso_loop_tick(&loop);
+    }
+    tap_count(loop.account.violated, 2, "violation: ticks above the limit are counted");
+    tap_same(loop.account.violation, R(2.0), "violation: the largest is kept");
+    tap_ok(run(&quiet, 6, 0) == 6 && loop.account.violated == 0, "violation: a plant without closures has none");
+}
+
 /* A step that finds a jump is made again from where it began; all other memory is as it was, the error is not. */
 static struct {
     real x[2], u[1], p[1], y[1];
@@ -354,6 +381,7 @@ int main(void)
     test_exactly_full();
     test_guard();
     test_range();
+    test_violation();
     test_jump();
     tap_done();
 }

@@ -207,7 +207,10 @@ static void build_stabilisation(builder *b)
     } else if (is_projection) {
         made->projections = (int)option(b, written->iterations, no_unit, "the number of iterations", 1.0, 1.0);
     }
-    made->violation_limit = option(b, written->limit, no_unit, "the limit", 0.0, 0.0);
+    made->violation_limit = value_displacement(&b->values, written->limit, "the limit", 0.0);
+    if (made->violation_limit < 0.0) {
+        source_problem(b->s, written->limit->at, "the limit is at least 0");
+    }
 }
 
 void build_closures(builder *b)

@@ -475,6 +475,10 @@ static void emit_description(const plant *p, text *out)
              has_angles(m) ? "    .range = range,\n" : "");
     text_add(out, "%s", ISO_IS_WATCHED(m->recipe) ? "    .before = &before,\n" : "");
     text_add(out, "    .memory_bytes = sizeof memory,\n    .derivative = derivative,\n    .output = output,\n");
+    if (p->violation >= 0) {
+        text_add(out, "    .violation = violation,\n    .violation_limit = %s,\n",
+                 code_literal(out->memory, m->violation_limit, p->is_double));
+    }
     text_add(out, "%s%s", has_progress(m) ? "    .progress = &memory.progress,\n" : "",
              is_primed(m) ? "    .prime = prime,\n" : "");
     text_add(out, "%s", ISO_IS(m->recipe, ISO_ADAMS) ? "    .adams = &memory.adams,\n" : "");
@@ -501,6 +505,7 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
     good =
         good && (p->rate_count == 0 || emit_function(p, g, out, "rates", "dx", "", p->slopes, p->rate_count, culprit));
     good = good && (p->after.count == 0 || emit_settle(p, g, out, culprit));
+    good = good && (p->violation < 0 || emit_function(p, g, out, "violation", "y", "", &p->violation, 1, culprit));
     if (!ISO_IS(m->recipe, ISO_ADAMS)) {
         emit_equations(p, out);
     }

@@ -26,6 +26,7 @@ typedef struct plant {
     settled after;               /* of a step */
     acceleration *accelerations; /* of the links, where reactions of joints are shown */
     jacobian j;                  /* only for implicit methods */
+    node violation;              /* of the closures, where the loop accounts for it; else -1 */
     bool is_double;
 } plant;
 

@@ -176,5 +176,8 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, formulation want
     build_slopes(&p, g, p.formulations.kept);
     p.after = settled_build(g, p.d);
     build_outputs(&p, g);
+    p.violation = m->violation_limit > 0.0 && p.d->loops.held.count > 0
+                      ? largest_violation(&p.d->k, &p.d->loops.held, false)
+                      : -1;
     return p;
 }

@@ -415,6 +415,14 @@ double value_constant(values *v, const formula *f, dimension of, const char *wha
     return constant_value(v->g, r.parts[0]);
 }
 
+double value_displacement(values *v, const formula *f, const char *what, double fallback)
+{
+    static const dimension metre = {0, 1, 0, 0}, radian = {0, 0, 0, 1};
+    const value found = f == NULL ? nothing() : evaluate(v, f);
+    const dimension of = dimension_equal(found.of, radian) ? radian : metre;
+    return found.count == 0 ? fallback : value_constant(v, f, of, what, fallback);
+}
+
 double value_now(const values *v, node n)
 {
     double *numbers = arena_take(v->s->memory, v->g->count, sizeof *numbers);

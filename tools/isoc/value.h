@@ -54,6 +54,9 @@ value value_of(values *v, const formula *f, dimension of, int parts, const char 
 /* A constant scalar; `fallback` where f is NULL or wrong. */
 double value_constant(values *v, const formula *f, dimension of, const char *what, double fallback);
 
+/* The same for what is in metres or in radians. */
+double value_displacement(values *v, const formula *f, const char *what, double fallback);
+
 /* The number that a node has with the tunables at their defaults. */
 double value_now(const values *v, node n);
 

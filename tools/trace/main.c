@@ -197,6 +197,9 @@ static void print_summary(const stream *const run, const char *const unit, const
     if (strcmp(stream_value(run, header->states, text), "0") != 0) {
         printf("local_error %s\n", text);
     }
+    if (strcmp(stream_value(run, header->states + 1, text), "0") != 0) {
+        printf("violation %s\nviolated %" PRIu32 "\n", text, end->violated);
+    }
     if (end->ticks > 0 && strcmp(unit, "instructions") == 0) {
         printf("instructions_per_step %" PRIu32, end->execution_min);
         if (end->execution_max != end->execution_min) {

@@ -142,9 +142,10 @@ static bool read_end(stream *const run)
     stream_end *const end = &run->end;
     uint32_t margin = 0;
     uint32_t *const words[] = {
-        &end->ticks,          &end->late,          &end->lost,     &end->overruns,     &margin,
-        &end->execution_min,  &end->execution_max, &end->guard,    &end->tick,         &end->restarts,
-        &end->adams_restarts, &end->substeps,      &end->rejected, &end->budget_bound, &end->evaluations,
+        &end->ticks,    &end->late,          &end->lost,           &end->overruns,
+        &margin,        &end->execution_min, &end->execution_max,  &end->guard,
+        &end->tick,     &end->restarts,      &end->adams_restarts, &end->substeps,
+        &end->rejected, &end->budget_bound,  &end->evaluations,    &end->violated,
     };
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         *words[i] = (uint32_t)read_number(run->file, sizeof *words[i]);
@@ -152,7 +153,7 @@ static bool read_end(stream *const run)
     end->margin = (int32_t)margin;
     end->execution_sum = read_number(run->file, sizeof end->execution_sum);
     end->hash = read_number(run->file, sizeof end->hash);
-    return read_values(run, run->header.states + 1);
+    return read_values(run, run->header.states + 2);
 }
 
 stream_record stream_read(stream *const run)

@@ -38,6 +38,7 @@ typedef struct stream_end {
     uint32_t tick; /* where the run stopped */
     uint32_t restarts;
     uint32_t adams_restarts, substeps, rejected, budget_bound, evaluations; /* of adams; zeros for another method */
+    uint32_t violated;
     uint64_t execution_sum;
     uint64_t hash;
 } stream_end;
@@ -47,8 +48,8 @@ typedef struct stream {
     char error[STREAM_TEXT_BYTES]; /* why the last call failed */
     stream_header header;
     stream_end end;
-    uint8_t
-        values[(STREAM_VALUES_MAX + 1) * sizeof(double)]; /* of the last row, or the final state and the local error */
+    uint8_t values[(STREAM_VALUES_MAX + 2) *
+                   sizeof(double)]; /* of the last row, or the final state, local error, violation */
 } stream;
 
 typedef enum stream_record { STREAM_ROW, STREAM_END, STREAM_ERROR } stream_record;
