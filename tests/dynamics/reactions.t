@@ -29,6 +29,7 @@ for real in float double; do
     for name in arm6 tree pendulum double_pendulum cart_pole; do
         reacting "models/$name.scene" "tests/dynamics/table_$name.c"
     done
+    reacting tests/order/four_bar.scene tests/dynamics/table_four_bar.c
 
     build/isoc tests/dynamics/statics.scene -o "$out/statics" --real $real >"$out/statics.summary" &&
         program statics.program tests/dynamics/statics.c tests/host/report.c "$out/statics/plant.c"
