@@ -92,22 +92,21 @@ static void build_schur(augmented *a)
     const mass_matrix *mass = a->mass;
     graph *g = mass->k->g;
     const int n = a->held.count;
-    node **inward = arena_take(g->memory, (size_t)n, sizeof *inward);
     graph_section(g, "Schur complement A = Phi_q M^-1 Phi_q'");
     for (int r = 0; r < n; r++) {
-        inward[r] = arena_take(g->memory, (size_t)mass->n, sizeof **inward);
+        a->inward[r] = arena_take(g->memory, (size_t)mass->n, sizeof **a->inward);
         a->reach[r] = arena_take(g->memory, (size_t)mass->n, sizeof **a->reach);
-        memcpy(inward[r], a->held.all[r].row, (size_t)mass->n * sizeof **inward);
-        mass_matrix_inward(mass, inward[r]);
+        memcpy(a->inward[r], a->held.all[r].row, (size_t)mass->n * sizeof **a->inward);
+        mass_matrix_inward(mass, a->inward[r]);
         for (int f = 0; f < mass->n; f++) {
-            a->reach[r][f] = mul(g, inward[r][f], mass->inverse[f]);
+            a->reach[r][f] = mul(g, a->inward[r][f], mass->inverse[f]);
         }
     }
     for (int r = 0; r < n; r++) {
         for (int s = 0; s <= r; s++) {
             node sum = constant(g, 0.0);
             for (int f = 0; f < mass->n; f++) {
-                sum = add(g, sum, mul(g, inward[r][f], a->reach[s][f]));
+                sum = add(g, sum, mul(g, a->inward[r][f], a->reach[s][f]));
             }
             a->schur[r * n + s] = a->schur[s * n + r] = sum;
         }
@@ -137,15 +136,15 @@ node demand_of(graph *g, const mechanism *m, const constraint *c)
     return add(g, c->bias, add(g, damped, drawn));
 }
 
-/* Phi_q M^-1 (effort - bias) - gamma. */
-static void build_demand(const augmented *a, const node *effort, node *demand)
+/* Phi_q M^-1 (effort - bias) - gamma, from D^-1 L'^-1 (effort - bias). */
+static void build_demand(const augmented *a, const node *scaled, node *demand)
 {
     graph *g = a->mass->k->g;
     graph_section(g, "What the closures demand");
     for (int r = 0; r < a->held.count; r++) {
         demand[r] = demand_of(g, a->mass->k->m, &a->held.all[r]);
         for (int f = 0; f < a->mass->n; f++) {
-            demand[r] = add(g, demand[r], mul(g, a->reach[r][f], effort[f]));
+            demand[r] = add(g, demand[r], mul(g, a->inward[r][f], scaled[f]));
         }
     }
 }
@@ -157,6 +156,7 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
     const int n = held.count;
     augmented a = {.mass = mass, .held = held};
     a.order = arena_take(g->memory, (size_t)n, sizeof *a.order);
+    a.inward = arena_take(g->memory, (size_t)n, sizeof *a.inward);
     a.reach = arena_take(g->memory, (size_t)n, sizeof *a.reach);
     a.schur = arena_take(g->memory, (size_t)(n * n), sizeof *a.schur);
     a.pivots = arena_take(g->memory, (size_t)n, sizeof *a.pivots);
@@ -171,6 +171,10 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
     }
     choose_order(g, a.schur, n, a.order);
     factorise(&a, m);
+    graph_section(g, "Efforts less bias, over the pivots");
+    for (int f = 0; f < mass->n; f++) {
+        effort[f] = mul(g, effort[f], mass->inverse[f]);
+    }
     build_demand(&a, effort, delta);
 
     graph_section(g, "Multipliers lambda");
@@ -190,7 +194,6 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
 
     graph_section(g, "Efforts less bias and multipliers, over the pivots");
     for (int f = 0; f < mass->n; f++) {
-        effort[f] = mul(g, effort[f], mass->inverse[f]);
         for (int r = 0; r < n; r++) {
             effort[f] = sub(g, effort[f], mul(g, a.reach[r][f], a.multipliers[r]));
         }

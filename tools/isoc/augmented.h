@@ -32,6 +32,7 @@ typedef struct augmented {
     const mass_matrix *mass;
     constraints held;
     int *order;          /* in which the constraints are eliminated: the one with the fewest neighbours first */
+    node **inward;       /* [constraints][freedoms] L'^-1 Phi_q' */
     node **reach;        /* [constraints][freedoms] D^-1 L'^-1 Phi_q' */
     node *schur;         /* [constraints constraints] A + e: after the factorisation L, and 1 / D on the diagonal */
     node *pivots;        /* D */

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tools/isoc/economy.h"
+
 enum { LONGEST_INLINE = 72 }; /* characters of an expression that stands inside another */
 
 /* How tightly an expression binds, for parentheses. */
@@ -22,6 +24,7 @@ typedef struct emitter {
     const code *c;
     graph *g;
     text *out;
+    const node *roots;
     bool *needed;
     int *uses;
     rendering *shown;
@@ -275,7 +278,7 @@ static void count_uses(emitter *e)
         }
     }
     for (size_t i = 0; i < e->c->count; i++) {
-        e->uses[e->c->roots[i]]++;
+        e->uses[e->roots[i]]++;
     }
 }
 
@@ -299,12 +302,13 @@ static void declare_leaves(emitter *e)
 
 bool code_emit(const code *c, text *out, double *culprit)
 {
-    graph *g = c->g;
-    emitter e = {.c = c, .g = g, .out = out, .section = -1};
+    node *roots = arena_take(out->memory, c->count + 1, sizeof *roots);
+    graph economical = economise(c->g, c->roots, c->count, roots), *g = &economical;
+    emitter e = {.c = c, .g = g, .out = out, .roots = roots, .section = -1};
     e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
     e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
     e.shown = arena_take(g->memory, g->count, sizeof *e.shown);
-    graph_reach(g, c->roots, c->count, e.needed);
+    graph_reach(g, roots, c->count, e.needed);
     count_uses(&e);
     declare_leaves(&e);
     for (size_t i = 0; i < g->count; i++) {
@@ -314,15 +318,17 @@ bool code_emit(const code *c, text *out, double *culprit)
     }
     text_add(out, "\n");
     for (size_t i = 0; i < c->count; i++) {
-        statement(out, arena_format(g->memory, "%s = %s;", c->targets[i], e.shown[c->roots[i]].text));
+        statement(out, arena_format(g->memory, "%s = %s;", c->targets[i], e.shown[roots[i]].text));
     }
     *culprit = e.culprit;
     return e.culprit == 0.0;
 }
 
-operations code_count(const graph *g, const node *roots, size_t count)
+operations code_count(const graph *of, const node *of_roots, size_t count)
 {
     operations made = {0};
+    node *roots = arena_take(of->memory, count + 1, sizeof *roots);
+    const graph economical = economise(of, of_roots, count, roots), *g = &economical;
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     bool *turned = arena_take(g->memory, g->count, sizeof *turned);
     graph_reach(g, roots, count, needed);

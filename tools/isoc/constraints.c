@@ -4,7 +4,7 @@
 
 /* One side of a closure: how its point and its axes move, in base axes. */
 typedef struct side {
-    vector point, velocity, acceleration;
+    vector point, velocity, acceleration; /* the last against the base's origin */
     vector omega, alpha;
     vector *linear, *angular; /* [freedoms] what each adds to the velocity and to the angular velocity */
     matrix axes;              /* columns: of the closure's frame */
@@ -22,6 +22,23 @@ typedef struct pair {
 static vector column(matrix m, int j)
 {
     return (vector){{m.at[0][j], m.at[1][j], m.at[2][j]}};
+}
+
+/* The acceleration of a point of a link against the origin of the base, in base axes, at q'' = 0. What the origin does
+ * itself, gravity with it, is the same on both sides of a closure. */
+static vector relative_acceleration(const kinematics *k, const acceleration *all, const cut_end *end, int base)
+{
+    graph *g = k->g;
+    vector from = end->point, made = vector_zero(g);
+    for (int i = end->link; i != GROUND; i = k->m->links[i].parent) {
+        made = vector_add(g, made, swing(g, k->motions[i].omega, all[i].alpha, from));
+        if (i == base) {
+            break;
+        }
+        made = to_parent(k, i, vector_add(g, made, joint_coriolis(k, i).a));
+        from = k->motions[i].p;
+    }
+    return made;
 }
 
 static side build_side(const kinematics *k, const acceleration *all, const cut_end *end, int base)
@@ -48,7 +65,7 @@ static side build_side(const kinematics *k, const acceleration *all, const cut_e
     const bool moves = end->link != GROUND;
     const vector zero = vector_zero(g);
     made.velocity = outward_axes(k, end->link, base, point_velocity(k, end->link, end->point));
-    made.acceleration = outward_axes(k, end->link, base, point_acceleration(k, all, end->link, end->point));
+    made.acceleration = relative_acceleration(k, all, end, base);
     made.omega = moves ? outward_axes(k, end->link, base, k->motions[end->link].omega) : zero;
     made.alpha = moves ? outward_axes(k, end->link, base, all[end->link].alpha) : zero;
     for (int j = 0; j < 3; j++) {
@@ -260,12 +277,33 @@ static void hold_turn(const pair *p, constraints *to)
     }
 }
 
-/* On the line along axis `a` of the parent. */
+/* Two directions across a constant one: n x e for the coordinate axis e that is most across, and n x that. */
+static void directions_across(graph *g, vector n, vector across[2])
+{
+    int most = 0;
+    for (int i = 1; i < 3; i++) {
+        most = fabs(constant_value(g, n.at[i])) < fabs(constant_value(g, n.at[most])) ? i : most;
+    }
+    const vector e = vector_of(g, most == 0, most == 1, most == 2), long_one = vector_cross(g, n, e);
+    const double square = constant_value(g, vector_dot(g, long_one, long_one));
+    across[0] = vector_scale(g, constant(g, 1.0 / sqrt(square)), long_one);
+    across[1] = vector_cross(g, n, across[0]);
+}
+
+/* On the line along axis `a` of the parent, by two directions across it. They rest where the line's direction does, as in
+ * a planar mechanism, and else are the parent's. */
 static void hold_on_line(const pair *p, constraints *to, int a)
 {
-    const node zero = constant(p->k->g, 0.0);
-    hold_along(p, to, column(p->parent.axes, (a + 1) % 3), zero, true, part_name(p, "off_1"));
-    hold_along(p, to, column(p->parent.axes, (a + 2) % 3), zero, true, part_name(p, "off_2"));
+    graph *g = p->k->g;
+    const node zero = constant(g, 0.0);
+    const vector along = column(p->parent.axes, a);
+    const bool turns = !vector_is_constant(g, along);
+    vector across[2] = {column(p->parent.axes, (a + 1) % 3), column(p->parent.axes, (a + 2) % 3)};
+    if (!turns) {
+        directions_across(g, along, across);
+    }
+    hold_along(p, to, across[0], zero, turns, part_name(p, "off_1"));
+    hold_along(p, to, across[1], zero, turns, part_name(p, "off_2"));
 }
 
 static void hold_ball(const pair *p, constraints *to, int a)

@@ -111,6 +111,16 @@ static node intern(graph *g, graph_node wanted)
     return g->table[slot];
 }
 
+node graph_put(graph *g, graph_node n)
+{
+    const size_t before = g->count;
+    const node made = intern(g, n);
+    if (g->count > before) {
+        g->nodes[made].section = n.section;
+    }
+    return made;
+}
+
 node constant(graph *g, double value)
 {
     return intern(g, (graph_node){.op = OP_CONSTANT, .value = value + 0.0}); /* no negative zero */
@@ -272,6 +282,17 @@ node sub(graph *g, node a, node b)
     return add(g, a, neg(g, b));
 }
 
+/* Whether the parts would do better is known when all nodes are there. */
+static void note_parts(graph *g, node product, node a, node b)
+{
+    graph_node *n = &g->nodes[product];
+    if (n->op == OP_MUL && !n->parted && !is_constant(g, a) && !is_constant(g, b)) {
+        n->parted = true;
+        n->parts[0] = a;
+        n->parts[1] = b;
+    }
+}
+
 node mul(graph *g, node a, node b)
 {
     if (is_constant(g, b) || (b < a && !is_constant(g, a))) {
@@ -303,7 +324,9 @@ node mul(graph *g, node a, node b)
     const double ca = is_constant(g, a) ? constant_value(g, a) : coefficient(g, a, &base_a);
     const double cb = coefficient(g, b, &base_b);
     if (ca != 1.0 && cb != 1.0) {
-        return mul(g, constant(g, ca * cb), is_constant(g, a) ? base_b : mul(g, base_a, base_b));
+        const node made = mul(g, constant(g, ca * cb), is_constant(g, a) ? base_b : mul(g, base_a, base_b));
+        note_parts(g, made, a, b);
+        return made;
     }
     return binary(g, OP_MUL, a, b);
 }

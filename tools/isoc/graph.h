@@ -52,6 +52,8 @@ typedef struct graph_node {
     double value, second;
     int section;      /* the heading under which it was made */
     const char *name; /* of the quantity in its equation, or NULL */
+    bool parted;      /* a product (c d) (x y) that was made of parts c x and d y */
+    node parts[2];
 } graph_node;
 
 typedef struct graph {
@@ -74,6 +76,9 @@ void graph_section(graph *g, const char *heading);
 
 /* Gives a node its name in the generated code, unless it is a constant or has one. Returns the node. */
 node graph_name(graph *g, node n, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+/* A node as it is, under its own heading, without simplification. */
+node graph_put(graph *g, graph_node n);
 
 node constant(graph *g, double value);
 node leaf(graph *g, operation op, int index);
