@@ -1,0 +1,61 @@
+#!/bin/sh
+# Mechanisms against reference solutions, through their outputs. A step half as long shows that the error is the method's: it
+# becomes a sixteenth, within 3x.
+. tests/host/test.sh
+begin reference_mechanisms
+
+# compiled NAME SCENE [OPTION...]: the program of a scene.
+compiled()
+{
+    name=$1
+    text=$2
+    shift 2
+    build/isoc "$text" -o "$out/$name" --real double "$@" >"$out/$name.summary" &&
+        program "$name.run" tests/reference/outputs.c tests/host/report.c "$out/$name/plant.c"
+}
+
+# reached SCENE TABLE CASE DEMAND [OPTION...]
+reached()
+{
+    scene=$1
+    table=tests/reference/$2.txt
+    case=$3
+    demand=$4
+    shift 4
+    compiled "$case" "$scene" "$@"
+    result $? "$case builds"
+    joined "$case" "$out/$case.run" "$table" "$case" "$demand"
+}
+
+# halved SCENE TABLE CASE STEP HALF: the worst error of each, and their ratio between 16/3 and 48.
+halved()
+{
+    compiled "$3-whole" "$1" --step "$4" && compiled "$3-half" "$1" --step "$5" &&
+        whole=$("$out/$3-whole.run" "tests/reference/$2.txt" "$3" | sort -g | tail -n 1) &&
+        half=$("$out/$3-half.run" "tests/reference/$2.txt" "$3" | sort -g | tail -n 1) &&
+        awk -v a="$whole" -v b="$half" 'BEGIN { exit !(a > 16 / 3 * b && a < 48 * b) }'
+    result $? "$3: error $whole at a step of $4, $half at $5"
+}
+
+for case in generic dzhanibekov long_axis axisymmetric; do
+    # shellcheck disable=SC2046
+    set -- $(awk -v name=$case '$1 == "case" && $2 == name { print $4, $5, $6, $8, $9, $10 }' tests/reference/rigid_body.txt)
+    sed -e "s/inertia .*/inertia ($1, $2, $3) kg*m^2/" -e "s|spin (.*|spin ($4, $5, $6) rad/s|" models/rigid_body.scene \
+        >"$out/$case.scene"
+    halved "$out/$case.scene" rigid_body $case 10ms 5ms
+done
+halved models/slider_crank.scene slider_crank slider_crank 100us 50us
+halved models/squeezer.scene squeezer squeezer 20us 10us
+halved models/bricard.scene bricard bricard 4ms 2ms
+reached models/squeezer.scene squeezer squeezer 1e-9
+for n in 1 2 5 10; do
+    sh tests/mechanism/n_four_bar.sh $n >"$out/windows_$n.scene"
+    reached "$out/windows_$n.scene" n_four_bar $n 1e-6
+done
+
+# Control: a reference that is off in the sixth digit is seen at every time.
+sed 's/^row \([^ ]* -*[0-9]\.[0-9]\{4\}\)[0-9]/row \19/' tests/reference/squeezer.txt >"$out/off.txt"
+"$out/squeezer.run" "$out/off.txt" squeezer 1e-9 >"$out/off.tap"
+[ "$(grep -c '^not ok' "$out/off.tap")" -eq 4 ]
+result $? "control: a squeezer whose reference is off by some 1e-5 is found at every time"
+finish
