@@ -1,5 +1,5 @@
 #!/bin/sh
-# make plot: a panel for every output with its unit, in svg and in png, for every model; nothing fast is lost when the
+# make plot: a panel for every output with its unit, in svg and in png, for the models; nothing fast is lost when the
 # points are made fewer.
 . tests/host/test.sh
 . tests/host/project.sh
@@ -12,7 +12,7 @@ texts()
     grep -o '<text>.*</text>' "$1" | sed 's/<[^>]*>//g'
 }
 
-for scene in models/*.scene models/oscillator.c; do
+for scene in $(models rk4) models/oscillator.c; do
     name=$(basename "$scene" | sed 's/\..*//')
     folder=$out/project/build/host/float/$name
     call plot SCENE="$scene" SECONDS=1 && [ ! -s "$out/errors" ] && texts "$folder/trace.svg" >"$out/texts"

@@ -97,13 +97,15 @@ static wide energy_balance(const mechanism *const m, const sample *const s)
         balance_add(&b, -dot(w.force, velocity) - dot(w.moment, omega) + dot(about, omega));
     }
     for (int i = 0; i < m->bodies; i++) {
-        b.size += m->body[i].mass * fabsl(jet_mul(moved[i].velocity.x[0], moved[i].velocity.x[0]).c[1]);
+        for (int c = 0; c < 3; c++) {
+            b.size += m->body[i].mass * fabsl(jet_mul(moved[i].velocity.x[c], moved[i].velocity.x[c]).c[1]);
+        }
     }
     return fabsl(b.sum) / b.size;
 }
 
 /* Along speed k of joint j, all that hangs on it: turning, dL/dt about the hinge = moment from without + effort; sliding,
- * dp/dt = force from without + effort. No reaction of the joint enters. */
+ * dp/dt = force from without + effort. No reaction of the joint enters. The size is that of the whole vectors. */
 static wide momentum_balance(const mechanism *const m, const sample *const s, const body_motion moved[BODIES_MAX],
                              const int j, const int k)
 {
@@ -128,10 +130,10 @@ static wide momentum_balance(const mechanism *const m, const sample *const s, co
     accumulate(moment_rate, -1.0L, about);
     cross(p, weight, about);
     accumulate(weight_moment, -1.0L, about);
-    for (int i = 0; i < 3; i++) {
-        balance_add(&b, e[i] * (turns ? moment_rate : rate)[i]);
-        balance_add(&b, -e[i] * (turns ? weight_moment : weight)[i]);
-    }
+    const wide *const gained = turns ? moment_rate : rate;
+    const wide *const given = turns ? weight_moment : weight;
+    b.sum += dot(e, gained) - dot(e, given);
+    b.size += sqrtl(dot(gained, gained)) + sqrtl(dot(given, given));
     return fabsl(b.sum) / b.size;
 }
 

@@ -31,7 +31,7 @@ enum { CONTROL_STATES = 20 };
 
 typedef struct difference {
     wide norm;  /* worst over the states of |a - a*| / |a*|, 2-norms over all joints in rad/s^2 and m/s^2 */
-    wide joint; /* worst over the states and speeds of |a_k - a_k*| / rms of a_k* over the states */
+    wide joint; /* worst over the states and speeds of |a_k - a_k*| / rms of a_k* over the states, or its condition */
 } difference;
 
 /* The plant's accelerations at a state against others, relative to the state's condition. */
@@ -60,13 +60,15 @@ static difference accelerations(const sample s[STATES])
     for (int j = 0; j < m->bodies; j++) {
         for (int k = 0; k < joint_speeds(m->joint[j].kind); k++) {
             wide square = 0.0L;
-            wide worst = 0.0L;
             for (int n = 0; n < STATES; n++) {
-                const wide exact = s[n].exact.a[j][k];
-                square += exact * exact;
-                worst = fmaxl(worst, fabsl(s[n].motion.a[j][k] - exact) / s[n].condition);
+                square += s[n].exact.a[j][k] * s[n].exact.a[j][k];
             }
-            d.joint = fmaxl(d.joint, square > 0.0L ? worst / sqrtl(square / STATES) : worst);
+            const wide rms = sqrtl(square / STATES);
+            for (int n = 0; n < STATES; n++) {
+                const wide error = fabsl(s[n].motion.a[j][k] - s[n].exact.a[j][k]);
+                const wide size = fmaxl(rms, s[n].change[j][k]);
+                d.joint = fmaxl(d.joint, size > 0.0L ? error / size : error);
+            }
         }
     }
     return d;

@@ -2,12 +2,8 @@
 
 #include <string.h>
 
-/* Entries are of size 1 after scaling. A pivot below this is what rounding leaves of zero, 2^-64 times some growth; it is
- * also how near to a singular configuration a state may be. */
-#define RANK_TOLERANCE 1e-13L
-
 /* What is left of the right-hand side where an equation follows from others, relative to the largest. */
-#define CONTRADICTION 1e-9L
+#define CONTRADICTION 1e-7L
 
 /* Divides each row by its largest entry, then each column: pivots are chosen among like numbers. */
 static void equilibrate(linear_system *const s, wide scale[UNKNOWNS_MAX])
@@ -32,82 +28,111 @@ static void equilibrate(linear_system *const s, wide scale[UNKNOWNS_MAX])
     }
 }
 
-static void swap_rows(linear_system *const s, const int a, const int b)
+/* What is left to eliminate: rows and columns from k on. */
+typedef struct elimination {
+    linear_system *s;
+    int k;
+    int unknown[UNKNOWNS_MAX]; /* the one of each column */
+    int largest[UNKNOWNS_MAX]; /* the column of each row's largest entry of those left */
+} elimination;
+
+static void find_largest(elimination *const e, const int row)
+{
+    const wide *const a = e->s->a[row];
+    int largest = e->k;
+    for (int c = e->k + 1; c < e->s->n; c++) {
+        largest = fabsl(a[c]) > fabsl(a[largest]) ? c : largest;
+    }
+    e->largest[row] = largest;
+}
+
+static void swap_rows(elimination *const e, const int a, const int b)
 {
     wide kept[UNKNOWNS_MAX + 1];
-    memcpy(kept, s->a[a], sizeof kept);
-    memcpy(s->a[a], s->a[b], sizeof kept);
-    memcpy(s->a[b], kept, sizeof kept);
+    const int largest = e->largest[a];
+    memcpy(kept, e->s->a[a], sizeof kept);
+    memcpy(e->s->a[a], e->s->a[b], sizeof kept);
+    memcpy(e->s->a[b], kept, sizeof kept);
+    e->largest[a] = e->largest[b];
+    e->largest[b] = largest;
 }
 
-static void swap_columns(linear_system *const s, int order[UNKNOWNS_MAX], const int a, const int b)
+static void swap_columns(elimination *const e, const int a, const int b)
 {
-    for (int r = 0; r < s->n; r++) {
-        const wide kept = s->a[r][a];
-        s->a[r][a] = s->a[r][b];
-        s->a[r][b] = kept;
+    const int unknown = e->unknown[a];
+    e->unknown[a] = e->unknown[b];
+    e->unknown[b] = unknown;
+    for (int r = 0; r < e->s->n; r++) {
+        const wide kept = e->s->a[r][a];
+        e->s->a[r][a] = e->s->a[r][b];
+        e->s->a[r][b] = kept;
+        const int at = e->largest[r];
+        e->largest[r] = at == a ? b : at == b ? a : at;
     }
-    const int kept = order[a];
-    order[a] = order[b];
-    order[b] = kept;
 }
 
-/* Moves the largest entry of what is left to [k][k]; false if there is none. */
-static bool pivot(linear_system *const s, int order[UNKNOWNS_MAX], const int k)
+/* Moves the largest entry of what is left to [k][k]; false if it is below `least`. */
+static bool pivot(elimination *const e, const wide least)
 {
-    int row = k;
-    int column = k;
-    for (int r = k; r < s->n; r++) {
-        for (int c = k; c < s->n; c++) {
-            if (fabsl(s->a[r][c]) > fabsl(s->a[row][column])) {
-                row = r;
-                column = c;
-            }
-        }
+    wide(*const a)[UNKNOWNS_MAX + 1] = e->s->a;
+    int row = e->k;
+    for (int r = e->k + 1; r < e->s->n; r++) {
+        row = fabsl(a[r][e->largest[r]]) > fabsl(a[row][e->largest[row]]) ? r : row;
     }
-    if (fabsl(s->a[row][column]) < RANK_TOLERANCE) {
+    if (fabsl(a[row][e->largest[row]]) < least) {
         return false;
     }
-    swap_rows(s, k, row);
-    swap_columns(s, order, k, column);
+    swap_rows(e, e->k, row);
+    swap_columns(e, e->k, e->largest[e->k]);
     return true;
 }
 
-bool linear_solve(linear_system *const s, wide *const x)
+/* Takes column k from the rows below, which leaves those alone that have nothing in it. */
+static void eliminate(elimination *const e)
 {
-    const int n = s->n;
-    int order[UNKNOWNS_MAX] = {0};
+    linear_system *const s = e->s;
+    const wide *const above = s->a[e->k];
+    const int column = e->k++;
+    for (int r = e->k; r < s->n; r++) {
+        const wide factor = s->a[r][column] / above[column];
+        if (factor != 0.0L) {
+            for (int c = column; c <= s->n; c++) {
+                s->a[r][c] -= factor * above[c];
+            }
+            find_largest(e, r);
+        }
+    }
+}
+
+bool linear_solve(linear_system *const s, const wide least, wide *const x)
+{
+    static elimination e;
     wide scale[UNKNOWNS_MAX];
     wide y[UNKNOWNS_MAX];
-    int rank = 0;
     wide largest = 0.0L;
     wide left = 0.0L;
     equilibrate(s, scale);
-    for (int k = 0; k < n; k++) {
-        order[k] = k;
-        x[k] = 0.0L;
-        largest = fmaxl(largest, fabsl(s->a[k][n]));
+    e.s = s;
+    e.k = 0;
+    for (int i = 0; i < s->n; i++) {
+        e.unknown[i] = i;
+        x[i] = 0.0L;
+        find_largest(&e, i);
+        largest = fmaxl(largest, fabsl(s->a[i][s->n]));
     }
-    while (rank < n && pivot(s, order, rank)) {
-        const wide *const above = s->a[rank];
-        for (int r = rank + 1; r < n; r++) {
-            const wide factor = s->a[r][rank] / above[rank];
-            for (int c = rank; c <= n && factor != 0.0L; c++) {
-                s->a[r][c] -= factor * above[c];
-            }
-        }
-        rank++;
+    while (e.k < s->n && pivot(&e, least)) {
+        eliminate(&e);
     }
-    for (int r = rank; r < n; r++) {
-        left = fmaxl(left, fabsl(s->a[r][n]));
+    for (int r = e.k; r < s->n; r++) {
+        left = fmaxl(left, fabsl(s->a[r][s->n]));
     }
-    for (int k = rank - 1; k >= 0; k--) {
-        y[k] = s->a[k][n];
-        for (int c = k + 1; c < rank; c++) {
+    for (int k = e.k - 1; k >= 0; k--) {
+        y[k] = s->a[k][s->n];
+        for (int c = k + 1; c < e.k; c++) {
             y[k] -= s->a[k][c] * y[c];
         }
         y[k] /= s->a[k][k];
-        x[order[k]] = y[k] / scale[order[k]];
+        x[e.unknown[k]] = y[k] / scale[e.unknown[k]];
     }
     return left <= CONTRADICTION * largest;
 }

@@ -27,21 +27,18 @@ static jet33 rotation(const wide axis[3], const jet angle)
 
 static jet33 no_rotation(void)
 {
-    const wide any[3] = {1.0L, 0.0L, 0.0L};
-    return rotation(any, jet_constant(0.0L));
-}
-
-static jet33 placement_rotation(const placement *const p)
-{
-    return p->degrees != 0.0L ? rotation(p->axis, jet_constant(p->degrees * PI / 180.0L)) : no_rotation();
+    static const jet33 none = {{{{{1.0L}}}, {{{0.0L}}, {{1.0L}}}, {{{0.0L}}, {{0.0L}}, {{1.0L}}}}};
+    return none;
 }
 
 /* The pose of the child whose frame p stands at `frame`. */
 static pose carried(const pose *const frame, const placement *const p)
 {
-    const jet33 turn = placement_rotation(p);
-    const jet33 back = jet33_transposed(&turn);
-    pose child = {.turn = jet33_mul(&frame->turn, &back)};
+    pose child = {.turn = frame->turn};
+    if (p->degrees != 0.0L) {
+        const jet33 back = rotation(p->axis, jet_constant(-p->degrees * PI / 180.0L));
+        child.turn = jet33_mul(&frame->turn, &back);
+    }
     child.origin = jet3_add(frame->origin, jet3_scale(-1.0L, jet33_apply(&child.turn, jet3_constant(p->at))));
     return child;
 }
@@ -51,11 +48,12 @@ pose frame_on(const pose *const on, const placement *const p)
     const wide zero[3] = {0.0L, 0.0L, 0.0L};
     const pose ground = {no_rotation(), jet3_constant(zero)};
     const pose *const body = on == NULL ? &ground : on;
-    const jet33 turn = placement_rotation(p);
-    return (pose){
-        .turn = jet33_mul(&body->turn, &turn),
-        .origin = jet3_add(body->origin, jet33_apply(&body->turn, jet3_constant(p->at))),
-    };
+    pose frame = {body->turn, jet3_add(body->origin, jet33_apply(&body->turn, jet3_constant(p->at)))};
+    if (p->degrees != 0.0L) {
+        const jet33 turn = rotation(p->axis, jet_constant(p->degrees * PI / 180.0L));
+        frame.turn = jet33_mul(&body->turn, &turn);
+    }
+    return frame;
 }
 
 /* Hamilton's product p (0, v) / 2. */

@@ -15,6 +15,8 @@ typedef struct table_control {
 typedef struct table {
     mechanism mechanism;
     int inputs;
+    bool overconstrained; /* it moves only because its lengths are exact */
+    double spread;        /* rad and tenths of m: how far from the scene's start states are drawn, with closures */
     int controls;
     table_control control[8];
 } table;

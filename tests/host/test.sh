@@ -39,6 +39,21 @@ real()
     esac
 }
 
+# The models that are tried with every method: short code, and all kinds of it. The others, whose code is longer, with rk4;
+# but for stewart, whose code takes a compiler a quarter of a minute.
+EVERY_METHOD="pendulum double_pendulum cart_pole arm6 tree rigid_body four_bar"
+
+# models METHOD: the scenes to try with it, one on a line.
+models()
+{
+    for model in models/*.scene; do
+        case "$1, $(basename "$model" .scene), $EVERY_METHOD " in
+        *" stewart, "*) ;;
+        rk4,* | *" $(basename "$model" .scene) "*) echo "$model" ;;
+        esac
+    done
+}
+
 # scene NAME [OPTION...]: compiles models/NAME.scene into $out/NAME, with these options of isoc.
 scene()
 {
