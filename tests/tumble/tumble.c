@@ -57,12 +57,16 @@ int main(int count, char **arguments)
 {
     const double ulp = sizeof(real) == sizeof(float) ? (double)FLT_EPSILON : DBL_EPSILON;
     const long steps = count > 1 ? strtol(arguments[1], NULL, 10) : 0;
+    enum { EVERY = 16 };
     double length = 0.0, energy = 0.0, momentum = 0.0;
     iso_plant_start(&iso_the_plant);
     const invariants first = now();
     for (long n = 0; n < steps; n++) {
         iso_the_plant.step();
         length = fmax(length, length_error());
+        if (n % EVERY != 0) {
+            continue;
+        }
         const invariants after = now();
         double moved[3];
         for (int i = 0; i < 3; i++) {
