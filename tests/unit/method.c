@@ -130,8 +130,9 @@ static void begin(run *const r, const unsigned recipe, const size_t work)
 
 enum { STEPS = 200 };
 
-/* Compiled once, for a recipe and a number of states that the compiler does not know. */
-static void run_any(run *const r, const unsigned recipe, const size_t n, const real h)
+/* Compiled once, for a recipe and a number of states that the compiler does not know. Cold, so that loops whose counts it
+ * does not know either are not unrolled: that would be most of what this file takes to compile. */
+__attribute__((cold)) static void run_any(run *const r, const unsigned recipe, const size_t n, const real h)
 {
     iso_method_prime(recipe, n, &equations, h, r->x, NULL, NULL, r->lu, r->work);
     for (unsigned i = 0; i < STEPS; i++) {
