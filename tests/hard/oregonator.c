@@ -6,7 +6,7 @@
  *
  * What must hold, in float and in double: through the burst bdf4 and rosenbrock have the errors stated below (the
  * largest of a state, relative) and their orders. In float rounding adds 20 epsilons, and where sums are not
- * compensated half an epsilon a step.
+ * compensated half an epsilon a step. After the second burst, at 360 s, the same in double alone.
  * Explicit methods at 10 ms leave the finite numbers within 3000 steps, when the burst is over and y2 grows.
  */
 #include "tests/hard/hard.h"
@@ -43,9 +43,10 @@ static void solve(real *restrict const d, const real *restrict const lu)
     iso_dense_solve(d, lu, 3);
 }
 
-static const long double at[2][3] = {
+static const long double at[3][3] = {
     {1.0006614671804967182e+00L, 1.5127789373482504190e+03L, 1.0358543127672275670e+04L},
     {1.0008746251996256156e+00L, 1.1443369723844962118e+03L, 8.3721499666246241444e+01L},
+    {1.0008148703185227163e+00L, 1.2281785215498879837e+03L, 1.3205549428465082877e+02L},
 };
 
 static const hard_problem problem = {"Oregonator", 3, {derivative, factor, solve, .factors = 9}, {1.0, 2.0, 3.0}, NULL};
@@ -53,12 +54,11 @@ static const hard_problem problem = {"Oregonator", 3, {derivative, factor, solve
 int main(void)
 {
     static const hard_claim claims[] = {
-        {ISO_BDF4, 30.0, at[0], 12000, 9e-7, 4},
-        {ISO_ROSENBROCK, 30.0, at[0], 12000, 1.4e-6, 3},
-        {ISO_BDF4, 60.0, at[1], 48000, 6e-8, 4},
-        {ISO_ROSENBROCK, 60.0, at[1], 48000, 1.6e-7, 3},
+        {ISO_BDF4, 30.0, at[0], 12000, 9e-7, 4},     {ISO_ROSENBROCK, 30.0, at[0], 12000, 1.4e-6, 3},
+        {ISO_BDF4, 60.0, at[1], 48000, 6e-8, 4},     {ISO_ROSENBROCK, 60.0, at[1], 48000, 1.6e-7, 3},
+        {ISO_BDF4, 360.0, at[2], 288000, 1.3e-7, 4}, {ISO_ROSENBROCK, 360.0, at[2], 288000, 3.7e-7, 3},
     };
-    hard_expect_claims(&problem, claims, sizeof claims / sizeof *claims, 20.0);
+    hard_expect_claims(&problem, claims, HARD_PICK(4, sizeof claims / sizeof *claims), 20.0);
     hard_expect_explicit_failures(&problem, 0.01, 3000);
     return report_done();
 }
