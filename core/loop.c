@@ -49,11 +49,7 @@ static void step_again(const iso_plant *const plant)
 /* All ones if state i is not finite or out of its range, else zero; without a branch on it. */
 static iso_bits is_bad(const iso_plant *const plant, const uint16_t i)
 {
-    iso_bits bad = iso_not_finite(plant->x[i]);
-    if (plant->range != NULL) {
-        bad |= iso_less(plant->range[i], iso_abs(plant->x[i])) & iso_less(R(0.0), plant->range[i]);
-    }
-    return bad;
+    return iso_beyond(plant->x[i], plant->range == NULL ? ISO_REAL_MAX : plant->range[i]);
 }
 
 /* The first bad state. The test of all is without a branch; the search is for the report only. */

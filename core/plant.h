@@ -50,15 +50,16 @@ typedef struct iso_plant {
     uint16_t parameters;
     const char *output_names; /* separated by commas */
 
-    real *x;                       /* state, in the plant's memory */
-    real *u;                       /* inputs */
-    real *p;                       /* tunable parameters */
-    real *y;                       /* outputs */
-    const real *start;             /* the state at tick 0 */
-    const real *defaults;          /* of the parameters */
-    const real *range;             /* [states] each may be this large, for the guard; 0 where any finite number may
-                                            be; NULL where all may. ISO_ANGLE_RANGE for an angle whose sine is taken */
-    struct iso_progress *progress; /* how the last step went; NULL where nothing asks (core/method.h) */
+    real *x;                             /* state, in the plant's memory */
+    real *u;                             /* inputs */
+    real *p;                             /* tunable parameters */
+    real *y;                             /* outputs */
+    const real *start;                   /* the state at tick 0 */
+    const real *defaults;                /* of the parameters */
+    const real *range;                   /* [states] each may be this large, for the guard; NULL where all may be any
+                                            finite number, ISO_REAL_MAX where one may. ISO_ANGLE_RANGE for an angle
+                                            whose sine is taken */
+    struct iso_progress *progress;       /* how the last step went; NULL where nothing asks (core/method.h) */
     const struct iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/adams.h) */
     void *memory;                        /* all that a snapshot must hold */
     size_t memory_bytes;

@@ -20,6 +20,7 @@ typedef uint64_t iso_bits; /* as wide as a real */
 
 enum { ISO_SIGN_SHIFT = 63 };
 #define ISO_EXPONENT_BITS UINT64_C(0x7FF0000000000000)
+#define ISO_REAL_MAX DBL_MAX
 #define ISO_REAL_EPSILON DBL_EPSILON /* distance from 1 to the next real: one ulp of 1.0 */
 
 #else
@@ -31,6 +32,7 @@ typedef uint32_t iso_bits;
 
 enum { ISO_SIGN_SHIFT = 31 };
 #define ISO_EXPONENT_BITS UINT32_C(0x7F800000)
+#define ISO_REAL_MAX FLT_MAX
 #define ISO_REAL_EPSILON FLT_EPSILON
 
 #endif
@@ -96,6 +98,13 @@ static inline iso_bits iso_not_finite(const real x)
     const iso_bits exponent = iso_bits_of(x) & ISO_EXPONENT_BITS;
     const iso_bits lowest = ISO_EXPONENT_BITS & (~ISO_EXPONENT_BITS + 1);
     return (iso_bits)0 - ((exponent + lowest) >> ISO_SIGN_SHIFT);
+}
+
+/* All ones if |x| is beyond range > 0, finite, or if x is no number, else zero: without their sign, the bits of reals are
+ * in the order of their sizes, and those of an infinity or a NaN above all. */
+static inline iso_bits iso_beyond(const real x, const real range)
+{
+    return (iso_bits)0 - ((iso_bits_of(range) - (iso_bits_of(x) & ~ISO_SIGN_BIT)) >> ISO_SIGN_SHIFT);
 }
 
 #endif

@@ -154,6 +154,14 @@ static void test_special(void)
     tap_bits(iso_not_finite(iso_real_of(quiet | ISO_SIGN_BIT)), all, "not_finite: negative NaN");
     tap_bits(iso_not_finite(iso_real_of(ISO_EXPONENT_BITS + 1)), all, "not_finite: signalling NaN");
     tap_bits(iso_not_finite(LARGEST), 0, "not_finite: the largest number is finite");
+    tap_bits(iso_beyond(infinite, ISO_REAL_MAX), all, "beyond: infinity");
+    tap_bits(iso_beyond(iso_real_of(quiet), ISO_REAL_MAX), all, "beyond: quiet NaN");
+    tap_bits(iso_beyond(iso_real_of(ISO_EXPONENT_BITS + 1), R(1.0)), all, "beyond: signalling NaN");
+    tap_bits(iso_beyond(-LARGEST, ISO_REAL_MAX), 0, "beyond: not the largest number");
+    tap_bits(iso_beyond(R(-8.0), R(8.0)), 0, "beyond: not the end of a range");
+    tap_bits(iso_beyond(-next_above(R(8.0)), R(8.0)), all, "beyond: an ulp from there");
+    tap_bits(iso_beyond(next_above(R(8.0)), R(8.0)), all, "beyond: on the other side too");
+    tap_bits(iso_beyond(R(-0.0), R(8.0)), 0, "beyond: not zero");
 }
 
 static void test_select(void)

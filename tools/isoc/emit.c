@@ -170,11 +170,14 @@ static void emit_range(const plant *p, text *out)
 {
     const mechanism *m = p->m;
     const char *const *symbols = state_symbols(m, out->memory);
-    text_add(out, "static const real range[PLANT_STATES] = {\n");
+    bool *angles = arena_take(out->memory, (size_t)state_count(m), sizeof *angles);
     for (int i = 0; i < m->link_count; i++) {
-        if (is_angle(&m->links[i])) {
-            text_add(out, "    [PLANT_X_%s] = ISO_ANGLE_RANGE,\n", upper(out->memory, symbols[m->links[i].position]));
-        }
+        angles[m->links[i].position] = is_angle(&m->links[i]);
+    }
+    text_add(out, "static const real range[PLANT_STATES] = {\n");
+    for (int i = 0; i < state_count(m); i++) {
+        text_add(out, "    [PLANT_X_%s] = %s,\n", upper(out->memory, symbols[i]),
+                 angles[i] ? "ISO_ANGLE_RANGE" : "ISO_REAL_MAX");
     }
     text_add(out, "};\n\n");
 }
