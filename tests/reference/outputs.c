@@ -1,7 +1,9 @@
 /* The outputs of a plant's own run against a reference solution in a text file.
  *
- *     outputs FILE CASE DEMAND      TAP: the error of every row is at most DEMAND
- *     outputs FILE CASE             the errors alone, one on a line
+ *     outputs FILE CASE DEMAND ENERGY [EFFORT OUTPUT]
+ *                        TAP: the error of every row is at most DEMAND; at every step the energy is off by at most ENERGY (J)
+ *                        what it was at the start and what a constant EFFORT (N m) on the angle OUTPUT has added
+ *     outputs FILE CASE  the errors alone, one on a line
  *
  * The error of a row is the largest of its columns, of |y| where that is above 1. A file has `case NAME ...`, `columns` with
  * the names of outputs, and `row` with the time and the values.
@@ -19,6 +21,12 @@ enum { COLUMNS_MAX = 16, LINE_MAX_LENGTH = 2048 };
 typedef struct table {
     int columns, output[COLUMNS_MAX];
 } table;
+
+/* The energy less the work of an effort, and how far off its first value it was at most. */
+typedef struct balance {
+    int energy, angle; /* outputs; -1: none */
+    double effort, first, worst;
+} balance;
 
 /* Which output is called so; -1: none. */
 static int find_output(const char *const wanted)
@@ -47,8 +55,16 @@ static bool read_columns(char *const line, table *const t)
     return true;
 }
 
+static double balance_now(const balance *const b)
+{
+    iso_the_plant.output(iso_the_plant.y, iso_the_plant.x, iso_the_plant.u, iso_the_plant.p);
+    const double energy = b->energy < 0 ? 0.0 : (double)iso_the_plant.y[b->energy];
+    return energy - (b->angle < 0 ? 0.0 : b->effort * (double)iso_the_plant.y[b->angle]);
+}
+
 /* Runs to the time of a row and compares. */
-static double error_of_row(char *const line, const table *const t, uint32_t *const tick, double *const time)
+static double error_of_row(char *const line, const table *const t, balance *const b, uint32_t *const tick,
+                           double *const time)
 {
     double largest = 0.0;
     char *at;
@@ -60,8 +76,9 @@ static double error_of_row(char *const line, const table *const t, uint32_t *con
         }
         iso_the_plant.step();
         ++*tick;
+        const double off = fabs(balance_now(b) - b->first);
+        b->worst = off <= b->worst ? b->worst : off; /* what is not a number stays */
     }
-    iso_the_plant.output(iso_the_plant.y, iso_the_plant.x, iso_the_plant.u, iso_the_plant.p);
     for (int i = 0; i < t->columns; i++) {
         const double wanted = strtod(at, &at);
         const double error = fabs((double)iso_the_plant.y[t->output[i]] - wanted) / fmax(1.0, fabs(wanted));
@@ -89,18 +106,21 @@ int main(int count, char **arguments)
     bool here = false, read = file != NULL;
     uint32_t tick = 0;
     table t = {0};
+    balance b = {.energy = find_output("energy"), .angle = count > 6 ? find_output(arguments[6]) : -1};
+    b.effort = count > 6 ? strtod(arguments[5], NULL) : 0.0;
     while (file != NULL && fgets(line, sizeof line, file) != NULL) {
         if (strncmp(line, "case ", 5) == 0) {
             const size_t length = strcspn(line + 5, " \n");
             here = length == strlen(arguments[2]) && strncmp(line + 5, arguments[2], length) == 0;
             if (here) {
                 iso_plant_start(&iso_the_plant);
+                b.first = balance_now(&b);
             }
         } else if (here && strncmp(line, "columns ", 8) == 0) {
             read = read_columns(line + 8, &t) && read;
         } else if (here && strncmp(line, "row ", 4) == 0) {
             double time;
-            const double error = error_of_row(line + 4, &t, &tick, &time);
+            const double error = error_of_row(line + 4, &t, &b, &tick, &time);
             compare(arguments[2], time, error, demand);
         }
     }
@@ -110,6 +130,9 @@ int main(int count, char **arguments)
     if (demand == NULL) {
         return read && tick > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
     }
+    const double most = count > 4 ? strtod(arguments[4], NULL) : 0.0;
+    report_ok(b.energy >= 0 && b.worst <= most, "%s: at every step the energy is off by at most %.2e J; allowed %.2e",
+              arguments[2], b.worst, most);
     report_ok(read && tick > 0, "%s: the reference is read, and its columns are outputs", arguments[2]);
     return report_done();
 }

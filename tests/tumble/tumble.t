@@ -18,30 +18,35 @@ awk '{ exit !($1 < 4) }' "$out/float"
 result $? "float, 1e7 steps of 1 ms: the quaternion is at most $(cut -d ' ' -f 1 "$out/float") ulp long or short, below 4"
 echo "# energy and momentum within $(cut -d ' ' -f 2- "$out/float") after 10,000 s"
 
-# method, order, and the most that energy and momentum may change in 20 s at 1 ms: h^order times the fifth power of the
-# 5 rad/s of spin, or so; of the methods of order one and two the square or cube.
+# A step of a method of order p with error constant C misses C (w h / 2)^(p + 1) of the quaternion, which turns at half of
+# w = 5 rad/s, and twice that of the angle. Were all steps off to the same side, energy and momentum would be by
+# 2 T C (w / 2)^(p + 1) h^p after T = 20 s. C is that of y' = ly (Hairer, Norsett and Wanner 1993, ch. III.2; Hairer and
+# Wanner 1996, ch. IV.7): of rk4 1/5!, of bdf4 1/5, of rosenbrock 1/4! - g/2 + 3 g^2/2 - g^3 with g = 0.43587.
 real double
-while read -r method order energy momentum; do
+while read -r method order constant; do
     tumbling --method "$method" --step 2ms && "$out/tumble" 10000 >"$out/coarse" &&
         tumbling --method "$method" --step 1ms && "$out/tumble" 20000 >"$out/fine"
     result $? "$method: $(cut -d ' ' -f 2- "$out/fine") of energy and momentum in 20 s at 1 ms"
-    awk -v energy="$energy" -v momentum="$momentum" '{ exit !($2 <= energy && $3 <= momentum) }' "$out/fine"
-    result $? "$method: at most $energy and $momentum"
+    bound=$(awk -v p="$order" -v c="$constant" 'BEGIN { printf "%.1e", 2 * 20 * c * 2.5 ^ (p + 1) * 0.001 ^ p }')
+    awk -v bound="$bound" '{ exit !($2 <= bound && $3 <= bound) }' "$out/fine"
+    result $? "$method: at most $bound"
     paste -d ' ' "$out/coarse" "$out/fine" |
         awk -v p="$order" '{ exit !($2 >= 0.7 * 2 ^ p * $5 && $3 >= 0.7 * 2 ^ p * $6) }'
     result $? "$method: half the step keeps both better, by 0.7 * 2^$order and more"
-done <<BOUNDS
-euler 1 5e-2 3e-2
-heun 2 1e-7 1e-5
-rk4 4 1e-12 2e-11
-ab4 4 1e-9 1e-9
-semi_implicit 1 5e-2 3e-2
-abm4 4 1e-10 1e-10
-abm4_pec 4 1e-10 1e-10
-abm4_pecece 4 1e-10 1e-10
-bdf4 4 1e-9 1e-9
-rosenbrock 3 5e-8 2e-8
-BOUNDS
+    awk -v bound="$bound" '{ exit !($2 > bound / 100 || $3 > bound / 100) }' "$out/fine"
+    result $? "$method: which is less than 100 times as much"
+done <<METHODS
+euler 1 0.5
+heun 2 0.166667
+rk4 4 0.00833333
+ab4 4 0.348611
+semi_implicit 1 0.5
+abm4 4 0.0263889
+abm4_pec 4 0.0263889
+abm4_pecece 4 0.0263889
+bdf4 4 0.2
+rosenbrock 3 0.0259
+METHODS
 
 # Control: without the last step of Newton's method the length drifts.
 real float
