@@ -13,15 +13,15 @@
 ##     METHOD=rk4                          in place of the scene's
 ##     STEP=1ms                            in place of the scene's
 ##     TOLERANCE=1e-9                      of adams, which then takes as many sub-steps as it needs
-##     SECONDS=10                          how long, in the plant's time; 5 for report and bench
+##     SECONDS=10                          how long, in the plant's time; 5 for report and bench, 600 for drift
 ##     TARGET=host|cortex-m4f              where: this machine, or the board in QEMU
 ##     REAL=float|double                   the type of its numbers
 ##     SCRIPT=FILE                         what goes wrong with the ticks, on the host (port/sim/script.h)
 ##     V=1                                 shows the commands
-SCENE = models/double_pendulum.scene
+SCENE = models/$(if $(filter drift,$(MAKECMDGOALS)),four_bar,double_pendulum).scene
 METHOD =
 STEP =
-SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,10)
+SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,10))
 TARGET = $(if $(filter size,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
 SCRIPT =
@@ -32,7 +32,7 @@ V =
 .SUFFIXES:
 MAKEFLAGS += --no-builtin-rules
 
-.PHONY: help run plot size stack cost report bench clean
+.PHONY: help run plot size stack cost report bench drift clean
 help: ## say what can be made; the same as make alone
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
@@ -233,6 +233,11 @@ report: build/isoc build/trace ## error of every method over its price and its s
 bench: build/isoc build/trace ## compare the methods at equal step and at equal error, as a table
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/report/bench.sh
+
+drift: build/isoc build/trace ## how far the loops of a scene come apart with every stabilisation: table, picture in build/drift/NAME/
+	$(call require,gnuplot,apt-get install gnuplot-nox)
+	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
+	@$(REPORT) sh tools/drift/drift.sh
 
 clean: ## remove all that was made
 	rm -rf build

@@ -1,6 +1,6 @@
 #!/bin/sh
 # README.md says what is so: its commands run, in a copy of the project, and print the lines shown below them; its tables are
-# those of `make cost`, `make bench` and `build/isoc --methods`, its scene and its picture those of models/, its links lead somewhere. A README with one thing changed
+# those of `make cost`, `make bench`, `make drift` and `build/isoc --methods`, its scene and its pictures those of models/, its links lead somewhere. A README with one thing changed
 # is found.
 . tests/host/test.sh
 . tests/host/project.sh
@@ -53,7 +53,8 @@ tables='| model |:make cost
 | steps of |:make cost
 | effect on:make cost
 | method | order | evaluations | Jacobians |:build/isoc --methods
-| method | order | evaluations | error,:make bench'
+| method | order | evaluations | error,:make bench
+| stabilisation | largest violation |:make drift'
 
 # table README BEGINNING: the table whose first line begins so, and the list that follows it, if there is one.
 table()
@@ -136,6 +137,10 @@ result $? "models/double_pendulum.svg is what make plot draws"
 [ "$(wc -c <models/double_pendulum.svg)" -lt 100000 ]
 result $? "the picture is smaller than 100 kB"
 
+grep -v '^<desc>' "$out/project/build/drift/four_bar/violation.svg" >"$out/picture.svg"
+[ -s "$out/picture.svg" ] && grep -v '^<desc>' models/four_bar_violation.svg | cmp -s - "$out/picture.svg"
+result $? "models/four_bar_violation.svg is what make drift draws"
+
 # texts FILE: the texts of a drawing, one on a line.
 texts()
 {
@@ -165,6 +170,7 @@ found "an order of a method" '/^| rk4 | 4 | 4 | 0/s/| 4/| 3/'
 found "an error of a method" '/^| rk4 | 4 | 4 | [1-9]/s/e-0/e-1/'
 found "an answer" 's/^- abm4 takes [0-9.]*/&1/'
 found "a price of an effect" '/^| damping |/s/+/+1/'
+found "a violation" '/^| projection | [0-9]/s/e-/e-1/'
 found "a row left out" '/^| cart_pole /d'
 found "a number of the scene" 's/^step 1 ms/step 2 ms/'
 found "a word of an error" "s/did you mean 'kg'/did you mean 'g'/"

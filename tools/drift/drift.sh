@@ -1,0 +1,56 @@
+#!/bin/sh
+# How far the closed loops of a scene come apart with every stabilisation, each as it is by itself, in float. Called by
+# `make drift`, with what tools/report/common.sh lists in the environment; everything stands in build/drift/NAME/:
+# violation.svg and .png, the picture; STABILISATION.scene, and what was measured beside it.
+. tools/drift/common.sh
+dir=build/drift/$NAME
+mkdir -p "$dir" || exit 1
+seconds=$(awk -v ns="$NANOSECONDS" 'BEGIN { printf "%.9g", ns / 1e9 }')
+parts=200 # of the time: points of a line in the picture
+
+# price STABILISATION: instructions of a step on the Cortex-M4F.
+price()
+{
+    "${MAKE:-make}" --no-print-directory run TARGET=cortex-m4f REAL=float OUT="$dir/$1-m4f" SCENE="$dir/$1.scene" METHOD= \
+        STEP="$STEP" SECONDS=0.05 >"$dir/$1.run" </dev/null || fail "$1 does not run on the Cortex-M4F; see $dir/$1.run"
+    awk '$1 == "instructions_per_step" { print $2; n++ } END { exit n != 1 }' "$dir/$1.run" ||
+        fail "$dir/$1.run has not one count"
+}
+
+echo "| stabilisation | largest violation | bound | change of energy | instructions of a step |"
+echo "|---|--:|--:|--:|--:|"
+for stabilisation in $STABILISATIONS; do
+    if measure "$stabilisation" "$seconds" $parts; then
+        instructions=$(price "$stabilisation") || exit 1
+        awk -v name="$stabilisation" -v seconds="$seconds" -v instructions="$instructions" '
+            { value[$1] = $2 }
+            END {
+                torn = value["end"] < seconds
+                print "| " name " | " (torn ? "torn after " value["end"] " s" : value["violation"]) \
+                    " | " (torn || value["bound"] == "inf" ? "-" : value["bound"]) \
+                    " | " (torn ? "-" : value["energy"]) " | " instructions " |"
+            }' "$dir/$stabilisation.measured"
+    else
+        echo "| $stabilisation | refused | - | - | - |"
+        head -n 1 "$dir/$stabilisation.said" >&2
+    fi
+done
+
+for stabilisation in $STABILISATIONS; do
+    [ -s "$dir/$stabilisation.measured" ] && sed "s/^/$stabilisation /" "$dir/$stabilisation.measured"
+done >"$dir/measured"
+[ -s "$dir/measured" ] || fail "there is nothing to measure in $SCENE"
+awk -v scene="$NAME" -f tools/drift/plot.awk "$dir/measured" >"$dir/violation.gnuplot"
+for format in svg png; do
+    case $format in
+    svg) terminal="svg size 900,420 font 'sans-serif,11' background rgb 'white'" ;;
+    png) terminal="pngcairo size 900,420 font 'sans-serif,9'" ;;
+    esac
+    gnuplot -e "set terminal $terminal; set output '$dir/violation.$format'" "$dir/violation.gnuplot" ||
+        fail "gnuplot does not draw $dir/violation.gnuplot"
+done
+awk -f tools/report/compact.awk "$dir/violation.svg" >"$dir/violation.svg.new" &&
+    mv "$dir/violation.svg.new" "$dir/violation.svg" || exit 1
+echo
+echo "$dir/violation.svg"
+echo "$dir/violation.png"
