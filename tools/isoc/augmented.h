@@ -19,7 +19,7 @@
  * Where A has the eigenvalue a, n iterations leave (e / (a + e))^n of what is demanded, and make up to n / e of a rounding
  * error where a is near zero. With n = 3 less than u is left as soon as a is u^(1/6) of the mean, 6 % in float; more
  * iterations reach little further and tear more where the closures lose rank. Parallelograms that pass there for 20 s in
- * float, with 16 speeds: the energy changes by a part of at most 2.4e-2 with n = 1, 4e-4 with 2, 3e-4 with 3, 8e-4
+ * float, with 16 speeds: the energy changes by a part of at most 2e-2 with n = 1, 3e-4 with 2, 2e-4 with 3 or 4, 4e-4
  * with 5, 2e-3 with 8.
  */
 #ifndef ISOC_AUGMENTED_H
