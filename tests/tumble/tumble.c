@@ -8,7 +8,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "plant.h"
+#include "core/plant.h"
+
+/* Where the orientation and the spin stand among the states: after the place, and after its speed. */
+enum { ORIENTATION = 3, SPIN = 10 };
 
 static const double inertia[3] = {1.0, 2.0, 3.0};
 
@@ -19,8 +22,8 @@ typedef struct invariants {
 /* E = w.Jw / 2 and R J w, with the turn of a vector v by q: v + 2 q_v x (q_v x v + q_w v). */
 static invariants now(void)
 {
-    const real *const q = iso_the_plant.x + PLANT_X_SPACE_TURN_W;
-    const real *const w = iso_the_plant.x + PLANT_X_SPACE_TURN_X_SPEED;
+    const real *const q = iso_the_plant.x + ORIENTATION;
+    const real *const w = iso_the_plant.x + SPIN;
     invariants made = {0};
     double body[3], cross[3];
     for (int i = 0; i < 3; i++) {
@@ -45,7 +48,7 @@ static double norm(const double *const a)
 
 static double length_error(void)
 {
-    const real *const q = iso_the_plant.x + PLANT_X_SPACE_TURN_W;
+    const real *const q = iso_the_plant.x + ORIENTATION;
     double square = 0.0;
     for (int i = 0; i < 4; i++) {
         square += (double)q[i] * (double)q[i];
