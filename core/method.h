@@ -130,7 +130,8 @@ enum { ISO_USUAL_STEPS = 16 };
 static inline void iso_watch(iso_progress *const progress, const real error)
 {
     const bool known = progress->watched == ISO_USUAL_STEPS;
-    progress->jumped = known & (iso_less(ISO_JUMP * progress->usual, error) != 0);
+    const iso_bits leap = iso_less(ISO_JUMP * progress->usual, error) & ~iso_not_finite(error);
+    progress->jumped = known & (leap != 0);
     progress->usual = iso_max(error, progress->usual - progress->usual / (real)ISO_USUAL_STEPS);
     progress->watched = (uint8_t)(progress->watched + !known);
 }
