@@ -81,7 +81,7 @@ static void measure(sizes *const s)
 static double bound(const sizes *const s, const char *const stabilisation, const double truncation)
 {
     if (strcmp(stabilisation, "none") == 0) {
-        return INFINITY;
+        return (double)INFINITY;
     }
     if (strcmp(stabilisation, "projection") == 0) {
         return truncation + s->position + 2.0 * s->look;
