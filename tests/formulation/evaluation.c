@@ -1,0 +1,46 @@
+/* The plant whose symbol was renamed to PLANT, as the evaluation EVALUATION. */
+#include "tests/formulation/evaluation.h"
+
+#include "core/plant.h"
+
+extern const iso_plant PLANT;
+
+static void take(const double *const x)
+{
+    for (size_t i = 0; i < PLANT.states; i++) {
+        PLANT.x[i] = (real)x[i];
+    }
+}
+
+static void give(double *const to, const real *const from)
+{
+    for (size_t i = 0; i < PLANT.states; i++) {
+        to[i] = (double)from[i];
+    }
+}
+
+static size_t start(double *const x)
+{
+    iso_plant_start(&PLANT);
+    give(x, PLANT.x);
+    return PLANT.states;
+}
+
+static void step(double *const x, const int steps)
+{
+    take(x);
+    for (int n = 0; n < steps; n++) {
+        PLANT.step();
+    }
+    give(x, PLANT.x);
+}
+
+static void slopes(double *const dx, const double *const x)
+{
+    real made[STATES_MAX];
+    take(x);
+    PLANT.derivative(made, PLANT.x, PLANT.u, PLANT.p);
+    give(dx, made);
+}
+
+const evaluation EVALUATION = {.start = start, .step = step, .slopes = slopes};

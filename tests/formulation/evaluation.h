@@ -1,0 +1,17 @@
+/* One plant among several in a program, each in its formulation and its real: what the others need of it, in double. */
+#ifndef ISO_TESTS_FORMULATION_EVALUATION_H
+#define ISO_TESTS_FORMULATION_EVALUATION_H
+
+#include <stddef.h>
+
+enum { STATES_MAX = 64 };
+
+typedef struct evaluation {
+    size_t (*start)(double *x);                  /* their number */
+    void (*step)(double *x, int steps);          /* with the inputs of tick 0 */
+    void (*slopes)(double *dx, const double *x); /* likewise */
+} evaluation;
+
+extern const evaluation composite_float, composite_double, articulated_float, articulated_double;
+
+#endif
