@@ -80,13 +80,14 @@ static inline iso_sine_cosine iso_sincos(const real x)
     const iso_bits s = iso_bits_of(r + r * (z * iso_sine_tail(z)));
     const iso_bits c = iso_bits_of((R(1.0) - R(0.5) * z) + (z * z) * iso_cosine_tail(z));
 
-    /* An odd quadrant swaps the two; bit 1 of k negates the sine, bit 1 of k + 1 the cosine. */
-    const iso_bits swap = (s ^ c) & ((iso_bits)0 - (quadrant & 1));
+    /* An odd quadrant swaps the two. Bit 1 of k negates the sine, bit 1 of k + 1 the cosine: both have the sign of the
+     * sine, and the cosine one more where k is odd. */
+    const iso_bits odd = (iso_bits)0 - (quadrant & 1);
     const iso_bits sine_sign = (quadrant << (ISO_SIGN_SHIFT - 1)) & ISO_SIGN_BIT;
-    const iso_bits cosine_sign = ((quadrant + 1) << (ISO_SIGN_SHIFT - 1)) & ISO_SIGN_BIT;
+    const iso_bits change = ((s ^ c) & odd) ^ sine_sign;
     const iso_sine_cosine result = {
-        .sin = iso_real_of((s ^ swap) ^ sine_sign),
-        .cos = iso_real_of((c ^ swap) ^ cosine_sign),
+        .sin = iso_real_of(s ^ change),
+        .cos = iso_real_of((c ^ change) ^ (odd & ISO_SIGN_BIT)),
     };
     return result;
 }

@@ -24,21 +24,45 @@ static vector column(matrix m, int j)
     return (vector){{m.at[0][j], m.at[1][j], m.at[2][j]}};
 }
 
-/* The acceleration of a point of a link against the origin of the base, in base axes, at q'' = 0. What the origin does
- * itself, gravity with it, is the same on both sides of a closure. */
-static vector relative_acceleration(const kinematics *k, const acceleration *all, const cut_end *end, int base)
+/* Whether all links on the way turn about one direction, which rests. */
+static bool turns_in_a_plane(const kinematics *k, const side *s, const cut_end *end, int base)
+{
+    bool does = true;
+    for (int i = end->link; i != base && does; i = k->m->links[i].parent) {
+        const link *l = &k->m->links[i];
+        const vector w = k->motions[i].omega;
+        does = l->kind == JOINT_REVOLUTE && vector_is_constant(k->g, s->angular[l->freedom]) &&
+               is_zero(k->g, w.at[(l->axis + 1) % 3]) && is_zero(k->g, w.at[(l->axis + 2) % 3]);
+    }
+    return does;
+}
+
+/* The acceleration of a side's point against the origin of the base, in base axes, at q'' = 0. What the origin does
+ * itself, gravity with it, is the same on both sides of a closure. In a plane each link draws by omega^2 along its part of
+ * the way; the whole way from each joint is what its row turns. */
+static vector relative_acceleration(const kinematics *k, const acceleration *all, const side *s, const cut_end *end,
+                                    int base)
 {
     graph *g = k->g;
+    const bool plane = turns_in_a_plane(k, s, end, base);
     vector from = end->point, made = vector_zero(g);
-    for (int i = end->link; i != GROUND; i = k->m->links[i].parent) {
-        made = vector_add(g, made, swing(g, k->motions[i].omega, all[i].alpha, from));
-        if (i == base) {
-            break;
+    for (int i = end->link; i != base; i = k->m->links[i].parent) {
+        const link *l = &k->m->links[i];
+        const vector w = k->motions[i].omega, before = k->motions[i].carried;
+        if (plane) {
+            const node more = sub(g, vector_dot(g, w, w), vector_dot(g, before, before));
+            const vector inward = vector_cross(g, s->angular[l->freedom], s->linear[l->freedom]);
+            made = vector_add(g, made, vector_scale(g, more, inward));
+        } else {
+            made = vector_add(g, made, swing(g, w, all[i].alpha, from));
+            made = to_parent(k, i, vector_add(g, made, joint_coriolis(k, i).a));
+            from = k->motions[i].p;
         }
-        made = to_parent(k, i, vector_add(g, made, joint_coriolis(k, i).a));
-        from = k->motions[i].p;
     }
-    return made;
+    if (base == GROUND) {
+        return made;
+    }
+    return vector_add(g, made, swing(g, k->motions[base].omega, all[base].alpha, plane ? s->point : from));
 }
 
 static side build_side(const kinematics *k, const acceleration *all, const cut_end *end, int base)
@@ -65,7 +89,7 @@ static side build_side(const kinematics *k, const acceleration *all, const cut_e
     const bool moves = end->link != GROUND;
     const vector zero = vector_zero(g);
     made.velocity = outward_axes(k, end->link, base, point_velocity(k, end->link, end->point));
-    made.acceleration = relative_acceleration(k, all, end, base);
+    made.acceleration = relative_acceleration(k, all, &made, end, base);
     made.omega = moves ? outward_axes(k, end->link, base, k->motions[end->link].omega) : zero;
     made.alpha = moves ? outward_axes(k, end->link, base, all[end->link].alpha) : zero;
     for (int j = 0; j < 3; j++) {
