@@ -1,0 +1,79 @@
+#!/bin/sh
+# What mechanisms cost: instructions of an rk4 step in double on the host (callgrind), within what each may take; chains by
+# their length, and beside plants by hand; the time that isoc takes.
+. tests/host/test.sh
+begin cost
+. tests/host/callgrind.sh
+
+# made NAME: the plant of $out/NAME.scene; prints nothing.
+made()
+{
+    build/isoc "$out/$1.scene" -o "$out/$1" --real double >"$out/$1.summary" &&
+        program "$1.run" tests/handwritten/count.c "$out/$1/plant.c"
+}
+
+# within NAME MOST: its steps take at most so many instructions; sets count.
+within()
+{
+    made "$1"
+    result $? "$1 builds"
+    count=$(per_step "$out/$1.run")
+    result $? "$1: $count instructions on every step"
+    [ "${count:-0}" -gt 0 ] && [ "$count" -le "$2" ]
+    result $? "$1: at most $2"
+}
+
+for n in 2 3 8 16 32; do
+    sh tools/build/chain.sh $n planar >"$out/planar_$n.scene"
+done
+# What is continuous counts its turns beside its equations.
+sed '/^ *continuous$/d' models/four_bar.scene >"$out/four_bar.scene"
+sed 's/^step/gravity (0, 0, -9.81) m\/s^2\nstep/' models/rigid_body.scene >"$out/free_body.scene"
+
+within planar_8 6000
+eight=$count
+within planar_32 40000
+[ "$count" -le $((5 * eight)) ]
+result $? "four times the joints: less than five times the instructions, $eight to $count"
+within four_bar 2000
+within free_body 500
+! { build/isoc "$out/planar_32.scene" -o "$out/planar_32" --real double --formulation composite >"$out/summary" &&
+    program composite tests/handwritten/count.c "$out/planar_32/plant.c" && composite=$(per_step "$out/composite") &&
+    [ "$composite" -le 40000 ]; }
+result $? "control: by the mass matrix 32 joints take $composite"
+
+for n in 2 3; do
+    made planar_$n && program by_hand tests/handwritten/count.c tests/cost/chain_$n.c
+    result $? "a planar chain of $n builds, and so by hand"
+    generated=$(per_step "$out/planar_$n.run") && hand=$(per_step "$out/by_hand") &&
+        at_most_tenth_over "$generated" "$hand"
+    result $? "a planar chain of $n: $generated instructions, at most 1.1 x by hand, $hand"
+done
+
+# Inertia out of the plane, and a plane askew, are no part of a planar motion.
+operations()
+{
+    build/isoc "$1" -o "$out/counted" --real double | grep '^derivative '
+}
+
+sed 's/inertia (across, long, across)/inertia (1.2 * across, 1.1 * across, across; 0.1 * across, 0.2 * across, -0.1 * across)/' "$out/planar_3.scene" >"$out/thick.scene"
+sed 's/^    parent ground$/    parent ground rotate 40 deg about (1, 2, 3)/' "$out/planar_3.scene" >"$out/askew.scene"
+plane=$(operations "$out/planar_3.scene")
+[ "$(operations "$out/thick.scene")" = "$plane" ] && [ "$(operations "$out/thick.scene")" != "" ]
+result $? "a chain of bodies in 3-D costs what a chain in the plane does: $plane"
+askew=$(operations "$out/askew.scene") && [ "$askew" != "$plane" ]
+result $? "control: in a plane askew gravity has another direction, $askew"
+
+# milliseconds SCENE: processor time of isoc.
+milliseconds()
+{
+    (build/isoc "$1" -o "$out/timed" >/dev/null && times) | tail -n 1 | tr 'ms' '  ' |
+        awk 'NF == 4 { printf "%.0f\n", 1000 * (60 * ($1 + $3) + $2 + $4) }'
+}
+
+for scene in models/squeezer.scene "$out/planar_32.scene"; do
+    spent=$(milliseconds "$scene")
+    [ "${spent:-2000}" -lt 2000 ]
+    result $? "isoc takes less than 2 s for $(basename "$scene" .scene): $spent ms"
+done
+finish
