@@ -218,6 +218,10 @@ stack: $(OUT)/plant.o ## show the deepest stack of a step; recursion and frames 
 cost: ## price the models and the effects: instructions, operations, bytes; on the Cortex-M4F in float
 	@MAKE=$(call quote,$(MAKE)) METHODS=$(call quote,$(METHODS)) sh tools/build/cost.sh
 
+LENGTHS = 1 2 3 4 6 8 12 16
+chains: ## price chains of rods by their LENGTHS: operations, instructions, bytes; on the Cortex-M4F in float
+	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/build/chains.sh
+
 # Both measure the methods of METHODS, all unless told.
 REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) NANOSECONDS=$(NANOSECONDS) \
     METHODS=$(call quote,$(METHODS)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \

@@ -1,6 +1,6 @@
 #!/bin/sh
 # README.md says what is so: its commands run, in a copy of the project, and print the lines shown below them; its tables are
-# those of `make cost`, `make bench`, `make drift` and `build/isoc --methods`, its scene and its pictures those of models/, its links lead somewhere. A README with one thing changed
+# those of `make cost`, `make chains`, `make bench`, `make drift` and `build/isoc --methods`, its scene and its pictures those of models/, its links lead somewhere. A README with one thing changed
 # is found.
 . tests/host/test.sh
 . tests/host/project.sh
@@ -52,6 +52,7 @@ try()
 tables='| model |:make cost
 | steps of |:make cost
 | effect on:make cost
+| chain |:make chains
 | method | order | evaluations | Jacobians |:build/isoc --methods
 | method | order | evaluations | error,:make bench
 | stabilisation | largest violation |:make drift'
@@ -166,6 +167,7 @@ found()
 found "a digit of a hash" '/^hash /s/.$/x/'
 found "a number of a step" '/^instructions_per_step /s/$/0/'
 found "a price of a model" '/^| arm6 /s/|\([^|]*\)|$/|\10 |/'
+found "a price of a chain" '/^| planar, 16 /s/ |$/0 |/'
 found "an order of a method" '/^| rk4 | 4 | 4 | 0/s/| 4/| 3/'
 found "an error of a method" '/^| rk4 | 4 | 4 | [1-9]/s/e-0/e-1/'
 found "an answer" 's/^- abm4 takes [0-9.]*/&1/'
