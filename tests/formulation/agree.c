@@ -13,6 +13,7 @@
 #include "tests/host/report.h"
 
 static const double ROOM = 8.0;
+static const double single_epsilon = (double)FLT_EPSILON;
 
 enum { PLACES = 50, STEPS_BETWEEN = 20 };
 
@@ -33,7 +34,7 @@ int main(void)
     const size_t n = composite_double.start(x);
     const bool same = articulated_double.start(others) == n && composite_float.start(others) == n &&
                       articulated_float.start(others) == n;
-    double apart = 0.0, in_composite = FLT_EPSILON, in_articulated = FLT_EPSILON;
+    double apart = 0.0, in_composite = single_epsilon, in_articulated = single_epsilon;
     for (int place = 0; place < PLACES && same; place++) {
         double composite[STATES_MAX], articulated[STATES_MAX], rough[STATES_MAX];
         composite_double.step(x, STEPS_BETWEEN);
@@ -51,7 +52,7 @@ int main(void)
         articulated_float.slopes(rough, x);
         in_articulated = fmax(in_articulated, difference(rough, articulated, n));
     }
-    const double limit = ROOM * (DBL_EPSILON / (double)FLT_EPSILON) * (in_composite + in_articulated);
+    const double limit = ROOM * (DBL_EPSILON / single_epsilon) * (in_composite + in_articulated);
     report_ok(same, "all have %u states", (unsigned)n);
     report_note("in float composite is off by %.1e, articulated by %.1e", in_composite, in_articulated);
     report_ok(apart <= limit, "in double they differ by %.1e <= %.1e", apart, limit);
