@@ -103,7 +103,7 @@ test:
 	@tests/tools.sh
 	@$(MAKE) --no-print-directory -j$(TEST_JOBS) test-run
 
-# The fast part: less than a minute.
+# The fast part: units in float, and the checkers that are quick.
 check:
 	@tests/tools.sh
 	@$(MAKE) --no-print-directory -j$(TEST_JOBS) check-run
