@@ -15,6 +15,7 @@
 
 #include "core/plant.h"
 #include "tests/host/report.h"
+#include "tests/reference/named.h"
 
 enum { COLUMNS_MAX = 16, LINE_MAX_LENGTH = 2048 };
 
@@ -27,21 +28,6 @@ typedef struct balance {
     int energy, angle; /* outputs; -1: none */
     double effort, first, worst;
 } balance;
-
-/* Which output is called so; -1: none. */
-static int find_output(const char *const wanted)
-{
-    const char *at = iso_the_plant.output_names;
-    const size_t length = strlen(wanted);
-    for (int i = 0; i < iso_the_plant.outputs; i++) {
-        const size_t here = strcspn(at, ",");
-        if (here == length && strncmp(at, wanted, here) == 0) {
-            return i;
-        }
-        at += here + 1;
-    }
-    return -1;
-}
 
 static bool read_columns(char *const line, table *const t)
 {
