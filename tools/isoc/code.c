@@ -346,6 +346,12 @@ operations code_count(const graph *of, const node *of_roots, size_t count)
     return made;
 }
 
+int code_price(operations n)
+{
+    enum { DIVISION = 14 };
+    return n.add + n.mul + DIVISION * n.div;
+}
+
 bool code_uses(const graph *g, const node *roots, size_t count, operation op)
 {
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);

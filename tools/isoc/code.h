@@ -39,6 +39,9 @@ bool code_emit(const code *c, text *out, double *culprit);
 /* What the statements compute. */
 operations code_count(const graph *g, const node *roots, size_t count);
 
+/* Cycles of a Cortex-M4F, but for sines and cosines, which every way to the same equations shares. */
+int code_price(operations n);
+
 /* The shortest decimal that reads back as the same real, e.g. R(0.1). */
 const char *code_literal(arena *memory, double value, bool is_double);
 

@@ -189,10 +189,9 @@ static jacobian build(graph *g, const dynamics *d, const node *slopes, const unk
 /* Operations of a step: a factorisation and two or three solutions. */
 static int price(const graph *g, const jacobian *j, int states)
 {
-    enum { DIVISION = 14, SOLUTIONS = 3 };
-    const operations factor = code_count(g, j->factors, (size_t)j->factor_count);
-    const operations once = code_count(g, j->solution, (size_t)states);
-    return factor.add + factor.mul + DIVISION * factor.div + SOLUTIONS * (once.add + once.mul);
+    enum { SOLUTIONS = 3 };
+    const int factor = code_price(code_count(g, j->factors, (size_t)j->factor_count));
+    return factor + SOLUTIONS * code_price(code_count(g, j->solution, (size_t)states));
 }
 
 jacobian jacobian_build(graph *g, const dynamics *d, const node *slopes)

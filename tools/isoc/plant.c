@@ -135,13 +135,6 @@ static void build_slopes(plant *p, graph *g, formulation chosen)
     }
 }
 
-/* Cycles of a Cortex-M4F, by its operations; sines and cosines are the same in all formulations. */
-static int price(operations n)
-{
-    enum { DIVISION = 14 };
-    return n.add + n.mul + DIVISION * n.div;
-}
-
 /* Tries both formulations on copies of the graph. An implicit method evaluates twice for each Jacobian. */
 static choice choose(const plant *p, const graph *g, formulation wanted)
 {
@@ -152,9 +145,9 @@ static choice choose(const plant *p, const graph *g, formulation wanted)
         plant tried = *p;
         build_slopes(&tried, &trial, f);
         made.of[f] = code_count(&trial, tried.slopes, (size_t)state_count(p->m));
-        prices[f] = price(made.of[f]);
+        prices[f] = code_price(made.of[f]);
         if (ISO_IS_IMPLICIT(p->m->recipe)) {
-            prices[f] = 2 * prices[f] + price(code_count(&trial, tried.j.factors, (size_t)tried.j.factor_count));
+            prices[f] = 2 * prices[f] + code_price(code_count(&trial, tried.j.factors, (size_t)tried.j.factor_count));
         }
         made.kept = prices[f] < prices[made.kept] ? f : made.kept;
     }
