@@ -3,11 +3,9 @@
 # the warnings: with it the float build has no double arithmetic that crept in. Nothing is optimised, which takes
 # most of the time: clang warns before, and what gcc's optimiser warns of stops the tests that build the same files.
 . tests/host/test.sh
+. tests/host/sources.sh
 begin check/warnings
 
-# What is written for both reals, what for the host only (of the tests that in double), and what for the target.
-both=$(find core port/sim models tests/unit tests/exhaustive tests/check tests/tap.c -name '*.c' | sort)
-once=$(find tools tests -name '*.c' | sort | grep -vxF "$both")
 target=$(find core port/mps2 models tests/unit tests/tap.c -name '*.c' | sort)
 m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
 

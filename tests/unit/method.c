@@ -64,9 +64,9 @@ typedef struct run {
 typedef void prime_function(run *r, real h);
 typedef void step_function(run *r, real h);
 
-/* The two functions of a recipe that the compiler knows. */
+/* The two functions of a recipe that the compiler knows. Priming is cold: unrolled it would take long to compile. */
 #define FIXED(name, recipe)                                                                                            \
-    static void prime_##name(run *const r, const real h)                                                               \
+    __attribute__((cold)) static void prime_##name(run *const r, const real h)                                         \
     {                                                                                                                  \
         iso_method_prime(recipe, N, &equations, h, r->x, NULL, NULL, r->lu, r->work);                                  \
     }                                                                                                                  \

@@ -19,7 +19,7 @@ typedef struct run {
     iso_trail trail;
 } run;
 
-static iso_trail *prepare(run *const r, const size_t kept, const real first, const real second)
+static void prepare(run *const r, const size_t kept, const real first, const real second)
 {
     memset(r, 0, sizeof *r);
     r->x[0] = first;
@@ -27,7 +27,6 @@ static iso_trail *prepare(run *const r, const size_t kept, const real first, con
     r->past[kept * N] = R(7.0);
     r->slopes[ISO_AB4_STEPS * N] = R(7.0);
     r->trail = (iso_trail){.n = N, .x = r->x, .past = r->past};
-    return &r->trail;
 }
 
 typedef void take_slope(const iso_trail *trail, real h, const real *slope);
@@ -40,11 +39,24 @@ static void take(run *const r, take_slope *const method, const size_t count)
     }
 }
 
-static void prime(run *const r, iso_derivative *const f, const real *const u, const real *const p,
-                  take_slope *const method, const uint8_t count, const bool from_now)
+/* Each kernel is compiled once, and cold, so that loops whose counts are not known there are not unrolled: that would be
+ * most of what this file takes to compile. */
+__attribute__((cold)) static void prime(run *const r, iso_derivative *const f, const real *const u, const real *const p,
+                                        take_slope *const method, const uint8_t count, const bool from_now)
 {
     iso_walk_back(r->trail.n, f, h, r->x, u, p, count, from_now, r->slopes, r->moved, r->at, r->work);
     take(r, method, count);
+}
+
+__attribute__((cold)) static void ab4(run *const r, iso_derivative *const f, const real *const u, const real *const p)
+{
+    (void)iso_ab4_step(&r->trail, f, h, u, p, r->work);
+}
+
+__attribute__((cold)) static real abm4(run *const r, iso_derivative *const f, const real *const u, const real *const p,
+                                       const uint8_t corrections, const bool evaluate_last)
+{
+    return iso_abm4_step(&r->trail, f, h, u, p, r->work, corrections, evaluate_last);
 }
 
 /* t' = 1, q' = t^4. */
@@ -59,7 +71,7 @@ static void quartic(real *restrict dx, const real *restrict x, const real *restr
 static void test_walk_back(void)
 {
     run r;
-    (void)prepare(&r, 0, R(3.0), R(0.0));
+    prepare(&r, 0, R(3.0), R(0.0));
     r.slopes[3 * N] = R(7.0);
     iso_walk_back(N, cubic, h, r.x, NULL, NULL, 3, false, r.slopes, r.moved, r.at, r.work);
     tap_ok(r.x[0] == R(3.0) && r.x[1] == R(0.0), "prime: the state is left as it is");
@@ -80,12 +92,12 @@ static void test_walk_back(void)
 static void test_ab4_cubic(void)
 {
     run r;
-    iso_trail *const trail = prepare(&r, ISO_AB4_SUMS, R(0.0), R(0.0));
+    prepare(&r, ISO_AB4_SUMS, R(0.0), R(0.0));
     prime(&r, cubic, NULL, NULL, iso_ab4_take_slope, 3, false);
-    (void)iso_ab4_step(trail, cubic, h, NULL, NULL, r.work);
+    ab4(&r, cubic, NULL, NULL);
     tap_same(r.x[0], R(1.5), "ab4: time advances by h");
     tap_same(r.x[1], R(1.265625), "ab4: the integral of a cubic slope is exact");
-    (void)iso_ab4_step(trail, cubic, h, NULL, NULL, r.work);
+    ab4(&r, cubic, NULL, NULL);
     tap_same(r.x[1], R(20.25), "ab4: exact in the second step too");
     tap_same(r.past[ISO_AB4_SUMS * N], R(7.0), "ab4: what is kept ends where its size says");
 }
@@ -96,10 +108,10 @@ static void test_ab4_by_hand(void)
 {
     static const real slopes[3 * N] = {R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
     run r;
-    iso_trail *const trail = prepare(&r, ISO_AB4_SUMS, R(1.0), R(0.0));
+    prepare(&r, ISO_AB4_SUMS, R(1.0), R(0.0));
     memcpy(r.slopes, slopes, sizeof slopes);
     take(&r, iso_ab4_take_slope, 3);
-    (void)iso_ab4_step(trail, oscillator, h, NULL, NULL, r.work);
+    ab4(&r, oscillator, NULL, NULL);
     tap_same(r.x[0], R(0.25), "ab4: position by hand");
     tap_same(r.x[1], R(13.1875), "ab4: speed by hand");
     tap_ok(r.past[0] == R(-19.0) / R(16.0) && r.past[1] == R(51.0) / R(16.0), "ab4: what is kept, by hand");
@@ -110,14 +122,14 @@ static void test_inputs(void)
     const real u[1] = {R(3.0)};
     const real p[1] = {R(0.5)};
     run r;
-    iso_trail *const trail = prepare(&r, 0, R(1.0), R(0.0));
-    trail->n = 1;
+    prepare(&r, 0, R(1.0), R(0.0));
+    r.trail.n = 1;
     prime(&r, driven, u, p, iso_ab4_take_slope, 3, false);
     tap_same(r.slopes[2], R(1.5), "prime: inputs and parameters reach the derivative");
-    (void)iso_ab4_step(trail, driven, h, u, p, r.work);
+    ab4(&r, driven, u, p);
     tap_same(r.x[0], R(3.25), "ab4: inputs and parameters reach the derivative");
     prime(&r, driven, u, p, iso_abm4_take_slope, 4, true);
-    (void)iso_abm4_step(trail, driven, h, u, p, r.work, 1, true);
+    (void)abm4(&r, driven, u, p, 1, true);
     tap_same(r.x[0], R(5.5), "abm4: inputs and parameters reach the derivative");
 }
 
@@ -147,11 +159,11 @@ static const variant variants[] = {
 static void test_abm4_cubic(const variant *const v)
 {
     run r;
-    iso_trail *const trail = prepare(&r, ISO_ABM4_SUMS, R(0.0), R(0.0));
+    prepare(&r, ISO_ABM4_SUMS, R(0.0), R(0.0));
     prime(&r, cubic, NULL, NULL, iso_abm4_take_slope, 4, true);
-    const real first = iso_abm4_step(trail, cubic, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
+    const real first = abm4(&r, cubic, NULL, NULL, v->corrections, v->evaluate_last);
     const bool good = r.x[0] == R(1.5) && r.x[1] == R(1.265625);
-    const real second = iso_abm4_step(trail, cubic, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
+    const real second = abm4(&r, cubic, NULL, NULL, v->corrections, v->evaluate_last);
     tap_ok(good && r.x[1] == R(20.25) && r.past[ISO_ABM4_SUMS * N] == R(7.0) && first == R(0.0) && second == R(0.0),
            v->cubic);
 }
@@ -161,14 +173,14 @@ static void test_abm4_cubic(const variant *const v)
 static void test_abm4_quartic(const variant *const v)
 {
     run r;
-    iso_trail *const trail = prepare(&r, ISO_ABM4_SUMS, R(0.0), R(0.0));
+    prepare(&r, ISO_ABM4_SUMS, R(0.0), R(0.0));
     const real h4 = (h * h) * (h * h);
     for (size_t j = 0; j < 4; j++) {
         r.slopes[j * N] = R(1.0);
         r.slopes[j * N + 1] = (real)(j * j * j * j) * h4;
     }
     take(&r, iso_abm4_take_slope, 4);
-    const real estimate = iso_abm4_step(trail, quartic, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
+    const real estimate = abm4(&r, quartic, NULL, NULL, v->corrections, v->evaluate_last);
     const real error = r.x[1] - h * h4 / R(5.0);
     const real want = R(19.0) * R(24.0) / R(720.0) * (h * h4);
     tap_ok(iso_abs(error - want) <= R(8.0) * ISO_REAL_EPSILON * want &&
@@ -183,10 +195,10 @@ static void test_abm4_by_hand(const variant *const v)
     static const real slopes[4 * N] = {R(0.0), R(-1.0), R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
     const real part = R(1.0) / R(16.0);
     run r;
-    iso_trail *const trail = prepare(&r, ISO_ABM4_SUMS, R(1.0), R(0.0));
+    prepare(&r, ISO_ABM4_SUMS, R(1.0), R(0.0));
     memcpy(r.slopes, slopes, sizeof slopes);
     take(&r, iso_abm4_take_slope, 4);
-    (void)iso_abm4_step(trail, oscillator, h, NULL, NULL, r.work, v->corrections, v->evaluate_last);
+    (void)abm4(&r, oscillator, NULL, NULL, v->corrections, v->evaluate_last);
     tap_ok(r.x[0] == v->position && r.x[1] == v->speed && r.past[3 * N + 1] == part * (R(9.0) * v->slope) &&
                r.past[2 * N + 1] == part * (R(37.0) * v->slope + R(9.0)) && r.past[6 * N + 1] == part * v->slope &&
                r.past[5 * N + 1] == part * (R(5.0) * v->slope + R(1.0)) && r.past[ISO_ABM4_SUMS * N] == R(7.0),
