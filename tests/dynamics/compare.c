@@ -13,18 +13,10 @@
  * where 1e-10 is asked for. Closed loops multiply rounding by the condition of the state, which is divided out. The
  * balances divide the error of the accelerations by flows of energy and momentum that are small in some states: up to
  * 700 EPSILON. */
-#define EPSILON ((wide)ISO_REAL_EPSILON)
 #define RATE_TOLERANCE (4.0L * EPSILON)
 #define ACCELERATION_TOLERANCE (128.0L * EPSILON)
 #define OUTPUT_TOLERANCE (64.0L * EPSILON)
 #define BALANCE_TOLERANCE (4096.0L * EPSILON)
-
-/* How far off the positive controls are. */
-#ifdef ISO_REAL_DOUBLE
-#define CONTROL_OFF 1e-6L
-#else
-#define CONTROL_OFF 1.0L
-#endif
 
 /* States on which the controls are tried. */
 enum { CONTROL_STATES = 20 };

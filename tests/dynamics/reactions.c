@@ -13,16 +13,8 @@ enum { REACTIONS_MAX = BODIES_MAX + CLOSURES_MAX, OUTPUTS_ROOM = NUMBERS_MAX + 6
 /* A reaction is what its child takes to move, less what else acts on it: some hundred roundings, of which at most 43 EPSILON
  * remain in a tree. With closures at most 105: multipliers are not as well known as the accelerations whose condition is
  * divided out. */
-#define EPSILON ((wide)ISO_REAL_EPSILON)
 #define REACTION_TOLERANCE (256.0L * EPSILON)
 #define BALANCE_TOLERANCE (4096.0L * EPSILON)
-
-/* How far off the positive control is. */
-#ifdef ISO_REAL_DOUBLE
-#define CONTROL_OFF 1e-6L
-#else
-#define CONTROL_OFF 1.0L
-#endif
 
 static int reaction_count(void)
 {

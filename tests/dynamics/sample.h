@@ -7,6 +7,14 @@
 
 enum { STATES = 100, STATES_MAX = 64, INPUTS_MAX = 6, NUMBERS_MAX = 4 * OUTPUTS_MAX };
 
+/* What tolerances are multiples of, and how far off positive controls are, in the plant's real. */
+#define EPSILON ((wide)ISO_REAL_EPSILON)
+#ifdef ISO_REAL_DOUBLE
+#define CONTROL_OFF 1e-6L
+#else
+#define CONTROL_OFF 1.0L
+#endif
+
 typedef struct sample {
     real x[STATES_MAX];
     real u[INPUTS_MAX];
