@@ -23,6 +23,9 @@ static const struct {
     {"the torque that drives it", 1, {3.0}},
     {"a bridge of 4 kg on two supports, three quarters on the nearer", 3, {0.0, 0.0, 30.0}},
     {"and a quarter on the other", 3, {0.0, 0.0, 10.0}},
+    {"a gear lifts 2 kg evenly", 1, {20.0}},
+    {"its motor, at a lever of 0.1 m, turns at 2 rad/s against 0.5 N m s/rad", 1, {3.0}},
+    {"the motor less the damping and the gear: nothing is sped up", 1, {0.0}},
 };
 
 int main(void)

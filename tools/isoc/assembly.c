@@ -61,9 +61,9 @@ static const char *unit_of(const assembly *a, gap open)
     const graph *g = a->c.d->g;
     const cut *at = cut_of(a, open);
     const vector force = a->held->all[open.row].force;
-    const bool of_joints = at->kind == CLOSE_GEAR || at->kind == CLOSE_MOTION;
-    const bool is_length = of_joints ? slides(&a->m->links[at->parent.link])
-                                     : !is_zero(g, force.at[0]) || !is_zero(g, force.at[1]) || !is_zero(g, force.at[2]);
+    const bool is_length = acts_along_joints(at->kind)
+                               ? slides(&a->m->links[at->parent.link])
+                               : !is_zero(g, force.at[0]) || !is_zero(g, force.at[1]) || !is_zero(g, force.at[2]);
     return is_length ? "m" : "rad";
 }
 

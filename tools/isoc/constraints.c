@@ -378,8 +378,7 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
     made.dropped_gaps = arena_take(g->memory, room, sizeof *made.dropped_gaps);
     made.dropped_cuts = arena_take(g->memory, room, sizeof *made.dropped_cuts);
     for (int i = 0; i < k->m->cut_count; i++) {
-        const closure_kind kind = k->m->cuts[i].kind;
-        if (kind == CLOSE_GEAR || kind == CLOSE_MOTION) {
+        if (acts_along_joints(k->m->cuts[i].kind)) {
             hold_joints(k, &made, i);
         } else {
             const pair p = build_pair(k, accelerations, i);

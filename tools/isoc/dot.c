@@ -63,7 +63,7 @@ static const joint *joint_of(const scene *written, name n)
 static void draw_closure(const scene *written, const closure *c, text *out)
 {
     const char *from = c->parent.body.text, *to = c->child.body.text;
-    if (c->kind == CLOSE_GEAR || c->kind == CLOSE_MOTION) {
+    if (acts_along_joints(c->kind)) {
         const joint *first = joint_of(written, c->first);
         to = first->child.body.text;
         from = c->kind == CLOSE_GEAR ? joint_of(written, c->second)->child.body.text : first->parent.body.text;

@@ -218,6 +218,12 @@ int find_input(source *s, const scene *written, name n)
     return find_in(s, GROUP(written, inputs, input_count), none, NULL, n, "input", &in_first);
 }
 
+int find_closure(source *s, const scene *written, name n)
+{
+    bool in_first;
+    return find_in(s, GROUP(written, closures, closure_count), none, NULL, n, "closure", &in_first);
+}
+
 int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint)
 {
     return find_in(s, GROUP(written, joints, joint_count), GROUP(written, bodies, body_count), NULL, n, "joint or body",

@@ -3,20 +3,11 @@
 #include "tools/isoc/statements.h"
 
 static const char *const kind_names[] = {
-    [OUTPUT_POSITION] = "position",
-    [OUTPUT_SPEED] = "speed",
-    [OUTPUT_ACCELERATION] = "acceleration",
-    [OUTPUT_VELOCITY] = "velocity",
-    [OUTPUT_TURNS] = "turns",
-    [OUTPUT_ORIENTATION] = "orientation",
-    [OUTPUT_SPIN] = "spin",
-    [OUTPUT_FORCE] = "force",
-    [OUTPUT_MOMENT] = "moment",
-    [OUTPUT_ENERGY] = "energy",
-    [OUTPUT_LOCAL_ERROR] = "local_error",
-    [OUTPUT_RESIDUAL] = "residual",
-    [OUTPUT_VIOLATION] = "violation",
-    [OUTPUT_VIOLATION_RATE] = "violation_rate",
+    [OUTPUT_POSITION] = "position", [OUTPUT_SPEED] = "speed",         [OUTPUT_ACCELERATION] = "acceleration",
+    [OUTPUT_VELOCITY] = "velocity", [OUTPUT_TURNS] = "turns",         [OUTPUT_ORIENTATION] = "orientation",
+    [OUTPUT_SPIN] = "spin",         [OUTPUT_FORCE] = "force",         [OUTPUT_MOMENT] = "moment",
+    [OUTPUT_EFFORT] = "effort",     [OUTPUT_ENERGY] = "energy",       [OUTPUT_LOCAL_ERROR] = "local_error",
+    [OUTPUT_RESIDUAL] = "residual", [OUTPUT_VIOLATION] = "violation", [OUTPUT_VIOLATION_RATE] = "violation_rate",
 };
 
 /* What an output is of; NULL: of the whole mechanism. */
@@ -30,6 +21,7 @@ static const char *const owners[COUNT_OF(kind_names)] = {
     [OUTPUT_SPIN] = "a body",
     [OUTPUT_FORCE] = "a joint or a closure",
     [OUTPUT_MOMENT] = "a joint or a closure",
+    [OUTPUT_EFFORT] = "a gear or a motion",
 };
 
 static bool is_of_point(output_kind kind)

@@ -20,8 +20,8 @@
  *   parameter     = (constant | tunable) NAME = FORMULA
  *   input         = input NAME [jump FORMULA] [= FORMULA]
  *   output        = output NAME = (energy | local_error | residual | violation | violation_rate
- *                   | (position | speed | acceleration | velocity | turns | orientation | spin | force | moment) of NAME
- *                   [at FORMULA] [along (x | y | z)])
+ *                   | (position | speed | acceleration | velocity | turns | orientation | spin | force | moment | effort)
+ *                   of NAME [at FORMULA] [along (x | y | z)])
  */
 #ifndef ISOC_PARSER_H
 #define ISOC_PARSER_H

@@ -103,6 +103,8 @@ static void build_outputs(plant *p, graph *g)
             add_output(p, o->name.text, largest_violation(&p->d->k, &p->d->loops.held, of_rates));
         } else if (o->kind == OUTPUT_FORCE || o->kind == OUTPUT_MOMENT) {
             add_reaction(p, g, i);
+        } else if (o->kind == OUTPUT_EFFORT) {
+            add_output(p, o->name.text, closure_effort(p->d, m->output_cut[i]));
         } else if (m->output_link[i] >= 0) {
             add_output(p, o->name.text, joint_output(p, g, o, m->output_link[i]));
         } else {

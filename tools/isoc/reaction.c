@@ -74,7 +74,7 @@ static wrench acting(const dynamics *d, int of)
     }
     for (int i = 0; i < m->cut_count; i++) {
         const cut *c = &m->cuts[i];
-        if (c->kind == CLOSE_GEAR || c->kind == CLOSE_MOTION) {
+        if (acts_along_joints(c->kind)) {
             continue;
         }
         if (c->child.body == of) {
@@ -130,4 +130,13 @@ wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int 
 wrench closure_reaction(const dynamics *d, int index)
 {
     return to_ground(d, d->m->cuts[index].base, closure_in_base(d, index));
+}
+
+node closure_effort(const dynamics *d, int index)
+{
+    node effort = constant(d->g, 0.0);
+    for (int r = 0; r < d->loops.held.count; r++) {
+        effort = d->loops.held.all[r].cut == index ? neg(d->g, d->loops.multipliers[r]) : effort;
+    }
+    return graph_name(d->g, effort, "effort_%s", d->m->cuts[index].name);
 }

@@ -19,4 +19,8 @@ wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int 
 
 wrench closure_reaction(const dynamics *d, int index);
 
+/* Of a gear or a motion: what it puts on its first joint, in N*m or N; on the second, a gear puts -ratio times that. Its one
+ * constraint has the factor 1 in the first joint's row of M q'' + Phi_q' lambda = effort. */
+node closure_effort(const dynamics *d, int index);
+
 #endif

@@ -101,6 +101,12 @@ typedef enum closure_kind {
     CLOSE_MOTION, /* `first` follows `motion`, a function of time */
 } closure_kind;
 
+/* Whether it holds coordinates of joints, and not bodies. */
+static inline bool acts_along_joints(closure_kind kind)
+{
+    return kind == CLOSE_GEAR || kind == CLOSE_MOTION;
+}
+
 typedef struct closure {
     name name;
     closure_kind kind;
@@ -145,6 +151,7 @@ typedef enum output_kind {
     OUTPUT_SPIN,        /* of a body: angular velocity, in its own axes */
     OUTPUT_FORCE,       /* of a joint or a closure, on its child, in the ground's axes */
     OUTPUT_MOMENT,      /* about the child's origin */
+    OUTPUT_EFFORT,      /* of a gear or a motion, on its first joint */
     OUTPUT_ENERGY,
     OUTPUT_LOCAL_ERROR,
     OUTPUT_RESIDUAL,

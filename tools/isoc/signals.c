@@ -111,10 +111,22 @@ static void build_reaction(builder *b, const output *o, int *body_shown, int *cu
     } else if (of >= 0) {
         const closure_kind kind = b->written->closures[of].kind;
         *cut_shown = of;
-        if (kind == CLOSE_GEAR || kind == CLOSE_MOTION) {
-            source_problem(b->s, o->of.at, "'%s' acts along joints, not by a force between bodies", o->of.text);
+        if (acts_along_joints(kind)) {
+            source_problem(b->s, o->of.at, "'%s' acts along joints, not by a force between bodies: effort of %s",
+                           o->of.text, o->of.text);
         }
     }
+}
+
+/* The gear or the motion whose effort an output shows. */
+static int build_effort(builder *b, const output *o)
+{
+    const int of = find_closure(b->s, b->written, o->of);
+    if (of >= 0 && !acts_along_joints(b->written->closures[of].kind)) {
+        source_problem(b->s, o->of.at, "'%s' acts by a force between bodies: force of %s, or moment of %s", o->of.text,
+                       o->of.text, o->of.text);
+    }
+    return of;
 }
 
 static void build_output(builder *b, const output *o, int *link_shown, int *body_shown)
@@ -162,6 +174,8 @@ void build_outputs(builder *b)
             source_problem(b->s, o->kind_at, "nothing is closed that could be violated");
         } else if ((o->kind == OUTPUT_FORCE || o->kind == OUTPUT_MOMENT) && o->of.text != NULL) {
             build_reaction(b, o, &made->output_body[i], &made->output_cut[i]);
+        } else if (o->kind == OUTPUT_EFFORT && o->of.text != NULL) {
+            made->output_cut[i] = build_effort(b, o);
         } else if (o->kind < OUTPUT_ENERGY && o->of.text != NULL) {
             build_output(b, o, &made->output_link[i], &made->output_body[i]);
         }
