@@ -3,9 +3,9 @@
  * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/exhaustive/sincos.c). Beyond the domain the
  * result is a number of no meaning; for an infinity or a NaN it is NaN. sin(-x) = -sin(x), cos(-x) = cos(x) exactly.
  *
- * Reduction: Cody and Waite (1980), Software Manual for the Elementary Functions, ch. 8: pi/2 in three parts, the
- * first two short enough for k times them to be exact. Polynomials on [-pi/4, pi/4]: float from Moshier's Cephes
- * (1989), sinf.c; double from Sun's fdlibm (1993), k_sin.c and k_cos.c.
+ * Reduction: Cody and Waite (1980), Software Manual for the Elementary Functions, ch. 8: pi/2 in two parts of a double or
+ * three of a float, all but the last short enough for k times them to be exact. Polynomials on [-pi/4, pi/4]: float from
+ * Moshier's Cephes (1989), sinf.c; double from Sun's fdlibm (1993), k_sin.c and k_cos.c.
  */
 #ifndef ISO_CORE_SINCOS_H
 #define ISO_CORE_SINCOS_H
@@ -21,9 +21,12 @@ typedef struct iso_sine_cosine {
 
 /* Adding 1.5 * 2^52 rounds to a whole number, which then stands in the low bits. */
 #define ISO_ROUNDER R(6755399441055744.0)
-#define ISO_HALF_PI_1 R(1.57079632673412561417e+00)
-#define ISO_HALF_PI_2 R(6.07710050630396597660e-11)
-#define ISO_HALF_PI_3 R(2.02226624879595063154e-21)
+
+/* x - k pi/2 for a whole number |k| <= 6400 near x / (pi/2). */
+static inline real iso_less_quarters(const real x, const real k)
+{
+    return (x - k * R(1.57079632673412561417e+00)) - k * R(6.07710050650619224932e-11);
+}
 
 /* (sin(r) - r) / r^3 of z = r^2. */
 static inline real iso_sine_tail(const real z)
@@ -50,9 +53,11 @@ static inline real iso_cosine_tail(const real z)
 #else
 
 #define ISO_ROUNDER R(12582912.0)
-#define ISO_HALF_PI_1 R(1.5703125)
-#define ISO_HALF_PI_2 R(4.837512969970703125e-4)
-#define ISO_HALF_PI_3 R(7.54978995489188216e-8)
+
+static inline real iso_less_quarters(const real x, const real k)
+{
+    return ((x - k * R(1.5703125)) - k * R(4.837512969970703125e-4)) - k * R(7.54978995489188216e-8);
+}
 
 static inline real iso_sine_tail(const real z)
 {
@@ -74,11 +79,11 @@ static inline iso_sine_cosine iso_sincos(const real x)
     const real rounded = x * R(0.636619772367581343) + ISO_ROUNDER;
     const real k = rounded - ISO_ROUNDER;
     const iso_bits quadrant = iso_bits_of(rounded);
-    const real r = ((x - k * ISO_HALF_PI_1) - k * ISO_HALF_PI_2) - k * ISO_HALF_PI_3;
+    const real r = iso_less_quarters(x, k);
 
     const real z = r * r;
     const iso_bits s = iso_bits_of(r + r * (z * iso_sine_tail(z)));
-    const iso_bits c = iso_bits_of((R(1.0) - R(0.5) * z) + (z * z) * iso_cosine_tail(z));
+    const iso_bits c = iso_bits_of(R(1.0) + z * (z * iso_cosine_tail(z) - R(0.5)));
 
     /* An odd quadrant swaps the two. Bit 1 of k negates the sine, bit 1 of k + 1 the cosine: both have the sign of the
      * sine, and the cosine one more where k is odd. */

@@ -4,15 +4,12 @@
 
 #include "core/sincos.h"
 
-/* Takes the nearest whole number of turns off *angle (|*angle| <= 1e4) and returns it. The first two parts of pi are
- * short, so that only the last product rounds (Cody and Waite 1980). */
+/* Takes the nearest whole number of turns off *angle (|*angle| <= 1e4) and returns it: its quarters, rounded to fours. */
 static inline int32_t iso_take_turns(real *const angle)
 {
-    const real rounded = *angle * R(0.159154943091895336) + ISO_ROUNDER;
-    const real turns = rounded - ISO_ROUNDER;
-    const real quarters = R(4.0) * turns;
-    *angle = ((*angle - quarters * ISO_HALF_PI_1) - quarters * ISO_HALF_PI_2) - quarters * ISO_HALF_PI_3;
-    return (int32_t)(uint32_t)(iso_bits_of(rounded) - iso_bits_of(ISO_ROUNDER));
+    const real rounded = *angle * R(0.636619772367581343) + R(4.0) * ISO_ROUNDER;
+    *angle = iso_less_quarters(*angle, rounded - R(4.0) * ISO_ROUNDER);
+    return (int32_t)(uint32_t)(iso_bits_of(rounded) - iso_bits_of(R(4.0) * ISO_ROUNDER));
 }
 
 #endif
