@@ -41,16 +41,5 @@ for stabilisation in $STABILISATIONS; do
 done >"$dir/measured"
 [ -s "$dir/measured" ] || fail "there is nothing to measure in $SCENE"
 awk -v scene="$NAME" -f tools/drift/plot.awk "$dir/measured" >"$dir/violation.gnuplot"
-for format in svg png; do
-    case $format in
-    svg) terminal="svg size 900,420 font 'sans-serif,11' background rgb 'white'" ;;
-    png) terminal="pngcairo size 900,420 font 'sans-serif,9'" ;;
-    esac
-    gnuplot -e "set terminal $terminal; set output '$dir/violation.$format'" "$dir/violation.gnuplot" ||
-        fail "gnuplot does not draw $dir/violation.gnuplot"
-done
-awk -f tools/report/compact.awk "$dir/violation.svg" >"$dir/violation.svg.new" &&
-    mv "$dir/violation.svg.new" "$dir/violation.svg" || exit 1
 echo
-echo "$dir/violation.svg"
-echo "$dir/violation.png"
+sh tools/plot/draw.sh "$dir/violation.gnuplot" || fail "gnuplot does not draw $dir/violation.gnuplot"

@@ -24,6 +24,7 @@ $2 == "bound" && $3 != "inf" { bound[$1] = $3 }
 END {
     for (i = 1; i <= count; i++)
         printf "$p%d << END\n%sEND\n", i, points[name[i]]
+    print "# size 900 420"
     print "set border 3 linewidth 0.8 linecolor rgb '#555555'"
     print "set tics nomirror out scale 0.6 textcolor rgb '#333333'"
     print "set grid linetype 1 linecolor rgb '#d4d4d4' linewidth 0.7"

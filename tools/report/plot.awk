@@ -85,6 +85,7 @@ END {
         for (m = 1; m <= methods; m++)
             if ((kind[k], method[m]) in points)
                 printf "$p%d_%d << END\n%sEND\n", k, m, points[kind[k], method[m]]
+    print "# size 900 640"
     print "set multiplot"
     print "set border 3 linewidth 0.8 linecolor rgb '#555555'"
     print "set tics nomirror out scale 0.6 textcolor rgb '#333333'"

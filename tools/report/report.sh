@@ -37,19 +37,9 @@ awk -f tools/report/errors.awk part=reference "$dir/reference.txt" part=points "
 } >"$dir/report.txt"
 
 awk -v scene="$NAME" -v time="$time" -f tools/report/plot.awk "$dir/report.tsv" >"$dir/work_precision.gnuplot"
-for format in svg png; do
-    case $format in
-    svg) terminal="svg size 900,640 font 'sans-serif,11' background rgb 'white'" ;;
-    png) terminal="pngcairo size 900,640 font 'sans-serif,9'" ;;
-    esac
-    gnuplot -e "set terminal $terminal; set output '$dir/work_precision.$format'" "$dir/work_precision.gnuplot" ||
-        fail "gnuplot does not draw $dir/work_precision.gnuplot"
-done
-awk -f tools/report/compact.awk "$dir/work_precision.svg" >"$dir/work_precision.svg.new" &&
-    mv "$dir/work_precision.svg.new" "$dir/work_precision.svg" || exit 1
 
 cat "$dir/report.txt"
 echo
-for file in report.txt report.tsv work_precision.svg work_precision.png; do
-    echo "$dir/$file"
-done
+echo "$dir/report.txt"
+echo "$dir/report.tsv"
+sh tools/plot/draw.sh "$dir/work_precision.gnuplot" || fail "gnuplot does not draw $dir/work_precision.gnuplot"

@@ -1,0 +1,17 @@
+#!/bin/sh
+# Draws a file of gnuplot's commands, as svg and as png beside it, and names both. A line `# size WIDTH HEIGHT` in it is
+# the size; where there is none, nothing is to be drawn.
+#
+#     draw.sh NAME.gnuplot
+set -eu
+name=${1%.gnuplot}
+rm -f "$name.svg" "$name.png"
+size=$(sed -n 's/^# size \([0-9]*\) \([0-9]*\)$/\1,\2/p' "$1")
+[ -n "$size" ] || exit 0
+
+gnuplot -e "set terminal svg size $size font 'sans-serif,11' background rgb 'white'; set output '$name.drawn'" "$1"
+awk -f tools/plot/compact.awk "$name.drawn" >"$name.svg"
+rm "$name.drawn"
+gnuplot -e "set terminal pngcairo size $size font 'sans-serif,9'; set output '$name.png'" "$1"
+echo "$name.svg"
+echo "$name.png"
