@@ -10,13 +10,12 @@ mkdir -p "$out/hash"
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
 
 # run ARGUMENT...: ten seconds of rk4, two of the other methods, in the steps of the scene; but for PEC, which is not stable
-# there on a model with much damping; and less of a model that is tried with rk4 alone, on
-# the host and on the board only.
+# there on a model with much damping; and less of a model that is not tried in depth.
 run()
 {
-    case $method$lone in
+    case $method$depth in
+    *brief) call run SECONDS=0.02 "$@" ;;
     rk4) call run SECONDS=10 "$@" ;;
-    rk4*) call run SECONDS=0.05 "$@" ;;
     abm4_pec) call run SECONDS=1 STEP=500us "$@" ;;
     *) call run SECONDS=2 "$@" ;;
     esac
@@ -27,24 +26,26 @@ run()
 counted()
 {
     case $method in
-    rk4) value margin | grep -q '^-' || value instructions_per_step | grep -Eqx '[0-9]+' ;;
     adams) value instructions_per_step | grep -Eqx '[0-9]+( [0-9]+)?' ;;
-    *) value instructions_per_step | grep -Eqx '[0-9]+' ;;
+    *) value margin | grep -q '^-' || value instructions_per_step | grep -Eqx '[0-9]+' ;;
     esac
 }
 
-# each NAME ARGUMENT...: runs the models with the methods that they are tried with; the hash must be that of the first time.
+# each NAME WHAT ARGUMENT...: runs models with methods; the hash must be that of the first time. WHAT is `all`, every
+# model with every method; or `cross`, those tried in depth with rk4, and two plants with every method.
 each()
 {
     name=$1
-    shift
+    what=$2
+    shift 2
     for method in $METHODS; do
-        for scene in $(models "$method") models/oscillator.c; do
+        for scene in $(models) models/oscillator.c; do
             plant=$(basename "$scene" | sed 's/\..*//')
-            lone=
-            [ "$plant" = oscillator ] || models every | grep -qxF "$scene" || lone=alone
-            case $lone$name in
-            alonewithout* | aloneclang) continue ;;
+            depth=
+            [ "$plant" = oscillator ] || in_depth "$scene" || depth=brief
+            case $what$depth,$method,$plant in
+            all* | cross,rk4,* | cross,*,tree | cross,*,oscillator) ;;
+            *) continue ;;
             esac
             # Only a generated plant has adams.
             [ "$plant $method" != "oscillator adams" ] || continue
@@ -62,13 +63,13 @@ each()
     done
 }
 
-each "host"
-each "Cortex-M4F" TARGET=cortex-m4f
-each "without optimisation" CFLAGS=-O0
-each "clang" CC=clang
+each "host" all
+each "Cortex-M4F" all TARGET=cortex-m4f
+each "without optimisation" cross CFLAGS=-O0
+each "clang" cross CC=clang
 
 method=rk4
-lone=
+depth=
 # Of methods that differ by more than rounding: a second correction may change no bit of a float.
 told=$(ls "$out"/hash/*-euler "$out"/hash/*-heun "$out"/hash/*-rk4 "$out"/hash/*-ab4)
 # shellcheck disable=SC2086

@@ -56,7 +56,7 @@ objects base "" core/*.c port/mps2/*.c
 result $? "core and port compile for the target"
 firmware models/oscillator.c oscillator
 for method in euler heun rk4 ab4; do
-    for scene in $(models $method); do
+    for scene in $(models); do
         name=$(basename "$scene" .scene)
         build/isoc "$scene" -o "$out/$name-$method" --method $method --real float >/dev/null
         firmware "$out/$name-$method/plant.c" "$name, $method"
