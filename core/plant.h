@@ -70,7 +70,8 @@ typedef struct iso_plant {
     iso_outputs *output;
     iso_outputs *violation; /* y[1], m or rad: how far off their closures the states are; NULL where nothing asks */
     real violation_limit;   /* a tick that ends farther off is counted */
-    void (*drive)(uint32_t tick); /* sets u to the scene's functions of time; NULL without inputs */
+    void (*drive)(uint32_t tick); /* sets u to the scene's functions of time, and the states that are time itself to
+                                     what they are at a tick; NULL without inputs and such states */
     bool (*jumped)(void);         /* whether an input or a parameter jumped, or something happened that ends the smooth
                                      motion: then the history is of no use. NULL where no history is kept */
     void (*prime)(void);          /* fills the method's history from x and u; NULL for a one-step method */

@@ -81,6 +81,12 @@ static inline real iso_max(const real a, const real b)
     return iso_select(iso_less(a, b), b, a);
 }
 
+/* 1 if a > b, else 0. */
+static inline real iso_above(const real a, const real b)
+{
+    return iso_real_of(iso_less(b, a) & iso_bits_of(R(1.0)));
+}
+
 /* x limited to [low, high], for low <= high. */
 static inline real iso_clamp(const real x, const real low, const real high)
 {

@@ -1,4 +1,4 @@
-/* Inputs as functions of time: of the integer tick, so that they are as exact after a day as after a second. */
+/* Functions of time: of the integer tick, so that they are as exact after a day as after a second. */
 #ifndef ISO_CORE_SIGNAL_H
 #define ISO_CORE_SIGNAL_H
 
@@ -13,6 +13,13 @@ static inline real iso_phase(const uint32_t tick, const uint64_t increment, cons
 #else
     return (real)(int32_t)(uint32_t)(turns >> 32) * R(1.46291807926715968e-9); /* pi / 2^31 */
 #endif
+}
+
+/* The ticks since first + fraction; before the last tick that is not after it, less than -1, so that it stays below zero
+ * throughout the tick that follows. */
+static inline real iso_since(const uint32_t tick, const uint32_t first, const real fraction)
+{
+    return (tick < first ? R(-1.0) : (real)(tick - first)) - fraction;
 }
 
 /* The ticks since first + fraction, limited to [0, length]: one stretch of a table of straight lines. */

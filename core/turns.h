@@ -12,4 +12,11 @@ static inline int32_t iso_take_turns(real *const angle)
     return (int32_t)(uint32_t)(iso_bits_of(rounded) - iso_bits_of(R(4.0) * ISO_ROUNDER));
 }
 
+/* The angle without its whole turns: within half a turn of zero. */
+static inline real iso_within_turn(real angle)
+{
+    (void)iso_take_turns(&angle);
+    return angle;
+}
+
 #endif

@@ -1,4 +1,4 @@
-/* core/signal.h: phases and ramps of the integer tick. */
+/* core/signal.h: phases, ramps and times of the integer tick. */
 #include "core/signal.h"
 #include "tests/tap.h"
 
@@ -43,10 +43,21 @@ static void test_ramp(void)
     tap_same(iso_ramp(0, 0, R(0.0), R(0.0)), R(0.0), "ramp: of no length");
 }
 
+static void test_since(void)
+{
+    tap_ok(iso_since(0, 10, R(0.25)) < R(-1.0), "since: long before, less than a tick before");
+    tap_same(iso_since(9, 10, R(0.25)), R(-1.25), "since: the tick before");
+    tap_same(iso_since(10, 10, R(0.25)), R(-0.25), "since: within the tick in which it begins");
+    tap_same(iso_since(11, 10, R(0.25)), R(0.75), "since: the ticks since its beginning");
+    tap_same(iso_since(0, 0, R(0.0)), R(0.0), "since: tick 0");
+    tap_same(iso_since(UINT32_MAX, UINT32_C(4294967285), R(0.5)), R(9.5), "since: as exact after the longest time");
+}
+
 int main(void)
 {
     test_phase();
     test_long();
     test_ramp();
+    test_since();
     tap_done();
 }

@@ -23,6 +23,7 @@ static void test_known(void)
     tap_ok(iso_take_turns(&angle) == 1592, "1e4 rad: 1592 turns");
     angle = R(-1e4);
     tap_ok(iso_take_turns(&angle) == -1592, "-1e4 rad: -1592 turns");
+    tap_same(iso_within_turn(R(-1e4)), angle, "and the same angle alone");
 }
 
 /* Angles across the domain: the sine and cosine before and after differ by the errors of two calls, 1.5 ulp of 1.0

@@ -105,6 +105,9 @@ static account run(const long steps, const long parts, const double step)
     look();
     const double energy = output(2);
     for (long part = 1; a.done < steps; a.done++) {
+        if (plant->drive != NULL) {
+            plant->drive((uint32_t)a.done);
+        }
         plant->step();
         look();
         if (!isfinite(output(0)) || !isfinite(output(2))) {

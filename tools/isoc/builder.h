@@ -40,8 +40,14 @@ enum { LINKS_OF_A_JOINT = 4 };
 int joint_parts(builder *b, const joint *j, link parts[LINKS_OF_A_JOINT], matrix aligned[LINKS_OF_A_JOINT]);
 void list_freedoms(builder *b);
 
-/* closures.c: loop closures, and how the drift off them is held. */
+/* closures.c: loop closures, and how the drift off them is held. The link of a joint of one coordinate, or -1, which it
+ * notes; and what it is measured in. */
 void build_closures(builder *b);
+int coordinate_of(builder *b, name n);
+dimension coordinate_dimension(const link *l);
+
+/* motions.c: a joint that moves as a function of time says; false if there was a problem. */
+bool build_motion(builder *b, const closure *written, cut *made);
 
 /* thrusts.c: forces of inputs on bodies. */
 void build_thrusts(builder *b);

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "tools/isoc/builder.h"
-#include "tools/isoc/differentiate.h"
 #include "tools/isoc/names.h"
 
 /* The last link that both hang on. */
@@ -75,8 +74,7 @@ static bool build_between(builder *b, const closure *written, cut *made)
     return true;
 }
 
-/* The link of a joint of one coordinate, or -1. */
-static int coordinate_of(builder *b, name n)
+int coordinate_of(builder *b, name n)
 {
     if (n.text == NULL || b->written->broken) {
         return -1;
@@ -93,7 +91,7 @@ static int coordinate_of(builder *b, name n)
     return -1;
 }
 
-static dimension coordinate_dimension(const link *l)
+dimension coordinate_dimension(const link *l)
 {
     return l->kind == JOINT_PRISMATIC ? metre : radian;
 }
@@ -115,41 +113,7 @@ static bool build_gear(builder *b, const closure *written, cut *made)
     dimension_times(&of, coordinate_dimension(second_link), -1);
     made->ratio = scalar_value(b, written->ratio, of, "the ratio of this gear");
     made->length = constant(b->g, first->start[0] - value_now(&b->values, made->ratio) * second_link->start[0]);
-    return true;
-}
-
-/* The rate of what depends on time by its phases alone. */
-static node rate_of(builder *b, node moving)
-{
-    node sum = constant(b->g, 0.0);
-    for (int i = 0; i < b->made.clocks.count; i++) {
-        node slope;
-        differentiate(b->g, &moving, 1, leaf(b->g, OP_STATE, b->made.clocks.first + i), &slope);
-        sum = add(b->g, sum, mul(b->g, constant(b->g, b->made.clocks.all[i].rate), slope));
-    }
-    return sum;
-}
-
-/* Prescribed as a function of phases, which are states: so that a method of order four sees it at fourth order. */
-static bool build_motion(builder *b, const closure *written, cut *made)
-{
-    made->parent.link = made->child.link = coordinate_of(b, written->first);
-    if (made->parent.link < 0 || written->motion == NULL) {
-        return false;
-    }
-    if (b->made.links[made->parent.link].continuous) {
-        source_problem(b->s, written->first.at,
-                       "a motion of the continuous joint '%s', whose angle starts anew each turn: leave out continuous",
-                       written->first.text);
-    }
-    b->values.time_allowed = true;
-    b->values.clocks = &b->made.clocks;
-    const dimension of = coordinate_dimension(&b->made.links[made->parent.link]);
-    made->motion = scalar_value(b, written->motion, of, "the motion of this joint");
-    b->values.time_allowed = false;
-    b->values.clocks = NULL;
-    made->motion_rate = rate_of(b, made->motion);
-    made->motion_bias = rate_of(b, made->motion_rate);
+    made->in_speed = first->continuous || second_link->continuous;
     return true;
 }
 

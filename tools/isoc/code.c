@@ -198,8 +198,12 @@ static rendering show(emitter *e, node i)
     case OP_ABS:
         return (rendering){arena_format(memory, "iso_abs(%s)", e->shown[n->a].text), BINDS_WHOLE};
     case OP_MAX:
-        return (rendering){arena_format(memory, "iso_max(%s, %s)", e->shown[n->a].text, e->shown[n->b].text),
+    case OP_ABOVE:
+        return (rendering){arena_format(memory, "iso_%s(%s, %s)", n->op == OP_MAX ? "max" : "above",
+                                        e->shown[n->a].text, e->shown[n->b].text),
                            BINDS_WHOLE};
+    case OP_WRAP:
+        return (rendering){arena_format(memory, "iso_within_turn(%s)", e->shown[n->a].text), BINDS_WHOLE};
     default:
         return (rendering){"", BINDS_WHOLE};
     }
@@ -221,11 +225,15 @@ static rendering show_timed(emitter *e, const graph_node *n)
                                         (unsigned long long)phase_of(n->second)),
                            BINDS_WHOLE};
     }
+    const char *second = code_literal(memory, n->second, e->c->is_double);
+    if (n->op == OP_TIME) {
+        return (rendering){arena_format(memory, "%s * (real)tick", second), BINDS_PRODUCT};
+    }
     const double whole = floor(n->value);
-    return (rendering){arena_format(memory, "iso_ramp(tick, UINT32_C(%.0f), %s, %s)", whole,
-                                    code_literal(memory, n->value - whole, e->c->is_double),
-                                    code_literal(memory, n->second, e->c->is_double)),
-                       BINDS_WHOLE};
+    const char *first = arena_format(memory, "tick, UINT32_C(%.0f), %s", whole,
+                                     code_literal(memory, n->value - whole, e->c->is_double));
+    return n->op == OP_SINCE ? (rendering){arena_format(memory, "%s * iso_since(%s)", second, first), BINDS_PRODUCT}
+                             : (rendering){arena_format(memory, "iso_ramp(%s, %s)", first, second), BINDS_WHOLE};
 }
 
 /* Sine and cosine of one angle come from one call. */
@@ -256,7 +264,7 @@ static void emit_node(emitter *e, node i)
         declare_turn(e, i);
         return;
     }
-    e->shown[i] = n->op == OP_PHASE || n->op == OP_RAMP ? show_timed(e, n) : show(e, i);
+    e->shown[i] = is_timed(e->g, i) ? show_timed(e, n) : show(e, i);
     const bool leaf_like = n->op < OP_ADD || n->op == OP_NEG;
     if (leaf_like || (n->name == NULL && e->uses[i] < 2 && strlen(e->shown[i].text) < LONGEST_INLINE)) {
         return;
@@ -324,6 +332,9 @@ bool code_emit(const code *c, text *out, double *culprit)
     return e.culprit == 0.0;
 }
 
+/* Sums of iso_take_turns in core/turns.h, and as many products. */
+enum { OPERATIONS_OF_WRAP = 5 };
+
 operations code_count(const graph *of, const node *of_roots, size_t count)
 {
     operations made = {0};
@@ -336,8 +347,10 @@ operations code_count(const graph *of, const node *of_roots, size_t count)
         const graph_node *n = &g->nodes[i];
         if (needed[i]) {
             const bool trigonometric = n->op == OP_SIN || n->op == OP_COS;
-            made.add += n->op == OP_ADD || n->op == OP_SUB || n->op == OP_NEG || n->op == OP_ABS || n->op == OP_MAX;
+            made.add += (n->op >= OP_ADD && n->op < OP_DIV && n->op != OP_MUL) || n->op == OP_NEG || n->op == OP_ABS;
             made.mul += n->op == OP_MUL;
+            made.add += n->op == OP_WRAP ? OPERATIONS_OF_WRAP : 0;
+            made.mul += n->op == OP_WRAP ? OPERATIONS_OF_WRAP : 0;
             made.div += n->op == OP_DIV;
             made.sincos += trigonometric && !turned[n->a];
             turned[n->a] = turned[n->a] || trigonometric;

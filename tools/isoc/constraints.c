@@ -248,7 +248,8 @@ static void hold_rolling(const pair *p, constraints *to, vector t, vector n, con
     put(k, to, made, called);
 }
 
-/* Phi = q_first - ratio q_second - offset - motion(t). */
+/* Phi = q_first - ratio q_second - offset, or q_first - motion(t), or that but for whole turns; of what holds in speeds
+ * alone only Phi'. */
 static void hold_joints(const kinematics *k, constraints *to, int index)
 {
     graph *g = k->g;
@@ -261,12 +262,13 @@ static void hold_joints(const kinematics *k, constraints *to, int index)
         const link *second = &k->m->links[c->child.link];
         made.row[second->freedom] = neg(g, c->ratio);
         made.position = sub(g, made.position, mul(g, c->ratio, k->motions[c->child.link].q[0]));
-        made.position = first->continuous || second->continuous ? constant(g, 0.0) : made.position;
     } else {
         made.position = sub(g, made.position, c->motion);
+        made.position = c->wraps ? wrap(g, made.position) : made.position;
         made.rate = neg(g, c->motion_rate);
         made.bias = neg(g, c->motion_bias);
     }
+    made.position = c->in_speed ? constant(g, 0.0) : made.position;
     put(k, to, made, c->name);
 }
 

@@ -15,6 +15,12 @@ static node derivative_of(graph *g, node i, node da, node db)
         const node above = sub(g, da, mul(g, i, db)), inverse = divide(g, constant(g, 1.0), n.b);
         return mul(g, above, inverse);
     }
+    case OP_MAX: { /* that of the larger */
+        const node of_a = mul(g, above(g, n.a, n.b), da), of_b = mul(g, above(g, n.b, n.a), db);
+        return add(g, of_a, of_b);
+    }
+    case OP_WRAP:
+        return da;
     case OP_NEG:
         return neg(g, da);
     case OP_SIN:
@@ -64,26 +70,24 @@ static node remake(graph *g, graph_node n, node a, node b)
         return cosine(g, a);
     case OP_MAX:
         return larger(g, a, b);
+    case OP_ABOVE:
+        return above(g, a, b);
+    case OP_WRAP:
+        return wrap(g, a);
     default:
         return magnitude(g, a);
     }
 }
 
-void replace_leaves(graph *g, node *roots, size_t count, operation op, const node *by)
+/* Makes the roots anew of what stands in the place of each leaf: to[g->count]. */
+static void rebuild(graph *g, node *roots, size_t count, node *to)
 {
     const size_t before = g->count;
     bool *needed = arena_take(g->memory, before, sizeof *needed);
-    node *to = arena_take(g->memory, before, sizeof *to);
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < before; i++) {
         const graph_node n = g->nodes[i];
-        to[i] = (node)i;
-        if (!needed[i]) {
-            continue;
-        }
-        if (n.op == op) {
-            to[i] = by[n.index];
-        } else if (n.op >= OP_ADD) {
+        if (needed[i] && n.op >= OP_ADD) {
             const node a = to[n.a], b = n.op <= OP_DIV ? to[n.b] : n.b;
             to[i] = a == n.a && b == n.b ? (node)i : remake(g, n, a, b);
         }
@@ -91,4 +95,23 @@ void replace_leaves(graph *g, node *roots, size_t count, operation op, const nod
     for (size_t i = 0; i < count; i++) {
         roots[i] = to[roots[i]];
     }
+}
+
+void replace_leaves(graph *g, node *roots, size_t count, operation op, const node *by)
+{
+    node *to = arena_take(g->memory, g->count, sizeof *to);
+    for (size_t i = 0; i < g->count; i++) {
+        to[i] = g->nodes[i].op == op ? by[g->nodes[i].index] : (node)i;
+    }
+    rebuild(g, roots, count, to);
+}
+
+node replace_leaf(graph *g, node root, node leaf, node by)
+{
+    node *to = arena_take(g->memory, g->count, sizeof *to);
+    for (size_t i = 0; i < g->count; i++) {
+        to[i] = (node)i == leaf ? by : (node)i;
+    }
+    rebuild(g, &root, 1, to);
+    return root;
 }

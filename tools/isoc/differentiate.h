@@ -10,4 +10,7 @@ void differentiate(graph *g, const node *roots, size_t count, node by, node *der
 /* Puts by[index] in the place of every leaf of this operation, in `count` roots. */
 void replace_leaves(graph *g, node *roots, size_t count, operation op, const node *by);
 
+/* The root with another node in the place of one leaf. */
+node replace_leaf(graph *g, node root, node leaf, node by);
+
 #endif

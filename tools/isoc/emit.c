@@ -65,7 +65,7 @@ static const char *const *state_words(const mechanism *m, arena *memory)
         }
     }
     for (int i = 0; i < m->clocks.count; i++) {
-        words[m->clocks.first + i] = arena_format(memory, "phase_%d", i + 1);
+        words[m->clocks.first + i] = arena_format(memory, "clock_%d", i + 1);
     }
     for (int f = 0; f < m->freedom_count; f++) {
         words[m->position_count + f] = m->freedoms[f].name;
@@ -283,18 +283,37 @@ static void emit_equations(const plant *p, text *out)
     text_add(out, "};\n\n");
 }
 
-/* The inputs as functions of time. */
+/* What a tick sets: inputs, then clocks. */
+static size_t driven_count(const mechanism *m)
+{
+    return (size_t)(m->input_count + m->clocks.count);
+}
+
+/* Whether any of it is a function of the tick. */
+static bool is_driven_by_time(const graph *g, const mechanism *m)
+{
+    bool is = false;
+    for (operation op = OP_PHASE; op <= OP_SINCE; op++) {
+        is = is || code_uses(g, m->drives, driven_count(m), op);
+    }
+    return is;
+}
+
 static bool emit_drive(const plant *p, graph *g, text *out, double *culprit)
 {
     const mechanism *m = p->m;
-    const size_t count = (size_t)m->input_count;
-    const code body_of = {
-        g,    names_of(p, out->memory), p->is_double, targets_of(out->memory, "memory.u", m->input_count), m->drives,
-        count};
-    text_add(out,
-             "/* Inputs that the scene gives as functions of time; the others are zero until a port reads them. */\n");
+    const size_t count = driven_count(m);
+    const char **targets = arena_take(out->memory, count, sizeof *targets);
+    for (int i = 0; i < m->input_count; i++) {
+        targets[i] = arena_format(out->memory, "memory.u[%d]", i);
+    }
+    for (int i = 0; i < m->clocks.count; i++) {
+        targets[m->input_count + i] = arena_format(out->memory, "memory.x[%d]", m->clocks.first + i);
+    }
+    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, m->drives, count};
+    text_add(out, "/* What is a function of time; other inputs are zero until a port reads them. */\n");
     text_add(out, "static void drive(const uint32_t tick)\n{\n");
-    if (!code_uses(g, m->drives, count, OP_PHASE) && !code_uses(g, m->drives, count, OP_RAMP)) {
+    if (!is_driven_by_time(g, m)) {
         text_add(out, "    (void)tick;\n");
     }
     if (code_uses(g, m->drives, count, OP_PARAMETER)) {
@@ -449,9 +468,6 @@ static void emit_step(const plant *p, const graph *g, text *out)
                      upper(out->memory, m->links[i].name));
         }
     }
-    for (int i = 0; i < m->clocks.count; i++) {
-        text_add(out, "    (void)iso_take_turns(&memory.x[PLANT_X_PHASE_%d]);\n", i + 1);
-    }
     text_add(out, "}\n\n");
 }
 
@@ -465,8 +481,9 @@ static void emit_description(const plant *p, text *out)
              code_literal(out->memory, m->step, p->is_double));
     text_add(out, "    .period_ns = UINT32_C(%.0f),\n    .states = PLANT_STATES,\n", m->step * 1e9);
     if (m->input_count > 0) {
-        text_add(out, "    .inputs = PLANT_INPUTS,\n    .u = memory.u,\n    .drive = drive,\n");
+        text_add(out, "    .inputs = PLANT_INPUTS,\n    .u = memory.u,\n");
     }
+    text_add(out, "%s", driven_count(m) > 0 ? "    .drive = drive,\n" : "");
     if (m->parameter_count > 0) {
         text_add(out, "    .parameters = PLANT_PARAMETERS,\n    .p = memory.p,\n    .defaults = defaults,\n");
     }
@@ -491,19 +508,17 @@ static void emit_description(const plant *p, text *out)
 bool emit_source(const plant *p, graph *g, text *out, double *culprit)
 {
     const mechanism *m = p->m;
-    const size_t inputs = (size_t)m->input_count;
-    const bool timed_inputs = code_uses(g, m->drives, inputs, OP_PHASE) || code_uses(g, m->drives, inputs, OP_RAMP);
     text_add(out, "/* %s: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n", m->name,
              m->link_count, m->link_count == 1 ? "" : "s", m->name);
     text_add(out,
              " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n#include \"plant.h\"\n\n");
     text_add(out, "#include \"core/method.h\"\n%s#include \"core/sincos.h\"\n%s\n",
-             timed_inputs ? "#include \"core/signal.h\"\n" : "",
-             p->turn_count + m->clocks.count > 0 ? "#include \"core/turns.h\"\n" : "");
+             is_driven_by_time(g, m) ? "#include \"core/signal.h\"\n" : "",
+             p->turn_count > 0 ? "#include \"core/turns.h\"\n" : "");
     emit_memory(p, out);
     bool good = emit_function(p, g, out, "derivative", "dx", "", p->slopes, state_count(m), culprit);
     good = good && emit_function(p, g, out, "output", "y", "", p->outputs, p->output_count, culprit);
-    good = good && (m->input_count == 0 || emit_drive(p, g, out, culprit));
+    good = good && (driven_count(m) == 0 || emit_drive(p, g, out, culprit));
     good = good && (!ISO_IS_IMPLICIT(m->recipe) || emit_solver(p, g, out, culprit));
     good =
         good && (p->rate_count == 0 || emit_function(p, g, out, "rates", "dx", "", p->slopes, p->rate_count, culprit));

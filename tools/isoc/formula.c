@@ -119,8 +119,8 @@ static formula *parse_number(parser *p)
     return f;
 }
 
-/* formula { , formula } ), after the opening parenthesis; a semicolon parts like a comma, a colon too in a table. */
-static void parse_parts(parser *p, formula *f, bool table)
+/* formula { , formula } ), after the opening parenthesis; a semicolon parts like a comma, a colon too between time and value. */
+static void parse_parts(parser *p, formula *f, bool of_points)
 {
     do {
         formula *part = parse_formula(p);
@@ -128,7 +128,7 @@ static void parse_parts(parser *p, formula *f, bool table)
             return;
         }
         add_part(p, f, part);
-    } while (take_sign(p, ',') || take_sign(p, ';') || (table && take_sign(p, ':')));
+    } while (take_sign(p, ',') || take_sign(p, ';') || (of_points && take_sign(p, ':')));
     if (!take_sign(p, ')')) {
         parse_problem(p, "expected , or )");
     }
@@ -162,7 +162,7 @@ static formula *parse_name_or_call(parser *p)
     p->next++;
     if (call) {
         p->next++;
-        parse_parts(p, f, strcmp(f->name, "table") == 0);
+        parse_parts(p, f, strcmp(f->name, "table") == 0 || strcmp(f->name, "ramp") == 0);
     }
     return f;
 }

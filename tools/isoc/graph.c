@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* The trigonometry of constants is the target's own (in double), so that every host folds them to the same bits. */
-#include "core/sincos.h"
+#include "core/turns.h"
 
 _Static_assert(sizeof(real) == sizeof(double), "isoc folds constants in double: -DISO_REAL_DOUBLE");
 
@@ -139,6 +139,11 @@ node timed(graph *g, operation op, double value, double second)
 static node binary(graph *g, operation op, node a, node b)
 {
     return intern(g, (graph_node){.op = op, .a = a, .b = b});
+}
+
+bool is_timed(const graph *g, node n)
+{
+    return g->nodes[n].op >= OP_PHASE && g->nodes[n].op <= OP_SINCE;
 }
 
 bool is_constant(const graph *g, node n)
@@ -359,6 +364,19 @@ node larger(graph *g, node a, node b)
     return a == b ? a : a < b ? binary(g, OP_MAX, a, b) : binary(g, OP_MAX, b, a);
 }
 
+node above(graph *g, node a, node b)
+{
+    if (is_constant(g, a) && is_constant(g, b)) {
+        return constant(g, constant_value(g, a) > constant_value(g, b) ? 1.0 : 0.0);
+    }
+    return a == b ? constant(g, 0.0) : binary(g, OP_ABOVE, a, b);
+}
+
+node wrap(graph *g, node a)
+{
+    return is_zero(g, a) ? a : intern(g, (graph_node){.op = OP_WRAP, .a = a});
+}
+
 node magnitude(graph *g, node a)
 {
     if (is_constant(g, a)) {
@@ -429,6 +447,10 @@ static double evaluate_one(const graph_node *n, const double *x, const double *u
         return fabs(v[n->a]);
     case OP_MAX:
         return fmax(v[n->a], v[n->b]);
+    case OP_ABOVE:
+        return iso_above(v[n->a], v[n->b]);
+    case OP_WRAP:
+        return iso_within_turn(v[n->a]);
     case OP_SIN:
         return iso_sincos(v[n->a]).sin;
     case OP_COS:

@@ -33,13 +33,17 @@ typedef enum operation {
     OP_SLOPE,       /* dx[index], where a derivative has been evaluated before */
     OP_PHASE,       /* an angle that grows by `value` turns a tick from `second` turns, in [-pi, pi) */
     OP_RAMP,        /* the ticks since tick `value`, limited to [0, second] */
+    OP_TIME,        /* the seconds since tick 0, with `second` in a tick */
+    OP_SINCE,       /* the seconds since tick `value`, with `second` in a tick; before it, something less than zero */
     OP_ADD,
     OP_SUB,
     OP_MUL,
-    OP_MAX, /* the larger */
-    OP_DIV, /* the last of two operands */
+    OP_MAX,   /* the larger */
+    OP_ABOVE, /* 1 if the first is the larger, else 0 */
+    OP_DIV,   /* the last of two operands */
     OP_NEG,
     OP_ABS,
+    OP_WRAP, /* an angle without its whole turns: within half a turn of zero */
     OP_SIN,
     OP_COS,
     OPERATIONS
@@ -82,7 +86,7 @@ node graph_put(graph *g, graph_node n);
 
 node constant(graph *g, double value);
 node leaf(graph *g, operation op, int index);
-node timed(graph *g, operation op, double value, double second); /* OP_PHASE, OP_RAMP */
+node timed(graph *g, operation op, double value, double second); /* OP_PHASE to OP_SINCE */
 
 node add(graph *g, node a, node b);
 node sub(graph *g, node a, node b);
@@ -90,7 +94,9 @@ node mul(graph *g, node a, node b);
 node divide(graph *g, node a, node b);
 node neg(graph *g, node a);
 node larger(graph *g, node a, node b);
+node above(graph *g, node a, node b);
 node magnitude(graph *g, node a);
+node wrap(graph *g, node a);
 node sine(graph *g, node a);
 node cosine(graph *g, node a);
 node power(graph *g, node a, int n); /* n >= 0 */
@@ -100,6 +106,7 @@ node sum_of_products(graph *g, node a, node b, node c, node d);
 node difference_of_products(graph *g, node a, node b, node c, node d);
 
 bool is_constant(const graph *g, node n);
+bool is_timed(const graph *g, node n);
 bool is_zero(const graph *g, node n);
 double constant_value(const graph *g, node n);
 

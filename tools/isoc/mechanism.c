@@ -232,7 +232,7 @@ double *mechanism_start(const mechanism *m, arena *memory)
         memcpy(x + m->position_count + l->freedom, l->speed, (size_t)freedoms_of(l->kind) * sizeof *x);
     }
     for (int i = 0; i < m->clocks.count; i++) {
-        x[m->clocks.first + i] = m->clocks.all[i].phase;
+        x[m->clocks.first + i] = m->clocks.all[i].start;
     }
     return x;
 }

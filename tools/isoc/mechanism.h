@@ -63,6 +63,21 @@ typedef struct cut_end {
     vector point;
 } cut_end;
 
+/* A function of the tick that motions are functions of: a state that every tick begins with, and that grows at a constant
+ * rate within it. */
+typedef struct clock {
+    node of_tick;
+    double rate;  /* per second */
+    double start; /* rad or s */
+} clock;
+
+typedef struct clocks {
+    clock *all;
+    int count;
+    size_t room;
+    int first; /* the state that the first one is */
+} clocks;
+
 /* A loop closure. */
 typedef struct cut {
     const char *name;
@@ -74,6 +89,8 @@ typedef struct cut {
     node length;           /* distance; radius; what a gear or a motion starts at */
     node ratio;
     node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
+    bool wraps;                            /* a motion that holds but for whole turns */
+    bool in_speed;                         /* a gear or a motion that holds in speeds alone */
 } cut;
 
 /* A body, or several seen as one, in the frame of a link or of the ground. */
@@ -116,7 +133,7 @@ typedef struct mechanism {
     int multiplier_iterations; /* of the augmented Lagrangian; else 1 */
     int projections;           /* iterations of the projection after a step */
     double violation_limit;    /* m or rad; 0: none */
-    clocks clocks;             /* of motions; states between the links' positions and the speeds */
+    clocks clocks;             /* of motions: states between the links' positions and the speeds */
     thrust *thrusts;
     int thrust_count;
     vector gravity;
@@ -125,7 +142,7 @@ typedef struct mechanism {
 
     int input_count;
     const char **input_names;
-    node *drives;  /* the inputs as functions of time */
+    node *drives;  /* the inputs as functions of time, and behind them the clocks */
     double *jumps; /* the changes of inputs that start a method anew; 0: none does */
 
     const output *outputs;

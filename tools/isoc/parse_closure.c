@@ -33,7 +33,8 @@ static const property properties[] = {
     {"first", read_joint, IN(first), OF_JOINTS, "first JOINT"},
     {"second", read_joint, IN(second), GEAR, "second JOINT"},
     {"ratio", read_formula, IN(ratio), GEAR, "ratio -2"},
-    {"motion", read_formula, IN(motion), MOTION, "motion 0.3 rad * sin(2 Hz)"},
+    {"motion", read_formula, IN(motion), MOTION, NULL},
+    {"speed", read_formula, IN(speed), MOTION, NULL},
 };
 #undef IN
 

@@ -11,7 +11,7 @@
  *                   | spring FORMULA [rest FORMULA] | drive NAME }
  *   closure       = close NAME (fixed | revolute | prismatic | spherical | line | distance | gear | rolling | motion)
  *                   { parent placement | child placement | axis AXIS | length FORMULA | radius FORMULA
- *                   | first NAME | second NAME | ratio FORMULA | motion FORMULA }
+ *                   | first NAME | second NAME | ratio FORMULA | motion FORMULA | speed FORMULA }
  *   force         = force NAME { body NAME [at FORMULA] | axis AXIS | drive NAME | moment FORMULA }
  *   stabilisation = stabilisation (baumgarte | projection | lagrangian | none) [{ alpha FORMULA | beta FORMULA
  *                   | penalty FORMULA | omega FORMULA | mu FORMULA | iterations FORMULA | limit FORMULA }]

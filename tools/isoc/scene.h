@@ -13,7 +13,7 @@ typedef enum formula_kind {
     FORMULA_SCALE,  /* parts[0] in unit: (1, 2, 3) mm */
     FORMULA_BINARY, /* parts[0] sign parts[1] */
     FORMULA_POWER,  /* parts[0] to the number */
-    FORMULA_CALL,   /* name(parts); of a table, pairs of time and value */
+    FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value */
 } formula_kind;
 
 typedef struct formula {
@@ -98,7 +98,7 @@ typedef enum closure_kind {
     CLOSE_DISTANCE, /* `length` between the origins */
     CLOSE_GEAR,     /* first = ratio * second + what the starts give, of two joints' coordinates */
     CLOSE_ROLLING, /* a ball of `radius` about the child's origin rolls on the plane through the parent's, normal `axis` */
-    CLOSE_MOTION, /* `first` follows `motion`, a function of time */
+    CLOSE_MOTION, /* `first` follows `motion`, a function of time, or has the speed `speed` */
 } closure_kind;
 
 /* Whether it holds coordinates of joints, and not bodies. */
@@ -111,7 +111,7 @@ typedef struct closure {
     name name;
     closure_kind kind;
     placement parent, child;
-    formula *axis, *length, *radius, *ratio, *motion;
+    formula *axis, *length, *radius, *ratio, *motion, *speed;
     name first, second; /* joints */
     bool broken;
 } closure;

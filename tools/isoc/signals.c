@@ -14,7 +14,10 @@ void build_inputs(builder *b)
     made->input_count = (int)b->written->input_count;
     made->input_names = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->input_names);
     made->jumps = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->jumps);
-    made->drives = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->drives);
+    made->drives = arena_take(b->s->memory, b->written->input_count + (size_t)made->clocks.count + 1, sizeof(node));
+    for (int i = 0; i < made->clocks.count; i++) {
+        made->drives[made->input_count + i] = made->clocks.all[i].of_tick;
+    }
     b->values.time_allowed = true;
     graph_section(b->g, "Inputs as functions of time");
     for (int i = 0; i < made->input_count; i++) {

@@ -72,8 +72,8 @@ name take_name(parser *p, const char *expected)
 static bool is_reserved(const char *word)
 {
     unit u;
-    static const char *const own[] = {"x",     "y",      "z",    "ground", "pi", "at",
-                                      "about", "rotate", "rest", "along",  "of", "quaternion"};
+    static const char *const own[] = {"x",      "y",    "z",     "ground", "pi",         "at",  "about",
+                                      "rotate", "rest", "along", "of",     "quaternion", "time"};
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
         if (strcmp(word, own[i]) == 0) {
             return true;

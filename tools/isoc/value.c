@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-static const dimension plain = {0, 0, 0, 0};
+static const dimension plain = {0, 0, 0, 0}, second = {0, 0, 1, 0};
 static const double pi = 3.14159265358979323846;
 
 static value evaluate(values *v, const formula *f);
@@ -75,11 +75,23 @@ void values_resolve(values *v)
     }
 }
 
+/* Whether a formula may not depend on time, which it notes. */
+static bool refuses_time(values *v, const formula *f)
+{
+    if (!v->time_allowed) {
+        source_problem(v->s, f->at, "'%s' is a function of time: only an input or a motion can be one", f->name);
+    }
+    return !v->time_allowed;
+}
+
 static value evaluate_name(values *v, const formula *f)
 {
     const size_t count = v->scene->parameter_count;
     if (strcmp(f->name, "pi") == 0) {
         return scalar(constant(v->g, pi), plain);
+    }
+    if (strcmp(f->name, "time") == 0) {
+        return refuses_time(v, f) ? nothing() : scalar(timed(v->g, OP_TIME, 0.0, v->step), second);
     }
     const char **names = arena_take(v->s->memory, count + 1, sizeof *names);
     for (size_t i = 0; i < count; i++) {
@@ -224,21 +236,6 @@ static value evaluate_power(values *v, const formula *f)
     return r;
 }
 
-/* The state that is this phase; the same for equal ones. */
-static node clock_of(values *v, double rate, double phase)
-{
-    clocks *c = v->clocks;
-    int i = 0;
-    while (i < c->count && (c->all[i].rate != rate || c->all[i].phase != phase)) {
-        i++;
-    }
-    if (i == c->count) {
-        c->all = arena_grow(v->s->memory, c->all, (size_t)c->count, &c->room, sizeof *c->all);
-        c->all[c->count++] = (clock){rate, phase};
-    }
-    return leaf(v->g, OP_STATE, c->first + i);
-}
-
 /* sin(3 Hz), sin(3 Hz, 90 deg), sin(2 rad/s): a phase that grows with the ticks. */
 static value evaluate_wave(values *v, const formula *f)
 {
@@ -265,38 +262,56 @@ static value evaluate_wave(values *v, const formula *f)
         source_problem(v->s, f->parts[0]->at, "more than half a period in a step: the wave cannot be seen");
         return nothing();
     }
-    const node angle = v->clocks != NULL ? clock_of(v, 2 * pi * turns / v->step, phase)
-                                         : timed(v->g, OP_PHASE, turns, phase / (2 * pi));
+    const node angle = timed(v->g, OP_PHASE, turns, phase / (2 * pi));
     return scalar(strcmp(f->name, "sin") == 0 ? sine(v->g, angle) : cosine(v->g, angle), plain);
 }
 
-/* table(0 s: 0 N, 1 s: 8 N, ...): straight lines between the points, the end values outside. */
-static value evaluate_table(values *v, const formula *f)
+/* How far time is from tick `from` on, as a part of so many ticks, limited to [0, 1], on the way of a smooth curve:
+ * c^3 (10 - 15 c + 6 c^2), whose slope and curvature are zero at both ends (the 3-4-5 polynomial of cams). `first` is the
+ * tick at which the curve begins. */
+static node smooth_part(values *v, double first, double from, double ticks)
 {
-    static const dimension second = {0, 0, 1, 0};
+    graph *g = v->g;
+    const node since = timed(g, OP_SINCE, first, v->step);
+    const node part = divide(g, sub(g, since, constant(g, (from - first) * v->step)), constant(g, ticks * v->step));
+    const node below = larger(g, neg(g, part), constant(g, -1.0)), c = larger(g, constant(g, 0.0), neg(g, below));
+    const node inner = sub(g, mul(g, constant(g, 6.0), c), constant(g, 15.0));
+    const node cube = power(g, c, 3), outer = add(g, constant(g, 10.0), mul(g, c, inner));
+    return mul(g, cube, outer);
+}
+
+/* table(0 s: 0 N, 1 s: 8 N, ...): straight lines between the points, ramp(0 s: 0 N, 1 s: 8 N, ...): smooth curves; the end
+ * values outside. */
+static value evaluate_points(values *v, const formula *f)
+{
+    const bool is_smooth = strcmp(f->name, "ramp") == 0;
     if (f->count < 2 || f->count % 2 != 0) {
-        source_problem(v->s, f->at, "a table is pairs of time and value: table(0 s: 0 N, 1 s: 8 N)");
+        source_problem(v->s, f->at, "a %s is pairs of time and value: %s(0 s: 0 N, 1 s: 8 N)", f->name, f->name);
         return nothing();
     }
+    const char *a_time = arena_format(v->s->memory, "a time of the %s", f->name);
     value sum = evaluate(v, f->parts[1]), last = sum;
-    double last_time = value_constant(v, f->parts[0], second, "a time of the table", 0.0) / v->step;
+    const double first = value_constant(v, f->parts[0], second, a_time, 0.0) / v->step;
+    double last_time = first;
     for (size_t i = 2; i < f->count && sum.count > 0; i += 2) {
-        const double time = value_constant(v, f->parts[i], second, "a time of the table", 0.0) / v->step;
+        const double time = value_constant(v, f->parts[i], second, a_time, 0.0) / v->step;
         const value here = evaluate(v, f->parts[i + 1]);
         if (here.count == 0) {
             return nothing();
         }
         if (here.count != 1 || last.count != 1 || (!here.any && !last.any && !dimension_equal(here.of, last.of))) {
-            source_problem(v->s, f->parts[i + 1]->at, "the values of a table are numbers of one dimension");
+            source_problem(v->s, f->parts[i + 1]->at, "the values of a %s are numbers of one dimension", f->name);
             return nothing();
         }
         if (!(time > last_time) || last_time < 0.0 || time > 4e9) {
-            source_problem(v->s, f->parts[i]->at, "the times of a table begin at 0 or later and rise");
+            source_problem(v->s, f->parts[i]->at, "the times of a %s begin at 0 or later and rise", f->name);
             return nothing();
         }
         const node rise = sub(v->g, here.parts[0], last.parts[0]);
-        const node slope = divide(v->g, rise, constant(v->g, time - last_time));
-        sum.parts[0] = add(v->g, sum.parts[0], mul(v->g, slope, timed(v->g, OP_RAMP, last_time, time - last_time)));
+        const double ticks = time - last_time;
+        const node weight = is_smooth ? rise : divide(v->g, rise, constant(v->g, ticks));
+        const node part = is_smooth ? smooth_part(v, first, last_time, ticks) : timed(v->g, OP_RAMP, last_time, ticks);
+        sum.parts[0] = add(v->g, sum.parts[0], mul(v->g, weight, part));
         sum.of = here.any ? last.of : here.of;
         sum.any = here.any && last.any;
         last = here;
@@ -309,23 +324,25 @@ static value evaluate_table(values *v, const formula *f)
 
 static value evaluate_call(values *v, const formula *f)
 {
-    static const char *const functions[] = {"sin", "cos", "table"};
-    const bool wave = strcmp(f->name, "sin") == 0 || strcmp(f->name, "cos") == 0;
-    if (!wave && strcmp(f->name, "table") != 0) {
+    static const char *const functions[] = {"sin", "cos", "table", "ramp"};
+    const size_t count = sizeof functions / sizeof functions[0];
+    size_t which = 0;
+    while (which < count && strcmp(f->name, functions[which]) != 0) {
+        which++;
+    }
+    if (which == count) {
         source_problem(v->s, f->at, "no function is called '%s'%s", f->name,
-                       source_suggestion(v->s, f->name, functions, 3));
+                       source_suggestion(v->s, f->name, functions, count));
         return nothing();
     }
-    if (v->clocks != NULL && !wave) {
-        source_problem(v->s, f->at,
-                       "a motion is made of sines and cosines, whose rates are smooth; 'table' has corners");
+    if (v->is_smooth && strcmp(f->name, "table") == 0) {
+        source_problem(v->s, f->at, "a motion is smooth, and a table has corners: ramp has none");
         return nothing();
     }
-    if (!v->time_allowed) {
-        source_problem(v->s, f->at, "'%s' is a function of time: only an input can be one", f->name);
+    if (refuses_time(v, f)) {
         return nothing();
     }
-    return wave ? evaluate_wave(v, f) : evaluate_table(v, f);
+    return which < 2 ? evaluate_wave(v, f) : evaluate_points(v, f);
 }
 
 static value evaluate(values *v, const formula *f)

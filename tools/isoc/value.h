@@ -14,27 +14,14 @@ typedef struct value {
     bool any; /* a plain zero, which is zero in every unit */
 } value;
 
-/* A phase that grows with time: a state, where something is a smooth function of time within a step too. */
-typedef struct clock {
-    double rate;  /* rad/s */
-    double phase; /* rad, at the start */
-} clock;
-
-typedef struct clocks {
-    clock *all;
-    int count;
-    size_t room;
-    int first; /* the state that the first one is */
-} clocks;
-
 /* The scene's parameters and the graph that formulas become nodes of. */
 typedef struct values {
     source *s;
     graph *g;
     const scene *scene;
     double step;       /* s; functions of time need it */
-    bool time_allowed; /* in an input's formula */
-    clocks *clocks;    /* where waves are functions of phases, in a motion's formula; else NULL: of the ticks */
+    bool time_allowed; /* in the formula of an input or a motion */
+    bool is_smooth;    /* of a motion */
     value *parameters; /* of the scene's, where resolved */
     char *resolving;   /* 0 not yet, 1 now, 2 done */
     double *defaults;  /* of the tunables, by index */

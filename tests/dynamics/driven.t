@@ -1,0 +1,57 @@
+#!/bin/sh
+# Motions and speeds that are prescribed as functions of time, and the efforts that they take, against formulas by hand.
+. tests/host/test.sh
+begin driven
+ours="tests/dynamics/driven.c tests/host/report.c"
+
+# driven NAME SCENE [OPTION...]: the program of a scene.
+driven()
+{
+    name=$1
+    text=$2
+    shift 2
+    # shellcheck disable=SC2086
+    build/isoc "$text" -o "$out/$name" --real "$real" "$@" >"$out/$name.summary" &&
+        program "$name.run" $ours "$out/$name/plant.c"
+}
+
+# In double, eight digits. In float a speed keeps the roundings of the last 1/(alpha h) = 20 steps, some 10 epsilons of at most
+# 9 m/s, of which the stabilisation makes 2 alpha times that: 6e-4 N or N m, of 0.6 kg at the crank and 2 kg in the lift.
+for demand in 'float 1ms 1e-6 1e-3' 'double 125us 1e-8 1e-8'; do
+    # shellcheck disable=SC2086
+    set -- $demand
+    real "$1"
+    driven "$1" tests/dynamics/driven.scene --step "$2"
+    result $? "driven builds in $1"
+    joined "driven in $1 with $2" "$out/$1.run" "$3" "$4"
+done
+
+# halved METHOD ORDER STEP HALF OUTPUT...: half the step divides an error by 2^ORDER, to a quarter of that.
+halved()
+{
+    driven "$1-whole" tests/dynamics/driven.scene --method "$1" --step "$3"
+    driven "$1-half" tests/dynamics/driven.scene --method "$1" --step "$4"
+    method=$1
+    order=$2
+    shift 4
+    for output; do
+        "$out/$method-whole.run" "$output" >"$out/whole" && "$out/$method-half.run" "$output" | paste "$out/whole" - |
+            awk -v order="$order" '{ print; exit !($1 > 0.75 * 2 ^ order * $2 && $1 < 1.25 * 2 ^ order * $2) }' >"$out/errors"
+        result $? "$method, order $order: half the step makes $(cat "$out/errors") of $output"
+    done
+}
+
+# The curvature of a ramp has corners at its points. Steps that end there keep the order of a one-step method that does not
+# look ahead; any other has order four, or three, only where there are none.
+halved rk4 4 250us 125us slider lift pull speed twist
+halved abm4 4 500us 250us slider table twist
+halved ab4 4 250us 125us table twist
+halved bdf4 4 500us 250us slider table twist
+halved rosenbrock 3 500us 250us slider table twist
+
+# Control: points between the steps.
+driven between tests/dynamics/driven.scene --step 160us
+whole=$("$out/rk4-whole.run" lift) && between=$("$out/between.run" lift) &&
+    awk -v a="$between" -v b="$whole" 'BEGIN { exit !(a > 100 * b) }'
+result $? "control: where a ramp's points lie between the steps of 160 us, the lift is off by $between, not $whole"
+finish
