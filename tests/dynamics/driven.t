@@ -54,4 +54,19 @@ driven between tests/dynamics/driven.scene --step 160us
 whole=$("$out/rk4-whole.run" lift) && between=$("$out/between.run" lift) &&
     awk -v a="$between" -v b="$whole" 'BEGIN { exit !(a > 100 * b) }'
 result $? "control: where a ramp's points lie between the steps of 160 us, the lift is off by $between, not $whole"
+
+# The gains that a scene has by itself: no method is unstable with them. Euler's speed, at up to 240 rad/s^2, lags by that many
+# rad/s times 1 ms; what grows passes any limit.
+sed '/^stabilisation/d' tests/dynamics/driven.scene >"$out/own_gains.scene"
+within='BEGIN { exit !(off ~ /^[0-9]/ && off <= 0.24) }'
+for method in $(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] .*/\1/p'); do
+    driven "own-$method" "$out/own_gains.scene" --method "$method" &&
+        off=$("$out/own-$method.run" speed) && awk -v off="$off" "$within"
+    result $? "$method with its own gains: speed off by $off"
+done
+
+# Control: twice the gain of a speed is too much for the method that is least stable.
+sed 's/^stabilisation.*/stabilisation baumgarte { alpha 200 Hz; beta 100 Hz }/' tests/dynamics/driven.scene >"$out/strong.scene"
+driven strong "$out/strong.scene" --method abm4_pec && off=$("$out/strong.run" speed) && ! awk -v off="$off" "$within"
+result $? "control: abm4_pec with twice the gain: speed off by $off"
 finish

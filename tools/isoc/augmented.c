@@ -131,8 +131,10 @@ static double regularisation(const augmented *a)
 
 node demand_of(graph *g, const mechanism *m, const constraint *c)
 {
-    const node twice_alpha = constant(g, 2.0 * m->alpha), square_beta = constant(g, m->beta * m->beta);
-    const node damped = mul(g, twice_alpha, c->rate), drawn = mul(g, square_beta, c->position);
+    const bool in_speed = is_zero(g, c->position);
+    const node damping = constant(g, in_speed ? m->alpha : 2.0 * m->alpha);
+    const node square_beta = constant(g, m->beta * m->beta);
+    const node damped = mul(g, damping, c->rate), drawn = mul(g, square_beta, c->position);
     return add(g, c->bias, add(g, damped, drawn));
 }
 

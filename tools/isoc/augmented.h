@@ -44,7 +44,8 @@ typedef struct augmented {
 /* From effort := L'^-1 (effort - bias) to effort := D^-1 L'^-1 (effort - bias - Phi_q' lambda). */
 augmented augmented_build(const mass_matrix *mass, constraints held, node *effort);
 
-/* -gamma of a constraint: Phi_dd + 2 alpha Phi' + beta^2 Phi. */
+/* -gamma of a constraint: Phi_dd + 2 alpha Phi' + beta^2 Phi, or Phi_dd + alpha Phi' of one of speeds alone: its root is
+ * where the double root of the others is with alpha = beta. */
 node demand_of(graph *g, const mechanism *m, const constraint *c);
 
 /* The change of the freedoms that takes the least kinetic energy, and with it `gap` off the constraints:
