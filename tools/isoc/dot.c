@@ -74,7 +74,9 @@ static void draw_closure(const scene *written, const closure *c, text *out)
 
 void dot_write(const scene *written, text *out)
 {
-    text_add(out, "digraph \"%s\" {\n    node [shape=box];\n", written->name);
+    text_add(out, "digraph \"%s\" {\n    nodesep=0.7;\n    node [shape=box, fontname=\"sans-serif\"];\n",
+             written->name);
+    text_add(out, "    edge [fontname=\"sans-serif\", fontsize=10];\n");
     draw_bodies(written, out);
     for (size_t i = 0; i < written->joint_count; i++) {
         draw_joint(&written->joints[i], out);
