@@ -68,8 +68,9 @@ always:
 PORT_OF_host := port/sim
 PORT_OF_cortex-m4f := port/mps2
 PORT := $(PORT_OF_$(strip $(TARGET)))
-# Methods of a fixed step; adams has one that varies within the tick.
-METHODS := euler heun rk4 ab4 semi_implicit abm4 abm4_pec abm4_pecece bdf4 rosenbrock
+# Methods of a fixed step; adams has one that varies within the tick, and is for scenes only.
+FIXED_METHODS := euler heun rk4 ab4 semi_implicit abm4 abm4_pec abm4_pecece bdf4 rosenbrock
+METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
 
@@ -80,8 +81,8 @@ ifeq ($(filter float double,$(REAL)),)
 $(error REAL=$(REAL) is unknown; it can be float or double)
 endif
 ifneq ($(METHOD),)
-ifeq ($(filter $(METHODS) adams,$(METHOD)),)
-$(error METHOD=$(METHOD) is unknown; it can be one of: $(METHODS) adams)
+ifeq ($(filter $(FIXED_METHODS) adams,$(METHOD)),)
+$(error METHOD=$(METHOD) is unknown; it can be one of: $(FIXED_METHODS) adams)
 endif
 endif
 
@@ -216,7 +217,7 @@ stack: $(OUT)/plant.o ## show the deepest stack of a step; recursion and frames 
 
 # Prints the tables and nothing else, so that they can be held against README.md.
 cost: ## price the models and the effects: instructions, operations, bytes; on the Cortex-M4F in float
-	@MAKE=$(call quote,$(MAKE)) METHODS=$(call quote,$(METHODS)) sh tools/build/cost.sh
+	@MAKE=$(call quote,$(MAKE)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/build/cost.sh
 
 LENGTHS = 1 2 3 4 6 8 12 16
 chains: ## price chains of rods by their LENGTHS: operations, instructions, bytes; on the Cortex-M4F in float

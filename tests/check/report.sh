@@ -1,11 +1,12 @@
 #!/bin/sh
-# make report and make bench: the tables are whole, errors fall with the methods' orders, what runs with any step is
-# what make run runs, a reference that two methods do not agree on is refused. Wrong references and tables are seen.
+# make report and make bench: the tables are whole, errors fall with the methods' orders, what runs with any step or
+# tolerance is what make run runs, a reference that two methods do not agree on is refused. Wrong references and tables
+# are seen.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/report
 project
-methods="euler heun rk4 rosenbrock"
+methods="euler heun rk4 rosenbrock adams"
 folder=$out/project/build/report/double_pendulum
 tsv=$folder/report.tsv
 
@@ -17,7 +18,7 @@ whole()
         NR > 1 {
             n[$1, $2]++
             step[$1, $2] = $7
-            if (NF != 8 || !($5 > 0) || $8 < 0.999 * $7 / $3 || $8 > 1.001 * $7 / $3) bad = 1
+            if (NF != 9 || !($5 > 0) || $8 < 0.999 * $7 / $3 || $8 > 1.001 * $7 / $3) bad = 1
         }
         END {
             count = split(methods, method, " ")
@@ -37,7 +38,7 @@ ordered()
 {
     awk -F '\t' '
         FNR == NR { split($0, cell, " *[|] *"); order[cell[2]] = cell[3]; next }
-        $1 == "double" && $6 != "-" { before[$2] = last[$2]; last[$2] = $6; seen[$2] = 1 }
+        $1 == "double" && $6 != "-" && $9 == "-" { before[$2] = last[$2]; last[$2] = $6; seen[$2] = 1 }
         END {
             for (method in seen) {
                 count++
@@ -48,6 +49,22 @@ ordered()
             }
             exit bad || count != 4
         }' "$2" "$1"
+}
+
+# adapted TSV: with every smaller tolerance adams takes more steps, and in double its error falls with tolerance^(4/5),
+# but for the scatter that tests/adams/adams.c derives: steps are powers of two, an error of order four is within 2^5.
+adapted()
+{
+    awk -F '\t' '
+        $2 != "adams" { next }
+        $1 == kind && ($4 <= steps || $9 >= tolerance) { bad = 1 }
+        $1 == "double" && ++count == 1 { loose = $9; large = $5 }
+        { kind = $1; steps = $4; tolerance = $9; error = $5 }
+        END {
+            off = log(large / error) / log(loose / tolerance) - 4 / 5
+            scatter = 5 * log(2) / log(loose / tolerance)
+            exit bad || count != 6 || kind != "double" || off > scatter || off < -scatter
+        }' "$1"
 }
 
 call report METHODS="$methods"
@@ -61,6 +78,8 @@ result $? "the table has every kind, method and step"
 build/isoc --methods >"$out/methods.md"
 ordered "$tsv" "$out/methods.md"
 result $? "errors fall with the order of the method"
+adapted "$tsv"
+result $? "those of adams fall with its tolerance"
 grep -Ev '^  (CC|LINK) ' "$out/output" | head -n "$(grep -c '' "$folder/report.txt")" | cmp -s - "$folder/report.txt"
 result $? "report.txt is what is printed"
 [ "$(wc -c <"$folder/work_precision.svg")" -lt 100000 ]
@@ -70,12 +89,12 @@ for text in $methods 'double_pendulum: error and its price' 'float, compensated 
     result $? "the picture says: $text"
 done
 
-# same POINTS UNIT: the state that make run printed is that of the report after 5000 steps. A number is printed as the
+# same POINTS UNIT STEPS: the state that make run printed is that of the report after so many steps. A number is printed as the
 # shortest decimal that reads back: within half a unit in the last place.
 same()
 {
     sed -n 's/^state //p' "$out/output" | tr ' ' '\n' >"$out/state"
-    awk '$1 == 5000 { for (i = 3; i <= NF; i++) printf "%.17g\n", $i }' "$folder/$1/points" >"$out/driven"
+    awk -v steps="$3" '$1 == steps { for (i = 3; i <= NF; i++) printf "%.17g\n", $i }' "$folder/$1/points" >"$out/driven"
     awk -v unit="$2" '
         FNR == NR { a[FNR] = $1; next }
         { n++; off = a[FNR] - $1; size = $1 < 0 ? -$1 : $1; if ((off < 0 ? -off : off) > unit / 2 * size) bad = 1 }
@@ -85,24 +104,40 @@ same()
 # The program with any step is the one that make run runs.
 call run REAL=double SECONDS=5
 expect $? "make run in double"
-same double-rk4 2.3e-16
+same double-rk4 2.3e-16 5000
 result $? "the state is that of make run, in double"
 call run SECONDS=5
-same float-rk4 1.2e-7
+same float-rk4 1.2e-7 5000
 result $? "the state is that of make run, in float"
+
+# row TOLERANCE: what the report has of adams in float.
+row()
+{
+    awk -F '\t' -v tolerance="$1" '$1 == "float" && $2 == "adams" && $9 == tolerance' "$tsv"
+}
+
+# So is the one with any tolerance; its instructions are all those of the run.
+call run TARGET=cortex-m4f METHOD=adams STEP=40ms TOLERANCE=1e-6 SECONDS=5
+expect $? "make run of adams on the board"
+same float-adams 1.2e-7 "$(value substeps)"
+result $? "the sub-steps and the state are those of make run, in float, of adams"
+row 1e-6 | awk -F '\t' -v run="$(value execution)" -v ticks="$(value ticks)" '
+    { split(run, execution, " "); off = $8 * 5 / (execution[2] * ticks) - 1; n++ }
+    END { exit n != 1 || off > 0.001 || off < -0.001 }'
+result $? "its instructions per second are those of the run"
 
 # A step takes the same instructions whatever it is and however many there are.
 for arguments in "STEP=4ms SECONDS=0.1" "STEP=125us SECONDS=0.05"; do
     # shellcheck disable=SC2086
     call run TARGET=cortex-m4f METHOD=heun $arguments
-    [ "$(value instructions_per_step)" = "$(cat "$folder/float-heun/instructions")" ]
+    [ "$(value instructions_per_step)" = "$(sed 's/ .*//' "$folder/float-heun/prices" | sort -u)" ]
     expect $? "a step of heun takes as many instructions with $arguments"
 done
 
 # wrong NAME TSV [METHODS_TABLE]: the table is found wrong.
 wrong()
 {
-    ! { whole "$2" && ordered "$2" "${3:-$out/methods.md}"; }
+    ! { whole "$2" && ordered "$2" "${3:-$out/methods.md}" && adapted "$2"; }
     result $? "found: $1"
 }
 
@@ -110,6 +145,10 @@ sed '20d' "$tsv" >"$out/wrong.tsv"
 wrong "a row left out" "$out/wrong.tsv"
 awk -F '\t' '$2 != "heun"' "$tsv" >"$out/wrong.tsv"
 wrong "a method left out" "$out/wrong.tsv"
+awk -F '\t' -v OFS='\t' '$1 == "double" && $9 == "1e-13" { $5 = 1e-7 } { print }' "$tsv" >"$out/wrong.tsv"
+wrong "an error of adams that does not fall" "$out/wrong.tsv"
+awk -F '\t' -v OFS='\t' '$1 == "float" && $9 == "1e-5" { $9 = "1e-3" } { print }' "$tsv" >"$out/wrong.tsv"
+wrong "a tolerance in a wrong place" "$out/wrong.tsv"
 sed 's/^| rk4 | 4/| rk4 | 3/' "$out/methods.md" >"$out/wrong.md"
 wrong "a wrong order in the table of methods" "$tsv" "$out/wrong.md"
 awk '{ $3 += 1e-8; print }' OFMT=%.17g CONVFMT=%.17g "$folder/reference.txt" >"$out/wrong.txt"
@@ -137,28 +176,43 @@ result $? "found: one alone"
 expect $? "found: a time for which the motion is chaotic"
 ! call report SCENE=models/absent.scene && grep -q 'there is no scene models/absent.scene' "$out/errors"
 expect $? "found: a scene that is not there"
-! call report METHODS="rk4 adams" && grep -q 'adams chooses its steps itself' "$out/errors"
-expect $? "found: a method whose step is not fixed"
+! call report SCENE=models/oscillator.c METHODS=adams && grep -q 'adams cannot be built' "$out/errors"
+expect $? "found: adams of a plant in C"
 
 # A plant in C, another step, and inputs.
 call report SCENE=models/oscillator.c METHODS="ab4 bdf4" STEP=2ms SECONDS=2
 expect $? "make report of a plant in C"
-call report SCENE=models/cart_pole.scene METHODS=rk4 SECONDS=1
+call report SCENE=models/cart_pole.scene METHODS="rk4 adams" SECONDS=1
 expect $? "make report of a scene with an input"
 
 # The bench: its largest step is the largest.
-call bench METHODS="rk4 ab4 abm4"
+price=$(row 1e-8 | cut -f 7)
+call bench METHODS="rk4 ab4 abm4 adams"
 expect $? "make bench"
-[ "$(grep -c '^| \(rk4\|ab4\|abm4\) | 4 |' "$out/output")" -eq 3 ] && [ "$(grep -c '^- abm4 .*: \(yes\|no\)\.$' "$out/output")" -eq 2 ]
+[ "$(grep -c '^| \(rk4\|ab4\|abm4\) | 4 |' "$out/output")" -eq 3 ] && [ "$(grep -c '^- \(abm4\|adams\)[ ,].*: \(yes\|no\)\.$' "$out/output")" -eq 3 ]
 expect $? "make bench: a row for each method, and answers"
 folder=$out/project/build/bench/double_pendulum
-for method in rk4 ab4 abm4; do
-    fewest=$(cut -d ' ' -f 3 "$folder/double-$method/bench")
-    "$folder/double-$method/drive" 5 "$fewest" $((fewest - 1)) | sed 's/^\([^ ]*\) [^ ]*/double m 0 \1 5/' |
+# limit METHOD WITHIN BEYOND: whether the error is 1e-6 at most with the first number of steps, or tolerance, and more with
+# the other.
+limit()
+{
+    "$folder/double-$1/drive" 5 "$2" "$3" | sed 's/^\([^ ]*\) [^ ]*/double m 0 - \1 5/' |
         awk -f tools/report/errors.awk part=reference "$folder/reference.txt" part=points - |
         awk -F '\t' 'NR == 2 { within = $5 <= 1e-6 } NR == 3 { beyond = $5 >= 0.9999e-6 } END { exit !(within && beyond) }'
+}
+
+for method in rk4 ab4 abm4; do
+    fewest=$(cut -d ' ' -f 3 "$folder/double-$method/bench")
+    limit $method "$fewest" $((fewest - 1))
     result $? "$method: the error is 1e-6 with $fewest steps, and more with one step less"
 done
+found=$(cut -d ' ' -f 4 "$folder/double-adams/bench")
+looser=$(awk -v found="$found" '$1 == found { print before } { before = $1 }' "$folder/double-adams/grid")
+limit adams "$found" "$looser"
+result $? "adams: the error is 1e-6 with a tolerance of $found, and more with $looser"
+# The tolerance found is less than what float can tell: then it is that of the report's last row.
+grep -qx "| adams | 1 to 4 | 2\.[0-9]* | - | - | [0-9.]* | $price | [0-9]* |" "$out/output"
+expect $? "adams: a sub-step takes $price instructions"
 
 # Machines on which something is missing.
 mkdir -p "$out/bin"

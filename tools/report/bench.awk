@@ -3,8 +3,8 @@
 #     awk -v scene=NAME -v time=5 -v step=0.001 -v error=1e-6 -f bench.awk methods.md measured
 #
 # The first is what `build/isoc --methods` prints. A line of the second is a method, its error with steps of twice
-# `step` and of `step`, the fewest steps of the time with at most `error` (0 if there are none), and the instructions of
-# a step.
+# `step` and of `step`, the fewest steps of the time with at most `error` (0 if there are none), the tolerance that they
+# have if they vary, and the instructions of a step; where steps vary, there are the evaluations of one as well.
 
 # The table's lines: | method | order | evaluations | Jacobians | ...
 FILENAME != "-" {
@@ -23,15 +23,19 @@ FNR == 1 {
 
 {
     method[$1] = 1
-    instructions[$1] = $5
+    instructions[$1] = $6
     if ($4 > 0) {
         longest[$1] = time / $4
-        price[$1] = $5 / longest[$1]
+        price[$1] = $6 / longest[$1]
         if (best == "" || price[$1] < price[best])
             best = $1
     }
-    printf "| %s | %s | %s | %.2e | %.2e | %s | %d | %s |\n", $1, order[$1], evaluations[$1], $2, $3,
-        $4 ? sprintf("%.3g", 1000 * longest[$1]) : "below 0.001", $5, $4 ? sprintf("%.0f", price[$1]) : "-"
+    printf "| %s | %s | %s | %s | %s | %s | %d | %s |\n", $1, order[$1], (NF > 6 ? $7 : evaluations[$1]), short($2), short($3),
+        $4 ? sprintf("%.3g", 1000 * longest[$1]) : "below 0.001", $6, $4 ? sprintf("%.0f", price[$1]) : "-"
+}
+
+function short(error) {
+    return error == "-" ? error : sprintf("%.2e", error)
 }
 
 # known A B: whether both were measured at equal error.
@@ -64,6 +68,10 @@ END {
     if (known("ab4", "rk4")) {
         ratio = price["ab4"] / price["rk4"]
         answer(ratio < 1, sprintf("ab4, with one evaluation for four, takes %.2f times the instructions of rk4. Fewer", ratio))
+    }
+    if (known("adams", "abm4")) {
+        ratio = price["adams"] / price["abm4"]
+        answer(ratio < 1, sprintf("adams, which varies step and order, takes %.2f times those of abm4. Fewer", ratio))
     }
     if ("bdf4" in method && "rk4" in method) {
         ratio = instructions["bdf4"] / instructions["rk4"]

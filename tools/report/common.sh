@@ -11,6 +11,7 @@
 # Every method is built in four kinds: float; compensated, in float with compensated sums; double; and reference, in
 # double with compensated sums. A program of a kind and method stands in $dir/KIND-METHOD/.
 set -u
+TOLERANCE= # of adams; empty for the methods of a fixed step
 
 fail()
 {
@@ -73,7 +74,7 @@ build()
         ;;
     *)
         build/isoc "$source" -o "$folder" --method "$build_method" --real $real ${STEP:+--step "$STEP"} \
-            >"$folder/plant.txt" || exit 1
+            ${TOLERANCE:+--tolerance "$TOLERANCE"} >"$folder/plant.txt" || exit 1
         source=$folder/plant.c
         ;;
     esac
@@ -82,22 +83,26 @@ build()
         $COMPILE $real_flag tools/report/drive.c "$folder/plant.o" -o "$folder/drive" || exit 1
 }
 
-# variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step.
+# variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance.
 variable()
 {
     build "$1" "$2" "$dir/$1-$2" -include tools/report/step.h
+}
+
+# take METHOD: before it is built or priced. Adams chooses its steps itself, by TOLERANCE, within STEP, its tick.
+take()
+{
+    [ "$1" != adams ] || STEP=$tick TOLERANCE=1e-6
 }
 
 # The methods that the reference is computed by.
 REFERENCE_METHODS="rk4 abm4_pecece"
 
 # start: what is measured, ready for `reference`; sets step in seconds, coarsest, the number of steps four times as long
-# that make the time nearest to NANOSECONDS, and time.
+# that make the time nearest to NANOSECONDS, and time. The tick of adams is the longest part of the time that is at most
+# ten of those, and no more than isoc allows: so long that the method chooses its steps.
 start()
 {
-    case " $METHODS " in
-    *" adams "*) fail "adams chooses its steps itself; only methods of a fixed step are compared" ;;
-    esac
     prepare
     for method in $REFERENCE_METHODS; do
         (variable reference $method) || fail "the reference cannot be built for $SCENE"
@@ -107,6 +112,8 @@ start()
     coarsest=$(awk -v ns="$NANOSECONDS" -v step="$step" \
         'BEGIN { n = int(ns / (4e9 * step) + 0.5); print n < 1 ? 1 : n }')
     time=$(awk -v n="$coarsest" -v step="$step" 'BEGIN { printf "%.17g\n", n * 4 * step }')
+    tick=$(awk -v n="$coarsest" -v step="$step" \
+        'BEGIN { for (m = 40; 4 * n % m || m * step > 1; m--); printf "%.9gs\n", m * step }')
     : >"$dir/reference.txt"
 }
 
@@ -119,7 +126,7 @@ reference()
         for method in $REFERENCE_METHODS; do
             "$dir/reference-$method/drive" "$1" $steps || exit 1
         done >"$dir/references"
-        if awk -v time="$1" -v tolerance="${TOLERANCE:-1e-12}" -f tools/report/agree.awk "$dir/references" \
+        if awk -v time="$1" -v tolerance=1e-12 -f tools/report/agree.awk "$dir/references" \
             >"$dir/agreed"; then
             cat "$dir/agreed" >>"$dir/reference.txt"
             return
@@ -133,40 +140,52 @@ A motion that is chaotic, or stiff, is known for a short time only: try SECONDS=
 }
 
 # instructions_m4f KIND METHOD: of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that
-# which is nearer to the mean of fifty.
+# which is nearer to the mean of fifty; of adams the mean of all sub-steps, with those that were repeated.
 instructions_m4f()
 {
-    m4f=$dir/$1-$2/m4f
+    m4f=$dir/$1-$2/m4f$TOLERANCE
     mkdir -p "$m4f"
-    seconds=$(awk -v step="$step" 'BEGIN { printf "%.9f\n", 50 * step }')
+    seconds=${TOLERANCE:+$time}
+    seconds=${seconds:-$(awk -v step="$step" 'BEGIN { printf "%.9f\n", 50 * step }')}
     "${MAKE:-make}" --no-print-directory run TARGET=cortex-m4f REAL=float OUT="$m4f" SCENE="$(source_of "$1")" METHOD="$2" \
-        STEP="$STEP" SECONDS="$seconds" >"$m4f/run" </dev/null || fail "$2 does not run on the Cortex-M4F; see $m4f/run"
-    awk '$1 == "execution" { print $3 - $2 < $4 - $3 ? $2 : $4; n++ } END { exit n != 1 }' "$m4f/run" ||
-        fail "$m4f/run has not one execution"
+        STEP="$STEP" TOLERANCE="$TOLERANCE" SECONDS="$seconds" >"$m4f/run" </dev/null ||
+        fail "$2 does not run on the Cortex-M4F; see $m4f/run"
+    awk '
+        $1 == "ticks" { ticks = $2 }
+        $1 == "execution" { least = $2; mean = $3; most = $4; n++ }
+        $1 == "substeps" { substeps = $2 }
+        END {
+            printf "%.0f\n", substeps ? mean * ticks / substeps : mean - least < most - mean ? least : most
+            exit n != 1
+        }' "$m4f/run" || fail "$m4f/run has not one execution"
 }
 
-# instructions_host METHOD: of a step on this machine in double.
+# instructions_host METHOD: of a step on this machine in double; of adams the mean of all in the time.
 instructions_host()
 {
-    build double "$1" "$dir/count-$1"
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect=steps "$dir/count-$1/drive" count 100 \
-        >"$dir/count-$1/counted" 2>&1 </dev/null || fail "callgrind does not count $1; see $dir/count-$1/counted"
-    awk '/Collected : / { print int($NF / 100); n++ } END { exit n != 1 }' "$dir/count-$1/counted" ||
-        fail "$dir/count-$1/counted has not one count"
+    method=$1
+    count=$dir/count-$method$TOLERANCE
+    build double "$method" "$count"
+    if [ -n "$TOLERANCE" ]; then
+        set -- "$time" "$TOLERANCE"
+    else
+        set -- count 100
+    fi
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect=steps "$count/drive" "$@" \
+        >"$count/counted" 2>&1 </dev/null || fail "callgrind does not count $method; see $count/counted"
+    awk '/^[0-9]/ { steps = $1 } /Collected : / { printf "%.0f\n", $NF / steps; n++ } END { exit n != 1 }' \
+        "$count/counted" || fail "$count/counted has not one count"
 }
 
 # each COMMAND: runs `sh COMMAND KIND METHOD` for the lines of kinds and methods on the input, a few at once.
 each()
 {
-    WHAT=$WHAT dir=$dir step=$step coarsest=$coarsest time=$time \
+    WHAT=$WHAT dir=$dir step=$step coarsest=$coarsest time=$time tick=$tick \
         xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh "$1" || exit 1
 }
 
 # A program for the board, so that those that are made at once find the objects that they share.
 first_m4f()
 {
-    # shellcheck disable=SC2086
-    set -- $METHODS
-    mkdir -p "$dir/float-$1"
-    instructions_m4f float "$1" >/dev/null
+    instructions_m4f float rk4 >/dev/null
 }

@@ -1,13 +1,14 @@
 /* Runs a plant from its start and prints the state that it reaches, with as many steps as one likes.
  *
- *     drive about           its step in seconds, and its states
- *     drive TIME STEPS...   for each number of steps a line: the steps, the time that they make with the step as a
- *                           real, and the state there
- *     drive count STEPS     only runs: once it is under way, the STEPS in the function `steps` are to be counted
+ *     drive about                its step in seconds, and its states
+ *     drive TIME STEPS...        for each number of steps a line: the steps, the time that they make with the step as a
+ *                                real, and the state there
+ *     drive TIME TOLERANCE...    of adams, whose tick stays as it is; the steps are those of the ticks together
+ *     drive count STEPS          only runs: once it is under way, the STEPS in the function `steps` are to be counted
  *
  * Inputs keep the values that they have at the start, so that what is seen is the method's error and not that of an
  * input held over a step. Compiled with the plant under test, in its real; tools/report/step.h has told the plant of
- * `report_step`, but not where instructions are counted.
+ * `report_step` and `report_tolerance`, but not where instructions are counted.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,6 +20,7 @@
 enum { START_STEPS = 8 };
 
 real report_step;
+real report_tolerance;
 
 static const iso_plant *const plant = &iso_the_plant;
 
@@ -28,6 +30,9 @@ static void steps(const long count)
         plant->step();
     }
 }
+
+/* Called, not inlined. */
+static void (*volatile const counted)(long) = steps;
 
 static long number(const char *const text)
 {
@@ -40,12 +45,22 @@ static long number(const char *const text)
     return count;
 }
 
-static void run(const double time, const long count)
+/* With `text` steps, or as tolerance. */
+static void run(const double time, const char *const text)
 {
-    report_step = (real)(time / (double)count);
+    long count;
+    if (plant->adams == NULL) {
+        count = number(text);
+        report_step = (real)(time / (double)count);
+    } else {
+        report_tolerance = (real)strtod(text, NULL);
+        report_step = plant->step_size;
+        count = (long)(time / (double)report_step + 0.5);
+    }
     iso_plant_start(plant);
-    steps(count);
-    printf("%ld %.17g", count, (double)count * (double)report_step);
+    counted(count);
+    printf("%ld %.17g", plant->adams == NULL ? count : (long)plant->adams->substeps,
+           (double)count * (double)report_step);
     for (size_t i = 0; i < plant->states; i++) {
         printf(" %.17g", (double)plant->x[i]);
     }
@@ -54,7 +69,6 @@ static void run(const double time, const long count)
 
 int main(const int argc, char **const argv)
 {
-    void (*volatile const counted)(long) = steps; /* called, not inlined */
     if (argc == 2 && strcmp(argv[1], "about") == 0) {
         printf("%s %u\n", plant->step_text, (unsigned)plant->states);
     } else if (argc == 3 && strcmp(argv[1], "count") == 0) {
@@ -64,12 +78,13 @@ int main(const int argc, char **const argv)
             plant->step();
         }
         counted(number(argv[2]));
+        printf("%s\n", argv[2]);
     } else if (argc >= 3) {
         for (int i = 2; i < argc; i++) {
-            run(strtod(argv[1], NULL), number(argv[i]));
+            run(strtod(argv[1], NULL), argv[i]);
         }
     } else {
-        fputs("usage: drive about | drive TIME STEPS... | drive count STEPS\n", stderr);
+        fputs("usage: drive about | drive TIME STEPS_OR_TOLERANCE... | drive count STEPS\n", stderr);
         return EXIT_FAILURE;
     }
     return EXIT_SUCCESS;

@@ -1,17 +1,42 @@
 #!/bin/sh
-# One method in one kind: $dir/KIND-METHOD/points, the states it reaches with six steps, each half of the one before,
-# and $dir/KIND-METHOD/instructions, those of a step.
+# One method in one kind: $dir/KIND-METHOD/points, the states it reaches with six steps, each half of the one before, or
+# of adams with six tolerances; and $dir/KIND-METHOD/measured, a line for each: the instructions of a step, the
+# tolerance, `-` for steps that are all the same, and that of points.
 #
 #     measure.sh KIND METHOD
 . tools/report/common.sh
 kind=$1
 method=$2
+of=$dir/$kind-$method
 
+# instructions: of a step.
+instructions()
+{
+    case $kind in
+    double) instructions_host "$method" ;;
+    *) instructions_m4f "$kind" "$method" ;;
+    esac
+}
+
+take "$method"
 (variable "$kind" "$method") || fail "$method cannot be built for $SCENE in $kind; METHODS='...' chooses others"
-"$dir/$kind-$method/drive" "$time" "$coarsest" $((2 * coarsest)) $((4 * coarsest)) $((8 * coarsest)) $((16 * coarsest)) \
-    $((32 * coarsest)) >"$dir/$kind-$method/points" || fail "$method in $kind does not run"
-if [ "$kind" = double ]; then
-    instructions_host "$method"
+if [ -n "$TOLERANCE" ]; then
+    # In float rounding would be taken for an error below the last one.
+    case $kind in
+    double) points="1e-3 1e-5 1e-7 1e-9 1e-11 1e-13" ;;
+    *) points="1e-3 1e-4 1e-5 1e-6 1e-7 1e-8" ;;
+    esac
+    for TOLERANCE in $points; do
+        price=$(instructions) || exit 255
+        echo "$price $TOLERANCE"
+    done
 else
-    instructions_m4f "$kind" "$method"
-fi >"$dir/$kind-$method/instructions" || exit 255
+    points="$coarsest $((2 * coarsest)) $((4 * coarsest)) $((8 * coarsest)) $((16 * coarsest)) $((32 * coarsest))"
+    price=$(instructions) || exit 255
+    for _ in $points; do
+        echo "$price -"
+    done
+fi >"$of/prices"
+# shellcheck disable=SC2086
+"$of/drive" "$time" $points >"$of/points" || fail "$method in $kind does not run"
+paste -d ' ' "$of/prices" "$of/points" >"$of/measured"

@@ -49,6 +49,8 @@ $5 == "inf" || $5 + 0 <= 0 || $5 + 0 > 100 { next }
     high = $5 + 0 > high ? $5 + 0 : high
     fewest = fewest == "" || $8 + 0 < fewest ? $8 + 0 : fewest
     most = $8 + 0 > most ? $8 + 0 : most
+    if ($9 == "-" || !coarsest)
+        coarsest = $3 > coarsest ? $3 + 0 : coarsest
     shortest = shortest == "" || $3 + 0 < shortest ? $3 + 0 : shortest
     longest = $3 + 0 > longest ? $3 + 0 : longest
 }
@@ -68,6 +70,15 @@ function panel(k, left, right, top, bottom, x,    m, n) {
 
 function line(method) {
     return "with linespoints linewidth 1.1 pointsize 0.55 pointtype " mark[method] " linecolor rgb '" colour[method] "'"
+}
+
+# The steps of fixed methods in ms, and by twos whatever lies beyond them; every other one is told.
+function halves(    step, text, i) {
+    for (step = coarsest; 2 * step <= 1.25 * longest; step *= 2)
+        ;
+    for (; step >= 0.8 * shortest; step /= 2)
+        text = text sprintf("%s%s %.4g", text == "" ? "" : ", ", i++ % 2 ? "''" : "'%g'", 1000 * step)
+    return text
 }
 
 # The names of the methods below the panels, in a panel of its own with nothing in it.
@@ -103,10 +114,8 @@ END {
         print "set xlabel 'instructions per second, " machine[kind[k]] "'"
         panel(k, left, left + width - 0.025, 0.89, 0.60, 1)
         print "unset label 1\nunset label 2"
-        printf "set xrange [%.4g:%.4g]\nset format x '%%g'\nset xtics (", shortest * 800, longest * 1250
-        for (i = 0; i < 6; i++)
-            printf "%s%.4g", i ? ", " : "", longest * 1000 / 2 ^ i
-        print ")\nset xlabel 'step, ms'"
+        printf "set xrange [%.4g:%.4g]\nset format x '%%g'\nset xtics (%s)\n", shortest * 800, longest * 1250, halves()
+        print "set xlabel 'step, ms'"
         panel(k, left, left + width - 0.025, 0.485, 0.195, 3)
     }
     legend()

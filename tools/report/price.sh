@@ -1,7 +1,14 @@
 #!/bin/sh
-# One method in float: $dir/float-METHOD/instructions, those of a step on the Cortex-M4F.
+# One method in float: $dir/float-METHOD/instructions, those of a step on the Cortex-M4F; of adams, at the tolerance that
+# search.sh found, and with the evaluations of a sub-step. Below 1e-8 rounding in float would be taken for an error, and
+# steps for too large: what a sub-step takes is measured there.
 #
 #     price.sh float METHOD
 . tools/report/common.sh
 mkdir -p "$dir/float-$2"
-instructions_m4f float "$2" >"$dir/float-$2/instructions" || exit 255
+take "$2"
+[ -z "$TOLERANCE" ] || TOLERANCE=$(awk '{ print ($4 > 1e-8 ? $4 : 1e-8) }' "$dir/double-$2/bench")
+{
+    instructions_m4f float "$2" || exit 255
+    awk '{ said[$1] = $2 } END { if (said["substeps"]) printf "%.2f\n", said["evaluations"] / said["substeps"] }' "$m4f/run"
+} >"$dir/float-$2/instructions"

@@ -16,10 +16,9 @@ done >"$dir/all"
 each tools/report/measure.sh <"$dir/all"
 
 while read -r kind method; do
-    instructions=$(cat "$dir/$kind-$method/instructions")
-    sed "s/^/$kind $method $instructions /" "$dir/$kind-$method/points"
+    sed "s/^/$kind $method /" "$dir/$kind-$method/measured"
 done <"$dir/all" >"$dir/measured.txt"
-cut -d ' ' -f 5 "$dir/measured.txt" | sort -u >"$dir/times"
+cut -d ' ' -f 6 "$dir/measured.txt" | sort -u >"$dir/times"
 : >"$dir/reference.txt"
 while IFS= read -r at; do
     reference "$at"

@@ -8,6 +8,12 @@ BEGIN {
 
 NR == 1 { next }
 
+$9 != "-" {
+    varied = varied sprintf("  %-14s %9s %12s %12d %12.4g %9s %6s\n", $1, $9, sprintf("%.4g ms", $3 * 1000), $7, $8 / 1e6,
+        short($5), $6)
+    next
+}
+
 {
     if (!(($1, $2) in instructions))
         row[++rows] = $1 SUBSEP $2
@@ -36,7 +42,7 @@ function head(text,    i) {
     print ""
 }
 
-END {
+function tables(    r, key, k, n, i) {
     for (r = 1; r <= rows; r++) {
         split(row[r], key, SUBSEP)
         if (key[1] != kind) {
@@ -77,4 +83,14 @@ END {
 
 function short(number) {
     return number == "inf" ? number : sprintf("%.1e", number)
+}
+
+END {
+    if (rows > 0)
+        tables()
+    if (varied != "") {
+        print (rows > 0 ? "\n" : "") "adams, whose steps vary: their mean, the instructions of one, millions of them in a second of"
+        print "the plant's time, the error, and its order in the tolerance\n"
+        printf "  %-14s %9s %12s %12s %12s %9s %6s\n%s", "", "tolerance", "a step", "instructions", "millions", "error", "order", varied
+    }
 }
