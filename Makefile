@@ -68,8 +68,9 @@ always:
 PORT_OF_host := port/sim
 PORT_OF_cortex-m4f := port/mps2
 PORT := $(PORT_OF_$(strip $(TARGET)))
-# Methods of a fixed step; adams has one that varies within the tick, and is for scenes only.
-FIXED_METHODS := euler heun rk4 ab4 semi_implicit abm4 abm4_pec abm4_pecece bdf4 rosenbrock
+# The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is
+# for scenes only.
+FIXED_METHODS := $(filter-out adams,$(shell sed -n 's/^ *X(ISO_[A-Z0-9_]*, "\(.*\)").*/\1/p' core/method.h))
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
