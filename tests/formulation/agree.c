@@ -1,4 +1,4 @@
-/* One tree in both formulations, each in float and in double: along a run they say the same, to rounding.
+/* One mechanism in two formulations, each in float and in double: along a run they say the same, to rounding.
  *
  * How much the equations magnify rounding differs from scene to scene: a chain of 16 rods loses 400 times as much by its
  * mass matrix as by articulated bodies. What either says in float is off from what it says in double by that
@@ -31,30 +31,30 @@ static double difference(const double *const a, const double *const b, const siz
 int main(void)
 {
     double x[STATES_MAX], others[STATES_MAX];
-    const size_t n = composite_double.start(x);
-    const bool same = articulated_double.start(others) == n && composite_float.start(others) == n &&
-                      articulated_float.start(others) == n;
-    double apart = 0.0, in_composite = single_epsilon, in_articulated = single_epsilon;
+    const size_t n = first_double.start(x);
+    const bool same =
+        second_double.start(others) == n && first_float.start(others) == n && second_float.start(others) == n;
+    double apart = 0.0, in_first = single_epsilon, in_second = single_epsilon;
     for (int place = 0; place < PLACES && same; place++) {
-        double composite[STATES_MAX], articulated[STATES_MAX], rough[STATES_MAX];
-        composite_double.step(x, STEPS_BETWEEN);
-        composite_double.slopes(composite, x);
-        articulated_double.slopes(articulated, x);
-        apart = fmax(apart, difference(articulated, composite, n));
+        double first[STATES_MAX], second[STATES_MAX], rough[STATES_MAX];
+        first_double.step(x, STEPS_BETWEEN);
+        first_double.slopes(first, x);
+        second_double.slopes(second, x);
+        apart = fmax(apart, difference(second, first, n));
         /* Float against double at one state: there a quaternion's length is off one, which the formulations feel. */
         for (size_t i = 0; i < n; i++) {
             x[i] = (double)(float)x[i];
         }
-        composite_double.slopes(composite, x);
-        articulated_double.slopes(articulated, x);
-        composite_float.slopes(rough, x);
-        in_composite = fmax(in_composite, difference(rough, composite, n));
-        articulated_float.slopes(rough, x);
-        in_articulated = fmax(in_articulated, difference(rough, articulated, n));
+        first_double.slopes(first, x);
+        second_double.slopes(second, x);
+        first_float.slopes(rough, x);
+        in_first = fmax(in_first, difference(rough, first, n));
+        second_float.slopes(rough, x);
+        in_second = fmax(in_second, difference(rough, second, n));
     }
-    const double limit = ROOM * (DBL_EPSILON / single_epsilon) * (in_composite + in_articulated);
+    const double limit = ROOM * (DBL_EPSILON / single_epsilon) * (in_first + in_second);
     report_ok(same, "all have %u states", (unsigned)n);
-    report_note("in float composite is off by %.1e, articulated by %.1e", in_composite, in_articulated);
+    report_note("in float the first is off by %.1e, the second by %.1e", in_first, in_second);
     report_ok(apart <= limit, "in double they differ by %.1e <= %.1e", apart, limit);
     return report_done();
 }

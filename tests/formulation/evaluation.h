@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-enum { STATES_MAX = 64 };
+enum { STATES_MAX = 128 };
 
 typedef struct evaluation {
     size_t (*start)(double *x);                  /* their number */
@@ -12,6 +12,6 @@ typedef struct evaluation {
     void (*slopes)(double *dx, const double *x); /* likewise */
 } evaluation;
 
-extern const evaluation composite_float, composite_double, articulated_float, articulated_double;
+extern const evaluation first_float, first_double, second_float, second_double;
 
 #endif

@@ -2,18 +2,11 @@
 
 #include <math.h>
 
-/* One side of a closure: how its point and its axes move, in base axes. */
-typedef struct side {
-    vector point, velocity, acceleration; /* the last against the base's origin */
-    vector omega, alpha;
-    vector *linear, *angular; /* [freedoms] what each adds to the velocity and to the angular velocity */
-    matrix axes;              /* columns: of the closure's frame */
-} side;
-
 typedef struct pair {
     const kinematics *k;
     const cut *c;
     int index;
+    const matrix *turns; /* of the loop's links, to the axes that all of this stands in */
     side parent, child;
     vector apart, apart_rate, apart_bias; /* from the parent's point to the child's */
     vector spin, spin_bias;               /* of the child against the parent */
@@ -24,96 +17,27 @@ static vector column(matrix m, int j)
     return (vector){{m.at[0][j], m.at[1][j], m.at[2][j]}};
 }
 
-/* Whether all links on the way turn about one direction, which rests. */
-static bool turns_in_a_plane(const kinematics *k, const side *s, const cut_end *end, int base)
-{
-    bool does = true;
-    for (int i = end->link; i != base && does; i = k->m->links[i].parent) {
-        const link *l = &k->m->links[i];
-        const vector w = k->motions[i].omega;
-        does = l->kind == JOINT_REVOLUTE && vector_is_constant(k->g, s->angular[l->freedom]) &&
-               is_zero(k->g, w.at[(l->axis + 1) % 3]) && is_zero(k->g, w.at[(l->axis + 2) % 3]);
-    }
-    return does;
-}
-
-/* The acceleration of a side's point against the origin of the base, in base axes, at q'' = 0. What the origin does
- * itself, gravity with it, is the same on both sides of a closure. In a plane each link draws by omega^2 along its part of
- * the way; the whole way from each joint is what its row turns. */
-static vector relative_acceleration(const kinematics *k, const acceleration *all, const side *s, const cut_end *end,
-                                    int base)
-{
-    graph *g = k->g;
-    const bool plane = turns_in_a_plane(k, s, end, base);
-    vector from = end->point, made = vector_zero(g);
-    for (int i = end->link; i != base; i = k->m->links[i].parent) {
-        const link *l = &k->m->links[i];
-        const vector w = k->motions[i].omega, before = k->motions[i].carried;
-        if (plane) {
-            const node more = sub(g, vector_dot(g, w, w), vector_dot(g, before, before));
-            const vector inward = vector_cross(g, s->angular[l->freedom], s->linear[l->freedom]);
-            made = vector_add(g, made, vector_scale(g, more, inward));
-        } else {
-            made = vector_add(g, made, swing(g, w, all[i].alpha, from));
-            made = to_parent(k, i, vector_add(g, made, joint_coriolis(k, i).a));
-            from = k->motions[i].p;
-        }
-    }
-    if (base == GROUND) {
-        return made;
-    }
-    return vector_add(g, made, swing(g, k->motions[base].omega, all[base].alpha, plane ? s->point : from));
-}
-
-static side build_side(const kinematics *k, const acceleration *all, const cut_end *end, int base)
-{
-    graph *g = k->g;
-    const mechanism *m = k->m;
-    side made;
-    made.linear = arena_take(g->memory, (size_t)m->freedom_count, sizeof *made.linear);
-    made.angular = arena_take(g->memory, (size_t)m->freedom_count, sizeof *made.angular);
-    for (int f = 0; f < m->freedom_count; f++) {
-        made.linear[f] = made.angular[f] = vector_zero(g);
-    }
-    vector point = end->point;
-    for (int i = end->link; i != base; i = m->links[i].parent) {
-        const link *l = &m->links[i];
-        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
-            const vector e = axis_of(k, f);
-            made.linear[f] = outward_axes(k, i, base, slides(l) ? e : vector_cross(g, e, point));
-            made.angular[f] = slides(l) ? vector_zero(g) : outward_axes(k, i, base, e);
-        }
-        point = vector_add(g, to_parent(k, i, point), k->motions[i].p);
-    }
-    made.point = point;
-    const bool moves = end->link != GROUND;
-    const vector zero = vector_zero(g);
-    made.velocity = outward_axes(k, end->link, base, point_velocity(k, end->link, end->point));
-    made.acceleration = relative_acceleration(k, all, &made, end, base);
-    made.omega = moves ? outward_axes(k, end->link, base, k->motions[end->link].omega) : zero;
-    made.alpha = moves ? outward_axes(k, end->link, base, all[end->link].alpha) : zero;
-    for (int j = 0; j < 3; j++) {
-        const vector axis = outward_axes(k, end->link, base, column(end->turn, j));
-        for (int i = 0; i < 3; i++) {
-            made.axes.at[i][j] = axis.at[i];
-        }
-    }
-    return made;
-}
-
-static pair build_pair(const kinematics *k, const acceleration *all, int index)
+static pair build_pair(const kinematics *k, const acceleration *all, int index, closure_axes axes)
 {
     graph *g = k->g;
     const cut *c = &k->m->cuts[index];
-    pair made = {.k = k, .c = c, .index = index};
-    made.parent = build_side(k, all, &c->parent, c->base);
-    made.child = build_side(k, all, &c->child, c->base);
+    pair made = {.k = k, .c = c, .index = index, .turns = loop_turns(k, c, axes)};
+    made.parent = side_build(k, all, &c->parent, c->base, made.turns);
+    made.child = side_build(k, all, &c->child, c->base, made.turns);
     made.apart = vector_sub(g, made.child.point, made.parent.point);
     made.apart_rate = vector_sub(g, made.child.velocity, made.parent.velocity);
     made.apart_bias = vector_sub(g, made.child.acceleration, made.parent.acceleration);
     made.spin = vector_sub(g, made.child.omega, made.parent.omega);
     made.spin_bias = vector_sub(g, made.child.alpha, made.parent.alpha);
     return made;
+}
+
+/* What a multiplier of one gives to the child along `a`, in base axes. */
+static vector minus_in_base(const pair *p, vector a)
+{
+    graph *g = p->k->g;
+    const vector in_base = matrix_apply(g, matrix_transpose(p->turns[p->c->base + 1]), a);
+    return vector_scale(g, constant(g, -1.0), in_base);
 }
 
 /* Puts a constraint to the others; one without an entry is dropped. */
@@ -154,7 +78,7 @@ static constraint blank(const kinematics *k, int index)
 
 /* Phi = d . r - length for the way r between the points and a direction d that moves with the parent, which turns with omega_A:
  * Phi' = d . r' + omega_A . (d x r), Phi'' = d . r'' + 2 (omega_A x d) . r' + (alpha_A x d + omega_A x (omega_A x d)) . r.
- * With the points together, or d in resting axes, only the first terms stay. */
+ * With the points together, or d resting, only the first terms stay. */
 static void hold_along(const pair *p, constraints *to, vector d, node length, bool turns, const char *called)
 {
     const kinematics *k = p->k;
@@ -173,7 +97,7 @@ static void hold_along(const pair *p, constraints *to, vector d, node length, bo
         const node carried = vector_dot(g, swing(g, p->parent.omega, p->parent.alpha, d), p->apart);
         made.bias = add(g, made.bias, add(g, coriolis, carried));
     }
-    made.force = vector_scale(g, constant(g, -1.0), d);
+    made.force = minus_in_base(p, d);
     put(k, to, made, called);
 }
 
@@ -192,7 +116,7 @@ static void hold_across(const pair *p, constraints *to, vector u, vector w, cons
     const vector from_w = vector_cross(g, w_rate, u), from_u = vector_cross(g, w, u_rate);
     const node turning = vector_dot(g, p->spin, vector_add(g, from_w, from_u));
     made.bias = add(g, vector_dot(g, p->spin_bias, c), turning);
-    made.moment = vector_scale(g, constant(g, -1.0), c);
+    made.moment = minus_in_base(p, c);
     put(k, to, made, called);
 }
 
@@ -225,7 +149,7 @@ static void hold_distance(const pair *p, constraints *to, const char *called)
     }
     const node square = divide(g, vector_dot(g, p->apart_rate, p->apart_rate), length);
     made.bias = add(g, vector_dot(g, d, p->apart_bias), square);
-    made.force = vector_scale(g, constant(g, -1.0), d);
+    made.force = minus_in_base(p, d);
     put(k, to, made, called);
 }
 
@@ -243,8 +167,8 @@ static void hold_rolling(const pair *p, constraints *to, vector t, vector n, con
     }
     const node carried = vector_dot(g, t, p->apart_bias);
     made.bias = add(g, carried, vector_dot(g, arm, p->child.alpha));
-    made.force = vector_scale(g, constant(g, -1.0), t);
-    made.moment = vector_scale(g, constant(g, -1.0), arm);
+    made.force = minus_in_base(p, t);
+    made.moment = minus_in_base(p, arm);
     put(k, to, made, called);
 }
 
@@ -316,16 +240,26 @@ static void directions_across(graph *g, vector n, vector across[2])
     across[1] = vector_cross(g, n, across[0]);
 }
 
-/* On the line along axis `a` of the parent, by two directions across it. They rest where the line's direction does, as in
- * a planar mechanism, and else are the parent's. */
+/* Whether the directions across a line of the parent need not turn with it: its own direction rests, or the child has no
+ * way along it. Then the two rates of the way that they ask for are those of a vector, whose parts along any two are as good. */
+static bool may_rest(const pair *p, int a)
+{
+    const kinematics *k = p->k;
+    const vector in_base = outward_axes(k, p->c->parent.link, p->c->base, column(p->c->parent.turn, a));
+    const bool rests = p->c->base == GROUND && vector_is_constant(k->g, in_base);
+    return rests || is_zero(k->g, vector_dot(k->g, column(p->parent.axes, a), p->apart));
+}
+
+/* On the line along axis `a` of the parent, by two directions across it: constants, as in a planar mechanism, or the
+ * parent's. */
 static void hold_on_line(const pair *p, constraints *to, int a)
 {
     graph *g = p->k->g;
     const node zero = constant(g, 0.0);
+    const bool turns = !may_rest(p, a);
     const vector along = column(p->parent.axes, a);
-    const bool turns = !vector_is_constant(g, along);
     vector across[2] = {column(p->parent.axes, (a + 1) % 3), column(p->parent.axes, (a + 2) % 3)};
-    if (!turns) {
+    if (!turns && vector_is_constant(g, along)) {
         directions_across(g, along, across);
     }
     hold_along(p, to, across[0], zero, turns, part_name(p, "off_1"));
@@ -371,7 +305,7 @@ static void close_pair(const pair *p, constraints *to)
     }
 }
 
-constraints constraints_build(const kinematics *k, const acceleration *accelerations)
+constraints constraints_build(const kinematics *k, const acceleration *accelerations, closure_axes axes)
 {
     enum { MOST_OF_A_CLOSURE = 6 };
     graph *g = k->g;
@@ -383,7 +317,7 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
         if (acts_along_joints(k->m->cuts[i].kind)) {
             hold_joints(k, &made, i);
         } else {
-            const pair p = build_pair(k, accelerations, i);
+            const pair p = build_pair(k, accelerations, i, axes);
             close_pair(&p, &made);
         }
     }

@@ -2,14 +2,13 @@
  * Phi_q of the Jacobian, and its bias, what Phi'' is at q'' = 0.
  *
  * Nikravesh (1988), Computer-Aided Analysis of Mechanical Systems, ch. 7. Rows are made from the velocities of points
- * and axes, joint by joint, in the axes of the last link that both sides of a closure hang on; there most of their
- * nodes are those of the places themselves. A row without an entry is dropped: such a constraint holds by the shape of
+ * and axes, joint by joint, in axes of choice (tools/isoc/side.h). A row without an entry is dropped: such a constraint holds by the shape of
  * the scene, as out of the plane of a planar mechanism.
  */
 #ifndef ISOC_CONSTRAINTS_H
 #define ISOC_CONSTRAINTS_H
 
-#include "tools/isoc/bias.h"
+#include "tools/isoc/side.h"
 
 typedef struct constraint {
     int cut;       /* the closure that it is part of */
@@ -32,7 +31,6 @@ typedef struct constraints {
 /* The largest |Phi|, or |Phi'| of all constraints. */
 node largest_violation(const kinematics *k, const constraints *held, bool of_rates);
 
-/* Needs kinematics_velocities. */
-constraints constraints_build(const kinematics *k, const acceleration *accelerations);
+constraints constraints_build(const kinematics *k, const acceleration *accelerations, closure_axes axes);
 
 #endif

@@ -125,17 +125,14 @@ static void count_line(text *out, const char *what, operations n)
     text_add(out, "%s add %d mul %d div %d sincos %d\n", what, n.add, n.mul, n.div, n.sincos);
 }
 
-/* Closed loops need the factors of the mass matrix: there is no choice. */
 static void formulation_lines(const plant *p, text *out)
 {
-    if (p->m->cut_count > 0) {
-        text_add(out, "formulation %s only\n", formulation_names[p->formulations.kept]);
-        return;
-    }
     for (formulation f = 0; f < FORMULATIONS; f++) {
-        const char *verdict = f == p->formulations.kept ? "kept" : "left";
-        count_line(out, arena_format(out->memory, "formulation %s %s", formulation_names[f], verdict),
-                   p->formulations.of[f]);
+        if (formulation_fits(p->m, f)) {
+            const char *verdict = f == p->formulations.kept ? "kept" : "left";
+            count_line(out, arena_format(out->memory, "formulation %s %s", formulation_names[f], verdict),
+                       p->formulations.of[f]);
+        }
     }
 }
 
@@ -160,31 +157,44 @@ static void assembled_lines(const mechanism *m, text *out)
     }
 }
 
+static implicit_cost cost_of_solving(const plant *p, const graph *g)
+{
+    implicit_cost cost = {{0}, {0}};
+    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+        cost.factor = code_count(g, p->j.factors, (size_t)p->j.factor_count);
+        cost.solve = code_count(g, p->j.solution, (size_t)state_count(p->m));
+    }
+    return cost;
+}
+
+operations cost_of_step(const plant *p, const graph *g)
+{
+    const int n = state_count(p->m);
+    const operations derivative = code_count(g, p->slopes, (size_t)n);
+    const operations rates = code_count(g, p->slopes, (size_t)p->rate_count);
+    return plus(step_operations(p->m->recipe, n, derivative, cost_of_solving(p, g)), 1, rates);
+}
+
 void cost_summary(const plant *p, const graph *g, text *out)
 {
     const mechanism *m = p->m;
     const int n = state_count(m), real_bytes = p->is_double ? 8 : 4;
-    const operations derivative = code_count(g, p->slopes, (size_t)n);
-    implicit_cost cost = {{0}, {0}};
     text_add(out, "scene %s\nmethod %s\nstep %g s\nreal %s\n", m->name, method_names[ISO_METHOD_OF(m->recipe)], m->step,
              p->is_double ? "double" : "float");
     text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
              p->output_count);
     assembled_lines(m, out);
     formulation_lines(p, out);
-    count_line(out, "derivative", derivative);
+    count_line(out, "derivative", code_count(g, p->slopes, (size_t)n));
     if (ISO_IS_IMPLICIT(m->recipe)) {
-        cost.factor = code_count(g, p->j.factors, (size_t)p->j.factor_count);
-        cost.solve = code_count(g, p->j.solution, (size_t)n);
+        const implicit_cost cost = cost_of_solving(p, g);
         count_line(out, "factor", cost.factor);
         count_line(out, "solve", cost.solve);
         text_add(out, "factors %d\n", p->j.factor_count);
     }
     if (!ISO_IS(m->recipe, ISO_ADAMS)) { /* whose sub-steps are as many as it needs */
-        const operations rates = code_count(g, p->slopes, (size_t)p->rate_count);
         const operations settle = code_count(g, p->after.values, (size_t)p->after.count);
-        const operations step = plus(step_operations(m->recipe, n, derivative, cost), 1, rates);
-        count_line(out, "step", plus(step, m->projections > 1 ? m->projections : 1, settle));
+        count_line(out, "step", plus(cost_of_step(p, g), m->projections > 1 ? m->projections : 1, settle));
     }
     text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes, ISO_VECTORS_KEPT(m->recipe) * n * real_bytes);
 }

@@ -7,6 +7,9 @@
 /* Lines `key value...` about one plant. */
 void cost_summary(const plant *p, const graph *g, text *out);
 
+/* Of a step, but for what follows the method in it (tools/isoc/settled.h). */
+operations cost_of_step(const plant *p, const graph *g);
+
 /* Evaluations of the derivative in a step. */
 int cost_evaluations(unsigned recipe);
 

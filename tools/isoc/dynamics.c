@@ -2,7 +2,17 @@
 
 #include "tools/isoc/articulated.h"
 
-const char *const formulation_names[FORMULATIONS] = {"composite", "articulated"};
+const char *const formulation_names[FORMULATIONS] = {"composite", "articulated", "parent_axes", "child_axes"};
+
+bool formulation_fits(const mechanism *m, formulation f)
+{
+    return f == FORMULATION_COMPOSITE || (f == FORMULATION_ARTICULATED) == (m->cut_count == 0);
+}
+
+static closure_axes axes_of(formulation f)
+{
+    return f == FORMULATION_PARENT_AXES ? AXES_OF_PARENT : f == FORMULATION_CHILD_AXES ? AXES_OF_CHILD : AXES_OF_BASE;
+}
 
 void efforts_less(const dynamics *d, const node *bias, node *effort)
 {
@@ -17,7 +27,7 @@ void efforts_less(const dynamics *d, const node *bias, node *effort)
     }
 }
 
-static void solve_composite(dynamics *d, node *bias)
+static void solve_composite(dynamics *d, node *bias, closure_axes axes)
 {
     const mechanism *m = d->m;
     graph *g = d->g;
@@ -29,9 +39,8 @@ static void solve_composite(dynamics *d, node *bias)
     graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias - Phi_q' lambda)");
     mass_matrix_inward(&d->mass, x);
     if (m->cut_count > 0) {
-        kinematics_velocities(&d->k);
         graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
-        d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations), x);
+        d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations, axes), x);
         graph_section(g, "Accelerations outward");
     } else {
         mass_matrix_scale(&d->mass, x);
@@ -61,10 +70,10 @@ const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
     d->acceleration = arena_take(g->memory, n, sizeof *d->acceleration);
     d->accelerations = arena_take(g->memory, (size_t)m->link_count, sizeof *d->accelerations);
     node *bias = arena_take(g->memory, n, sizeof *bias);
-    if (chosen == FORMULATION_ARTICULATED && m->cut_count == 0) {
+    if (chosen == FORMULATION_ARTICULATED) {
         solve_articulated(d, bias);
     } else {
-        solve_composite(d, bias);
+        solve_composite(d, bias, axes_of(chosen));
     }
     for (size_t f = 0; f < n; f++) {
         graph_name(g, d->acceleration[f], "qdd_%s", m->freedoms[f].name);

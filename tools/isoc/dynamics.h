@@ -8,11 +8,21 @@
 
 #include "tools/isoc/augmented.h"
 
-/* How the accelerations of a tree are found: from the factors of the mass matrix of composite bodies
- * (tools/isoc/mass_matrix.h), or by articulated bodies (tools/isoc/articulated.h). */
-typedef enum formulation { FORMULATION_COMPOSITE, FORMULATION_ARTICULATED, FORMULATIONS } formulation;
+/* How the accelerations are found: from the factors of the mass matrix of composite bodies (tools/isoc/mass_matrix.h), or,
+ * of a tree, by articulated bodies (tools/isoc/articulated.h). The closures of loops, which are always composite, stand in
+ * the axes of their base, or of either side (tools/isoc/side.h). */
+typedef enum formulation {
+    FORMULATION_COMPOSITE,
+    FORMULATION_ARTICULATED,
+    FORMULATION_PARENT_AXES,
+    FORMULATION_CHILD_AXES,
+    FORMULATIONS
+} formulation;
 
 extern const char *const formulation_names[FORMULATIONS];
+
+/* Whether it is one of a tree, or of loops, as the mechanism is. */
+bool formulation_fits(const mechanism *m, formulation f);
 
 typedef struct dynamics {
     const mechanism *m;
@@ -24,7 +34,7 @@ typedef struct dynamics {
     augmented loops;             /* without constraints where nothing is closed */
 } dynamics;
 
-/* Makes the nodes of the accelerations; closed loops are always composite. Its parts point to one another: it stays where it is. */
+/* Makes the nodes of the accelerations; in a formulation that fits. Its parts point to one another: it stays where it is. */
 const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen);
 
 /* effort[freedoms]: u - d q' - k (q - rest) - bias. */

@@ -7,7 +7,7 @@
 #include "tools/isoc/jacobian.h"
 #include "tools/isoc/settled.h"
 
-/* What a tree's equations take in each formulation, and which is kept. */
+/* What the equations take in each formulation that fits, and which is kept. */
 typedef struct choice {
     formulation kept;
     operations of[FORMULATIONS];

@@ -1,5 +1,6 @@
 #include "tools/isoc/graph.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -216,13 +217,20 @@ static double addend(graph *g, node n, node *rest)
     return c;
 }
 
+/* a + b, or zero where only what rounding made of equal ones is left. */
+static double sum_of_constants(double a, double b)
+{
+    const double sum = a + b;
+    return fabs(sum) <= 4 * DBL_EPSILON * fabs(a) ? 0.0 : sum;
+}
+
 /* a + b where a repeated term or a cancelling part makes it simpler; -1 where none does. */
 static node merge_terms(graph *g, node a, node b)
 {
     node base_a, base_b;
     const double ca = coefficient(g, a, &base_a), cb = coefficient(g, b, &base_b);
     if (base_a == base_b) {
-        return mul(g, constant(g, ca + cb), base_a);
+        return mul(g, constant(g, sum_of_constants(ca, cb)), base_a);
     }
     const graph_node *p = &g->nodes[a];
     const node minus_b = is(g, b, OP_NEG) ? g->nodes[b].a : -1;
@@ -247,7 +255,7 @@ static node gather_constants(graph *g, node a, node b)
     if (cb == 0.0) {
         return -1;
     }
-    return add(g, constant(g, ca + cb), is_constant(g, a) ? rest_b : add(g, rest_a, rest_b));
+    return add(g, constant(g, sum_of_constants(ca, cb)), is_constant(g, a) ? rest_b : add(g, rest_a, rest_b));
 }
 
 node add(graph *g, node a, node b)

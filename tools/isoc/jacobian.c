@@ -194,20 +194,21 @@ static int price(const graph *g, const jacobian *j, int states)
     return factor + SOLUTIONS * code_price(code_count(g, j->solution, (size_t)states));
 }
 
+/* Each in a copy of the graph. */
 jacobian jacobian_build(graph *g, const dynamics *d, const node *slopes)
 {
+    const graph before = *g;
     const int states = state_count(d->m);
-    graph trial = graph_copy(g);
-    dynamics tried = *d;
-    tried.g = tried.k.g = &trial;
-    const unknowns solved = solved_equations(&trial, &tried, slopes);
-    const jacobian of_solved = build(&trial, &tried, slopes, &solved);
-    const int solved_price = price(&trial, &of_solved, states);
-    graph again = graph_copy(g);
-    tried.g = tried.k.g = &again;
-    const unknowns balanced = balanced_equations(&again, &tried, slopes);
-    const jacobian of_balanced = build(&again, &tried, slopes, &balanced);
-    const bool balances = price(&again, &of_balanced, states) < solved_price;
-    const unknowns kept = balances ? balanced_equations(g, d, slopes) : solved_equations(g, d, slopes);
-    return build(g, d, slopes, &kept);
+    *g = graph_copy(&before);
+    const unknowns solved = solved_equations(g, d, slopes);
+    const jacobian of_solved = build(g, d, slopes, &solved);
+    const graph with_solved = *g;
+    *g = graph_copy(&before);
+    const unknowns balanced = balanced_equations(g, d, slopes);
+    const jacobian of_balanced = build(g, d, slopes, &balanced);
+    if (price(g, &of_balanced, states) < price(&with_solved, &of_solved, states)) {
+        return of_balanced;
+    }
+    *g = with_solved;
+    return of_solved;
 }

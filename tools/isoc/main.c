@@ -23,7 +23,9 @@ static const char help[] =
     "  --step H       the step with its unit, e.g. 1ms, instead of the scene's\n"
     "  --tolerance T  of adams, which then takes as many sub-steps as it needs\n"
     "  --real R       the number type of the plant: float (default) or double\n"
-    "  --formulation F  composite or articulated bodies, instead of the cheaper; closed loops are always composite\n"
+    "  --formulation F  instead of the cheapest; of a tree composite or articulated bodies, of closed loops composite "
+    "bodies\n"
+    "                 with the closures in the axes of their base, composite, or of a side, parent_axes or child_axes\n"
     "  --dot          nothing but a graph of bodies, joints and closures, for graphviz: isoc SCENE --dot | dot -Tsvg\n"
     "  --methods      what each method costs, as a table\n"
     "  --help         this text\n"
@@ -35,7 +37,7 @@ static const char help[] =
 typedef struct options {
     const char *scene, *directory, *method, *step, *tolerance;
     bool is_double, draws;
-    formulation wanted; /* FORMULATIONS: the cheaper one */
+    formulation wanted; /* FORMULATIONS: the cheapest one */
 } options;
 
 static bool complain(const char *message, const char *argument)
@@ -100,7 +102,7 @@ static bool read_options(char **arguments, options *o)
         return complain("--real is float or double, not", real_name);
     }
     if (formulation_name != NULL && o->wanted == FORMULATIONS) {
-        return complain("--formulation is composite or articulated, not", formulation_name);
+        return complain("--formulation is composite, articulated, parent_axes or child_axes, not", formulation_name);
     }
     return true;
 }
@@ -246,11 +248,14 @@ static bool compile(arena *memory, const options *o)
         return write_graph(memory, &written);
     }
     if (s.problem_count == 0) {
-        if (m.cut_count > 0 && o->wanted == FORMULATION_ARTICULATED) {
-            return complain("closed loops have no articulated formulation:", o->scene);
+        if (o->wanted != FORMULATIONS && !formulation_fits(&m, o->wanted)) {
+            return complain(m.cut_count > 0 ? "closed loops have no such formulation:"
+                                            : "a tree has no such formulation:",
+                            o->scene);
         }
         const plant p = plant_build(&g, &m, o->is_double, o->wanted);
-        assemble(&s, p.d);
+        graph resting = graph_copy(&g); /* whatever formulation is kept, gaps are told in resting axes */
+        assemble(&s, dynamics_build(&resting, &m, FORMULATION_COMPOSITE));
         check_pivots(&s, &g, &p);
         if (s.problem_count == 0) {
             return write_plant(memory, o, &p, &g);

@@ -1,3 +1,4 @@
+#include "tools/isoc/cost.h"
 #include "tools/isoc/emit.h"
 #include "tools/isoc/reaction.h"
 
@@ -137,24 +138,33 @@ static void build_slopes(plant *p, graph *g, formulation chosen)
     }
 }
 
-/* Tries both formulations on copies of the graph. An implicit method evaluates twice for each Jacobian. */
-static choice choose(const plant *p, const graph *g, formulation wanted)
+/* Builds every formulation that fits, each in a copy of the graph, and keeps the one that is wanted, or else the one whose
+ * step takes least. */
+static void build_cheapest(plant *p, graph *g, formulation wanted)
 {
-    choice made = {.kept = FORMULATION_COMPOSITE};
-    int prices[FORMULATIONS];
+    const graph before = *g;
+    const plant bare = *p;
+    choice made = {.kept = FORMULATIONS};
+    graph kept = before;
+    int least = 0;
     for (formulation f = 0; f < FORMULATIONS; f++) {
-        graph trial = graph_copy(g);
-        plant tried = *p;
-        build_slopes(&tried, &trial, f);
-        made.of[f] = code_count(&trial, tried.slopes, (size_t)state_count(p->m));
-        prices[f] = code_price(made.of[f]);
-        if (ISO_IS_IMPLICIT(p->m->recipe)) {
-            prices[f] = 2 * prices[f] + code_price(code_count(&trial, tried.j.factors, (size_t)tried.j.factor_count));
+        if (!formulation_fits(p->m, f)) {
+            continue;
         }
-        made.kept = prices[f] < prices[made.kept] ? f : made.kept;
+        plant tried = bare;
+        *g = graph_copy(&before);
+        build_slopes(&tried, g, f);
+        made.of[f] = code_count(g, tried.slopes, (size_t)state_count(p->m));
+        const int price = code_price(cost_of_step(&tried, g));
+        if (f == wanted || (wanted == FORMULATIONS && (made.kept == FORMULATIONS || price < least))) {
+            *p = tried;
+            made.kept = f;
+            kept = *g;
+            least = price;
+        }
     }
-    made.kept = wanted < FORMULATIONS ? wanted : made.kept;
-    return made;
+    *g = kept;
+    p->formulations = made;
 }
 
 plant plant_build(graph *g, const mechanism *m, bool is_double, formulation wanted)
@@ -165,10 +175,7 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, formulation want
     for (int i = 0; i < m->link_count; i++) {
         p.turn_count += m->links[i].continuous;
     }
-    if (m->cut_count == 0) {
-        p.formulations = choose(&p, g, wanted);
-    }
-    build_slopes(&p, g, p.formulations.kept);
+    build_cheapest(&p, g, wanted);
     p.after = settled_build(g, p.d);
     build_outputs(&p, g);
     p.violation = m->violation_limit > 0.0 && p.d->loops.held.count > 0
