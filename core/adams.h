@@ -5,11 +5,15 @@
  * sub-steps are tried in a tick, of two evaluations each; one that would be too many to repeat is kept in spite of its
  * error, and counted.
  *
- * The past is kept as a polynomial at the end of the last sub-step, in rows z_j = h^j x^(j) / j!: another step scales
- * them by powers of two, without rounding. Nordsieck (1962), Math. Comp. 16, 22-49; Gear (1971), Numerical Initial Value
- * Problems in Ordinary Differential Equations, ch. 9; Hairer, Norsett, Wanner (1993), Solving Ordinary Differential
- * Equations I, III.6. Rows above the order are zero, so that a sub-step costs the same at every order. Only
- * loops over rows are unrolled: those over states are many, and code would grow with their product.
+ * The past is kept as a polynomial at the end of the last sub-step, in rows z_j = h^j x^(j) / j!, which another step
+ * scales by powers of two. Nordsieck (1962), Math. Comp. 16, 22-49; Gear (1971), Numerical Initial Value Problems in
+ * Ordinary Differential Equations, ch. 9; Hairer, Norsett, Wanner (1993), Solving Ordinary Differential Equations I,
+ * III.6. The rows of order q are those of the polynomial whose slopes are those at the q ends of sub-steps until now; the
+ * last correction has the slope at one end more. So the order can be exchanged without a loss, and with it the step: the
+ * polynomial of one order more is scaled, and has the slopes of the past that even steps of the new size would have had,
+ * to the leading term of the error. The constants of the estimate thus hold in every sub-step. Rows above the order are
+ * zero, so that a sub-step costs the same at every order. Only loops over rows are unrolled: those over states are many,
+ * and code would grow with their product.
  */
 #ifndef ISO_CORE_ADAMS_H
 #define ISO_CORE_ADAMS_H
@@ -49,8 +53,8 @@ typedef struct iso_adams_options {
 typedef struct iso_adams_state {
     uint8_t order;
     uint8_t level;
-    uint8_t age;   /* sub-steps since order or level changed, up to 255 */
-    bool starting; /* order and step grow with every sub-step */
+    uint8_t age; /* corrections of this order and level, up to 255; one from before the level changed counts as well */
+    bool starting; /* the order grows as soon as it can */
     bool overdue;  /* the step is too large, but the budget did not allow a smaller one */
 
     uint32_t substeps;     /* taken */
@@ -60,22 +64,17 @@ typedef struct iso_adams_state {
     uint32_t evaluations;
 } iso_adams_state;
 
-/* Row j of the correction of order q is l[j] / over times the correction of row 1. The polynomial of the l vanishes one
- * step before and its slope at the q - 1 steps before. error / error_over is that part of the correction which is the
- * local error, the constant of the implicit Adams formula. Gear (1971), table 9.2 and eq. 7.33; Hairer, Norsett, Wanner
- * (1993), eq. III.6.13 and table III.2.1. */
-typedef struct iso_nordsieck {
-    int8_t l[ISO_ADAMS_ORDERS + 1];
-    int8_t over;
-    int8_t error;
-    int16_t error_over;
-} iso_nordsieck;
-
-static const iso_nordsieck iso_table_nordsieck[ISO_ADAMS_ORDERS] = {
-    {.l = {1, 1}, .over = 1, .error = 1, .error_over = 2},
-    {.l = {1, 2, 1}, .over = 2, .error = 1, .error_over = 12},
-    {.l = {5, 12, 9, 2}, .over = 12, .error = 1, .error_over = 24},
-    {.l = {9, 24, 22, 8, 1}, .over = 24, .error = 19, .error_over = 720},
+/* Row j of the correction of order q, by that of row 1: its polynomial vanishes one step before, and its slope at the
+ * q - 1 steps before. Row 0 is the weight of the newest slope in the implicit Adams formula of order q: what the next
+ * order has more of it is the error constant. Gear (1971), table 9.2 and eq. 7.33; Hairer, Norsett, Wanner (1993), eq.
+ * III.6.13 and table III.2.1. Of order 6 there is row 0 only. */
+static const real iso_table_nordsieck[ISO_ADAMS_ORDERS + 3][ISO_ADAMS_ORDERS + 1] = {
+    [1] = {R(1.0), R(1.0)},
+    [2] = {R(1.0) / R(2.0), R(1.0), R(1.0) / R(2.0)},
+    [3] = {R(5.0) / R(12.0), R(1.0), R(3.0) / R(4.0), R(1.0) / R(6.0)},
+    [4] = {R(3.0) / R(8.0), R(1.0), R(11.0) / R(12.0), R(1.0) / R(3.0), R(1.0) / R(24.0)},
+    [5] = {R(251.0) / R(720.0), R(1.0), R(25.0) / R(24.0), R(35.0) / R(72.0), R(5.0) / R(48.0)},
+    [6] = {R(95.0) / R(288.0)},
 };
 
 /* A tick under way. */
@@ -89,9 +88,10 @@ typedef struct iso_adams_run {
     real h_tick;
     uint32_t remaining; /* sub-steps of the present size to the end of the tick */
     uint32_t left;      /* of the budget; never less than remaining */
-    real *slope;        /* [n] work space: the slope, */
+    real refused;       /* the estimate of the try before, if it was refused, else zero */
+    real *slope;        /* [n] work space: the slope, or the correction of row 1, */
     real *at;           /* [n] where it was predicted, */
-    real *increment;    /* [n] the predicted increment, */
+    real *increment;    /* [n] the predicted increment, or how it is corrected, */
     real *error;        /* [n] the local error of the tick so far */
 } iso_adams_run;
 
@@ -100,11 +100,17 @@ static inline real iso_adams_step_size(const iso_adams_run *const run)
     return run->h_tick / (real)((uint32_t)1 << run->state->level);
 }
 
-/* |e| over what state s may err. */
-static inline real iso_adams_ratio(const iso_adams_run *const run, const size_t s, const real e)
+/* One over what state s may err. */
+static inline real iso_adams_weight(const iso_adams_run *const run, const size_t s)
 {
     const iso_adams_options *const o = run->options;
-    const real ratio = iso_abs(e) / (o->tolerance_absolute + o->tolerance_relative * iso_abs(run->trail->x[s]));
+    return R(1.0) / (o->tolerance_absolute + o->tolerance_relative * iso_abs(run->trail->x[s]));
+}
+
+/* |e| over what a state may err, for one over that. */
+static inline real iso_adams_ratio(const real e, const real weight)
+{
+    const real ratio = iso_abs(e) * weight;
     return iso_select(iso_not_finite(ratio), ISO_ADAMS_FAILED, ratio);
 }
 
@@ -131,32 +137,68 @@ static inline void iso_adams_predict(const iso_trail *const trail, const size_t 
     }
 }
 
-/* The rows for a step of `factor` times the present one, a power of two. */
-static inline void iso_adams_scale(const iso_trail *const trail, const real factor)
+/* The correction of row 1 that was last. */
+static inline real *iso_adams_last(const iso_trail *const trail)
 {
-    real power = R(1.0);
-    ISO_UNROLL
-    for (size_t j = 0; j < ISO_ADAMS_ORDERS; j++) {
-        power *= factor;
-        for (size_t s = 0; s < trail->n; s++) {
-            trail->past[j * trail->n + s] *= power;
+    return trail->past + ISO_ADAMS_ORDERS * trail->n;
+}
+
+/* What the last correction makes of the rows of order q: those of order q + 1, up to row `rows`; with a sign of -1, back.
+ * It is the slope at one end of sub-steps more, less that of the polynomial there. */
+static inline void iso_adams_extend(const iso_adams_run *const run, const size_t q, const real sign, const size_t rows)
+{
+    const size_t n = run->trail->n;
+    const real *const last = iso_adams_last(run->trail);
+    for (size_t j = 2; j <= rows; j++) {
+        const real part = sign * (iso_table_nordsieck[q + 1][j] - iso_table_nordsieck[q][j]);
+        real *const row = run->trail->past + (j - 1) * n;
+        for (size_t s = 0; s < n; s++) {
+            row[s] += part * last[s];
         }
     }
 }
 
+/* The rows for a step of `factor` times the present one, a power of two. The last correction goes with its q + 1. */
+static inline void iso_adams_scale(const iso_adams_run *const run, const real factor)
+{
+    const size_t n = run->trail->n;
+    const size_t q = run->state->order;
+    real *const last = iso_adams_last(run->trail);
+    real power = factor;
+    iso_adams_extend(run, q, R(1.0), q);
+    for (size_t j = 1; j <= q; j++) {
+        real *const row = run->trail->past + (j - 1) * n;
+        for (size_t s = 0; s < n; s++) {
+            row[s] *= power;
+        }
+        power *= factor;
+    }
+    for (size_t s = 0; s < n; s++) {
+        last[s] *= power;
+    }
+    iso_adams_extend(run, q, R(-1.0), q);
+    run->state->age = run->state->age > 0;
+}
+
+/* The last correction is not known. Nor is it of use where the step is too large for the motion: the past that it would
+ * make of steps that change in every tick grows. */
+static inline void iso_adams_forget(const iso_adams_run *const run)
+{
+    memset(iso_adams_last(run->trail), 0, run->trail->n * sizeof *run->trail->past);
+    run->state->age = 0;
+}
+
 static inline void iso_adams_double(iso_adams_run *const run)
 {
-    iso_adams_scale(run->trail, R(2.0));
+    iso_adams_scale(run, R(2.0));
     run->state->level--;
-    run->state->age = 0;
     run->remaining /= 2;
 }
 
 static inline void iso_adams_halve(iso_adams_run *const run)
 {
-    iso_adams_scale(run->trail, R(0.5));
+    iso_adams_scale(run, R(0.5));
     run->state->level++;
-    run->state->age = 0;
     run->state->overdue = false;
     run->remaining *= 2;
 }
@@ -189,7 +231,7 @@ static inline void iso_adams_begin(iso_adams_run *const run)
     state->age = 0;
     state->starting = true;
     for (size_t s = 0; s < run->trail->n; s++) {
-        ratio = iso_max(ratio, iso_adams_ratio(run, s, iso_adams_step_size(run) * run->slope[s]));
+        ratio = iso_max(ratio, iso_adams_ratio(iso_adams_step_size(run) * run->slope[s], iso_adams_weight(run, s)));
     }
     /* ratio is h |x'|, and h^2 |x'| / H is asked for. */
     ratio /= (real)((uint32_t)1 << state->level);
@@ -199,14 +241,14 @@ static inline void iso_adams_begin(iso_adams_run *const run)
     }
 }
 
-/* Predicts and evaluates. Returns the estimate of the local error over the tolerance, and leaves the state as it is; the
- * corrections of row 1 stand in run->slope. */
+/* Predicts and evaluates. Returns the leading term of the local error over the tolerance, and leaves the state as it is;
+ * the corrections of row 1 stand in run->slope. */
 static inline real iso_adams_try(const iso_adams_run *const run)
 {
     const iso_trail *const trail = run->trail;
-    const iso_nordsieck *const table = &iso_table_nordsieck[run->state->order - 1];
+    const size_t q = run->state->order;
     const real h = iso_adams_step_size(run);
-    const real part = (real)table->error / (real)table->error_over;
+    const real part = iso_table_nordsieck[q + 1][0] - iso_table_nordsieck[q][0];
     real z[ISO_ADAMS_ORDERS + 1];
     real largest = R(0.0);
     for (size_t s = 0; s < trail->n; s++) {
@@ -218,41 +260,38 @@ static inline real iso_adams_try(const iso_adams_run *const run)
     for (size_t s = 0; s < trail->n; s++) {
         iso_adams_predict(trail, s, z);
         run->slope[s] = h * run->slope[s] - z[1];
-        largest = iso_max(largest, iso_adams_ratio(run, s, part * run->slope[s]));
+        largest = iso_max(largest, iso_adams_ratio(part * run->slope[s], iso_adams_weight(run, s)));
     }
     return largest;
 }
 
-/* The estimates of the local error of the orders beside the present one; where there is none, more than can be. */
-typedef struct iso_adams_neighbours {
+/* Estimates of the local error over the tolerance: of the order below, of the present one, and of the order above. */
+typedef struct iso_adams_estimates {
     real lower;
+    real present;
     real higher;
-} iso_adams_neighbours;
+} iso_adams_estimates;
 
 /* Corrects, evaluates again and moves the rows on. The last correction is h^(q+1) x^(q+1), its difference to the one
- * before that of one order more, z_q the one of an order less. */
-static inline iso_adams_neighbours iso_adams_correct(const iso_adams_run *const run)
+ * before that of one order more, z_q the one of an order less. The error is what the implicit Adams formula of two orders
+ * more, with the slope evaluated last, gives beyond the increment; of one order more where no correction of before is
+ * known. */
+static inline iso_adams_estimates iso_adams_correct(const iso_adams_run *const run)
 {
     const iso_trail *const trail = run->trail;
     const size_t n = trail->n;
     const size_t q = run->state->order;
-    const iso_nordsieck *const table = &iso_table_nordsieck[q - 1];
-    const iso_nordsieck *const below = &iso_table_nordsieck[q > 1 ? q - 2 : 0];
-    const iso_nordsieck *const above = &iso_table_nordsieck[q < ISO_ADAMS_ORDERS ? q : q - 1];
+    const real *const l = iso_table_nordsieck[q];
+    const real formula = iso_table_nordsieck[q + 1][0];
+    const real below = (l[0] - iso_table_nordsieck[q - 1][0]) / l[q];
+    const real above = run->state->age > 0 ? iso_table_nordsieck[q + 2][0] - formula : R(0.0);
     const real h = iso_adams_step_size(run);
-    const real part = (real)table->error / (real)table->error_over;
-    const real part_below = (real)(below->error * table->over) / (real)(below->error_over * table->l[q]);
-    const real part_above = (real)above->error / (real)above->error_over;
-    iso_adams_neighbours estimates = {R(0.0), R(0.0)};
-    real *const last = trail->past + ISO_ADAMS_ORDERS * n;
-    real l[ISO_ADAMS_ORDERS + 1];
-    ISO_UNROLL
-    for (size_t j = 0; j <= ISO_ADAMS_ORDERS; j++) {
-        l[j] = (real)table->l[j] / (real)table->over;
-    }
+    real *const last = iso_adams_last(trail);
+    iso_adams_estimates estimates = {R(0.0), R(0.0), R(0.0)};
     for (size_t s = 0; s < n; s++) {
-        run->error[s] += part * run->slope[s];
-        iso_advance(trail, s, run->increment[s] + l[0] * run->slope[s]);
+        const real correction = l[0] * run->slope[s];
+        iso_advance(trail, s, run->increment[s] + correction);
+        run->increment[s] = correction;
     }
     iso_adams_evaluate(run, trail->x);
     for (size_t s = 0; s < n; s++) {
@@ -260,89 +299,102 @@ static inline iso_adams_neighbours iso_adams_correct(const iso_adams_run *const 
         iso_adams_predict(trail, s, z);
         const real slope = h * run->slope[s];
         const real e = slope - z[1];
+        const real next = above * (e - last[s]);
+        const real error = formula * e - run->increment[s] + next;
         trail->past[s] = slope;
         ISO_UNROLL
         for (size_t j = 2; j <= ISO_ADAMS_ORDERS; j++) {
             trail->past[(j - 1) * n + s] = z[j] + l[j] * e;
         }
-        const real highest = trail->past[(q - 1) * n + s];
-        estimates.lower = iso_max(estimates.lower, iso_adams_ratio(run, s, part_below * highest));
-        estimates.higher = iso_max(estimates.higher, iso_adams_ratio(run, s, part_above * (e - last[s])));
+        const real weight = iso_adams_weight(run, s);
+        estimates.lower = iso_max(estimates.lower, iso_abs(below * trail->past[(q - 1) * n + s]) * weight);
+        estimates.present = iso_max(estimates.present, iso_adams_ratio(error, weight));
+        estimates.higher = iso_max(estimates.higher, iso_abs(next) * weight);
+        run->error[s] += error;
         last[s] = e;
     }
-    estimates.lower = q > 1 ? estimates.lower : ISO_ADAMS_FAILED;
-    estimates.higher = q < ISO_ADAMS_ORDERS ? estimates.higher : ISO_ADAMS_FAILED;
     return estimates;
 }
 
-/* One order more: its row from the last correction, z_(q+1) = h^(q+1) x^(q+1) / (q+1)!, where l_q is 1 / q!. */
+/* One order more. */
 static inline void iso_adams_raise(const iso_adams_run *const run)
 {
-    const size_t n = run->trail->n;
     const size_t q = run->state->order;
-    const iso_nordsieck *const table = &iso_table_nordsieck[q - 1];
-    const real part = (real)table->l[q] / (real)(table->over * (int)(q + 1));
-    for (size_t s = 0; s < n; s++) {
-        run->trail->past[q * n + s] = part * run->trail->past[ISO_ADAMS_ORDERS * n + s];
-    }
+    iso_adams_extend(run, q, R(1.0), q + 1);
+    iso_adams_forget(run);
     run->state->order++;
-    run->state->age = 0;
 }
 
+/* One order less, whose last correction is known from the row that goes. */
 static inline void iso_adams_lower(const iso_adams_run *const run)
 {
     const size_t n = run->trail->n;
+    const size_t q = run->state->order;
+    real *const row = run->trail->past + (q - 1) * n;
+    real *const last = iso_adams_last(run->trail);
+    for (size_t s = 0; s < n; s++) {
+        last[s] = row[s] / iso_table_nordsieck[q][q];
+        row[s] = R(0.0);
+    }
+    iso_adams_extend(run, q - 1, R(-1.0), q - 1);
     run->state->order--;
-    run->state->age = 0;
-    memset(run->trail->past + run->state->order * n, 0, n * sizeof *run->trail->past);
+    run->state->age = 1;
 }
 
-/* Order and step of the next sub-step: the order with the least error, a lower one only for a quarter of it, since an
- * exchange of rows disturbs the next estimates; and twice the step where that keeps the error below half the tolerance.
- * Both are left alone until the corrections come from as many even steps as the order needs; at a start there are as many
- * slopes as the order wants at once. After Shampine and Gordon (1975), Computer Solution of Ordinary Differential
- * Equations, ch. 7. */
-static inline void iso_adams_adapt(iso_adams_run *const run, real estimate, const iso_adams_neighbours neighbours)
+/* Order and step of the next sub-step: the order with the least error, a lower one only for a quarter of it; or twice the
+ * step where that keeps the error below half the tolerance. The error may be small because it passes through zero: until
+ * twice the step is done it will have changed by some two of its next term. Each is left alone until the corrections come
+ * from as many sub-steps as it needs. At a start the order is raised once the slopes that it takes come from sub-steps of
+ * the order below: those of an order less are wrong by more than the terms that it looks at. After Shampine and Gordon
+ * (1975), Computer Solution of Ordinary Differential Equations, ch. 7. */
+static inline void iso_adams_adapt(iso_adams_run *const run, const iso_adams_estimates e)
 {
     iso_adams_state *const state = run->state;
+    const real growth = (real)(4 << state->order); /* 2^(order + 1), and the half */
     state->age = (uint8_t)(state->age + (state->age < UINT8_MAX));
-    state->overdue = state->overdue && estimate > R(1.0);
-    if (!state->starting && state->age <= state->order) {
-        return;
-    }
-    uint8_t order = state->order; /* of the estimate */
+    state->overdue = state->overdue && e.present > R(1.0);
     if (state->starting) {
-        iso_adams_raise(run);
-        state->starting = state->order < ISO_ADAMS_ORDERS;
-    } else if (R(4.0) * neighbours.lower < estimate) {
+        if (state->age >= state->order) {
+            iso_adams_raise(run);
+            state->starting = state->order < ISO_ADAMS_ORDERS;
+        }
+    } else if (state->age > state->order && state->order > 1 && R(4.0) * e.lower < e.present) {
         iso_adams_lower(run);
-        estimate = neighbours.lower;
-        order--;
-    } else if (neighbours.higher < estimate) {
+    } else if (state->age > state->order && state->order < ISO_ADAMS_ORDERS && e.higher < e.present) {
         iso_adams_raise(run);
-        estimate = neighbours.higher;
-        order++;
-    }
-    const real growth = (real)(4 << order); /* 2^(order + 1), and the half */
-    if (growth * estimate <= R(1.0) && state->level > 0 && run->remaining % 2 == 0) {
+    } else if (state->age > 2 && growth * (e.present + R(2.0) * e.higher) <= R(1.0) && state->level > 0 &&
+               run->remaining % 2 == 0) {
         iso_adams_double(run);
     }
+}
+
+/* Halves a sub-step that was refused. The correction that takes the past to the new size is the one at which the slope
+ * half a step back is right to one order more: between the refused one, of slopes 1 to 1 - q, and the last one, of slopes
+ * 0 to -q, whose polynomials err there by 3/2 to q - 1/2. */
+static inline void iso_adams_halve_refused(iso_adams_run *const run)
+{
+    const real weight = run->state->age > 0 ? R(1.5) / (real)(run->state->order + 1) : R(0.0);
+    real *const last = iso_adams_last(run->trail);
+    for (size_t s = 0; s < run->trail->n; s++) {
+        last[s] = run->slope[s] + weight * (last[s] - run->slope[s]);
+    }
+    iso_adams_halve(run);
 }
 
 /* What becomes of a sub-step with too large an error: true if it has to be tried again. Halving divides the estimate by
  * 2^(order + 1), at least by 4, where the motion is smooth, and by 2 where the slope jumped: more than a third of the
  * one before, estimated at twice the step, tells a jump. */
-static inline bool iso_adams_reject(iso_adams_run *const run, const real estimate, const real before)
+static inline bool iso_adams_reject(iso_adams_run *const run, const real estimate)
 {
     iso_adams_state *const state = run->state;
     const bool fresh = state->starting && state->order == 1;
-    const bool jump = before > R(0.0) && estimate > before / R(3.0) && !fresh;
+    const bool jump = run->refused > R(0.0) && estimate > run->refused / R(3.0) && !fresh;
     if (jump && run->remaining <= run->left) {
         state->restarts++;
         iso_adams_begin(run);
     } else if (iso_adams_can_halve(run)) {
         state->starting = fresh;
-        iso_adams_halve(run);
+        iso_adams_halve_refused(run);
     } else {
         state->budget_bound++;
         state->overdue = true;
@@ -352,23 +404,26 @@ static inline bool iso_adams_reject(iso_adams_run *const run, const real estimat
     return true;
 }
 
-/* Walks to the end of the tick, or until the states are not finite. */
-static inline void iso_adams_walk(iso_adams_run *const run)
+/* Tries a sub-step, and keeps it if it may. What is not finite ends the tick. */
+static inline void iso_adams_attempt(iso_adams_run *const run)
 {
-    real before = R(0.0);
-    while (run->remaining > 0) {
-        if (run->state->overdue && iso_adams_can_halve(run)) {
-            iso_adams_halve(run);
-        }
-        run->left--;
-        const real estimate = iso_adams_try(run);
-        if (estimate > R(1.0) && iso_adams_reject(run, estimate, before)) {
-            before = estimate;
+    if (run->state->overdue && iso_adams_can_halve(run)) {
+        iso_adams_forget(run);
+        iso_adams_halve(run);
+    }
+    run->left--;
+    const real estimate = iso_adams_try(run);
+    if (estimate > R(1.0) && iso_adams_reject(run, estimate)) {
+        run->refused = estimate;
+    } else {
+        const iso_adams_estimates estimates = iso_adams_correct(run);
+        run->refused = R(0.0);
+        run->state->substeps++;
+        if (iso_not_finite(estimates.present) == 0) {
+            run->remaining--;
+            iso_adams_adapt(run, estimates);
         } else {
-            before = R(0.0);
-            run->remaining = iso_not_finite(estimate) == 0 ? run->remaining - 1 : 0;
-            run->state->substeps++;
-            iso_adams_adapt(run, estimate, iso_adams_correct(run));
+            run->remaining = 0;
         }
     }
 }
@@ -388,6 +443,7 @@ static inline iso_adams_run iso_adams_run_of(const iso_adams_options *const opti
         .h_tick = h_tick,
         .remaining = (uint32_t)1 << state->level,
         .left = options->budget,
+        .refused = R(0.0),
         .slope = work,
         .at = work + n,
         .increment = work + 2 * n,
@@ -416,13 +472,18 @@ static inline real iso_adams_tick(const iso_adams_options *const options, iso_ad
     iso_adams_run run = iso_adams_run_of(options, state, trail, f, h_tick, u, p, work);
     real largest = R(0.0);
     memset(run.error, 0, trail->n * sizeof *run.error);
+    if (run.remaining > run.left && state->overdue) {
+        iso_adams_forget(&run);
+    }
     while (run.remaining > run.left) {
         iso_adams_double(&run);
     }
     if (options->driven) {
         iso_adams_take_slope(&run);
     }
-    iso_adams_walk(&run);
+    while (run.remaining > 0) {
+        iso_adams_attempt(&run);
+    }
     for (size_t s = 0; s < trail->n; s++) {
         largest = iso_larger(largest, run.error[s]);
     }

@@ -1,15 +1,22 @@
 #!/bin/sh
-# The local error that a checked method tells, beside the true one, on the double pendulum.
+# The local error that a method tells, beside the true one, on the double pendulum.
 . tests/host/test.sh
 begin estimate
+ours="tests/estimate/local_error.c tests/order/plant.c tests/order/double_pendulum.c tests/host/report.c"
 
 # A plant of an implicit method has a Jacobian for all.
+# shellcheck disable=SC2086
 for number in double float; do
     real $number
     build/isoc models/double_pendulum.scene -o "$out/$number" --real $number --method bdf4 >/dev/null &&
-        EXTRA="-DPLANT=\"$out/$number/plant.c\"" program $number.run tests/estimate/estimate.c tests/order/plant.c \
-            tests/order/double_pendulum.c tests/host/report.c
+        EXTRA="-DPLANT=\"$out/$number/plant.c\"" program $number.run tests/estimate/estimate.c $ours
     result $? "double_pendulum builds in $number"
     joined double_pendulum "$out/$number.run"
 done
+
+real double
+# shellcheck disable=SC2086
+EXTRA="-DPLANT=\"$out/double/plant.c\"" program adams.run tests/estimate/adams.c $ours
+result $? "double_pendulum builds for adams"
+joined adams "$out/adams.run"
 finish

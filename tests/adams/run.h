@@ -1,0 +1,50 @@
+/* A run of the adams method, with all that it works on. */
+#ifndef ISO_TESTS_ADAMS_RUN_H
+#define ISO_TESTS_ADAMS_RUN_H
+
+#include "core/adams.h"
+
+enum { ADAMS_STATES_MAX = 10 };
+
+typedef struct adams_memory {
+    real x[ISO_ADAMS_STATE(ADAMS_STATES_MAX)];
+    real work[ISO_ADAMS_WORK(ADAMS_STATES_MAX)];
+    iso_trail trail;
+    iso_adams_options options;
+    iso_adams_state state;
+} adams_memory;
+
+/* From these states; tolerance is for 1 + |x|. */
+static inline void adams_prepare(adams_memory *const m, const size_t n, const real *const start, const real tolerance,
+                                 const uint32_t budget)
+{
+    memset(m, 0, sizeof *m);
+    memcpy(m->x, start, n * sizeof *start);
+    m->trail = (iso_trail){.n = n, .x = m->x, .past = m->x + n};
+    m->options = (iso_adams_options){
+        .tolerance_absolute = tolerance,
+        .tolerance_relative = tolerance,
+        .budget = budget,
+        .level_max = budget > ISO_ADAMS_BUDGET ? ISO_ADAMS_LEVELS : ISO_ADAMS_LEVEL_MAX,
+    };
+}
+
+static inline void adams_begin(adams_memory *const m, iso_derivative *const f, const real h, const real *const u)
+{
+    iso_adams_start(&m->options, &m->state, &m->trail, f, h, u, NULL, m->work);
+}
+
+static inline real adams_tick(adams_memory *const m, iso_derivative *const f, const real h, const real *const u)
+{
+    return iso_adams_tick(&m->options, &m->state, &m->trail, f, h, u, NULL, m->work);
+}
+
+/* A tick that is walked by hand. */
+static inline iso_adams_run adams_walk(adams_memory *const m, iso_derivative *const f, const real h)
+{
+    iso_adams_run run = iso_adams_run_of(&m->options, &m->state, &m->trail, f, h, NULL, NULL, m->work);
+    memset(run.error, 0, m->trail.n * sizeof *run.error);
+    return run;
+}
+
+#endif
