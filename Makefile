@@ -32,7 +32,7 @@ V =
 .SUFFIXES:
 MAKEFLAGS += --no-builtin-rules
 
-.PHONY: help run plot size stack cost report bench drift clean
+.PHONY: help run plot size stack cost report bench drift digits clean
 help: ## say what can be made; the same as make alone
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
@@ -244,6 +244,9 @@ drift: build/isoc build/trace ## how far the loops of a scene come apart with ev
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/drift/drift.sh
+
+digits: build/isoc ## how many digits of reference solutions are met
+	@sh tests/reference/table.sh
 
 clean: ## remove all that was made
 	rm -rf build

@@ -1,7 +1,7 @@
 #!/bin/sh
 # README.md says what is so: its commands run, in a copy of the project, and print the lines shown below them; its tables are
-# those of `make cost`, `make chains`, `make bench`, `make drift` and `build/isoc --methods`, its scene and its pictures those of models/, its links lead somewhere. A README with one thing changed
-# is found.
+# those of `make cost`, `make chains`, `make bench`, `make drift`, `make digits` and `build/isoc --methods`, its scene and its
+# pictures those of models/, its links lead somewhere. A README with one thing changed is found.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/readme
@@ -55,7 +55,8 @@ tables='| model |:make cost
 | chain |:make chains
 | method | order | evaluations | Jacobians |:build/isoc --methods
 | method | order | evaluations | error,:make bench
-| stabilisation | largest violation |:make drift'
+| stabilisation | largest violation |:make drift
+| reference | real | step |:make digits'
 
 # table README BEGINNING: the table whose first line begins so, and the list that follows it, if there is one.
 table()
@@ -172,6 +173,7 @@ found "an order of a method" '/^| rk4 | 4 | 4 | 0/s/| 4/| 3/'
 found "an error of a method" '/^| rk4 | 4 | 4 | [1-9]/s/e-0/e-1/'
 found "an answer" 's/^- abm4 takes [0-9.]*/&1/'
 found "a price of an effect" '/^| damping |/s/+/+1/'
+found "an error of a reference" '/^| Bricard | double /s/e-/e-1/'
 found "a violation" '/^| projection | [0-9]/s/e-/e-1/'
 found "a row left out" '/^| cart_pole /d'
 found "a number of the scene" 's/^step 1 ms/step 2 ms/'

@@ -80,7 +80,7 @@ static void compare(const char *const name, const double time, const double erro
         return;
     }
     const double most = strtod(demand, NULL);
-    report_ok(error <= most, "%s, t = %g s: error %.2e, %.1f digits; at most %.0e", name, time, error, -log10(error),
+    report_ok(error <= most, "%s, t = %g s: error %.2e, %.1f digits; at most %.1e", name, time, error, -log10(error),
               most);
 }
 
@@ -117,7 +117,7 @@ int main(int count, char **arguments)
         return read && tick > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
     }
     const double most = count > 4 ? strtod(arguments[4], NULL) : 0.0;
-    report_ok(b.energy >= 0 && b.worst <= most, "%s: at every step the energy is off by at most %.2e J; allowed %.2e",
+    report_ok(b.energy >= 0 && b.worst <= most, "%s: at every step the energy is off by at most %.2e J; allowed %.1e",
               arguments[2], b.worst, most);
     report_ok(read && tick > 0, "%s: the reference is read, and its columns are outputs", arguments[2]);
     return report_done();

@@ -2,11 +2,13 @@
 # Generated pendulums against reference solutions: the error is that of the method, within 3x.
 . tests/host/test.sh
 begin reference
+. tests/reference/digits.sh
 
 for name in pendulum double_pendulum; do
     scene "$name" && program "$name.run" tests/reference/reference.c "tests/reference/$name.c" tests/host/report.c \
         "$out/$name/plant.c"
     result $? "$name builds"
     joined "$name" "$out/$name.run"
+    digits "$(echo "$name" | tr _ ' ')" double 1ms
 done
 finish

@@ -1,0 +1,42 @@
+# shellcheck shell=sh
+# The table of digits that `make digits` prints; read after tests/host/test.sh and `begin`. $out/digits has its rows.
+
+# digits MECHANISM REAL STEP: a row for each case of what `joined` has joined last, of its largest error until the last time: of
+# the lines
+#     ok 1 - CASE, t = TIME s: error ERROR ... DEMAND
+#     ok 2 - CASE: at every step the energy is off by at most ERROR J; allowed DEMAND
+# A case is told where its name has more than a word.
+digits()
+{
+    awk -v mechanism="$1" -v real="$2" -v step="$(echo "$3" | sed 's/[0-9.]*/& /')" '
+        function row()
+        {
+            if (until != "")
+                printf "| %s | %s | %s | %s s | %.1e | %d | %s | %s | %s |\n", mechanism name, real, step, until, worst,
+                    -log(worst) / log(10), demand, energy, allowed
+            until = ""
+            energy = allowed = "-"
+            worst = 0
+        }
+        BEGIN { row() }
+        / t = [^ ]* s: error / {
+            match($0, /, t = [^ ]* s: error /)
+            if (until + 0 > substr($0, RSTART + 6) + 0) row()
+            name = substr($0, 1, RSTART - 1)
+            sub(/^[^-]* - /, "", name)
+            name = name ~ / / ? ", " name : ""
+            until = substr($0, RSTART + 6) + 0
+            error = substr($0, RSTART + RLENGTH) + 0
+            if (!(error <= worst)) {
+                worst = error
+                demand = $NF
+            }
+        }
+        / energy is off by at most / {
+            match($0, /at most [^ ]*/)
+            energy = sprintf("%.1e", substr($0, RSTART + 8))
+            allowed = $NF
+        }
+        END { row() }
+    ' "$out/tap" >>"$out/digits"
+}
