@@ -144,6 +144,16 @@ my @gaps = (
     0.26 * cos($coupler) * (1 + $at{elbow_speed}) - 0.25 * cos($at{foot}) * $at{foot_speed},
 );
 check(keys %at == 4 && !grep({ abs > 1e-8 } @gaps), 'what is assembled is told, and closes the loop', $summary, "@gaps");
+
+# It closes in two ways, mirrored at the line from the knee to the foot; a rough start says which.
+my ($knee, $diagonal) = (atan2(0.1, -0.39), sqrt(0.39**2 + 0.1**2));
+my $opening = ($diagonal**2 + 0.25**2 - 0.26**2) / (2 * $diagonal * 0.25);
+my $half = atan2(sqrt(1 - $opening**2), $opening);
+for my $way ([60, $knee - $half], [200, $knee + $half]) {
+    spit("$dir/way.scene", $base{loop} =~ s/foot revolute \{/foot revolute { start about $way->[0] deg;/r);
+    (undef, undef, $summary) = compile("$dir/way.scene", '-o', $dir);
+    check($summary =~ /^assembled foot (\S+) rad$/m && abs($1 - $way->[1]) < 1e-8, "the way that is closed from $way->[0] deg", $summary, $way->[1]);
+}
 (undef, undef, $summary) = compile('tests/scenes/good.scene', '-o', $dir);
 check($summary !~ /^assembled/m, 'where nothing is assembled nothing is told', $summary);
 

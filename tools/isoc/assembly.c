@@ -13,7 +13,8 @@ typedef struct assembly {
     const mechanism *m;
     const constraints *held;
     closing c;
-    bool *is_free; /* [freedoms] */
+    bool *is_free;    /* [freedoms] */
+    bool keeps_rough; /* coordinates with a rough start are not free */
 } assembly;
 
 /* The joints, or their parts, with free coordinates, for a message. */
@@ -39,7 +40,7 @@ static int choose_free(const assembly *a, bool rates, bool all)
     int count = 0;
     for (int f = 0; f < a->m->freedom_count; f++) {
         const link *l = &a->m->links[a->m->freedoms[f].link];
-        const bool given = rates ? l->speed_given : l->start_given;
+        const bool given = rates ? l->speed_given : l->start_given || (l->start_is_rough && a->keeps_rough);
         a->is_free[f] = false;
         for (int r = 0; r < a->held->count && (all || !given); r++) {
             const bool feels = closing_counts(&a->c, rates, r) && !is_zero(a->c.d->g, a->held->all[r].row[f]);
@@ -77,6 +78,18 @@ static void tell_open(const assembly *a, gap open, int count)
                    "without a start: %s%s",
                    cut_of(a, open)->name, open.size, unit_of(a, open), open.rank, open.all, count == 0 ? "none" : list,
                    would_close ? "; it closes if starts are left out" : "");
+}
+
+/* Moves the others as near as they come to a rough start, so that the way to close it is found that is nearest. */
+static void go_near(assembly *a)
+{
+    for (int i = 0; i < a->m->link_count; i++) {
+        a->keeps_rough = a->keeps_rough || a->m->links[i].start_is_rough;
+    }
+    if (a->keeps_rough && choose_free(a, false, false) > 0) {
+        (void)closing_search(&a->c, a->is_free, closed);
+    }
+    a->keeps_rough = false;
 }
 
 static bool close_positions(const assembly *a)
@@ -188,6 +201,7 @@ void assemble(source *s, const dynamics *d)
     }
     assembly a = {.s = s, .m = m, .held = &d->loops.held, .c = closing_start(s->memory, d)};
     a.is_free = arena_take(s->memory, (size_t)m->freedom_count, sizeof *a.is_free);
+    go_near(&a);
     if (check_distances(&a) && check_dropped(&a) && close_positions(&a) && close_speeds(&a)) {
         keep_start(&a);
     }

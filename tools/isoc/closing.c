@@ -167,13 +167,14 @@ static void move_away(const closing *c, const bool *is_free, int n, double reach
     move(c, false, by);
 }
 
-/* Free angles within half a turn of zero. */
+/* Free angles within half a turn of where they were looked for; continuous ones of zero. */
 static void fold(const closing *c, const bool *is_free)
 {
     for (int i = 0; i < c->m->link_count; i++) {
         const link *l = &c->m->links[i];
         if (l->kind == JOINT_REVOLUTE && is_free[l->freedom]) {
-            c->x[l->position] -= around * floor(c->x[l->position] / around + 0.5);
+            const double from = l->continuous ? 0.0 : l->start[0];
+            c->x[l->position] -= around * floor((c->x[l->position] - from) / around + 0.5);
         }
     }
 }

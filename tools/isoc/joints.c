@@ -108,7 +108,8 @@ static link single(builder *b, const joint *j, int axis, double sign)
 
     const formula *start = j->start.coordinate;
     made.start[0] = value_constant(&b->values, start, coordinate, "the start of this joint", 0.0);
-    made.start_given = start != NULL;
+    made.start_is_rough = j->start.is_rough;
+    made.start_given = start != NULL && !j->start.is_rough;
     if (turns && fabs(made.start[0]) > (j->continuous ? half_turn : largest_angle)) {
         source_problem(b->s, start->at, "the start is beyond %s", j->continuous ? "180 deg" : "10000 rad");
     }

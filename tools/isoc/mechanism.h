@@ -39,6 +39,7 @@ typedef struct link {
     int drive;                  /* an input, or -1 */
     double start[4], speed[3];  /* a quaternion is w, x, y, z */
     bool start_given, speed_given;
+    bool start_is_rough;           /* not given, but looked for from there */
     bool start_found, speed_found; /* moved by the assembly */
 } link;
 

@@ -84,7 +84,8 @@ static void read_start(parser *p, const token *word, void *slot)
     if (parts) {
         j->start = parse_pose(p, form->own_axes);
     } else {
-        j->start = (pose){.coordinate = parse_formula(p)};
+        j->start = (pose){.is_rough = take_word(p, "about")};
+        j->start.coordinate = parse_formula(p);
     }
     const place *at = p->failed || j->broken ? NULL : foreign_part(form, &j->start);
     if (at != NULL) {

@@ -6,7 +6,7 @@
  *                   | force | parameter | input | output }
  *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA }
  *   joint         = joint NAME (fixed | revolute | prismatic | universal | cylindrical | planar | spherical | free)
- *                   { parent placement | child placement | axis AXIS | second AXIS | start (FORMULA | pose)
+ *                   { parent placement | child placement | axis AXIS | second AXIS | start ([about] FORMULA | pose)
  *                   | speed FORMULA | spin FORMULA | continuous | damping FORMULA | spin_damping FORMULA
  *                   | spring FORMULA [rest FORMULA] | drive NAME }
  *   closure       = close NAME (fixed | revolute | prismatic | spherical | line | distance | gear | rolling | motion)

@@ -68,6 +68,7 @@ typedef enum joint_kind {
 /* Where a joint starts: a coordinate alone, or a place and turns, or a place and a quaternion (w, x, y, z). */
 typedef struct pose {
     formula *coordinate;
+    bool is_rough;     /* about ...: where closures look for it */
     formula *position; /* at ... */
     turn *turns;       /* rotate ... about ...; the axis is NULL where the joint has it */
     size_t turn_count, turn_room;
