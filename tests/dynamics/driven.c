@@ -3,6 +3,7 @@
  *
  *     driven PLACE EFFORT   TAP: no position or speed is off by more than PLACE, and no effort by more than EFFORT
  *     driven NAME           the error of one output alone
+ *     driven pulled         that of the spindle a while after it was turned by PULLED against its gear
  *
  * The effort of the crank is its power over its speed: what moves takes m (a - g) . v and I alpha omega, its damper d v^2.
  */
@@ -17,6 +18,7 @@
 
 #define PI 3.14159265358979323846264338327950288L
 #define GRAVITY 10.0L
+#define PULLED R(0.01) /* rad */
 
 /* In the order of the scene's outputs; behind them its turns, which are counted with the angle, and its violation. */
 enum {
@@ -25,18 +27,19 @@ enum {
     SPEED,
     TABLE,
     ANGLE,
-    PLACES,
-    TORQUE = PLACES,
+    MATE,
+    TORQUE,
     PULL,
     DRIVE,
     TOOTH,
     TWIST,
     OUTPUTS,
+    PLACES = TORQUE,
     TURNS = OUTPUTS
 };
 
 static const char *const names[OUTPUTS] = {
-    "slider", "lift", "speed", "table", "angle", "torque", "pull", "drive", "tooth", "twist",
+    "slider", "lift", "speed", "table", "angle", "mate", "torque", "pull", "drive", "tooth", "twist",
 };
 
 /* value, rate and second derivative as a jet */
@@ -96,6 +99,7 @@ static void axle(const wide t, wide y[OUTPUTS])
     const wide angle = top * (up * c * c * c * c * (2.5L - 3.0L * c + c * c) + fmaxl(t - up, 0.0L));
     y[SPEED] = speed.c[0];
     y[ANGLE] = angle;
+    y[MATE] = -2.0L * angle;
     y[TOOTH] = -2.0L * (0.005L * speed.c[1] + 0.002L * speed.c[0]);
     y[DRIVE] = 0.02L * speed.c[1] + 0.01L * speed.c[0] - 2.0L * y[TOOTH];
 }
@@ -107,6 +111,26 @@ static void table(const wide t, wide y[OUTPUTS])
     y[TWIST] = 0.02L * (3.0L - 0.2L * w * w * cosl(w * t + PI / 6.0L));
 }
 
+/* How far output i is off; the mate but for whole turns. */
+static wide error_of(const int i, const wide wanted)
+{
+    const wide turned = i == ANGLE ? 2.0L * PI * (wide)iso_the_plant.y[TURNS] : 0.0L;
+    const wide off = (wide)iso_the_plant.y[i] + turned - wanted;
+    return fabsl(i == MATE ? remainderl(off, 2.0L * PI) : off);
+}
+
+/* A tick, and what is wanted of it. */
+static void tick_of(const uint32_t tick, const uint32_t ticks, wide y[OUTPUTS])
+{
+    const wide t = (wide)(tick + 1) / (wide)ticks;
+    iso_the_plant.step();
+    iso_the_plant.output(iso_the_plant.y, iso_the_plant.x, iso_the_plant.u, iso_the_plant.p);
+    crank(t, y);
+    lift(t, y);
+    axle(t, y);
+    table(t, y);
+}
+
 /* The largest errors in a second, of what is larger than 1 relative to that; where time runs so many ticks ahead. */
 static void run(wide worst[OUTPUTS], const uint32_t ahead)
 {
@@ -116,25 +140,37 @@ static void run(wide worst[OUTPUTS], const uint32_t ahead)
     for (uint32_t tick = 0; tick < ticks; tick++) {
         wide y[OUTPUTS];
         iso_the_plant.drive(tick + ahead);
-        iso_the_plant.step();
-        iso_the_plant.output(iso_the_plant.y, iso_the_plant.x, iso_the_plant.u, iso_the_plant.p);
-        const wide t = (wide)(tick + 1) / (wide)ticks;
-        crank(t, y);
-        lift(t, y);
-        axle(t, y);
-        table(t, y);
+        tick_of(tick, ticks, y);
         for (int i = 0; i < OUTPUTS; i++) {
-            const wide turned = i == ANGLE ? 2.0L * PI * (wide)iso_the_plant.y[TURNS] : 0.0L;
-            const wide off = fabsl((wide)iso_the_plant.y[i] + turned - y[i]) / fmaxl(1.0L, fabsl(y[i]));
+            const wide off = error_of(i, y[i]) / fmaxl(1.0L, fabsl(y[i]));
             worst[i] = off <= worst[i] ? worst[i] : off; /* what is not a number stays */
         }
     }
+}
+
+/* The second after that of `run`: the stabilisation, with 50/s, takes what is pulled back by a factor of 1e20. */
+static wide pulled(void)
+{
+    const uint32_t ticks = UINT32_C(1000000000) / iso_the_plant.period_ns;
+    wide y[OUTPUTS] = {0.0L};
+    for (int i = 0; i < iso_the_plant.states; i++) {
+        iso_the_plant.x[i] += iso_the_plant.x[i] == iso_the_plant.y[MATE] ? PULLED : R(0.0);
+    }
+    for (uint32_t tick = ticks; tick < 2 * ticks; tick++) {
+        iso_the_plant.drive(tick);
+        tick_of(tick, ticks, y);
+    }
+    return error_of(MATE, y[MATE]);
 }
 
 int main(int count, char **arguments)
 {
     static wide worst[OUTPUTS], off[OUTPUTS];
     run(worst, 0);
+    if (count == 2 && strcmp(arguments[1], "pulled") == 0) {
+        printf("%.3Le\n", pulled());
+        return EXIT_SUCCESS;
+    }
     if (count < 3) {
         for (int i = 0; i < OUTPUTS && count == 2; i++) {
             if (strcmp(arguments[1], names[i]) == 0) {

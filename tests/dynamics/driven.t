@@ -55,6 +55,14 @@ whole=$("$out/rk4-whole.run" lift) && between=$("$out/between.run" lift) &&
     awk -v a="$between" -v b="$whole" 'BEGIN { exit !(a > 100 * b) }'
 result $? "control: where a ramp's points lie between the steps of 160 us, the lift is off by $between, not $whole"
 
+# A gear whose ratio is one of whole numbers holds the angles of continuous joints, but for whole turns; any other only their
+# speeds, so that what is pulled off stays off.
+back=$("$out/rk4-whole.run" pulled) && awk -v off="$back" 'BEGIN { exit !(off ~ /^[0-9]/ && off <= 1e-8) }'
+result $? "a geared spindle that was turned by 0.01 rad comes back to $back"
+sed 's/ratio -2 /ratio -2.0000001 /' tests/dynamics/driven.scene >"$out/odd.scene"
+driven odd "$out/odd.scene" && off=$("$out/odd.run" pulled) && awk -v off="$off" 'BEGIN { exit !(off > 0.009 && off < 0.011) }'
+result $? "control: with another ratio it stays off by $off"
+
 # The gains that a scene has by itself: no method is unstable with them. Euler's speed, at up to 240 rad/s^2, lags by that many
 # rad/s times 1 ms; what grows passes any limit.
 sed '/^stabilisation/d' tests/dynamics/driven.scene >"$out/own_gains.scene"

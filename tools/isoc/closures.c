@@ -96,6 +96,24 @@ dimension coordinate_dimension(const link *l)
     return l->kind == JOINT_PRISMATIC ? metre : radian;
 }
 
+/* What first - ratio second is multiplied with, so that whole turns of those that are continuous make whole turns of it: of
+ * both, the denominator of a ratio of small whole numbers. Zero where there is nothing of that kind. */
+static node whole_turns(builder *b, const link *first, const link *second_link, node ratio)
+{
+    enum { MOST_TEETH = 100 };
+    static const double exact = 1e-12; /* of a ratio of whole numbers only its rounding is left */
+    graph *g = b->g;
+    int whole = first->continuous && !second_link->continuous;
+    if (second_link->continuous && !first->continuous && value_now(&b->values, ratio) != 0.0) {
+        return divide(g, constant(g, 1.0), ratio);
+    }
+    for (int n = 1; n <= MOST_TEETH && whole == 0 && second_link->continuous && is_constant(g, ratio); n++) {
+        const double product = n * constant_value(g, ratio);
+        whole = fabs(product - floor(product + 0.5)) <= exact * fabs(product) ? n : 0;
+    }
+    return constant(g, whole);
+}
+
 /* A gear between two joints; at the start it holds as it is. */
 static bool build_gear(builder *b, const closure *written, cut *made)
 {
@@ -113,7 +131,8 @@ static bool build_gear(builder *b, const closure *written, cut *made)
     dimension_times(&of, coordinate_dimension(second_link), -1);
     made->ratio = scalar_value(b, written->ratio, of, "the ratio of this gear");
     made->length = constant(b->g, first->start[0] - value_now(&b->values, made->ratio) * second_link->start[0]);
-    made->in_speed = first->continuous || second_link->continuous;
+    made->whole = whole_turns(b, first, second_link, made->ratio);
+    made->in_speed = (first->continuous || second_link->continuous) && is_zero(b->g, made->whole);
     return true;
 }
 
@@ -121,7 +140,7 @@ static void build_closure(builder *b, const closure *written)
 {
     const node zero = constant(b->g, 0.0);
     cut made = {.name = written->name.text, .at = written->name.at, .kind = written->kind, .base = GROUND};
-    made.length = made.ratio = made.motion = made.motion_rate = made.motion_bias = zero;
+    made.length = made.ratio = made.motion = made.motion_rate = made.motion_bias = made.whole = zero;
     if (written->broken) {
         return;
     }

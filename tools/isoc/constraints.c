@@ -172,8 +172,8 @@ static void hold_rolling(const pair *p, constraints *to, vector t, vector n, con
     put(k, to, made, called);
 }
 
-/* Phi = q_first - ratio q_second - offset, or q_first - motion(t), or that but for whole turns; of what holds in speeds
- * alone only Phi'. */
+/* Phi = q_first - ratio q_second - offset, or q_first - motion(t); without what whole turns of continuous joints make of it;
+ * of what holds in speeds alone only Phi'. */
 static void hold_joints(const kinematics *k, constraints *to, int index)
 {
     graph *g = k->g;
@@ -188,9 +188,11 @@ static void hold_joints(const kinematics *k, constraints *to, int index)
         made.position = sub(g, made.position, mul(g, c->ratio, k->motions[c->child.link].q[0]));
     } else {
         made.position = sub(g, made.position, c->motion);
-        made.position = c->wraps ? wrap(g, made.position) : made.position;
         made.rate = neg(g, c->motion_rate);
         made.bias = neg(g, c->motion_bias);
+    }
+    if (!is_zero(g, c->whole)) {
+        made.position = divide(g, wrap(g, mul(g, c->whole, made.position)), c->whole);
     }
     made.position = c->in_speed ? constant(g, 0.0) : made.position;
     put(k, to, made, c->name);

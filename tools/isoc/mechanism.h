@@ -90,8 +90,8 @@ typedef struct cut {
     node length;           /* distance; radius; what a gear or a motion starts at */
     node ratio;
     node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
-    bool wraps;                            /* a motion that holds but for whole turns */
-    bool in_speed;                         /* a gear or a motion that holds in speeds alone */
+    node whole;    /* of continuous joints: Phi times this holds but for whole turns; zero: Phi itself holds */
+    bool in_speed; /* a gear or a motion that holds in speeds alone */
 } cut;
 
 /* A body, or several seen as one, in the frame of a link or of the ground. */

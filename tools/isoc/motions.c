@@ -106,8 +106,8 @@ bool build_motion(builder *b, const closure *written, cut *made)
         made->motion_rate = with_clocks(b, function_of_time(b, written->speed, of, "the speed of this joint"));
     } else {
         made->motion = function_of_time(b, written->motion, of, "the motion of this joint");
-        made->wraps = first->continuous;
-        made->motion = with_clocks(b, made->wraps ? as_phase(b, written, made->motion) : made->motion);
+        made->motion = with_clocks(b, first->continuous ? as_phase(b, written, made->motion) : made->motion);
+        made->whole = constant(b->g, first->continuous ? 1.0 : 0.0);
         made->motion_rate = rate_of(b, made->motion);
     }
     made->motion_bias = rate_of(b, made->motion_rate);
