@@ -12,7 +12,7 @@ digits()
         function row()
         {
             if (until != "")
-                printf "| %s | %s | %s | %s s | %.1e | %d | %s | %s | %s |\n", mechanism name, real, step, until, worst,
+                printf "| %s | %s | %s | %s s | %.0e | %d | %s | %s | %s |\n", mechanism name, real, step, until, worst,
                     -log(worst) / log(10), demand, energy, allowed
             until = ""
             energy = allowed = "-"
@@ -34,7 +34,7 @@ digits()
         }
         / energy is off by at most / {
             match($0, /at most [^ ]*/)
-            energy = sprintf("%.1e", substr($0, RSTART + 8))
+            energy = sprintf("%.0e", substr($0, RSTART + 8))
             allowed = $NF
         }
         END { row() }

@@ -75,7 +75,7 @@ static void test_case(const reference_case *const c)
         the_reference.to_plant(exact, c->row[r].y);
         const double error = error_of(whole.x, exact);
         const double truncation = distance(whole.x, half.x) * 16.0 / 15.0;
-        report_ok(error <= FACTOR * truncation, "%s, t = %g s: error %.3e = %.2f x truncation; at most %.1e", c->name,
+        report_ok(error <= FACTOR * truncation, "%s, t = %g s: error %.3e = %.2f x truncation; at most %.0e", c->name,
                   at * MS, error, error / truncation, FACTOR * truncation);
         exact[0] *= 1.0L + 1e-6L;
         seen = seen && error_of(whole.x, exact) > FACTOR * truncation;
