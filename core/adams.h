@@ -90,7 +90,7 @@ typedef struct iso_adams_run {
     uint32_t left;      /* of the budget; never less than remaining */
     real refused;       /* the estimate of the try before, if it was refused, else zero */
     real *slope;        /* [n] work space: the slope, or the correction of row 1, */
-    real *at;           /* [n] where it was predicted, */
+    real *at;           /* [n] where it was predicted, then one over what that state may err, */
     real *increment;    /* [n] the predicted increment, or how it is corrected, */
     real *error;        /* [n] the local error of the tick so far */
 } iso_adams_run;
@@ -260,7 +260,8 @@ static inline real iso_adams_try(const iso_adams_run *const run)
     for (size_t s = 0; s < trail->n; s++) {
         iso_adams_predict(trail, s, z);
         run->slope[s] = h * run->slope[s] - z[1];
-        largest = iso_max(largest, iso_adams_ratio(part * run->slope[s], iso_adams_weight(run, s)));
+        run->at[s] = iso_adams_weight(run, s);
+        largest = iso_max(largest, iso_adams_ratio(part * run->slope[s], run->at[s]));
     }
     return largest;
 }
@@ -306,7 +307,7 @@ static inline iso_adams_estimates iso_adams_correct(const iso_adams_run *const r
         for (size_t j = 2; j <= ISO_ADAMS_ORDERS; j++) {
             trail->past[(j - 1) * n + s] = z[j] + l[j] * e;
         }
-        const real weight = iso_adams_weight(run, s);
+        const real weight = run->at[s];
         estimates.lower = iso_max(estimates.lower, iso_abs(below * trail->past[(q - 1) * n + s]) * weight);
         estimates.present = iso_max(estimates.present, iso_adams_ratio(error, weight));
         estimates.higher = iso_max(estimates.higher, iso_abs(next) * weight);
@@ -341,8 +342,8 @@ static inline void iso_adams_lower(const iso_adams_run *const run)
     run->state->age = 1;
 }
 
-/* Order and step of the next sub-step: the order with the least error, a lower one only for a quarter of it; or twice the
- * step where that keeps the error below half the tolerance. The error may be small because it passes through zero: until
+/* Order and step of the next sub-step: twice the step where that keeps the error below half the tolerance, else the order
+ * with the least error, a lower one only for a quarter of it. The error may be small because it passes through zero: until
  * twice the step is done it will have changed by some two of its next term. Each is left alone until the corrections come
  * from as many sub-steps as it needs. At a start the order is raised once the slopes that it takes come from sub-steps of
  * the order below: those of an order less are wrong by more than the terms that it looks at. After Shampine and Gordon
@@ -358,13 +359,16 @@ static inline void iso_adams_adapt(iso_adams_run *const run, const iso_adams_est
             iso_adams_raise(run);
             state->starting = state->order < ISO_ADAMS_ORDERS;
         }
-    } else if (state->age > state->order && state->order > 1 && R(4.0) * e.lower < e.present) {
-        iso_adams_lower(run);
-    } else if (state->age > state->order && state->order < ISO_ADAMS_ORDERS && e.higher < e.present) {
-        iso_adams_raise(run);
-    } else if (state->age > 2 && growth * (e.present + R(2.0) * e.higher) <= R(1.0) && state->level > 0 &&
-               run->remaining % 2 == 0) {
-        iso_adams_double(run);
+    } else if (growth * (e.present + R(2.0) * e.higher) <= R(1.0)) {
+        if (state->age > 2 && state->level > 0 && run->remaining % 2 == 0) {
+            iso_adams_double(run);
+        }
+    } else if (state->age > state->order) {
+        if (state->order > 1 && R(4.0) * e.lower < e.present) {
+            iso_adams_lower(run);
+        } else if (state->order < ISO_ADAMS_ORDERS && e.higher < e.present) {
+            iso_adams_raise(run);
+        }
     }
 }
 

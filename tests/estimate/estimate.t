@@ -9,14 +9,10 @@ ours="tests/estimate/local_error.c tests/order/plant.c tests/order/double_pendul
 for number in double float; do
     real $number
     build/isoc models/double_pendulum.scene -o "$out/$number" --real $number --method bdf4 >/dev/null &&
-        EXTRA="-DPLANT=\"$out/$number/plant.c\"" program $number.run tests/estimate/estimate.c $ours
+        EXTRA="-DPLANT=\"$out/$number/plant.c\"" program $number.run tests/estimate/estimate.c $ours &&
+        EXTRA="-DPLANT=\"$out/$number/plant.c\"" program adams.$number.run tests/estimate/adams.c $ours
     result $? "double_pendulum builds in $number"
     joined double_pendulum "$out/$number.run"
+    joined "adams in $number" "$out/adams.$number.run"
 done
-
-real double
-# shellcheck disable=SC2086
-EXTRA="-DPLANT=\"$out/double/plant.c\"" program adams.run tests/estimate/adams.c $ours
-result $? "double_pendulum builds for adams"
-joined adams "$out/adams.run"
 finish
