@@ -76,8 +76,9 @@ static void book_violation(const iso_plant *const plant, iso_account *const acco
     account->violation = iso_max(account->violation, off);
 }
 
-/* Books a tick that woke up at begin, spent counts on its step and was done at end. */
-static void book(iso_loop *const loop, const uint32_t begin, const uint32_t counts, const uint32_t end)
+/* Books a tick that woke up at begin, spent counts on its step, with a restart or without, and was done at end. */
+static void book(iso_loop *const loop, const uint32_t begin, const bool restarted, const uint32_t counts,
+                 const uint32_t end)
 {
     iso_account *const account = &loop->account;
     const int32_t margin = elapsed(end, loop->due + loop->period);
@@ -87,9 +88,13 @@ static void book(iso_loop *const loop, const uint32_t begin, const uint32_t coun
     account->late += elapsed(loop->due, begin) > (int32_t)(loop->period >> ISO_LATE_SHIFT);
     account->overruns += margin < 0;
     account->margin = margin < account->margin ? margin : account->margin;
-    account->execution_min = counts < account->execution_min ? counts : account->execution_min;
-    account->execution_max = counts > account->execution_max ? counts : account->execution_max;
-    account->execution_sum += counts;
+    if (restarted) {
+        account->restart_max = counts > account->restart_max ? counts : account->restart_max;
+    } else {
+        account->execution_min = counts < account->execution_min ? counts : account->execution_min;
+        account->execution_max = counts > account->execution_max ? counts : account->execution_max;
+        account->execution_sum += counts;
+    }
     if (loop->plant->progress != NULL) {
         account->local_error = iso_max(account->local_error, loop->plant->progress->local_error);
     }
@@ -113,6 +118,7 @@ bool iso_loop_tick(iso_loop *const loop)
     if (plant->before != NULL) {
         memcpy(plant->before, plant->memory, plant->memory_bytes);
     }
+    const uint32_t restarts = loop->account.restarts;
     const uint32_t before = iso_port_clock();
     if (plant->jumped != NULL && plant->jumped()) {
         plant->prime();
@@ -120,7 +126,8 @@ bool iso_loop_tick(iso_loop *const loop)
     }
     plant->step();
     uint32_t after = iso_port_clock();
-    if (plant->before != NULL && plant->progress->jumped) {
+    /* After a restart the same step would come out again. */
+    if (plant->before != NULL && plant->progress->jumped && loop->account.restarts == restarts) {
         step_again(plant);
         loop->account.restarts++;
         after = iso_port_clock();
@@ -128,6 +135,7 @@ bool iso_loop_tick(iso_loop *const loop)
 
     loop->guard = guard(plant);
     if (loop->guard < plant->states) {
+        loop->account.restarts = restarts;
         return false;
     }
     plant->output(plant->y, plant->x, plant->u, plant->p);
@@ -135,6 +143,6 @@ bool iso_loop_tick(iso_loop *const loop)
     if (plant->violation != NULL) {
         book_violation(plant, &loop->account);
     }
-    book(loop, begin, after - before - loop->overhead, iso_port_clock());
+    book(loop, begin, loop->account.restarts != restarts, after - before - loop->overhead, iso_port_clock());
     return true;
 }

@@ -22,14 +22,15 @@ typedef struct iso_account {
     uint32_t late;          /* of them, started late */
     uint32_t lost;          /* of them, reported by the port only with a later one */
     uint32_t overruns;      /* of them, ended after the next one was due */
-    uint32_t restarts;      /* of the method's history, after a jump */
+    uint32_t restarts;      /* of them, with a new history of the method, after a jump */
     real local_error;       /* the largest of all steps, where steps are checked */
     uint32_t violated;      /* ticks that ended farther off the closures than their limit, where the plant has one */
     real violation;         /* the largest of all ticks */
     int32_t margin;         /* least time left when the outputs were out; positive is good */
-    uint32_t execution_min; /* of a step: the call; where there was a jump, with all that a restart takes */
+    uint32_t execution_min; /* of a step: the call, where there was no restart */
     uint32_t execution_max;
     uint64_t execution_sum;
+    uint32_t restart_max; /* of a step with a restart, with all that this takes */
 } iso_account;
 
 typedef struct iso_loop {

@@ -99,7 +99,7 @@ void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
         account->ticks,         account->late,          account->lost,   account->overruns,   (uint32_t)account->margin,
         account->execution_min, account->execution_max, loop->guard,     loop->tick,          account->restarts,
         adams->restarts,        adams->substeps,        adams->rejected, adams->budget_bound, adams->evaluations,
-        account->violated,
+        account->violated,      account->restart_max,
     };
 
     put_byte(ISO_STREAM_END);

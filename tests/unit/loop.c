@@ -336,17 +336,25 @@ static void watched_step(void)
     watched_memory.x[1] = R(3.0);
     watched_memory.progress.usual += R(1.0);
     watched_memory.progress.jumped = steps == 1 || steps == 4 || steps == 5;
+    now += events->cost[steps];
 }
 
 static void watched_prime(void)
 {
+    enum { PRIMING = 40 };
     primed++;
+    now += PRIMING;
     state_when_primed = watched_memory.x[0] + watched_memory.x[1];
+}
+
+static bool watched_jumped(void)
+{
+    return steps < 2;
 }
 
 static void test_jump(void)
 {
-    static const script quiet;
+    static const script costs = {.cost = {0, 10, 10, 20, 30, 50, 10}};
     iso_plant watched = plant;
     watched.x = watched_memory.x;
     watched.u = watched_memory.u;
@@ -359,7 +367,7 @@ static void test_jump(void)
     watched.drive = NULL;
     watched.prime = watched_prime;
     watched.step = watched_step;
-    events = &quiet;
+    events = &costs;
     steps = primed = 0;
     iso_loop_start(&loop, &watched);
     tap_ok(iso_loop_tick(&loop) && steps == 2 && primed == 2, "jump: the step is made again, with a new history");
@@ -369,6 +377,19 @@ static void test_jump(void)
     tap_count(loop.account.restarts, 1, "jump: and is accounted");
     tap_ok(iso_loop_tick(&loop) && steps == 3 && loop.account.restarts == 1, "jump: a step without one is made once");
     tap_ok(iso_loop_tick(&loop) && steps == 5 && loop.account.restarts == 2, "jump: a step is made again only once");
+    tap_ok(iso_loop_tick(&loop) && loop.account.execution_min == 10 && loop.account.execution_max == 20 &&
+               loop.account.execution_sum == 30,
+           "jump: the steps without are timed by themselves");
+    tap_count(loop.account.restart_max, 30 + 40 + 50 + READING, "jump: the dearest with one is all that it took");
+    tap_count(loop.account.ticks, 4, "jump: all are ticks");
+
+    watched.jumped = watched_jumped;
+    steps = primed = 0;
+    iso_loop_start(&loop, &watched);
+    tap_ok(iso_loop_tick(&loop) && steps == 1 && primed == 2, "jump: after a new history a step is not made again");
+    tap_count(loop.account.restarts, 1, "jump: which is one restart");
+    watched_memory.x[0] = iso_real_of(ISO_EXPONENT_BITS);
+    tap_ok(!iso_loop_tick(&loop) && primed == 3 && loop.account.restarts == 1, "jump: a restart of a bad tick is not");
 }
 
 int main(void)

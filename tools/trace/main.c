@@ -168,6 +168,22 @@ static bool write_table(FILE *const table, stream *const run)
     return record == STREAM_END;
 }
 
+/* How long steps took: those with a restart of the method apart, since the others are all alike. */
+static void print_execution(const stream_end *const end, const char *const unit)
+{
+    const uint32_t steady = end->ticks - end->restarts;
+    if (steady > 0) {
+        printf("execution %" PRIu32 " %.1f %" PRIu32 " %s\n", end->execution_min, (double)end->execution_sum / steady,
+               end->execution_max, unit);
+    }
+    if (end->restarts > 0) {
+        printf("restart_execution %" PRIu32 " %s\n", end->restart_max, unit);
+    }
+    if (end->ticks > 0) {
+        printf("margin %" PRId32 " %s\n", end->margin, unit);
+    }
+}
+
 static void print_summary(const stream *const run, const char *const unit, const char *const path)
 {
     const stream_header *const header = &run->header;
@@ -177,11 +193,7 @@ static void print_summary(const stream *const run, const char *const unit, const
     printf("scene %s\nmethod %s\nstep %s\nreal %s\n", header->scene, header->method, header->step, header->real);
     printf("ticks %" PRIu32 "\nlate %" PRIu32 "\nlost %" PRIu32 "\noverruns %" PRIu32 "\n", end->ticks, end->late,
            end->lost, end->overruns);
-    if (end->ticks > 0) {
-        printf("execution %" PRIu32 " %.1f %" PRIu32 " %s\n", end->execution_min,
-               (double)end->execution_sum / end->ticks, end->execution_max, unit);
-        printf("margin %" PRId32 " %s\n", end->margin, unit);
-    }
+    print_execution(end, unit);
     printf("state");
     for (size_t i = 0; i < header->states; i++) {
         printf(" %s", stream_value(run, i, text));
@@ -200,7 +212,7 @@ static void print_summary(const stream *const run, const char *const unit, const
     if (strcmp(stream_value(run, header->states + 1, text), "0") != 0) {
         printf("violation %s\nviolated %" PRIu32 "\n", text, end->violated);
     }
-    if (end->ticks > 0 && strcmp(unit, "instructions") == 0) {
+    if (end->ticks > end->restarts && strcmp(unit, "instructions") == 0) {
         printf("instructions_per_step %" PRIu32, end->execution_min);
         if (end->execution_max != end->execution_min) {
             printf(" %" PRIu32, end->execution_max);

@@ -142,10 +142,10 @@ static bool read_end(stream *const run)
     stream_end *const end = &run->end;
     uint32_t margin = 0;
     uint32_t *const words[] = {
-        &end->ticks,    &end->late,          &end->lost,           &end->overruns,
-        &margin,        &end->execution_min, &end->execution_max,  &end->guard,
-        &end->tick,     &end->restarts,      &end->adams_restarts, &end->substeps,
-        &end->rejected, &end->budget_bound,  &end->evaluations,    &end->violated,
+        &end->ticks,          &end->late,          &end->lost,     &end->overruns,     &margin,
+        &end->execution_min,  &end->execution_max, &end->guard,    &end->tick,         &end->restarts,
+        &end->adams_restarts, &end->substeps,      &end->rejected, &end->budget_bound, &end->evaluations,
+        &end->violated,       &end->restart_max,
     };
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         *words[i] = (uint32_t)read_number(run->file, sizeof *words[i]);

@@ -36,7 +36,7 @@ typedef struct stream_end {
     uint32_t
         guard; /* the first state that is not finite or out of range; as many as there are states if there is none */
     uint32_t tick; /* where the run stopped */
-    uint32_t restarts;
+    uint32_t restarts, restart_max;
     uint32_t adams_restarts, substeps, rejected, budget_bound, evaluations; /* of adams; zeros for another method */
     uint32_t violated;
     uint64_t execution_sum;
