@@ -217,11 +217,13 @@ stack: $(OUT)/plant.o ## show the deepest stack of a step; recursion and frames 
 	@awk -v root=step -f tools/build/stack.awk $(OUT)/stack/plant.ci
 
 # Prints the tables and nothing else, so that they can be held against README.md.
-cost: ## price the models and the effects: instructions, operations, bytes; on the Cortex-M4F in float
+cost: build/isoc ## price the models and the effects: instructions, operations, bytes; on the Cortex-M4F in float
+	$(call require,valgrind,apt-get install valgrind)
 	@MAKE=$(call quote,$(MAKE)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/build/cost.sh
 
-LENGTHS = 1 2 3 4 6 8 12 16
-chains: ## price chains of rods by their LENGTHS: operations, instructions, bytes; on the Cortex-M4F in float
+LENGTHS = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
+chains: build/isoc ## price chains of rods by their LENGTHS: operations, instructions, bytes; on the Cortex-M4F in float
+	$(call require,valgrind,apt-get install valgrind)
 	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/build/chains.sh
 
 # Both measure the methods of METHODS, all unless told.

@@ -1,5 +1,6 @@
 #!/bin/sh
-# make size and make stack: the double pendulum keeps its limits, and what breaks a limit or has no bound is found.
+# make size and make stack: the double pendulum keeps its limits, and what breaks a limit or has no bound is found. The
+# dearest steps of the price list: nothing takes more.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/cost
@@ -67,4 +68,64 @@ finds 'grows at run time' 'a frame that grows at run time' 'void use(char *); st
 finds pointer 'a call through a pointer' 'extern int (*volatile f)(int); int step(int); int step(int n) { return f(n) + 1; }'
 finds 'not known' 'a function of another file' 'int other(int); int step(int); int step(int n) { return other(n) + 1; }'
 finds 'no function' 'no step at all' 'int leap(int n); int leap(int n) { return n; }'
+
+# price COMMAND...: in the copy, with the functions of the price list; what they say is in $out/errors.
+price()
+{
+    (cd "$out/project" && . tools/build/measure.sh && "$@") 2>"$out/errors"
+}
+
+# A restart takes one number of instructions, whatever the motion is: from the horizontal, and from 10 deg with a push.
+sed '0,/start 90 deg/s//start 10 deg\n    speed 3 rad\/s/' models/double_pendulum.scene >"$out/project/pushed.scene"
+for method in ab4 abm4 abm4_pec abm4_pecece bdf4; do
+    for jump in told found; do
+        one=$(price dearest one models/double_pendulum.scene $method $jump) &&
+            other=$(price dearest other pushed.scene $method $jump) && [ "$one" -eq "$other" ]
+        result $? "$method, a jump that is $jump: $one instructions, and from another start $other"
+    done
+done
+
+# noisy SIZE: the dearest step of the plant that dearest left in build/cost/adams, with noise of many sizes in its slopes;
+# where there is any, each tick begins at the same place, since the sum would leave the domain of the sine. Marsaglia (2003),
+# Xorshift RNGs.
+noisy()
+{
+    mkdir -p build/cost/noisy
+    awk -v size="$1" '
+        /^static void derivative\(/ && !noisy++ {
+            print "extern real noise_size;\nreal noise_size = R(" size ");\nstatic real noise(void)\n{"
+            print "    static uint32_t bits = 1;\n    bits ^= bits << 13;\n    bits ^= bits >> 17;\n    bits ^= bits << 5;"
+            print "    return noise_size * (real)(int32_t)bits / (real)(UINT32_C(1) << (bits >> 8) % 32);\n}\n"
+        }
+        /^ *dx\[/ { sub(/;$/, " + noise();") }
+        { print }
+        /^static void forced\(/ { forced = 1 }
+        forced && /^{/ {
+            print "    if (noise_size > R(0.0)) {\n        memory.x[0] = memory.x[1] = R(1.0);\n    }"
+            forced = 0
+        }' build/cost/adams/forced.c >build/cost/noisy/noisy.c
+    cp build/cost/adams/plant.h build/cost/noisy
+    seconds=5
+    measure noisy/firmware build/cost/noisy/noisy.c ''
+    awk '$1 == "execution" { most = $4 } $1 == "restart_execution" { print ($2 > most ? $2 : most) }' "$dir/measured"
+}
+
+# adams WHAT MOST LIMIT: a result.
+adams()
+{
+    [ "${2:-0}" -gt 0 ] && [ "$2" -le "$3" ]
+    result $? "adams, $1: ${2-} instructions, at most $3"
+}
+
+# The noise itself takes the same in every evaluation: the limit is that of a sub-step more, with noise of size 0.
+forced=$(price dearest adams models/pendulum.scene adams told) && silent=$(price noisy 0.0) &&
+    more=$(price dearest adams models/pendulum.scene adams told 'tolerance 1e-30' 'substeps 9') && limit=$(price noisy 0.0)
+adams "the budget used in vain" "$forced" "$((more - 1))"
+adams "the same with noise of size 0" "$silent" "$((limit - 1))"
+for tolerance in 1e-4 1e-6 1e-8; do
+    adams "a tolerance of $tolerance" "$(price dearest adams models/pendulum.scene adams told "tolerance $tolerance")" "$forced"
+    for size in 1e-10 1e-8 1e-7; do
+        adams "and noise of $size" "$(price noisy $size)" "$limit"
+    done
+done
 finish

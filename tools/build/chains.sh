@@ -1,7 +1,7 @@
 #!/bin/sh
 # What chains of rods cost by their length, as a Markdown table: operations of an evaluation of their equations of motion
-# and the formulation that is kept, and on the Cortex-M4F in float the instructions of an Euler step, which evaluates
-# once, and its code. Called by `make chains`, with the make to call in $MAKE and the lengths in $LENGTHS.
+# and the formulation that is kept; on the Cortex-M4F in float the instructions of an Euler step, which evaluates once, and
+# its code; and the time of isoc. Called by `make chains`, with the make to call in $MAKE and the lengths in $LENGTHS.
 set -u
 . tools/build/measure.sh
 
@@ -13,8 +13,9 @@ chain()
     sh tools/build/chain.sh "$2" "$1" >"$folder/chain.scene"
     measure "$1_$2" "$folder/chain.scene" euler size
     kept=$(awk '$1 == "formulation" && $3 == "kept" { print $2 }' "$dir/plant.txt")
-    operations=$(operations) && instructions=$(get instructions_per_step) && text=$(get step_text) || exit 1
-    echo "| $1, $2 | $kept | $operations | $instructions | $text |"
+    operations=$(operations) && instructions=$(get instructions_per_step) && text=$(get step_text) &&
+        isoc=$(compiling "$folder/chain.scene") || exit 1
+    echo "| $1, $2 | $kept | $operations | $instructions | $text | $isoc |"
 }
 
 # growth KIND: from half the greatest length to that.
@@ -28,15 +29,16 @@ growth()
         }
         END {
             if (n / 2 in operations)
-                printf "- %s, %d to %d joints: %.2f times the operations, %.2f times the instructions.\n", kind, n / 2, n,
-                    operations[n] / operations[n / 2], instructions[n] / instructions[n / 2]
+                printf "- %s, %d to %d joints: %.2f times the operations, %.2f times the instructions, %.0f for a joint.\n",
+                    kind, n / 2, n, operations[n] / operations[n / 2], instructions[n] / instructions[n / 2],
+                    (instructions[n] - instructions[n / 2]) / (n / 2)
         }' build/cost/chains
 }
 
 mkdir -p build/cost
 {
-    echo '| chain | formulation | add | mul | div | sincos | instructions | text |'
-    echo '|---|---|--:|--:|--:|--:|--:|--:|'
+    echo '| chain | formulation | add | mul | div | sincos | instructions | text | isoc |'
+    echo '|---|---|--:|--:|--:|--:|--:|--:|--:|'
     for kind in planar spatial; do
         for n in $LENGTHS; do
             chain $kind "$n"

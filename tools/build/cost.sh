@@ -1,7 +1,7 @@
 #!/bin/sh
 # The price list, as Markdown tables: what each model costs on the Cortex-M4F in float, what its steps cost with each
-# method, and what each effect of tools/build/effects.txt adds to the pendulum. Called by `make cost`, with the make to call
-# in $MAKE and the methods in $METHODS.
+# method, what the dearest of them cost, and what each effect of tools/build/effects.txt adds to the pendulum. Called by
+# `make cost`, with the make to call in $MAKE and the methods in $METHODS.
 set -u
 
 . tools/build/measure.sh
@@ -23,13 +23,18 @@ price()
     echo "$instructions $all $text $memory"
 }
 
+# model MODEL: of the squeezer, whose step takes longer than its tick of 10 us, in longer ticks: no count depends on them.
 model()
 {
+    step=$([ "$1" != squeezer ] || echo 500us)
+    measure "$1-euler" "models/$1.scene" euler
+    once=$(get instructions_per_step) || exit 1
     measure "$1-rk4" "models/$1.scene" rk4 size stack
     states=$(awk '$1 == "states" { print $2 }' "$dir/plant.txt")
     instructions=$(get instructions_per_step) && operations=$(operations) && text=$(get step_text) &&
-        memory=$(get plant_memory) && stack=$(get stack_of_step) || exit 1
-    echo "| $1 | $states | $operations | $instructions | $text | $memory | $stack |"
+        memory=$(get plant_memory) && stack=$(get stack_of_step) && isoc=$(compiling "models/$1.scene") || exit 1
+    step=
+    echo "| $1 | $states | $operations | $once | $instructions | $text | $memory | $stack | $isoc |"
 }
 
 # methods MODEL: the instructions of its steps.
@@ -57,9 +62,9 @@ effect()
 }
 
 models="pendulum double_pendulum cart_pole arm6 tree"
-echo '| model | states | add | mul | div | sincos | rk4 | text | memory | stack |'
-echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
-for name in $models four_bar; do
+echo '| model | states | add | mul | div | sincos | euler | rk4 | text | memory | stack | isoc |'
+echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
+for name in $models four_bar squeezer; do
     model $name
 done
 echo
@@ -67,6 +72,21 @@ echo "| steps of |$(for method in $METHODS; do printf ' %s |' "$method"; done)"
 echo "|---|$(for method in $METHODS; do printf -- '--:|'; done)"
 for name in $models; do
     methods $name
+done
+echo
+echo '| dearest step of | ab4 | abm4 | abm4_pec | abm4_pecece | bdf4 | adams |'
+echo '|---|--:|--:|--:|--:|--:|--:|'
+for name in $models; do
+    for jump in told found; do
+        line="| $name, $jump"
+        for method in ab4 abm4 abm4_pec abm4_pecece bdf4 adams; do
+            instructions=-
+            [ $method-$jump = adams-found ] ||
+                instructions=$(dearest "$name-$method-$jump" "models/$name.scene" $method $jump) || exit 1
+            line="$line | $instructions"
+        done
+        echo "$line |"
+    done
 done
 echo
 echo '| effect on the pendulum | instructions of a step | of a tick | bytes of text | of memory |'

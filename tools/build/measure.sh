@@ -7,8 +7,10 @@ fail()
     exit 1
 }
 
-# measure DIR SCENE METHOD [GOAL...]: builds the firmware in build/cost/DIR and runs some of its steps; the lines of
-# make run, and of the further goals, stand in build/cost/DIR/measured.
+# measure DIR SCENE METHOD [GOAL...]: builds the firmware in build/cost/DIR and runs it for $seconds, in steps of $step where
+# that is not empty; the lines of make run, and of the further goals, stand in build/cost/DIR/measured.
+step=
+seconds=0.05
 measure()
 {
     dir=build/cost/$1
@@ -17,7 +19,8 @@ measure()
     shift 3
     mkdir -p "$dir"
     "${MAKE:-make}" --no-print-directory run "$@" TARGET=cortex-m4f REAL=float OUT="$dir" SCENE="$scene" \
-        METHOD="$method" STEP= SECONDS=0.05 >"$dir/measured" </dev/null || fail "$scene with $method cannot be measured; see $dir/measured"
+        METHOD="$method" STEP="$step" SECONDS="$seconds" >"$dir/measured" </dev/null ||
+        fail "$scene with $method cannot be measured; see $dir/measured"
 }
 
 # get KEY: the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
@@ -32,4 +35,44 @@ operations()
 {
     awk '$1 == "derivative" { printf "%s | %s | %s | %s", $3, $5, $7, $9; n++ } END { exit n != 1 }' \
         "$dir/plant.txt" || fail "$dir/plant.txt has not one line of operations"
+}
+
+# compiling SCENE: millions of instructions on the host that isoc takes for it, by callgrind.
+compiling()
+{
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null build/isoc "$1" -o "$dir/compiled" \
+        >"$dir/compiling" 2>&1 </dev/null
+    awk '/ Collected : / { printf "%.0f\n", $NF / 1e6; n++ } END { exit n != 1 }' "$dir/compiling" ||
+        fail "$dir/compiling has no count of isoc's instructions"
+}
+
+# dearest DIR SCENE METHOD told|found [STATEMENT...]: the instructions of the dearest step of a run in which the motion jumps
+# in every second tick; the scene with these statements, and what makes it jump, stands in build/cost/DIR. Of adams that is
+# a run whose tolerance cannot be met either: told of the jump it makes a new history, then tries all of its sub-steps and
+# rejects none. A rejected one would have no correction, the dearest part, and what it has in place of that, a restart
+# within the tick or half the step, takes less. How often order and step change, the motion has it: what that can add is
+# less than a sub-step (tests/check/cost.sh).
+dearest()
+{
+    folder=build/cost/$1
+    mkdir -p "$folder"
+    cp "$2" "$folder/forced.scene"
+    method=$3
+    jump=$4
+    firmware=$1/firmware
+    shift 4
+    case $method-$jump-$* in
+    adams-*-tolerance*) ;;
+    adams-*) set -- 'tolerance 1e-30' "$@" ;;
+    *-found-*) set -- 'checked yes' "$@" ;;
+    esac
+    printf '%s\n' 'tunable forced = 1' "$@" >>"$folder/forced.scene"
+    { build/isoc "$folder/forced.scene" -o "$folder" --method "$method" >"$folder/plant.txt" &&
+        awk -v jump="$jump" -f tools/build/forced.awk "$folder/plant.c" >"$folder/forced.c"; } ||
+        fail "no plant of $folder/forced.scene"
+    seconds=2
+    measure "$firmware" "$folder/forced.c" ''
+    seconds=0.05
+    awk '$1 == "execution" { most = $4 } $1 == "restart_execution" { n++; most = $2 > most ? $2 : most }
+        END { if (n != 1) exit 1; print most }' "$dir/measured" || fail "$dir/measured has not one restart_execution"
 }

@@ -1,0 +1,30 @@
+# A generated plant in which every second tick is one where the motion jumps; what makes it jump stands between the ticks,
+# outside of what is counted.
+#
+#     awk -v jump=told|found -f forced.awk plant.c
+#
+# Told: a tunable `forced` changes. Found, where steps are checked: no error of a step is as small as is usual, in the ticks
+# between none is larger.
+/^static void drive\(/ { driven = 1 }
+
+/^const iso_plant iso_the_plant/ {
+    print "static void forced(const uint32_t tick)\n{"
+    if (driven)
+        print "    drive(tick);"
+    if (jump == "told")
+        print "    memory.p[PLANT_P_FORCED] += (real)(tick % 2);"
+    else {
+        print "    memory.progress.usual = tick % 2 == 0 ? ISO_REAL_MAX : R(-1.0);"
+        print "    memory.progress.watched = ISO_USUAL_STEPS;"
+    }
+    print "}\n"
+}
+
+/^ *\.drive = / { next }
+
+# A tick of 10 ms, within which every step ends; the step is as long as it was.
+/^ *\.period_ns = / { $0 = "    .period_ns = UINT32_C(10000000)," }
+
+{ print }
+
+/^ *\.step = step,/ { print "    .drive = forced," }
