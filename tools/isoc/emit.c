@@ -122,7 +122,8 @@ bool emit_header(const plant *p, text *out)
     text_add(out, "#ifndef PLANT_H\n#define PLANT_H\n\n#include \"core/plant.h\"\n\n");
     text_add(out, "_Static_assert(sizeof(real) == %d, \"this plant was made with isoc --real %s\");\n\n",
              p->is_double ? 8 : 4, p->is_double ? "double" : "float");
-    text_add(out, "/* States x: joint positions (rad, m; w x y z of a quaternion), then their speeds. */\n");
+    text_add(out, "/* States x: joint positions (rad, m; w x y z of a quaternion), %sthen their speeds. */\n",
+             m->clocks.count > 0 ? "clocks of motions (rad, s), " : "");
     emit_enum(out, "X", states, state_count(m), "PLANT_STATES");
     if (m->input_count > 0) {
         text_add(out, "/* Inputs u: efforts (N, N*m). */\n");

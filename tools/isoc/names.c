@@ -114,6 +114,29 @@ static void list_states(source *s, listing *l, const joint *j)
     list_parts(s, l, j, "_speed");
 }
 
+/* How often a formula tells the time: it has no more clocks. */
+static int times_told(const formula *f)
+{
+    int told = f->kind == FORMULA_CALL || (f->kind == FORMULA_NAME && strcmp(f->name, "time") == 0);
+    for (size_t i = 0; i < f->count; i++) {
+        told += times_told(f->parts[i]);
+    }
+    return told;
+}
+
+/* The clocks of all motions are states too. */
+static void list_clocks(source *s, listing *l, const scene *written)
+{
+    int clocks = 0;
+    for (size_t i = 0; i < written->closure_count; i++) {
+        const closure *c = &written->closures[i];
+        const formula *f = c->motion != NULL ? c->motion : c->speed;
+        for (int told = f == NULL ? 0 : times_told(f); told > 0; told--) {
+            list_one(s, l, (name){arena_format(s->memory, "clock_%d", ++clocks), c->name.at});
+        }
+    }
+}
+
 /* The letters of an output's columns; none where it has but one. */
 static const char *components(const scene *written, const output *o)
 {
@@ -161,6 +184,7 @@ void names_check(source *s, const scene *written)
         list_parts(s, &things, &written->joints[i], "");
         list_states(s, &states, &written->joints[i]);
     }
+    list_clocks(s, &states, written);
     check_list(s, &things);
     check_list(s, &states);
     check_list(s, &outputs);
