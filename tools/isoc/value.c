@@ -3,10 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-static const dimension plain = {0, 0, 0, 0}, second = {0, 0, 1, 0};
-static const double pi = 3.14159265358979323846;
+#include "tools/isoc/timing.h"
 
-static value evaluate(values *v, const formula *f);
+static const dimension plain = {0, 0, 0, 0};
+static const double pi = 3.14159265358979323846;
 
 void values_start(values *v, source *s, graph *g, const scene *written)
 {
@@ -51,7 +51,7 @@ static value resolve(values *v, size_t i, place used_at)
         return v->parameters[i];
     }
     v->resolving[i] = 1;
-    value result = q->value == NULL ? nothing() : evaluate(v, q->value);
+    value result = q->value == NULL ? nothing() : value_any(v, q->value);
     if (result.count > 0 && q->tunable) {
         const int index = tunable_index(v->scene, i);
         if (result.count != 1 || !is_constant(v->g, result.parts[0])) {
@@ -75,15 +75,6 @@ void values_resolve(values *v)
     }
 }
 
-/* Whether a formula may not depend on time, which it notes. */
-static bool refuses_time(values *v, const formula *f)
-{
-    if (!v->time_allowed) {
-        source_problem(v->s, f->at, "'%s' is a function of time: only an input or a motion can be one", f->name);
-    }
-    return !v->time_allowed;
-}
-
 static value evaluate_name(values *v, const formula *f)
 {
     const size_t count = v->scene->parameter_count;
@@ -91,7 +82,7 @@ static value evaluate_name(values *v, const formula *f)
         return scalar(constant(v->g, pi), plain);
     }
     if (strcmp(f->name, "time") == 0) {
-        return refuses_time(v, f) ? nothing() : scalar(timed(v->g, OP_TIME, 0.0, v->step), second);
+        return time_of_formula(v, f);
     }
     const char **names = arena_take(v->s->memory, count + 1, sizeof *names);
     for (size_t i = 0; i < count; i++) {
@@ -127,7 +118,7 @@ static value evaluate_vector(values *v, const formula *f)
         return nothing();
     }
     for (size_t i = 0; i < f->count; i++) {
-        const value part = evaluate(v, f->parts[i]);
+        const value part = value_any(v, f->parts[i]);
         if (part.count == 0) {
             return nothing();
         }
@@ -151,7 +142,7 @@ static value evaluate_vector(values *v, const formula *f)
 
 static value evaluate_scale(values *v, const formula *f)
 {
-    value r = evaluate(v, f->parts[0]);
+    value r = value_any(v, f->parts[0]);
     if (r.count > 0 && !dimension_equal(r.of, plain)) {
         source_problem(v->s, f->at, "a unit after a parenthesis that has units inside");
         return nothing();
@@ -209,7 +200,7 @@ static value evaluate_product(values *v, const formula *f, value a, value b)
 
 static value evaluate_binary(values *v, const formula *f)
 {
-    const value a = evaluate(v, f->parts[0]), b = evaluate(v, f->parts[1]);
+    const value a = value_any(v, f->parts[0]), b = value_any(v, f->parts[1]);
     if (a.count == 0 || b.count == 0) {
         return nothing();
     }
@@ -218,7 +209,7 @@ static value evaluate_binary(values *v, const formula *f)
 
 static value evaluate_power(values *v, const formula *f)
 {
-    value r = evaluate(v, f->parts[0]);
+    value r = value_any(v, f->parts[0]);
     if (r.count > 1) {
         source_problem(v->s, f->at, "a vector has no power");
         return nothing();
@@ -236,116 +227,7 @@ static value evaluate_power(values *v, const formula *f)
     return r;
 }
 
-/* sin(3 Hz), sin(3 Hz, 90 deg), sin(2 rad/s): a phase that grows with the ticks. */
-static value evaluate_wave(values *v, const formula *f)
-{
-    static const dimension hertz = {0, 0, -1, 0}, radian = {0, 0, 0, 1}, speed = {0, 0, -1, 1};
-    if (f->count != 1 && f->count != 2) {
-        source_problem(v->s, f->at, "%s takes a frequency and, if wanted, a phase: %s(3 Hz, 90 deg)", f->name, f->name);
-        return nothing();
-    }
-    value frequency = evaluate(v, f->parts[0]);
-    if (frequency.count == 1 && dimension_equal(frequency.of, speed)) {
-        frequency.parts[0] = divide(v->g, frequency.parts[0], constant(v->g, 2 * pi));
-        frequency.of = hertz;
-    }
-    if (frequency.count == 0) {
-        return nothing();
-    }
-    if (frequency.count != 1 || !dimension_equal(frequency.of, hertz) || !is_constant(v->g, frequency.parts[0])) {
-        source_problem(v->s, f->parts[0]->at, "expected a constant frequency in Hz or rad/s");
-        return nothing();
-    }
-    const double phase = f->count == 2 ? value_constant(v, f->parts[1], radian, "the phase", 0.0) : 0.0;
-    const double turns = constant_value(v->g, frequency.parts[0]) * v->step;
-    if (fabs(turns) > 0.5) {
-        source_problem(v->s, f->parts[0]->at, "more than half a period in a step: the wave cannot be seen");
-        return nothing();
-    }
-    const node angle = timed(v->g, OP_PHASE, turns, phase / (2 * pi));
-    return scalar(strcmp(f->name, "sin") == 0 ? sine(v->g, angle) : cosine(v->g, angle), plain);
-}
-
-/* How far time is from tick `from` on, as a part of so many ticks, limited to [0, 1], on the way of a smooth curve:
- * c^3 (10 - 15 c + 6 c^2), whose slope and curvature are zero at both ends (the 3-4-5 polynomial of cams). `first` is the
- * tick at which the curve begins. */
-static node smooth_part(values *v, double first, double from, double ticks)
-{
-    graph *g = v->g;
-    const node since = timed(g, OP_SINCE, first, v->step);
-    const node part = divide(g, sub(g, since, constant(g, (from - first) * v->step)), constant(g, ticks * v->step));
-    const node below = larger(g, neg(g, part), constant(g, -1.0)), c = larger(g, constant(g, 0.0), neg(g, below));
-    const node inner = sub(g, mul(g, constant(g, 6.0), c), constant(g, 15.0));
-    const node cube = power(g, c, 3), outer = add(g, constant(g, 10.0), mul(g, c, inner));
-    return mul(g, cube, outer);
-}
-
-/* table(0 s: 0 N, 1 s: 8 N, ...): straight lines between the points, ramp(0 s: 0 N, 1 s: 8 N, ...): smooth curves; the end
- * values outside. */
-static value evaluate_points(values *v, const formula *f)
-{
-    const bool is_smooth = strcmp(f->name, "ramp") == 0;
-    if (f->count < 2 || f->count % 2 != 0) {
-        source_problem(v->s, f->at, "a %s is pairs of time and value: %s(0 s: 0 N, 1 s: 8 N)", f->name, f->name);
-        return nothing();
-    }
-    const char *a_time = arena_format(v->s->memory, "a time of the %s", f->name);
-    value sum = evaluate(v, f->parts[1]), last = sum;
-    const double first = value_constant(v, f->parts[0], second, a_time, 0.0) / v->step;
-    double last_time = first;
-    for (size_t i = 2; i < f->count && sum.count > 0; i += 2) {
-        const double time = value_constant(v, f->parts[i], second, a_time, 0.0) / v->step;
-        const value here = evaluate(v, f->parts[i + 1]);
-        if (here.count == 0) {
-            return nothing();
-        }
-        if (here.count != 1 || last.count != 1 || (!here.any && !last.any && !dimension_equal(here.of, last.of))) {
-            source_problem(v->s, f->parts[i + 1]->at, "the values of a %s are numbers of one dimension", f->name);
-            return nothing();
-        }
-        if (!(time > last_time) || last_time < 0.0 || time > 4e9) {
-            source_problem(v->s, f->parts[i]->at, "the times of a %s begin at 0 or later and rise", f->name);
-            return nothing();
-        }
-        const node rise = sub(v->g, here.parts[0], last.parts[0]);
-        const double ticks = time - last_time;
-        const node weight = is_smooth ? rise : divide(v->g, rise, constant(v->g, ticks));
-        const node part = is_smooth ? smooth_part(v, first, last_time, ticks) : timed(v->g, OP_RAMP, last_time, ticks);
-        sum.parts[0] = add(v->g, sum.parts[0], mul(v->g, weight, part));
-        sum.of = here.any ? last.of : here.of;
-        sum.any = here.any && last.any;
-        last = here;
-        last.of = sum.of;
-        last.any = sum.any;
-        last_time = time;
-    }
-    return sum;
-}
-
-static value evaluate_call(values *v, const formula *f)
-{
-    static const char *const functions[] = {"sin", "cos", "table", "ramp"};
-    const size_t count = sizeof functions / sizeof functions[0];
-    size_t which = 0;
-    while (which < count && strcmp(f->name, functions[which]) != 0) {
-        which++;
-    }
-    if (which == count) {
-        source_problem(v->s, f->at, "no function is called '%s'%s", f->name,
-                       source_suggestion(v->s, f->name, functions, count));
-        return nothing();
-    }
-    if (v->is_smooth && strcmp(f->name, "table") == 0) {
-        source_problem(v->s, f->at, "a motion is smooth, and a table has corners: ramp has none");
-        return nothing();
-    }
-    if (refuses_time(v, f)) {
-        return nothing();
-    }
-    return which < 2 ? evaluate_wave(v, f) : evaluate_points(v, f);
-}
-
-static value evaluate(values *v, const formula *f)
+value value_any(values *v, const formula *f)
 {
     value r;
     switch (f->kind) {
@@ -362,11 +244,11 @@ static value evaluate(values *v, const formula *f)
     case FORMULA_POWER:
         return evaluate_power(v, f);
     case FORMULA_CALL:
-        return evaluate_call(v, f);
+        return call_of_formula(v, f);
     case FORMULA_NEGATE:
         break;
     }
-    r = evaluate(v, f->parts[0]);
+    r = value_any(v, f->parts[0]);
     for (int i = 0; i < r.count; i++) {
         r.parts[i] = neg(v->g, r.parts[i]);
     }
@@ -392,7 +274,7 @@ static const char *form_of(int parts)
 
 value value_of(values *v, const formula *f, dimension of, int parts, const char *what)
 {
-    value r = evaluate(v, f);
+    value r = value_any(v, f);
     if (r.count == 0) {
         return r;
     }
@@ -435,7 +317,7 @@ double value_constant(values *v, const formula *f, dimension of, const char *wha
 double value_displacement(values *v, const formula *f, const char *what, double fallback)
 {
     static const dimension metre = {0, 1, 0, 0}, radian = {0, 0, 0, 1};
-    const value found = f == NULL ? nothing() : evaluate(v, f);
+    const value found = f == NULL ? nothing() : value_any(v, f);
     const dimension of = dimension_equal(found.of, radian) ? radian : metre;
     return found.count == 0 ? fallback : value_constant(v, f, of, what, fallback);
 }
