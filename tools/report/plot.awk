@@ -1,6 +1,6 @@
 # Gnuplot's commands for the picture of a report, from its tab-separated values (tools/report/errors.awk): above error
 # over instructions per second of the plant's time, below error over the step; a column for each kind, a line for each
-# method.
+# method. Nothing where no method errs, as at rest.
 BEGIN {
     FS = "\t"
     title["float"] = "float"
@@ -92,6 +92,8 @@ function legend(    m) {
 }
 
 END {
+    if (!coarsest)
+        exit
     for (k = 1; k <= kinds; k++)
         for (m = 1; m <= methods; m++)
             if ((kind[k], method[m]) in points)
