@@ -27,6 +27,7 @@ enum {
     SPEED,
     TABLE,
     ANGLE,
+    SWING,
     MATE,
     TORQUE,
     PULL,
@@ -39,7 +40,7 @@ enum {
 };
 
 static const char *const names[OUTPUTS] = {
-    "slider", "lift", "speed", "table", "angle", "mate", "torque", "pull", "drive", "tooth", "twist",
+    "slider", "lift", "speed", "table", "angle", "swing", "mate", "torque", "pull", "drive", "tooth", "twist",
 };
 
 /* value, rate and second derivative as a jet */
@@ -111,6 +112,13 @@ static void table(const wide t, wide y[OUTPUTS])
     y[TWIST] = 0.02L * (3.0L - 0.2L * w * w * cosl(w * t + PI / 6.0L));
 }
 
+/* The input that the step began with, on 2 kg m^2. */
+static void disc(const wide t, wide y[OUTPUTS])
+{
+    const jet push = jet_scale(-3.0L, rise(t, 0.1234L, 0.4321L));
+    y[SWING] = (1.0L + push.c[0] + 3.0L * t) / 2.0L;
+}
+
 /* How far output i is off; the mate but for whole turns. */
 static wide error_of(const int i, const wide wanted)
 {
@@ -129,6 +137,7 @@ static void tick_of(const uint32_t tick, const uint32_t ticks, wide y[OUTPUTS])
     lift(t, y);
     axle(t, y);
     table(t, y);
+    disc((wide)tick / (wide)ticks, y);
 }
 
 /* The largest errors in a second, of what is larger than 1 relative to that; where time runs so many ticks ahead. */

@@ -57,18 +57,20 @@ static value evaluate_wave(values *v, const formula *f)
     return scalar(strcmp(f->name, "sin") == 0 ? sine(v->g, angle) : cosine(v->g, angle), plain);
 }
 
-/* How far time is from tick `from` on, as a part of so many ticks, limited to [0, 1], on the way of a smooth curve:
- * c^3 (10 - 15 c + 6 c^2), whose slope and curvature are zero at both ends (the 3-4-5 polynomial of cams). `first` is the
- * tick at which the curve begins. */
+/* How much of a smooth curve is done: with c, how far time is from tick `from` on, as a part of so many ticks, limited to
+ * [0, 1], it is c^3 (10 - 15 c + 6 c^2), whose slope and curvature are zero at both ends (the 3-4-5 polynomial of cams). From
+ * the middle, d = c - 1/2, that is 1/2 + d (15/8 - d^2 (5 - 6 d^2)), of which rounding takes a tenth as much. `first` is
+ * the tick at which all the curves of the ramp begin. */
 static node smooth_part(values *v, double first, double from, double ticks)
 {
     graph *g = v->g;
     const node since = timed(g, OP_SINCE, first, v->step);
     const node part = divide(g, sub(g, since, constant(g, (from - first) * v->step)), constant(g, ticks * v->step));
     const node below = larger(g, neg(g, part), constant(g, -1.0)), c = larger(g, constant(g, 0.0), neg(g, below));
-    const node inner = sub(g, mul(g, constant(g, 6.0), c), constant(g, 15.0));
-    const node cube = power(g, c, 3), outer = add(g, constant(g, 10.0), mul(g, c, inner));
-    return mul(g, cube, outer);
+    const node d = sub(g, c, constant(g, 0.5)), square = mul(g, d, d);
+    const node inner = sub(g, constant(g, 5.0), mul(g, constant(g, 6.0), square));
+    const node outer = sub(g, constant(g, 1.875), mul(g, square, inner));
+    return add(g, constant(g, 0.5), mul(g, d, outer));
 }
 
 /* table(0 s: 0 N, 1 s: 8 N, ...): straight lines between the points, ramp(0 s: 0 N, 1 s: 8 N, ...): smooth curves; the end
