@@ -185,25 +185,6 @@ const problem problems[PROBLEMS] = {
      2.0},
 };
 
-/* VDPOL of the Test Set for IVP Solvers (Mazzia and Magherini 2008): lambda from -3e6 / s, and four jumps. */
-EQUATIONS(van_der_pol)
-{
-    (void)u;
-    (void)p;
-    dx[0] = x[1];
-    dx[1] = ((1.0 - x[0] * x[0]) * x[1] - x[0]) / 1e-6;
-}
-
-const problem problem_van_der_pol = {
-    .name = "Van der Pol, 1e-6",
-    .f = van_der_pol,
-    .n = 2,
-    .start = {2.0, 0.0},
-    .end = 2.0,
-    .ticks = 64,
-    .reference = {1.7061677321704650085, -8.9280970102481654778e-1},
-};
-
 /* A quarter car on a damped bushing, linear: eigenvalues -2992, -1485 and -2.34 +- 7.95i per s. The reference is that of a
  * matrix exponential. States: zs, zu, zs', zu'. */
 EQUATIONS(bushing)

@@ -22,8 +22,7 @@ typedef struct problem {
 /* Motions that are smooth: orbits, mechanisms, and problems of DETEST. */
 extern const problem problems[PROBLEMS];
 
-/* Stiff ones. */
-extern const problem problem_van_der_pol;
+/* A stiff one. */
 extern const problem problem_bushing;
 
 #endif

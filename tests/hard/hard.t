@@ -7,7 +7,7 @@ begin hard
 share()
 {
     common=
-    for part in tests/hard/hard.c tests/hard/chain.c tests/host/report.c; do
+    for part in tests/hard/hard.c tests/hard/tolerance.c tests/hard/chain.c tests/host/report.c; do
         object=$out/$(basename "$part" .c).$real.o
         common="$common $object"
         # shellcheck disable=SC2086

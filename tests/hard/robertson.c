@@ -13,9 +13,11 @@
  *   adds to bdf4 4 epsilons; to rosenbrock that of a slope, three halves of an epsilon, times the sum of its weights, 7.6,
  *   makes 12; and 0.04 gamma h, since the second pivot of 1 - gamma h J is a difference of numbers larger by that: it
  *   shows at 1e11 s. Bdf4 has such pivots too, but solves with them only for what its predictor leaves.
+ *   adams with a tolerance of 1e-9 up to 4000 s, in float to 40 s, as tests/hard/tolerance.h says. The square is that of
+ *   y2, whose swing makes y3 grow: after 4000 s it rules.
  * Explicit methods at 10 ms leave the finite numbers within 40 steps.
  */
-#include "tests/hard/hard.h"
+#include "tests/hard/tolerance.h"
 
 static void derivative(real *restrict const dx, const real *restrict const x, const real *restrict const u,
                        const real *restrict const p)
@@ -103,8 +105,15 @@ int main(void)
         {ISO_BDF4, 4000.0, at[2], 4000000, 1.1e-11, 0}, {ISO_ROSENBROCK, 4000.0, at[2], 4000000, 4e-12, 0},
         {ISO_BDF4, 0.4, at[0], 5120, 1e-11, 4},         {ISO_ROSENBROCK, 0.4, at[0], 2560, 2e-11, 3},
     };
+    static const hard_point points[] = {{0.4, at[0]}, {40.0, at[1]}, {4000.0, at[2]}};
     hard_expect_claims(&problem, claims, sizeof claims / sizeof *claims, EPSILONS);
     test_later();
+    hard_expect_tolerance(&problem, points, HARD_PICK(2, 3),
+                          &(hard_tolerance){.tolerance = 1e-9,
+                                            .tick = 0.1,
+                                            .decays = HARD_PICK(1.143e5, 2.8685e7),
+                                            .squared = 3e7,
+                                            .rounding = EPSILONS});
     hard_expect_explicit_failures(&problem, 0.01, 40);
     return report_done();
 }
