@@ -66,14 +66,16 @@ static double error_of(const unsigned recipe, const int k, const long double *co
     return (double)fmaxl(fabsl((long double)run.x[0] - exact[0]), fabsl((long double)run.x[1] - exact[1]));
 }
 
-/* Whether the errors rise again: the mean of the last three, since single ones scatter, over ten times the least. */
+/* Whether the errors rise again: the last three over ten times the least three in a row, since single ones scatter. */
 static bool rises(const double error[ROWS])
 {
-    double least = error[0];
-    for (int i = 1; i < ROWS; i++) {
-        least = fmin(least, error[i]);
+    double least = HUGE_VAL;
+    double last = HUGE_VAL;
+    for (int i = 2; i < ROWS; i++) {
+        last = error[i - 2] + error[i - 1] + error[i];
+        least = fmin(least, last);
     }
-    return error[ROWS - 1] + error[ROWS - 2] + error[ROWS - 3] > 3.0 * 10.0 * least;
+    return last > 10.0 * least;
 }
 
 static void test_method(const unsigned method, const long double *const exact, FILE *const table)
