@@ -4,9 +4,9 @@
  * What must hold follows from the test equation y' = -lambda y (Dahlquist 1963), on which the very method is run over
  * an octave of lambda: since its steps are powers of two, that is all there is. Stability bounds its steps, so y swings
  * about 0 for ever: up at one step, down at half of it, as the error passes the tolerance. Taken from there:
- *   how far y swings, in tolerances. So far a stiff solution is off: the fast mode forgets all local errors but the
- *   last; those of the other modes, in steps so short, are far below the tolerance, and add less. With a hundredth
- *   of the tolerance those of the Oregonator's bursts add as much.
+ *   how far y swings, in tolerances. So far a stiff solution is off: the fast mode forgets all local errors but the last.
+ *   What steps so short leave in the other modes is small, but adds up and does not follow the tolerance, which therefore
+ *   is chosen above it.
  *   the mean square of the swing, which drives the other states where the equations have squares.
  *   how many sub-steps a decay takes; in float only at most, since fewer do where a slope rounds to zero.
  */
