@@ -2,7 +2,10 @@
 PORT_CC = arm-none-eabi-gcc
 PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
-PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections
+# isoc writes down what follows from what in an order that keeps few values alive. In gcc's own, before it gives them
+# registers, many more go to the stack and back: with it a Stewart platform takes 22 % more instructions and twice the time
+# to compile.
+PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter
 PORT_LINK = -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections
 PORT_SUFFIX = .elf
 PORT_STACK =

@@ -12,7 +12,7 @@ texts()
     grep -o '<text>.*</text>' "$1" | sed 's/<[^>]*>//g'
 }
 
-for scene in $(models) models/oscillator.c; do
+for scene in $(models any) models/oscillator.c; do
     name=$(basename "$scene" | sed 's/\..*//')
     folder=$out/project/build/host/float/$name
     call plot SCENE="$scene" SECONDS=1 && [ ! -s "$out/errors" ] && texts "$folder/trace.svg" >"$out/texts"

@@ -54,7 +54,7 @@ watch()
 batch float float
 { cat models/tree.scene && printf 'checked yes\ncompensated yes\n'; } >"$out/tree_checked.scene"
 for method in $METHODS; do
-    for scene in $(models) "$out/tree_checked.scene"; do
+    for scene in $(models "$method") "$out/tree_checked.scene"; do
         generated "$scene" "$method"
     done
     add "oscillator, $method, float" models/oscillator.c "-DISO_METHOD=ISO_$(echo "$method" | tr a-z A-Z)"

@@ -39,7 +39,7 @@ each()
     what=$2
     shift 2
     for method in $METHODS; do
-        for scene in $(models) models/oscillator.c; do
+        for scene in $(models "$method") models/oscillator.c; do
             plant=$(basename "$scene" | sed 's/\..*//')
             depth=
             [ "$plant" = oscillator ] || in_depth "$scene" || depth=brief

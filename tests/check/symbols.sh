@@ -3,7 +3,7 @@
 . tests/host/test.sh
 begin check/symbols
 
-m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections"
+m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
 
 # What may be called beside the project's own: copying memory, and whole numbers of 64 bits (EABI's run-time helpers).
 allowed='memcpy|memset|__aeabi_mem(cpy|set|clr)[48]?|__aeabi_(uldivmod|ldivmod|lmul|llsl|llsr|lasr|lcmp|ulcmp|ldiv0|idiv0)'
@@ -56,7 +56,7 @@ objects base "" core/*.c port/mps2/*.c
 result $? "core and port compile for the target"
 firmware models/oscillator.c oscillator
 for method in euler heun rk4 ab4; do
-    for scene in $(models); do
+    for scene in $(models $method); do
         name=$(basename "$scene" .scene)
         build/isoc "$scene" -o "$out/$name-$method" --method $method --real float >/dev/null
         firmware "$out/$name-$method/plant.c" "$name, $method"
