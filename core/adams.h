@@ -34,7 +34,7 @@ enum {
 /* The local error of a sub-step may be this, and this times |x| more, where nothing is said. */
 #define ISO_ADAMS_TOLERANCE R(1e-6)
 
-/* The estimate of what is not finite, or is not known: infinite. */
+/* The estimate of what is not finite: infinite. */
 #define ISO_ADAMS_FAILED iso_real_of(ISO_EXPONENT_BITS)
 
 /* Reals of x, the states and what is kept behind them, and of work space. */
@@ -343,15 +343,16 @@ static inline void iso_adams_lower(const iso_adams_run *const run)
 }
 
 /* Order and step of the next sub-step: twice the step where that keeps the error below half the tolerance, else the order
- * with the least error, a lower one only for a quarter of it. The error may be small because it passes through zero: until
- * twice the step is done it will have changed by some two of its next term. Each is left alone until the corrections come
- * from as many sub-steps as it needs. At a start the order is raised once the slopes that it takes come from sub-steps of
- * the order below: those of an order less are wrong by more than the terms that it looks at. After Shampine and Gordon
- * (1975), Computer Solution of Ordinary Differential Equations, ch. 7. */
+ * with the least error; a lower one only for a quarter of it, and where it is not so small. The error may be small because
+ * it passes through zero: until twice the step is done it will have changed by some two of its next term. Each is left
+ * alone until the corrections come from as many sub-steps as it needs. At a start the order is raised once the slopes that
+ * it takes come from sub-steps of the order below: those of an order less are wrong by more than the terms that it looks
+ * at. After Shampine and Gordon (1975), Computer Solution of Ordinary Differential Equations, ch. 7. */
 static inline void iso_adams_adapt(iso_adams_run *const run, const iso_adams_estimates e)
 {
     iso_adams_state *const state = run->state;
     const real growth = (real)(4 << state->order); /* 2^(order + 1), and the half */
+    const bool grows = growth * (e.present + R(2.0) * e.higher) <= R(1.0);
     state->age = (uint8_t)(state->age + (state->age < UINT8_MAX));
     state->overdue = state->overdue && e.present > R(1.0);
     if (state->starting) {
@@ -359,16 +360,12 @@ static inline void iso_adams_adapt(iso_adams_run *const run, const iso_adams_est
             iso_adams_raise(run);
             state->starting = state->order < ISO_ADAMS_ORDERS;
         }
-    } else if (growth * (e.present + R(2.0) * e.higher) <= R(1.0)) {
-        if (state->age > 2 && state->level > 0 && run->remaining % 2 == 0) {
-            iso_adams_double(run);
-        }
-    } else if (state->age > state->order) {
-        if (state->order > 1 && R(4.0) * e.lower < e.present) {
-            iso_adams_lower(run);
-        } else if (state->order < ISO_ADAMS_ORDERS && e.higher < e.present) {
-            iso_adams_raise(run);
-        }
+    } else if (grows && state->age > 2 && state->level > 0 && run->remaining % 2 == 0) {
+        iso_adams_double(run);
+    } else if (state->age > state->order && state->order < ISO_ADAMS_ORDERS && e.higher < e.present) {
+        iso_adams_raise(run);
+    } else if (state->age > state->order && state->order > 1 && R(4.0) * e.lower < e.present && !grows) {
+        iso_adams_lower(run);
     }
 }
 
