@@ -3,6 +3,8 @@
 #include <complex.h>
 #include <math.h>
 
+#include "core/hash.h"
+
 /* The accepted distance of an observed order from the method's, where the stiff part of the error has not died away. */
 #define ORDER_TOLERANCE 0.35
 
@@ -50,6 +52,15 @@ long hard_go(hard_run *const run, const long steps)
     return taken;
 }
 
+hard_bits hard_hash(const real *const x, const size_t n)
+{
+    uint64_t hash = iso_hash_reals(ISO_HASH_START, x, n);
+    for (size_t i = 0; i < n; i++) {
+        hash = iso_not_finite(x[i]) == 0 ? hash : 0;
+    }
+    return (hard_bits){(unsigned long)(hash >> 32), (unsigned long)(hash & 0xFFFFFFFF)};
+}
+
 double hard_error(const hard_run *const run, const long double *const exact)
 {
     long double largest = hard_guard(run) < run->problem->n ? (long double)INFINITY : 0.0L;
@@ -72,8 +83,8 @@ void hard_expect_failure(const hard_problem *const problem, const unsigned recip
                         &run.progress);
         stays = hard_guard(&run) < problem->n;
     }
-    report_ok(stays, "control: %s, %s, h = %g s: state %zu is not finite after %ld steps, and stays so", problem->name,
-              hard_name(recipe), h, state, taken);
+    report_ok(stays, "control: %s, %s, h = %g s: state %d is not finite after %ld steps, and stays so", problem->name,
+              hard_name(recipe), h, (int)state, taken);
 }
 
 void hard_expect_explicit_failures(const hard_problem *const problem, const double h, const long steps)
@@ -120,8 +131,10 @@ bool hard_holds(const hard_problem *const problem, const hard_claim *const claim
             const double steps = compensated ? 0.0 : 0.5 * (double)n;
             const double most = claim->error * exp2(-(claim->order - ORDER_TOLERANCE) * i) +
                                 (double)ISO_REAL_EPSILON * (rounding + steps);
-            report_note("%s%s, t = %g, h = %g: error %.2e, at most %.2e", hard_name(recipe),
-                        compensated ? ", compensated" : "", claim->t, claim->t / (double)n, error[i], most);
+            const hard_bits hash = hard_hash(run[i].x, problem->n);
+            report_note("%s%s, t = %g, h = %g: error %.2e, at most %.2e; hash %08lx%08lx", hard_name(recipe),
+                        compensated ? ", compensated" : "", claim->t, claim->t / (double)n, error[i], most, hash.high,
+                        hash.low);
             all = all && error[i] <= most;
         }
         if (sizeof(real) == sizeof(double) && claim->order > 0 && compensated) {
@@ -147,15 +160,29 @@ static void solve_nothing(real *restrict const d, const real *restrict const lu)
     (void)lu;
 }
 
+bool hard_affords(const hard_problem *const problem, const unsigned recipe, const double t, const long steps)
+{
+    if (steps > HARD_STEPS_MAX) {
+        report_note("%s: %s at t = %g with %ld steps is left out", problem->name, hard_name(recipe), t, steps);
+    }
+    return steps <= HARD_STEPS_MAX;
+}
+
 void hard_expect_claims(const hard_problem *const problem, const hard_claim *const claims, const size_t count,
                         const double rounding)
 {
     for (size_t i = 0; i < count; i++) {
         const hard_claim *const c = &claims[i];
+        if (!hard_affords(problem, c->recipe, c->t, c->n)) {
+            continue;
+        }
         const bool holds = hard_holds(problem, c, rounding);
         report_ok(holds, "%s: %s at t = %g with h = %g s: error at most %.1e and rounding%s", problem->name,
                   hard_name(c->recipe), c->t, c->t / (double)c->n, c->error,
                   c->order > 0 ? ", less as h is halved" : "");
+    }
+    if (claims[count - 1].n > HARD_STEPS_MAX) {
+        return;
     }
     hard_problem blind = *problem;
     blind.equations.factor = factor_nothing;

@@ -3,6 +3,7 @@
 #ifndef ISO_TESTS_HARD_HARD_H
 #define ISO_TESTS_HARD_HARD_H
 
+#include <limits.h>
 #include <stdbool.h>
 
 #include "core/dense.h"
@@ -17,6 +18,11 @@
 
 /* What holds in this program's real. */
 #define HARD_PICK(in_float, in_double) (sizeof(real) == sizeof(double) ? (in_double) : (in_float))
+
+/* The most steps that a test may take; fewer where instructions are emulated. */
+#ifndef HARD_STEPS_MAX
+#define HARD_STEPS_MAX LONG_MAX
+#endif
 
 enum { HARD_STATES_MAX = 20 };
 
@@ -54,6 +60,13 @@ long hard_go(hard_run *run, long steps);
 /* The first state that is not finite; n if all are. */
 size_t hard_guard(const hard_run *run);
 
+/* A hash of the bits of x[n], as two numbers that every printf knows; zero where they are not all finite, since the bits
+ * of a NaN are not promised. */
+typedef struct hard_bits {
+    unsigned long high, low;
+} hard_bits;
+hard_bits hard_hash(const real *x, size_t n);
+
 /* The largest error of a state, relative to the solution's: max |x - exact| / |exact|; infinite for a state that is not
  * finite. */
 double hard_error(const hard_run *run, const long double *exact);
@@ -82,7 +95,10 @@ typedef struct hard_claim {
  * allow: a step's digits are known without the solution. Prints what it found. */
 bool hard_holds(const hard_problem *problem, const hard_claim *claim, double rounding);
 
-/* One test of every claim, and the control that without a Jacobian the last of them does not hold. */
+/* Whether a test may take so many steps; says which one is left out. */
+bool hard_affords(const hard_problem *problem, unsigned recipe, double t, long steps);
+
+/* One test of every claim that can be afforded, and the control that without a Jacobian the last of them does not hold. */
 void hard_expect_claims(const hard_problem *problem, const hard_claim *claims, size_t count, double rounding);
 
 /* The growth per step of y' = z y / h by bdf4: the largest root of (25 - 12 z) r^4 - 48 r^3 + 36 r^2 - 16 r + 3, all
