@@ -59,7 +59,7 @@ static double error_of(const tolerance_run *const run, const long double *const 
 /* What the test equation tells. */
 typedef struct swing {
     double largest;
-    double square; /* the mean */
+    double square; /* the largest mean of a lambda */
     double least;  /* sub-steps a decay */
     double most;
 } swing;
@@ -76,14 +76,16 @@ static swing find_swing(const double tolerance)
         begin(&run, &problem, tick, tolerance);
         go(&run, SETTLE);
         const uint32_t before = run.memory.state.substeps;
+        double square = 0.0;
         for (int k = 0; k < TICKS; k++) {
             go(&run, 1);
             const double y = fabs((double)run.memory.x[0]) / tolerance;
             found.largest = fmax(found.largest, y);
-            found.square += y * y / TICKS / LAMBDAS;
+            square += y * y / TICKS;
         }
+        found.square = fmax(found.square, square);
         const double rate = (run.memory.state.substeps - before) / ((double)lambda * tick * TICKS);
-        found.least = fmin(found.least, HARD_PICK(0.0, rate));
+        found.least = fmin(found.least, rate);
         found.most = fmax(found.most, rate);
     }
     return found;
@@ -118,9 +120,11 @@ void hard_expect_tolerance(const hard_problem *const problem, const hard_point *
         const hard_bits hash = hard_hash(run.memory.x, problem->n);
         report_note("hash %08lx%08lx", hash.high, hash.low);
     }
-    const double rate = run.memory.state.substeps / claim->decays;
-    report_ok(rate >= found.least && rate <= found.most,
-              "%s: adams takes %.3f sub-steps a decay, on the test equation %.3f to %.3f", problem->name, rate,
-              found.least, found.most);
+    if (sizeof(real) == sizeof(double)) {
+        const double rate = run.memory.state.substeps / claim->decays;
+        report_ok(rate >= found.least && rate <= found.most,
+                  "%s: adams takes %.3f sub-steps a decay, on the test equation %.3f to %.3f", problem->name, rate,
+                  found.least, found.most);
+    }
     report_ok(misses, "control: %s: with a hundred tolerances adams does not", problem->name);
 }

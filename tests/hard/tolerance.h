@@ -7,8 +7,9 @@
  *   how far y swings, in tolerances. So far a stiff solution is off: the fast mode forgets all local errors but the last.
  *   What steps so short leave in the other modes is small, but adds up and does not follow the tolerance, which therefore
  *   is chosen above it.
- *   the mean square of the swing, which drives the other states where the equations have squares.
- *   how many sub-steps a decay takes; in float only at most, since fewer do where a slope rounds to zero.
+ *   the mean square of the swing, the largest of all lambda, which drives the other states where the equations have
+ *   squares.
+ *   how many sub-steps a decay takes; in double, since in float rounding has a part in it: zero slopes, and noise.
  */
 #ifndef ISO_TESTS_HARD_TOLERANCE_H
 #define ISO_TESTS_HARD_TOLERANCE_H
@@ -30,8 +31,8 @@ typedef struct hard_tolerance {
 } hard_tolerance;
 
 /* One test of every point along one run: every state x is right to tolerance (1 + |x|) times the swing, and to what
- * squares and rounding add; one of the sub-steps up to the last point; and the control that with a hundred tolerances not
- * all points hold. */
+ * squares and rounding add; in double one of the sub-steps up to the last point; and the control that with a hundred
+ * tolerances not all points hold. */
 void hard_expect_tolerance(const hard_problem *problem, const hard_point *points, size_t count,
                            const hard_tolerance *claim);
 
