@@ -52,16 +52,23 @@ void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts)
 {
     graph *g = k->g;
     const mechanism *m = k->m;
+    vector *felt = arena_take(g->memory, (size_t)m->link_count, sizeof *felt); /* moments by which links are turned */
+    for (int i = 0; i < m->link_count; i++) {
+        felt[i] = wrenches[i].moment;
+    }
     for (int i = m->link_count - 1; i >= 0; i--) {
         const link *l = &m->links[i];
         vector_name(g, wrenches[i].force, "force", l->name);
         vector_name(g, wrenches[i].moment, "moment", l->name);
         for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
-            const node along = vector_dot(g, axis_of(k, f), slides(l) ? wrenches[i].force : wrenches[i].moment);
+            const node along = vector_dot(g, axis_of(k, f), slides(l) ? wrenches[i].force : felt[i]);
             efforts[f] = graph_name(g, along, "bias_%s", m->freedoms[f].name);
         }
         if (l->parent != GROUND) {
+            wrench turning = wrenches[i]; /* but for the moment about a shared axis */
             wrenches[l->parent] = wrench_add(g, wrenches[l->parent], wrench_to_parent(k, i, wrenches[i]));
+            turning.moment.at[l->axis] = shared_axis(k, i) != 0 ? constant(g, 0.0) : turning.moment.at[l->axis];
+            felt[l->parent] = vector_add(g, felt[l->parent], wrench_to_parent(k, i, turning).moment);
         }
     }
 }

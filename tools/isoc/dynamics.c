@@ -27,9 +27,8 @@ void efforts_less(const dynamics *d, const node *bias, node *effort)
     }
 }
 
-static void solve_composite(dynamics *d, node *bias, closure_axes axes)
+static void solve_loops(dynamics *d, node *bias, closure_axes axes)
 {
-    const mechanism *m = d->m;
     graph *g = d->g;
     node *x = d->acceleration;
     bias_build(&d->k, bias, d->accelerations);
@@ -38,25 +37,77 @@ static void solve_composite(dynamics *d, node *bias, closure_axes axes)
     d->mass = mass_matrix_build(&d->k);
     graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias - Phi_q' lambda)");
     mass_matrix_inward(&d->mass, x);
-    if (m->cut_count > 0) {
-        graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
-        d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations, axes), x);
-        graph_section(g, "Accelerations outward");
-    } else {
-        mass_matrix_scale(&d->mass, x);
-    }
+    graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
+    d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations, axes), x);
+    graph_section(g, "Accelerations outward");
     mass_matrix_outward(&d->mass, x);
 }
 
-/* Articulated bodies feel by themselves what is the bias elsewhere. The mass matrix is there all the same, for the check of
- * its pivots; what nothing else needs is not emitted. */
-static void solve_articulated(dynamics *d, node *bias)
+/* The bias comes later. */
+static void efforts_alone(dynamics *d, node *bias)
 {
     graph_section(d->g, "Efforts: drives, damping, springs");
     for (int f = 0; f < d->m->freedom_count; f++) {
         bias[f] = constant(d->g, 0.0);
     }
     efforts_less(d, bias, d->acceleration);
+}
+
+/* The efforts at absolute speeds w: with q_i' = w_i - (+-) w_parent that of the parent loses (+-) that of i. */
+static void efforts_at_absolute(const kinematics *k, node *effort)
+{
+    const mechanism *m = k->m;
+    for (int i = 0; i < m->link_count; i++) {
+        const int f = m->links[i].freedom, before = m->freedoms[f].before, shared = shared_axis(k, i);
+        if (shared != 0) {
+            effort[before] = sub(k->g, effort[before], mul(k->g, constant(k->g, shared), effort[f]));
+        }
+    }
+}
+
+/* q'' of w'. */
+static void relative_of_absolute(const kinematics *k, node *x)
+{
+    const mechanism *m = k->m;
+    for (int i = m->link_count - 1; i >= 0; i--) {
+        const int f = m->links[i].freedom, before = m->freedoms[f].before, shared = shared_axis(k, i);
+        if (shared != 0) {
+            const node of_parent = mul(k->g, constant(k->g, shared), x[before]);
+            x[f] = sub(k->g, x[f], of_parent);
+        }
+    }
+}
+
+/* Speeds of links that turn about one axis are absolute: then only the angle between two of them couples their
+ * accelerations, and not all angles on the way as well. The mass matrix of the joints' own speeds is there all the same, for the
+ * check of its pivots; what nothing else needs is not emitted. */
+static void solve_tree(dynamics *d, node *bias)
+{
+    graph *g = d->g;
+    kinematics absolute = d->k;
+    node *x = d->acceleration;
+    absolute.absolute = true;
+    efforts_alone(d, bias);
+    efforts_at_absolute(&absolute, x);
+    bias_build(&absolute, bias, d->accelerations);
+    graph_section(g, "Efforts less bias");
+    for (int f = 0; f < d->m->freedom_count; f++) {
+        x[f] = graph_name(g, sub(g, x[f], bias[f]), "tau_%s", d->m->freedoms[f].name);
+    }
+    const mass_matrix mass = mass_matrix_build(&absolute);
+    graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias)");
+    mass_matrix_inward(&mass, x);
+    mass_matrix_scale(&mass, x);
+    mass_matrix_outward(&mass, x);
+    relative_of_absolute(&absolute, x);
+    d->mass = mass_matrix_build(&d->k);
+}
+
+/* Articulated bodies feel by themselves what is the bias elsewhere. The mass matrix is there all the same, for the check of
+ * its pivots; what nothing else needs is not emitted. */
+static void solve_articulated(dynamics *d, node *bias)
+{
+    efforts_alone(d, bias);
     articulated_solve(&d->k, d->acceleration);
     bias_build(&d->k, bias, d->accelerations);
     d->mass = mass_matrix_build(&d->k);
@@ -70,10 +121,12 @@ const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
     d->acceleration = arena_take(g->memory, n, sizeof *d->acceleration);
     d->accelerations = arena_take(g->memory, (size_t)m->link_count, sizeof *d->accelerations);
     node *bias = arena_take(g->memory, n, sizeof *bias);
-    if (chosen == FORMULATION_ARTICULATED) {
+    if (m->cut_count > 0) {
+        solve_loops(d, bias, axes_of(chosen));
+    } else if (chosen == FORMULATION_ARTICULATED) {
         solve_articulated(d, bias);
     } else {
-        solve_composite(d, bias, axes_of(chosen));
+        solve_tree(d, bias);
     }
     for (size_t f = 0; f < n; f++) {
         graph_name(g, d->acceleration[f], "qdd_%s", m->freedoms[f].name);

@@ -7,6 +7,17 @@ bool slides(const link *l)
     return l->kind == JOINT_PRISMATIC;
 }
 
+int shared_axis(const kinematics *k, int i)
+{
+    const link *l = &k->m->links[i];
+    const link *parent = l->parent == GROUND ? l : &k->m->links[l->parent];
+    if (!k->absolute || parent == l || l->kind != JOINT_REVOLUTE || parent->kind != JOINT_REVOLUTE) {
+        return 0;
+    }
+    const double along = l->sign * parent->sign * constant_value(k->g, l->turn.at[parent->axis][l->axis]);
+    return along == 1.0 ? 1 : along == -1.0 ? -1 : 0;
+}
+
 vector axis_of(const kinematics *k, int f)
 {
     vector a = vector_zero(k->g);

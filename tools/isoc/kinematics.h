@@ -20,6 +20,8 @@ typedef struct kinematics {
     const mechanism *m;
     graph *g;
     motion *motions;
+    bool
+        absolute; /* turning about an axis that links share counts from where the first hangs, not from the one before */
 } kinematics;
 
 /* Places and angular velocities. */
@@ -29,6 +31,10 @@ kinematics kinematics_build(graph *g, const mechanism *m);
 void kinematics_velocities(const kinematics *k);
 
 bool slides(const link *l);
+
+/* Where speeds are absolute and a link turns about the axis that its parent turns about: 1, or -1 if the other way about;
+ * else 0. */
+int shared_axis(const kinematics *k, int link);
 
 /* The axis of a freedom in its link's axes. */
 vector axis_of(const kinematics *k, int f);

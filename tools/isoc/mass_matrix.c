@@ -26,6 +26,13 @@ static composite unturn_composite(const kinematics *k, int i, composite whole)
     return (composite){whole.mass, ms, unturn_tensor(k, i, whole.inertia)};
 }
 
+/* What is outward of a link: as one body; as the body that the link's own speed turns, where what that speed only moves
+ * along is a point; and the moment that this point takes, as felt by joints about other axes. */
+typedef struct outboard {
+    composite whole, turned;
+    vector swung;
+} outboard;
+
 /* What a composite body, in unturned axes, adds to its parent. */
 static void join(const kinematics *k, int i, composite unturned, composite *parent)
 {
@@ -54,7 +61,7 @@ composite composite_of_all(const kinematics *k)
 
 /* Row f: the efforts that a unit acceleration of freedom f takes at f and at those that it hangs on. The wrench of an
  * elementary joint is made after the joint's own turn, which its axis does not feel; of a free turn, before. */
-static void build_row(const mass_matrix *m, int f, composite whole)
+static void build_row(const mass_matrix *m, int f, composite whole, vector swung)
 {
     const kinematics *k = m->k;
     graph *g = k->g;
@@ -75,6 +82,7 @@ static void build_row(const mass_matrix *m, int f, composite whole)
     for (; j != GROUND && freedoms[j].link == i; j = freedoms[j].before) {
         row[j] = graph_name(g, at_freedom(k, j, w), "M_%s_%s", freedoms[f].name, freedoms[j].name);
     }
+    w.moment = vector_add(g, w.moment, swung);
     if (l->kind == JOINT_SPHERICAL) {
         w.force = unturn(k, i, w.force);
         w.moment = unturn(k, i, w.moment);
@@ -83,26 +91,50 @@ static void build_row(const mass_matrix *m, int f, composite whole)
         const link *above = &k->m->links[at];
         w.force = matrix_apply(g, above->turn, at == i ? w.force : unturn(k, at, w.force));
         w.moment = matrix_apply(g, above->turn, at == i ? w.moment : unturn(k, at, w.moment));
-        w.moment = vector_add(g, w.moment, vector_cross(g, k->motions[at].p, w.force));
+        const vector about = vector_cross(g, k->motions[at].p, w.force);
+        w.moment = vector_add(g, w.moment, about);
+        const wrench felt = {w.force, shared_axis(k, at) != 0 ? about : w.moment};
         for (; j != GROUND && freedoms[j].link == above->parent; j = freedoms[j].before) {
-            row[j] = graph_name(g, at_freedom(k, j, w), "M_%s_%s", freedoms[f].name, freedoms[j].name);
+            row[j] = graph_name(g, at_freedom(k, j, felt), "M_%s_%s", freedoms[f].name, freedoms[j].name);
         }
     }
+}
+
+/* An absolute speed of the parent, about an axis that the link shares, moves the link along and leaves it its direction. */
+static void hang(const kinematics *k, int i, composite unturned, outboard *parent)
+{
+    graph *g = k->g;
+    const link *l = &k->m->links[i];
+    composite carried = unturned;
+    join(k, i, unturned, &parent->whole);
+    if (shared_axis(k, i) != 0) {
+        const vector axis = axis_of(k, k->m->links[l->parent].freedom);
+        const vector along = vector_cross(g, axis, k->motions[i].p);
+        const vector moment = vector_cross(g, matrix_apply(g, l->turn, unturned.ms), along);
+        parent->swung = vector_add(g, parent->swung, moment);
+        carried = (composite){unturned.mass, vector_zero(g), tensor_zero(g)};
+    }
+    join(k, i, carried, &parent->turned);
 }
 
 static void build_rows(const mass_matrix *m)
 {
     const kinematics *k = m->k;
-    composite *bodies = link_composites(k);
+    const composite *own = link_composites(k);
+    outboard *bodies = arena_take(k->g->memory, (size_t)k->m->link_count, sizeof *bodies);
+    for (int i = 0; i < k->m->link_count; i++) {
+        bodies[i] = (outboard){own[i], own[i], vector_zero(k->g)};
+    }
     graph_section(k->g, "Mass matrix M (composite rigid bodies)");
     for (int i = k->m->link_count - 1; i >= 0; i--) {
         const link *l = &k->m->links[i];
-        const composite unturned = unturn_composite(k, i, bodies[i]);
+        const composite turned = unturn_composite(k, i, bodies[i].turned);
+        const vector swung = unturn(k, i, bodies[i].swung);
         for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
-            build_row(m, f, l->kind == JOINT_SPHERICAL ? bodies[i] : unturned);
+            build_row(m, f, l->kind == JOINT_SPHERICAL ? bodies[i].turned : turned, swung);
         }
         if (l->parent != GROUND) {
-            join(k, i, unturned, &bodies[l->parent]);
+            hang(k, i, unturn_composite(k, i, bodies[i].whole), &bodies[l->parent]);
         }
     }
 }
