@@ -1,5 +1,7 @@
 #include "tools/isoc/economy.h"
 
+#include "tools/isoc/rescale.h"
+
 #include <string.h>
 
 typedef struct economy {
@@ -8,13 +10,7 @@ typedef struct economy {
     node *moved; /* where a node is in `to` */
     bool *needed;
     int *uses;
-    int *parted; /* of a product x y: how many of its uses are in a (c d) (x y) whose parts are needed by others */
 } economy;
-
-static bool has_parts(const economy *e, const graph_node *n)
-{
-    return n->op == OP_MUL && n->parted && e->needed[n->parts[0]] && e->needed[n->parts[1]];
-}
 
 static void count_uses(economy *e, const node *roots, size_t count)
 {
@@ -29,44 +25,12 @@ static void count_uses(economy *e, const node *roots, size_t count)
     for (size_t i = 0; i < count; i++) {
         e->uses[roots[i]]++;
     }
-    for (size_t i = 0; i < e->from->count; i++) {
-        const graph_node *n = &e->from->nodes[i];
-        if (e->needed[i] && has_parts(e, n)) {
-            e->parted[n->b]++;
-        }
-    }
 }
 
 /* Whether a node is an operation that serves one other alone. */
 static bool serves_one(const economy *e, node i, operation op)
 {
     return e->from->nodes[i].op == op && e->uses[i] == 1;
-}
-
-/* (c d) (x y), where both c x and d y are there for others: their product is one operation less, if x y serves nothing
- * else. */
-static bool splits(const economy *e, const graph_node *n)
-{
-    return has_parts(e, n) && e->parted[n->b] == e->uses[n->b];
-}
-
-/* -(c x) is (-c) x, and -(a - b) is b - a. */
-static bool negate(economy *e, graph_node *n)
-{
-    const graph_node of = e->from->nodes[n->a];
-    if (serves_one(e, n->a, OP_SUB)) {
-        n->op = OP_SUB;
-        n->a = e->moved[of.b];
-        n->b = e->moved[of.a];
-        return true;
-    }
-    if (serves_one(e, n->a, OP_MUL) && is_constant(e->from, of.a) && !splits(e, &of)) {
-        n->op = OP_MUL;
-        n->a = constant(&e->to, -constant_value(e->from, of.a));
-        n->b = e->moved[of.b];
-        return true;
-    }
-    return false;
 }
 
 /* x (1 / p) is x / p. */
@@ -89,7 +53,7 @@ static bool divide_once(economy *e, graph_node *n)
 static bool factor_out(economy *e, graph_node *n)
 {
     const graph_node left = e->from->nodes[n->a], right = e->from->nodes[n->b];
-    if (!serves_one(e, n->a, OP_MUL) || !serves_one(e, n->b, OP_MUL) || splits(e, &left) || splits(e, &right)) {
+    if (!serves_one(e, n->a, OP_MUL) || !serves_one(e, n->b, OP_MUL)) {
         return false;
     }
     const node of_left[2] = {left.a, left.b}, of_right[2] = {right.a, right.b};
@@ -108,25 +72,10 @@ static bool factor_out(economy *e, graph_node *n)
     return false;
 }
 
-static const char *opposite_name(arena *memory, const char *name)
-{
-    static const char minus[] = "minus_";
-    const size_t length = strlen(minus);
-    if (name == NULL) {
-        return NULL;
-    }
-    return strncmp(name, minus, length) == 0 ? name + length : arena_format(memory, "%s%s", minus, name);
-}
-
 static void move(economy *e, node i)
 {
     graph_node n = e->from->nodes[i];
-    if (n.op == OP_NEG && negate(e, &n)) {
-        n.name = opposite_name(e->to.memory, e->from->nodes[e->from->nodes[i].a].name);
-    } else if (splits(e, &n)) {
-        n.a = e->moved[n.parts[0]];
-        n.b = e->moved[n.parts[1]];
-    } else if ((n.op == OP_ADD || n.op == OP_SUB) && factor_out(e, &n)) {
+    if ((n.op == OP_ADD || n.op == OP_SUB) && factor_out(e, &n)) {
     } else if (n.op >= OP_ADD && !(n.op == OP_MUL && divide_once(e, &n))) {
         n.a = e->moved[n.a];
         n.b = n.op <= OP_DIV ? e->moved[n.b] : 0;
@@ -134,8 +83,10 @@ static void move(economy *e, node i)
     e->moved[i] = graph_put(&e->to, n);
 }
 
-graph economise(const graph *g, const node *roots, size_t count, node *made)
+graph economise(const graph *unscaled, const node *unscaled_roots, size_t count, node *made)
 {
+    node *roots = arena_take(unscaled->memory, count + 1, sizeof *roots);
+    const graph scaled = rescale(unscaled, unscaled_roots, count, roots), *g = &scaled;
     economy e = {.from = g};
     graph_start(&e.to, g->memory);
     memcpy(e.to.sections, g->sections, sizeof e.to.sections);
@@ -143,7 +94,6 @@ graph economise(const graph *g, const node *roots, size_t count, node *made)
     e.moved = arena_take(g->memory, g->count, sizeof *e.moved);
     e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
     e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
-    e.parted = arena_take(g->memory, g->count, sizeof *e.parted);
     count_uses(&e, roots, count);
     for (size_t i = 0; i < g->count; i++) {
         if (e.needed[i]) {

@@ -295,17 +295,6 @@ node sub(graph *g, node a, node b)
     return add(g, a, neg(g, b));
 }
 
-/* Whether the parts would do better is known when all nodes are there. */
-static void note_parts(graph *g, node product, node a, node b)
-{
-    graph_node *n = &g->nodes[product];
-    if (n->op == OP_MUL && !n->parted && !is_constant(g, a) && !is_constant(g, b)) {
-        n->parted = true;
-        n->parts[0] = a;
-        n->parts[1] = b;
-    }
-}
-
 node mul(graph *g, node a, node b)
 {
     if (is_constant(g, b) || (b < a && !is_constant(g, a))) {
@@ -337,9 +326,7 @@ node mul(graph *g, node a, node b)
     const double ca = is_constant(g, a) ? constant_value(g, a) : coefficient(g, a, &base_a);
     const double cb = coefficient(g, b, &base_b);
     if (ca != 1.0 && cb != 1.0) {
-        const node made = mul(g, constant(g, ca * cb), is_constant(g, a) ? base_b : mul(g, base_a, base_b));
-        note_parts(g, made, a, b);
-        return made;
+        return mul(g, constant(g, ca * cb), is_constant(g, a) ? base_b : mul(g, base_a, base_b));
     }
     return binary(g, OP_MUL, a, b);
 }

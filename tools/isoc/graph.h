@@ -56,8 +56,6 @@ typedef struct graph_node {
     double value, second;
     int section;      /* the heading under which it was made */
     const char *name; /* of the quantity in its equation, or NULL */
-    bool parted;      /* a product (c d) (x y) that was made of parts c x and d y */
-    node parts[2];
 } graph_node;
 
 typedef struct graph {
