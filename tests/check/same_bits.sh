@@ -9,15 +9,15 @@ mkdir -p "$out/hash"
 
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
 
-# run ARGUMENT...: ten seconds of rk4, two of the other methods, in the steps of the scene; but for PEC, which is not stable
+# run ARGUMENT...: ten seconds of rk4, one of the other methods, in the steps of the scene; but for PEC, which is not stable
 # there on a model with much damping; and less of a model that is not tried in depth.
 run()
 {
     case $method$depth in
-    *brief) call run SECONDS=0.02 "$@" ;;
+    *brief) call run SECONDS=0.01 "$@" ;;
     rk4) call run SECONDS=10 "$@" ;;
-    abm4_pec) call run SECONDS=1 STEP=500us "$@" ;;
-    *) call run SECONDS=2 "$@" ;;
+    abm4_pec) call run SECONDS=0.5 STEP=500us "$@" ;;
+    *) call run SECONDS=1 "$@" ;;
     esac
 }
 
