@@ -1,8 +1,8 @@
 /* One mechanism in two formulations, each in float and in double: along a run they say the same, to rounding.
  *
- * How much the equations magnify rounding differs from scene to scene: a planar chain of 16 rods loses six times as much by its
- * mass matrix as by articulated bodies. What either says in float is off from what it says in double by that
- * times the roundings in float, as many as there are in double; so that in double the two may differ by as much times
+ * How much the equations magnify rounding differs from scene to scene: a planar chain of 16 rods loses six times as
+ * much by its mass matrix as by articulated bodies. What either says in float is off from what it says in double by
+ * that times the roundings in float, as many as there are in double; so that in double the two may differ by as much times
  * the ratio of the roundings. Roundings of the two reals are not the same ones: at some states they happen to cancel in
  * float, for which the worst of all states stands, and a factor of ROOM.
  */

@@ -79,8 +79,8 @@ static void relative_of_absolute(const kinematics *k, node *x)
 }
 
 /* Speeds of links that turn about one axis are absolute: then only the angle between two of them couples their
- * accelerations, and not all angles on the way as well. The mass matrix of the joints' own speeds is there all the same, for the
- * check of its pivots; what nothing else needs is not emitted. */
+ * accelerations, and not all angles on the way as well. The mass matrix of the joints' own speeds is there all the same,
+ * for the check of its pivots; what nothing else needs is not emitted. */
 static void solve_tree(dynamics *d, node *bias)
 {
     graph *g = d->g;

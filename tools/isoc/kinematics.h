@@ -20,8 +20,7 @@ typedef struct kinematics {
     const mechanism *m;
     graph *g;
     motion *motions;
-    bool
-        absolute; /* turning about an axis that links share counts from where the first hangs, not from the one before */
+    bool absolute; /* turning about an axis that links share counts from where the first of them hangs */
 } kinematics;
 
 /* Places and angular velocities. */
@@ -32,8 +31,8 @@ void kinematics_velocities(const kinematics *k);
 
 bool slides(const link *l);
 
-/* Where speeds are absolute and a link turns about the axis that its parent turns about: 1, or -1 if the other way about;
- * else 0. */
+/* Where speeds are absolute and a link turns about the axis that its parent turns about: 1, or -1 if the other way
+ * about; else 0. */
 int shared_axis(const kinematics *k, int link);
 
 /* The axis of a freedom in its link's axes. */

@@ -100,7 +100,7 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
     }
 }
 
-/* An absolute speed of the parent, about an axis that the link shares, moves the link along and leaves it its direction. */
+/* An absolute speed of the parent about an axis that the link shares moves it along and leaves it its direction. */
 static void hang(const kinematics *k, int i, composite unturned, outboard *parent)
 {
     graph *g = k->g;

@@ -74,8 +74,8 @@ static bool is_made_for_this(const rescaling *r, part p, node n)
            (!is_one(fabs(p.times)) || (operands(&r->s.g->nodes[of]) > 0 && r->s.uses[r->s.first[of]].next < 0));
 }
 
-/* Of a sum that nothing takes as it is the sign is free: it is a + b rather than -a - b, and of a - b and b - a the one that
- * takes from what nobody else uses. Else -a - b is (-c) a' - b where a is c a'. */
+/* Of a sum that nothing takes as it is the sign is free: it is a + b rather than -a - b, and of a - b and b - a the one
+ * that takes from what nobody else uses. Else -a - b is (-c) a' - b where a is c a'. */
 static void move_sum(rescaling *r, node i, graph_node *n)
 {
     const int sign = sign_asked(r, i);

@@ -403,6 +403,7 @@ static void begin(scales *s, bool as_built)
 
 scales scales_choose(const graph *g, const node *roots, size_t count)
 {
+    enum { LARGE = 8000 }; /* nodes; there the graph's own constants have been the better beginning */
     const size_t n = g->count;
     scales s = {.g = g};
     s.needed = arena_take(g->memory, n, sizeof *s.needed);
@@ -417,8 +418,11 @@ scales scales_choose(const graph *g, const node *roots, size_t count)
     find_uses(&s, roots, count);
     begin(&s, true);
     const int as_built = search(&s);
-    double *const scale = arena_take(g->memory, n, sizeof *scale), *const taken =
-                                                                       arena_take(g->memory, 2 * n, sizeof *taken);
+    if (n > LARGE) {
+        return s;
+    }
+    double *const scale = arena_take(g->memory, n, sizeof *scale);
+    double *const taken = arena_take(g->memory, 2 * n, sizeof *taken);
     memcpy(scale, s.scale, n * sizeof *scale);
     memcpy(taken, s.taken, 2 * n * sizeof *taken);
     begin(&s, false);
