@@ -23,7 +23,7 @@ add()
     echo "extern const iso_plant plant_$count;" >>"$folder/plants"
     shift
     # shellcheck disable=SC2086
-    $compiler $FLAGS $REAL_FLAG -gdwarf-4 -c "$@" -o "$folder/$count.o" &&
+    $compiler $FLAGS $REAL_FLAG -c "$@" -o "$folder/$count.o" &&
         objcopy --redefine-sym "iso_the_plant_$real=plant_$count" "$folder/$count.o" || rm -f "$folder/$count.o"
 }
 

@@ -35,7 +35,7 @@ for real in float double; do
     for name in ball_chain satellite stage; do
         reacting "tests/mechanism/$name.scene" "tests/mechanism/table_$name.c"
     done
-    # The larger ones take seconds, and nothing that the others in float would not show.
+    # The larger ones take seconds, and show nothing in float that the others would not.
     larger=$([ $real = float ] || echo squeezer stewart)
     for name in four_bar slider_crank $larger; do
         reacting "models/$name.scene" "tests/mechanism/table_$name.c"
