@@ -65,8 +65,8 @@ each()
 
 each "host" all
 each "Cortex-M4F" all TARGET=cortex-m4f
-each "without optimisation" cross CFLAGS=-O0
-each "clang" cross CC=clang
+each "without optimisation" cross PORT_FLAGS=-O0
+each "clang" cross PORT_CC=clang
 
 method=rk4
 depth=
@@ -77,7 +77,7 @@ told=$(ls "$out"/hash/*-euler "$out"/hash/*-heun "$out"/hash/*-rk4 "$out"/hash/*
 result $? "the hash tells models and methods apart"
 run TARGET=cortex-m4f CFLAGS=-ffp-contract=fast && [ "$(value hash)" != "$(cat "$out/hash/double_pendulum-rk4")" ]
 expect $? "found: fused multiply-add has other bits"
-run SCENE=tests/check/planted_plant.c TARGET=cortex-m4f CFLAGS=-DPLANTED=LOOP &&
+run SCENE=tests/check/planted_plant.c TARGET=cortex-m4f PORT_CC="arm-none-eabi-gcc -DPLANTED=LOOP" &&
     ! value instructions_per_step | grep -Eqx '[0-9]+'
 expect $? "found: a loop count from the state has no single number of instructions"
 finish

@@ -8,10 +8,10 @@
 begin hard_guard
 project
 
-# guarded METHOD SECONDS FLAGS [REAL]: runs the plant; $csv is then the table.
+# guarded METHOD SECONDS FLAGS [REAL]: runs the plant, compiled with these flags; $csv is then the table.
 guarded()
 {
-    call run SCENE=tests/hard/guarded.c METHOD="$1" SECONDS="$2" CFLAGS="$3" REAL="${4:-float}"
+    call run SCENE=tests/hard/guarded.c METHOD="$1" SECONDS="$2" PORT_FLAGS="$3" REAL="${4:-float}"
     status=$?
     csv=$out/project/$(value trace)
     return $status
