@@ -13,7 +13,7 @@ TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
 
 # Scripts that `make check` leaves to `make test`, since they take longer.
 TEST_SLOW := $(addprefix tests/check/,cost.sh dependencies.sh effects.sh jumps.sh plot.sh trace.sh poison.sh readme.sh \
-    report.sh same_bits.sh violation.sh) $(wildcard tests/*.t tests/*/*.t)
+    report.sh same_bits.sh same_bytes.sh symbols.sh violation.sh) $(wildcard tests/*.t tests/*/*.t)
 
 # What takes longest begins first, so that every core has work to the end.
 TEST_LONGEST := $(addprefix tests/check/,readme.sh same_bits.sh poison.sh) build/tests/exhaustive/float/sincos \
