@@ -1,7 +1,5 @@
 #include "tools/isoc/economy.h"
 
-#include "tools/isoc/rescale.h"
-
 #include <string.h>
 
 typedef struct economy {
@@ -83,10 +81,8 @@ static void move(economy *e, node i)
     e->moved[i] = graph_put(&e->to, n);
 }
 
-graph economise(const graph *unscaled, const node *unscaled_roots, size_t count, node *made)
+graph economise(const graph *g, const node *roots, size_t count, node *made)
 {
-    node *roots = arena_take(unscaled->memory, count + 1, sizeof *roots);
-    const graph scaled = rescale(unscaled, unscaled_roots, count, roots), *g = &scaled;
     economy e = {.from = g};
     graph_start(&e.to, g->memory);
     memcpy(e.to.sections, g->sections, sizeof e.to.sections);

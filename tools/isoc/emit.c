@@ -513,9 +513,7 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
     const mechanism *m = p->m;
     text_add(out, "/* %s: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n", m->name,
              m->link_count, m->link_count == 1 ? "" : "s", m->name);
-    text_add(out, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units, but for what is scaled_, a "
-                  "constant multiple\n"
-                  " * of its quantity.\n */\n#include \"plant.h\"\n\n");
+    text_add(out, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n#include \"plant.h\"\n\n");
     text_add(out, "#include \"core/method.h\"\n%s#include \"core/sincos.h\"\n%s\n",
              is_driven_by_time(g, m) ? "#include \"core/signal.h\"\n" : "",
              p->turn_count > 0 ? "#include \"core/turns.h\"\n" : "");
