@@ -9,7 +9,7 @@
 ## Usage: make TARGET [VARIABLE=VALUE...]
 ##
 # What to run and how; set on the command line.
-##     SCENE=models/double_pendulum.scene  what to run: a scene, or a plant in C (core/plant.h)
+##     SCENE=models/double_pendulum.scene  what to run: a scene, or a plant in C (core/runtime/plant.h)
 ##     METHOD=rk4                          in place of the scene's
 ##     STEP=1ms                            in place of the scene's
 ##     TOLERANCE=1e-9                      of adams, which then takes as many sub-steps as it needs
@@ -70,7 +70,7 @@ PORT_OF_cortex-m4f := port/mps2
 PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is
 # for scenes only.
-FIXED_METHODS := $(filter-out adams,$(shell sed -n 's/^ *X(ISO_[A-Z0-9_]*, "\(.*\)").*/\1/p' core/method.h))
+FIXED_METHODS := $(filter-out adams,$(shell sed -n 's/^ *X(ISO_[A-Z0-9_]*, "\(.*\)").*/\1/p' core/methods/method.h))
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
@@ -129,7 +129,7 @@ NUMERICS := -O2 -ffp-contract=off -fno-math-errno
 # --- Tools on the host -------------------------------------------------------------------------------------------
 
 TOOL_COMPILE := $(CC) $(WARNINGS) $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(CFLAGS)
-TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c))
+TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/*/*/*.c))
 
 build/obj/tools/flags: always
 	$(call remember,$(call quote,$(TOOL_COMPILE) $(TOOL_OBJECTS)))
@@ -150,7 +150,7 @@ build/isoc build/trace:
 
 COMPILE := $(PORT_CC) $(WARNINGS) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. $(CFLAGS)
 OBJ := build/obj/$(TARGET)/$(REAL)
-OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/*.c $(PORT)/*.c))
+OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/*/*.c $(PORT)/*.c))
 PROGRAM := $(OUT)/$(NAME)$(PORT_SUFFIX)
 
 $(OBJ)/flags: always

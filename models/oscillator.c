@@ -2,8 +2,8 @@
  *
  *     m x'' = F - c x' - k x,    F = 1 N for the first second, then 0
  */
-#include "core/choice.h"
-#include "core/dense.h"
+#include "core/methods/dense.h"
+#include "core/runtime/choice.h"
 
 enum { POSITION, SPEED, STATES };
 enum { FORCE, INPUTS };

@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "core/real.h"
+#include "core/numbers/real.h"
 
 #define iso_port_read ISO_REAL_NAME(iso_port_read)
 #define iso_port_publish ISO_REAL_NAME(iso_port_publish)

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "core/real.h"
+#include "core/numbers/real.h"
 
 /* One test: passed or not. */
 void tap_ok(bool passed, const char *name);

@@ -82,10 +82,10 @@ build/tests/memcheck/%: build/tests/plain/%
 
 # In the fast part of the tests every 11th float is tried, in the whole every one.
 TEST_PROGRAMS_exhaustive := $(foreach real,$(TEST_REALS),$(TEST_EXHAUSTIVE:%=build/tests/exhaustive/$(real)/%))
-build/tests/exhaustive/float/%: tests/exhaustive/%.c $(wildcard core/*.h) build/tests/plain/float/command
+build/tests/exhaustive/float/%: tests/exhaustive/%.c $(wildcard core/*/*.h) build/tests/plain/float/command
 	@mkdir -p $(@D)
 	@$(CC) $(TEST_FLAGS) $< -o $@ -lm
-build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*.h) build/tests/plain/double/command
+build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h) build/tests/plain/double/command
 	@mkdir -p $(@D)
 	@$(CC) $(TEST_FLAGS) -DISO_REAL_DOUBLE $< -o $@ -lm
 

@@ -4,7 +4,7 @@
  */
 #include <math.h>
 
-#include "core/method.h"
+#include "core/methods/method.h"
 #include "tests/adams/problems.h"
 #include "tests/adams/run.h"
 #include "tests/host/report.h"

@@ -2,7 +2,7 @@
 #ifndef ISO_TESTS_ADAMS_PROBLEMS_H
 #define ISO_TESTS_ADAMS_PROBLEMS_H
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 
 enum { PROBLEM_STATES_MAX = 10, PROBLEMS = 9 };
 

@@ -2,7 +2,7 @@
 #ifndef ISO_TESTS_ADAMS_RUN_H
 #define ISO_TESTS_ADAMS_RUN_H
 
-#include "core/adams.h"
+#include "core/methods/adams.h"
 
 enum { ADAMS_STATES_MAX = 10 };
 

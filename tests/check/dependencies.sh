@@ -63,18 +63,18 @@ touched()
 still
 expect $? "nothing changed: nothing built"
 
-touched core/real.h
-change "core/real.h" "$program build/obj/host/float/core/loop.o build/host/float/double_pendulum/plant.o"
-touched core/sincos.h
-change "core/sincos.h, which the plant includes" "$program build/host/float/double_pendulum/plant.o"
-touched core/loop.c
-change "core/loop.c" "$program build/obj/host/float/core/loop.o"
+touched core/numbers/real.h
+change "core/numbers/real.h" "$program build/obj/host/float/core/loop.o build/host/float/double_pendulum/plant.o"
+touched core/numbers/sincos.h
+change "core/numbers/sincos.h, which the plant includes" "$program build/host/float/double_pendulum/plant.o"
+touched core/runtime/loop.c
+change "core/runtime/loop.c" "$program build/obj/host/float/core/loop.o"
 unbuilt build/isoc
-result $? "core/loop.c: the scene compiler is left alone"
+result $? "core/runtime/loop.c: the scene compiler is left alone"
 touched port/sim/script.h
 change "port/sim/script.h" "$program build/obj/host/float/port/sim/sim.o"
-touched tools/isoc/graph.h
-change "tools/isoc/graph.h" "build/isoc build/host/float/double_pendulum/plant.c"
+touched tools/isoc/graph/graph.h
+change "tools/isoc/graph/graph.h" "build/isoc build/host/float/double_pendulum/plant.c"
 touched tools/trace/main.c
 change "tools/trace/main.c" "build/trace"
 
@@ -113,7 +113,7 @@ change "a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/osci
 # A Makefile that forgets a header is found: without the lists of included files, a touched header builds nothing.
 sed -i 's/^-include .*//' "$out/project/Makefile"
 call run SECONDS=1
-touched core/real.h
+touched core/numbers/real.h
 ! { call run SECONDS=1 && built $program; }
 expect $? "found: headers that make does not know of"
 finish

@@ -1,23 +1,41 @@
 #!/bin/sh
 # Includes go only downward: generated and hand-written plants -> core -> port's header; ports know the number type only;
-# the target's code uses no header of a hosted C library; nothing includes tools or tests but themselves.
+# the target's code uses no header of a hosted C library; nothing includes tools or tests but themselves. The folders of
+# core and of isoc stand in an order of their own: a file includes its own folder and those before it.
 . tests/host/test.sh
 begin check/layers
+
+CORE="numbers methods runtime application"
+ISOC="base scene graph mechanism tree closure dynamics plant emit"
+
+# downto FOLDER LIST: the folders of the list up to this one, as alternatives of a pattern; all for a file that stands
+# above them.
+downto()
+{
+    echo "$2" | awk -v last="$1" '{ for (i = 1; i <= NF; i++) { printf "%s%s", (i > 1 ? "|" : ""), $i; if ($i == last) exit } }'
+}
+
+# own FILE: a pattern of what it may include.
+own()
+{
+    folder=$(dirname "$1")
+    case $1 in
+    core/*) echo "\"(core/($(downto "${folder#core/}" "$CORE"))/[a-z0-9_]+\.h|port/port\.h)\"" ;;
+    port/sim/* | port/posix/*) echo '"(port/[a-z0-9_/]+\.h|core/numbers/real\.h)"|<[a-z0-9_/]+\.h>' ;;
+    port/*) echo '"(port/[a-z0-9_/]+\.h|core/numbers/real\.h)"' ;;
+    models/*) echo '"core/(numbers|methods|runtime)/[a-z0-9_]+\.h"' ;;
+    build/*) echo '"(core/(numbers|methods|runtime)/[a-z0-9_]+\.h|plant\.h)"' ;;
+    tools/isoc/*) echo "\"(tools/isoc/($(downto "${folder#tools/isoc/}" "$ISOC"))|core/(numbers|methods))/[a-z0-9_]+\.h\"|<[a-z0-9_/]+\.h>" ;;
+    tools/*) echo '"(tools|core)/[a-z0-9_/]+\.h"|<[a-z0-9_/]+\.h>' ;;
+    esac
+}
 
 # violations ROOT: prints file:line: include, for each one that its layer forbids.
 violations()
 {
     (cd "$1" && find core port models tools build -name '*.[ch]' 2>/dev/null | grep -v '^build/tests/' | sort) |
         while read -r file; do
-            case $file in
-            core/*) own='"(core/[a-z0-9_]+\.h|port/port\.h)"' ;;
-            port/sim/* | port/linux/*) own='"(port/[a-z0-9_/]+\.h|core/real\.h)"|<[a-z0-9_/]+\.h>' ;;
-            port/*) own='"(port/[a-z0-9_/]+\.h|core/real\.h)"' ;;
-            models/*) own='"core/[a-z0-9_]+\.h"' ;;
-            build/*) own='"(core/[a-z0-9_]+\.h|plant\.h)"' ;;
-            tools/*) own='"(tools|core)/[a-z0-9_/]+\.h"|<[a-z0-9_/]+\.h>' ;;
-            esac
-            awk -v file="$file" -v own="^($own|<(stdint|stddef|stdbool|float|limits|string)\\.h>)\$" '
+            awk -v file="$file" -v own="^($(own "$file")|<(stdint|stddef|stdbool|float|limits|string)\\.h>)\$" '
                 /^[ \t]*#[ \t]*include/ {
                     sub(/^[ \t]*#[ \t]*include[ \t]*/, "")
                     sub(/[ \t]*(\/\*.*)?$/, "")
@@ -26,10 +44,23 @@ violations()
         done
 }
 
+# unlisted: folders that the orders above leave out.
+unlisted()
+{
+    (cd "$1" && ls -d core/*/ tools/isoc/*/) | while read -r folder; do
+        case " $CORE $ISOC " in
+        *" $(basename "$folder") "*) ;;
+        *) echo "$folder" ;;
+        esac
+    done
+}
+
 violations . >"$out/found"
 sed 's/^/# /' "$out/found"
 [ ! -s "$out/found" ]
 result $? "every include of core, port, models, tools and generated code goes downward"
+[ -z "$(unlisted .)" ]
+result $? "every folder of core and of isoc has its place in the order"
 
 # planted FILE INCLUDE: a tree with this one include in it is found guilty.
 planted()
@@ -41,25 +72,32 @@ planted()
     result $? "found: $1 includes $2"
 }
 
-planted core/loop.c '"tools/isoc/graph.h"'
-planted core/loop.c '"port/sim/script.h"'
-planted core/loop.c '"models/pendulum.h"'
-planted core/loop.h '<stdio.h>'
-planted core/loop.h '<math.h>'
-planted port/sim/sim.c '"core/loop.h"'
+planted core/runtime/loop.c '"tools/isoc/graph/graph.h"'
+planted core/runtime/loop.c '"port/sim/script.h"'
+planted core/runtime/loop.c '"models/pendulum.h"'
+planted core/runtime/loop.h '<stdio.h>'
+planted core/runtime/loop.h '<math.h>'
+planted port/sim/sim.c '"core/runtime/loop.h"'
 planted port/mps2/start.c '<stdlib.h>'
-planted port/port.h '"core/plant.h"'
+planted port/port.h '"core/runtime/plant.h"'
 planted models/oscillator.c '"port/port.h"'
 planted models/oscillator.c '<math.h>'
 planted build/host/float/tree/plant.c '"port/port.h"'
 planted tools/isoc/main.c '"tests/tap.h"'
 planted tools/isoc/main.c '"port/port.h"'
+planted core/methods/euler.h '"core/runtime/plant.h"'
+planted core/runtime/loop.c '"core/application/stream.h"'
+planted tools/isoc/graph/graph.c '"tools/isoc/mechanism/mechanism.h"'
+planted tools/isoc/plant/jacobian.c '"tools/isoc/emit/code.h"'
 
 rm -rf "$out/tree"
-mkdir -p "$out/tree/core" "$out/tree/port/sim" "$out/tree/build/host/float/tree"
-echo '#include "port/port.h"' >"$out/tree/core/loop.c"
+mkdir -p "$out/tree/core/runtime" "$out/tree/port/sim" "$out/tree/build/host/float/tree"
+echo '#include "port/port.h"' >"$out/tree/core/runtime/loop.c"
 echo '#include <stdio.h>' >"$out/tree/port/sim/sim.c"
 echo '#  include "plant.h" /* of the same folder */' >"$out/tree/build/host/float/tree/plant.c"
 [ -z "$(violations "$out/tree")" ]
 result $? "includes downward are let through"
+mkdir -p "$out/tree/core/extra" "$out/tree/tools/isoc/base"
+[ "$(unlisted "$out/tree")" = core/extra/ ]
+result $? "found: a folder that has no place in the order"
 finish

@@ -1,6 +1,6 @@
 /* A plant whose step or output depends on data in the way that PLANTED names: what poison.c must report. */
-#include "core/choice.h"
-#include "core/dense.h"
+#include "core/methods/dense.h"
+#include "core/runtime/choice.h"
 
 enum { NOTHING, BRANCH, INDEX, LOOP, OUTPUT };
 

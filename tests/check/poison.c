@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <valgrind/memcheck.h>
 
-#include "core/method.h"
+#include "core/methods/method.h"
 #include "tests/check/poison.h"
 
 enum { STEPS = 2 };

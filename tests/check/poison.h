@@ -2,7 +2,7 @@
 #ifndef ISO_TESTS_CHECK_POISON_H
 #define ISO_TESTS_CHECK_POISON_H
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 
 typedef struct poison_case {
     const char *name;

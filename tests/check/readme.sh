@@ -231,7 +231,7 @@ found "a row left out" '/^| cart_pole /d'
 found "a number of the scene" 's/^step 1 ms/step 2 ms/'
 found "a word of an error" "s/did you mean 'kg'/did you mean 'g'/"
 found "a command that was not run" 's/^\$ make run.*/& SECONDS=3/'
-found "a link to nothing" 's|(core/plant.h)|(core/plants.h)|'
+found "a link to nothing" 's|(core/runtime/plant.h)|(core/plants.h)|'
 sed 's/`make clean`/`make cleaner`/' README.md >"$out/changed.md"
 ! targets "$out/changed.md"
 result $? "found: a target that is none"

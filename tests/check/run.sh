@@ -55,7 +55,7 @@ expect $? "a second run gives the same hash and the same table"
 
 # The table reads back exactly: from its columns, which begin with the four states, comes the hash of the run.
 cat >"$out/hash.c" <<'C'
-#include "core/hash.h"
+#include "core/application/hash.h"
 #include <stdio.h>
 #include <stdlib.h>
 int main(void)

@@ -28,7 +28,7 @@ same()
     bytes build/isoc "$@" >"$out/expected" && bytes "$out/$isoc" "$@" >"$out/bytes" && cmp -s "$out/expected" "$out/bytes"
 }
 
-compiled tools/isoc/*.c && clang "$out"/objects/*.o -o "$out/isoc" -lm
+compiled tools/isoc/*.c tools/isoc/*/*.c && clang "$out"/objects/*.o -o "$out/isoc" -lm
 result $? "clang builds isoc"
 for scene in models/*.scene tests/scenes/*.scene; do
     same isoc "$scene"
@@ -41,8 +41,8 @@ for kind in projection lagrangian; do
 done
 
 sed 's/const node ab = mul(g, a, b), cd = mul(g, c, d);/const node cd = mul(g, c, d), ab = mul(g, a, b);/' \
-    tools/isoc/graph.c >"$out/graph.c"
-compiled "$out/graph.c" && clang "$out"/objects/*.o -o "$out/planted" -lm && ! cmp -s tools/isoc/graph.c "$out/graph.c" &&
+    tools/isoc/graph/graph.c >"$out/graph.c"
+compiled "$out/graph.c" && clang "$out"/objects/*.o -o "$out/planted" -lm && ! cmp -s tools/isoc/graph/graph.c "$out/graph.c" &&
     ! same planted models/double_pendulum.scene && [ -s "$out/bytes" ]
 result $? "found: products made in another order"
 finish

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The measurement of sine and cosine (tests/exhaustive/sincos.c) notices a wrong digit in any constant of core/sincos.h.
+# The measurement of sine and cosine (tests/exhaustive/sincos.c) notices a wrong digit in any constant of core/numbers/sincos.h.
 . tests/host/test.sh
 begin check/sincos
 
@@ -14,15 +14,15 @@ measure()
 # planted REAL FROM TO: the measurement fails with FROM changed into TO, by its own judgement.
 planted()
 {
-    sed "s/$2/$3/" core/sincos.h >"$out/tree/core/sincos.h"
+    sed "s/$2/$3/" core/numbers/sincos.h >"$out/tree/core/numbers/sincos.h"
     flag=$([ "$1" = double ] && echo -DISO_REAL_DOUBLE)
     ! measure "$flag" 1009 && grep -q '^not ok' "$out/tap" && grep -qx 1..3 "$out/tap" &&
-        ! cmp -s core/sincos.h "$out/tree/core/sincos.h"
+        ! cmp -s core/numbers/sincos.h "$out/tree/core/numbers/sincos.h"
     result $? "found in $1: $2 changed into $3"
 }
 
 mkdir -p "$out/tree/core"
-cp core/real.h core/sincos.h "$out/tree/core"
+cp core/numbers/real.h core/numbers/sincos.h "$out/tree/core"
 measure "" 1009 && grep -qx 1..3 "$out/tap"
 result $? "the copy is good in float"
 measure -DISO_REAL_DOUBLE 1009 && grep -qx 1..3 "$out/tap"

@@ -61,7 +61,7 @@ generated()
     firmware "$out/$name-$2/plant.c" "$name, $2"
 }
 
-objects base "" core/*.c port/mps2/*.c
+objects base "" core/*/*.c port/mps2/*.c
 result $? "core and port compile for the target"
 firmware models/oscillator.c oscillator
 # Every model by rk4, and one of all kinds of joints by every method.

@@ -6,7 +6,7 @@
  *
  * a2 of the second goes into the first, times B; sin th2 comes from the sines and cosines at hand.
  */
-#include "core/sincos.h"
+#include "core/numbers/sincos.h"
 #include "tests/handwritten/plant.h"
 
 #define B (R(2.0) * (R(1.0) / R(12.0) + R(0.25e-4) + R(0.25)))

@@ -9,7 +9,7 @@
  * j > i is f_i, the force that the rods beyond put on rod i across it. Eliminated from the last row to the first, the
  * second and the first row times B.
  */
-#include "core/sincos.h"
+#include "core/numbers/sincos.h"
 #include "tests/handwritten/plant.h"
 
 #define B (R(2.0) * (R(1.0) / R(12.0) + R(0.25e-4) + R(0.25)))

@@ -1,7 +1,7 @@
 /* A planar plant, and the independent dynamics, against formulas derived by hand. Linked with one of each. */
 #include <string.h>
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 #include "tests/dynamics/closed_form.h"
 #include "tests/dynamics/random.h"
 #include "tests/dynamics/tables.h"

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 #include "tests/dynamics/jet.h"
 #include "tests/host/report.h"
 

@@ -2,7 +2,7 @@
 #ifndef ISO_TESTS_DYNAMICS_SAMPLE_H
 #define ISO_TESTS_DYNAMICS_SAMPLE_H
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 #include "tests/dynamics/tables.h"
 
 enum { STATES = 100, STATES_MAX = 64, INPUTS_MAX = 6, NUMBERS_MAX = 4 * OUTPUTS_MAX };

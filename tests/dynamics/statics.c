@@ -1,7 +1,7 @@
 /* The reactions of statics.scene at its start, by hand, in the order of its outputs. Linked with its plant. */
 #include <math.h>
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 #include "tests/host/report.h"
 
 /* Sums of some ten products of numbers up to 40. */

@@ -15,7 +15,7 @@
  */
 #include <math.h>
 
-#include "core/method.h"
+#include "core/methods/method.h"
 #include "tests/estimate/local_error.h"
 #include "tests/host/report.h"
 #include "tests/order/order.h"

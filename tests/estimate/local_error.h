@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "core/method.h"
+#include "core/methods/method.h"
 
 enum { STATES = 4, RATIOS_MAX = 1 << 16 };
 

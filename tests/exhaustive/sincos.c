@@ -1,4 +1,4 @@
-/* The error of core/sincos.h over its domain, on the host: iso_sincos against a reference with more digits.
+/* The error of core/numbers/sincos.h over its domain, on the host: iso_sincos against a reference with more digits.
  *
  * usage: sincos [STRIDE]. In float every STRIDE-th number of [0, 1e4] (1, the default, is all of them) against double;
  * in double 2e7 / STRIDE numbers, random and beside the multiples of pi/4, against long double.
@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/sincos.h"
+#include "core/numbers/sincos.h"
 
 #ifdef ISO_REAL_DOUBLE
 typedef long double wide; /* the reference */

@@ -1,7 +1,7 @@
 /* The plant whose symbol was renamed to PLANT, as the evaluation EVALUATION. */
 #include "tests/formulation/evaluation.h"
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 
 extern const iso_plant PLANT;
 

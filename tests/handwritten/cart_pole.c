@@ -4,7 +4,7 @@
  * m l cos x'' + 4/3 m l^2 th'' = m l g sin - e th'
  * Cramer's rule with one reciprocal; the parameters may change between steps, so nothing of them is kept.
  */
-#include "core/sincos.h"
+#include "core/numbers/sincos.h"
 #include "tests/handwritten/plant.h"
 
 enum { ROD_MASS, HALF_LENGTH, RAIL_DAMPING, PARAMETERS };

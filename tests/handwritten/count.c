@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 
 enum { COUNT_STATES_MAX = 16 };
 

@@ -4,7 +4,7 @@
  * The second row, a2 = r2 - c a1, put into the first leaves one division; sin th2 comes from the sines and
  * cosines at hand.
  */
-#include "core/sincos.h"
+#include "core/numbers/sincos.h"
 #include "tests/handwritten/plant.h"
 
 static const real start[4] = {R(1.5707963267948966), R(0.0), R(0.0), R(0.0)};

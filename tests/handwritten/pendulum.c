@@ -1,5 +1,5 @@
 /* models/pendulum.scene by hand: theta'' = -(g / l) sin theta. */
-#include "core/sincos.h"
+#include "core/numbers/sincos.h"
 #include "tests/handwritten/plant.h"
 
 static const real start[2] = {R(1.5707963267948966), R(0.0)};

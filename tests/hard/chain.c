@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "core/sincos.h"
+#include "core/numbers/sincos.h"
 
 /* What the equations and their Jacobian share: angles between rods, the tensions, the factors of their system. */
 typedef struct chain {

@@ -6,8 +6,8 @@
 #include <limits.h>
 #include <stdbool.h>
 
-#include "core/dense.h"
-#include "core/method.h"
+#include "core/methods/dense.h"
+#include "core/methods/method.h"
 #include "tests/host/report.h"
 
 #ifdef ISO_REAL_DOUBLE

@@ -1,6 +1,6 @@
 /* A rotor at 30,000 rpm for 24 hours at 1 kHz: 86.4 million steps of rk4, every one of them taken, half a turn each.
  * The plant is generated from rotor.scene, which keeps the angle in [-pi, pi) and counts the turns beside it
- * (core/turns.h).
+ * (core/numbers/turns.h).
  *
  * What must hold, against the product of the plant's own step and speed in long double:
  *   the angle is that of 43.2 million turns to one epsilon of the whole way, 2.7e8 rad: the way of a step is rounded

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "core/sincos.h"
+#include "core/numbers/sincos.h"
 #include "tests/hard/hard.h"
 
 enum { COARSEST = 5, FINEST = 20, ROWS = FINEST - COARSEST + 1 };

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/method.h"
+#include "core/methods/method.h"
 #include "tests/order/order.h"
 
 enum { STATES = 6, FINEST = 16 };

@@ -14,7 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/method.h"
+#include "core/methods/method.h"
 #include "tests/host/report.h"
 #include "tests/order/order.h"
 

@@ -2,7 +2,7 @@
 #ifndef ISO_TESTS_ORDER_ORDER_H
 #define ISO_TESTS_ORDER_ORDER_H
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 
 enum { ORDER_STATES_MAX = 6, ORDER_INPUTS_MAX = 1 };
 

@@ -1,5 +1,5 @@
 /* A plant whose equations are in reach of the test: PLANT names its source. */
-#include "core/method.h"
+#include "core/methods/method.h"
 
 #ifndef PLANT
 #define PLANT "models/oscillator.c"

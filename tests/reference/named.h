@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 
 /* Which output is called so; -1: none. */
 static inline int find_output(const char *const wanted)

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 #include "tests/host/report.h"
 #include "tests/reference/named.h"
 

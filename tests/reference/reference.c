@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/explicit.h"
+#include "core/methods/explicit.h"
 #include "tests/host/report.h"
 #include "tests/reference/reference.h"
 

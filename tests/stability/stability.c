@@ -8,8 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/dense.h"
-#include "core/method.h"
+#include "core/methods/dense.h"
+#include "core/methods/method.h"
 #include "tests/host/report.h"
 #include "tests/stability/theory.h"
 

@@ -1,6 +1,6 @@
 #include "tests/stability/theory.h"
 
-#include "core/method.h"
+#include "core/methods/method.h"
 
 enum { DEGREE_MAX = 6, ITERATIONS = 200 };
 

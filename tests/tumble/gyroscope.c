@@ -1,7 +1,7 @@
 /* The gyroscope of models/gyroscope.scene over 20 s: the rate at which it precesses. */
 #include <math.h>
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 #include "tests/host/report.h"
 
 /* Outputs and a state of the scene. */

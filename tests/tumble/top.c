@@ -1,7 +1,7 @@
 /* The heavy symmetric top, models/top.scene: what Lagrange's integrals keep. */
 #include <math.h>
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 #include "tests/host/report.h"
 
 /* About the tip: 22.5e-6 + 0.1 kg (40 mm)^2 across the stem, 45e-6 kg m^2 along it. */

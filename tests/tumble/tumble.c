@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 
 /* Where the orientation and the spin stand among the states: after the place, and after its speed. */
 enum { ORIENTATION = 3, SPIN = 10 };

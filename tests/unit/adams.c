@@ -1,6 +1,6 @@
-/* core/adams.h: its tables in whole numbers, single sub-steps against results that are exact in binary, and what a
+/* core/methods/adams.h: its tables in whole numbers, single sub-steps against results that are exact in binary, and what a
  * budget promises. How accurate whole runs are: tests/adams. */
-#include "core/multistep.h"
+#include "core/methods/multistep.h"
 #include "tests/adams/run.h"
 #include "tests/tap.h"
 

@@ -2,7 +2,7 @@
 #ifndef ISO_TESTS_UNIT_EQUATIONS_H
 #define ISO_TESTS_UNIT_EQUATIONS_H
 
-#include "core/real.h"
+#include "core/numbers/real.h"
 
 /* t' = 1, q' = t^3: rk4 integrates it without error. */
 static inline void cubic(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)

@@ -1,5 +1,5 @@
-/* core/explicit.h: euler, heun, rk4 and semi-implicit Euler against results that are exact in binary. */
-#include "core/explicit.h"
+/* core/methods/explicit.h: euler, heun, rk4 and semi-implicit Euler against results that are exact in binary. */
+#include "core/methods/explicit.h"
 #include "tests/tap.h"
 #include "tests/unit/equations.h"
 

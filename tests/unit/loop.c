@@ -1,10 +1,10 @@
-/* core/loop.h over a port whose every tick is scripted: the account must be exact to the count.
+/* core/runtime/loop.h over a port whose every tick is scripted: the account must be exact to the count.
  *
  * The file under test is compiled into this one with the port's functions renamed, so that the same test runs beside
  * any port.
  */
-#include "core/loop.h"
-#include "core/method.h"
+#include "core/runtime/loop.h"
+#include "core/methods/method.h"
 #include "port/port.h"
 #include "tests/tap.h"
 
@@ -81,7 +81,7 @@ static void fake_publish(const real *const y, const size_t outputs)
     seen = outputs == 1 ? y[0] : R(-1.0);
 }
 
-#include "core/loop.c"
+#include "core/runtime/loop.c"
 
 /* A plant that counts: x is the number of steps, u the tick that drives it, and a step costs what the script says. */
 static real x[2], u[1], p[1], y[1];

@@ -1,7 +1,7 @@
-/* core/method.h: every recipe, with its recipe and its size known to the compiler and known only when it runs: the same
+/* core/methods/method.h: every recipe, with its recipe and its size known to the compiler and known only when it runs: the same
  * bits, the evaluations and the memory that are claimed, and the error of a step that it checks. */
-#include "core/method.h"
-#include "core/dense.h"
+#include "core/methods/method.h"
+#include "core/methods/dense.h"
 #include "tests/tap.h"
 
 enum {

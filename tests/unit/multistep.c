@@ -1,5 +1,5 @@
-/* core/multistep.h: the Adams methods of order four and their priming, against results that are exact in binary. */
-#include "core/multistep.h"
+/* core/methods/multistep.h: the Adams methods of order four and their priming, against results that are exact in binary. */
+#include "core/methods/multistep.h"
 #include "tests/tap.h"
 #include "tests/unit/equations.h"
 

@@ -1,5 +1,5 @@
-/* core/real.h: comparison, selection and classification by bits, over all pairs of a list of awkward numbers. */
-#include "core/real.h"
+/* core/numbers/real.h: comparison, selection and classification by bits, over all pairs of a list of awkward numbers. */
+#include "core/numbers/real.h"
 #include "tests/tap.h"
 
 #ifdef ISO_REAL_DOUBLE

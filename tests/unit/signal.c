@@ -1,5 +1,5 @@
-/* core/signal.h: phases, ramps and times of the integer tick. */
-#include "core/signal.h"
+/* core/numbers/signal.h: phases, ramps and times of the integer tick. */
+#include "core/numbers/signal.h"
 #include "tests/tap.h"
 
 static const uint64_t quarter = UINT64_C(1) << 62;

@@ -1,7 +1,7 @@
-/* core/sincos.h on every target: against correctly rounded values, its symmetry, and its bits.
+/* core/numbers/sincos.h on every target: against correctly rounded values, its symmetry, and its bits.
  * tests/exhaustive/sincos.c measures the error over the whole domain, on the host.
  */
-#include "core/sincos.h"
+#include "core/numbers/sincos.h"
 #include "tests/tap.h"
 
 typedef struct sincos_row {
@@ -93,7 +93,7 @@ static void test_not_finite(void)
 }
 
 /* The bits of all results, as one number (FNV-1a over words): equal on every target and at every optimisation. A change
- * of the algorithm in core/sincos.h changes the number wanted here. */
+ * of the algorithm in core/numbers/sincos.h changes the number wanted here. */
 static void test_bits(void)
 {
 #ifdef ISO_REAL_DOUBLE

@@ -1,6 +1,6 @@
-/* core/dense.h and core/stiff.h: factors, bdf4 and the linearly implicit method, each against numbers found otherwise. */
-#include "core/stiff.h"
-#include "core/dense.h"
+/* core/methods/dense.h and core/methods/stiff.h: factors, bdf4 and the linearly implicit method, each against numbers found otherwise. */
+#include "core/methods/stiff.h"
+#include "core/methods/dense.h"
 #include "tests/tap.h"
 
 static bool near(const real got, const real want, const real tolerance)

@@ -1,5 +1,5 @@
-/* core/trail.h: advancing the state with and without compensation, sums of slopes, checking a step. */
-#include "core/trail.h"
+/* core/methods/trail.h: advancing the state with and without compensation, sums of slopes, checking a step. */
+#include "core/methods/trail.h"
 #include "tests/tap.h"
 
 /* The first real whose successor is two away: 2^24 in float, 2^53 in double. */

@@ -1,5 +1,5 @@
-/* core/turns.h: whole turns are taken off an angle and counted; what is left points the same way. */
-#include "core/turns.h"
+/* core/numbers/turns.h: whole turns are taken off an angle and counted; what is left points the same way. */
+#include "core/numbers/turns.h"
 #include "tests/tap.h"
 
 static const real two_pi = R(6.28318530717958648);

@@ -26,7 +26,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/plant.h"
+#include "core/runtime/plant.h"
 
 enum {
     OUTPUTS = 3,

@@ -4,10 +4,11 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "tools/isoc/assembly.h"
-#include "tools/isoc/cost.h"
-#include "tools/isoc/dot.h"
-#include "tools/isoc/parser.h"
+#include "tools/isoc/dynamics/assembly.h"
+#include "tools/isoc/emit/emit.h"
+#include "tools/isoc/plant/cost.h"
+#include "tools/isoc/scene/dot.h"
+#include "tools/isoc/scene/parser.h"
 
 static const char version[] = "isoc 0.1\n";
 

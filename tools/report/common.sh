@@ -19,7 +19,7 @@ fail()
     exit 1
 }
 
-# prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C takes its method from core/choice.h.
+# prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C takes its method from core/runtime/choice.h.
 prepare()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"

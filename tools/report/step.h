@@ -3,7 +3,7 @@
 #ifndef ISO_REPORT_STEP_H
 #define ISO_REPORT_STEP_H
 
-#include "core/method.h"
+#include "core/methods/method.h"
 
 #define report_step ISO_REAL_NAME(report_step)
 extern real report_step;

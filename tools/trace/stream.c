@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/stream.h"
+#include "core/application/stream.h"
 #include "tools/trace/decimal.h"
 
 static const char truncated[] = "the run broke off before its end";

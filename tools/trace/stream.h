@@ -1,4 +1,4 @@
-/* Reads the stream of a run; core/stream.h says what is in it. */
+/* Reads the stream of a run; core/application/stream.h says what is in it. */
 #ifndef ISO_TOOLS_TRACE_STREAM_H
 #define ISO_TOOLS_TRACE_STREAM_H
 

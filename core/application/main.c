@@ -1,0 +1,29 @@
+/* The program of every target: runs the plant for as long as the port says, and writes the run to the console. */
+#include "core/application/hash.h"
+#include "core/application/stream.h"
+#include "core/runtime/loop.h"
+#include "port/port.h"
+
+static iso_loop loop;
+
+int main(int argc, char **argv)
+{
+    const iso_plant *const plant = &iso_the_plant;
+    const uint64_t duration = iso_port_duration(argc, argv);
+    uint64_t hash = ISO_HASH_START;
+    uint64_t time = 0;
+    bool good = true;
+
+    iso_stream_header(plant, duration);
+    iso_loop_start(&loop, plant);
+    while (good && (time < duration || duration == 0)) {
+        good = iso_loop_tick(&loop);
+        if (good) {
+            time += plant->period_ns;
+            hash = iso_hash_reals(hash, plant->x, plant->states);
+            iso_stream_row(plant->y, plant->outputs);
+        }
+    }
+    iso_stream_end(&loop, hash);
+    iso_port_exit(good ? 0 : 1);
+}

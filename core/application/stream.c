@@ -1,0 +1,115 @@
+#include "core/application/stream.h"
+
+#include "core/methods/adams.h"
+
+#include "port/port.h"
+
+/* Bytes on their way to the console. Records are written whole as long as they are shorter than the buffer. */
+enum { BUFFER_BYTES = 1024 };
+static uint8_t trace_buffer[BUFFER_BYTES];
+static size_t used;
+
+static void flush(void)
+{
+    iso_port_write(trace_buffer, used);
+    used = 0;
+}
+
+static void put_byte(const uint8_t byte)
+{
+    if (used == BUFFER_BYTES) {
+        flush();
+    }
+    trace_buffer[used++] = byte;
+}
+
+static void put_number(uint64_t number, const size_t bytes)
+{
+    for (size_t i = 0; i < bytes; i++) {
+        put_byte((uint8_t)(number & 0xFF));
+        number >>= 8;
+    }
+}
+
+static void put_reals(const real *const x, const size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        put_number(iso_bits_of(x[i]), sizeof *x);
+    }
+}
+
+static void put_text(const char *text)
+{
+    while (*text != '\0') {
+        put_byte((uint8_t)*text++);
+    }
+}
+
+static void put_line(const char *const key, const char *const value)
+{
+    put_text(key);
+    put_byte(' ');
+    put_text(value);
+    put_byte('\n');
+}
+
+static void put_hexadecimal(const char *const key, const uint64_t value)
+{
+    enum { DIGITS = 16 };
+    char text[DIGITS + 1];
+    for (unsigned i = 0; i < DIGITS; i++) {
+        text[i] = "0123456789abcdef"[value >> 4 * (DIGITS - 1 - i) & 0xF];
+    }
+    text[DIGITS] = '\0';
+    put_line(key, text);
+}
+
+void iso_stream_header(const iso_plant *const plant, const uint64_t duration)
+{
+    put_text(ISO_STREAM_VERSION "\n");
+    put_line("scene", plant->name);
+    put_line("method", plant->method);
+    put_line("step", plant->step_text);
+    put_line("real", sizeof(real) == sizeof(float) ? "float" : "double");
+    put_hexadecimal("period_ns", plant->period_ns);
+    put_hexadecimal("duration_ns", duration);
+    put_hexadecimal("states", plant->states);
+    put_hexadecimal("outputs", plant->outputs);
+    put_line("names", plant->output_names);
+    put_byte('\n');
+    flush();
+}
+
+void iso_stream_row(const real *const y, const size_t outputs)
+{
+    if (used + 1 + outputs * sizeof *y > BUFFER_BYTES) {
+        flush();
+    }
+    put_byte(ISO_STREAM_ROW);
+    put_reals(y, outputs);
+}
+
+void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
+{
+    static const iso_adams_state none;
+    const iso_account *const account = &loop->account;
+    const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
+
+    const uint32_t words[] = {
+        account->ticks,         account->late,          account->lost,   account->overruns,   (uint32_t)account->margin,
+        account->execution_min, account->execution_max, loop->guard,     loop->tick,          account->restarts,
+        adams->restarts,        adams->substeps,        adams->rejected, adams->budget_bound, adams->evaluations,
+        account->violated,      account->restart_max,
+    };
+
+    put_byte(ISO_STREAM_END);
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        put_number(words[i], sizeof words[i]);
+    }
+    put_number(account->execution_sum, sizeof account->execution_sum);
+    put_number(hash, sizeof hash);
+    put_reals(loop->plant->x, loop->plant->states);
+    put_reals(&account->local_error, 1);
+    put_reals(&account->violation, 1);
+    flush();
+}

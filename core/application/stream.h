@@ -1,0 +1,32 @@
+/* The run as a stream of bytes on the console, for build/trace to write down: nothing here formats a number in decimal.
+ *
+ *     header   lines "key value", the first "isochron 1", then an empty line; whole numbers in hexadecimal
+ *     row      ISO_STREAM_ROW, the outputs of a tick
+ *     end      ISO_STREAM_END, the account, the hash, the guard, the state, the largest local error and violation
+ *
+ * All numbers are little-endian, reals as wide as the build's. A port that gives up writes a line of text that starts
+ * with ISO_STREAM_BAIL_OUT in place of a record.
+ */
+#ifndef ISO_CORE_APPLICATION_STREAM_H
+#define ISO_CORE_APPLICATION_STREAM_H
+
+#include "core/runtime/loop.h"
+
+#define iso_stream_header ISO_REAL_NAME(iso_stream_header)
+#define iso_stream_row ISO_REAL_NAME(iso_stream_row)
+#define iso_stream_end ISO_REAL_NAME(iso_stream_end)
+
+#define ISO_STREAM_VERSION "isochron 1"
+
+enum { ISO_STREAM_ROW = 'r', ISO_STREAM_END = 'e', ISO_STREAM_BAIL_OUT = 'B' };
+
+/* The run that follows: the plant, and the plant time to run in nanoseconds. */
+void iso_stream_header(const iso_plant *plant, uint64_t duration);
+
+/* The outputs y[outputs] of the next tick. */
+void iso_stream_row(const real *y, size_t outputs);
+
+/* Ends the stream: how the loop kept its time, where it stopped, and the hash of the trajectory. */
+void iso_stream_end(const iso_loop *loop, uint64_t hash);
+
+#endif

@@ -1,0 +1,30 @@
+/* The equations of motion x' = f(x, u, p) as a method needs them: the derivative, and for implicit methods what solves
+ * with its Jacobian. */
+#ifndef ISO_CORE_METHODS_EQUATIONS_H
+#define ISO_CORE_METHODS_EQUATIONS_H
+
+#include <stddef.h>
+
+#include "core/numbers/real.h"
+
+/* dx[states] = f(x[states], u[inputs], p[parameters]). The arrays do not overlap; an empty one may be NULL. */
+typedef void iso_derivative(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p);
+
+/* lu[factors] = what a plant keeps of 1 - hb J to solve with it, J[i][j] = df_i/dx_j at x, u, p. */
+typedef void iso_factor(real *restrict lu, const real *restrict x, const real *restrict u, const real *restrict p,
+                        real hb);
+
+/* d[states] = (1 - hb J)^-1 d, from the factors lu. */
+typedef void iso_solve(real *restrict d, const real *restrict lu);
+
+/* The equations of motion as a method needs them. */
+typedef struct iso_equations {
+    iso_derivative *derivative;
+    iso_factor *factor; /* these three for implicit methods only */
+    iso_solve *solve;
+    size_t factors;
+    iso_derivative *rates; /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
+    size_t positions;      /* how many of the states are positions, which come first, where `rates` is given */
+} iso_equations;
+
+#endif

@@ -1,0 +1,116 @@
+/* The number type of a build, and the bits of a number.
+ *
+ * `real` is float, or double with -DISO_REAL_DOUBLE. Literals are written R(0.5). Every function here is free of
+ * branches and of libm: a comparison gives a mask, and a mask selects. Nothing else in Isochron touches the bits of
+ * a real, so that another type (a vector of reals) needs a change in this file only.
+ */
+#ifndef ISO_CORE_NUMBERS_REAL_H
+#define ISO_CORE_NUMBERS_REAL_H
+
+#include <float.h>
+#include <stdint.h>
+#include <string.h>
+
+#ifdef ISO_REAL_DOUBLE
+
+typedef double real;
+typedef uint64_t iso_bits; /* as wide as a real */
+#define R(literal) literal
+#define ISO_REAL_NAME(name) name##_double /* objects of different real do not link */
+
+enum { ISO_SIGN_SHIFT = 63 };
+#define ISO_EXPONENT_BITS UINT64_C(0x7FF0000000000000)
+#define ISO_REAL_MAX DBL_MAX
+#define ISO_REAL_EPSILON DBL_EPSILON /* distance from 1 to the next real: one ulp of 1.0 */
+
+#else
+
+typedef float real;
+typedef uint32_t iso_bits;
+#define R(literal) literal##f
+#define ISO_REAL_NAME(name) name##_float
+
+enum { ISO_SIGN_SHIFT = 31 };
+#define ISO_EXPONENT_BITS UINT32_C(0x7F800000)
+#define ISO_REAL_MAX FLT_MAX
+#define ISO_REAL_EPSILON FLT_EPSILON
+
+#endif
+
+#define ISO_SIGN_BIT ((iso_bits)1 << ISO_SIGN_SHIFT)
+
+/* The bits of x, and the real that has the bits b. */
+static inline iso_bits iso_bits_of(const real x)
+{
+    iso_bits b;
+    memcpy(&b, &x, sizeof b);
+    return b;
+}
+
+static inline real iso_real_of(const iso_bits b)
+{
+    real x;
+    memcpy(&x, &b, sizeof x);
+    return x;
+}
+
+/* All ones if a < b, else zero; for a and b that are not NaN and not the same infinity; -0 is below 0. The sign of
+ * a - b is exact with denormals kept: a - b is zero only for a = b. */
+static inline iso_bits iso_less(const real a, const real b)
+{
+    return (iso_bits)0 - (iso_bits_of(a - b) >> ISO_SIGN_SHIFT);
+}
+
+/* a where the mask is all ones, b where it is zero. From clang, which on x86 makes a branch of that, an empty statement
+ * hides that the mask is one of two; on the Cortex-M4F it would keep gcc from the cheapest selection. */
+static inline real iso_select(iso_bits mask, const real a, const real b)
+{
+#ifdef __clang__
+    __asm__("" : "+r"(mask));
+#endif
+    return iso_real_of((iso_bits_of(a) & mask) | (iso_bits_of(b) & ~mask));
+}
+
+static inline real iso_min(const real a, const real b)
+{
+    return iso_select(iso_less(b, a), b, a);
+}
+
+static inline real iso_max(const real a, const real b)
+{
+    return iso_select(iso_less(a, b), b, a);
+}
+
+/* 1 if a > b, else 0. */
+static inline real iso_above(const real a, const real b)
+{
+    return iso_real_of(iso_less(b, a) & iso_bits_of(R(1.0)));
+}
+
+/* x limited to [low, high], for low <= high. */
+static inline real iso_clamp(const real x, const real low, const real high)
+{
+    return iso_min(iso_max(x, low), high);
+}
+
+static inline real iso_abs(const real x)
+{
+    return iso_real_of(iso_bits_of(x) & ~ISO_SIGN_BIT);
+}
+
+/* All ones if x is an infinity or a NaN, else zero: an exponent of all ones plus one carries into the sign. */
+static inline iso_bits iso_not_finite(const real x)
+{
+    const iso_bits exponent = iso_bits_of(x) & ISO_EXPONENT_BITS;
+    const iso_bits lowest = ISO_EXPONENT_BITS & (~ISO_EXPONENT_BITS + 1);
+    return (iso_bits)0 - ((exponent + lowest) >> ISO_SIGN_SHIFT);
+}
+
+/* All ones if |x| is beyond range > 0, finite, or if x is no number, else zero: without their sign, the bits of reals are
+ * in the order of their sizes, and those of an infinity or a NaN above all. */
+static inline iso_bits iso_beyond(const real x, const real range)
+{
+    return (iso_bits)0 - ((iso_bits_of(range) - (iso_bits_of(x) & ~ISO_SIGN_BIT)) >> ISO_SIGN_SHIFT);
+}
+
+#endif

@@ -1,0 +1,78 @@
+/* What every plant written by hand has in common. Its method and its step, where the build says nothing else:
+ * -DISO_METHOD=ISO_HEUN -DISO_METHOD_NAME=heun -DISO_STEP=0.0005 (seconds, with a decimal point). Its memory; and how
+ * that and its equations make an iso_plant. A generated plant has its own. */
+#ifndef ISO_CORE_RUNTIME_CHOICE_H
+#define ISO_CORE_RUNTIME_CHOICE_H
+
+#include "core/methods/method.h"
+
+#ifndef ISO_METHOD
+#define ISO_METHOD ISO_RK4
+#define ISO_METHOD_NAME rk4
+#endif
+
+#ifndef ISO_STEP
+#define ISO_STEP 0.001
+#endif
+
+_Static_assert(!ISO_IS(ISO_METHOD, ISO_ADAMS),
+               "adams is for scenes; a plant in C calls iso_adams_tick of core/methods/adams.h");
+
+/* The step as a number, as text, and as the port's tick. */
+#define ISO_STEP_SIZE ISO_EXPAND(R, ISO_STEP)
+#define ISO_METHOD_TEXT ISO_EXPAND(ISO_STRING, ISO_METHOD_NAME)
+#define ISO_STEP_TEXT ISO_EXPAND(ISO_STRING, ISO_STEP)
+#define ISO_STEP_NS ((uint32_t)(ISO_STEP * 1e9 + 0.5))
+
+/* `memory`: the state with what the method keeps behind it, inputs, parameters and outputs. C has no empty array: what
+ * a plant has none of is one number that nothing uses. */
+#define ISO_PLANT_MEMORY(state_count, input_count, parameter_count, output_count)                                      \
+    static struct {                                                                                                    \
+        real x[ISO_METHOD_STATE(ISO_METHOD, state_count)];                                                             \
+        real u[(input_count) > 0 ? (input_count) : 1];                                                                 \
+        real p[(parameter_count) > 0 ? (parameter_count) : 1];                                                         \
+        real y[(output_count) > 0 ? (output_count) : 1];                                                               \
+        iso_progress progress;                                                                                         \
+    } memory
+
+/* iso_the_plant, of `memory`, `equations`, `output` and `start`; what else it has follows as initialisers. */
+#define ISO_PLANT(state_count, input_count, parameter_count, output_count, ...)                                        \
+    static void prime(void)                                                                                            \
+    {                                                                                                                  \
+        real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, state_count)], lu[(state_count) * (state_count)];                  \
+        iso_method_prime(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, lu, work);  \
+    }                                                                                                                  \
+                                                                                                                       \
+    ISO_FLAT static void step(void)                                                                                    \
+    {                                                                                                                  \
+        real work[ISO_METHOD_WORK(ISO_METHOD, state_count)], lu[(state_count) * (state_count)];                        \
+        iso_method_step(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, lu, work,    \
+                        &memory.progress);                                                                             \
+    }                                                                                                                  \
+                                                                                                                       \
+    const iso_plant iso_the_plant = {.method = ISO_METHOD_TEXT,                                                        \
+                                     .step_text = ISO_STEP_TEXT,                                                       \
+                                     .step_size = ISO_STEP_SIZE,                                                       \
+                                     .period_ns = ISO_STEP_NS,                                                         \
+                                     .states = state_count,                                                            \
+                                     .inputs = input_count,                                                            \
+                                     .outputs = output_count,                                                          \
+                                     .parameters = parameter_count,                                                    \
+                                     .x = memory.x,                                                                    \
+                                     .u = memory.u,                                                                    \
+                                     .p = memory.p,                                                                    \
+                                     .y = memory.y,                                                                    \
+                                     .start = start,                                                                   \
+                                     .progress = &memory.progress,                                                     \
+                                     .memory = &memory,                                                                \
+                                     .memory_bytes = sizeof memory,                                                    \
+                                     .derivative = derivative,                                                         \
+                                     .output = output,                                                                 \
+                                     .prime = prime,                                                                   \
+                                     .step = step,                                                                     \
+                                     __VA_ARGS__}
+
+#define ISO_EXPAND(macro, argument) macro(argument)
+#define ISO_STRING(text) #text
+
+#endif

@@ -1,0 +1,148 @@
+#include "core/runtime/loop.h"
+
+#include "core/methods/method.h"
+
+#include "port/port.h"
+
+/* Signed time from a to b on the clock, which wraps: right while they are less than 2^31 counts apart. */
+static int32_t elapsed(const uint32_t a, const uint32_t b)
+{
+    return (int32_t)(b - a);
+}
+
+/* The least of a few readings of the clock in a row: what a measured time contains of its own measuring. */
+static uint32_t clock_overhead(void)
+{
+    enum { READINGS = 4 };
+    uint32_t least = UINT32_MAX;
+    for (int i = 0; i < READINGS; i++) {
+        const uint32_t begin = iso_port_clock();
+        const uint32_t counts = iso_port_clock() - begin;
+        least = counts < least ? counts : least;
+    }
+    return least;
+}
+
+void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
+{
+    iso_plant_start(plant);
+    *loop = (iso_loop){
+        .plant = plant,
+        .guard = plant->states,
+        .account = {.margin = INT32_MAX, .execution_min = UINT32_MAX},
+    };
+    loop->period = iso_port_start(plant->period_ns);
+    loop->overhead = clock_overhead();
+}
+
+/* Makes the last step again from where it began, with a new history. Its error stays known, so that what jumps all the
+ * time does not cost a restart in every tick. */
+static void step_again(const iso_plant *const plant)
+{
+    const iso_progress told = *plant->progress;
+    memcpy(plant->memory, plant->before, plant->memory_bytes);
+    *plant->progress = told;
+    plant->prime();
+    plant->step();
+}
+
+/* All ones if state i is not finite or out of its range, else zero; without a branch on it. */
+static iso_bits is_bad(const iso_plant *const plant, const uint16_t i)
+{
+    return iso_beyond(plant->x[i], plant->range == NULL ? ISO_REAL_MAX : plant->range[i]);
+}
+
+/* The first bad state. The test of all is without a branch; the search is for the report only. */
+static uint16_t guard(const iso_plant *const plant)
+{
+    iso_bits bad = 0;
+    for (uint16_t i = 0; i < plant->states; i++) {
+        bad |= is_bad(plant, i);
+    }
+    uint16_t first = plant->states;
+    if (bad != 0) {
+        for (first = 0; is_bad(plant, first) == 0; first++) {
+        }
+    }
+    return first;
+}
+
+/* Books how far off the closures the plant is. */
+static void book_violation(const iso_plant *const plant, iso_account *const account)
+{
+    real off = R(0.0);
+    plant->violation(&off, plant->x, plant->u, plant->p);
+    account->violated += (uint32_t)(iso_less(plant->violation_limit, off) & 1);
+    account->violation = iso_max(account->violation, off);
+}
+
+/* Books a tick that woke up at begin, spent counts on its step, with a restart or without, and was done at end. */
+static void book(iso_loop *const loop, const uint32_t begin, const bool restarted, const uint32_t counts,
+                 const uint32_t end)
+{
+    iso_account *const account = &loop->account;
+    const int32_t margin = elapsed(end, loop->due + loop->period);
+
+    account->ticks++;
+    account->lost += loop->tick != loop->reported;
+    account->late += elapsed(loop->due, begin) > (int32_t)(loop->period >> ISO_LATE_SHIFT);
+    account->overruns += margin < 0;
+    account->margin = margin < account->margin ? margin : account->margin;
+    if (restarted) {
+        account->restart_max = counts > account->restart_max ? counts : account->restart_max;
+    } else {
+        account->execution_min = counts < account->execution_min ? counts : account->execution_min;
+        account->execution_max = counts > account->execution_max ? counts : account->execution_max;
+        account->execution_sum += counts;
+    }
+    if (loop->plant->progress != NULL) {
+        account->local_error = iso_max(account->local_error, loop->plant->progress->local_error);
+    }
+}
+
+bool iso_loop_tick(iso_loop *const loop)
+{
+    const iso_plant *const plant = loop->plant;
+
+    if (loop->tick == loop->reported) {
+        loop->reported = iso_port_wait();
+    }
+    const uint32_t begin = iso_port_clock();
+    if (plant->drive != NULL) {
+        plant->drive(loop->tick);
+    }
+    iso_port_read(plant->u, plant->inputs);
+    loop->tick++;
+    loop->due += loop->period;
+
+    if (plant->before != NULL) {
+        memcpy(plant->before, plant->memory, plant->memory_bytes);
+    }
+    const uint32_t restarts = loop->account.restarts;
+    const uint32_t before = iso_port_clock();
+    if (plant->jumped != NULL && plant->jumped()) {
+        plant->prime();
+        loop->account.restarts++;
+    }
+    plant->step();
+    uint32_t after = iso_port_clock();
+    /* After a restart the same step would come out again. */
+    if (plant->before != NULL && plant->progress->jumped && loop->account.restarts == restarts) {
+        step_again(plant);
+        loop->account.restarts++;
+        after = iso_port_clock();
+    }
+
+    loop->guard = guard(plant);
+    if (loop->guard < plant->states) {
+        loop->account.restarts = restarts;
+        return false;
+    }
+    plant->output(plant->y, plant->x, plant->u, plant->p);
+    iso_port_publish(plant->y, plant->outputs);
+    if (plant->violation != NULL) {
+        book_violation(plant, &loop->account);
+    }
+    book(loop, begin, loop->account.restarts != restarts, after - before - loop->overhead, iso_port_clock());
+    return true;
+}

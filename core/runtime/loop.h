@@ -1,0 +1,54 @@
+/* The periodic loop: wait for a tick, latch the inputs, step, publish the outputs, account.
+ *
+ * A tick that came late or was lost is caught up, one step each, so the trajectory depends on the count of ticks only
+ * and never on their timing. Step k goes from (k - 1) h to k h with the inputs of (k - 1) h.
+ */
+#ifndef ISO_CORE_RUNTIME_LOOP_H
+#define ISO_CORE_RUNTIME_LOOP_H
+
+#include <stdbool.h>
+
+#include "core/runtime/plant.h"
+
+#define iso_loop_start ISO_REAL_NAME(iso_loop_start)
+#define iso_loop_tick ISO_REAL_NAME(iso_loop_tick)
+
+/* A tick that starts more than a period / 2^ISO_LATE_SHIFT after it was due is late. */
+enum { ISO_LATE_SHIFT = 4 };
+
+/* How the ticks kept their time. Times are in counts of the port's clock. */
+typedef struct iso_account {
+    uint32_t ticks;         /* done */
+    uint32_t late;          /* of them, started late */
+    uint32_t lost;          /* of them, reported by the port only with a later one */
+    uint32_t overruns;      /* of them, ended after the next one was due */
+    uint32_t restarts;      /* of them, with a new history of the method, after a jump */
+    real local_error;       /* the largest of all steps, where steps are checked */
+    uint32_t violated;      /* ticks that ended farther off the closures than their limit, where the plant has one */
+    real violation;         /* the largest of all ticks */
+    int32_t margin;         /* least time left when the outputs were out; positive is good */
+    uint32_t execution_min; /* of a step: the call, where there was no restart */
+    uint32_t execution_max;
+    uint64_t execution_sum;
+    uint32_t restart_max; /* of a step with a restart, with all that this takes */
+} iso_account;
+
+typedef struct iso_loop {
+    const iso_plant *plant;
+    uint32_t tick;     /* steps done: the plant's time is tick times its step */
+    uint32_t reported; /* the latest tick of which the port told */
+    uint32_t due;      /* when tick was due, on the port's clock */
+    uint32_t period;   /* counts */
+    uint32_t overhead; /* counts of reading the clock */
+    uint16_t guard;    /* the first state that is not finite or out of range; plant->states if there is none */
+    iso_account account;
+} iso_loop;
+
+/* Sets the plant to its start and starts the ticks. */
+void iso_loop_start(iso_loop *loop, const iso_plant *plant);
+
+/* Does the next tick. Returns false if a state is no longer finite, or out of range: then the outputs stay as they were, nothing is
+ * published or accounted, and loop->guard and loop->tick say where. */
+bool iso_loop_tick(iso_loop *loop);
+
+#endif

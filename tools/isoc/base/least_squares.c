@@ -1,0 +1,85 @@
+#include "tools/isoc/base/least_squares.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+static const double rank_limit = 1e-10;
+
+static double dot(const double *a, const double *b, int n, int stride)
+{
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        sum += a[i * stride] * b[i * stride];
+    }
+    return sum;
+}
+
+/* Turns columns p and q by the angle of cosine c and sine s. */
+static void turn_columns(double *m, int rows, int columns, int p, int q, double c, double s)
+{
+    for (int i = 0; i < rows; i++) {
+        double *row = m + i * columns;
+        const double at_p = row[p], at_q = row[q];
+        row[p] = c * at_p - s * at_q;
+        row[q] = s * at_p + c * at_q;
+    }
+}
+
+/* Makes columns p and q of u orthogonal, and turns those of v alike. Returns whether they were not. */
+static bool orthogonalise(double *u, double *v, int rows, int columns, int p, int q)
+{
+    const double pp = dot(u + p, u + p, rows, columns), qq = dot(u + q, u + q, rows, columns);
+    const double pq = dot(u + p, u + q, rows, columns);
+    if (fabs(pq) <= 1e-16 * sqrt(pp * qq)) {
+        return false;
+    }
+    const double zeta = (qq - pp) / (2.0 * pq);
+    const double t = (zeta >= 0.0 ? 1.0 : -1.0) / (fabs(zeta) + sqrt(1.0 + zeta * zeta));
+    const double c = 1.0 / sqrt(1.0 + t * t);
+    turn_columns(u, rows, columns, p, q, c, c * t);
+    turn_columns(v, columns, columns, p, q, c, c * t);
+    return true;
+}
+
+int least_squares(arena *memory, const double *a, int rows, int columns, const double *b, double *x)
+{
+    enum { SWEEPS = 60 };
+    double *u = arena_take(memory, (size_t)(rows * columns) + 1, sizeof *u);
+    double *v = arena_take(memory, (size_t)(columns * columns) + 1, sizeof *v);
+    for (int i = 0; i < rows * columns; i++) {
+        u[i] = a[i];
+    }
+    for (int i = 0; i < columns; i++) {
+        v[i * columns + i] = 1.0;
+        x[i] = 0.0;
+    }
+    bool turned = true;
+    for (int sweep = 0; turned && sweep < SWEEPS; sweep++) {
+        turned = false;
+        for (int p = 0; p < columns; p++) {
+            for (int q = p + 1; q < columns; q++) {
+                turned = orthogonalise(u, v, rows, columns, p, q) || turned;
+            }
+        }
+    }
+    /* a = u v' with orthogonal columns u_j of length sigma_j: x = sum of v_j (u_j . b) / sigma_j^2. */
+    double largest = 0.0;
+    for (int j = 0; j < columns; j++) {
+        largest = fmax(largest, dot(u + j, u + j, rows, columns));
+    }
+    int rank = 0;
+    for (int j = 0; j < columns; j++) {
+        const double square = dot(u + j, u + j, rows, columns);
+        if (square > rank_limit * rank_limit * largest) {
+            double along = 0.0;
+            for (int i = 0; i < rows; i++) {
+                along += u[i * columns + j] * b[i];
+            }
+            for (int i = 0; i < columns; i++) {
+                x[i] += v[i * columns + j] * along / square;
+            }
+            rank++;
+        }
+    }
+    return rank;
+}

@@ -1,0 +1,16 @@
+/* Text that grows. */
+#ifndef ISOC_BASE_TEXT_H
+#define ISOC_BASE_TEXT_H
+
+#include "tools/isoc/base/arena.h"
+
+typedef struct text {
+    arena *memory;
+    char *bytes;
+    size_t length, room;
+} text;
+
+/* Adds what printf would write. */
+void text_add(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+#endif

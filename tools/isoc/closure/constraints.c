@@ -1,0 +1,338 @@
+#include "tools/isoc/closure/constraints.h"
+
+#include <math.h>
+
+typedef struct pair {
+    const kinematics *k;
+    const cut *c;
+    int index;
+    const matrix *turns; /* of the loop's links, to the axes that all of this stands in */
+    side parent, child;
+    vector apart, apart_rate, apart_bias; /* from the parent's point to the child's */
+    vector spin, spin_bias;               /* of the child against the parent */
+} pair;
+
+static vector column(matrix m, int j)
+{
+    return (vector){{m.at[0][j], m.at[1][j], m.at[2][j]}};
+}
+
+static pair build_pair(const kinematics *k, const acceleration *all, int index, closure_axes axes)
+{
+    graph *g = k->g;
+    const cut *c = &k->m->cuts[index];
+    pair made = {.k = k, .c = c, .index = index, .turns = loop_turns(k, c, axes)};
+    made.parent = side_build(k, all, &c->parent, c->base, made.turns);
+    made.child = side_build(k, all, &c->child, c->base, made.turns);
+    made.apart = vector_sub(g, made.child.point, made.parent.point);
+    made.apart_rate = vector_sub(g, made.child.velocity, made.parent.velocity);
+    made.apart_bias = vector_sub(g, made.child.acceleration, made.parent.acceleration);
+    made.spin = vector_sub(g, made.child.omega, made.parent.omega);
+    made.spin_bias = vector_sub(g, made.child.alpha, made.parent.alpha);
+    return made;
+}
+
+/* What a multiplier of one gives to the child along `a`, in base axes. */
+static vector minus_in_base(const pair *p, vector a)
+{
+    graph *g = p->k->g;
+    const vector in_base = matrix_apply(g, matrix_transpose(p->turns[p->c->base + 1]), a);
+    return vector_scale(g, constant(g, -1.0), in_base);
+}
+
+/* Puts a constraint to the others; one without an entry is dropped. */
+static void put(const kinematics *k, constraints *to, constraint made, const char *called)
+{
+    graph *g = k->g;
+    const mechanism *m = k->m;
+    node rate = made.rate;
+    bool entries = false;
+    for (int f = 0; f < m->freedom_count; f++) {
+        graph_name(g, made.row[f], "Phi_%s_%s", called, m->freedoms[f].name);
+        rate = add(g, rate, mul(g, made.row[f], leaf(g, OP_STATE, m->position_count + f)));
+        entries = entries || !is_zero(g, made.row[f]);
+    }
+    if (!entries) {
+        to->dropped_gaps[to->dropped] = made.position;
+        to->dropped_cuts[to->dropped++] = made.cut;
+        return;
+    }
+    made.rate = graph_name(g, rate, "rate_%s", called);
+    graph_name(g, made.position, "Phi_%s", called);
+    graph_name(g, made.bias, "Phi_dd_%s", called);
+    to->all[to->count++] = made;
+}
+
+static constraint blank(const kinematics *k, int index)
+{
+    graph *g = k->g;
+    const node zero = constant(g, 0.0);
+    constraint made = {.cut = index, .position = zero, .rate = zero, .bias = zero};
+    made.row = arena_take(g->memory, (size_t)k->m->freedom_count, sizeof *made.row);
+    for (int f = 0; f < k->m->freedom_count; f++) {
+        made.row[f] = zero;
+    }
+    made.force = made.moment = vector_zero(g);
+    return made;
+}
+
+/* Phi = d . r - length for the way r between the points and a direction d that moves with the parent, which turns with omega_A:
+ * Phi' = d . r' + omega_A . (d x r), Phi'' = d . r'' + 2 (omega_A x d) . r' + (alpha_A x d + omega_A x (omega_A x d)) . r.
+ * With the points together, or d resting, only the first terms stay. */
+static void hold_along(const pair *p, constraints *to, vector d, node length, bool turns, const char *called)
+{
+    const kinematics *k = p->k;
+    graph *g = k->g;
+    constraint made = blank(k, p->index);
+    const vector arm = vector_cross(g, d, p->apart), zero = vector_zero(g);
+    made.position = sub(g, vector_dot(g, d, p->apart), length);
+    for (int f = 0; f < k->m->freedom_count; f++) {
+        made.row[f] = vector_dot(g, d, vector_sub(g, p->child.linear[f], p->parent.linear[f]));
+        made.row[f] = add(g, made.row[f], vector_dot(g, turns ? arm : zero, p->parent.angular[f]));
+    }
+    made.bias = vector_dot(g, d, p->apart_bias);
+    if (turns) {
+        const vector turned = vector_cross(g, p->parent.omega, d);
+        const node coriolis = vector_dot(g, vector_scale(g, constant(g, 2.0), turned), p->apart_rate);
+        const node carried = vector_dot(g, swing(g, p->parent.omega, p->parent.alpha, d), p->apart);
+        made.bias = add(g, made.bias, add(g, coriolis, carried));
+    }
+    made.force = minus_in_base(p, d);
+    put(k, to, made, called);
+}
+
+/* Phi = u . w for an axis u of the parent and w of the child: Phi' = (omega_B - omega_A) . c with c = w x u. */
+static void hold_across(const pair *p, constraints *to, vector u, vector w, const char *called)
+{
+    const kinematics *k = p->k;
+    graph *g = k->g;
+    constraint made = blank(k, p->index);
+    const vector c = vector_cross(g, w, u);
+    made.position = vector_dot(g, u, w);
+    for (int f = 0; f < k->m->freedom_count; f++) {
+        made.row[f] = vector_dot(g, c, vector_sub(g, p->child.angular[f], p->parent.angular[f]));
+    }
+    const vector w_rate = vector_cross(g, p->child.omega, w), u_rate = vector_cross(g, p->parent.omega, u);
+    const vector from_w = vector_cross(g, w_rate, u), from_u = vector_cross(g, w, u_rate);
+    const node turning = vector_dot(g, p->spin, vector_add(g, from_w, from_u));
+    made.bias = add(g, vector_dot(g, p->spin_bias, c), turning);
+    made.moment = minus_in_base(p, c);
+    put(k, to, made, called);
+}
+
+/* How far the points are apart at the start. */
+static node distance_at_start(const pair *p)
+{
+    graph *g = p->k->g;
+    const mechanism *m = p->k->m;
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers), square = 0.0;
+    graph_evaluate(g, mechanism_start(m, g->memory), NULL, m->defaults, numbers);
+    for (int i = 0; i < 3; i++) {
+        square += numbers[p->apart.at[i]] * numbers[p->apart.at[i]];
+    }
+    return constant(g, sqrt(square));
+}
+
+/* Phi = (|r|^2 - length^2) / (2 length), in metres. */
+static void hold_distance(const pair *p, constraints *to, const char *called)
+{
+    const kinematics *k = p->k;
+    graph *g = k->g;
+    constraint made = blank(k, p->index);
+    const node length = is_zero(g, p->c->length) ? distance_at_start(p) : p->c->length;
+    const vector d = vector_scale(g, divide(g, constant(g, 1.0), length), p->apart);
+    const node half = constant(g, 0.5);
+    made.length = length;
+    made.position = mul(g, half, sub(g, vector_dot(g, d, p->apart), length));
+    for (int f = 0; f < k->m->freedom_count; f++) {
+        made.row[f] = vector_dot(g, d, vector_sub(g, p->child.linear[f], p->parent.linear[f]));
+    }
+    const node square = divide(g, vector_dot(g, p->apart_rate, p->apart_rate), length);
+    made.bias = add(g, vector_dot(g, d, p->apart_bias), square);
+    made.force = minus_in_base(p, d);
+    put(k, to, made, called);
+}
+
+/* The point of the child that touches the resting plane, -radius n from its centre, has no velocity along t. */
+static void hold_rolling(const pair *p, constraints *to, vector t, vector n, const char *called)
+{
+    const kinematics *k = p->k;
+    graph *g = k->g;
+    constraint made = blank(k, p->index);
+    const vector lever = vector_scale(g, neg(g, p->c->length), n);
+    const vector arm = vector_cross(g, lever, t);
+    for (int f = 0; f < k->m->freedom_count; f++) {
+        const node linear = vector_dot(g, t, p->child.linear[f]);
+        made.row[f] = add(g, linear, vector_dot(g, arm, p->child.angular[f]));
+    }
+    const node carried = vector_dot(g, t, p->apart_bias);
+    made.bias = add(g, carried, vector_dot(g, arm, p->child.alpha));
+    made.force = minus_in_base(p, t);
+    made.moment = minus_in_base(p, arm);
+    put(k, to, made, called);
+}
+
+/* Phi = q_first - ratio q_second - offset, or q_first - motion(t); without what whole turns of continuous joints make of it;
+ * of what holds in speeds alone only Phi'. */
+static void hold_joints(const kinematics *k, constraints *to, int index)
+{
+    graph *g = k->g;
+    const cut *c = &k->m->cuts[index];
+    constraint made = blank(k, index);
+    const link *first = &k->m->links[c->parent.link];
+    made.position = sub(g, k->motions[c->parent.link].q[0], c->length);
+    made.row[first->freedom] = constant(g, 1.0);
+    if (c->kind == CLOSE_GEAR) {
+        const link *second = &k->m->links[c->child.link];
+        made.row[second->freedom] = neg(g, c->ratio);
+        made.position = sub(g, made.position, mul(g, c->ratio, k->motions[c->child.link].q[0]));
+    } else {
+        made.position = sub(g, made.position, c->motion);
+        made.rate = neg(g, c->motion_rate);
+        made.bias = neg(g, c->motion_bias);
+    }
+    if (!is_zero(g, c->whole)) {
+        made.position = divide(g, wrap(g, mul(g, c->whole, made.position)), c->whole);
+    }
+    made.position = c->in_speed ? constant(g, 0.0) : made.position;
+    put(k, to, made, c->name);
+}
+
+static const char *part_name(const pair *p, const char *part)
+{
+    return arena_format(p->k->g->memory, "%s_%s", p->c->name, part);
+}
+
+static void hold_together(const pair *p, constraints *to)
+{
+    static const char *const parts[] = {"x", "y", "z"};
+    const node zero = constant(p->k->g, 0.0);
+    for (int i = 0; i < 3; i++) {
+        hold_along(p, to, vector_of(p->k->g, i == 0, i == 1, i == 2), zero, false, part_name(p, parts[i]));
+    }
+}
+
+/* Axis `a` of the child stays across the parent's other two. */
+static void hold_parallel(const pair *p, constraints *to, int a)
+{
+    const vector w = column(p->child.axes, a);
+    hold_across(p, to, column(p->parent.axes, (a + 1) % 3), w, part_name(p, "tilt_1"));
+    hold_across(p, to, column(p->parent.axes, (a + 2) % 3), w, part_name(p, "tilt_2"));
+}
+
+static void hold_turn(const pair *p, constraints *to)
+{
+    static const char *const parts[] = {"turn_1", "turn_2", "turn_3"};
+    for (int i = 0; i < 3; i++) {
+        const vector u = column(p->parent.axes, i), w = column(p->child.axes, (i + 1) % 3);
+        hold_across(p, to, u, w, part_name(p, parts[i]));
+    }
+}
+
+/* Two directions across a constant one: n x e for the coordinate axis e that is most across, and n x that. */
+static void directions_across(graph *g, vector n, vector across[2])
+{
+    int most = 0;
+    for (int i = 1; i < 3; i++) {
+        most = fabs(constant_value(g, n.at[i])) < fabs(constant_value(g, n.at[most])) ? i : most;
+    }
+    const vector e = vector_of(g, most == 0, most == 1, most == 2), long_one = vector_cross(g, n, e);
+    const double square = constant_value(g, vector_dot(g, long_one, long_one));
+    across[0] = vector_scale(g, constant(g, 1.0 / sqrt(square)), long_one);
+    across[1] = vector_cross(g, n, across[0]);
+}
+
+/* Whether the directions across a line of the parent need not turn with it: its own direction rests, or the child has no
+ * way along it. Then the two rates of the way that they ask for are those of a vector, whose parts along any two are as good. */
+static bool may_rest(const pair *p, int a)
+{
+    const kinematics *k = p->k;
+    const vector in_base = outward_axes(k, p->c->parent.link, p->c->base, column(p->c->parent.turn, a));
+    const bool rests = p->c->base == GROUND && vector_is_constant(k->g, in_base);
+    return rests || is_zero(k->g, vector_dot(k->g, column(p->parent.axes, a), p->apart));
+}
+
+/* On the line along axis `a` of the parent, by two directions across it: constants, as in a planar mechanism, or the
+ * parent's. */
+static void hold_on_line(const pair *p, constraints *to, int a)
+{
+    graph *g = p->k->g;
+    const node zero = constant(g, 0.0);
+    const bool turns = !may_rest(p, a);
+    const vector along = column(p->parent.axes, a);
+    vector across[2] = {column(p->parent.axes, (a + 1) % 3), column(p->parent.axes, (a + 2) % 3)};
+    if (!turns && vector_is_constant(g, along)) {
+        directions_across(g, along, across);
+    }
+    hold_along(p, to, across[0], zero, turns, part_name(p, "off_1"));
+    hold_along(p, to, across[1], zero, turns, part_name(p, "off_2"));
+}
+
+static void hold_ball(const pair *p, constraints *to, int a)
+{
+    const vector n = column(p->parent.axes, a);
+    hold_along(p, to, n, p->c->length, false, part_name(p, "height"));
+    hold_rolling(p, to, column(p->parent.axes, (a + 1) % 3), n, part_name(p, "slip_1"));
+    hold_rolling(p, to, column(p->parent.axes, (a + 2) % 3), n, part_name(p, "slip_2"));
+}
+
+static void close_pair(const pair *p, constraints *to)
+{
+    const int a = p->c->axis;
+    switch (p->c->kind) {
+    case CLOSE_FIXED:
+        hold_together(p, to);
+        hold_turn(p, to);
+        break;
+    case CLOSE_REVOLUTE:
+        hold_together(p, to);
+        hold_parallel(p, to, a);
+        break;
+    case CLOSE_SPHERICAL:
+        hold_together(p, to);
+        break;
+    case CLOSE_PRISMATIC:
+        hold_on_line(p, to, a);
+        hold_turn(p, to);
+        break;
+    case CLOSE_LINE:
+        hold_on_line(p, to, a);
+        break;
+    case CLOSE_DISTANCE:
+        hold_distance(p, to, p->c->name);
+        break;
+    default:
+        hold_ball(p, to, a);
+        break;
+    }
+}
+
+constraints constraints_build(const kinematics *k, const acceleration *accelerations, closure_axes axes)
+{
+    enum { MOST_OF_A_CLOSURE = 6 };
+    graph *g = k->g;
+    const size_t room = MOST_OF_A_CLOSURE * (size_t)k->m->cut_count + 1;
+    constraints made = {.all = arena_take(g->memory, room, sizeof *made.all)};
+    made.dropped_gaps = arena_take(g->memory, room, sizeof *made.dropped_gaps);
+    made.dropped_cuts = arena_take(g->memory, room, sizeof *made.dropped_cuts);
+    for (int i = 0; i < k->m->cut_count; i++) {
+        if (acts_along_joints(k->m->cuts[i].kind)) {
+            hold_joints(k, &made, i);
+        } else {
+            const pair p = build_pair(k, accelerations, i, axes);
+            close_pair(&p, &made);
+        }
+    }
+    return made;
+}
+
+node largest_violation(const kinematics *k, const constraints *held, bool of_rates)
+{
+    graph *g = k->g;
+    node largest = constant(g, 0.0);
+    for (int r = 0; r < held->count; r++) {
+        const node one = magnitude(g, of_rates ? held->all[r].rate : held->all[r].position);
+        largest = is_zero(g, largest) ? one : larger(g, largest, one);
+    }
+    return largest;
+}

@@ -1,0 +1,36 @@
+/* What the loop closures demand of the freedoms, as nodes: of each constraint its position Phi(q), its rate Phi', its row
+ * Phi_q of the Jacobian, and its bias, what Phi'' is at q'' = 0.
+ *
+ * Nikravesh (1988), Computer-Aided Analysis of Mechanical Systems, ch. 7. Rows are made from the velocities of points
+ * and axes, joint by joint, in axes of choice (tools/isoc/closure/side.h). A row without an entry is dropped: such a constraint holds by the shape of
+ * the scene, as out of the plane of a planar mechanism.
+ */
+#ifndef ISOC_CLOSURE_CONSTRAINTS_H
+#define ISOC_CLOSURE_CONSTRAINTS_H
+
+#include "tools/isoc/closure/side.h"
+
+typedef struct constraint {
+    int cut;       /* the closure that it is part of */
+    node position; /* m or rad; zero of a constraint of velocities only */
+    node rate;
+    node bias;
+    node length;          /* of a distance */
+    node *row;            /* [freedoms] */
+    vector force, moment; /* on the child, in base axes, about its point, of a multiplier of one; both zero of joints */
+} constraint;
+
+typedef struct constraints {
+    constraint *all;
+    int count, room;
+    int dropped;        /* constraints that hold by the shape of the scene */
+    node *dropped_gaps; /* and what they are off by: constants, and zero if the scene can close */
+    int *dropped_cuts;
+} constraints;
+
+/* The largest |Phi|, or |Phi'| of all constraints. */
+node largest_violation(const kinematics *k, const constraints *held, bool of_rates);
+
+constraints constraints_build(const kinematics *k, const acceleration *accelerations, closure_axes axes);
+
+#endif

@@ -1,0 +1,114 @@
+#include "tools/isoc/closure/side.h"
+
+#include <string.h>
+
+/* From a link's axes to its parent's. */
+static matrix joint_turn(const kinematics *k, int i)
+{
+    matrix made;
+    for (int j = 0; j < 3; j++) {
+        const vector e = to_parent(k, i, vector_of(k->g, j == 0, j == 1, j == 2));
+        for (int n = 0; n < 3; n++) {
+            made.at[n][j] = e.at[n];
+        }
+    }
+    return made;
+}
+
+static void turn_outward(const kinematics *k, int i, int base, matrix *turns)
+{
+    if (i != base) {
+        const int parent = k->m->links[i].parent;
+        turn_outward(k, parent, base, turns);
+        turns[i + 1] = matrix_product(k->g, turns[parent + 1], joint_turn(k, i));
+    }
+}
+
+const matrix *loop_turns(const kinematics *k, const cut *c, closure_axes chosen)
+{
+    matrix *turns = arena_take(k->g->memory, (size_t)k->m->link_count + 1, sizeof *turns);
+    const int last = chosen == AXES_OF_PARENT ? c->parent.link : chosen == AXES_OF_CHILD ? c->child.link : c->base;
+    turns[last + 1] = matrix_identity(k->g);
+    for (int i = last; i != c->base; i = k->m->links[i].parent) {
+        const matrix back = matrix_transpose(joint_turn(k, i));
+        turns[k->m->links[i].parent + 1] = matrix_product(k->g, turns[i + 1], back);
+    }
+    if (chosen != AXES_OF_PARENT) {
+        turn_outward(k, c->parent.link, c->base, turns);
+    }
+    if (chosen != AXES_OF_CHILD) {
+        turn_outward(k, c->child.link, c->base, turns);
+    }
+    return turns;
+}
+
+static bool same(vector a, vector b)
+{
+    return memcmp(a.at, b.at, sizeof a.at) == 0;
+}
+
+/* Adds the way `from` on a link, from where it hangs to where the next one does, and what the link's motion makes of it: in
+ * the link's axes, which share it with the dynamics; or behind the rotation, where that leaves the angular velocity as it is, as
+ * in a plane, and makes of the way what the Jacobian has. */
+static void add_way(const kinematics *k, const acceleration *all, int i, bool moves, vector from, matrix rotation,
+                    side *to)
+{
+    graph *g = k->g;
+    const vector way = matrix_apply(g, rotation, from), zero = vector_zero(g);
+    to->point = vector_add(g, to->point, way);
+    if (i == GROUND) {
+        return;
+    }
+    const vector omega = k->motions[i].omega, alpha = all[i].alpha;
+    const vector slid = moves && slides(&k->m->links[i]) ? k->motions[i].rate : zero;
+    const vector coriolis = moves ? joint_coriolis(k, i).a : zero;
+    vector rate, bias;
+    if (same(matrix_apply(g, rotation, omega), omega) && same(matrix_apply(g, rotation, alpha), alpha)) {
+        rate = vector_add(g, vector_cross(g, omega, way), matrix_apply(g, rotation, slid));
+        bias = vector_add(g, swing(g, omega, alpha, way), matrix_apply(g, rotation, coriolis));
+    } else {
+        rate = matrix_apply(g, rotation, vector_add(g, vector_cross(g, omega, from), slid));
+        bias = matrix_apply(g, rotation, vector_add(g, swing(g, omega, alpha, from), coriolis));
+    }
+    to->velocity = vector_add(g, to->velocity, rate);
+    to->acceleration = vector_add(g, to->acceleration, bias);
+}
+
+/* What the freedoms of a link add to the motion of the end, which is at to->point from where the link hangs. */
+static void add_freedoms(const kinematics *k, int i, matrix rotation, side *to)
+{
+    graph *g = k->g;
+    const link *l = &k->m->links[i];
+    for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+        const vector e = matrix_apply(g, rotation, axis_of(k, f));
+        to->linear[f] = slides(l) ? e : vector_cross(g, e, to->point);
+        to->angular[f] = slides(l) ? vector_zero(g) : e;
+    }
+}
+
+side side_build(const kinematics *k, const acceleration *all, const cut_end *end, int base, const matrix *turns)
+{
+    graph *g = k->g;
+    const mechanism *m = k->m;
+    const vector zero = vector_zero(g);
+    const matrix last = turns[end->link + 1];
+    side made = {.point = zero, .velocity = zero, .acceleration = zero, .omega = zero, .alpha = zero};
+    made.linear = arena_take(g->memory, (size_t)m->freedom_count, sizeof *made.linear);
+    made.angular = arena_take(g->memory, (size_t)m->freedom_count, sizeof *made.angular);
+    for (int f = 0; f < m->freedom_count; f++) {
+        made.linear[f] = made.angular[f] = zero;
+    }
+    vector from = end->point;
+    for (int i = end->link; i != base; i = m->links[i].parent) {
+        add_way(k, all, i, true, from, turns[i + 1], &made);
+        add_freedoms(k, i, turns[i + 1], &made);
+        from = k->motions[i].p;
+    }
+    add_way(k, all, base, false, from, turns[base + 1], &made);
+    if (end->link != GROUND) {
+        made.omega = matrix_apply(g, last, k->motions[end->link].omega);
+        made.alpha = matrix_apply(g, last, all[end->link].alpha);
+    }
+    made.axes = matrix_product(g, last, end->turn);
+    return made;
+}

@@ -1,0 +1,208 @@
+#include "tools/isoc/dynamics/assembly.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/dynamics/closing.h"
+
+static const double closed = 1e-6; /* m, rad, and per second: what the digits of given values may leave open */
+static const double exact = 1e-10; /* what rounding leaves */
+
+typedef struct assembly {
+    source *s;
+    const mechanism *m;
+    const constraints *held;
+    closing c;
+    bool *is_free;    /* [freedoms] */
+    bool keeps_rough; /* coordinates with a rough start are not free */
+} assembly;
+
+/* The joints, or their parts, with free coordinates, for a message. */
+static const char *list_free(const assembly *a)
+{
+    const char *list = "";
+    for (int i = 0; i < a->m->link_count; i++) {
+        const link *l = &a->m->links[i];
+        bool any = false;
+        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+            any = any || a->is_free[f];
+        }
+        if (any) {
+            list = arena_format(a->s->memory, "%s%s%s", list, list[0] == '\0' ? "" : ", ", l->name);
+        }
+    }
+    return list;
+}
+
+/* Those that closures feel: all, or those without a start. Returns how many. */
+static int choose_free(const assembly *a, bool rates, bool all)
+{
+    int count = 0;
+    for (int f = 0; f < a->m->freedom_count; f++) {
+        const link *l = &a->m->links[a->m->freedoms[f].link];
+        const bool given = rates ? l->speed_given : l->start_given || (l->start_is_rough && a->keeps_rough);
+        a->is_free[f] = false;
+        for (int r = 0; r < a->held->count && (all || !given); r++) {
+            const bool feels = closing_counts(&a->c, rates, r) && !is_zero(a->c.d->g, a->held->all[r].row[f]);
+            a->is_free[f] = a->is_free[f] || feels;
+        }
+        count += a->is_free[f];
+    }
+    return count;
+}
+
+static const cut *cut_of(const assembly *a, gap open)
+{
+    return &a->m->cuts[a->held->all[open.row].cut];
+}
+
+/* What the constraint is measured in: that of axes by an angle, that of joints as their coordinate is. */
+static const char *unit_of(const assembly *a, gap open)
+{
+    const graph *g = a->c.d->g;
+    const cut *at = cut_of(a, open);
+    const vector force = a->held->all[open.row].force;
+    const bool is_length = acts_along_joints(at->kind)
+                               ? slides(&a->m->links[at->parent.link])
+                               : !is_zero(g, force.at[0]) || !is_zero(g, force.at[1]) || !is_zero(g, force.at[2]);
+    return is_length ? "m" : "rad";
+}
+
+static void tell_open(const assembly *a, gap open, int count)
+{
+    const char *list = list_free(a);
+    choose_free(a, false, true);
+    const bool would_close = closing_search(&a->c, a->is_free, closed).size <= closed;
+    source_problem(a->s, cut_of(a, open)->at,
+                   "'%s' cannot close: it stays %.3g %s open, with rank %d of %d constraints over the coordinates "
+                   "without a start: %s%s",
+                   cut_of(a, open)->name, open.size, unit_of(a, open), open.rank, open.all, count == 0 ? "none" : list,
+                   would_close ? "; it closes if starts are left out" : "");
+}
+
+/* Moves the others as near as they come to a rough start, so that the way to close it is found that is nearest. */
+static void go_near(assembly *a)
+{
+    for (int i = 0; i < a->m->link_count; i++) {
+        a->keeps_rough = a->keeps_rough || a->m->links[i].start_is_rough;
+    }
+    if (a->keeps_rough && choose_free(a, false, false) > 0) {
+        (void)closing_search(&a->c, a->is_free, closed);
+    }
+    a->keeps_rough = false;
+}
+
+static bool close_positions(const assembly *a)
+{
+    const int count = choose_free(a, false, false);
+    const gap open = closing_search(&a->c, a->is_free, closed);
+    if (!(open.size <= closed)) {
+        tell_open(a, open, count);
+        return false;
+    }
+    if (open.rank < count) {
+        source_problem(a->s, cut_of(a, open)->at,
+                       "the closures leave %d of %d coordinates undetermined (rank %d): give a start to %d of %s",
+                       count - open.rank, count, open.rank, count - open.rank, list_free(a));
+        return false;
+    }
+    choose_free(a, false, true);
+    const gap left = closing_run(&a->c, false, a->is_free);
+    if (!(left.size <= exact)) {
+        source_problem(a->s, cut_of(a, left)->at,
+                       "'%s' contradicts the other closures: %.3g %s stay open, with rank %d of %d constraints",
+                       cut_of(a, left)->name, left.size, unit_of(a, left), left.rank, left.all);
+        return false;
+    }
+    return true;
+}
+
+static bool close_speeds(const assembly *a)
+{
+    choose_free(a, true, false);
+    const gap open = closing_run(&a->c, true, a->is_free);
+    if (!(open.size <= closed)) {
+        source_problem(a->s, cut_of(a, open)->at,
+                       "the speeds given at the start tear '%s' open at %.3g %s/s: leave out those that follow from "
+                       "the others",
+                       cut_of(a, open)->name, open.size, unit_of(a, open));
+        return false;
+    }
+    choose_free(a, true, true);
+    const gap left = closing_run(&a->c, true, a->is_free);
+    if (left.rank < left.all && !a->m->is_redundant) {
+        source_problem(a->s, a->m->cuts[a->held->all[a->held->count - 1].cut].at,
+                       "the closures repeat each other: rank %d of %d constraints at the start; leave out what is "
+                       "redundant, or write stabilisation lagrangian",
+                       left.rank, left.all);
+        return false;
+    }
+    return true;
+}
+
+/* Constraints that hold by the shape of the scene do so only if they are not off by a constant. */
+static bool check_dropped(const assembly *a)
+{
+    for (int i = 0; i < a->held->dropped; i++) {
+        const double off = fabs(a->c.numbers[a->held->dropped_gaps[i]]);
+        const cut *c = &a->m->cuts[a->held->dropped_cuts[i]];
+        if (!(off <= closed)) {
+            source_problem(a->s, c->at, "'%s' cannot close: it is %.3g (m or rad) off where no joint moves it", c->name,
+                           off);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A distance that is what the start gives must be one. */
+static bool check_distances(const assembly *a)
+{
+    for (int r = 0; r < a->held->count; r++) {
+        const constraint *c = &a->held->all[r];
+        if (a->m->cuts[c->cut].kind == CLOSE_DISTANCE && !(a->c.numbers[c->length] > closed)) {
+            source_problem(a->s, a->m->cuts[c->cut].at,
+                           "the points of '%s' are together at the start, which is no distance: length 1 m, or a start "
+                           "that parts them",
+                           a->m->cuts[c->cut].name);
+            return false;
+        }
+    }
+    return true;
+}
+
+static double largest_change(const double *from, const double *to, int count)
+{
+    double largest = 0.0;
+    for (int n = 0; n < count; n++) {
+        largest = fmax(largest, fabs(to[n] - from[n]));
+    }
+    return largest;
+}
+
+static void keep_start(const assembly *a)
+{
+    for (int i = 0; i < a->m->link_count; i++) {
+        link *l = &a->m->links[i];
+        const double *x = a->c.x + l->position;
+        const double *speed = a->c.x + a->m->position_count + l->freedom;
+        l->start_found = largest_change(l->start, x, positions_of(l->kind)) > closed;
+        l->speed_found = largest_change(l->speed, speed, freedoms_of(l->kind)) > closed;
+        memcpy(l->start, x, (size_t)positions_of(l->kind) * sizeof *x);
+        memcpy(l->speed, speed, (size_t)freedoms_of(l->kind) * sizeof *x);
+    }
+}
+
+void assemble(source *s, const dynamics *d)
+{
+    const mechanism *m = d->m;
+    if (m->cut_count == 0) {
+        return;
+    }
+    assembly a = {.s = s, .m = m, .held = &d->loops.held, .c = closing_start(s->memory, d)};
+    a.is_free = arena_take(s->memory, (size_t)m->freedom_count, sizeof *a.is_free);
+    go_near(&a);
+    if (check_distances(&a) && check_dropped(&a) && close_positions(&a) && close_speeds(&a)) {
+        keep_start(&a);
+    }
+}

@@ -1,0 +1,219 @@
+#include "tools/isoc/dynamics/closing.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/base/least_squares.h"
+
+static const double tight = 1e-13;   /* where Newton's method ends */
+static const double rounding = 1e-6; /* a gap smaller than this that no longer halves is as small as it gets */
+static const double around = 6.28318530717958648;
+static const double longest_move = 0.5; /* m or rad in an iteration */
+
+static void evaluate(const closing *c)
+{
+    const int n = c->m->freedom_count;
+    graph_evaluate(c->d->g, c->x, NULL, c->m->defaults, c->numbers);
+    for (int r = 0; r < c->held->count; r++) {
+        for (int f = 0; f < n; f++) {
+            c->jacobian[r * n + f] = c->numbers[c->held->all[r].row[f]];
+        }
+    }
+}
+
+bool closing_counts(const closing *c, bool rates, int row)
+{
+    return rates || !is_zero(c->d->g, c->held->all[row].position);
+}
+
+static double gap_of(const closing *c, bool rates, int row)
+{
+    return c->numbers[rates ? c->held->all[row].rate : c->held->all[row].position];
+}
+
+static double square_gaps(const closing *c, bool rates)
+{
+    double sum = 0.0;
+    for (int r = 0; r < c->held->count; r++) {
+        sum += gap_of(c, rates, r) * gap_of(c, rates, r);
+    }
+    return sum;
+}
+
+/* Moves the positions of a link by what its freedoms move. */
+static void move_link(const closing *c, const link *l, const double *by)
+{
+    double *q = c->x + l->position;
+    if (l->kind != JOINT_SPHERICAL) {
+        q[0] += by[0];
+        return;
+    }
+    const double w = q[0], i = q[1], j = q[2], k = q[3];
+    q[0] = w - 0.5 * (i * by[0] + j * by[1] + k * by[2]);
+    q[1] = i + 0.5 * (w * by[0] + j * by[2] - k * by[1]);
+    q[2] = j + 0.5 * (w * by[1] + k * by[0] - i * by[2]);
+    q[3] = k + 0.5 * (w * by[2] + i * by[1] - j * by[0]);
+    const double norm = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    for (int n = 0; n < 4; n++) {
+        q[n] /= norm;
+    }
+}
+
+static void move(const closing *c, bool rates, const double *by)
+{
+    for (int i = 0; i < c->m->link_count; i++) {
+        const link *l = &c->m->links[i];
+        if (!rates) {
+            move_link(c, l, by + l->freedom);
+        } else {
+            for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+                c->x[c->m->position_count + f] += by[f];
+            }
+        }
+    }
+}
+
+/* The least move of the free ones that closes the gaps, to first order; what is open, and the rank of their columns. */
+static gap aim(const closing *c, bool rates, const bool *is_free, double *by)
+{
+    const int n = c->m->freedom_count, rows = c->held->count;
+    double *matrix_free = arena_take(c->memory, (size_t)(rows * n) + 1, sizeof *matrix_free);
+    double *wanted = arena_take(c->memory, (size_t)rows + 1, sizeof *wanted);
+    gap open = {0};
+    double largest = 0.0;
+    for (int r = 0; r < rows; r++) {
+        if (!closing_counts(c, rates, r)) {
+            continue;
+        }
+        open.all++;
+        wanted[r] = -gap_of(c, rates, r);
+        if (!(fabs(wanted[r]) <= open.size)) {
+            open.size = fabs(wanted[r]);
+            open.row = r;
+        }
+        for (int f = 0; f < n; f++) {
+            matrix_free[r * n + f] = is_free[f] ? c->jacobian[r * n + f] : 0.0;
+        }
+    }
+    open.rank = least_squares(c->memory, matrix_free, rows, n, wanted, by);
+    for (int f = 0; f < n; f++) {
+        largest = fmax(largest, fabs(by[f]));
+    }
+    for (int f = 0; f < n && !rates && largest > longest_move; f++) {
+        by[f] *= longest_move / largest;
+    }
+    return open;
+}
+
+/* Moves, and only half as far again and again until the gaps are less. */
+static void move_closer(const closing *c, bool rates, double *by)
+{
+    enum { HALVINGS = 30 };
+    const double before = square_gaps(c, rates);
+    const size_t states = (size_t)state_count(c->m);
+    double *from = arena_take(c->memory, states, sizeof *from);
+    memcpy(from, c->x, states * sizeof *from);
+    for (int i = 0; i < HALVINGS; i++) {
+        memcpy(c->x, from, states * sizeof *from);
+        move(c, rates, by);
+        evaluate(c);
+        if (square_gaps(c, rates) < before) {
+            return;
+        }
+        for (int f = 0; f < c->m->freedom_count; f++) {
+            by[f] *= 0.5;
+        }
+    }
+}
+
+gap closing_run(const closing *c, bool rates, const bool *is_free)
+{
+    enum { ITERATIONS = 100 };
+    double *by = arena_take(c->memory, (size_t)c->m->freedom_count + 1, sizeof *by);
+    evaluate(c);
+    gap open = aim(c, rates, is_free, by);
+    for (int i = 0; i < ITERATIONS && open.size > tight; i++) {
+        const double size = open.size, square = square_gaps(c, rates);
+        move_closer(c, rates, by);
+        open = aim(c, rates, is_free, by);
+        if ((open.size < rounding && open.size > 0.5 * size) || square_gaps(c, rates) > (1.0 - 1e-6) * square) {
+            break; /* the least there is near here */
+        }
+    }
+    return open;
+}
+
+/* Free coordinates somewhere else: the n-th point of a sequence that fills their space evenly, a turn wide and as far as
+ * `reach`. Roberts (2018), "The unreasonable effectiveness of quasirandom sequences": multiples of the powers of 1 / g,
+ * g^(count + 1) = g + 1. */
+static void move_away(const closing *c, const bool *is_free, int n, double reach)
+{
+    double *by = arena_take(c->memory, (size_t)c->m->freedom_count + 1, sizeof *by);
+    double g = 1.5, power = 1.0;
+    int count = 0;
+    for (int f = 0; f < c->m->freedom_count; f++) {
+        count += is_free[f];
+    }
+    for (int i = 0; i < 50; i++) {
+        g = pow(1.0 + g, 1.0 / (count + 1));
+    }
+    for (int f = 0; f < c->m->freedom_count; f++) {
+        if (is_free[f]) {
+            power /= g;
+            const double part = n * power - floor(n * power) - 0.5;
+            by[f] = part * (slides(&c->m->links[c->m->freedoms[f].link]) ? reach : around);
+        }
+    }
+    move(c, false, by);
+}
+
+/* Free angles within half a turn of where they were looked for; continuous ones of zero. */
+static void fold(const closing *c, const bool *is_free)
+{
+    for (int i = 0; i < c->m->link_count; i++) {
+        const link *l = &c->m->links[i];
+        if (l->kind == JOINT_REVOLUTE && is_free[l->freedom]) {
+            const double from = l->continuous ? 0.0 : l->start[0];
+            c->x[l->position] -= around * floor((c->x[l->position] - from) / around + 0.5);
+        }
+    }
+}
+
+gap closing_search(const closing *c, const bool *is_free, double enough)
+{
+    enum { TRIES = 64 };
+    const size_t states = (size_t)state_count(c->m);
+    double *start = arena_take(c->memory, states, sizeof *start);
+    double *best = arena_take(c->memory, states, sizeof *best);
+    double *by = arena_take(c->memory, (size_t)c->m->freedom_count + 1, sizeof *by);
+    memcpy(start, c->x, states * sizeof *start);
+    memcpy(best, c->x, states * sizeof *best);
+    evaluate(c);
+    const double reach = aim(c, false, is_free, by).size;
+    double least = HUGE_VAL;
+    for (int n = 0; n < TRIES && !(least <= enough); n++) {
+        memcpy(c->x, start, states * sizeof *start);
+        if (n > 0) {
+            move_away(c, is_free, n, 2.0 * reach);
+        }
+        const gap open = closing_run(c, false, is_free);
+        if (open.size < least) {
+            least = open.size;
+            memcpy(best, c->x, states * sizeof *best);
+        }
+    }
+    memcpy(c->x, best, states * sizeof *best);
+    fold(c, is_free);
+    return closing_run(c, false, is_free);
+}
+
+closing closing_start(arena *memory, const dynamics *d)
+{
+    const mechanism *m = d->m;
+    const size_t n = (size_t)m->freedom_count;
+    closing c = {.d = d, .m = m, .held = &d->loops.held, .memory = memory, .x = mechanism_start(m, memory)};
+    c.numbers = arena_take(memory, d->g->count, sizeof *c.numbers);
+    c.jacobian = arena_take(memory, n * (size_t)c.held->count + 1, sizeof *c.jacobian);
+    evaluate(&c);
+    return c;
+}

@@ -1,0 +1,161 @@
+#include "tools/isoc/dynamics/dynamics.h"
+
+#include "tools/isoc/tree/articulated.h"
+
+const char *const formulation_names[FORMULATIONS] = {"composite", "articulated", "parent_axes", "child_axes"};
+
+bool formulation_fits(const mechanism *m, formulation f)
+{
+    return f == FORMULATION_COMPOSITE || (f == FORMULATION_ARTICULATED) == (m->cut_count == 0);
+}
+
+static closure_axes axes_of(formulation f)
+{
+    return f == FORMULATION_PARENT_AXES ? AXES_OF_PARENT : f == FORMULATION_CHILD_AXES ? AXES_OF_CHILD : AXES_OF_BASE;
+}
+
+void efforts_less(const dynamics *d, const node *bias, node *effort)
+{
+    graph *g = d->g;
+    for (int f = 0; f < d->m->freedom_count; f++) {
+        const link *l = &d->m->links[d->m->freedoms[f].link];
+        const motion *now = &d->k.motions[d->m->freedoms[f].link];
+        effort[f] = l->drive < 0 ? constant(g, 0.0) : leaf(g, OP_INPUT, l->drive);
+        effort[f] = sub(g, effort[f], mul(g, l->damping, now->qd[f - l->freedom]));
+        effort[f] = sub(g, effort[f], mul(g, l->spring, sub(g, now->q[0], l->rest)));
+        effort[f] = graph_name(g, sub(g, effort[f], bias[f]), "tau_%s", d->m->freedoms[f].name);
+    }
+}
+
+static void solve_loops(dynamics *d, node *bias, closure_axes axes)
+{
+    graph *g = d->g;
+    node *x = d->acceleration;
+    bias_build(&d->k, bias, d->accelerations);
+    graph_section(g, "Efforts less bias: drives, damping, springs");
+    efforts_less(d, bias, x);
+    d->mass = mass_matrix_build(&d->k);
+    graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias - Phi_q' lambda)");
+    mass_matrix_inward(&d->mass, x);
+    graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
+    d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations, axes), x);
+    graph_section(g, "Accelerations outward");
+    mass_matrix_outward(&d->mass, x);
+}
+
+/* The bias comes later. */
+static void efforts_alone(dynamics *d, node *bias)
+{
+    graph_section(d->g, "Efforts: drives, damping, springs");
+    for (int f = 0; f < d->m->freedom_count; f++) {
+        bias[f] = constant(d->g, 0.0);
+    }
+    efforts_less(d, bias, d->acceleration);
+}
+
+/* The efforts at absolute speeds w: with q_i' = w_i - (+-) w_parent that of the parent loses (+-) that of i. */
+static void efforts_at_absolute(const kinematics *k, node *effort)
+{
+    const mechanism *m = k->m;
+    for (int i = 0; i < m->link_count; i++) {
+        const int f = m->links[i].freedom, before = m->freedoms[f].before, shared = shared_axis(k, i);
+        if (shared != 0) {
+            effort[before] = sub(k->g, effort[before], mul(k->g, constant(k->g, shared), effort[f]));
+        }
+    }
+}
+
+/* q'' of w'. */
+static void relative_of_absolute(const kinematics *k, node *x)
+{
+    const mechanism *m = k->m;
+    for (int i = m->link_count - 1; i >= 0; i--) {
+        const int f = m->links[i].freedom, before = m->freedoms[f].before, shared = shared_axis(k, i);
+        if (shared != 0) {
+            const node of_parent = mul(k->g, constant(k->g, shared), x[before]);
+            x[f] = sub(k->g, x[f], of_parent);
+        }
+    }
+}
+
+/* Speeds of links that turn about one axis are absolute: then only the angle between two of them couples their
+ * accelerations, and not all angles on the way as well. The mass matrix of the joints' own speeds is there all the same,
+ * for the check of its pivots; what nothing else needs is not emitted. */
+static void solve_tree(dynamics *d, node *bias)
+{
+    graph *g = d->g;
+    kinematics absolute = d->k;
+    node *x = d->acceleration;
+    absolute.absolute = true;
+    efforts_alone(d, bias);
+    efforts_at_absolute(&absolute, x);
+    bias_build(&absolute, bias, d->accelerations);
+    graph_section(g, "Efforts less bias");
+    for (int f = 0; f < d->m->freedom_count; f++) {
+        x[f] = graph_name(g, sub(g, x[f], bias[f]), "tau_%s", d->m->freedoms[f].name);
+    }
+    const mass_matrix mass = mass_matrix_build(&absolute);
+    graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias)");
+    mass_matrix_inward(&mass, x);
+    mass_matrix_scale(&mass, x);
+    mass_matrix_outward(&mass, x);
+    relative_of_absolute(&absolute, x);
+    d->mass = mass_matrix_build(&d->k);
+}
+
+/* Articulated bodies feel by themselves what is the bias elsewhere. The mass matrix is there all the same, for the check of
+ * its pivots; what nothing else needs is not emitted. */
+static void solve_articulated(dynamics *d, node *bias)
+{
+    efforts_alone(d, bias);
+    articulated_solve(&d->k, d->acceleration);
+    bias_build(&d->k, bias, d->accelerations);
+    d->mass = mass_matrix_build(&d->k);
+}
+
+const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
+{
+    const size_t n = (size_t)m->freedom_count;
+    dynamics *d = arena_take(g->memory, 1, sizeof *d);
+    *d = (dynamics){.m = m, .g = g, .k = kinematics_build(g, m)};
+    d->acceleration = arena_take(g->memory, n, sizeof *d->acceleration);
+    d->accelerations = arena_take(g->memory, (size_t)m->link_count, sizeof *d->accelerations);
+    node *bias = arena_take(g->memory, n, sizeof *bias);
+    if (m->cut_count > 0) {
+        solve_loops(d, bias, axes_of(chosen));
+    } else if (chosen == FORMULATION_ARTICULATED) {
+        solve_articulated(d, bias);
+    } else {
+        solve_tree(d, bias);
+    }
+    for (size_t f = 0; f < n; f++) {
+        graph_name(g, d->acceleration[f], "qdd_%s", m->freedoms[f].name);
+    }
+    return d;
+}
+
+node dynamics_energy(const dynamics *d)
+{
+    graph *g = d->g;
+    const node half = constant(g, 0.5);
+    graph_section(g, "Energy: kinetic, of gravity, of springs");
+
+    /* T = m v.v / 2 + v.(omega x ms) + omega.J omega / 2, about link origins. */
+    node sum = constant(g, 0.0);
+    for (int i = 0; i < d->m->link_count; i++) {
+        const link *l = &d->m->links[i];
+        const motion *now = &d->k.motions[i];
+        const node half_mass = mul(g, half, l->mass);
+        const node linear = mul(g, half_mass, vector_dot(g, now->v, now->v));
+        const node mixed = vector_dot(g, now->v, vector_cross(g, now->omega, l->first_moment));
+        const node angular = mul(g, half, vector_dot(g, now->omega, tensor_apply(g, l->inertia, now->omega)));
+        sum = add(g, sum, add(g, add(g, linear, mixed), angular));
+        const node stretch = sub(g, now->q[0], l->rest);
+        const node half_spring = mul(g, half, l->spring);
+        sum = add(g, sum, mul(g, half_spring, mul(g, stretch, stretch)));
+    }
+
+    /* V = -g . (the first moment of everything about the ground's origin) */
+    const composite all = composite_of_all(&d->k);
+    return sub(g, sum, vector_dot(g, d->m->gravity, all.ms));
+}

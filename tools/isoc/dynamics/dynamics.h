@@ -1,0 +1,47 @@
+/* The equations of motion, as nodes: M(q) q'' + bias(q, q') + Phi_q' lambda = effort, Phi_q q'' = gamma.
+ *
+ * A tree of links alone needs the first, which either formulation solves; closed loops need both, and the factors of M
+ * (tools/isoc/closure/augmented.h).
+ */
+#ifndef ISOC_DYNAMICS_DYNAMICS_H
+#define ISOC_DYNAMICS_DYNAMICS_H
+
+#include "tools/isoc/closure/augmented.h"
+
+/* How the accelerations are found: from the factors of the mass matrix of composite bodies (tools/isoc/tree/mass_matrix.h), or,
+ * of a tree, by articulated bodies (tools/isoc/tree/articulated.h). The closures of loops, which are always composite, stand in
+ * the axes of their base, or of either side (tools/isoc/closure/side.h). */
+typedef enum formulation {
+    FORMULATION_COMPOSITE,
+    FORMULATION_ARTICULATED,
+    FORMULATION_PARENT_AXES,
+    FORMULATION_CHILD_AXES,
+    FORMULATIONS
+} formulation;
+
+extern const char *const formulation_names[FORMULATIONS];
+
+/* Whether it is one of a tree, or of loops, as the mechanism is. */
+bool formulation_fits(const mechanism *m, formulation f);
+
+typedef struct dynamics {
+    const mechanism *m;
+    graph *g;
+    kinematics k;
+    mass_matrix mass;
+    acceleration *accelerations; /* of the links, at q'' = 0 */
+    node *acceleration;          /* [freedoms] q'' */
+    augmented loops;             /* without constraints where nothing is closed */
+} dynamics;
+
+/* Makes the nodes of the accelerations; in a formulation that fits. Its parts point to one another: it stays where it is. */
+const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen);
+
+/* effort[freedoms]: u - d q' - k (q - rest) - bias. */
+void efforts_less(const dynamics *d, const node *bias, node *effort);
+
+/* Kinetic energy, gravitational energy (zero at the ground's origin) and energy of the springs; needs
+ * kinematics_velocities. */
+node dynamics_energy(const dynamics *d);
+
+#endif

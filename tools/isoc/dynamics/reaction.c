@@ -1,0 +1,142 @@
+#include "tools/isoc/dynamics/reaction.h"
+
+acceleration *reaction_accelerations(const dynamics *d)
+{
+    graph *g = d->g;
+    const mechanism *m = d->m;
+    acceleration *made = arena_take(g->memory, (size_t)m->link_count, sizeof *made);
+    graph_section(g, "Accelerations of the links, for reactions");
+    for (int i = 0; i < m->link_count; i++) {
+        const link *l = &m->links[i];
+        made[i] = accelerate_outward(&d->k, i, made);
+        vector *moved = slides(l) ? &made[i].a : &made[i].alpha;
+        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+            const node qdd = leaf(g, OP_SLOPE, m->position_count + f);
+            *moved = vector_add(g, *moved, vector_scale(g, qdd, axis_of(&d->k, f)));
+        }
+    }
+    return made;
+}
+
+/* On the child, in base axes. */
+static wrench closure_in_base(const dynamics *d, int index)
+{
+    graph *g = d->g;
+    const augmented *loops = &d->loops;
+    wrench sum = {vector_zero(g), vector_zero(g)};
+    for (int r = 0; r < loops->held.count; r++) {
+        const constraint *c = &loops->held.all[r];
+        if (c->cut == index) {
+            sum.force = vector_add(g, sum.force, vector_scale(g, loops->multipliers[r], c->force));
+            sum.moment = vector_add(g, sum.moment, vector_scale(g, loops->multipliers[r], c->moment));
+        }
+    }
+    return sum;
+}
+
+/* From base axes to those of a link that hangs on it. */
+static vector inward_axes(const kinematics *k, int base, int i, vector a)
+{
+    return i == base ? a : from_parent(k, i, inward_axes(k, base, k->m->links[i].parent, a));
+}
+
+static vector inward_point(const kinematics *k, int base, int i, vector point)
+{
+    if (i == base) {
+        return point;
+    }
+    const vector on_parent = inward_point(k, base, k->m->links[i].parent, point);
+    return from_parent(k, i, vector_sub(k->g, on_parent, k->motions[i].p));
+}
+
+/* What a closure gives to the child, at the child's point, in the frame of a side's link; to the parent it gives the
+ * opposite, at the same place. */
+static wrench closure_on_link(const dynamics *d, int index, int i)
+{
+    const cut *c = &d->m->cuts[index];
+    const wrench in_base = closure_in_base(d, index);
+    const vector in_base_point = outward_point(&d->k, c->child.link, c->base, c->child.point);
+    const vector point = i == c->child.link ? c->child.point : inward_point(&d->k, c->base, i, in_base_point);
+    const vector force = inward_axes(&d->k, c->base, i, in_base.force);
+    return wrench_at(d->g, point, force, inward_axes(&d->k, c->base, i, in_base.moment));
+}
+
+/* What else than its joint and weight acts on a body, in its link's frame, its children aside. */
+static wrench acting(const dynamics *d, int of)
+{
+    graph *g = d->g;
+    const mechanism *m = d->m;
+    wrench sum = {vector_zero(g), vector_zero(g)};
+    for (int i = 0; i < m->thrust_count; i++) {
+        if (m->thrusts[i].body == of) {
+            sum = wrench_add(g, sum, wrench_of_thrust(g, &m->thrusts[i]));
+        }
+    }
+    for (int i = 0; i < m->cut_count; i++) {
+        const cut *c = &m->cuts[i];
+        if (acts_along_joints(c->kind)) {
+            continue;
+        }
+        if (c->child.body == of) {
+            sum = wrench_add(g, sum, closure_on_link(d, i, c->child.link));
+        }
+        if (c->parent.body == of) {
+            sum = wrench_sub(g, sum, closure_on_link(d, i, c->parent.link));
+        }
+    }
+    return sum;
+}
+
+/* What a body takes of its joint, in its link's frame: for itself and for all that hangs on it. */
+static wrench borne(const dynamics *d, const acceleration *accelerations, int of)
+{
+    graph *g = d->g;
+    const mechanism *m = d->m;
+    const int on = m->frames[of].link;
+    const vector zero = vector_zero(g);
+    const acceleration resting = {zero, vector_sub(g, zero, m->gravity)};
+    const vector omega = on == GROUND ? zero : d->k.motions[on].omega;
+    wrench sum = wrench_of_motion(g, m->members[of].own, omega, on == GROUND ? resting : accelerations[on]);
+    sum = wrench_sub(g, sum, acting(d, of));
+    for (int child = 0; child < m->body_count; child++) {
+        if (m->members[child].parent == of) {
+            wrench w = borne(d, accelerations, child);
+            for (int i = m->frames[child].link; i != on; i = m->links[i].parent) {
+                w = wrench_to_parent(&d->k, i, w);
+            }
+            sum = wrench_add(g, sum, w);
+        }
+    }
+    return sum;
+}
+
+static wrench to_ground(const dynamics *d, int i, wrench w)
+{
+    const vector force = outward_axes(&d->k, i, GROUND, w.force);
+    return (wrench){force, outward_axes(&d->k, i, GROUND, w.moment)};
+}
+
+wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int of)
+{
+    graph *g = d->g;
+    const member *child = &d->m->members[of];
+    wrench w = borne(d, accelerations, of);
+    w.moment = vector_sub(g, w.moment, vector_cross(g, child->hinge, w.force));
+    vector_name(g, w.force, "reaction", child->joint);
+    vector_name(g, w.moment, "reaction_moment", child->joint);
+    return to_ground(d, d->m->frames[of].link, w);
+}
+
+wrench closure_reaction(const dynamics *d, int index)
+{
+    return to_ground(d, d->m->cuts[index].base, closure_in_base(d, index));
+}
+
+node closure_effort(const dynamics *d, int index)
+{
+    node effort = constant(d->g, 0.0);
+    for (int r = 0; r < d->loops.held.count; r++) {
+        effort = d->loops.held.all[r].cut == index ? neg(d->g, d->loops.multipliers[r]) : effort;
+    }
+    return graph_name(d->g, effort, "effort_%s", d->m->cuts[index].name);
+}

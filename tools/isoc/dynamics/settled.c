@@ -1,0 +1,77 @@
+#include "tools/isoc/dynamics/settled.h"
+
+#include "tools/isoc/graph/quaternion.h"
+
+static void put(settled *made, int state, node to)
+{
+    made->states[made->count] = state;
+    made->values[made->count++] = to;
+}
+
+/* A quaternion, turned by small angles about the link's axes where it is moved, and of length one. */
+static void put_quaternion(graph *g, settled *made, const dynamics *d, int i, const node *moved)
+{
+    const link *l = &d->m->links[i];
+    node q[4], rates[4];
+    for (int n = 0; n < 4; n++) {
+        q[n] = d->k.motions[i].q[n];
+    }
+    if (moved != NULL) {
+        quaternion_rates(g, q, moved + l->freedom, rates);
+        for (int n = 0; n < 4; n++) {
+            q[n] = add(g, q[n], rates[n]);
+        }
+    }
+    quaternion_normalise(g, q, q);
+    for (int n = 0; n < 4; n++) {
+        put(made, l->position + n, q[n]);
+    }
+}
+
+/* The changes that take positions and speeds back to the closures, to first order and with the least kinetic energy:
+ * Eich (1993), "Convergence results for a coordinate projection method applied to mechanical systems with algebraic
+ * constraints", SIAM J. Numerical Analysis 30(5). */
+static void build_changes(graph *g, const dynamics *d, node *moved, node *sped)
+{
+    const constraints *held = &d->loops.held;
+    node *gap = arena_take(g->memory, (size_t)held->count, sizeof *gap);
+    graph_section(g, "Projection of the positions");
+    for (int r = 0; r < held->count; r++) {
+        gap[r] = held->all[r].position;
+    }
+    augmented_project(&d->loops, gap, moved);
+    graph_section(g, "Projection of the speeds");
+    for (int r = 0; r < held->count; r++) {
+        gap[r] = held->all[r].rate;
+    }
+    augmented_project(&d->loops, gap, sped);
+}
+
+settled settled_build(graph *g, const dynamics *d)
+{
+    const mechanism *m = d->m;
+    const bool projected = m->projections > 0 && d->loops.held.count > 0;
+    const size_t states = (size_t)state_count(m), n = (size_t)m->freedom_count;
+    settled made = {.states = arena_take(g->memory, states, sizeof *made.states)};
+    made.values = arena_take(g->memory, states, sizeof *made.values);
+    node *moved = arena_take(g->memory, n, sizeof *moved), *sped = arena_take(g->memory, n, sizeof *sped);
+    if (projected) {
+        build_changes(g, d, moved, sped);
+    }
+    graph_section(g, "Where the step ends; a quaternion's length by one step of Newton's method for 1 / norm");
+    for (int i = 0; i < m->link_count; i++) {
+        const link *l = &m->links[i];
+        if (l->kind == JOINT_SPHERICAL) {
+            put_quaternion(g, &made, d, i, projected ? moved : NULL);
+        } else if (projected && !is_zero(g, moved[l->freedom])) {
+            put(&made, l->position, add(g, d->k.motions[i].q[0], moved[l->freedom]));
+        }
+    }
+    for (int f = 0; f < m->freedom_count && projected; f++) {
+        if (!is_zero(g, sped[f])) {
+            const node speed = leaf(g, OP_STATE, m->position_count + f);
+            put(&made, m->position_count + f, add(g, speed, sped[f]));
+        }
+    }
+    return made;
+}

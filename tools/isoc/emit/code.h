@@ -1,0 +1,30 @@
+/* From nodes to straight-line C: one `const real` per quantity that has a name or more than one use, in the order in
+ * which the equations were written, under their headings. */
+#ifndef ISOC_EMIT_CODE_H
+#define ISOC_EMIT_CODE_H
+
+#include "tools/isoc/base/text.h"
+#include "tools/isoc/graph/graph.h"
+
+/* How leaves are called in the code. */
+typedef struct leaf_names {
+    const char *const *states, *const *inputs, *const *parameters;
+} leaf_names;
+
+/* One function's worth of statements: `targets[i] = roots[i]`. */
+typedef struct code {
+    graph *g;
+    leaf_names names;
+    bool is_double;
+    const char *const *targets;
+    const node *roots;
+    size_t count;
+} code;
+
+/* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real; *culprit is it. */
+bool code_emit(const code *c, text *out, double *culprit);
+
+/* The shortest decimal that reads back as the same real, e.g. R(0.1). */
+const char *code_literal(arena *memory, double value, bool is_double);
+
+#endif

@@ -1,0 +1,536 @@
+#include "tools/isoc/emit/emit.h"
+
+#include "tools/isoc/plant/cost.h"
+
+#include <ctype.h>
+#include <string.h>
+
+static const char *upper(arena *memory, const char *word)
+{
+    char *copy = arena_copy(memory, word, strlen(word));
+    for (char *c = copy; *c != '\0'; c++) {
+        *c = (char)toupper((unsigned char)*c);
+    }
+    return copy;
+}
+
+/* Whether the method keeps something that must be filled before the first step. */
+static bool is_primed(const mechanism *m)
+{
+    return ISO_IS_PRIMED(m->recipe);
+}
+
+/* Whether the method keeps a history that a jump of an input or a change of a parameter makes useless. */
+static bool can_jump(const mechanism *m)
+{
+    bool jumps = m->parameter_count > 0;
+    for (int i = 0; i < m->input_count; i++) {
+        jumps = jumps || m->jumps[i] > 0.0;
+    }
+    return jumps && is_primed(m);
+}
+
+/* The recipe as C: ISO_RK4 | ISO_CHECKED. */
+static const char *recipe_symbol(arena *memory, unsigned recipe)
+{
+    const char *options = ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "";
+    options = arena_format(memory, "%s%s", options, ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "");
+    if (recipe >> 8 != 0) {
+        options = arena_format(memory, "%s | ISO_ITERATIONS(%u)", options, recipe >> 8);
+    }
+    return arena_format(memory, "ISO_%s%s", upper(memory, method_names[ISO_METHOD_OF(recipe)]), options);
+}
+
+/* Whether a step tells how it went. */
+static bool has_progress(const mechanism *m)
+{
+    return ISO_IS(m->recipe, ISO_ADAMS) || ISO_IS_CHECKED(m->recipe) || ISO_IS(m->recipe, ISO_BDF4);
+}
+
+static const char *prefixed(arena *memory, const char *prefix, const char *word)
+{
+    return arena_format(memory, "%s%s", prefix, word);
+}
+
+/* What each state is called: a position by its link, a speed by its freedom. */
+static const char *const *state_words(const mechanism *m, arena *memory)
+{
+    static const char *const endings[] = {"_w", "_x", "_y", "_z"};
+    const char **words = arena_take(memory, (size_t)state_count(m), sizeof *words);
+    for (int i = 0; i < m->link_count; i++) {
+        const link *l = &m->links[i];
+        for (int n = 0; n < positions_of(l->kind); n++) {
+            const bool is_ball = l->kind == JOINT_SPHERICAL;
+            words[l->position + n] = arena_format(memory, "%s%s", l->name, is_ball ? endings[n] : "");
+        }
+    }
+    for (int i = 0; i < m->clocks.count; i++) {
+        words[m->clocks.first + i] = arena_format(memory, "clock_%d", i + 1);
+    }
+    for (int f = 0; f < m->freedom_count; f++) {
+        words[m->position_count + f] = m->freedoms[f].name;
+    }
+    return words;
+}
+
+/* q_JOINT and qd_JOINT, u_INPUT, p_PARAMETER. */
+static leaf_names names_of(const plant *p, arena *memory)
+{
+    const mechanism *m = p->m;
+    const char *const *symbols = state_words(m, memory);
+    const char **states = arena_take(memory, (size_t)state_count(m), sizeof *states);
+    const char **inputs = arena_take(memory, (size_t)m->input_count + 1, sizeof *inputs);
+    const char **parameters = arena_take(memory, (size_t)m->parameter_count + 1, sizeof *parameters);
+    for (int i = 0; i < state_count(m); i++) {
+        states[i] = prefixed(memory, i < m->position_count ? "q_" : "qd_", symbols[i]);
+    }
+    for (int i = 0; i < m->input_count; i++) {
+        inputs[i] = prefixed(memory, "u_", m->input_names[i]);
+    }
+    for (int i = 0; i < m->parameter_count; i++) {
+        parameters[i] = prefixed(memory, "p_", m->parameter_names[i]);
+    }
+    return (leaf_names){states, inputs, parameters};
+}
+
+static void emit_enum(text *out, const char *letter, const char *const *names, int count, const char *total)
+{
+    text_add(out, "enum {\n");
+    for (int i = 0; i < count; i++) {
+        text_add(out, "    PLANT_%s_%s,\n", letter, upper(out->memory, names[i]));
+    }
+    text_add(out, "    %s\n};\n\n", total);
+}
+
+/* JOINT and JOINT_SPEED. */
+static const char *const *state_symbols(const mechanism *m, arena *memory)
+{
+    const char *const *words = state_words(m, memory);
+    const char **states = arena_take(memory, (size_t)state_count(m), sizeof *states);
+    for (int i = 0; i < state_count(m); i++) {
+        states[i] = i < m->position_count ? words[i] : arena_format(memory, "%s_SPEED", words[i]);
+    }
+    return states;
+}
+
+bool emit_header(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char *const *states = state_symbols(m, out->memory);
+    text_add(out, "/* %s: what stands where in the arrays of its plant. Made by isoc from %s.scene. */\n", m->name,
+             m->name);
+    text_add(out, "#ifndef PLANT_H\n#define PLANT_H\n\n#include \"core/runtime/plant.h\"\n\n");
+    text_add(out, "_Static_assert(sizeof(real) == %d, \"this plant was made with isoc --real %s\");\n\n",
+             p->is_double ? 8 : 4, p->is_double ? "double" : "float");
+    text_add(out, "/* States x: joint positions (rad, m; w x y z of a quaternion), %sthen their speeds. */\n",
+             m->clocks.count > 0 ? "clocks of motions (rad, s), " : "");
+    emit_enum(out, "X", states, state_count(m), "PLANT_STATES");
+    if (m->input_count > 0) {
+        text_add(out, "/* Inputs u: efforts (N, N*m). */\n");
+        emit_enum(out, "U", m->input_names, m->input_count, "PLANT_INPUTS");
+    }
+    if (m->parameter_count > 0) {
+        text_add(out, "/* Tunable parameters p, in SI units. */\n");
+        emit_enum(out, "P", m->parameter_names, m->parameter_count, "PLANT_PARAMETERS");
+    }
+    text_add(out, "/* Outputs y, in SI units. */\n");
+    emit_enum(out, "Y", p->output_names, p->output_count, "PLANT_OUTPUTS");
+    text_add(out, "#endif\n");
+    return true;
+}
+
+/* static const real ARRAY[SIZE] = {[PLANT_LETTER_NAME] = NUMBER, ...}; */
+static void emit_array(const plant *p, text *out, const char *array, const char *size, const char *letter,
+                       const char *const *names, const double *numbers, int count)
+{
+    text_add(out, "static const real %s[%s] = {\n", array, size);
+    for (int i = 0; i < count; i++) {
+        text_add(out, "    [PLANT_%s_%s] = %s,\n", letter, upper(out->memory, names[i]),
+                 code_literal(out->memory, numbers[i], p->is_double));
+    }
+    text_add(out, "};\n\n");
+}
+
+/* Whether a link's position is an angle that is not kept within a turn, and whose sine is taken. */
+static bool is_angle(const link *l)
+{
+    return l->kind == JOINT_REVOLUTE && !l->continuous;
+}
+
+static bool has_angles(const mechanism *m)
+{
+    bool any = false;
+    for (int i = 0; i < m->link_count; i++) {
+        any = any || is_angle(&m->links[i]);
+    }
+    return any;
+}
+
+/* How large each state may be, for the guard. */
+static void emit_range(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char *const *symbols = state_symbols(m, out->memory);
+    bool *angles = arena_take(out->memory, (size_t)state_count(m), sizeof *angles);
+    for (int i = 0; i < m->link_count; i++) {
+        angles[m->links[i].position] = is_angle(&m->links[i]);
+    }
+    text_add(out, "static const real range[PLANT_STATES] = {\n");
+    for (int i = 0; i < state_count(m); i++) {
+        text_add(out, "    [PLANT_X_%s] = %s,\n", upper(out->memory, symbols[i]),
+                 angles[i] ? "ISO_ANGLE_RANGE" : "ISO_REAL_MAX");
+    }
+    text_add(out, "};\n\n");
+}
+
+static void emit_memory(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    text_add(out, "static struct {\n    real x[ISO_METHOD_STATE(%s, PLANT_STATES)];\n",
+             recipe_symbol(out->memory, m->recipe));
+    if (m->input_count > 0) {
+        text_add(out, "    real u[PLANT_INPUTS];\n");
+    }
+    if (m->parameter_count > 0) {
+        text_add(out, "    real p[PLANT_PARAMETERS];\n");
+    }
+    text_add(out, "    real y[PLANT_OUTPUTS];\n");
+    if (p->turn_count > 0) {
+        text_add(out, "    int32_t turns[%d]; /* of the continuous joints */\n", p->turn_count);
+    }
+    if (has_progress(m)) {
+        text_add(out, "    iso_progress progress;\n");
+    }
+    if (ISO_IS(m->recipe, ISO_ADAMS)) {
+        text_add(out, "    iso_adams_state adams;\n");
+    }
+    if (can_jump(m)) {
+        text_add(out, "%s%s", m->input_count > 0 ? "    real last_u[PLANT_INPUTS];\n" : "",
+                 m->parameter_count > 0 ? "    real last_p[PLANT_PARAMETERS];\n" : "");
+    }
+    text_add(out, "} memory%s;\n\n", ISO_IS_WATCHED(m->recipe) ? ", before" : "");
+
+    emit_array(p, out, "start", "PLANT_STATES", "X", state_symbols(m, out->memory), mechanism_start(m, out->memory),
+               state_count(m));
+    if (has_angles(m)) {
+        emit_range(p, out);
+    }
+    if (m->parameter_count > 0) {
+        emit_array(p, out, "defaults", "PLANT_PARAMETERS", "P", m->parameter_names, m->defaults, m->parameter_count);
+    }
+}
+
+static const char *const *targets_of(arena *memory, const char *array, int count)
+{
+    const char **targets = arena_take(memory, (size_t)count, sizeof *targets);
+    for (int i = 0; i < count; i++) {
+        targets[i] = arena_format(memory, "%s[%d]", array, i);
+    }
+    return targets;
+}
+
+/* A function of plant.c that fills `array` from x, u and p with `count` roots; `more` is a further parameter. */
+static bool emit_function(const plant *p, graph *g, text *out, const char *function, const char *array,
+                          const char *more, const node *roots, int count, double *culprit)
+{
+    static const struct {
+        operation op;
+        const char *name;
+    } arguments[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}};
+    const code body_of = {
+        g, names_of(p, out->memory), p->is_double, targets_of(out->memory, array, count), roots, (size_t)count};
+    const bool derives = uses_operation(g, roots, (size_t)count, OP_SLOPE);
+    text_add(out, "static void %s(real *restrict const %s, const real *restrict const x,\n", function, array);
+    text_add(out, "    const real *restrict const u, const real *restrict const p%s)\n{\n", more);
+    for (int i = 0; i < 3 && !derives; i++) {
+        if (!uses_operation(g, roots, (size_t)count, arguments[i].op)) {
+            text_add(out, "    (void)%s;\n", arguments[i].name);
+        }
+    }
+    if (more[0] != '\0' && !uses_operation(g, roots, (size_t)count, OP_STEP)) {
+        text_add(out, "    (void)hb;\n");
+    }
+    if (derives) {
+        text_add(out, "    real dx[PLANT_STATES];\n    derivative(dx, x, u, p);\n");
+    }
+    const bool good = code_emit(&body_of, out, culprit);
+    text_add(out, "}\n\n");
+    return good;
+}
+
+/* What an implicit method solves with. */
+static bool emit_solver(const plant *p, graph *g, text *out, double *culprit)
+{
+    const int n = state_count(p->m);
+    const code body_of = {
+        g, names_of(p, out->memory), p->is_double, targets_of(out->memory, "d", n), p->j.solution, (size_t)n};
+    bool good = emit_function(p, g, out, "factor", "lu", ", const real hb", p->j.factors, p->j.factor_count, culprit);
+    text_add(out, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
+    good = code_emit(&body_of, out, culprit) && good;
+    text_add(out, "}\n\n");
+    return good;
+}
+
+/* The functions of the plant as a method takes them. */
+static void emit_equations(const plant *p, text *out)
+{
+    text_add(out, "static const iso_equations equations = {\n    .derivative = derivative,\n");
+    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+        text_add(out, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
+    }
+    if (p->rate_count > 0) {
+        text_add(out, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
+    }
+    text_add(out, "};\n\n");
+}
+
+/* What a tick sets: inputs, then clocks. */
+static size_t driven_count(const mechanism *m)
+{
+    return (size_t)(m->input_count + m->clocks.count);
+}
+
+/* Whether any of it is a function of the tick. */
+static bool is_driven_by_time(const graph *g, const mechanism *m)
+{
+    bool is = false;
+    for (operation op = OP_PHASE; op <= OP_SINCE; op++) {
+        is = is || uses_operation(g, m->drives, driven_count(m), op);
+    }
+    return is;
+}
+
+static bool emit_drive(const plant *p, graph *g, text *out, double *culprit)
+{
+    const mechanism *m = p->m;
+    const size_t count = driven_count(m);
+    const char **targets = arena_take(out->memory, count, sizeof *targets);
+    for (int i = 0; i < m->input_count; i++) {
+        targets[i] = arena_format(out->memory, "memory.u[%d]", i);
+    }
+    for (int i = 0; i < m->clocks.count; i++) {
+        targets[m->input_count + i] = arena_format(out->memory, "memory.x[%d]", m->clocks.first + i);
+    }
+    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, m->drives, count};
+    text_add(out, "/* What is a function of time; other inputs are zero until a port reads them. */\n");
+    text_add(out, "static void drive(const uint32_t tick)\n{\n");
+    if (!is_driven_by_time(g, m)) {
+        text_add(out, "    (void)tick;\n");
+    }
+    if (uses_operation(g, m->drives, count, OP_PARAMETER)) {
+        text_add(out, "    const real *const p = memory.p;\n");
+    }
+    const bool good = code_emit(&body_of, out, culprit);
+    text_add(out, "}\n\n");
+    return good;
+}
+
+static const char *array_or_null(int count, const char *array)
+{
+    return count > 0 ? array : "NULL";
+}
+
+/* What starts the method anew: an input that changed by more than its jump in a tick, a parameter that changed. */
+static void emit_jumped(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    text_add(out, "static bool jumped(void)\n{\n    bool jump = false;\n");
+    for (int i = 0; i < m->input_count; i++) {
+        if (m->jumps[i] > 0.0) {
+            text_add(out, "    jump |= iso_abs(memory.u[%d] - memory.last_u[%d]) > %s;\n", i, i,
+                     code_literal(out->memory, m->jumps[i], p->is_double));
+        }
+    }
+    for (int i = 0; i < m->parameter_count; i++) {
+        text_add(out, "    jump |= memory.p[%d] != memory.last_p[%d];\n", i, i);
+    }
+    text_add(out, "    remember();\n    return jump;\n}\n\n");
+}
+
+/* The inputs and parameters that jumped() compares with. */
+static void emit_remember(const plant *p, text *out)
+{
+    text_add(out, "static void remember(void)\n{\n");
+    text_add(out, "%s", p->m->input_count > 0 ? "    memcpy(memory.last_u, memory.u, sizeof memory.last_u);\n" : "");
+    text_add(out, "%s",
+             p->m->parameter_count > 0 ? "    memcpy(memory.last_p, memory.p, sizeof memory.last_p);\n" : "");
+    text_add(out, "}\n\n");
+}
+
+static void emit_factors(const plant *p, text *out)
+{
+    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+        text_add(out, "    real lu[%d];\n", p->j.factor_count);
+    }
+}
+
+static void emit_prime(const plant *p, text *out, const char *recipe, const char *h)
+{
+    const mechanism *m = p->m;
+    const char *u = array_or_null(m->input_count, "memory.u");
+    const char *parameters = array_or_null(m->parameter_count, "memory.p");
+    text_add(out, "static void prime(void)\n{\n");
+    if (ISO_IS(m->recipe, ISO_ADAMS)) {
+        text_add(out, "    const iso_trail trail = iso_trail_of(%s, PLANT_STATES, memory.x);\n", recipe);
+        text_add(out, "    real work[ISO_ADAMS_WORK(PLANT_STATES)];\n");
+        text_add(out, "    iso_adams_start(&options, &memory.adams, &trail, derivative, %s, %s, %s, work);\n", h, u,
+                 parameters);
+    } else {
+        text_add(out, "    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", recipe);
+        emit_factors(p, out);
+        text_add(out, "    iso_method_prime(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, %s, work);\n", recipe,
+                 h, u, parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
+    }
+    text_add(out, "%s}\n\n", can_jump(m) ? "    remember();\n" : "");
+}
+
+/* A tick of adams: as many steps as the tolerance asks for and the budget allows. */
+static void emit_adams(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char *tolerance = code_literal(out->memory, m->tolerance, p->is_double);
+    text_add(out, "static const iso_adams_options options = {\n    .tolerance_absolute = %s,\n", tolerance);
+    text_add(out, "    .tolerance_relative = %s,\n    .budget = %.0f,\n", tolerance, m->substeps);
+    text_add(out, "    .driven = %s,\n", m->input_count + m->parameter_count > 0 ? "true" : "false");
+    text_add(out, "    .level_max = %s,\n};\n\n", m->substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
+}
+
+/* The call of the method in step(). */
+static void emit_call(const plant *p, text *out, const char *recipe, const char *h)
+{
+    const mechanism *m = p->m;
+    const char *u = array_or_null(m->input_count, "memory.u");
+    const char *parameters = array_or_null(m->parameter_count, "memory.p");
+    if (ISO_IS(m->recipe, ISO_ADAMS)) {
+        text_add(out, "    const iso_trail trail = iso_trail_of(%s, PLANT_STATES, memory.x);\n", recipe);
+        text_add(out, "    real work[ISO_ADAMS_WORK(PLANT_STATES)];\n");
+        text_add(
+            out,
+            "    memory.progress.local_error =\n        iso_adams_tick(&options, &memory.adams, &trail, derivative, ");
+        text_add(out, "%s, %s, %s, work);\n", h, u, parameters);
+        return;
+    }
+    text_add(out, "    real work[ISO_METHOD_WORK(%s, PLANT_STATES)];\n", recipe);
+    emit_factors(p, out);
+    text_add(out, "    iso_method_step(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, %s, work,\n", recipe, h, u,
+             parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
+    text_add(out, "                    %s);\n", has_progress(m) ? "&memory.progress" : "NULL");
+}
+
+/* What is put right after a step, in place. */
+static bool emit_settle(const plant *p, graph *g, text *out, double *culprit)
+{
+    const char **targets = arena_take(out->memory, (size_t)p->after.count + 1, sizeof *targets);
+    for (int i = 0; i < p->after.count; i++) {
+        targets[i] = arena_format(out->memory, "x[%d]", p->after.states[i]);
+    }
+    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, p->after.values, (size_t)p->after.count};
+    text_add(out, "static void settle(real *const x)\n{\n");
+    const bool good = code_emit(&body_of, out, culprit);
+    text_add(out, "}\n\n");
+    return good;
+}
+
+/* Whether a step copies all that it calls into itself: up to so many operations in its evaluations, a sine and cosine
+ * counted as 25. In float calls cost a fifth of a small plant's step on a Cortex-M4F and an eighth of a chain's of three,
+ * in double on a PC less; of a large one's step little, whose copies take much text. */
+static bool is_flat(const plant *p, const graph *g)
+{
+    enum { MOST_FLOAT = 600, MOST_DOUBLE = 400, OF_SINCOS = 25 };
+    const int most = p->is_double ? MOST_DOUBLE : MOST_FLOAT;
+    const operations n = count_operations(g, p->slopes, (size_t)state_count(p->m));
+    return cost_evaluations(p->m->recipe) * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= most;
+}
+
+static void emit_step(const plant *p, const graph *g, text *out)
+{
+    const mechanism *m = p->m;
+    const char *recipe = recipe_symbol(out->memory, m->recipe);
+    const char *h = code_literal(out->memory, m->step, p->is_double);
+    if (ISO_IS(m->recipe, ISO_ADAMS)) {
+        emit_adams(p, out);
+    }
+    if (can_jump(m)) {
+        emit_remember(p, out);
+        emit_jumped(p, out);
+    }
+    if (is_primed(m)) {
+        emit_prime(p, out, recipe, h);
+    }
+    text_add(out, "%sstatic void step(void)\n{\n", is_flat(p, g) ? "ISO_FLAT " : "");
+    emit_call(p, out, recipe, h);
+    if (m->projections > 1 && p->after.count > 0) {
+        text_add(out, "    for (int i = 0; i < %d; i++) {\n        settle(memory.x);\n    }\n", m->projections);
+    } else if (p->after.count > 0) {
+        text_add(out, "    settle(memory.x);\n");
+    }
+    int counted = 0;
+    for (int i = 0; i < m->link_count; i++) {
+        if (m->links[i].continuous) {
+            text_add(out, "    memory.turns[%d] += iso_take_turns(&memory.x[PLANT_X_%s]);\n", counted++,
+                     upper(out->memory, m->links[i].name));
+        }
+    }
+    text_add(out, "}\n\n");
+}
+
+static void emit_description(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char *seconds = code_literal(out->memory, m->step, true); /* R(0.001) */
+    text_add(out, "const iso_plant iso_the_plant = {\n");
+    text_add(out, "    .name = \"%s\",\n    .method = \"%s\",\n", m->name, method_names[ISO_METHOD_OF(m->recipe)]);
+    text_add(out, "    .step_text = \"%.*s\",\n    .step_size = %s,\n", (int)strlen(seconds) - 3, seconds + 2,
+             code_literal(out->memory, m->step, p->is_double));
+    text_add(out, "    .period_ns = UINT32_C(%.0f),\n    .states = PLANT_STATES,\n", m->step * 1e9);
+    if (m->input_count > 0) {
+        text_add(out, "    .inputs = PLANT_INPUTS,\n    .u = memory.u,\n");
+    }
+    text_add(out, "%s", driven_count(m) > 0 ? "    .drive = drive,\n" : "");
+    if (m->parameter_count > 0) {
+        text_add(out, "    .parameters = PLANT_PARAMETERS,\n    .p = memory.p,\n    .defaults = defaults,\n");
+    }
+    text_add(out, "    .outputs = PLANT_OUTPUTS,\n    .output_names =");
+    for (int i = 0; i < p->output_count; i++) {
+        text_add(out, "\n        \"%s%s\"", p->output_names[i], i + 1 < p->output_count ? "," : "");
+    }
+    text_add(out, ",\n    .x = memory.x,\n    .y = memory.y,\n    .start = start,\n%s    .memory = &memory,\n",
+             has_angles(m) ? "    .range = range,\n" : "");
+    text_add(out, "%s", ISO_IS_WATCHED(m->recipe) ? "    .before = &before,\n" : "");
+    text_add(out, "    .memory_bytes = sizeof memory,\n    .derivative = derivative,\n    .output = output,\n");
+    if (p->violation >= 0) {
+        text_add(out, "    .violation = violation,\n    .violation_limit = %s,\n",
+                 code_literal(out->memory, m->violation_limit, p->is_double));
+    }
+    text_add(out, "%s%s", has_progress(m) ? "    .progress = &memory.progress,\n" : "",
+             is_primed(m) ? "    .prime = prime,\n" : "");
+    text_add(out, "%s", ISO_IS(m->recipe, ISO_ADAMS) ? "    .adams = &memory.adams,\n" : "");
+    text_add(out, "%s    .step = step,\n};\n", can_jump(m) ? "    .jumped = jumped,\n" : "");
+}
+
+bool emit_source(const plant *p, graph *g, text *out, double *culprit)
+{
+    const mechanism *m = p->m;
+    text_add(out, "/* %s: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n", m->name,
+             m->link_count, m->link_count == 1 ? "" : "s", m->name);
+    text_add(out,
+             " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n#include \"plant.h\"\n\n");
+    text_add(out, "#include \"core/methods/method.h\"\n%s#include \"core/numbers/sincos.h\"\n%s\n",
+             is_driven_by_time(g, m) ? "#include \"core/numbers/signal.h\"\n" : "",
+             p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
+    emit_memory(p, out);
+    bool good = emit_function(p, g, out, "derivative", "dx", "", p->slopes, state_count(m), culprit);
+    good = good && emit_function(p, g, out, "output", "y", "", p->outputs, p->output_count, culprit);
+    good = good && (driven_count(m) == 0 || emit_drive(p, g, out, culprit));
+    good = good && (!ISO_IS_IMPLICIT(m->recipe) || emit_solver(p, g, out, culprit));
+    good =
+        good && (p->rate_count == 0 || emit_function(p, g, out, "rates", "dx", "", p->slopes, p->rate_count, culprit));
+    good = good && (p->after.count == 0 || emit_settle(p, g, out, culprit));
+    good = good && (p->violation < 0 || emit_function(p, g, out, "violation", "y", "", &p->violation, 1, culprit));
+    if (!ISO_IS(m->recipe, ISO_ADAMS)) {
+        emit_equations(p, out);
+    }
+    emit_step(p, g, out);
+    emit_description(p, out);
+    return good;
+}

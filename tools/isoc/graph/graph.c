@@ -1,0 +1,479 @@
+#include "tools/isoc/graph/graph.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The trigonometry of constants is the target's own (in double), so that every host folds them to the same bits. */
+#include "core/numbers/turns.h"
+
+_Static_assert(sizeof(real) == sizeof(double), "isoc folds constants in double: -DISO_REAL_DOUBLE");
+
+enum { FIRST_TABLE = 4096, NAME_ROOM = 160 };
+
+void graph_start(graph *g, arena *memory)
+{
+    *g = (graph){.memory = memory, .table_size = FIRST_TABLE};
+    g->table = arena_take(memory, g->table_size, sizeof *g->table);
+    memset(g->table, -1, g->table_size * sizeof *g->table);
+}
+
+graph graph_copy(const graph *g)
+{
+    graph made = *g;
+    made.nodes = arena_take(g->memory, g->room, sizeof *made.nodes);
+    made.table = arena_take(g->memory, g->table_size, sizeof *made.table);
+    memcpy(made.nodes, g->nodes, g->count * sizeof *made.nodes);
+    memcpy(made.table, g->table, g->table_size * sizeof *made.table);
+    return made;
+}
+
+void graph_section(graph *g, const char *heading)
+{
+    g->sections[g->section_count++] = heading;
+}
+
+node graph_name(graph *g, node n, const char *format, ...)
+{
+    const bool negated = g->nodes[n].op == OP_NEG;
+    graph_node *named = &g->nodes[negated ? g->nodes[n].a : n];
+    if (named->op >= OP_ADD && named->name == NULL) {
+        char text[NAME_ROOM];
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(text, sizeof text, format, arguments);
+        va_end(arguments);
+        named->name = arena_format(g->memory, "%s%s", negated ? "minus_" : "", text);
+    }
+    return n;
+}
+
+static uint64_t mix(uint64_t hash, uint64_t word)
+{
+    hash = (hash ^ word) * UINT64_C(0x9E3779B97F4A7C15);
+    return hash ^ (hash >> 29);
+}
+
+static uint64_t bits(double value)
+{
+    uint64_t b;
+    memcpy(&b, &value, sizeof b);
+    return b;
+}
+
+static size_t slot_of(const graph *g, const graph_node *n)
+{
+    uint64_t hash = mix(mix((uint64_t)n->op, (uint64_t)n->a), (uint64_t)n->b);
+    hash = mix(mix(mix(hash, (uint64_t)n->index), bits(n->value)), bits(n->second));
+    size_t slot = (size_t)hash & (g->table_size - 1);
+    for (; g->table[slot] >= 0; slot = (slot + 1) & (g->table_size - 1)) {
+        const graph_node *other = &g->nodes[g->table[slot]];
+        if (other->op == n->op && other->a == n->a && other->b == n->b && other->index == n->index &&
+            bits(other->value) == bits(n->value) && bits(other->second) == bits(n->second)) {
+            break;
+        }
+    }
+    return slot;
+}
+
+static void grow_table(graph *g)
+{
+    g->table_size *= 2;
+    g->table = arena_take(g->memory, g->table_size, sizeof *g->table);
+    memset(g->table, -1, g->table_size * sizeof *g->table);
+    for (size_t i = 0; i < g->count; i++) {
+        g->table[slot_of(g, &g->nodes[i])] = (node)i;
+    }
+}
+
+/* The node that exists already for this operation, or -1. */
+static node find(const graph *g, operation op, node a, node b)
+{
+    const graph_node wanted = {.op = op, .a = a, .b = b};
+    return g->table[slot_of(g, &wanted)];
+}
+
+/* The node that is equal to `wanted`, made if there is none. */
+static node intern(graph *g, graph_node wanted)
+{
+    size_t slot = slot_of(g, &wanted);
+    if (g->table[slot] < 0) {
+        if (2 * g->count > g->table_size) {
+            grow_table(g);
+            slot = slot_of(g, &wanted);
+        }
+        wanted.section = g->section_count - 1;
+        g->nodes = arena_grow(g->memory, g->nodes, g->count, &g->room, sizeof *g->nodes);
+        g->nodes[g->count] = wanted;
+        g->table[slot] = (node)g->count++;
+    }
+    return g->table[slot];
+}
+
+node graph_put(graph *g, graph_node n)
+{
+    const size_t before = g->count;
+    const node made = intern(g, n);
+    if (g->count > before) {
+        g->nodes[made].section = n.section;
+    }
+    return made;
+}
+
+node constant(graph *g, double value)
+{
+    return intern(g, (graph_node){.op = OP_CONSTANT, .value = value + 0.0}); /* no negative zero */
+}
+
+node leaf(graph *g, operation op, int index)
+{
+    return intern(g, (graph_node){.op = op, .index = index});
+}
+
+node timed(graph *g, operation op, double value, double second)
+{
+    return intern(g, (graph_node){.op = op, .value = value, .second = second});
+}
+
+static node binary(graph *g, operation op, node a, node b)
+{
+    return intern(g, (graph_node){.op = op, .a = a, .b = b});
+}
+
+bool is_timed(const graph *g, node n)
+{
+    return g->nodes[n].op >= OP_PHASE && g->nodes[n].op <= OP_SINCE;
+}
+
+bool is_constant(const graph *g, node n)
+{
+    return g->nodes[n].op == OP_CONSTANT;
+}
+
+double constant_value(const graph *g, node n)
+{
+    return g->nodes[n].value;
+}
+
+static bool is_value(const graph *g, node n, double value)
+{
+    return is_constant(g, n) && constant_value(g, n) == value;
+}
+
+bool is_zero(const graph *g, node n)
+{
+    return is_value(g, n, 0.0);
+}
+
+static bool is(const graph *g, node n, operation op)
+{
+    return g->nodes[n].op == op;
+}
+
+node neg(graph *g, node a)
+{
+    if (is_constant(g, a)) {
+        return constant(g, -constant_value(g, a));
+    }
+    if (is(g, a, OP_NEG)) {
+        return g->nodes[a].a;
+    }
+    return intern(g, (graph_node){.op = OP_NEG, .a = a});
+}
+
+/* n = coefficient * base, the coefficient a constant. */
+static double coefficient(const graph *g, node n, node *base)
+{
+    const graph_node *m = &g->nodes[n];
+    *base = n;
+    if (m->op == OP_NEG) {
+        return -coefficient(g, m->a, base);
+    }
+    if (m->op == OP_MUL && is_constant(g, m->a)) {
+        *base = m->b;
+        return constant_value(g, m->a);
+    }
+    return 1.0;
+}
+
+/* n = constant + rest, for a sum that carries a constant, through signs and constant factors; 0 for any other. */
+static double addend(graph *g, node n, node *rest)
+{
+    const graph_node m = g->nodes[n];
+    double c = 0.0;
+    *rest = n;
+    if ((m.op == OP_ADD || m.op == OP_SUB) && is_constant(g, m.a)) {
+        c = constant_value(g, m.a);
+        *rest = m.op == OP_SUB ? neg(g, m.b) : m.b;
+    } else if (m.op == OP_NEG && (c = addend(g, m.a, rest)) != 0.0) {
+        c = -c;
+        *rest = neg(g, *rest);
+    } else if (m.op == OP_MUL && is_constant(g, m.a) && (c = addend(g, m.b, rest)) != 0.0) {
+        c *= constant_value(g, m.a);
+        *rest = mul(g, m.a, *rest);
+    }
+    return c;
+}
+
+/* a + b, or zero where only what rounding made of equal ones is left. */
+static double sum_of_constants(double a, double b)
+{
+    const double sum = a + b;
+    return fabs(sum) <= 4 * DBL_EPSILON * fabs(a) ? 0.0 : sum;
+}
+
+/* a + b where a repeated term or a cancelling part makes it simpler; -1 where none does. */
+static node merge_terms(graph *g, node a, node b)
+{
+    node base_a, base_b;
+    const double ca = coefficient(g, a, &base_a), cb = coefficient(g, b, &base_b);
+    if (base_a == base_b) {
+        return mul(g, constant(g, sum_of_constants(ca, cb)), base_a);
+    }
+    const graph_node *p = &g->nodes[a];
+    const node minus_b = is(g, b, OP_NEG) ? g->nodes[b].a : -1;
+    if (p->op == OP_SUB && p->b == b) {
+        return p->a;
+    }
+    if (p->op == OP_SUB && p->a == minus_b) {
+        return neg(g, p->b);
+    }
+    if (p->op == OP_ADD && minus_b >= 0 && (p->a == minus_b || p->b == minus_b)) {
+        return p->a == minus_b ? p->b : p->a;
+    }
+    return -1;
+}
+
+/* The constants of a sum gathered in front: (c + x) + (d + y) is (c + d) + (x + y). -1 where there is but one part. */
+static node gather_constants(graph *g, node a, node b)
+{
+    node rest_a, rest_b;
+    const double ca = is_constant(g, a) ? constant_value(g, a) : addend(g, a, &rest_a);
+    const double cb = ca == 0.0 ? 0.0 : addend(g, b, &rest_b);
+    if (cb == 0.0) {
+        return -1;
+    }
+    return add(g, constant(g, sum_of_constants(ca, cb)), is_constant(g, a) ? rest_b : add(g, rest_a, rest_b));
+}
+
+node add(graph *g, node a, node b)
+{
+    if (is_constant(g, b)) {
+        const node swap = a;
+        a = b;
+        b = swap;
+    }
+    if (is_constant(g, a) && is_constant(g, b)) {
+        return constant(g, constant_value(g, a) + constant_value(g, b));
+    }
+    if (is_zero(g, a)) {
+        return b;
+    }
+    node simpler = merge_terms(g, a, b);
+    simpler = simpler >= 0 ? simpler : merge_terms(g, b, a);
+    simpler = simpler >= 0 ? simpler : gather_constants(g, a, b);
+    if (simpler >= 0) {
+        return simpler;
+    }
+    if (is(g, a, OP_NEG) && is(g, b, OP_NEG)) {
+        return neg(g, add(g, g->nodes[a].a, g->nodes[b].a));
+    }
+    if (is(g, a, OP_NEG) || is(g, b, OP_NEG)) {
+        /* a - b and b - a are one node and its negation. */
+        const node plus = is(g, a, OP_NEG) ? b : a;
+        const node minus = g->nodes[is(g, a, OP_NEG) ? a : b].a;
+        const node turned = find(g, OP_SUB, minus, plus);
+        return turned >= 0 ? neg(g, turned) : binary(g, OP_SUB, plus, minus);
+    }
+    return a < b || is_constant(g, a) ? binary(g, OP_ADD, a, b) : binary(g, OP_ADD, b, a);
+}
+
+node sub(graph *g, node a, node b)
+{
+    return add(g, a, neg(g, b));
+}
+
+node mul(graph *g, node a, node b)
+{
+    if (is_constant(g, b) || (b < a && !is_constant(g, a))) {
+        const node swap = a;
+        a = b;
+        b = swap;
+    }
+    if (is_constant(g, a) && is_constant(g, b)) {
+        return constant(g, constant_value(g, a) * constant_value(g, b));
+    }
+    if (is_zero(g, a)) {
+        return a;
+    }
+    if (is_value(g, a, 1.0)) {
+        return b;
+    }
+    /* Signs go in front, where a sum takes them up. */
+    if (is_constant(g, a) && constant_value(g, a) < 0.0) {
+        return neg(g, mul(g, constant(g, -constant_value(g, a)), b));
+    }
+    if (is(g, a, OP_NEG)) {
+        return neg(g, mul(g, g->nodes[a].a, b));
+    }
+    if (is(g, b, OP_NEG)) {
+        return neg(g, mul(g, a, g->nodes[b].a));
+    }
+    /* Constant factors gather: (c x) (d y) is (c d) (x y), and c (d y) is (c d) y. */
+    node base_a = a, base_b = b;
+    const double ca = is_constant(g, a) ? constant_value(g, a) : coefficient(g, a, &base_a);
+    const double cb = coefficient(g, b, &base_b);
+    if (ca != 1.0 && cb != 1.0) {
+        return mul(g, constant(g, ca * cb), is_constant(g, a) ? base_b : mul(g, base_a, base_b));
+    }
+    return binary(g, OP_MUL, a, b);
+}
+
+node divide(graph *g, node a, node b)
+{
+    if (is_constant(g, b)) {
+        return mul(g, constant(g, 1.0 / constant_value(g, b)), a);
+    }
+    if (is_zero(g, a)) {
+        return a;
+    }
+    if (a == b) {
+        return constant(g, 1.0);
+    }
+    if (is(g, a, OP_NEG)) {
+        return neg(g, divide(g, g->nodes[a].a, b));
+    }
+    if (is(g, b, OP_NEG)) {
+        return neg(g, divide(g, a, g->nodes[b].a));
+    }
+    return binary(g, OP_DIV, a, b);
+}
+
+node larger(graph *g, node a, node b)
+{
+    if (is_constant(g, a) && is_constant(g, b)) {
+        return constant(g, fmax(constant_value(g, a), constant_value(g, b)));
+    }
+    return a == b ? a : a < b ? binary(g, OP_MAX, a, b) : binary(g, OP_MAX, b, a);
+}
+
+node above(graph *g, node a, node b)
+{
+    if (is_constant(g, a) && is_constant(g, b)) {
+        return constant(g, constant_value(g, a) > constant_value(g, b) ? 1.0 : 0.0);
+    }
+    return a == b ? constant(g, 0.0) : binary(g, OP_ABOVE, a, b);
+}
+
+node wrap(graph *g, node a)
+{
+    return is_zero(g, a) ? a : intern(g, (graph_node){.op = OP_WRAP, .a = a});
+}
+
+node magnitude(graph *g, node a)
+{
+    if (is_constant(g, a)) {
+        return constant(g, fabs(constant_value(g, a)));
+    }
+    return intern(g, (graph_node){.op = OP_ABS, .a = is(g, a, OP_NEG) ? g->nodes[a].a : a});
+}
+
+node sine(graph *g, node a)
+{
+    if (is_constant(g, a)) {
+        return constant(g, iso_sincos(constant_value(g, a)).sin);
+    }
+    return is(g, a, OP_NEG) ? neg(g, sine(g, g->nodes[a].a)) : intern(g, (graph_node){.op = OP_SIN, .a = a});
+}
+
+node cosine(graph *g, node a)
+{
+    if (is_constant(g, a)) {
+        return constant(g, iso_sincos(constant_value(g, a)).cos);
+    }
+    return is(g, a, OP_NEG) ? cosine(g, g->nodes[a].a) : intern(g, (graph_node){.op = OP_COS, .a = a});
+}
+
+node power(graph *g, node a, int n)
+{
+    node product = constant(g, 1.0);
+    for (int i = 0; i < n; i++) {
+        product = mul(g, product, a);
+    }
+    return product;
+}
+
+node sum_of_products(graph *g, node a, node b, node c, node d)
+{
+    const node ab = mul(g, a, b), cd = mul(g, c, d);
+    return add(g, ab, cd);
+}
+
+node difference_of_products(graph *g, node a, node b, node c, node d)
+{
+    const node ab = mul(g, a, b), cd = mul(g, c, d);
+    return sub(g, ab, cd);
+}
+
+static double evaluate_one(const graph_node *n, const double *x, const double *u, const double *p, const double *v)
+{
+    switch (n->op) {
+    case OP_CONSTANT:
+        return n->value;
+    case OP_STATE:
+        return x == NULL ? 0.0 : x[n->index];
+    case OP_INPUT:
+        return u == NULL ? 0.0 : u[n->index];
+    case OP_PARAMETER:
+        return p[n->index];
+    case OP_ADD:
+        return v[n->a] + v[n->b];
+    case OP_SUB:
+        return v[n->a] - v[n->b];
+    case OP_MUL:
+        return v[n->a] * v[n->b];
+    case OP_DIV:
+        return v[n->a] / v[n->b];
+    case OP_NEG:
+        return -v[n->a];
+    case OP_ABS:
+        return fabs(v[n->a]);
+    case OP_MAX:
+        return fmax(v[n->a], v[n->b]);
+    case OP_ABOVE:
+        return iso_above(v[n->a], v[n->b]);
+    case OP_WRAP:
+        return iso_within_turn(v[n->a]);
+    case OP_SIN:
+        return iso_sincos(v[n->a]).sin;
+    case OP_COS:
+        return iso_sincos(v[n->a]).cos;
+    default:
+        return 0.0;
+    }
+}
+
+void graph_evaluate(const graph *g, const double *x, const double *u, const double *p, double *values)
+{
+    for (size_t i = 0; i < g->count; i++) {
+        values[i] = evaluate_one(&g->nodes[i], x, u, p, values);
+    }
+}
+
+void graph_reach(const graph *g, const node *roots, size_t count, bool *needed)
+{
+    memset(needed, 0, g->count * sizeof *needed);
+    for (size_t i = 0; i < count; i++) {
+        needed[roots[i]] = true;
+    }
+    for (size_t i = g->count; i-- > 0;) {
+        if (needed[i] && g->nodes[i].op >= OP_ADD) {
+            needed[g->nodes[i].a] = true;
+            if (g->nodes[i].op <= OP_DIV) {
+                needed[g->nodes[i].b] = true;
+            }
+        }
+    }
+}

@@ -1,0 +1,20 @@
+/* What a set of nodes takes to compute: operations, and the cycles that they mean. */
+#ifndef ISOC_GRAPH_OPERATIONS_H
+#define ISOC_GRAPH_OPERATIONS_H
+
+#include "tools/isoc/graph/graph.h"
+
+typedef struct operations {
+    int add, mul, div, sincos; /* comparisons and signs count as additions */
+} operations;
+
+/* What the code of these roots computes. */
+operations count_operations(const graph *g, const node *roots, size_t count);
+
+/* Cycles of a Cortex-M4F, but for sines and cosines, which every way to the same equations shares. */
+int cycles_of(operations n);
+
+/* Whether any node of this operation is needed for the roots. */
+bool uses_operation(const graph *g, const node *roots, size_t count, operation op);
+
+#endif

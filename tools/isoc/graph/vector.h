@@ -1,0 +1,61 @@
+/* Vectors and matrices of nodes: the algebra of 3-D mechanics, written once. */
+#ifndef ISOC_GRAPH_VECTOR_H
+#define ISOC_GRAPH_VECTOR_H
+
+#include "tools/isoc/graph/graph.h"
+
+typedef struct vector {
+    node at[3];
+} vector;
+
+typedef struct matrix {
+    node at[3][3]; /* row, column */
+} matrix;
+
+/* A symmetric matrix, e.g. an inertia tensor. */
+typedef struct tensor {
+    node xx, yy, zz, xy, xz, yz;
+} tensor;
+
+vector vector_zero(graph *g);
+vector vector_of(graph *g, double x, double y, double z);
+vector vector_add(graph *g, vector a, vector b);
+vector vector_sub(graph *g, vector a, vector b);
+vector vector_scale(graph *g, node s, vector a);
+vector vector_cross(graph *g, vector a, vector b);
+node vector_dot(graph *g, vector a, vector b);
+vector vector_name(graph *g, vector a, const char *quantity, const char *owner);
+bool vector_is_constant(const graph *g, vector a);
+
+matrix matrix_identity(graph *g);
+matrix matrix_product(graph *g, matrix a, matrix b);
+matrix matrix_transpose(matrix a);
+matrix matrix_add(graph *g, matrix a, matrix b);
+vector matrix_apply(graph *g, matrix a, vector b);
+
+/* A constant matrix with the entries that rounding left near 0 and +-1 (within 4 ulp of 1) put right, so that a turn
+ * by 90 degrees costs nothing. */
+matrix matrix_snap(graph *g, matrix a);
+
+/* The turn by an angle (sine s, cosine c) about coordinate axis k: from turned to unturned coordinates, and back. */
+vector turn_out(graph *g, int k, node s, node c, vector a);
+vector turn_in(graph *g, int k, node s, node c, vector a);
+
+/* R A R' for a matrix R, and for a turn about coordinate axis k. */
+matrix matrix_rotate(graph *g, matrix r, matrix a);
+matrix matrix_turn_out(graph *g, int k, node s, node c, matrix a);
+
+matrix tensor_matrix(tensor a);
+tensor matrix_tensor(matrix m);
+tensor tensor_zero(graph *g);
+tensor tensor_add(graph *g, tensor a, tensor b);
+vector tensor_apply(graph *g, tensor a, vector b);
+
+/* R J R' */
+tensor tensor_rotate(graph *g, matrix r, tensor j);
+
+/* The inertia about the origin of a body that is moved by p, from its mass and from its first moment ms and inertia j
+ * about the origin before. */
+tensor tensor_shift(graph *g, tensor j, node mass, vector ms, vector p);
+
+#endif

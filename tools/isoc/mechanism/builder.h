@@ -1,0 +1,73 @@
+/* What the parts that build a mechanism share: the scene as written, its values, and what is made of it so far. */
+#ifndef ISOC_MECHANISM_BUILDER_H
+#define ISOC_MECHANISM_BUILDER_H
+
+#include "tools/isoc/mechanism/mechanism.h"
+
+static const dimension no_unit = {0, 0, 0, 0}, kilogram = {1, 0, 0, 0}, metre = {0, 1, 0, 0}, second = {0, 0, 1, 0},
+                       radian = {0, 0, 0, 1}, newton = {1, 1, -2, 0}, newton_metre = {1, 2, -2, 0};
+
+static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
+
+/* What a body brings to its link. */
+typedef struct solid {
+    node mass;
+    vector com;
+    tensor inertia; /* about the centre of mass */
+    int joint;      /* whose child it is, or -1 */
+} solid;
+
+typedef struct builder {
+    source *s;
+    graph *g;
+    const scene *written;
+    values values;
+    solid *solids;
+    int *parents, *children; /* of the joints: bodies; -2 the ground, -1 unknown */
+    mechanism made;
+} builder;
+
+/* The value of a formula; zero where there is none, or where it was wrong. */
+vector vector_value(builder *b, const formula *f, dimension of, const char *what);
+node scalar_value(builder *b, const formula *f, dimension of, const char *what);
+
+/* Notes that a property cannot stand where it is written. */
+void refuse(builder *b, const formula *f, const char *property, const char *why);
+
+/* joints.c: the links that a joint is a chain of, from the parent's side, each with its axes against the joint's frame;
+ * their number. And the freedoms of all links. */
+enum { LINKS_OF_A_JOINT = 4 };
+int joint_parts(builder *b, const joint *j, link parts[LINKS_OF_A_JOINT], matrix aligned[LINKS_OF_A_JOINT]);
+void list_freedoms(builder *b);
+
+/* closures.c: loop closures, and how the drift off them is held. The link of a joint of one coordinate, or -1, which it
+ * notes; and what it is measured in. */
+void build_closures(builder *b);
+int coordinate_of(builder *b, name n);
+dimension coordinate_dimension(const link *l);
+
+/* motions.c: a joint that moves as a function of time says; false if there was a problem. */
+bool build_motion(builder *b, const closure *written, cut *made);
+
+/* thrusts.c: forces of inputs on bodies. */
+void build_thrusts(builder *b);
+
+/* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame turned so that
+ * the axis is its coordinate axis *k, times *sign: the identity for x, y, z, -x, -y, -z. */
+bool unit_axis(builder *b, const formula *f, double axis[3]);
+void place_joint(builder *b, const placement *p, matrix *turn_made, vector *origin);
+matrix align(graph *g, const double a[3], int *k, double *sign);
+
+/* regroup.c: moves to the parents what the joints' motion does not change. */
+void regroup(builder *b);
+
+/* signals.c: inputs, outputs and tunable parameters. */
+void build_inputs(builder *b);
+void build_outputs(builder *b);
+void build_parameters(builder *b);
+
+/* recipe.c: the method with its options, and the step. */
+void build_method(builder *b);
+void build_step(builder *b);
+
+#endif

@@ -1,0 +1,288 @@
+#include "tools/isoc/mechanism/mechanism.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/mechanism/inertia.h"
+#include "tools/isoc/scene/names.h"
+
+static const dimension moment_of_inertia = {1, 2, 0, 0}, acceleration = {0, 1, -2, 0};
+
+vector vector_value(builder *b, const formula *f, dimension of, const char *what)
+{
+    vector r = vector_zero(b->g);
+    if (f != NULL) {
+        const value v = value_of(&b->values, f, of, 3, what);
+        for (int i = 0; i < 3 && v.count == 3; i++) {
+            r.at[i] = v.parts[i];
+        }
+    }
+    return r;
+}
+
+node scalar_value(builder *b, const formula *f, dimension of, const char *what)
+{
+    node r = constant(b->g, 0.0);
+    if (f != NULL) {
+        const value v = value_of(&b->values, f, of, 1, what);
+        r = v.count == 1 ? v.parts[0] : r;
+    }
+    return r;
+}
+
+void refuse(builder *b, const formula *f, const char *property, const char *why)
+{
+    if (f != NULL) {
+        source_problem(b->s, f->at, "%s %s", property, why);
+    }
+}
+
+/* --- bodies --- */
+
+static tensor inertia_value(builder *b, const body *written)
+{
+    const node zero = constant(b->g, 0.0);
+    tensor t = tensor_zero(b->g);
+    if (written->inertia == NULL) {
+        return t;
+    }
+    const value v = value_of(&b->values, written->inertia, moment_of_inertia, 0, "an inertia");
+    if (v.count == 0) {
+        return t;
+    }
+    const bool full = v.count == 6;
+    t = (tensor){v.parts[0],
+                 v.parts[1],
+                 v.parts[2],
+                 full ? v.parts[3] : zero,
+                 full ? v.parts[4] : zero,
+                 full ? v.parts[5] : zero};
+    const node parts[6] = {t.xx, t.yy, t.zz, t.xy, t.xz, t.yz};
+    double numbers[6];
+    for (int i = 0; i < 6; i++) {
+        numbers[i] = value_now(&b->values, parts[i]);
+    }
+    const char *fault = inertia_fault(numbers);
+    if (fault != NULL) {
+        source_problem(b->s, written->inertia->at, "the inertia of '%s' %s", written->name.text, fault);
+    }
+    return t;
+}
+
+static void build_bodies(builder *b)
+{
+    for (size_t i = 0; i < b->written->body_count; i++) {
+        const body *written = &b->written->bodies[i];
+        solid *made = &b->solids[i];
+        made->joint = -1;
+        const size_t problems = b->s->problem_count;
+        made->mass = scalar_value(b, written->mass, kilogram, "a mass");
+        if (written->mass != NULL && b->s->problem_count == problems && !(value_now(&b->values, made->mass) > 0.0)) {
+            source_problem(b->s, written->mass->at, "a mass is larger than zero");
+        }
+        made->com = vector_value(b, written->com, metre, "a centre of mass");
+        made->inertia = inertia_value(b, written);
+    }
+}
+
+/* --- joints, one by one --- */
+
+static int resolve_end(builder *b, const placement *end)
+{
+    return end->body.text == NULL ? -1 : find_body(b->s, b->written, end->body);
+}
+
+/* Which bodies a joint connects; a body is the child of one joint. */
+static void connect(builder *b, size_t i)
+{
+    const joint *j = &b->written->joints[i];
+    b->parents[i] = resolve_end(b, &j->parent);
+    const int child = b->children[i] = resolve_end(b, &j->child);
+    if (child == -2) {
+        source_problem(b->s, j->child.body.at, "the ground is nobody's child: swap parent and child");
+        b->children[i] = -1;
+    } else if (child >= 0 && child == b->parents[i]) {
+        source_problem(b->s, j->child.body.at, "a joint of '%s' with itself", j->child.body.text);
+        b->children[i] = -1;
+    } else if (child >= 0 && b->solids[child].joint >= 0) {
+        const name *first = &b->written->joints[b->solids[child].joint].name;
+        source_problem(b->s, j->child.body.at, "'%s' is the child of joint '%s' in line %zu already: a loop",
+                       j->child.body.text, first->text, source_line(b->s, first->at));
+        b->children[i] = -1;
+    } else if (child >= 0) {
+        b->solids[child].joint = (int)i;
+    }
+}
+
+/* --- the tree --- */
+
+/* Adds a body to its link, or to the ground, as it stands there; and returns it. */
+static composite weld(builder *b, const solid *part, const body_frame *frame)
+{
+    graph *g = b->g;
+    const vector com = vector_add(g, matrix_apply(g, frame->turn, part->com), frame->offset);
+    composite own = {part->mass, vector_scale(g, part->mass, com), tensor_zero(g)};
+    if (frame->link == GROUND) {
+        b->made.ground_mass = add(g, b->made.ground_mass, own.mass);
+        b->made.ground_moment = vector_add(g, b->made.ground_moment, own.ms);
+        return own;
+    }
+    link *l = &b->made.links[frame->link];
+    const tensor turned = tensor_rotate(g, frame->turn, part->inertia);
+    own.inertia = tensor_shift(g, turned, part->mass, vector_zero(g), com);
+    l->inertia = tensor_add(g, l->inertia, own.inertia);
+    l->first_moment = vector_add(g, l->first_moment, own.ms);
+    l->mass = add(g, l->mass, own.mass);
+    return own;
+}
+
+/* Hangs the child of a joint on its parent, whose frame is known, by a chain of links. */
+static void hang(builder *b, size_t i)
+{
+    graph *g = b->g;
+    const joint *j = &b->written->joints[i];
+    const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
+    const body_frame parent = b->parents[i] == -2 ? ground : b->made.frames[b->parents[i]];
+    body_frame *child = &b->made.frames[b->children[i]];
+
+    matrix on_parent, on_child;
+    vector at_parent, at_child;
+    place_joint(b, &j->parent, &on_parent, &at_parent);
+    place_joint(b, &j->child, &on_child, &at_child);
+
+    /* From the axes that the last link has, to those of the joint: the last link's own axis is one of its axes. */
+    body_frame last = {parent.link, matrix_product(g, parent.turn, on_parent), vector_zero(g), true};
+    last.offset = vector_add(g, matrix_apply(g, parent.turn, at_parent), parent.offset);
+    link parts[LINKS_OF_A_JOINT];
+    matrix aligned[LINKS_OF_A_JOINT];
+    const int count = joint_parts(b, j, parts, aligned);
+    for (int n = 0; n < count; n++) {
+        link *made = &b->made.links[b->made.link_count];
+        *made = parts[n];
+        made->parent = last.link;
+        made->turn = matrix_snap(g, matrix_product(g, last.turn, aligned[n]));
+        made->offset = last.offset;
+        made->position = b->made.position_count;
+        made->freedom = b->made.freedom_count;
+        b->made.position_count += positions_of(made->kind);
+        b->made.freedom_count += freedoms_of(made->kind);
+        last = (body_frame){b->made.link_count++, matrix_transpose(aligned[n]), vector_zero(g), true};
+    }
+    child->link = last.link;
+    child->turn = matrix_snap(g, matrix_product(g, last.turn, matrix_transpose(on_child)));
+    const vector back = matrix_apply(g, child->turn, vector_sub(g, vector_zero(g), at_child));
+    child->offset = vector_add(g, last.offset, back);
+    child->placed = true;
+
+    member *made = &b->made.members[b->children[i]];
+    *made = (member){.joint = j->name.text, .parent = b->parents[i] == -2 ? GROUND : b->parents[i]};
+    made->hinge = last.offset;
+    made->own = weld(b, &b->solids[b->children[i]], child);
+}
+
+/* Hangs joints on what is placed, the first declared first, until none is left that can be. */
+static void build_tree(builder *b)
+{
+    const size_t joints = b->written->joint_count;
+    bool *hung = arena_take(b->s->memory, joints + 1, sizeof *hung);
+    for (bool going = true; going;) {
+        going = false;
+        for (size_t i = 0; i < joints && !going; i++) {
+            const int parent = b->parents[i];
+            const bool placed = parent == -2 || (parent >= 0 && b->made.frames[parent].placed);
+            if (!hung[i] && placed && b->children[i] >= 0) {
+                hang(b, i);
+                hung[i] = going = true;
+            }
+        }
+    }
+    /* What is left hangs on itself or on something unknown. */
+    for (size_t i = 0; i < joints; i++) {
+        int above = (int)i;
+        size_t steps = 0;
+        while (above >= 0 && b->parents[above] >= 0 && steps++ <= joints) {
+            above = b->solids[b->parents[above]].joint;
+        }
+        if (!hung[i] && b->children[i] >= 0 && steps > joints) {
+            source_problem(b->s, b->written->joints[i].name.at,
+                           "the joint '%s' is part of a loop that no joint ties to the ground",
+                           b->written->joints[i].name.text);
+        }
+    }
+    bool known = !b->written->broken;
+    for (size_t i = 0; i < joints; i++) {
+        known = known && b->children[i] >= 0 && !b->written->joints[i].broken;
+    }
+    for (size_t i = 0; i < b->written->body_count && known; i++) {
+        if (b->solids[i].joint < 0) {
+            source_problem(b->s, b->written->bodies[i].name.at,
+                           "the body '%s' is no joint's child: it hangs on nothing", b->written->bodies[i].name.text);
+        }
+    }
+}
+
+double *mechanism_start(const mechanism *m, arena *memory)
+{
+    double *x = arena_take(memory, (size_t)state_count(m) + 1, sizeof *x);
+    for (int i = 0; i < m->link_count; i++) {
+        const link *l = &m->links[i];
+        memcpy(x + l->position, l->start, (size_t)positions_of(l->kind) * sizeof *x);
+        memcpy(x + m->position_count + l->freedom, l->speed, (size_t)freedoms_of(l->kind) * sizeof *x);
+    }
+    for (int i = 0; i < m->clocks.count; i++) {
+        x[m->clocks.first + i] = m->clocks.all[i].start;
+    }
+    return x;
+}
+
+mechanism mechanism_build(source *s, graph *g, const scene *written)
+{
+    builder b = {.s = s, .g = g, .written = written};
+    b.solids = arena_take(s->memory, written->body_count + 1, sizeof *b.solids);
+    b.parents = arena_take(s->memory, written->joint_count + 1, sizeof *b.parents);
+    b.children = arena_take(s->memory, written->joint_count + 1, sizeof *b.children);
+    b.made = (mechanism){.name = written->name, .ground_mass = constant(g, 0.0), .ground_moment = vector_zero(g)};
+    b.made.links = arena_take(s->memory, LINKS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.links);
+    b.made.frames = arena_take(s->memory, written->body_count + 1, sizeof *b.made.frames);
+    b.made.members = arena_take(s->memory, written->body_count + 1, sizeof *b.made.members);
+    b.made.body_count = (int)written->body_count;
+    values_start(&b.values, s, g, written);
+
+    names_check(s, written);
+    build_step(&b);
+    build_method(&b);
+    values_resolve(&b.values);
+    b.made.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
+    build_bodies(&b);
+    for (size_t i = 0; i < written->joint_count; i++) {
+        connect(&b, i);
+    }
+    build_tree(&b);
+    list_freedoms(&b);
+    build_thrusts(&b);
+    build_closures(&b);
+    regroup(&b);
+    build_inputs(&b);
+    build_outputs(&b);
+    build_parameters(&b);
+
+    if (written->broken) {
+        return b.made;
+    }
+    bool moves = false;
+    for (size_t i = 0; i < written->joint_count; i++) {
+        moves = moves || written->joints[i].kind != JOINT_FIXED;
+    }
+    if (written->step == NULL) {
+        source_problem(s, s->length, "the scene has no step: step 1 ms");
+    }
+    if (!moves) {
+        source_problem(s, s->length, "nothing moves: the scene has no body on a joint that is not fixed");
+    }
+    if (written->output_count == 0) {
+        source_problem(s, s->length, "the scene has no output: output angle = position of a joint");
+    }
+    return b.made;
+}

@@ -1,0 +1,194 @@
+/* A scene understood: the tree of links that the dynamics runs over, its closures, inputs, outputs, step and method.
+ *
+ * A link is a body, or nothing, that moves by one elementary joint, with all that is welded to it. Its frame stands on
+ * the joint: the joint turns it about, or moves it along, one of its own coordinate axes, so that it needs no more than
+ * a plane rotation; or it turns freely, by a unit quaternion. Every other joint is a chain of these: a free one slides
+ * along x, y and z, and then turns freely. What a user wrote about bodies is carried into link frames here, at compile
+ * time.
+ *
+ * States are the positions of all links, then their speeds. The speeds of a freely turning link are its angular velocity
+ * relative to its parent, in its own axes.
+ */
+#ifndef ISOC_MECHANISM_MECHANISM_H
+#define ISOC_MECHANISM_MECHANISM_H
+
+#include "core/methods/method.h"
+#include "tools/isoc/graph/vector.h"
+#include "tools/isoc/mechanism/value.h"
+
+enum { GROUND = -1 };
+
+typedef struct link {
+    const char *name; /* of the joint, or of its part */
+    place at;         /* where it is declared */
+    int parent;       /* a link before this one, or GROUND */
+    joint_kind kind;  /* JOINT_REVOLUTE, JOINT_PRISMATIC or JOINT_SPHERICAL */
+    int position;     /* its first position among the states: 4 of a spherical joint, else 1 */
+    int freedom;      /* its first freedom: 3 of a spherical joint, else 1 */
+    int axis;         /* 0, 1, 2 */
+    double sign;      /* the joint's axis is sign * e_axis */
+    bool continuous;
+    matrix turn;   /* constant: the link's axes at coordinate zero, in the parent's axes */
+    vector offset; /* the link's origin at coordinate zero, in the parent's frame */
+
+    node mass; /* with all welded bodies, about the link's origin, in its axes */
+    vector first_moment;
+    tensor inertia;
+
+    node damping, spring, rest; /* zero where the scene names none */
+    int drive;                  /* an input, or -1 */
+    double start[4], speed[3];  /* a quaternion is w, x, y, z */
+    bool start_given, speed_given;
+    bool start_is_rough;           /* not given, but looked for from there */
+    bool start_found, speed_found; /* moved by the assembly */
+} link;
+
+/* One way in which a link moves against its parent. */
+typedef struct freedom {
+    int link, axis;
+    int before; /* the freedom that this one hangs on, or GROUND */
+    const char *name;
+} freedom;
+
+/* A force of an input on a link. */
+typedef struct thrust {
+    int body, link, drive;
+    vector point, axis; /* constant, in the link's frame */
+    node lever;         /* the moment about the force's own line, per newton */
+} thrust;
+
+/* A side of a closure: its frame on a link. */
+typedef struct cut_end {
+    int body, link; /* or GROUND */
+    matrix turn;
+    vector point;
+} cut_end;
+
+/* A function of the tick that motions are functions of: a state that every tick begins with, and that grows at a constant
+ * rate within it. */
+typedef struct clock {
+    node of_tick;
+    double rate;  /* per second */
+    double start; /* rad or s */
+} clock;
+
+typedef struct clocks {
+    clock *all;
+    int count;
+    size_t room;
+    int first; /* the state that the first one is */
+} clocks;
+
+/* A loop closure. */
+typedef struct cut {
+    const char *name;
+    place at;
+    closure_kind kind;
+    cut_end parent, child; /* of a gear or a motion: only the links, first and second */
+    int base;              /* the last link that both sides hang on, or GROUND */
+    int axis;              /* 0, 1, 2: of the frames */
+    node length;           /* distance; radius; what a gear or a motion starts at */
+    node ratio;
+    node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
+    node whole;    /* of continuous joints: Phi times this holds but for whole turns; zero: Phi itself holds */
+    bool in_speed; /* a gear or a motion that holds in speeds alone */
+} cut;
+
+/* A body, or several seen as one, in the frame of a link or of the ground. */
+typedef struct composite {
+    node mass;
+    vector ms;      /* first moment, about the frame's origin */
+    tensor inertia; /* likewise */
+} composite;
+
+/* A body as what it hangs by feels it: what the joints' motion does not change is moved between links, not here. */
+typedef struct member {
+    const char *joint; /* that it hangs by */
+    int parent;        /* the body that it hangs on, or GROUND */
+    vector hinge;      /* the joint's frame on the body, in the link's */
+    composite own;     /* likewise */
+} member;
+
+/* Where a body's own frame stands in its link's (or the ground's). */
+typedef struct body_frame {
+    int link;
+    matrix turn;
+    vector offset;
+    bool placed;
+} body_frame;
+
+typedef struct mechanism {
+    const char *name;
+    link *links;
+    freedom *freedoms;
+    int link_count, position_count, freedom_count;
+    body_frame *frames; /* of the scene's bodies */
+    member *members;    /* likewise */
+    int body_count;
+    cut *cuts;
+    int cut_count;
+    double alpha, beta; /* 1/s, of Baumgarte */
+    bool is_redundant;  /* the Schur complement may be singular: augmented Lagrangian */
+    double penalty;     /* kg, of the augmented Lagrangian; 0: from the rounding (tools/isoc/closure/augmented.h) */
+    bool is_double;     /* the number type of the plant */
+    int multiplier_iterations; /* of the augmented Lagrangian; else 1 */
+    int projections;           /* iterations of the projection after a step */
+    double violation_limit;    /* m or rad; 0: none */
+    clocks clocks;             /* of motions: states between the links' positions and the speeds */
+    thrust *thrusts;
+    int thrust_count;
+    vector gravity;
+    node ground_mass; /* welded to the ground; for the energy */
+    vector ground_moment;
+
+    int input_count;
+    const char **input_names;
+    node *drives;  /* the inputs as functions of time, and behind them the clocks */
+    double *jumps; /* the changes of inputs that start a method anew; 0: none does */
+
+    const output *outputs;
+    size_t output_count;
+    vector *points;   /* of the outputs, in their body's frame */
+    int *output_link; /* the joint's, or -1 for a body */
+    int *output_body; /* of a joint's force or moment: the child */
+    int *output_cut;  /* of a closure's */
+
+    int parameter_count;
+    const char **parameter_names;
+    const double *defaults;
+
+    unsigned recipe;  /* method and options: core/methods/method.h */
+    double tolerance; /* of adams */
+    double substeps;  /* its budget in a tick; 0: as good as none */
+    double step;      /* s */
+} mechanism;
+
+/* How a scene calls a method. */
+extern const char *const method_names[ISO_METHODS + 1];
+
+/* Positions and freedoms of an elementary joint. */
+static inline int positions_of(joint_kind kind)
+{
+    return kind == JOINT_SPHERICAL ? 4 : 1;
+}
+
+static inline int freedoms_of(joint_kind kind)
+{
+    return kind == JOINT_SPHERICAL ? 3 : 1;
+}
+
+static inline int state_count(const mechanism *m)
+{
+    return m->position_count + m->freedom_count;
+}
+
+/* The states at the start. */
+double *mechanism_start(const mechanism *m, arena *memory);
+
+/* Resolves names, units and places; notes problems. The result is whole only if there are none. */
+mechanism mechanism_build(source *s, graph *g, const scene *written);
+
+/* Only the method and the step, for a scene that says nothing else; notes problems. */
+void mechanism_method_and_step(source *s, graph *g, const scene *written);
+
+#endif

@@ -1,0 +1,115 @@
+/* Joints that move as a function of time says. */
+#include <math.h>
+
+#include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/mechanism/builder.h"
+
+static const double two_pi = 6.28318530717958648;
+
+/* The state that is this function of the tick: a method of order four sees it at fourth order within a step. */
+static node clock_of(builder *b, node of_tick)
+{
+    clocks *c = &b->made.clocks;
+    int i = 0;
+    while (i < c->count && c->all[i].of_tick != of_tick) {
+        i++;
+    }
+    if (i == c->count) {
+        const graph_node n = b->g->nodes[of_tick];
+        const double step = b->made.step, turns = n.second - floor(n.second + 0.5);
+        const clock made = n.op == OP_PHASE ? (clock){of_tick, two_pi * n.value / step, two_pi * turns}
+                                            : (clock){of_tick, 1.0, -n.value * step};
+        c->all = arena_grow(b->s->memory, c->all, (size_t)c->count, &c->room, sizeof *c->all);
+        c->all[c->count++] = made;
+    }
+    return leaf(b->g, OP_STATE, c->first + i);
+}
+
+/* Puts states in the place of functions of the tick. */
+static node with_clocks(builder *b, node moving)
+{
+    const size_t count = b->g->count;
+    bool *needed = arena_take(b->s->memory, count, sizeof *needed);
+    graph_reach(b->g, &moving, 1, needed);
+    for (size_t i = 0; i < count; i++) {
+        if (needed[i] && is_timed(b->g, (node)i)) {
+            moving = replace_leaf(b->g, moving, (node)i, clock_of(b, (node)i));
+        }
+    }
+    return moving;
+}
+
+/* The rate of a function of clocks. */
+static node rate_of(builder *b, node moving)
+{
+    node sum = constant(b->g, 0.0);
+    for (int i = 0; i < b->made.clocks.count; i++) {
+        node slope;
+        differentiate(b->g, &moving, 1, leaf(b->g, OP_STATE, b->made.clocks.first + i), &slope);
+        sum = add(b->g, sum, mul(b->g, constant(b->g, b->made.clocks.all[i].rate), slope));
+    }
+    return sum;
+}
+
+/* A motion that grows for ever at a constant speed, as a phase within a turn and what is left: as exact after a day as after
+ * a second. */
+static node as_phase(builder *b, const closure *written, node moving)
+{
+    graph *g = b->g;
+    const node time = timed(g, OP_TIME, 0.0, b->made.step);
+    node speed;
+    differentiate(g, &moving, 1, time, &speed);
+    if (!is_constant(g, speed)) {
+        source_problem(
+            b->s, written->motion->at,
+            "in the motion of the continuous joint '%s', time has a constant factor: 60 rpm * time; or write "
+            "its speed as a function of time",
+            written->first.text);
+        return moving;
+    }
+    const double turns = constant_value(g, speed) * b->made.step / two_pi;
+    if (fabs(turns) > 0.5) {
+        source_problem(b->s, written->motion->at, "more than half a turn in a step: it cannot be seen");
+    }
+    const node rest = replace_leaf(g, moving, time, constant(g, 0.0));
+    return turns == 0.0 ? rest : add(g, rest, timed(g, OP_PHASE, turns, 0.0));
+}
+
+/* The formula as a function of clocks. */
+static node function_of_time(builder *b, const formula *f, dimension of, const char *what)
+{
+    b->values.time_allowed = b->values.is_smooth = true;
+    const node made = scalar_value(b, f, of, what);
+    b->values.time_allowed = b->values.is_smooth = false;
+    return made;
+}
+
+bool build_motion(builder *b, const closure *written, cut *made)
+{
+    made->parent.link = made->child.link = coordinate_of(b, written->first);
+    if ((written->motion == NULL) == (written->speed == NULL)) {
+        source_problem(b->s, written->motion == NULL ? written->name.at : written->speed->at,
+                       written->motion == NULL
+                           ? "the closure '%s' has no motion: motion 0.3 rad * sin(2 Hz), or speed 60 rpm"
+                           : "the closure '%s' has a motion already, which gives its speed",
+                       written->name.text);
+        return false;
+    }
+    if (made->parent.link < 0) {
+        return false;
+    }
+    const link *first = &b->made.links[made->parent.link];
+    dimension of = coordinate_dimension(first);
+    if (written->speed != NULL) {
+        dimension_times(&of, second, -1);
+        made->in_speed = true;
+        made->motion_rate = with_clocks(b, function_of_time(b, written->speed, of, "the speed of this joint"));
+    } else {
+        made->motion = function_of_time(b, written->motion, of, "the motion of this joint");
+        made->motion = with_clocks(b, first->continuous ? as_phase(b, written, made->motion) : made->motion);
+        made->whole = constant(b->g, first->continuous ? 1.0 : 0.0);
+        made->motion_rate = rate_of(b, made->motion);
+    }
+    made->motion_bias = rate_of(b, made->motion_rate);
+    return true;
+}

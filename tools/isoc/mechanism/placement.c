@@ -1,0 +1,98 @@
+#include <math.h>
+
+#include "tools/isoc/mechanism/builder.h"
+
+/* The unit vector of an axis; false if there is none. */
+bool unit_axis(builder *b, const formula *f, double axis[3])
+{
+    const value v = value_of(&b->values, f, no_unit, 3, "an axis");
+    if (v.count == 0) {
+        return false;
+    }
+    double square = 0.0;
+    for (int i = 0; i < 3; i++) {
+        if (!is_constant(b->g, v.parts[i])) {
+            source_problem(b->s, f->at, "an axis cannot depend on a tunable parameter");
+            return false;
+        }
+        axis[i] = constant_value(b->g, v.parts[i]);
+        square += axis[i] * axis[i];
+    }
+    if (!(square > 0.0) || !isfinite(square)) {
+        source_problem(b->s, f->at, "the axis has no direction: its length is %s", square > 0.0 ? "infinite" : "zero");
+        return false;
+    }
+    const double length = sqrt(square);
+    for (int i = 0; i < 3; i++) {
+        axis[i] /= length;
+    }
+    return true;
+}
+
+/* The turn by an angle about a unit axis (Rodrigues 1840): c 1 + s [a]x + (1 - c) a a'. */
+static matrix rodrigues(graph *g, const double a[3], double angle)
+{
+    const double s = constant_value(g, sine(g, constant(g, angle)));
+    const double c = constant_value(g, cosine(g, constant(g, angle)));
+    matrix r;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            const double cross = i == j ? 0.0 : (j == (i + 1) % 3 ? -1.0 : 1.0) * a[3 - i - j];
+            r.at[i][j] = constant(g, (i == j ? c : 0.0) + s * cross + (1.0 - c) * a[i] * a[j]);
+        }
+    }
+    return matrix_snap(g, r);
+}
+
+/* The joint's frame on a body: R = R1 R2 ..., and its origin. */
+void place_joint(builder *b, const placement *p, matrix *turn_made, vector *origin)
+{
+    *origin = vector_value(b, p->position, metre, "a position");
+    *turn_made = matrix_identity(b->g);
+    for (size_t i = 0; i < p->turn_count; i++) {
+        double axis[3];
+        if (p->turns[i].angle == NULL || p->turns[i].axis == NULL || !unit_axis(b, p->turns[i].axis, axis)) {
+            continue;
+        }
+        double angle = value_constant(&b->values, p->turns[i].angle, radian, "an angle", 0.0);
+        if (fabs(angle) > largest_angle) {
+            source_problem(b->s, p->turns[i].angle->at, "an angle beyond %g rad", largest_angle);
+            angle = 0.0;
+        }
+        *turn_made = matrix_snap(b->g, matrix_product(b->g, *turn_made, rodrigues(b->g, axis, angle)));
+    }
+}
+
+/* Turns the frame so that the axis is one of its own: *k and *sign say which. The identity for x, y, z, -x, -y, -z. */
+matrix align(graph *g, const double a[3], int *k, double *sign)
+{
+    for (int i = 0; i < 3; i++) {
+        if (fabs(a[i]) == 1.0) {
+            *k = i;
+            *sign = a[i];
+            return matrix_identity(g);
+        }
+    }
+    /* z along the axis, x across it and across the coordinate axis that is farthest from it. */
+    int far = 0;
+    for (int i = 1; i < 3; i++) {
+        far = fabs(a[i]) < fabs(a[far]) ? i : far;
+    }
+    const int i = (far + 1) % 3, j = (far + 2) % 3;
+    const double length = sqrt(a[i] * a[i] + a[j] * a[j]);
+    double x[3] = {0.0}, y[3];
+    x[i] = a[j] / length;
+    x[j] = -a[i] / length;
+    for (int n = 0; n < 3; n++) {
+        y[n] = a[(n + 1) % 3] * x[(n + 2) % 3] - a[(n + 2) % 3] * x[(n + 1) % 3];
+    }
+    matrix r;
+    for (int row = 0; row < 3; row++) {
+        r.at[row][0] = constant(g, x[row]);
+        r.at[row][1] = constant(g, y[row]);
+        r.at[row][2] = constant(g, a[row]);
+    }
+    *k = 2;
+    *sign = 1.0;
+    return r;
+}

@@ -1,0 +1,94 @@
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/mechanism/builder.h"
+
+const char *const method_names[ISO_METHODS + 1] = ISO_METHOD_NAMES;
+
+static bool is_yes(builder *b, name word)
+{
+    const bool yes = word.text != NULL && strcmp(word.text, "yes") == 0;
+    if (word.text != NULL && !yes && strcmp(word.text, "no") != 0) {
+        source_problem(b->s, word.at, "expected yes or no; found '%s'", word.text);
+    }
+    return yes;
+}
+
+static unsigned find_method(builder *b, name word)
+{
+    if (word.text == NULL) {
+        return ISO_RK4;
+    }
+    for (unsigned i = 0; i <= ISO_METHODS; i++) {
+        if (strcmp(word.text, method_names[i]) == 0) {
+            return i;
+        }
+    }
+    const char *list = "";
+    for (unsigned i = 0; i <= ISO_METHODS; i++) {
+        list = arena_format(b->s->memory, "%s%s%s", list, i == 0 ? "" : ", ", method_names[i]);
+    }
+    source_problem(b->s, word.at, "no method is called '%s'%s; there are %s", word.text,
+                   source_suggestion(b->s, word.text, method_names, ISO_METHODS + 1), list);
+    return ISO_RK4;
+}
+
+/* What adams may do in a tick: a tolerance, and a budget of sub-steps. */
+static void build_adams(builder *b)
+{
+    const scene *written = b->written;
+    b->made.tolerance = value_constant(&b->values, written->tolerance, no_unit, "a tolerance", 1e-6);
+    b->made.substeps =
+        value_constant(&b->values, written->substeps, no_unit, "the number of sub-steps", ISO_ADAMS_BUDGET);
+    if (!(b->made.tolerance > 0.0)) {
+        source_problem(b->s, written->tolerance->at, "a tolerance is larger than zero");
+    }
+    if (!(b->made.substeps >= 1.0 && b->made.substeps <= 1e6) || b->made.substeps != floor(b->made.substeps)) {
+        source_problem(b->s, written->substeps->at, "sub-steps are a whole number from 1 to 1000000");
+    }
+}
+
+/* The method with its options: an output of the local error asks for the check as `checked yes` does. */
+void build_method(builder *b)
+{
+    const scene *written = b->written;
+    unsigned recipe = find_method(b, written->method);
+    recipe |= is_yes(b, written->compensated) ? ISO_COMPENSATED : 0U;
+    recipe |= is_yes(b, written->checked) ? ISO_CHECKED : 0U;
+    for (size_t i = 0; i < written->output_count; i++) {
+        const output *o = &written->outputs[i];
+        recipe |= o->kind == OUTPUT_LOCAL_ERROR ? ISO_CHECKED : 0U;
+        if (o->kind == OUTPUT_RESIDUAL && !ISO_IS(recipe, ISO_BDF4)) {
+            source_problem(b->s, o->kind_at, "only bdf4 has a residual, of its Newton iteration");
+        }
+    }
+    if (written->iterations != NULL) {
+        const double count = value_constant(&b->values, written->iterations, no_unit, "the number of iterations", 2.0);
+        if (!(count >= 1.0 && count <= 10.0) || count != floor(count)) {
+            source_problem(b->s, written->iterations->at, "iterations are a whole number from 1 to 10");
+        } else {
+            recipe |= ISO_ITERATIONS((unsigned)count);
+        }
+    }
+    b->made.recipe = recipe;
+    build_adams(b);
+}
+
+void build_step(builder *b)
+{
+    const formula *f = b->written->step;
+    b->made.step = value_constant(&b->values, f, second, "the step", 1e-3);
+    if (f != NULL && !(b->made.step >= 1e-6 && b->made.step <= 1.0)) {
+        source_problem(b->s, f->at, "a step is between 1 us and 1 s");
+        b->made.step = 1e-3;
+    }
+    b->values.step = b->made.step;
+}
+
+void mechanism_method_and_step(source *s, graph *g, const scene *written)
+{
+    builder b = {.s = s, .g = g, .written = written};
+    values_start(&b.values, s, g, written);
+    build_step(&b);
+    build_method(&b);
+}

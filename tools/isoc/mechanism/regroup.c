@@ -1,0 +1,56 @@
+#include "tools/isoc/mechanism/builder.h"
+
+/* Adds mass, first moment and inertia about the origin of a link's frame to what the link hangs on. */
+static void move_to_parent(builder *b, const link *from, node mass, vector ms, tensor inertia)
+{
+    graph *g = b->g;
+    const vector turned = matrix_apply(g, from->turn, ms);
+    const vector moment = vector_add(g, turned, vector_scale(g, mass, from->offset));
+    if (from->parent == GROUND) {
+        b->made.ground_mass = add(g, b->made.ground_mass, mass);
+        b->made.ground_moment = vector_add(g, b->made.ground_moment, moment);
+        return;
+    }
+    link *to = &b->made.links[from->parent];
+    const tensor shifted = tensor_shift(g, tensor_rotate(g, from->turn, inertia), mass, turned, from->offset);
+    to->inertia = tensor_add(g, to->inertia, shifted);
+    to->first_moment = vector_add(g, to->first_moment, moment);
+    to->mass = add(g, to->mass, mass);
+}
+
+/* What a joint's motion does not change is as well a part of the parent (Gautier and Khalil 1990, "Direct calculation of
+ * minimum set of inertial parameters of serial robots", IEEE Trans. Robotics Automation 6(3)): about a revolute axis
+ * the mass, the first moment along the axis and equal moments across it; of a prismatic joint the whole inertia; of a spherical joint the mass. The
+ * motion stays the same to the last term, and most of each link's parameters are zero. */
+void regroup(builder *b)
+{
+    graph *g = b->g;
+    const node zero = constant(g, 0.0);
+    for (int i = b->made.link_count - 1; i >= 0; i--) {
+        link *l = &b->made.links[i];
+        if (l->kind == JOINT_PRISMATIC) {
+            move_to_parent(b, l, zero, vector_zero(g), l->inertia);
+            l->inertia = tensor_zero(g);
+            continue;
+        }
+        if (l->kind == JOINT_SPHERICAL) {
+            move_to_parent(b, l, l->mass, vector_zero(g), tensor_zero(g));
+            l->mass = zero;
+            continue;
+        }
+        node *const diagonal[3] = {&l->inertia.xx, &l->inertia.yy, &l->inertia.zz};
+        node *const one = diagonal[(l->axis + 1) % 3], *const other = diagonal[(l->axis + 2) % 3];
+        const node across = *other;
+        tensor ring = {across, across, across, zero, zero, zero};
+        node *const of_ring[3] = {&ring.xx, &ring.yy, &ring.zz};
+        *of_ring[l->axis] = zero;
+        vector along = vector_zero(g);
+        along.at[l->axis] = l->first_moment.at[l->axis];
+
+        move_to_parent(b, l, l->mass, along, ring);
+        *one = sub(g, *one, across);
+        *other = zero;
+        l->first_moment.at[l->axis] = zero;
+        l->mass = zero;
+    }
+}

@@ -1,0 +1,42 @@
+/* Forces of inputs on bodies. */
+#include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/scene/names.h"
+
+static void build_thrust(builder *b, const body_force *written)
+{
+    graph *g = b->g;
+    double axis[3];
+    if (written->broken) {
+        return;
+    }
+    const int pushed = find_body(b->s, b->written, written->body);
+    const int drive = find_input(b->s, b->written, written->drive);
+    const vector point = vector_value(b, written->point, metre, "a point");
+    const node lever = scalar_value(b, written->moment, metre, "the moment of a force for each newton");
+    if (pushed == -2) {
+        source_problem(b->s, written->body.at, "a force on the ground moves nothing");
+    }
+    if (pushed < 0 || drive < 0 || written->axis == NULL || !unit_axis(b, written->axis, axis)) {
+        return;
+    }
+    const body_frame *frame = &b->made.frames[pushed];
+    if (!frame->placed || frame->link == GROUND) {
+        if (frame->placed) {
+            source_problem(b->s, written->body.at, "'%s' is welded to the ground: a force moves nothing",
+                           written->body.text);
+        }
+        return;
+    }
+    thrust made = {.body = pushed, .link = frame->link, .drive = drive, .lever = lever};
+    made.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
+    made.axis = matrix_apply(g, frame->turn, vector_of(g, axis[0], axis[1], axis[2]));
+    b->made.thrusts[b->made.thrust_count++] = made;
+}
+
+void build_thrusts(builder *b)
+{
+    b->made.thrusts = arena_take(b->s->memory, b->written->force_count + 1, sizeof *b->made.thrusts);
+    for (size_t i = 0; i < b->written->force_count; i++) {
+        build_thrust(b, &b->written->forces[i]);
+    }
+}

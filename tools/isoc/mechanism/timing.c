@@ -1,0 +1,139 @@
+#include "tools/isoc/mechanism/timing.h"
+
+#include <math.h>
+#include <string.h>
+
+static const dimension plain = {0, 0, 0, 0}, second = {0, 0, 1, 0};
+static const double pi = 3.14159265358979323846;
+
+static const value nothing = {0};
+
+static value scalar(node n, dimension of)
+{
+    return (value){.count = 1, .parts = {n}, .of = of};
+}
+
+/* Whether a formula may not depend on time, which it notes. */
+static bool refuses_time(values *v, const formula *f)
+{
+    if (!v->time_allowed) {
+        source_problem(v->s, f->at, "'%s' is a function of time: only an input or a motion can be one", f->name);
+    }
+    return !v->time_allowed;
+}
+
+value time_of_formula(values *v, const formula *f)
+{
+    return refuses_time(v, f) ? nothing : scalar(timed(v->g, OP_TIME, 0.0, v->step), second);
+}
+
+/* sin(3 Hz), sin(3 Hz, 90 deg), sin(2 rad/s): a phase that grows with the ticks. */
+static value evaluate_wave(values *v, const formula *f)
+{
+    static const dimension hertz = {0, 0, -1, 0}, radian = {0, 0, 0, 1}, speed = {0, 0, -1, 1};
+    if (f->count != 1 && f->count != 2) {
+        source_problem(v->s, f->at, "%s takes a frequency and, if wanted, a phase: %s(3 Hz, 90 deg)", f->name, f->name);
+        return nothing;
+    }
+    value frequency = value_any(v, f->parts[0]);
+    if (frequency.count == 1 && dimension_equal(frequency.of, speed)) {
+        frequency.parts[0] = divide(v->g, frequency.parts[0], constant(v->g, 2 * pi));
+        frequency.of = hertz;
+    }
+    if (frequency.count == 0) {
+        return nothing;
+    }
+    if (frequency.count != 1 || !dimension_equal(frequency.of, hertz) || !is_constant(v->g, frequency.parts[0])) {
+        source_problem(v->s, f->parts[0]->at, "expected a constant frequency in Hz or rad/s");
+        return nothing;
+    }
+    const double phase = f->count == 2 ? value_constant(v, f->parts[1], radian, "the phase", 0.0) : 0.0;
+    const double turns = constant_value(v->g, frequency.parts[0]) * v->step;
+    if (fabs(turns) > 0.5) {
+        source_problem(v->s, f->parts[0]->at, "more than half a period in a step: the wave cannot be seen");
+        return nothing;
+    }
+    const node angle = timed(v->g, OP_PHASE, turns, phase / (2 * pi));
+    return scalar(strcmp(f->name, "sin") == 0 ? sine(v->g, angle) : cosine(v->g, angle), plain);
+}
+
+/* How much of a smooth curve is done: with c, how far time is from tick `from` on, as a part of so many ticks, limited to
+ * [0, 1], it is c^3 (10 - 15 c + 6 c^2), whose slope and curvature are zero at both ends (the 3-4-5 polynomial of cams). From
+ * the middle, d = c - 1/2, that is 1/2 + d (15/8 - d^2 (5 - 6 d^2)), of which rounding takes a tenth as much. `first` is
+ * the tick at which all the curves of the ramp begin. */
+static node smooth_part(values *v, double first, double from, double ticks)
+{
+    graph *g = v->g;
+    const node since = timed(g, OP_SINCE, first, v->step);
+    const node part = divide(g, sub(g, since, constant(g, (from - first) * v->step)), constant(g, ticks * v->step));
+    const node below = larger(g, neg(g, part), constant(g, -1.0)), c = larger(g, constant(g, 0.0), neg(g, below));
+    const node d = sub(g, c, constant(g, 0.5)), square = mul(g, d, d);
+    const node inner = sub(g, constant(g, 5.0), mul(g, constant(g, 6.0), square));
+    const node outer = sub(g, constant(g, 1.875), mul(g, square, inner));
+    return add(g, constant(g, 0.5), mul(g, d, outer));
+}
+
+/* table(0 s: 0 N, 1 s: 8 N, ...): straight lines between the points, ramp(0 s: 0 N, 1 s: 8 N, ...): smooth curves; the end
+ * values outside. */
+static value evaluate_points(values *v, const formula *f)
+{
+    const bool is_smooth = strcmp(f->name, "ramp") == 0;
+    if (f->count < 2 || f->count % 2 != 0) {
+        source_problem(v->s, f->at, "a %s is pairs of time and value: %s(0 s: 0 N, 1 s: 8 N)", f->name, f->name);
+        return nothing;
+    }
+    const char *a_time = arena_format(v->s->memory, "a time of the %s", f->name);
+    value sum = value_any(v, f->parts[1]), last = sum;
+    const double first = value_constant(v, f->parts[0], second, a_time, 0.0) / v->step;
+    double last_time = first;
+    for (size_t i = 2; i < f->count && sum.count > 0; i += 2) {
+        const double time = value_constant(v, f->parts[i], second, a_time, 0.0) / v->step;
+        const value here = value_any(v, f->parts[i + 1]);
+        if (here.count == 0) {
+            return nothing;
+        }
+        if (here.count != 1 || last.count != 1 || (!here.any && !last.any && !dimension_equal(here.of, last.of))) {
+            source_problem(v->s, f->parts[i + 1]->at, "the values of a %s are numbers of one dimension", f->name);
+            return nothing;
+        }
+        if (!(time > last_time) || last_time < 0.0 || time > 4e9) {
+            source_problem(v->s, f->parts[i]->at, "the times of a %s begin at 0 or later and rise", f->name);
+            return nothing;
+        }
+        const node rise = sub(v->g, here.parts[0], last.parts[0]);
+        const double ticks = time - last_time;
+        const node weight = is_smooth ? rise : divide(v->g, rise, constant(v->g, ticks));
+        const node part = is_smooth ? smooth_part(v, first, last_time, ticks) : timed(v->g, OP_RAMP, last_time, ticks);
+        sum.parts[0] = add(v->g, sum.parts[0], mul(v->g, weight, part));
+        sum.of = here.any ? last.of : here.of;
+        sum.any = here.any && last.any;
+        last = here;
+        last.of = sum.of;
+        last.any = sum.any;
+        last_time = time;
+    }
+    return sum;
+}
+
+value call_of_formula(values *v, const formula *f)
+{
+    static const char *const functions[] = {"sin", "cos", "table", "ramp"};
+    const size_t count = sizeof functions / sizeof functions[0];
+    size_t which = 0;
+    while (which < count && strcmp(f->name, functions[which]) != 0) {
+        which++;
+    }
+    if (which == count) {
+        source_problem(v->s, f->at, "no function is called '%s'%s", f->name,
+                       source_suggestion(v->s, f->name, functions, count));
+        return nothing;
+    }
+    if (v->is_smooth && strcmp(f->name, "table") == 0) {
+        source_problem(v->s, f->at, "a motion is smooth, and a table has corners: ramp has none");
+        return nothing;
+    }
+    if (refuses_time(v, f)) {
+        return nothing;
+    }
+    return which < 2 ? evaluate_wave(v, f) : evaluate_points(v, f);
+}

@@ -1,0 +1,11 @@
+/* Functions of time in formulas: nodes that are functions of the tick. */
+#ifndef ISOC_MECHANISM_TIMING_H
+#define ISOC_MECHANISM_TIMING_H
+
+#include "tools/isoc/mechanism/value.h"
+
+/* `time`, and a call: sin(3 Hz), table(0 s: 0 N, 1 s: 8 N). Count 0 after noting a problem. */
+value time_of_formula(values *v, const formula *f);
+value call_of_formula(values *v, const formula *f);
+
+#endif

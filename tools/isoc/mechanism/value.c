@@ -1,0 +1,330 @@
+#include "tools/isoc/mechanism/value.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/mechanism/timing.h"
+
+static const dimension plain = {0, 0, 0, 0};
+static const double pi = 3.14159265358979323846;
+
+void values_start(values *v, source *s, graph *g, const scene *written)
+{
+    *v = (values){.s = s, .g = g, .scene = written};
+    const size_t room = written->parameter_count + 1;
+    v->parameters = arena_take(s->memory, room, sizeof *v->parameters);
+    v->resolving = arena_take(s->memory, room, sizeof *v->resolving);
+    v->defaults = arena_take(s->memory, room, sizeof *v->defaults);
+    for (size_t i = 0; i < written->parameter_count; i++) {
+        v->tunables += written->parameters[i].tunable;
+    }
+}
+
+static value nothing(void)
+{
+    return (value){0};
+}
+
+static value scalar(node n, dimension of)
+{
+    return (value){.count = 1, .parts = {n}, .of = of};
+}
+
+/* The position of parameter i among the tunables. */
+static int tunable_index(const scene *written, size_t i)
+{
+    int index = 0;
+    for (size_t j = 0; j < i; j++) {
+        index += written->parameters[j].tunable;
+    }
+    return index;
+}
+
+static value resolve(values *v, size_t i, place used_at)
+{
+    const quantity *q = &v->scene->parameters[i];
+    if (v->resolving[i] == 1) {
+        source_problem(v->s, used_at, "'%s' depends on itself", q->name.text);
+        return nothing();
+    }
+    if (v->resolving[i] == 2) {
+        return v->parameters[i];
+    }
+    v->resolving[i] = 1;
+    value result = q->value == NULL ? nothing() : value_any(v, q->value);
+    if (result.count > 0 && q->tunable) {
+        const int index = tunable_index(v->scene, i);
+        if (result.count != 1 || !is_constant(v->g, result.parts[0])) {
+            source_problem(v->s, q->value->at, "a tunable parameter is one number that no other tunable is part of");
+            result = nothing();
+        } else {
+            v->defaults[index] = constant_value(v->g, result.parts[0]);
+            result.parts[0] = leaf(v->g, OP_PARAMETER, index);
+            result.any = false;
+        }
+    }
+    v->parameters[i] = result;
+    v->resolving[i] = 2;
+    return result;
+}
+
+void values_resolve(values *v)
+{
+    for (size_t i = 0; i < v->scene->parameter_count; i++) {
+        resolve(v, i, v->scene->parameters[i].name.at);
+    }
+}
+
+static value evaluate_name(values *v, const formula *f)
+{
+    const size_t count = v->scene->parameter_count;
+    if (strcmp(f->name, "pi") == 0) {
+        return scalar(constant(v->g, pi), plain);
+    }
+    if (strcmp(f->name, "time") == 0) {
+        return time_of_formula(v, f);
+    }
+    const char **names = arena_take(v->s->memory, count + 1, sizeof *names);
+    for (size_t i = 0; i < count; i++) {
+        const char *text = v->scene->parameters[i].name.text;
+        names[i] = text == NULL ? "" : text;
+        if (strcmp(names[i], f->name) == 0) {
+            return resolve(v, i, f->at);
+        }
+    }
+    source_problem(v->s, f->at, "no constant or tunable is called '%s'%s", f->name,
+                   source_suggestion(v->s, f->name, names, count));
+    return nothing();
+}
+
+static value evaluate_number(values *v, const formula *f)
+{
+    const double number = f->number * f->unit.numerator / f->unit.denominator;
+    value r = scalar(constant(v->g, isfinite(number) ? number : 0.0), f->unit.of);
+    if (!isfinite(number)) {
+        source_problem(v->s, f->at, "the number is too large in SI units: a double ends at 1.8e308");
+        return nothing();
+    }
+    r.any = f->number == 0.0 && dimension_equal(f->unit.of, plain);
+    return r;
+}
+
+/* Parts of one dimension, but for plain zeros. */
+static value evaluate_vector(values *v, const formula *f)
+{
+    value r = {.any = true};
+    if (f->count > VALUE_PARTS) {
+        source_problem(v->s, f->at, "%zu parts: a vector has three (x, y, z), and nothing has more than six", f->count);
+        return nothing();
+    }
+    for (size_t i = 0; i < f->count; i++) {
+        const value part = value_any(v, f->parts[i]);
+        if (part.count == 0) {
+            return nothing();
+        }
+        if (part.count != 1) {
+            source_problem(v->s, f->parts[i]->at, "a part of a vector is one number");
+            return nothing();
+        }
+        if (!part.any && !r.any && !dimension_equal(part.of, r.of)) {
+            source_problem(v->s, f->parts[i]->at, "%s beside %s in one vector", dimension_text(v->s->memory, part.of),
+                           dimension_text(v->s->memory, r.of));
+            return nothing();
+        }
+        if (!part.any) {
+            r.of = part.of;
+            r.any = false;
+        }
+        r.parts[r.count++] = part.parts[0];
+    }
+    return r;
+}
+
+static value evaluate_scale(values *v, const formula *f)
+{
+    value r = value_any(v, f->parts[0]);
+    if (r.count > 0 && !dimension_equal(r.of, plain)) {
+        source_problem(v->s, f->at, "a unit after a parenthesis that has units inside");
+        return nothing();
+    }
+    for (int i = 0; i < r.count; i++) {
+        const node scaled = mul(v->g, r.parts[i], constant(v->g, f->unit.numerator));
+        r.parts[i] = is_constant(v->g, scaled) ? constant(v->g, constant_value(v->g, scaled) / f->unit.denominator)
+                                               : divide(v->g, scaled, constant(v->g, f->unit.denominator));
+    }
+    r.of = f->unit.of;
+    r.any = false;
+    return r;
+}
+
+static value evaluate_sum(values *v, const formula *f, value a, value b)
+{
+    if (a.count != b.count) {
+        source_problem(v->s, f->at, "a vector and a number cannot be added");
+        return nothing();
+    }
+    if (!a.any && !b.any && !dimension_equal(a.of, b.of)) {
+        source_problem(v->s, f->at, "%s and %s cannot be added", dimension_text(v->s->memory, a.of),
+                       dimension_text(v->s->memory, b.of));
+        return nothing();
+    }
+    value r = a.any ? b : a;
+    for (int i = 0; i < a.count; i++) {
+        r.parts[i] = f->sign == '+' ? add(v->g, a.parts[i], b.parts[i]) : sub(v->g, a.parts[i], b.parts[i]);
+    }
+    return r;
+}
+
+static value evaluate_product(values *v, const formula *f, value a, value b)
+{
+    if ((a.count != 1 && b.count != 1) || (f->sign == '/' && b.count != 1)) {
+        source_problem(v->s, f->at, "a product has at most one vector, and none below a fraction");
+        return nothing();
+    }
+    if (f->sign == '/' && value_now(v, b.parts[0]) == 0.0) {
+        source_problem(v->s, f->at, "division by zero");
+        return nothing();
+    }
+    const value wide = a.count != 1 ? a : b;
+    value r = {.count = wide.count, .of = a.of};
+    for (int i = 0; i < r.count; i++) {
+        const node left = a.parts[a.count == 1 ? 0 : i], right = b.parts[b.count == 1 ? 0 : i];
+        r.parts[i] = f->sign == '*' ? mul(v->g, left, right) : divide(v->g, left, right);
+    }
+    if (!dimension_times(&r.of, b.of, f->sign == '*' ? 1 : -1)) {
+        source_problem(v->s, f->at, "a power of a unit beyond 9");
+        return nothing();
+    }
+    return r;
+}
+
+static value evaluate_binary(values *v, const formula *f)
+{
+    const value a = value_any(v, f->parts[0]), b = value_any(v, f->parts[1]);
+    if (a.count == 0 || b.count == 0) {
+        return nothing();
+    }
+    return f->sign == '+' || f->sign == '-' ? evaluate_sum(v, f, a, b) : evaluate_product(v, f, a, b);
+}
+
+static value evaluate_power(values *v, const formula *f)
+{
+    value r = value_any(v, f->parts[0]);
+    if (r.count > 1) {
+        source_problem(v->s, f->at, "a vector has no power");
+        return nothing();
+    }
+    if (r.count == 1) {
+        const dimension of = r.of;
+        r.parts[0] = power(v->g, r.parts[0], (int)f->number);
+        r.of = plain;
+        r.any = false;
+        if (!dimension_times(&r.of, of, (int)f->number)) {
+            source_problem(v->s, f->at, "a power of a unit beyond 9");
+            return nothing();
+        }
+    }
+    return r;
+}
+
+value value_any(values *v, const formula *f)
+{
+    value r;
+    switch (f->kind) {
+    case FORMULA_NUMBER:
+        return evaluate_number(v, f);
+    case FORMULA_NAME:
+        return evaluate_name(v, f);
+    case FORMULA_VECTOR:
+        return evaluate_vector(v, f);
+    case FORMULA_SCALE:
+        return evaluate_scale(v, f);
+    case FORMULA_BINARY:
+        return evaluate_binary(v, f);
+    case FORMULA_POWER:
+        return evaluate_power(v, f);
+    case FORMULA_CALL:
+        return call_of_formula(v, f);
+    case FORMULA_NEGATE:
+        break;
+    }
+    r = value_any(v, f->parts[0]);
+    for (int i = 0; i < r.count; i++) {
+        r.parts[i] = neg(v->g, r.parts[i]);
+    }
+    return r;
+}
+
+static bool right_parts(int count, int parts)
+{
+    return parts == 0 ? count == 3 || count == 6 : count == parts;
+}
+
+static const char *form_of(int parts)
+{
+    static const char *const forms[] = {
+        "(xx, yy, zz) or (xx, yy, zz; xy, xz, yz)",
+        "one number",
+        "two numbers (first, second)",
+        "a vector (x, y, z)",
+        "four numbers (w, x, y, z)",
+    };
+    return forms[parts];
+}
+
+value value_of(values *v, const formula *f, dimension of, int parts, const char *what)
+{
+    value r = value_any(v, f);
+    if (r.count == 0) {
+        return r;
+    }
+    if (!right_parts(r.count, parts)) {
+        const char *found = r.count == 1 ? "one number" : arena_format(v->s->memory, "%d numbers", r.count);
+        source_problem(v->s, f->at, "%s is %s; this is %s", what, form_of(parts), found);
+        return nothing();
+    }
+    if (!r.any && !dimension_equal(r.of, of)) {
+        source_problem(v->s, f->at, "%s %s; this %s", what, dimension_phrase(v->s->memory, of),
+                       dimension_phrase(v->s->memory, r.of));
+        return nothing();
+    }
+    for (int i = 0; i < r.count; i++) {
+        if (!isfinite(value_now(v, r.parts[i]))) {
+            source_problem(v->s, f->at, "%s is beyond the finite numbers", what);
+            return nothing();
+        }
+    }
+    r.of = of;
+    return r;
+}
+
+double value_constant(values *v, const formula *f, dimension of, const char *what, double fallback)
+{
+    if (f == NULL) {
+        return fallback;
+    }
+    const value r = value_of(v, f, of, 1, what);
+    if (r.count == 0) {
+        return fallback;
+    }
+    if (!is_constant(v->g, r.parts[0])) {
+        source_problem(v->s, f->at, "%s cannot depend on a tunable parameter", what);
+        return fallback;
+    }
+    return constant_value(v->g, r.parts[0]);
+}
+
+double value_displacement(values *v, const formula *f, const char *what, double fallback)
+{
+    static const dimension metre = {0, 1, 0, 0}, radian = {0, 0, 0, 1};
+    const value found = f == NULL ? nothing() : value_any(v, f);
+    const dimension of = dimension_equal(found.of, radian) ? radian : metre;
+    return found.count == 0 ? fallback : value_constant(v, f, of, what, fallback);
+}
+
+double value_now(const values *v, node n)
+{
+    double *numbers = arena_take(v->s->memory, v->g->count, sizeof *numbers);
+    graph_evaluate(v->g, NULL, NULL, v->defaults, numbers);
+    return numbers[n];
+}

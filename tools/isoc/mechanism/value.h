@@ -1,0 +1,53 @@
+/* What a formula comes to: nodes with a dimension. */
+#ifndef ISOC_MECHANISM_VALUE_H
+#define ISOC_MECHANISM_VALUE_H
+
+#include "tools/isoc/graph/graph.h"
+#include "tools/isoc/scene/scene.h"
+
+enum { VALUE_PARTS = 6 };
+
+typedef struct value {
+    int count; /* of parts: 1 a scalar, 3 a vector, 2, 4 or 6; 0: there was a problem, which has been noted */
+    node parts[VALUE_PARTS];
+    dimension of;
+    bool any; /* a plain zero, which is zero in every unit */
+} value;
+
+/* The scene's parameters and the graph that formulas become nodes of. */
+typedef struct values {
+    source *s;
+    graph *g;
+    const scene *scene;
+    double step;       /* s; functions of time need it */
+    bool time_allowed; /* in the formula of an input or a motion */
+    bool is_smooth;    /* of a motion */
+    value *parameters; /* of the scene's, where resolved */
+    char *resolving;   /* 0 not yet, 1 now, 2 done */
+    double *defaults;  /* of the tunables, by index */
+    int tunables;
+} values;
+
+void values_start(values *v, source *s, graph *g, const scene *written);
+
+/* All parameters, in the order of the scene; notes what is wrong with them. */
+void values_resolve(values *v);
+
+/* The value of f, whatever it is. Count 0 after noting a problem. */
+value value_any(values *v, const formula *f);
+
+/* The value of f, which must have this dimension and number of parts (1 to 4; 0 for an inertia, which has 3
+ * or 6).
+ * `what` names the quantity in messages. Returns count 0 after noting a problem. */
+value value_of(values *v, const formula *f, dimension of, int parts, const char *what);
+
+/* A constant scalar; `fallback` where f is NULL or wrong. */
+double value_constant(values *v, const formula *f, dimension of, const char *what, double fallback);
+
+/* The same for what is in metres or in radians. */
+double value_displacement(values *v, const formula *f, const char *what, double fallback);
+
+/* The number that a node has with the tunables at their defaults. */
+double value_now(const values *v, node n);
+
+#endif

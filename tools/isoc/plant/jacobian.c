@@ -1,0 +1,214 @@
+#include "tools/isoc/plant/jacobian.h"
+
+#include "tools/isoc/dynamics/balance.h"
+#include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/graph/operations.h"
+
+/* Where factors are put down: a constant stays one, any other node gets its place in lu[]. */
+static node put_down(graph *g, jacobian *made, node n)
+{
+    if (is_constant(g, n)) {
+        return n;
+    }
+    for (int i = 0; i < made->factor_count; i++) {
+        if (made->factors[i] == n) {
+            return leaf(g, OP_FACTOR, i);
+        }
+    }
+    made->factors[made->factor_count] = n;
+    return leaf(g, OP_FACTOR, made->factor_count++);
+}
+
+/* w = L U in place, the diagonal of U inverted. */
+static void factorise(graph *g, node *w, int n)
+{
+    for (int k = 0; k < n; k++) {
+        w[k * n + k] = divide(g, constant(g, 1.0), w[k * n + k]);
+        for (int i = k + 1; i < n; i++) {
+            w[i * n + k] = mul(g, w[i * n + k], w[k * n + k]);
+            for (int j = k + 1; j < n; j++) {
+                w[i * n + j] = sub(g, w[i * n + j], mul(g, w[i * n + k], w[k * n + j]));
+            }
+        }
+    }
+}
+
+/* The unknowns z and their equations, weights (d_z - r_z) = hb d(left): all states but the positions whose rate is a
+ * speed, which follow from that speed; and multipliers. */
+typedef struct unknowns {
+    int states, count;
+    int *of;       /* [count] the state of an unknown, or -1: a multiplier */
+    int *partner;  /* [states] the unknown that a state is, or whose value is its rate */
+    bool *follows; /* [states] whether it is the latter */
+    node *left;    /* [count] */
+    node *weights; /* [count count] */
+} unknowns;
+
+static unknowns unknowns_of(graph *g, const node *slopes, int states, int most)
+{
+    const size_t room = (size_t)most;
+    unknowns z = {.states = states, .of = arena_take(g->memory, room, sizeof *z.of)};
+    z.partner = arena_take(g->memory, (size_t)states, sizeof *z.partner);
+    z.follows = arena_take(g->memory, (size_t)states, sizeof *z.follows);
+    z.left = arena_take(g->memory, room, sizeof *z.left);
+    z.weights = arena_take(g->memory, room * room, sizeof *z.weights);
+    /* From the tips to the root, where M has its zeros. */
+    for (int i = states - 1; i >= 0; i--) {
+        z.follows[i] = g->nodes[slopes[i]].op == OP_STATE;
+        if (!z.follows[i]) {
+            z.partner[i] = z.count;
+            z.of[z.count++] = i;
+        }
+    }
+    for (int i = 0; i < states; i++) {
+        z.partner[i] = z.follows[i] ? z.partner[g->nodes[slopes[i]].index] : z.partner[i];
+    }
+    return z;
+}
+
+/* z' = f: the weights are those of the unit matrix. */
+static unknowns solved_equations(graph *g, const dynamics *d, const node *slopes)
+{
+    const int states = state_count(d->m);
+    unknowns z = unknowns_of(g, slopes, states, states);
+    for (int i = 0; i < z.count; i++) {
+        z.left[i] = slopes[z.of[i]];
+        for (int j = 0; j < z.count; j++) {
+            z.weights[i * z.count + j] = constant(g, i == j ? 1.0 : 0.0);
+        }
+    }
+    return z;
+}
+
+/* The balance of forces in the place of the rates of the speeds, and of the constraints beside them. */
+static unknowns balanced_equations(graph *g, const dynamics *d, const node *slopes)
+{
+    const mechanism *m = d->m;
+    const int states = state_count(m), rows = balance_rows(d), n = m->freedom_count;
+    unknowns z = unknowns_of(g, slopes, states, states + rows - n);
+    node *left = arena_take(g->memory, (size_t)rows, sizeof *left);
+    node *weights = arena_take(g->memory, (size_t)(rows * rows), sizeof *weights);
+    int *row = arena_take(g->memory, (size_t)(states + rows), sizeof *row); /* of the balance; -1: an explicit rate */
+    balance_build(d, left, weights);
+    for (int i = 0; i < z.count; i++) {
+        row[i] = z.of[i] < m->position_count ? -1 : z.of[i] - m->position_count;
+    }
+    for (int r = n; r < rows; r++) {
+        row[z.count] = r;
+        z.of[z.count++] = -1;
+    }
+    const node zero = constant(g, 0.0), one = constant(g, 1.0);
+    for (int i = 0; i < z.count; i++) {
+        z.left[i] = row[i] < 0 ? slopes[z.of[i]] : left[row[i]];
+        for (int j = 0; j < z.count; j++) {
+            const bool both = row[i] >= 0 && row[j] >= 0;
+            z.weights[i * z.count + j] = both ? weights[row[i] * rows + row[j]] : i == j ? one : zero;
+        }
+    }
+    return z;
+}
+
+/* With p the positions that follow from speeds: (W - hb left_z - hb^2 left_p) d_z = W r_z + hb left_p r_p, then
+ * d_p = r_p + hb d_speed. */
+static void solve(graph *g, jacobian *made, const unknowns *z, const node *lu, const node *coupling, node hb)
+{
+    const int n = z->count;
+    node *y = arena_take(g->memory, (size_t)n, sizeof *y);
+    for (int i = 0; i < n; i++) {
+        y[i] = constant(g, 0.0);
+        for (int j = 0; j < n; j++) {
+            const node weight = put_down(g, made, z->weights[i * n + j]);
+            y[i] = z->of[j] < 0 ? y[i] : add(g, y[i], mul(g, weight, leaf(g, OP_RIGHT, z->of[j])));
+        }
+        for (int j = 0; j < z->states; j++) {
+            const node factor = put_down(g, made, coupling[i * z->states + j]);
+            y[i] = add(g, y[i], mul(g, factor, leaf(g, OP_RIGHT, j)));
+        }
+        for (int j = 0; j < i; j++) {
+            y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[i * n + j]), y[j]));
+        }
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        for (int j = i + 1; j < n; j++) {
+            y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[i * n + j]), y[j]));
+        }
+        y[i] = mul(g, y[i], put_down(g, made, lu[i * n + i]));
+    }
+    for (int i = 0; i < z->states; i++) {
+        const node found = y[z->partner[i]];
+        made->solution[i] = found;
+        if (z->follows[i]) {
+            const node moved = mul(g, put_down(g, made, hb), found);
+            made->solution[i] = add(g, leaf(g, OP_RIGHT, i), moved);
+        }
+    }
+}
+
+/* What the leaves of balanced equations stand for takes their place. */
+static void put_solution(graph *g, const dynamics *d, const node *slopes, node *nodes, int count)
+{
+    replace_leaves(g, nodes, (size_t)count, OP_SLOPE, slopes);
+    replace_leaves(g, nodes, (size_t)count, OP_MULTIPLIER, d->loops.multipliers);
+}
+
+static jacobian build(graph *g, const dynamics *d, const node *slopes, const unknowns *z)
+{
+    const int n = z->count, states = z->states;
+    const size_t square = (size_t)(n * n), coupled = (size_t)(n * states);
+    node *column = arena_take(g->memory, (size_t)n, sizeof *column);
+    node *lu = arena_take(g->memory, square, sizeof *lu), *coupling = arena_take(g->memory, coupled, sizeof *coupling);
+    jacobian made = {.factors = arena_take(g->memory, 2 * square + coupled + 1, sizeof *made.factors)};
+    made.solution = arena_take(g->memory, (size_t)states, sizeof *made.solution);
+
+    graph_section(g, "Derivatives by positions and by speeds");
+    const node zero = constant(g, 0.0), hb = leaf(g, OP_STEP, 0);
+    for (size_t i = 0; i < square; i++) {
+        lu[i] = zero;
+    }
+    for (int j = 0; j < states; j++) {
+        node *to = lu + z->partner[j];
+        differentiate(g, z->left, (size_t)n, leaf(g, OP_STATE, j), column);
+        for (int i = 0; i < n; i++) {
+            coupling[i * states + j] = z->follows[j] ? mul(g, hb, column[i]) : zero;
+            to[i * n] = add(g, z->follows[j] ? coupling[i * states + j] : column[i], to[i * n]);
+        }
+    }
+    put_solution(g, d, slopes, lu, n * n);
+    put_solution(g, d, slopes, coupling, n * states);
+
+    graph_section(g, "W - hb B - hb^2 A = L U, for W z' = left(p, z) with A = d left / dp, B = d left / dz");
+    for (int k = 0; k < n * n; k++) {
+        lu[k] = sub(g, z->weights[k], mul(g, hb, lu[k]));
+    }
+    factorise(g, lu, n);
+    graph_section(g, "L U d_z = W r_z + hb A r_p, then d_p = r_p + hb d_speed");
+    solve(g, &made, z, lu, coupling, hb);
+    return made;
+}
+
+/* Operations of a step: a factorisation and two or three solutions. */
+static int price(const graph *g, const jacobian *j, int states)
+{
+    enum { SOLUTIONS = 3 };
+    const int factor = cycles_of(count_operations(g, j->factors, (size_t)j->factor_count));
+    return factor + SOLUTIONS * cycles_of(count_operations(g, j->solution, (size_t)states));
+}
+
+/* Each in a copy of the graph. */
+jacobian jacobian_build(graph *g, const dynamics *d, const node *slopes)
+{
+    const graph before = *g;
+    const int states = state_count(d->m);
+    *g = graph_copy(&before);
+    const unknowns solved = solved_equations(g, d, slopes);
+    const jacobian of_solved = build(g, d, slopes, &solved);
+    const graph with_solved = *g;
+    *g = graph_copy(&before);
+    const unknowns balanced = balanced_equations(g, d, slopes);
+    const jacobian of_balanced = build(g, d, slopes, &balanced);
+    if (price(g, &of_balanced, states) < price(&with_solved, &of_solved, states)) {
+        return of_balanced;
+    }
+    *g = with_solved;
+    return of_solved;
+}

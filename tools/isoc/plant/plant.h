@@ -1,0 +1,36 @@
+/* The plant as nodes: derivative, outputs, what an implicit method solves with, and what follows a step. */
+#ifndef ISOC_PLANT_PLANT_H
+#define ISOC_PLANT_PLANT_H
+
+#include "tools/isoc/dynamics/dynamics.h"
+#include "tools/isoc/dynamics/settled.h"
+#include "tools/isoc/graph/operations.h"
+#include "tools/isoc/plant/jacobian.h"
+
+/* What the equations take in each formulation that fits, and which is kept. */
+typedef struct choice {
+    formulation kept;
+    operations of[FORMULATIONS];
+} choice;
+
+/* All that is known of a plant when its equations are nodes. */
+typedef struct plant {
+    const mechanism *m;
+    const dynamics *d;
+    choice formulations;
+    int input_count, output_count, turn_count;
+    const char **output_names; /* one for each component */
+    node *outputs;
+    node *slopes;                /* the derivative of each state */
+    int rate_count;              /* of them those that semi_implicit asks for again; 0: they are the speeds */
+    settled after;               /* of a step */
+    acceleration *accelerations; /* of the links, where reactions of joints are shown */
+    jacobian j;                  /* only for implicit methods */
+    node violation;              /* of the closures, where the loop accounts for it; else -1 */
+    bool is_double;
+} plant;
+
+/* The nodes of derivative and outputs, in the formulation that is wanted, or the cheaper one if it is FORMULATIONS. */
+plant plant_build(graph *g, const mechanism *m, bool is_double, formulation wanted);
+
+#endif

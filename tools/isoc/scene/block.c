@@ -1,0 +1,190 @@
+#include "tools/isoc/scene/block.h"
+
+#include <string.h>
+
+#include "tools/isoc/scene/formula.h"
+
+/* A block as far as it is read. */
+typedef struct reading {
+    const block *b;
+    const char *kind;                    /* its name; NULL: there is but one, or it is none */
+    unsigned bit;                        /* of its kind; of all kinds where it is none */
+    const token *first[MOST_PROPERTIES]; /* where each property stands; NULL: not yet */
+    char *to;
+} reading;
+
+static size_t find_property(const block *b, const token *t)
+{
+    size_t i = 0;
+    while (i < b->property_count && (t->kind != TOKEN_NAME || strcmp(t->text, b->properties[i].word) != 0)) {
+        i++;
+    }
+    return i;
+}
+
+bool block_has_word(const block *b, const token *t)
+{
+    return find_property(b, t) < b->property_count;
+}
+
+/* The next token is no property, or one of another kind: tells which there are. */
+static void refuse_property(parser *p, const reading *r, bool of_another)
+{
+    const char *words[MOST_PROPERTIES + 1];
+    size_t count = 0;
+    for (size_t i = 0; i < r->b->property_count; i++) {
+        if (r->b->properties[i].kinds & r->bit) {
+            words[count++] = r->b->properties[i].word;
+        }
+    }
+    if (r->b != p->statements) {
+        words[count++] = "}";
+    }
+    if (of_another) {
+        source_problem(p->s, p->next->at, "a %s %s has no '%s'; expected %s", r->kind, r->b->what, p->next->text,
+                       alternatives(p->s->memory, words, count));
+        p->failed = true;
+    } else {
+        take_one_of(p, words, count);
+    }
+}
+
+static void read_property(parser *p, reading *r)
+{
+    const token *word = p->next;
+    const size_t i = find_property(r->b, word);
+    const bool known = i < r->b->property_count;
+    if (!known || !(r->b->properties[i].kinds & r->bit)) {
+        refuse_property(p, r, known);
+        return;
+    }
+    const property *found = &r->b->properties[i];
+    if (r->first[i] != NULL && !(found->kinds & MANY)) {
+        source_problem(p->s, word->at, "a second '%s'; the first is in line %zu", word->text,
+                       source_line(p->s, r->first[i]->at));
+    }
+    r->first[i] = word;
+    p->next++;
+    found->read(p, word, r->to + found->slot);
+}
+
+/* After an error: on to the next line that begins with a word of this block or a statement, or to a closing brace. */
+static void recover(parser *p, const block *b, const token *before)
+{
+    p->next += p->next == before;
+    while (p->next->kind != TOKEN_END && !next_is_sign(p, '}') &&
+           !(p->next->first_on_line && (block_has_word(b, p->next) || block_has_word(p->statements, p->next)))) {
+        p->next++;
+    }
+    p->failed = false;
+}
+
+size_t parse_kind(parser *p, const block *b)
+{
+    const size_t kind = take_one_of(p, b->kinds, b->kind_count);
+    if (p->failed && p->next[0].kind != TOKEN_END && p->next[1].sign == '{') {
+        p->failed = false;
+        p->next++;
+    }
+    return kind;
+}
+
+/* The properties between the braces. Returns whether all could be read. */
+static bool read_properties(parser *p, reading *r)
+{
+    const token *open = p->next - 1;
+    bool whole = true;
+    while (!take_sign(p, '}')) {
+        const bool statement = block_has_word(p->statements, p->next) && !block_has_word(r->b, p->next);
+        if (p->next->kind == TOKEN_END || (statement && p->next->first_on_line)) {
+            source_problem(p->s, open->at, "this { is never closed");
+            return false;
+        }
+        if (!take_sign(p, ';')) {
+            const token *before = p->next;
+            read_property(p, r);
+            if (p->failed) {
+                recover(p, r->b, before);
+                whole = false;
+            }
+        }
+    }
+    return whole;
+}
+
+bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to)
+{
+    const bool known = kind < b->kind_count;
+    reading r = {.b = b, .kind = known ? b->kinds[kind] : NULL, .to = to};
+    r.bit = known ? 1u << kind : EVERY_KIND;
+    if (!take_sign(p, '{')) {
+        parse_problem(p, "expected {");
+        return false;
+    }
+    const block *around = p->within;
+    p->within = b;
+    const bool whole = read_properties(p, &r);
+    p->within = around;
+
+    bool complete = whole;
+    for (size_t i = 0; i < b->property_count && whole; i++) {
+        const property *absent = &b->properties[i];
+        if (r.first[i] == NULL && absent->needed != NULL && (absent->kinds & r.bit) && (known || b->kind_count == 0)) {
+            source_problem(p->s, whose.at, "the %s '%s' has no %s: %s", b->what, whose.text, absent->word,
+                           absent->needed);
+            complete = false;
+        }
+    }
+    return complete;
+}
+
+bool parse_statements(parser *p, const block *statements, void *to)
+{
+    reading r = {.b = statements, .bit = EVERY_KIND, .to = to};
+    p->statements = p->within = statements;
+    bool whole = true;
+    while (p->next->kind != TOKEN_END) {
+        if (take_sign(p, ';')) {
+            continue;
+        }
+        const token *before = p->next;
+        read_property(p, &r);
+        if (!p->failed && !p->next->first_on_line && !next_is_sign(p, ';')) {
+            parse_problem(p, "expected the end of the line");
+        }
+        if (p->failed) {
+            recover(p, statements, before);
+            p->next += next_is_sign(p, '}');
+            whole = false;
+        }
+    }
+    return whole;
+}
+
+void read_formula(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    formula **to = slot;
+    *to = parse_formula(p);
+}
+
+void read_axis(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    formula **to = slot;
+    *to = parse_axis(p);
+}
+
+void read_input(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    name *to = slot;
+    *to = take_name(p, "expected the name of an input");
+}
+
+void read_joint(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    name *to = slot;
+    *to = take_name(p, "expected the name of a joint");
+}

@@ -1,0 +1,88 @@
+#include "tools/isoc/scene/dot.h"
+
+#include <string.h>
+
+#include "tools/isoc/scene/parser.h"
+
+static bool same(name a, name b)
+{
+    return strcmp(a.text, b.text) == 0;
+}
+
+/* The ground, and each body with the forces that inputs put on it. */
+static void draw_bodies(const scene *written, text *out)
+{
+    text_add(out, "    \"ground\" [shape=plain];\n");
+    for (size_t i = 0; i < written->body_count; i++) {
+        const name body_name = written->bodies[i].name;
+        text_add(out, "    \"%s\" [label=\"%s", body_name.text, body_name.text);
+        for (size_t j = 0; j < written->force_count; j++) {
+            const body_force *f = &written->forces[j];
+            if (same(f->body, body_name)) {
+                text_add(out, "\\nforce %s: %s", f->name.text, f->drive.text);
+            }
+        }
+        text_add(out, "\"];\n");
+    }
+}
+
+/* A joint leads from the parent to the child. */
+static void draw_joint(const joint *j, text *out)
+{
+    text_add(out, "    \"%s\" -> \"%s\" [label=\"%s\\n%s%s", j->parent.body.text, j->child.body.text, j->name.text,
+             joint_kinds[j->kind], j->continuous ? ", continuous" : "");
+    if (j->damping != NULL || j->spin_damping != NULL) {
+        text_add(out, "\\ndamping");
+    }
+    if (j->spring != NULL) {
+        text_add(out, "\\nspring");
+    }
+    if (j->drive.text != NULL) {
+        text_add(out, "\\ndrive: %s", j->drive.text);
+    }
+    text_add(out, "\"];\n");
+}
+
+/* The joint of this name, or that has a part of this name: JOINT_PART. */
+static const joint *joint_of(const scene *written, name n)
+{
+    const joint *whole = NULL, *of_part = NULL;
+    for (size_t i = 0; i < written->joint_count; i++) {
+        const joint *j = &written->joints[i];
+        const size_t length = strlen(j->name.text);
+        if (same(j->name, n)) {
+            whole = j;
+        } else if (strncmp(j->name.text, n.text, length) == 0 && n.text[length] == '_') {
+            of_part = j;
+        }
+    }
+    return whole != NULL ? whole : of_part;
+}
+
+/* Closures hold two bodies; those of joints, what these move: a gear two children, a motion a child and its parent. */
+static void draw_closure(const scene *written, const closure *c, text *out)
+{
+    const char *from = c->parent.body.text, *to = c->child.body.text;
+    if (acts_along_joints(c->kind)) {
+        const joint *first = joint_of(written, c->first);
+        to = first->child.body.text;
+        from = c->kind == CLOSE_GEAR ? joint_of(written, c->second)->child.body.text : first->parent.body.text;
+    }
+    text_add(out, "    \"%s\" -> \"%s\" [style=dashed, arrowhead=none, constraint=false, label=\"%s\\n%s\"];\n", from,
+             to, c->name.text, closure_kinds[c->kind]);
+}
+
+void dot_write(const scene *written, text *out)
+{
+    text_add(out, "digraph \"%s\" {\n    nodesep=0.7;\n    node [shape=box, fontname=\"sans-serif\"];\n",
+             written->name);
+    text_add(out, "    edge [fontname=\"sans-serif\", fontsize=10];\n");
+    draw_bodies(written, out);
+    for (size_t i = 0; i < written->joint_count; i++) {
+        draw_joint(&written->joints[i], out);
+    }
+    for (size_t i = 0; i < written->closure_count; i++) {
+        draw_closure(written, &written->closures[i], out);
+    }
+    text_add(out, "}\n");
+}

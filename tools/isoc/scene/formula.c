@@ -1,0 +1,261 @@
+#include "tools/isoc/scene/formula.h"
+
+#include <string.h>
+
+#include "tools/isoc/scene/block.h"
+
+enum { DEEPEST = 100 };
+
+static formula *formula_new(parser *p, formula_kind kind, place at)
+{
+    formula *f = arena_take(p->s->memory, 1, sizeof *f);
+    f->kind = kind;
+    f->at = at;
+    return f;
+}
+
+static void add_part(parser *p, formula *f, formula *part)
+{
+    f->parts = arena_grow(p->s->memory, f->parts, f->count, &f->room, sizeof *f->parts);
+    f->parts[f->count++] = part;
+}
+
+/* Words that may follow a number on its line, and so are no misspelt unit. */
+static bool next_is_connective(const parser *p)
+{
+    static const char *const words[] = {"at", "about", "rotate", "quaternion", "rest", "along", "of", "jump"};
+    for (size_t i = 0; i < COUNT_OF(words); i++) {
+        if (next_is_word(p, words[i])) {
+            return true;
+        }
+    }
+    return block_has_word(p->within, p->next);
+}
+
+static bool next_is_unit(const parser *p)
+{
+    unit u;
+    return p->next->kind == TOKEN_NAME && !p->next->first_on_line && unit_find(p->next->text, &u);
+}
+
+/* After `*` or `/` a unit goes on only if a unit name follows: 2 N * sin(3 Hz) ends at N. */
+static bool unit_goes_on(const parser *p)
+{
+    const token *after = p->next + 1;
+    unit u;
+    return (next_is_sign(p, '*') || next_is_sign(p, '/')) && after->kind == TOKEN_NAME && unit_find(after->text, &u) &&
+           after[1].sign != '(';
+}
+
+/* unit name [^ [-] digit] */
+static bool parse_unit_factor(parser *p, unit *product, bool divide)
+{
+    unit u;
+    unit_find(p->next->text, &u);
+    const place at = p->next->at;
+    p->next++;
+    int power = divide ? -1 : 1;
+    if (take_sign(p, '^')) {
+        power = take_sign(p, '-') ? -power : power;
+        if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
+            parse_problem(p, "a unit's power is one digit: m/s^2");
+            return false;
+        }
+        power *= p->next->text[0] - '0';
+        p->next++;
+    }
+    for (int i = 0; i < power; i++) {
+        product->numerator *= u.numerator;
+        product->denominator *= u.denominator;
+    }
+    for (int i = 0; i > power; i--) {
+        product->numerator *= u.denominator;
+        product->denominator *= u.numerator;
+    }
+    if (!dimension_times(&product->of, u.of, power)) {
+        source_problem(p->s, at, "a power of a unit beyond 9");
+        p->failed = true;
+        return false;
+    }
+    return true;
+}
+
+/* unit { (* | /) unit } */
+static unit parse_unit(parser *p)
+{
+    unit product = {1, 1, {0, 0, 0, 0}};
+    bool going = parse_unit_factor(p, &product, false);
+    while (going && unit_goes_on(p)) {
+        const bool divide = next_is_sign(p, '/');
+        p->next++;
+        going = parse_unit_factor(p, &product, divide);
+    }
+    return product;
+}
+
+/* Reports a word that stands where only a unit can. */
+static void refuse_false_unit(parser *p)
+{
+    if (p->next->kind == TOKEN_NAME && !p->next->first_on_line && !next_is_connective(p)) {
+        size_t count;
+        const char *const *names = unit_names(&count);
+        source_problem(p->s, p->next->at, "unknown unit '%s'%s", p->next->text,
+                       source_suggestion(p->s, p->next->text, names, count));
+        p->failed = true;
+        p->next++;
+    }
+}
+
+static formula *parse_number(parser *p)
+{
+    formula *f = formula_new(p, FORMULA_NUMBER, p->next->at);
+    f->number = p->next->number;
+    f->unit = (unit){1, 1, {0, 0, 0, 0}};
+    p->next++;
+    if (next_is_unit(p)) {
+        f->unit = parse_unit(p);
+    }
+    refuse_false_unit(p);
+    return f;
+}
+
+/* formula { , formula } ), after the opening parenthesis; a semicolon parts like a comma, a colon too between time and value. */
+static void parse_parts(parser *p, formula *f, bool of_points)
+{
+    do {
+        formula *part = parse_formula(p);
+        if (part == NULL) {
+            return;
+        }
+        add_part(p, f, part);
+    } while (take_sign(p, ',') || take_sign(p, ';') || (of_points && take_sign(p, ':')));
+    if (!take_sign(p, ')')) {
+        parse_problem(p, "expected , or )");
+    }
+}
+
+static formula *parse_parenthesis(parser *p)
+{
+    formula *f = formula_new(p, FORMULA_VECTOR, p->next->at);
+    p->next++;
+    parse_parts(p, f, false);
+    if (f->count == 1) {
+        f = f->parts[0];
+    }
+    if (!p->failed && next_is_unit(p)) {
+        formula *scaled = formula_new(p, FORMULA_SCALE, f->at);
+        add_part(p, scaled, f);
+        scaled->unit = parse_unit(p);
+        f = scaled;
+    }
+    if (!p->failed) {
+        refuse_false_unit(p);
+    }
+    return f;
+}
+
+static formula *parse_name_or_call(parser *p)
+{
+    const bool call = p->next[1].sign == '(';
+    formula *f = formula_new(p, call ? FORMULA_CALL : FORMULA_NAME, p->next->at);
+    f->name = p->next->text;
+    p->next++;
+    if (call) {
+        p->next++;
+        parse_parts(p, f, strcmp(f->name, "table") == 0 || strcmp(f->name, "ramp") == 0);
+    }
+    return f;
+}
+
+static formula *parse_primary(parser *p)
+{
+    if (p->depth > DEEPEST) {
+        parse_problem(p, "parentheses or signs nested too deeply");
+        return NULL;
+    }
+    if (p->next->kind == TOKEN_NUMBER) {
+        return parse_number(p);
+    }
+    if (next_is_sign(p, '(')) {
+        return parse_parenthesis(p);
+    }
+    /* A name at the start of a line is the next statement's, unless an operator asks for more. */
+    if (p->next->kind == TOKEN_NAME && (!p->next->first_on_line || p->next[-1].kind == TOKEN_SIGN)) {
+        return parse_name_or_call(p);
+    }
+    parse_problem(p, "expected a value, such as 0.5 kg, (0, 0, 1) m or a parameter's name");
+    return NULL;
+}
+
+/* [-] primary [^ digit] */
+static formula *parse_signed(parser *p)
+{
+    const place at = p->next->at;
+    p->depth++;
+    formula *f = NULL;
+    if (take_sign(p, '-')) {
+        formula *inner = parse_signed(p);
+        if (inner != NULL) {
+            f = formula_new(p, FORMULA_NEGATE, at);
+            add_part(p, f, inner);
+        }
+    } else {
+        f = parse_primary(p);
+        if (f != NULL && !p->failed && take_sign(p, '^')) {
+            formula *power = formula_new(p, FORMULA_POWER, at);
+            add_part(p, power, f);
+            power->number = p->next->number;
+            if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
+                parse_problem(p, "a power is one digit: r^2");
+            }
+            p->next += !p->failed;
+            f = power;
+        }
+    }
+    p->depth--;
+    return p->failed ? NULL : f;
+}
+
+static formula *parse_chain(parser *p, const char *signs, formula *(*parse_operand)(parser *))
+{
+    formula *left = parse_operand(p);
+    while (left != NULL && p->next->sign != '\0' && strchr(signs, p->next->sign) != NULL) {
+        formula *f = formula_new(p, FORMULA_BINARY, p->next->at);
+        f->sign = p->next->sign;
+        p->next++;
+        formula *right = parse_operand(p);
+        if (right != NULL) {
+            add_part(p, f, left);
+            add_part(p, f, right);
+        }
+        left = right == NULL ? NULL : f;
+    }
+    return left;
+}
+
+static formula *parse_product(parser *p)
+{
+    return parse_chain(p, "*/", parse_signed);
+}
+
+formula *parse_formula(parser *p)
+{
+    return parse_chain(p, "+-", parse_product);
+}
+
+formula *parse_axis(parser *p)
+{
+    const token *t = p->next + next_is_sign(p, '-');
+    if (t->kind != TOKEN_NAME || t->text[0] < 'x' || t->text[0] > 'z' || t->text[1] != '\0') {
+        return parse_formula(p);
+    }
+    formula *f = formula_new(p, FORMULA_VECTOR, p->next->at);
+    for (char letter = 'x'; letter <= 'z'; letter++) {
+        formula *part = formula_new(p, FORMULA_NUMBER, p->next->at);
+        part->unit = (unit){1, 1, {0, 0, 0, 0}};
+        part->number = letter != t->text[0] ? 0 : next_is_sign(p, '-') ? -1 : 1;
+        add_part(p, f, part);
+    }
+    p->next = t + 1;
+    return f;
+}

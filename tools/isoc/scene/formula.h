@@ -1,0 +1,14 @@
+/* Tokens to formulas. */
+#ifndef ISOC_SCENE_FORMULA_H
+#define ISOC_SCENE_FORMULA_H
+
+#include "tools/isoc/scene/take.h"
+
+/* One formula: sums of products of signed powers of numbers with units, names, vectors and calls. Returns NULL, with
+ * p->failed set and a problem noted, where there is none. */
+formula *parse_formula(parser *p);
+
+/* x, y, z, -x, -y, -z or a vector. */
+formula *parse_axis(parser *p);
+
+#endif

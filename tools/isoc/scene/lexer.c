@@ -1,0 +1,163 @@
+#include "tools/isoc/scene/lexer.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct lexer {
+    source *s;
+    place at;
+    bool line_is_new;
+    token *tokens;
+    size_t count, room;
+} lexer;
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+static bool is_letter(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+static bool is_sign(char c)
+{
+    return c != '\0' && strchr("(){},;:=+-*/^", c) != NULL;
+}
+
+static bool is_space(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+/* The text ends with a zero, so looking one character ahead is always allowed. */
+static char look(const lexer *l, size_t ahead)
+{
+    return l->at + ahead < l->s->length ? l->s->text[l->at + ahead] : '\0';
+}
+
+static token *add(lexer *l, token_kind kind, place from)
+{
+    l->tokens = arena_grow(l->s->memory, l->tokens, l->count, &l->room, sizeof *l->tokens);
+    token *t = &l->tokens[l->count++];
+    *t = (token){
+        .kind = kind,
+        .at = from,
+        .first_on_line = l->line_is_new,
+        .text = arena_copy(l->s->memory, l->s->text + from, l->at - from),
+    };
+    l->line_is_new = false;
+    return t;
+}
+
+static void skip_digits(lexer *l)
+{
+    while (is_digit(look(l, 0))) {
+        l->at++;
+    }
+}
+
+/* digits [. digits] [e [+-] digits], or . digits */
+static void lex_number(lexer *l)
+{
+    const place from = l->at;
+    skip_digits(l);
+    if (look(l, 0) == '.') {
+        l->at++;
+        skip_digits(l);
+    }
+    const bool exponent = look(l, 0) == 'e' || look(l, 0) == 'E';
+    const size_t sign = look(l, 1) == '+' || look(l, 1) == '-';
+    if (exponent && is_digit(look(l, 1 + sign))) {
+        l->at += 1 + sign;
+        skip_digits(l);
+    }
+    if (look(l, 0) == '.') {
+        source_problem(l->s, l->at, "a number has one decimal point: 1.5e-3");
+        while (is_digit(look(l, 0)) || look(l, 0) == '.') {
+            l->at++;
+        }
+    }
+    token *t = add(l, TOKEN_NUMBER, from);
+    t->number = strtod(t->text, NULL);
+    const bool zero = strpbrk(t->text, "123456789") == NULL || t->text[strcspn(t->text, "123456789eE")] == 'e';
+    if (isinf(t->number)) {
+        source_problem(l->s, from, "the number is too large: a double ends at 1.8e308");
+        t->number = 1;
+    } else if (fabs(t->number) < 2.2250738585072014e-308 && !zero) {
+        source_problem(l->s, from, "the number is too small: a double begins at 2.2e-308");
+        t->number = 1;
+    }
+}
+
+static void lex_name(lexer *l)
+{
+    const place from = l->at;
+    while (is_letter(look(l, 0)) || is_digit(look(l, 0))) {
+        l->at++;
+    }
+    token *t = add(l, TOKEN_NAME, from);
+    if (l->at - from > 64) {
+        source_problem(l->s, from, "a name of %zu characters: 64 is the most", l->at - from);
+        t->text = arena_copy(l->s->memory, l->s->text + from, 64);
+    }
+}
+
+/* One message for a whole run of bytes that begin no token. */
+static void lex_garbage(lexer *l)
+{
+    const unsigned char c = (unsigned char)l->s->text[l->at];
+    if (c == '\0') {
+        source_problem(l->s, l->at, "a NUL byte: a scene is plain text");
+    } else if (c < ' ' || c > '~') {
+        source_problem(l->s, l->at, "a byte 0x%02X outside a comment: a scene is plain ASCII text", (unsigned)c);
+    } else {
+        source_problem(l->s, l->at, "'%c' means nothing here", c);
+    }
+    while (l->at < l->s->length) {
+        const char next = l->s->text[l->at];
+        if (is_space(next) || is_letter(next) || is_digit(next) || is_sign(next) || next == '#') {
+            return;
+        }
+        l->at++;
+    }
+}
+
+static void skip_comment(lexer *l)
+{
+    while (l->at < l->s->length && l->s->text[l->at] != '\n') {
+        if (l->s->text[l->at] == '\0') {
+            source_problem(l->s, l->at, "a NUL byte: a scene is plain text");
+        }
+        l->at++;
+    }
+}
+
+token *lex(source *s)
+{
+    lexer l = {.s = s, .line_is_new = true};
+    while (l.at < s->length) {
+        const char c = s->text[l.at];
+        if (is_space(c)) {
+            l.line_is_new = l.line_is_new || c == '\n';
+            l.at++;
+        } else if (c == '#') {
+            skip_comment(&l);
+        } else if (is_digit(c) || (c == '.' && is_digit(look(&l, 1)))) {
+            lex_number(&l);
+        } else if (is_letter(c)) {
+            lex_name(&l);
+        } else if (is_sign(c)) {
+            l.at++;
+            add(&l, TOKEN_SIGN, l.at - 1)->sign = c;
+        } else {
+            lex_garbage(&l);
+        }
+    }
+    l.line_is_new = true;
+    l.at = s->length;
+    add(&l, TOKEN_END, s->length);
+    return l.tokens;
+}

@@ -1,0 +1,27 @@
+/* Text to tokens. Comments run from # to the end of the line; line ends mean nothing to the grammar, but a token knows
+ * whether it is the first on its line, which tells a unit from the next statement and where to go on after an error. */
+#ifndef ISOC_SCENE_LEXER_H
+#define ISOC_SCENE_LEXER_H
+
+#include "tools/isoc/scene/source.h"
+
+typedef enum token_kind {
+    TOKEN_END,
+    TOKEN_NAME,
+    TOKEN_NUMBER,
+    TOKEN_SIGN, /* one of ( ) { } , ; : = + - * / ^ */
+} token_kind;
+
+typedef struct token {
+    token_kind kind;
+    place at;
+    bool first_on_line;
+    char sign;        /* of a TOKEN_SIGN, else 0 */
+    double number;    /* of a TOKEN_NUMBER */
+    const char *text; /* as written */
+} token;
+
+/* All tokens of the source, the last one TOKEN_END. What is no token is noted as a problem and left out. */
+token *lex(source *s);
+
+#endif

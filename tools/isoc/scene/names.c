@@ -1,0 +1,261 @@
+#include "tools/isoc/scene/names.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+typedef struct listing {
+    name *names;
+    size_t count, room;
+} listing;
+
+static void list_one(source *s, listing *l, name n)
+{
+    if (n.text != NULL) {
+        l->names = arena_grow(s->memory, l->names, l->count, &l->room, sizeof *l->names);
+        l->names[l->count++] = n;
+    }
+}
+
+static int by_text(const void *left, const void *right)
+{
+    const name *a = left, *b = right;
+    const int order = strcasecmp(a->text, b->text);
+    return order != 0 ? order : a->at < b->at ? -1 : a->at > b->at;
+}
+
+/* Whether a name's place has its problem already: the components of a name taken twice need no more words. */
+static bool is_told(const source *s, place at)
+{
+    for (size_t i = 0; i < s->problem_count; i++) {
+        if (s->problems[i].at == at) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void check_list(source *s, listing *l)
+{
+    if (l->count > 1) {
+        qsort(l->names, l->count, sizeof *l->names, by_text);
+    }
+    for (size_t i = 1; i < l->count; i++) {
+        const name *first = &l->names[i - 1], *again = &l->names[i];
+        if (first->at == again->at || is_told(s, again->at)) {
+            continue;
+        }
+        if (strcmp(first->text, again->text) == 0) {
+            source_problem(s, again->at, "the name '%s' is taken in line %zu", again->text, source_line(s, first->at));
+        } else if (strcasecmp(first->text, again->text) == 0) {
+            source_problem(s, again->at, "the name '%s' differs from '%s' in line %zu only in case", again->text,
+                           first->text, source_line(s, first->at));
+        }
+    }
+}
+
+/* Things of one sort: structs that begin with their name. */
+typedef struct group {
+    const void *things;
+    size_t count, size;
+} group;
+
+static name name_at(group g, size_t i)
+{
+    name n;
+    memcpy(&n, (const char *)g.things + i * g.size, sizeof n);
+    return n;
+}
+
+static int find_among(group g, name n)
+{
+    for (size_t i = 0; i < g.count; i++) {
+        const name other = name_at(g, i);
+        if (other.text != NULL && strcmp(other.text, n.text) == 0) {
+            return (int)i;
+        }
+    }
+    return -1;
+}
+
+#define GROUP(written, things, number) ((group){(written)->things, (written)->number, sizeof *(written)->things})
+
+static void list_group(source *s, listing *l, group g)
+{
+    for (size_t i = 0; i < g.count; i++) {
+        list_one(s, l, name_at(g, i));
+    }
+}
+
+/* A joint of several coordinates declares NAME_first and so on, in upper case and with _SPEED in plant.h. */
+static void list_parts(source *s, listing *l, const joint *j, const char *after)
+{
+    static const char *const endings[][8] = {
+        [JOINT_UNIVERSAL] = {"first", "second"},
+        [JOINT_CYLINDRICAL] = {"slide", "turn"},
+        [JOINT_PLANAR] = {"x", "y", "z", "turn"},
+        [JOINT_SPHERICAL] = {"w", "x", "y", "z"},
+        [JOINT_FREE] = {"x", "y", "z", "turn", "turn_w", "turn_x", "turn_y", "turn_z"},
+    };
+    for (int i = 0; i < 8 && j->name.text != NULL && endings[j->kind][i] != NULL; i++) {
+        list_one(s, l,
+                 (name){arena_format(s->memory, "%s_%s%s", j->name.text, endings[j->kind][i], after), j->name.at});
+    }
+}
+
+/* What stands for the states in plant.h: a joint's coordinates, and their speeds. */
+static void list_states(source *s, listing *l, const joint *j)
+{
+    list_one(s, l, j->name);
+    list_parts(s, l, j, "");
+    if (j->name.text != NULL) {
+        list_one(s, l, (name){arena_format(s->memory, "%s_speed", j->name.text), j->name.at});
+    }
+    list_parts(s, l, j, "_speed");
+}
+
+/* How often a formula tells the time: it has no more clocks. */
+static int times_told(const formula *f)
+{
+    int told = f->kind == FORMULA_CALL || (f->kind == FORMULA_NAME && strcmp(f->name, "time") == 0);
+    for (size_t i = 0; i < f->count; i++) {
+        told += times_told(f->parts[i]);
+    }
+    return told;
+}
+
+/* The clocks of all motions are states too. */
+static void list_clocks(source *s, listing *l, const scene *written)
+{
+    int clocks = 0;
+    for (size_t i = 0; i < written->closure_count; i++) {
+        const closure *c = &written->closures[i];
+        const formula *f = c->motion != NULL ? c->motion : c->speed;
+        for (int told = f == NULL ? 0 : times_told(f); told > 0; told--) {
+            list_one(s, l, (name){arena_format(s->memory, "clock_%d", ++clocks), c->name.at});
+        }
+    }
+}
+
+/* The letters of an output's columns; none where it has but one. */
+static const char *components(const scene *written, const output *o)
+{
+    switch (o->kind) {
+    case OUTPUT_POSITION:
+        if (o->of.text == NULL || find_among(GROUP(written, bodies, body_count), o->of) < 0) {
+            return "";
+        }
+        return o->along < 0 ? "xyz" : "";
+    case OUTPUT_VELOCITY:
+    case OUTPUT_SPIN:
+    case OUTPUT_FORCE:
+    case OUTPUT_MOMENT:
+        return o->along < 0 ? "xyz" : "";
+    case OUTPUT_ORIENTATION:
+        return "wxyz";
+    default:
+        return "";
+    }
+}
+
+/* An output of several components declares NAME_x and so on as well. */
+static void list_components(source *s, listing *l, const scene *written, const output *o)
+{
+    for (const char *c = components(written, o); *c != '\0' && o->name.text != NULL; c++) {
+        list_one(s, l, (name){arena_format(s->memory, "%s_%c", o->name.text, *c), o->name.at});
+    }
+}
+
+/* Outputs have names of their own: they may be called like what they show. */
+void names_check(source *s, const scene *written)
+{
+    listing things = {0}, states = {0}, outputs = {0};
+    list_group(s, &things, GROUP(written, bodies, body_count));
+    list_group(s, &things, GROUP(written, joints, joint_count));
+    list_group(s, &things, GROUP(written, closures, closure_count));
+    list_group(s, &things, GROUP(written, forces, force_count));
+    list_group(s, &things, GROUP(written, parameters, parameter_count));
+    list_group(s, &things, GROUP(written, inputs, input_count));
+    list_group(s, &outputs, GROUP(written, outputs, output_count));
+    for (size_t i = 0; i < written->output_count; i++) {
+        list_components(s, &outputs, written, &written->outputs[i]);
+    }
+    for (size_t i = 0; i < written->joint_count; i++) {
+        list_parts(s, &things, &written->joints[i], "");
+        list_states(s, &states, &written->joints[i]);
+    }
+    list_clocks(s, &states, written);
+    check_list(s, &things);
+    check_list(s, &states);
+    check_list(s, &outputs);
+}
+
+static size_t collect(const char **names, group g)
+{
+    size_t found = 0;
+    for (size_t i = 0; i < g.count; i++) {
+        const name n = name_at(g, i);
+        if (n.text != NULL) {
+            names[found++] = n.text;
+        }
+    }
+    return found;
+}
+
+/* The index in the first of two groups, or in the second, which *in_first tells apart; `more` is a name beside them. */
+static int find_in(source *s, group first, group second, const char *more, name n, const char *what, bool *in_first)
+{
+    int found = find_among(first, n);
+    *in_first = found >= 0;
+    found = found < 0 ? find_among(second, n) : found;
+    if (found < 0) {
+        const char **names = arena_take(s->memory, first.count + second.count + 1, sizeof *names);
+        size_t listed = collect(names, first);
+        listed += collect(names + listed, second);
+        if (more != NULL) {
+            names[listed++] = more;
+        }
+        source_problem(s, n.at, "no %s is called '%s'%s", what, n.text, source_suggestion(s, n.text, names, listed));
+    }
+    return found;
+}
+
+static const group none = {NULL, 0, 0};
+
+int find_body(source *s, const scene *written, name n)
+{
+    bool in_first;
+    return strcmp(n.text, "ground") == 0
+               ? -2
+               : find_in(s, GROUP(written, bodies, body_count), none, "ground", n, "body", &in_first);
+}
+
+int find_joint(source *s, const scene *written, name n)
+{
+    bool in_first;
+    return find_in(s, GROUP(written, joints, joint_count), none, NULL, n, "joint", &in_first);
+}
+
+int find_input(source *s, const scene *written, name n)
+{
+    bool in_first;
+    return find_in(s, GROUP(written, inputs, input_count), none, NULL, n, "input", &in_first);
+}
+
+int find_closure(source *s, const scene *written, name n)
+{
+    bool in_first;
+    return find_in(s, GROUP(written, closures, closure_count), none, NULL, n, "closure", &in_first);
+}
+
+int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint)
+{
+    return find_in(s, GROUP(written, joints, joint_count), GROUP(written, bodies, body_count), NULL, n, "joint or body",
+                   is_joint);
+}
+
+int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint)
+{
+    return find_in(s, GROUP(written, joints, joint_count), GROUP(written, closures, closure_count), NULL, n,
+                   "joint or closure", is_joint);
+}

@@ -1,0 +1,21 @@
+/* The names that a scene declares: each only once, and each found again by who uses it. */
+#ifndef ISOC_SCENE_NAMES_H
+#define ISOC_SCENE_NAMES_H
+
+#include "tools/isoc/scene/scene.h"
+
+/* Notes names that are declared twice, or that differ only in case (the generated enumerators are upper case). */
+void names_check(source *s, const scene *written);
+
+/* The index of the body, joint, input or closure that is called n; -1, with a problem that suggests the nearest, if none is.
+ * find_body gives -2 for `ground`. */
+int find_body(source *s, const scene *written, name n);
+int find_joint(source *s, const scene *written, name n);
+int find_input(source *s, const scene *written, name n);
+int find_closure(source *s, const scene *written, name n);
+
+/* The index of a joint, or of a body or a closure, called n, told apart by *is_joint; -1 with a problem if none is. */
+int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint);
+int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint);
+
+#endif

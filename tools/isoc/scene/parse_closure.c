@@ -1,0 +1,88 @@
+/* close NAME KIND { ... } and force NAME { ... } */
+#include <stddef.h>
+
+#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/parser.h"
+#include "tools/isoc/scene/pose.h"
+#include "tools/isoc/scene/statements.h"
+
+const char *const closure_kinds[] = {"fixed",    "revolute", "prismatic", "spherical", "line",
+                                     "distance", "gear",     "rolling",   "motion"};
+
+enum {
+    REVOLUTE = 1 << CLOSE_REVOLUTE,
+    PRISMATIC = 1 << CLOSE_PRISMATIC,
+    LINE = 1 << CLOSE_LINE,
+    DISTANCE = 1 << CLOSE_DISTANCE,
+    GEAR = 1 << CLOSE_GEAR,
+    ROLLING = 1 << CLOSE_ROLLING,
+    MOTION = 1 << CLOSE_MOTION,
+
+    OF_BODIES = EVERY_KIND & ~(GEAR | MOTION),
+    OF_JOINTS = GEAR | MOTION,
+    WITH_AXIS = REVOLUTE | PRISMATIC | LINE | ROLLING,
+};
+
+#define IN(member) offsetof(closure, member)
+static const property properties[] = {
+    {"parent", read_placement, IN(parent), OF_BODIES, "parent ground"},
+    {"child", read_placement, IN(child), OF_BODIES, "child BODY"},
+    {"axis", read_axis, IN(axis), WITH_AXIS, "axis z"},
+    {"length", read_formula, IN(length), DISTANCE, NULL},
+    {"radius", read_formula, IN(radius), ROLLING, "radius 5 cm"},
+    {"first", read_joint, IN(first), OF_JOINTS, "first JOINT"},
+    {"second", read_joint, IN(second), GEAR, "second JOINT"},
+    {"ratio", read_formula, IN(ratio), GEAR, "ratio -2"},
+    {"motion", read_formula, IN(motion), MOTION, NULL},
+    {"speed", read_formula, IN(speed), MOTION, NULL},
+};
+#undef IN
+
+static const block closure_block = {"closure", closure_kinds, COUNT_OF(closure_kinds), properties,
+                                    COUNT_OF(properties)};
+
+void read_closure(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    closure c = {.name = take_new_name(p, "expected a name for the closure")};
+    const size_t kind = p->failed ? closure_block.kind_count : parse_kind(p, &closure_block);
+    c.broken = p->failed || kind == closure_block.kind_count;
+    c.kind = c.broken ? CLOSE_FIXED : (closure_kind)kind;
+    made->broken |= c.broken;
+    c.broken |= p->failed || !parse_block(p, &closure_block, kind, c.name, &c);
+    made->closures = arena_grow(p->s->memory, made->closures, made->closure_count, &made->closure_room, sizeof c);
+    made->closures[made->closure_count++] = c;
+}
+
+/* A point of a body; the slot is the force. */
+static void read_point(parser *p, const token *word, void *slot)
+{
+    body_force *f = slot;
+    placement at = {0};
+    read_placement(p, word, &at);
+    f->body = at.body;
+    f->point = at.position;
+    if (at.turn_count != 0) {
+        source_problem(p->s, at.turns[0].at, "a force acts on a point, which is not turned: turn its axis");
+    }
+}
+
+static const property force_properties[] = {
+    {"body", read_point, 0, EVERY_KIND, "body BODY at (0.2, 0, 0) m"},
+    {"axis", read_axis, offsetof(body_force, axis), EVERY_KIND, "axis z"},
+    {"drive", read_input, offsetof(body_force, drive), EVERY_KIND, "drive INPUT"},
+    {"moment", read_formula, offsetof(body_force, moment), EVERY_KIND, NULL},
+};
+
+static const block force_block = {"force", NULL, 0, force_properties, COUNT_OF(force_properties)};
+
+void read_force(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    body_force f = {.name = take_new_name(p, "expected a name for the force")};
+    f.broken = p->failed || !parse_block(p, &force_block, 0, f.name, &f);
+    made->forces = arena_grow(p->s->memory, made->forces, made->force_count, &made->force_room, sizeof f);
+    made->forces[made->force_count++] = f;
+}

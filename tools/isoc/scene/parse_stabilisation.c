@@ -1,0 +1,35 @@
+/* stabilisation KIND [{ ... }] */
+#include <stddef.h>
+
+#include "tools/isoc/scene/statements.h"
+
+static const char *const kind_names[] = {"baumgarte", "projection", "lagrangian", "none"};
+
+enum { BAUMGARTE = 1, PROJECTION = 2, LAGRANGIAN = 4 };
+
+#define IN(member) offsetof(stabilisation, member)
+static const property properties[] = {
+    {"alpha", read_formula, IN(alpha), BAUMGARTE, NULL},
+    {"beta", read_formula, IN(beta), BAUMGARTE, NULL},
+    {"penalty", read_formula, IN(penalty), LAGRANGIAN, NULL},
+    {"omega", read_formula, IN(omega), LAGRANGIAN, NULL},
+    {"mu", read_formula, IN(mu), LAGRANGIAN, NULL},
+    {"iterations", read_formula, IN(iterations), PROJECTION | LAGRANGIAN, NULL},
+    {"limit", read_formula, IN(limit), EVERY_KIND, NULL},
+};
+#undef IN
+
+static const block stabilisation_block = {"stabilisation", kind_names, COUNT_OF(kind_names), properties,
+                                          COUNT_OF(properties)};
+
+void read_stabilisation(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    stabilisation *to = slot;
+    to->kind.at = p->next->at;
+    const size_t kind = parse_kind(p, &stabilisation_block);
+    to->kind.text = kind < stabilisation_block.kind_count ? kind_names[kind] : NULL;
+    if (!p->failed && next_is_sign(p, '{')) {
+        parse_block(p, &stabilisation_block, kind, to->kind, to);
+    }
+}

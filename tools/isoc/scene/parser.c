@@ -1,0 +1,101 @@
+#include "tools/isoc/scene/parser.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/statements.h"
+
+static const property body_properties[] = {
+    {"mass", read_formula, offsetof(body, mass), EVERY_KIND, "mass 1 kg"},
+    {"com", read_formula, offsetof(body, com), EVERY_KIND, NULL},
+    {"inertia", read_formula, offsetof(body, inertia), EVERY_KIND, NULL},
+};
+
+static const block body_block = {"body", NULL, 0, body_properties, COUNT_OF(body_properties)};
+
+static void read_body(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    body b = {.name = take_new_name(p, "expected a name for the body")};
+    b.broken = p->failed || !parse_block(p, &body_block, 0, b.name, &b);
+    made->bodies = arena_grow(p->s->memory, made->bodies, made->body_count, &made->body_room, sizeof b);
+    made->bodies[made->body_count++] = b;
+}
+
+/* tunable or constant */
+static void read_parameter(parser *p, const token *word, void *slot)
+{
+    scene *made = slot;
+    quantity q = {.name = take_new_name(p, "expected a name for the parameter")};
+    q.tunable = strcmp(word->text, "tunable") == 0;
+    if (!p->failed && !take_sign(p, '=')) {
+        parse_problem(p, "expected = and a value");
+    }
+    q.value = p->failed ? NULL : parse_formula(p);
+    made->parameters =
+        arena_grow(p->s->memory, made->parameters, made->parameter_count, &made->parameter_room, sizeof q);
+    made->parameters[made->parameter_count++] = q;
+}
+
+static void read_input_statement(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    quantity q = {.name = take_new_name(p, "expected a name for the input")};
+    if (!p->failed && take_word(p, "jump")) {
+        q.jump = parse_formula(p);
+    }
+    if (!p->failed && take_sign(p, '=')) {
+        q.value = parse_formula(p);
+    }
+    made->inputs = arena_grow(p->s->memory, made->inputs, made->input_count, &made->input_room, sizeof q);
+    made->inputs[made->input_count++] = q;
+}
+
+static void read_method(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    name *to = slot;
+    *to = take_name(p, "expected a method, such as rk4");
+}
+
+static void read_switch(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    name *to = slot;
+    *to = take_name(p, "expected yes or no");
+}
+
+#define IN(member) offsetof(scene, member)
+static const property statements[] = {
+    {"gravity", read_formula, IN(gravity), EVERY_KIND, NULL},
+    {"step", read_formula, IN(step), EVERY_KIND, NULL},
+    {"method", read_method, IN(method), EVERY_KIND, NULL},
+    {"compensated", read_switch, IN(compensated), EVERY_KIND, NULL},
+    {"checked", read_switch, IN(checked), EVERY_KIND, NULL},
+    {"iterations", read_formula, IN(iterations), EVERY_KIND, NULL},
+    {"tolerance", read_formula, IN(tolerance), EVERY_KIND, NULL},
+    {"substeps", read_formula, IN(substeps), EVERY_KIND, NULL},
+    {"stabilisation", read_stabilisation, IN(stabilisation), EVERY_KIND, NULL},
+    {"body", read_body, 0, EVERY_KIND | MANY, NULL},
+    {"joint", read_joint_statement, 0, EVERY_KIND | MANY, NULL},
+    {"close", read_closure, 0, EVERY_KIND | MANY, NULL},
+    {"force", read_force, 0, EVERY_KIND | MANY, NULL},
+    {"constant", read_parameter, 0, EVERY_KIND | MANY, NULL},
+    {"tunable", read_parameter, 0, EVERY_KIND | MANY, NULL},
+    {"input", read_input_statement, 0, EVERY_KIND | MANY, NULL},
+    {"output", read_output, 0, EVERY_KIND | MANY, NULL},
+};
+#undef IN
+
+scene parse_scene(source *s, const token *tokens)
+{
+    static const block whole = {"scene", NULL, 0, statements, COUNT_OF(statements)};
+    parser p = {.s = s, .next = tokens};
+    scene made = {0};
+    const bool read = parse_statements(&p, &whole, &made);
+    made.broken |= !read;
+    return made;
+}

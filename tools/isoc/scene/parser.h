@@ -1,0 +1,38 @@
+/* Tokens to a scene. The grammar (README.md has it with examples); which properties each kind of joint, closure and
+ * stabilisation has, and which it needs, stands in the tables of parse_*.c:
+ *
+ *   scene         = { gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
+ *                   | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | joint | closure
+ *                   | force | parameter | input | output }
+ *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA }
+ *   joint         = joint NAME (fixed | revolute | prismatic | universal | cylindrical | planar | spherical | free)
+ *                   { parent placement | child placement | axis AXIS | second AXIS | start ([about] FORMULA | pose)
+ *                   | speed FORMULA | spin FORMULA | continuous | damping FORMULA | spin_damping FORMULA
+ *                   | spring FORMULA [rest FORMULA] | drive NAME }
+ *   closure       = close NAME (fixed | revolute | prismatic | spherical | line | distance | gear | rolling | motion)
+ *                   { parent placement | child placement | axis AXIS | length FORMULA | radius FORMULA
+ *                   | first NAME | second NAME | ratio FORMULA | motion FORMULA | speed FORMULA }
+ *   force         = force NAME { body NAME [at FORMULA] | axis AXIS | drive NAME | moment FORMULA }
+ *   stabilisation = stabilisation (baumgarte | projection | lagrangian | none) [{ alpha FORMULA | beta FORMULA
+ *                   | penalty FORMULA | omega FORMULA | mu FORMULA | iterations FORMULA | limit FORMULA }]
+ *   placement     = NAME [at FORMULA] { rotate FORMULA about AXIS }
+ *   pose          = [at FORMULA] ({ rotate FORMULA [about AXIS] } | quaternion FORMULA)
+ *   parameter     = (constant | tunable) NAME = FORMULA
+ *   input         = input NAME [jump FORMULA] [= FORMULA]
+ *   output        = output NAME = (energy | local_error | residual | violation | violation_rate
+ *                   | (position | speed | acceleration | velocity | turns | orientation | spin | force | moment | effort)
+ *                   of NAME [at FORMULA] [along (x | y | z)])
+ */
+#ifndef ISOC_SCENE_PARSER_H
+#define ISOC_SCENE_PARSER_H
+
+#include "tools/isoc/scene/lexer.h"
+#include "tools/isoc/scene/scene.h"
+
+/* How a scene calls the kinds of joints and of closures. */
+extern const char *const joint_kinds[], *const closure_kinds[];
+
+/* What the source says, as far as it can be understood; the rest is noted as problems. */
+scene parse_scene(source *s, const token *tokens);
+
+#endif

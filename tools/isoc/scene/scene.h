@@ -1,0 +1,190 @@
+/* A scene as it is written: what the parser understood, before names and units are looked at. */
+#ifndef ISOC_SCENE_SCENE_H
+#define ISOC_SCENE_SCENE_H
+
+#include "tools/isoc/scene/source.h"
+#include "tools/isoc/scene/unit.h"
+
+typedef enum formula_kind {
+    FORMULA_NUMBER, /* number, scaled by unit */
+    FORMULA_NAME,
+    FORMULA_VECTOR, /* parts */
+    FORMULA_NEGATE, /* parts[0] */
+    FORMULA_SCALE,  /* parts[0] in unit: (1, 2, 3) mm */
+    FORMULA_BINARY, /* parts[0] sign parts[1] */
+    FORMULA_POWER,  /* parts[0] to the number */
+    FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value */
+} formula_kind;
+
+typedef struct formula {
+    formula_kind kind;
+    place at;
+    double number;
+    unit unit;
+    const char *name;
+    char sign;
+    struct formula **parts;
+    size_t count, room;
+} formula;
+
+/* A name as used or declared. */
+typedef struct name {
+    const char *text; /* NULL when it is absent */
+    place at;
+} name;
+
+/* Rotations one after the other, each about an axis of the frame that the last one gave. */
+typedef struct turn {
+    place at;
+    formula *angle;
+    formula *axis;
+} turn;
+
+/* A joint's frame on a body: moved to `at`, then turned. */
+typedef struct placement {
+    name body;
+    formula *position; /* NULL: at the body's origin */
+    turn *turns;
+    size_t turn_count, turn_room;
+} placement;
+
+typedef struct body {
+    name name;
+    formula *mass, *com, *inertia;
+    bool broken; /* a property could not be read */
+} body;
+
+typedef enum joint_kind {
+    JOINT_FIXED,
+    JOINT_REVOLUTE,
+    JOINT_PRISMATIC,
+    JOINT_UNIVERSAL,   /* turns about `axis`, then about `second` */
+    JOINT_CYLINDRICAL, /* slides along `axis`, then turns about it */
+    JOINT_PLANAR,      /* slides across `axis`, then turns about it */
+    JOINT_SPHERICAL,
+    JOINT_FREE,
+} joint_kind;
+
+/* Where a joint starts: a coordinate alone, or a place and turns, or a place and a quaternion (w, x, y, z). */
+typedef struct pose {
+    formula *coordinate;
+    bool is_rough;     /* about ...: where closures look for it */
+    formula *position; /* at ... */
+    turn *turns;       /* rotate ... about ...; the axis is NULL where the joint has it */
+    size_t turn_count, turn_room;
+    formula *quaternion;
+} pose;
+
+typedef struct joint {
+    name name;
+    joint_kind kind;
+    placement parent, child;
+    formula *axis, *second;
+    pose start;
+    formula *speed, *spin; /* of what slides or is the only coordinate; of what turns, where the joint does both */
+    formula *damping, *spin_damping, *spring, *rest;
+    name drive;
+    bool continuous;
+    place continuous_at;
+    bool broken;
+} joint;
+
+/* A loop closure: what holds between two bodies, or between two joints, beside the joints of the tree. */
+typedef enum closure_kind {
+    CLOSE_FIXED,
+    CLOSE_REVOLUTE,
+    CLOSE_PRISMATIC,
+    CLOSE_SPHERICAL,
+    CLOSE_LINE,     /* the child's origin stays on the line along `axis` through the parent's */
+    CLOSE_DISTANCE, /* `length` between the origins */
+    CLOSE_GEAR,     /* first = ratio * second + what the starts give, of two joints' coordinates */
+    CLOSE_ROLLING, /* a ball of `radius` about the child's origin rolls on the plane through the parent's, normal `axis` */
+    CLOSE_MOTION, /* `first` follows `motion`, a function of time, or has the speed `speed` */
+} closure_kind;
+
+/* Whether it holds coordinates of joints, and not bodies. */
+static inline bool acts_along_joints(closure_kind kind)
+{
+    return kind == CLOSE_GEAR || kind == CLOSE_MOTION;
+}
+
+typedef struct closure {
+    name name;
+    closure_kind kind;
+    placement parent, child;
+    formula *axis, *length, *radius, *ratio, *motion, *speed;
+    name first, second; /* joints */
+    bool broken;
+} closure;
+
+/* A force of an input on a point of a body, along an axis of the body; with `moment` metres of lever about that axis. */
+typedef struct body_force {
+    name name;
+    name body;
+    formula *point, *axis, *moment;
+    name drive;
+    bool broken;
+} body_force;
+
+/* How the drift off the closures is held. */
+typedef struct stabilisation {
+    name kind;                     /* baumgarte, projection, lagrangian, none */
+    formula *alpha, *beta;         /* 1/s, of baumgarte */
+    formula *iterations;           /* of projection and lagrangian */
+    formula *penalty, *omega, *mu; /* of lagrangian: kg, 1/s, a number */
+    formula *limit;                /* of the violation, in m or rad: above it a tick is counted */
+} stabilisation;
+
+typedef struct quantity {
+    name name;
+    formula *value; /* of an input: NULL when nothing drives it */
+    formula *jump;  /* of an input: the change that starts a method anew, or NULL */
+    bool tunable;
+} quantity;
+
+typedef enum output_kind {
+    OUTPUT_POSITION,
+    OUTPUT_SPEED,
+    OUTPUT_ACCELERATION,
+    OUTPUT_VELOCITY,
+    OUTPUT_TURNS,
+    OUTPUT_ORIENTATION, /* of a body: a quaternion, w x y z */
+    OUTPUT_SPIN,        /* of a body: angular velocity, in its own axes */
+    OUTPUT_FORCE,       /* of a joint or a closure, on its child, in the ground's axes */
+    OUTPUT_MOMENT,      /* about the child's origin */
+    OUTPUT_EFFORT,      /* of a gear or a motion, on its first joint */
+    OUTPUT_ENERGY,
+    OUTPUT_LOCAL_ERROR,
+    OUTPUT_RESIDUAL,
+    OUTPUT_VIOLATION, /* of the closures: the largest, of positions */
+    OUTPUT_VIOLATION_RATE,
+} output_kind;
+
+typedef struct output {
+    name name;
+    output_kind kind;
+    place kind_at;
+    name of;        /* a joint, a body or a closure */
+    formula *point; /* in the body's frame; NULL: its origin */
+    int along;      /* 0, 1, 2: only x, y or z; -1: all three */
+    place along_at;
+} output;
+
+typedef struct scene {
+    const char *name;
+    bool broken; /* a statement could not be read: what is missing may have stood there */
+    formula *gravity, *step;
+    name method, compensated, checked; /* the last two: yes or no */
+    formula *iterations, *tolerance, *substeps;
+    stabilisation stabilisation;
+    body *bodies;
+    joint *joints;
+    closure *closures;
+    body_force *forces;
+    quantity *parameters, *inputs;
+    output *outputs;
+    size_t body_count, joint_count, closure_count, force_count, parameter_count, input_count, output_count;
+    size_t body_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room;
+} scene;
+
+#endif

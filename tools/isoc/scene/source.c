@@ -1,0 +1,194 @@
+#include "tools/isoc/scene/source.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum {
+    LARGEST_FILE = 64 << 20, /* bytes; a scene is some kilobytes */
+    PROBLEMS_SHOWN = 20,
+    COLUMNS_SHOWN = 100, /* of a long line, around the caret */
+    LONGEST_NAME_COMPARED = 40,
+};
+
+static bool read_all(source *s, FILE *file)
+{
+    struct stat status;
+    if (fstat(fileno(file), &status) != 0) {
+        fprintf(stderr, "%s: error: %s\n", s->path, strerror(errno));
+        return false;
+    }
+    if (!S_ISREG(status.st_mode)) {
+        fprintf(stderr, "%s: error: not a file%s\n", s->path,
+                S_ISDIR(status.st_mode) ? " but a directory: name a .scene file in it" : "");
+        return false;
+    }
+    if (status.st_size > LARGEST_FILE) {
+        fprintf(stderr, "%s: error: larger than 64 MiB: not a scene\n", s->path);
+        return false;
+    }
+    char *text = arena_take(s->memory, (size_t)status.st_size + 1, 1);
+    s->length = fread(text, 1, (size_t)status.st_size, file);
+    s->text = text;
+    if (ferror(file)) {
+        fprintf(stderr, "%s: error: %s\n", s->path, strerror(errno));
+        return false;
+    }
+    return true;
+}
+
+bool source_read(source *s, arena *memory, const char *path)
+{
+    *s = (source){.memory = memory, .path = path};
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) {
+        fprintf(stderr, "%s: error: %s\n", path, strerror(errno));
+        return false;
+    }
+    bool done = read_all(s, file);
+    fclose(file);
+    return done;
+}
+
+void source_problem(source *s, place at, const char *format, ...)
+{
+    char message[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+
+    s->problems = arena_grow(s->memory, s->problems, s->problem_count, &s->problem_room, sizeof *s->problems);
+    s->problems[s->problem_count++] = (problem){at, arena_copy(s->memory, message, strlen(message))};
+}
+
+static place line_start(const source *s, place at)
+{
+    while (at > 0 && s->text[at - 1] != '\n') {
+        at--;
+    }
+    return at;
+}
+
+size_t source_line(const source *s, place at)
+{
+    size_t line = 1;
+    for (place i = 0; i < at; i++) {
+        line += s->text[i] == '\n';
+    }
+    return line;
+}
+
+static bool starts_character(char c)
+{
+    return ((unsigned char)c & 0xC0) != 0x80; /* not a continuation byte of UTF-8 */
+}
+
+/* The characters from `from` to `to`, each as one column: control characters as spaces. */
+static size_t print_part(const source *s, place from, place to, bool visible)
+{
+    size_t columns = 0;
+    for (place i = from; i < to; i++) {
+        columns += starts_character(s->text[i]);
+        if (visible) {
+            unsigned char c = (unsigned char)s->text[i];
+            fputc(c < ' ' || c == 0x7F ? ' ' : c, stderr);
+        }
+    }
+    return columns;
+}
+
+static void report_one(const source *s, const problem *p)
+{
+    const place start = line_start(s, p->at);
+    place end = p->at;
+    while (end < s->length && s->text[end] != '\n' && s->text[end] != '\r') {
+        end++;
+    }
+    fprintf(stderr, "%s:%zu:%zu: error: %s\n", s->path, source_line(s, p->at), 1 + print_part(s, start, p->at, false),
+            p->message);
+
+    /* Of a very long line, only what stands near the caret; both cuts at the start of a character. */
+    place from = p->at - start > COLUMNS_SHOWN ? p->at - COLUMNS_SHOWN : start;
+    while (from < p->at && !starts_character(s->text[from])) {
+        from++;
+    }
+    place to = end - p->at > COLUMNS_SHOWN ? p->at + COLUMNS_SHOWN : end;
+    while (to < end && !starts_character(s->text[to])) {
+        to++;
+    }
+    fputs("    ", stderr);
+    const size_t before = print_part(s, from, p->at, true);
+    print_part(s, p->at, to, true);
+    fprintf(stderr, "\n    %*s^\n", (int)before, "");
+}
+
+static int by_place(const void *left, const void *right)
+{
+    const problem *a = left, *b = right;
+    if (a->at != b->at) {
+        return a->at < b->at ? -1 : 1;
+    }
+    return strcmp(a->message, b->message);
+}
+
+void source_report(source *s)
+{
+    if (s->problem_count == 0) {
+        return;
+    }
+    qsort(s->problems, s->problem_count, sizeof *s->problems, by_place);
+    size_t shown = 0;
+    for (size_t i = 0; i < s->problem_count && shown < PROBLEMS_SHOWN; i++) {
+        if (i == 0 || by_place(&s->problems[i - 1], &s->problems[i]) != 0) {
+            report_one(s, &s->problems[i]);
+            shown++;
+        }
+    }
+    if (s->problem_count > shown && shown == PROBLEMS_SHOWN) {
+        fprintf(stderr, "%s: %zu more errors\n", s->path, s->problem_count - shown);
+    }
+}
+
+/* Levenshtein (1966): the least number of characters to insert, delete or change; upper and lower case are alike. */
+static size_t distance(const char *a, const char *b)
+{
+    size_t row[LONGEST_NAME_COMPARED + 1];
+    const size_t a_length = strlen(a), b_length = strlen(b);
+    if (a_length > LONGEST_NAME_COMPARED || b_length > LONGEST_NAME_COMPARED) {
+        return LONGEST_NAME_COMPARED;
+    }
+    for (size_t j = 0; j <= b_length; j++) {
+        row[j] = j;
+    }
+    for (size_t i = 1; i <= a_length; i++) {
+        size_t diagonal = row[0];
+        row[0] = i;
+        for (size_t j = 1; j <= b_length; j++) {
+            const size_t change = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
+            diagonal = row[j];
+            const size_t indel = 1 + (row[j] < row[j - 1] ? row[j] : row[j - 1]);
+            row[j] = change < indel ? change : indel;
+        }
+    }
+    return row[b_length];
+}
+
+const char *source_suggestion(source *s, const char *typed, const char *const *names, size_t count)
+{
+    const size_t length = strlen(typed), near = length < 2 ? 0 : length < 4 ? 1 : 2;
+    size_t best = near + 1;
+    const char *name = NULL;
+    for (size_t i = 0; i < count; i++) {
+        const size_t d = distance(typed, names[i]);
+        if (d < best) {
+            best = d;
+            name = names[i];
+        }
+    }
+    return name == NULL ? "" : arena_format(s->memory, " (did you mean '%s'?)", name);
+}

@@ -1,0 +1,9 @@
+/* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` that of a scene. */
+#ifndef ISOC_SCENE_STATEMENTS_H
+#define ISOC_SCENE_STATEMENTS_H
+
+#include "tools/isoc/scene/block.h"
+
+property_reader read_joint_statement, read_closure, read_force, read_stabilisation, read_output;
+
+#endif

@@ -1,0 +1,92 @@
+#include "tools/isoc/scene/take.h"
+
+#include <string.h>
+
+void parse_problem(parser *p, const char *message)
+{
+    if (!p->failed) {
+        const char *found = p->next->kind == TOKEN_END ? "the end of the file" : p->next->text;
+        const char *quote = p->next->kind == TOKEN_END ? "" : "'";
+        source_problem(p->s, p->next->at, "%s; found %s%s%s", message, quote, found, quote);
+        p->failed = true;
+    }
+}
+
+bool next_is_sign(const parser *p, char sign)
+{
+    return p->next->sign == sign;
+}
+
+bool next_is_word(const parser *p, const char *word)
+{
+    return p->next->kind == TOKEN_NAME && strcmp(p->next->text, word) == 0;
+}
+
+bool take_sign(parser *p, char sign)
+{
+    const bool is = next_is_sign(p, sign);
+    p->next += is;
+    return is;
+}
+
+bool take_word(parser *p, const char *word)
+{
+    const bool is = next_is_word(p, word);
+    p->next += is;
+    return is;
+}
+
+const char *alternatives(arena *memory, const char *const *words, size_t count)
+{
+    const char *text = words[0];
+    for (size_t i = 1; i < count; i++) {
+        text = arena_format(memory, "%s%s%s", text, i + 1 < count ? ", " : " or ", words[i]);
+    }
+    return text;
+}
+
+size_t take_one_of(parser *p, const char *const *words, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (take_word(p, words[i])) {
+            return i;
+        }
+    }
+    const char *near = p->next->kind == TOKEN_NAME ? source_suggestion(p->s, p->next->text, words, count) : "";
+    parse_problem(p, arena_format(p->s->memory, "expected %s%s", alternatives(p->s->memory, words, count), near));
+    return count;
+}
+
+name take_name(parser *p, const char *expected)
+{
+    name n = {NULL, p->next->at};
+    if (p->next->kind != TOKEN_NAME || p->next->first_on_line) {
+        parse_problem(p, expected);
+        return n;
+    }
+    n.text = p->next->text;
+    p->next++;
+    return n;
+}
+
+static bool is_reserved(const char *word)
+{
+    unit u;
+    static const char *const own[] = {"x",      "y",    "z",     "ground", "pi",         "at",  "about",
+                                      "rotate", "rest", "along", "of",     "quaternion", "time"};
+    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
+        if (strcmp(word, own[i]) == 0) {
+            return true;
+        }
+    }
+    return unit_find(word, &u);
+}
+
+name take_new_name(parser *p, const char *expected)
+{
+    const name n = take_name(p, expected);
+    if (n.text != NULL && is_reserved(n.text)) {
+        source_problem(p->s, n.at, "'%s' is a unit or a word of the language: choose another name", n.text);
+    }
+    return n;
+}

@@ -1,0 +1,38 @@
+/* What all parts of the parser share: where it stands, and how it takes tokens. */
+#ifndef ISOC_SCENE_TAKE_H
+#define ISOC_SCENE_TAKE_H
+
+#include "tools/isoc/scene/lexer.h"
+#include "tools/isoc/scene/scene.h"
+
+struct block;
+
+typedef struct parser {
+    source *s;
+    const token *next;
+    bool failed;                             /* in this statement or property */
+    int depth;                               /* of nested parentheses */
+    const struct block *statements, *within; /* the words of the scene, and of the block that is being read */
+} parser;
+
+/* Notes a problem at the next token, once a statement, and sets p->failed. */
+void parse_problem(parser *p, const char *message);
+
+bool next_is_sign(const parser *p, char sign);
+bool next_is_word(const parser *p, const char *word);
+
+/* Takes the next token if it is this sign or this word. */
+bool take_sign(parser *p, char sign);
+bool take_word(parser *p, const char *word);
+
+/* The words as a person lists them: a, b or c. */
+const char *alternatives(arena *memory, const char *const *words, size_t count);
+
+/* The index of the next token among words, which is taken; or count, with a problem that lists them. */
+size_t take_one_of(parser *p, const char *const *words, size_t count);
+
+/* A name, which stands on the line; one that is declared must be no word of the language. */
+name take_name(parser *p, const char *expected);
+name take_new_name(parser *p, const char *expected);
+
+#endif

@@ -1,0 +1,39 @@
+/* Units: what a name like mm, kg or rpm means in m, kg, s and rad. */
+#ifndef ISOC_SCENE_UNIT_H
+#define ISOC_SCENE_UNIT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "tools/isoc/base/arena.h"
+
+/* Exponents. The angle counts as a dimension, so that N*m is not taken for N*m/rad. */
+typedef struct dimension {
+    int8_t kg, m, s, rad;
+} dimension;
+
+/* A unit is numerator / denominator times the SI unit of its dimension: mm is 1/1000 m, deg is pi/180 rad; two numbers
+ * keep 431.8 mm the nearest double to 0.4318 m. */
+typedef struct unit {
+    double numerator, denominator;
+    dimension of;
+} unit;
+
+bool dimension_equal(dimension a, dimension b);
+
+/* a times b to the power n. Returns false where an exponent leaves -9 .. 9. */
+bool dimension_times(dimension *a, dimension b, int n);
+
+/* The dimension as a person writes its unit: N*m/rad, kg*m^2, or "a plain number". */
+const char *dimension_text(arena *memory, dimension d);
+
+/* "is in N*m/rad", or "has no unit". */
+const char *dimension_phrase(arena *memory, dimension d);
+
+/* Finds a unit by name, with an SI prefix where it takes one. */
+bool unit_find(const char *name, unit *found);
+
+/* All names without prefixes, for suggestions. */
+const char *const *unit_names(size_t *count);
+
+#endif

@@ -1,0 +1,237 @@
+#include "tools/isoc/tree/articulated.h"
+
+/* Angular components, then linear ones: of a wrench its moment and its force. */
+enum { ANGULAR = 0, LINEAR = 3, SPATIAL = 6 };
+
+/* A link with all that hangs on it, whose joints are free: accelerated by A, it takes inertia A + bias. */
+typedef struct articulated {
+    node inertia[SPATIAL][SPATIAL]; /* symmetric */
+    node bias[SPATIAL];
+} articulated;
+
+/* What is kept of a freedom from the way inward for the way outward: its column U of the inertia, the pivot D at its
+ * own place there, and the effort u that is left. Along the freedom's coordinate axis, whatever its sign. */
+typedef struct release {
+    int at;                               /* its place among the six components */
+    node column[SPATIAL], share[SPATIAL]; /* U, U / D */
+    node pivot, inverse, effort;
+} release;
+
+static void put_block(articulated *b, int row, int column, matrix m)
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            b->inertia[row + i][column + j] = b->inertia[column + j][row + i] = m.at[i][j];
+        }
+    }
+}
+
+static matrix block_of(const articulated *b, int row, int column)
+{
+    matrix m;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            m.at[i][j] = b->inertia[row + i][column + j];
+        }
+    }
+    return m;
+}
+
+static void put_vector(node *to, int at, vector a)
+{
+    memcpy(to + at, a.at, sizeof a.at);
+}
+
+static vector vector_at(const node *from, int at)
+{
+    return (vector){{from[at], from[at + 1], from[at + 2]}};
+}
+
+static matrix cross_matrix(graph *g, vector a)
+{
+    const node zero = constant(g, 0.0);
+    const vector minus = vector_sub(g, vector_zero(g), a);
+    return (matrix){{{zero, minus.at[2], a.at[1]}, {a.at[2], zero, minus.at[0]}, {minus.at[1], a.at[0], zero}}};
+}
+
+/* A link by itself; `still` is what it takes where its origin and its turning are not accelerated. */
+static articulated rigid(graph *g, const link *l, wrench still)
+{
+    const node zero = constant(g, 0.0), mass = l->mass;
+    articulated made;
+    put_block(&made, ANGULAR, ANGULAR, tensor_matrix(l->inertia));
+    put_block(&made, ANGULAR, LINEAR, cross_matrix(g, l->first_moment));
+    put_block(&made, LINEAR, LINEAR, (matrix){{{mass, zero, zero}, {zero, mass, zero}, {zero, zero, mass}}});
+    put_vector(made.bias, ANGULAR, still.moment);
+    put_vector(made.bias, LINEAR, still.force);
+    return made;
+}
+
+/* Lets a freedom go. What its acceleration gives way to is taken off the inertia, I - U U' / D, and its effort, less
+ * what the bias takes, is felt through U / D. Along the freedom itself nothing is left but the effort. */
+static release let_go(const kinematics *k, int f, node effort, articulated *b)
+{
+    graph *g = k->g;
+    const link *l = &k->m->links[k->m->freedoms[f].link];
+    const int at = k->m->freedoms[f].axis + (slides(l) ? LINEAR : ANGULAR);
+    const node borne = mul(g, axis_of(k, f).at[at % 3], effort), zero = constant(g, 0.0);
+    release made = {.at = at, .pivot = graph_name(g, b->inertia[at][at], "D_%s", k->m->freedoms[f].name)};
+    made.inverse = divide(g, constant(g, 1.0), made.pivot);
+    made.effort = sub(g, borne, b->bias[at]);
+    for (int i = 0; i < SPATIAL; i++) {
+        made.column[i] = b->inertia[i][at];
+        made.share[i] = mul(g, made.column[i], made.inverse);
+    }
+    for (int i = 0; i < SPATIAL; i++) {
+        for (int j = 0; j <= i; j++) {
+            const bool gone = i == at || j == at;
+            const node taken = gone ? zero : mul(g, made.share[i], made.column[j]);
+            b->inertia[i][j] = b->inertia[j][i] = gone ? zero : sub(g, b->inertia[i][j], taken);
+        }
+        b->bias[i] = i == at ? borne : add(g, b->bias[i], mul(g, made.share[i], made.effort));
+    }
+    return made;
+}
+
+/* bias += inertia A, for accelerations that are there whatever the joints do. */
+static void feel(graph *g, articulated *b, acceleration given)
+{
+    node a[SPATIAL];
+    put_vector(a, ANGULAR, given.alpha);
+    put_vector(a, LINEAR, given.a);
+    for (int i = 0; i < SPATIAL; i++) {
+        for (int j = 0; j < SPATIAL; j++) {
+            b->bias[i] = add(g, b->bias[i], mul(g, b->inertia[i][j], a[j]));
+        }
+    }
+}
+
+/* From link axes to the parent's. */
+static void turn_to_parent(const kinematics *k, int i, articulated *b)
+{
+    for (int row = ANGULAR; row <= LINEAR; row += 3) {
+        for (int column = row; column <= LINEAR; column += 3) {
+            const matrix unturned = unturn_matrix(k, i, block_of(b, row, column));
+            put_block(b, row, column, matrix_rotate(k->g, k->m->links[i].turn, unturned));
+        }
+        put_vector(b->bias, row, to_parent(k, i, vector_at(b->bias, row)));
+    }
+}
+
+/* From the link's origin to the parent's, that is by p. With inertia J, coupling H and mass M:
+ * H' = H + [p] M,  J' = J + [p] H'^T - H [p]. */
+static void shift(graph *g, articulated *b, vector p)
+{
+    const matrix across = cross_matrix(g, p), mass = block_of(b, LINEAR, LINEAR);
+    const matrix coupling = block_of(b, ANGULAR, LINEAR), inertia = block_of(b, ANGULAR, ANGULAR);
+    const matrix moved = matrix_add(g, coupling, matrix_product(g, across, mass));
+    const matrix outer = matrix_product(g, across, matrix_transpose(moved));
+    const matrix inner = matrix_product(g, across, matrix_transpose(coupling)); /* (-H [p])' */
+    const vector about = vector_cross(g, p, vector_at(b->bias, LINEAR));
+    put_block(b, ANGULAR, LINEAR, moved);
+    put_block(b, ANGULAR, ANGULAR, matrix_add(g, inertia, matrix_add(g, outer, matrix_transpose(inner))));
+    put_vector(b->bias, ANGULAR, vector_add(g, vector_at(b->bias, ANGULAR), about));
+}
+
+static void join(graph *g, const articulated *from, articulated *to)
+{
+    for (int i = 0; i < SPATIAL; i++) {
+        for (int j = 0; j <= i; j++) {
+            to->inertia[i][j] = to->inertia[j][i] = add(g, to->inertia[i][j], from->inertia[i][j]);
+        }
+        to->bias[i] = add(g, to->bias[i], from->bias[i]);
+    }
+}
+
+static void name_parts(graph *g, const char *owner, const articulated *b)
+{
+    for (int i = 0; i < SPATIAL; i++) {
+        for (int j = 0; j <= i; j++) {
+            graph_name(g, b->inertia[i][j], "I_%s_%d%d", owner, i + 1, j + 1);
+        }
+    }
+    vector_name(g, vector_at(b->bias, ANGULAR), "moment", owner);
+    vector_name(g, vector_at(b->bias, LINEAR), "force", owner);
+}
+
+/* To what a link adds to its parent. It is accelerated whatever the joints do: by its own joint's turned rate, and at
+ * its origin by omega x (omega x p) of the parent. */
+static void carry_to_parent(const kinematics *k, int i, articulated *b)
+{
+    graph *g = k->g;
+    const vector p = k->motions[i].p, still = vector_zero(g);
+    feel(g, b, joint_coriolis(k, i));
+    turn_to_parent(k, i, b);
+    feel(g, b, (acceleration){still, swing(g, k->motions[k->m->links[i].parent].omega, still, p)});
+    shift(g, b, p);
+}
+
+static void inward(const kinematics *k, const node *effort, articulated *bodies, release *releases)
+{
+    for (int i = k->m->link_count - 1; i >= 0; i--) {
+        const link *l = &k->m->links[i];
+        name_parts(k->g, l->name, &bodies[i]);
+        for (int f = l->freedom + freedoms_of(l->kind) - 1; f >= l->freedom; f--) {
+            releases[f] = let_go(k, f, effort[f], &bodies[i]);
+        }
+        if (l->parent != GROUND) {
+            carry_to_parent(k, i, &bodies[i]);
+            join(k->g, &bodies[i], &bodies[l->parent]);
+        }
+    }
+}
+
+/* (u - U' A) / D over the other components of A: what the freedom's own component of A becomes. By a division where the
+ * inverse of the pivot serves nothing else. */
+static node follow(graph *g, const release *r, bool alone, const node *a)
+{
+    node sum = alone ? r->effort : mul(g, r->effort, r->inverse);
+    for (int i = 0; i < SPATIAL; i++) {
+        if (i != r->at) {
+            sum = sub(g, sum, mul(g, alone ? r->column[i] : r->share[i], a[i]));
+        }
+    }
+    return alone ? divide(g, sum, r->pivot) : sum;
+}
+
+static void outward(const kinematics *k, const release *releases, node *x)
+{
+    graph *g = k->g;
+    const mechanism *m = k->m;
+    acceleration *all = arena_take(g->memory, (size_t)m->link_count, sizeof *all);
+    for (int i = 0; i < m->link_count; i++) {
+        const link *l = &m->links[i];
+        node a[SPATIAL];
+        all[i] = accelerate_outward(k, i, all);
+        put_vector(a, ANGULAR, all[i].alpha);
+        put_vector(a, LINEAR, all[i].a);
+        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+            const release *r = &releases[f];
+            const node made = follow(g, r, m->freedoms[f].before == GROUND, a);
+            x[f] = mul(g, axis_of(k, f).at[m->freedoms[f].axis], sub(g, made, a[r->at]));
+            a[r->at] = made;
+        }
+        all[i] = (acceleration){vector_at(a, ANGULAR), vector_at(a, LINEAR)};
+    }
+}
+
+void articulated_solve(const kinematics *k, node *x)
+{
+    graph *g = k->g;
+    const size_t n = (size_t)k->m->link_count;
+    articulated *bodies = arena_take(g->memory, n, sizeof *bodies);
+    release *releases = arena_take(g->memory, (size_t)k->m->freedom_count, sizeof *releases);
+    acceleration *still = arena_take(g->memory, n, sizeof *still);
+    wrench *wrenches = arena_take(g->memory, n, sizeof *wrenches);
+    graph_section(g, "Articulated bodies inward: inertia, and what it takes where the joints are free");
+    for (size_t i = 0; i < n; i++) {
+        still[i] = (acceleration){vector_zero(g), vector_zero(g)};
+    }
+    inertial_wrenches(k, still, wrenches);
+    for (size_t i = 0; i < n; i++) {
+        bodies[i] = rigid(g, &k->m->links[i], wrenches[i]);
+    }
+    inward(k, x, bodies, releases);
+    graph_section(g, "Accelerations outward, with the ground accelerated by -gravity: q'' = (u - U' A) / D");
+    outward(k, releases, x);
+}

@@ -1,0 +1,88 @@
+#include "tools/isoc/tree/bias.h"
+
+vector point_acceleration(const kinematics *k, const acceleration *all, int i, vector point)
+{
+    graph *g = k->g;
+    if (i == GROUND) {
+        return vector_sub(g, vector_zero(g), k->m->gravity);
+    }
+    return vector_add(g, all[i].a, swing(g, k->motions[i].omega, all[i].alpha, point));
+}
+
+acceleration joint_coriolis(const kinematics *k, int i)
+{
+    graph *g = k->g;
+    const motion *now = &k->motions[i];
+    const vector turned = vector_cross(g, now->carried, now->rate), zero = vector_zero(g);
+    return slides(&k->m->links[i]) ? (acceleration){zero, vector_scale(g, constant(g, 2.0), turned)}
+                                   : (acceleration){turned, zero};
+}
+
+acceleration accelerate_outward(const kinematics *k, int i, const acceleration *all)
+{
+    graph *g = k->g;
+    const link *l = &k->m->links[i];
+    const motion *now = &k->motions[i];
+    acceleration made;
+    made.alpha = l->parent == GROUND ? vector_zero(g) : from_parent(k, i, all[l->parent].alpha);
+    made.a = from_parent(k, i, point_acceleration(k, all, l->parent, now->p));
+    const acceleration coriolis = joint_coriolis(k, i);
+    made.alpha = vector_add(g, made.alpha, coriolis.alpha);
+    made.a = vector_add(g, made.a, coriolis.a);
+    vector_name(g, made.alpha, "alpha", l->name);
+    vector_name(g, made.a, "a", l->name);
+    return made;
+}
+
+void inertial_wrenches(const kinematics *k, const acceleration *accelerations, wrench *wrenches)
+{
+    const mechanism *m = k->m;
+    for (int i = 0; i < m->link_count; i++) {
+        const link *l = &m->links[i];
+        const composite whole = {l->mass, l->first_moment, l->inertia};
+        wrenches[i] = wrench_of_motion(k->g, whole, k->motions[i].omega, accelerations[i]);
+    }
+    for (int i = 0; i < m->thrust_count; i++) {
+        wrench *pushed = &wrenches[m->thrusts[i].link];
+        *pushed = wrench_sub(k->g, *pushed, wrench_of_thrust(k->g, &m->thrusts[i]));
+    }
+}
+
+void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts)
+{
+    graph *g = k->g;
+    const mechanism *m = k->m;
+    vector *felt = arena_take(g->memory, (size_t)m->link_count, sizeof *felt); /* moments by which links are turned */
+    for (int i = 0; i < m->link_count; i++) {
+        felt[i] = wrenches[i].moment;
+    }
+    for (int i = m->link_count - 1; i >= 0; i--) {
+        const link *l = &m->links[i];
+        vector_name(g, wrenches[i].force, "force", l->name);
+        vector_name(g, wrenches[i].moment, "moment", l->name);
+        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+            const node along = vector_dot(g, axis_of(k, f), slides(l) ? wrenches[i].force : felt[i]);
+            efforts[f] = graph_name(g, along, "bias_%s", m->freedoms[f].name);
+        }
+        if (l->parent != GROUND) {
+            wrench turning = wrenches[i]; /* but for the moment about a shared axis */
+            wrenches[l->parent] = wrench_add(g, wrenches[l->parent], wrench_to_parent(k, i, wrenches[i]));
+            turning.moment.at[l->axis] = shared_axis(k, i) != 0 ? constant(g, 0.0) : turning.moment.at[l->axis];
+            felt[l->parent] = vector_add(g, felt[l->parent], wrench_to_parent(k, i, turning).moment);
+        }
+    }
+}
+
+void bias_build(const kinematics *k, node *bias, acceleration *accelerations)
+{
+    graph *g = k->g;
+    const mechanism *m = k->m;
+    wrench *wrenches = arena_take(g->memory, (size_t)m->link_count, sizeof *wrenches);
+    graph_section(g, "Accelerations outward, at q'' = 0 and with the ground accelerated by -gravity (Newton-Euler)");
+    for (int i = 0; i < m->link_count; i++) {
+        accelerations[i] = accelerate_outward(k, i, accelerations);
+    }
+    graph_section(g, "Forces and moments inward: what q'' = 0 would take (bias)");
+    inertial_wrenches(k, accelerations, wrenches);
+    efforts_of_wrenches(k, wrenches, bias);
+}

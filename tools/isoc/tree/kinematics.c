@@ -1,0 +1,214 @@
+#include "tools/isoc/tree/kinematics.h"
+
+#include "tools/isoc/graph/quaternion.h"
+
+bool slides(const link *l)
+{
+    return l->kind == JOINT_PRISMATIC;
+}
+
+int shared_axis(const kinematics *k, int i)
+{
+    const link *l = &k->m->links[i];
+    const link *parent = l->parent == GROUND ? l : &k->m->links[l->parent];
+    if (!k->absolute || parent == l || l->kind != JOINT_REVOLUTE || parent->kind != JOINT_REVOLUTE) {
+        return 0;
+    }
+    const double along = l->sign * parent->sign * constant_value(k->g, l->turn.at[parent->axis][l->axis]);
+    return along == 1.0 ? 1 : along == -1.0 ? -1 : 0;
+}
+
+vector axis_of(const kinematics *k, int f)
+{
+    vector a = vector_zero(k->g);
+    const link *l = &k->m->links[k->m->freedoms[f].link];
+    a.at[k->m->freedoms[f].axis] = constant(k->g, l->kind == JOINT_SPHERICAL ? 1.0 : l->sign);
+    return a;
+}
+
+vector unturn(const kinematics *k, int i, vector a)
+{
+    const link *l = &k->m->links[i];
+    const motion *now = &k->motions[i];
+    return l->kind == JOINT_SPHERICAL ? matrix_apply(k->g, now->free_turn, a)
+                                      : turn_out(k->g, l->axis, now->s, now->c, a);
+}
+
+matrix unturn_matrix(const kinematics *k, int i, matrix a)
+{
+    const link *l = &k->m->links[i];
+    const motion *now = &k->motions[i];
+    return l->kind == JOINT_SPHERICAL ? matrix_rotate(k->g, now->free_turn, a)
+                                      : matrix_turn_out(k->g, l->axis, now->s, now->c, a);
+}
+
+tensor unturn_tensor(const kinematics *k, int i, tensor j)
+{
+    return matrix_tensor(unturn_matrix(k, i, tensor_matrix(j)));
+}
+
+/* R = turn * (what the joint turns). One full matrix where both are needed at once, else two sparse ones. */
+vector to_parent(const kinematics *k, int i, vector a)
+{
+    return matrix_apply(k->g, k->m->links[i].turn, unturn(k, i, a));
+}
+
+vector from_parent(const kinematics *k, int i, vector a)
+{
+    const link *l = &k->m->links[i];
+    const motion *now = &k->motions[i];
+    const vector unturned = matrix_apply(k->g, matrix_transpose(l->turn), a);
+    return l->kind == JOINT_SPHERICAL ? matrix_apply(k->g, matrix_transpose(now->free_turn), unturned)
+                                      : turn_in(k->g, l->axis, now->s, now->c, unturned);
+}
+
+static void start_motion(const kinematics *k, int i)
+{
+    graph *g = k->g;
+    const mechanism *m = k->m;
+    const link *l = &m->links[i];
+    motion *now = &k->motions[i];
+    now->s = constant(g, 0.0);
+    now->c = constant(g, 1.0);
+    now->p = l->offset;
+    now->rate = vector_zero(g);
+    for (int n = 0; n < positions_of(l->kind); n++) {
+        now->q[n] = leaf(g, OP_STATE, l->position + n);
+    }
+    for (int n = 0; n < freedoms_of(l->kind); n++) {
+        now->qd[n] = leaf(g, OP_STATE, m->position_count + l->freedom + n);
+        now->rate = vector_add(g, now->rate, vector_scale(g, now->qd[n], axis_of(k, l->freedom + n)));
+    }
+    if (l->kind == JOINT_SPHERICAL) {
+        now->free_turn = quaternion_matrix(g, now->q);
+        for (int n = 0; n < 9; n++) {
+            graph_name(g, now->free_turn.at[n / 3][n % 3], "R_%s_%d%d", l->name, n / 3 + 1, n % 3 + 1);
+        }
+    } else if (slides(l)) {
+        const vector along = vector_scale(g, now->q[0], axis_of(k, l->freedom));
+        now->p = vector_name(g, vector_add(g, l->offset, matrix_apply(g, l->turn, along)), "p", l->name);
+    } else {
+        const node s = graph_name(g, sine(g, now->q[0]), "sin_%s", l->name);
+        now->s = mul(g, constant(g, l->sign), s);
+        now->c = graph_name(g, cosine(g, now->q[0]), "cos_%s", l->name);
+    }
+}
+
+/* omega_i = R' omega_parent + e q' */
+static void rotate_outward(const kinematics *k, int i)
+{
+    graph *g = k->g;
+    const link *l = &k->m->links[i];
+    motion *now = &k->motions[i];
+    now->carried = l->parent == GROUND ? vector_zero(g) : from_parent(k, i, k->motions[l->parent].omega);
+    now->omega = slides(l) ? now->carried : vector_add(g, now->carried, now->rate);
+    vector_name(g, now->omega, "omega", l->name);
+}
+
+kinematics kinematics_build(graph *g, const mechanism *m)
+{
+    kinematics k = {.m = m, .g = g, .motions = arena_take(g->memory, (size_t)m->link_count, sizeof *k.motions)};
+    graph_section(g, "Joints: sines and cosines, places");
+    for (int i = 0; i < m->link_count; i++) {
+        start_motion(&k, i);
+    }
+    graph_section(g, "Angular velocities outward, in link axes");
+    for (int i = 0; i < m->link_count; i++) {
+        rotate_outward(&k, i);
+    }
+    return k;
+}
+
+void kinematics_velocities(const kinematics *k)
+{
+    graph *g = k->g;
+    graph_section(g, "Velocities outward, in link axes");
+    for (int i = 0; i < k->m->link_count; i++) {
+        const link *l = &k->m->links[i];
+        motion *now = &k->motions[i];
+        now->v = l->parent == GROUND ? vector_zero(g) : from_parent(k, i, point_velocity(k, l->parent, now->p));
+        if (slides(l)) {
+            now->v = vector_add(g, now->v, now->rate);
+        }
+        vector_name(g, now->v, "v", l->name);
+    }
+}
+
+vector outward_axes(const kinematics *k, int i, int to, vector a)
+{
+    for (; i != to; i = k->m->links[i].parent) {
+        a = to_parent(k, i, a);
+    }
+    return a;
+}
+
+vector outward_point(const kinematics *k, int i, int to, vector point)
+{
+    for (; i != to; i = k->m->links[i].parent) {
+        point = vector_add(k->g, to_parent(k, i, point), k->motions[i].p);
+    }
+    return point;
+}
+
+vector point_velocity(const kinematics *k, int i, vector point)
+{
+    if (i == GROUND) {
+        return vector_zero(k->g);
+    }
+    return vector_add(k->g, k->motions[i].v, vector_cross(k->g, k->motions[i].omega, point));
+}
+
+vector swing(graph *g, vector w, vector alpha, vector r)
+{
+    vector result = vector_cross(g, alpha, r);
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const node square_j = mul(g, w.at[j], w.at[j]), square_k = mul(g, w.at[k], w.at[k]);
+        const node squares = add(g, square_j, square_k);
+        const node product_j = mul(g, mul(g, w.at[i], w.at[j]), r.at[j]);
+        const node product_k = mul(g, mul(g, w.at[i], w.at[k]), r.at[k]);
+        const node across = add(g, product_j, product_k);
+        const node inward = mul(g, squares, r.at[i]);
+        result.at[i] = add(g, result.at[i], sub(g, across, inward));
+    }
+    return result;
+}
+
+void position_rates(const kinematics *k, int i, node *rates)
+{
+    graph *g = k->g;
+    const motion *now = &k->motions[i];
+    if (k->m->links[i].kind != JOINT_SPHERICAL) {
+        rates[0] = now->qd[0];
+        return;
+    }
+    quaternion_rates(g, now->q, now->qd, rates);
+}
+
+/* The quaternion of what a link's joint turns. */
+static void joint_quaternion(const kinematics *k, int i, node q[4])
+{
+    graph *g = k->g;
+    const link *l = &k->m->links[i];
+    const motion *now = &k->motions[i];
+    for (int n = 0; n < 4; n++) {
+        q[n] = l->kind == JOINT_SPHERICAL ? now->q[n] : constant(g, n == 0 ? 1.0 : 0.0);
+    }
+    if (l->kind == JOINT_REVOLUTE) {
+        const node half = mul(g, constant(g, 0.5 * l->sign), now->q[0]);
+        q[0] = cosine(g, half);
+        q[1 + l->axis] = sine(g, half);
+    }
+}
+
+void body_orientation(const kinematics *k, const body_frame *frame, node q[4])
+{
+    quaternion_of_constant(k->g, frame->turn, q);
+    for (int i = frame->link; i != GROUND; i = k->m->links[i].parent) {
+        node turned[4], fixed[4];
+        joint_quaternion(k, i, turned);
+        quaternion_product(k->g, turned, q, q);
+        quaternion_of_constant(k->g, k->m->links[i].turn, fixed);
+        quaternion_product(k->g, fixed, q, q);
+    }
+}

@@ -1,0 +1,216 @@
+#include "tools/isoc/tree/mass_matrix.h"
+
+#include <string.h>
+
+static node at_freedom(const kinematics *k, int f, wrench w)
+{
+    const link *l = &k->m->links[k->m->freedoms[f].link];
+    return vector_dot(k->g, axis_of(k, f), slides(l) ? w.force : w.moment);
+}
+
+/* --- composite bodies --- */
+
+static composite *link_composites(const kinematics *k)
+{
+    composite *bodies = arena_take(k->g->memory, (size_t)k->m->link_count, sizeof *bodies);
+    for (int i = 0; i < k->m->link_count; i++) {
+        const link *l = &k->m->links[i];
+        bodies[i] = (composite){l->mass, l->first_moment, l->inertia};
+    }
+    return bodies;
+}
+
+static composite unturn_composite(const kinematics *k, int i, composite whole)
+{
+    const vector ms = unturn(k, i, whole.ms);
+    return (composite){whole.mass, ms, unturn_tensor(k, i, whole.inertia)};
+}
+
+/* What is outward of a link: as one body; as the body that the link's own speed turns, where what that speed only moves
+ * along is a point; and the moment that this point takes, as felt by joints about other axes. */
+typedef struct outboard {
+    composite whole, turned;
+    vector swung;
+} outboard;
+
+/* What a composite body, in unturned axes, adds to its parent. */
+static void join(const kinematics *k, int i, composite unturned, composite *parent)
+{
+    graph *g = k->g;
+    const link *l = &k->m->links[i];
+    const vector p = k->motions[i].p;
+    const vector ms = matrix_apply(g, l->turn, unturned.ms);
+    const tensor inertia = tensor_shift(g, tensor_rotate(g, l->turn, unturned.inertia), unturned.mass, ms, p);
+    parent->mass = add(g, parent->mass, unturned.mass);
+    parent->ms = vector_add(g, parent->ms, vector_add(g, ms, vector_scale(g, unturned.mass, p)));
+    parent->inertia = tensor_add(g, parent->inertia, inertia);
+}
+
+composite composite_of_all(const kinematics *k)
+{
+    composite ground = {k->m->ground_mass, k->m->ground_moment, tensor_zero(k->g)};
+    composite *bodies = link_composites(k);
+    for (int i = k->m->link_count - 1; i >= 0; i--) {
+        const int parent = k->m->links[i].parent;
+        join(k, i, unturn_composite(k, i, bodies[i]), parent == GROUND ? &ground : &bodies[parent]);
+    }
+    return ground;
+}
+
+/* --- the mass matrix, row by row --- */
+
+/* Row f: the efforts that a unit acceleration of freedom f takes at f and at those that it hangs on. The wrench of an
+ * elementary joint is made after the joint's own turn, which its axis does not feel; of a free turn, before. */
+static void build_row(const mass_matrix *m, int f, composite whole, vector swung)
+{
+    const kinematics *k = m->k;
+    graph *g = k->g;
+    const freedom *freedoms = k->m->freedoms;
+    const int i = freedoms[f].link;
+    const link *l = &k->m->links[i];
+    const vector e = axis_of(k, f);
+    node *row = m->at + f * m->n;
+    wrench w;
+    if (slides(l)) {
+        w.force = vector_scale(g, whole.mass, e);
+        w.moment = vector_cross(g, whole.ms, e);
+    } else {
+        w.force = vector_cross(g, e, whole.ms);
+        w.moment = tensor_apply(g, whole.inertia, e);
+    }
+    int j = f;
+    for (; j != GROUND && freedoms[j].link == i; j = freedoms[j].before) {
+        row[j] = graph_name(g, at_freedom(k, j, w), "M_%s_%s", freedoms[f].name, freedoms[j].name);
+    }
+    w.moment = vector_add(g, w.moment, swung);
+    if (l->kind == JOINT_SPHERICAL) {
+        w.force = unturn(k, i, w.force);
+        w.moment = unturn(k, i, w.moment);
+    }
+    for (int at = i; j != GROUND; at = k->m->links[at].parent) {
+        const link *above = &k->m->links[at];
+        w.force = matrix_apply(g, above->turn, at == i ? w.force : unturn(k, at, w.force));
+        w.moment = matrix_apply(g, above->turn, at == i ? w.moment : unturn(k, at, w.moment));
+        const vector about = vector_cross(g, k->motions[at].p, w.force);
+        w.moment = vector_add(g, w.moment, about);
+        const wrench felt = {w.force, shared_axis(k, at) != 0 ? about : w.moment};
+        for (; j != GROUND && freedoms[j].link == above->parent; j = freedoms[j].before) {
+            row[j] = graph_name(g, at_freedom(k, j, felt), "M_%s_%s", freedoms[f].name, freedoms[j].name);
+        }
+    }
+}
+
+/* An absolute speed of the parent about an axis that the link shares moves it along and leaves it its direction. */
+static void hang(const kinematics *k, int i, composite unturned, outboard *parent)
+{
+    graph *g = k->g;
+    const link *l = &k->m->links[i];
+    composite carried = unturned;
+    join(k, i, unturned, &parent->whole);
+    if (shared_axis(k, i) != 0) {
+        const vector axis = axis_of(k, k->m->links[l->parent].freedom);
+        const vector along = vector_cross(g, axis, k->motions[i].p);
+        const vector moment = vector_cross(g, matrix_apply(g, l->turn, unturned.ms), along);
+        parent->swung = vector_add(g, parent->swung, moment);
+        carried = (composite){unturned.mass, vector_zero(g), tensor_zero(g)};
+    }
+    join(k, i, carried, &parent->turned);
+}
+
+static void build_rows(const mass_matrix *m)
+{
+    const kinematics *k = m->k;
+    const composite *own = link_composites(k);
+    outboard *bodies = arena_take(k->g->memory, (size_t)k->m->link_count, sizeof *bodies);
+    for (int i = 0; i < k->m->link_count; i++) {
+        bodies[i] = (outboard){own[i], own[i], vector_zero(k->g)};
+    }
+    graph_section(k->g, "Mass matrix M (composite rigid bodies)");
+    for (int i = k->m->link_count - 1; i >= 0; i--) {
+        const link *l = &k->m->links[i];
+        const composite turned = unturn_composite(k, i, bodies[i].turned);
+        const vector swung = unturn(k, i, bodies[i].swung);
+        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+            build_row(m, f, l->kind == JOINT_SPHERICAL ? bodies[i].turned : turned, swung);
+        }
+        if (l->parent != GROUND) {
+            hang(k, i, unturn_composite(k, i, bodies[i].whole), &bodies[l->parent]);
+        }
+    }
+}
+
+/* --- M = L' D L --- */
+
+/* Featherstone (2008), table 6.3: from the tips to the root, each row is divided by its pivot and taken out of its
+ * ancestors' rows. */
+static void factorise(const mass_matrix *m)
+{
+    graph *g = m->k->g;
+    const int n = m->n;
+    const freedom *freedoms = m->k->m->freedoms;
+    node *at = m->at;
+    graph_section(g, "Factorisation M = L' D L");
+    for (int i = n - 1; i >= 0; i--) {
+        m->pivots[i] = graph_name(g, at[i * n + i], "D_%s", freedoms[i].name);
+        m->inverse[i] = divide(g, constant(g, 1.0), m->pivots[i]);
+        if (freedoms[i].before != GROUND) {
+            graph_name(g, m->inverse[i], "inverse_D_%s", freedoms[i].name);
+        }
+        for (int j = freedoms[i].before; j != GROUND; j = freedoms[j].before) {
+            const node factor = mul(g, at[i * n + j], m->inverse[i]);
+            graph_name(g, factor, "L_%s_%s", freedoms[i].name, freedoms[j].name);
+            for (int k = j; k != GROUND; k = freedoms[k].before) {
+                at[j * n + k] = sub(g, at[j * n + k], mul(g, factor, at[i * n + k]));
+            }
+            at[i * n + j] = factor;
+        }
+    }
+}
+
+mass_matrix mass_matrix_build(const kinematics *k)
+{
+    const size_t n = (size_t)k->m->freedom_count;
+    mass_matrix m = {.k = k, .n = k->m->freedom_count, .at = arena_take(k->g->memory, n * n, sizeof *m.at)};
+    m.diagonal = arena_take(k->g->memory, n, sizeof *m.diagonal);
+    m.pivots = arena_take(k->g->memory, n, sizeof *m.pivots);
+    m.inverse = arena_take(k->g->memory, n, sizeof *m.inverse);
+    build_rows(&m);
+    m.entries = arena_take(k->g->memory, n * n, sizeof *m.entries);
+    memcpy(m.entries, m.at, n * n * sizeof *m.entries);
+    for (size_t i = 0; i < n; i++) {
+        m.diagonal[i] = m.at[i * n + i];
+    }
+    factorise(&m);
+    return m;
+}
+
+void mass_matrix_inward(const mass_matrix *m, node *x)
+{
+    graph *g = m->k->g;
+    const freedom *freedoms = m->k->m->freedoms;
+    for (int i = m->n - 1; i >= 0; i--) {
+        for (int j = freedoms[i].before; j != GROUND; j = freedoms[j].before) {
+            x[j] = sub(g, x[j], mul(g, m->at[i * m->n + j], x[i]));
+        }
+    }
+}
+
+void mass_matrix_scale(const mass_matrix *m, node *x)
+{
+    graph *g = m->k->g;
+    for (int i = m->n - 1; i >= 0; i--) {
+        const bool alone = m->k->m->freedoms[i].before == GROUND;
+        x[i] = alone ? divide(g, x[i], m->pivots[i]) : mul(g, x[i], m->inverse[i]);
+    }
+}
+
+void mass_matrix_outward(const mass_matrix *m, node *x)
+{
+    graph *g = m->k->g;
+    const freedom *freedoms = m->k->m->freedoms;
+    for (int i = 0; i < m->n; i++) {
+        for (int j = freedoms[i].before; j != GROUND; j = freedoms[j].before) {
+            x[i] = sub(g, x[i], mul(g, m->at[i * m->n + j], x[j]));
+        }
+    }
+}

@@ -1,0 +1,34 @@
+/* The mass matrix of a tree of links, as nodes, factorised.
+ *
+ * Composite bodies in link frames, after Khalil and Kleinfinger (1987), "Minimum operations and minimum parameters of
+ * the dynamic models of tree structure robots", IEEE J. Robotics Automation 3(6); and the factorisation M = L' D L of
+ * Featherstone (2008), Rigid Body Dynamics Algorithms, ch. 6, which keeps the zeros between branches.
+ */
+#ifndef ISOC_TREE_MASS_MATRIX_H
+#define ISOC_TREE_MASS_MATRIX_H
+
+#include "tools/isoc/tree/wrench.h"
+
+typedef struct mass_matrix {
+    const kinematics *k;
+    int n;
+    node *at;       /* [n n]: L below the diagonal, after the factorisation */
+    node *entries;  /* [n n] of M itself, where one freedom hangs on the other: below the diagonal */
+    node *diagonal; /* M_ii */
+    node *pivots;   /* D_i: M_ii less what the freedoms beyond i take off */
+    node *inverse;  /* 1 / D_i */
+} mass_matrix;
+
+mass_matrix mass_matrix_build(const kinematics *k);
+
+/* x := L'^-1 x, from the tips to the root; and x := L^-1 x, from the root to the tips. [n] */
+void mass_matrix_inward(const mass_matrix *m, node *x);
+void mass_matrix_outward(const mass_matrix *m, node *x);
+
+/* x := D^-1 x, by a division where the pivot's inverse serves nothing else. */
+void mass_matrix_scale(const mass_matrix *m, node *x);
+
+/* The whole mechanism as one body about the ground's origin. */
+composite composite_of_all(const kinematics *k);
+
+#endif

@@ -1,0 +1,32 @@
+/* Forces with their moments, as nodes: in the axes of a link or of the ground, about its origin. */
+#ifndef ISOC_TREE_WRENCH_H
+#define ISOC_TREE_WRENCH_H
+
+#include "tools/isoc/tree/kinematics.h"
+
+typedef struct wrench {
+    vector force, moment;
+} wrench;
+
+/* Of a link, the ground accelerated by -gravity; in link axes. */
+typedef struct acceleration {
+    vector alpha; /* angular */
+    vector a;     /* of the origin */
+} acceleration;
+
+wrench wrench_add(graph *g, wrench a, wrench b);
+wrench wrench_sub(graph *g, wrench a, wrench b);
+
+/* A force at a point, with a moment beside it. */
+wrench wrench_at(graph *g, vector point, vector force, vector moment);
+
+/* What a body takes to move so. */
+wrench wrench_of_motion(graph *g, composite whole, vector omega, acceleration now);
+
+/* What a force of an input gives to the link that it acts on. */
+wrench wrench_of_thrust(graph *g, const thrust *t);
+
+/* From a link to what it hangs on. */
+wrench wrench_to_parent(const kinematics *k, int link, wrench w);
+
+#endif
