@@ -123,8 +123,9 @@ include $(PORT)/port.mk
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \
     -Wmissing-prototypes -Wvla -Werror
 
-# The same bits everywhere: no fused multiply-add, no call of libm for the sake of errno.
-NUMERICS := -O2 -ffp-contract=off -fno-math-errno
+# The same bits everywhere: no fused multiply-add, no vectoriser (which fuses in spite of the flag: GCC PR 106902), no call
+# of libm for the sake of errno.
+NUMERICS := -O2 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize
 
 # --- Tools on the host -------------------------------------------------------------------------------------------
 

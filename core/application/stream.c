@@ -92,24 +92,37 @@ void iso_stream_row(const real *const y, const size_t outputs)
 void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
 {
     static const iso_adams_state none;
-    const iso_account *const account = &loop->account;
+    const iso_statistics *const statistics = &loop->statistics;
     const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
 
     const uint32_t words[] = {
-        account->ticks,         account->late,          account->lost,   account->overruns,   (uint32_t)account->margin,
-        account->execution_min, account->execution_max, loop->guard,     loop->tick,          account->restarts,
-        adams->restarts,        adams->substeps,        adams->rejected, adams->budget_bound, adams->evaluations,
-        account->violated,      account->restart_max,
+        statistics->ticks,
+        statistics->late,
+        statistics->lost,
+        statistics->overruns,
+        (uint32_t)statistics->margin,
+        statistics->execution_min,
+        statistics->execution_max,
+        loop->guard,
+        loop->tick,
+        statistics->restarts,
+        adams->restarts,
+        adams->substeps,
+        adams->rejected,
+        adams->budget_bound,
+        adams->evaluations,
+        statistics->violated,
+        statistics->restart_max,
     };
 
     put_byte(ISO_STREAM_END);
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         put_number(words[i], sizeof words[i]);
     }
-    put_number(account->execution_sum, sizeof account->execution_sum);
+    put_number(statistics->execution_sum, sizeof statistics->execution_sum);
     put_number(hash, sizeof hash);
     put_reals(loop->plant->x, loop->plant->states);
-    put_reals(&account->local_error, 1);
-    put_reals(&account->violation, 1);
+    put_reals(&statistics->local_error, 1);
+    put_reals(&statistics->violation, 1);
     flush();
 }

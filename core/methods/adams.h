@@ -1,26 +1,26 @@
 /* Adams predictor-corrector (PECE) of variable order, one to four, whose step is halved and doubled.
  *
- * A tick H is walked in sub-steps h = H / 2^level. What is left of it is counted in whole sub-steps: halving doubles the
- * count, doubling halves an even one, so that every tick ends where it should without a sum of times. At most `budget`
- * sub-steps are tried in a tick, of two evaluations each; one that would be too many to repeat is kept in spite of its
- * error, and counted.
+ * A tick H is walked in sub-steps h = H / 2^level. What is left of it is counted in whole sub-steps: halving doubles
+ * the count, doubling halves an even one, so that every tick ends where it should without a sum of times. At most
+ * `budget` sub-steps are tried in a tick, of two evaluations each; one that would be too many to repeat is kept in
+ * spite of its error, and counted.
  *
  * The past is kept as a polynomial at the end of the last sub-step, in rows z_j = h^j x^(j) / j!, which another step
  * scales by powers of two. Nordsieck (1962), Math. Comp. 16, 22-49; Gear (1971), Numerical Initial Value Problems in
  * Ordinary Differential Equations, ch. 9; Hairer, Norsett, Wanner (1993), Solving Ordinary Differential Equations I,
- * III.6. The rows of order q are those of the polynomial whose slopes are those at the q ends of sub-steps until now; the
- * last correction has the slope at one end more. So the order can be exchanged without a loss, and with it the step: the
- * polynomial of one order more is scaled, and has the slopes of the past that even steps of the new size would have had,
- * to the leading term of the error. The constants of the estimate thus hold in every sub-step. Rows above the order are
- * zero, so that a sub-step costs the same at every order. Only loops over rows are unrolled: those over states are many,
- * and code would grow with their product.
+ * III.6. The rows of order q are those of the polynomial whose derivatives are those at the q ends of sub-steps until
+ * now; the last correction has the derivative at one end more. So the order can be exchanged without a loss, and with
+ * it the step: the polynomial of one order more is scaled, and has the derivatives of the past that even steps of the
+ * new size would have had, to the leading term of the error. The constants of the estimate thus hold in every sub-step.
+ * Rows above the order are zero, so that a sub-step costs the same at every order. Only loops over rows are unrolled:
+ * those over states are many, and code would grow with their product.
  */
 #ifndef ISO_CORE_METHODS_ADAMS_H
 #define ISO_CORE_METHODS_ADAMS_H
 
 #include <stdbool.h>
 
-#include "core/methods/trail.h"
+#include "core/methods/history.h"
 
 enum {
     ISO_ADAMS_ORDERS = 4,
@@ -45,7 +45,7 @@ typedef struct iso_adams_options {
     real tolerance_absolute; /* above zero; infinite: the steps are never smaller than need be */
     real tolerance_relative;
     uint32_t budget; /* sub-steps that may be tried in a tick, at least 1; evaluations are at most twice that, */
-    bool driven;     /* and one more where inputs change from tick to tick: the slope at its start is evaluated anew */
+    bool driven; /* and one more where inputs change from tick to tick: the derivative at its start is evaluated anew */
     uint8_t level_max; /* at most ISO_ADAMS_LEVELS */
 } iso_adams_options;
 
@@ -60,14 +60,14 @@ typedef struct iso_adams_state {
     uint32_t substeps;     /* taken */
     uint32_t rejected;     /* tried, and found to be too large */
     uint32_t budget_bound; /* of those taken: with an error above the tolerance, as budget or level_max wanted it */
-    uint32_t restarts;     /* since the slope jumped */
+    uint32_t restarts;     /* since the derivative jumped */
     uint32_t evaluations;
 } iso_adams_state;
 
-/* Row j of the correction of order q, by that of row 1: its polynomial vanishes one step before, and its slope at the
- * q - 1 steps before. Row 0 is the weight of the newest slope in the implicit Adams formula of order q: what the next
- * order has more of it is the error constant. Gear (1971), table 9.2 and eq. 7.33; Hairer, Norsett, Wanner (1993), eq.
- * III.6.13 and table III.2.1. Of order 6 there is row 0 only. */
+/* Row j of the correction of order q, by that of row 1: its polynomial vanishes one step before, and its derivative at
+ * the q - 1 steps before. Row 0 is the weight of the newest derivative in the implicit Adams formula of order q: what
+ * the next order has more of it is the error constant. Gear (1971), table 9.2 and eq. 7.33; Hairer, Norsett, Wanner
+ * (1993), eq. III.6.13 and table III.2.1. Of order 6 there is row 0 only. */
 static const real iso_table_nordsieck[ISO_ADAMS_ORDERS + 3][ISO_ADAMS_ORDERS + 1] = {
     [1] = {R(1.0), R(1.0)},
     [2] = {R(1.0) / R(2.0), R(1.0), R(1.0) / R(2.0)},
@@ -81,7 +81,7 @@ static const real iso_table_nordsieck[ISO_ADAMS_ORDERS + 3][ISO_ADAMS_ORDERS + 1
 typedef struct iso_adams_run {
     const iso_adams_options *options;
     iso_adams_state *state;
-    const iso_trail *trail; /* its past are the rows */
+    const iso_history *history; /* its past are the rows */
     iso_derivative *f;
     const real *u;
     const real *p;
@@ -89,7 +89,7 @@ typedef struct iso_adams_run {
     uint32_t remaining; /* sub-steps of the present size to the end of the tick */
     uint32_t left;      /* of the budget; never less than remaining */
     real refused;       /* the estimate of the try before, if it was refused, else zero */
-    real *slope;        /* [n] work space: the slope, or the correction of row 1, */
+    real *derivative;   /* [n] work space: the derivative, or the correction of row 1, */
     real *at;           /* [n] where it was predicted, then one over what that state may err, */
     real *increment;    /* [n] the predicted increment, or how it is corrected, */
     real *error;        /* [n] the local error of the tick so far */
@@ -104,7 +104,7 @@ static inline real iso_adams_step_size(const iso_adams_run *const run)
 static inline real iso_adams_weight(const iso_adams_run *const run, const size_t s)
 {
     const iso_adams_options *const o = run->options;
-    return R(1.0) / (o->tolerance_absolute + o->tolerance_relative * iso_abs(run->trail->x[s]));
+    return R(1.0) / (o->tolerance_absolute + o->tolerance_relative * iso_abs(run->history->x[s]));
 }
 
 /* |e| over what a state may err, for one over that. */
@@ -116,17 +116,17 @@ static inline real iso_adams_ratio(const real e, const real weight)
 
 static inline void iso_adams_evaluate(const iso_adams_run *const run, const real *const x)
 {
-    run->f(run->slope, x, run->u, run->p);
+    run->f(run->derivative, x, run->u, run->p);
     run->state->evaluations++;
 }
 
 /* The polynomial of state s one step further, by Pascal's triangle; z[0] is the increment of x. */
-static inline void iso_adams_predict(const iso_trail *const trail, const size_t s, real z[ISO_ADAMS_ORDERS + 1])
+static inline void iso_adams_predict(const iso_history *const history, const size_t s, real z[ISO_ADAMS_ORDERS + 1])
 {
     z[0] = R(0.0);
     ISO_UNROLL
     for (size_t j = 1; j <= ISO_ADAMS_ORDERS; j++) {
-        z[j] = trail->past[(j - 1) * trail->n + s];
+        z[j] = history->past[(j - 1) * history->n + s];
     }
     ISO_UNROLL
     for (size_t k = 0; k < ISO_ADAMS_ORDERS; k++) {
@@ -138,20 +138,20 @@ static inline void iso_adams_predict(const iso_trail *const trail, const size_t 
 }
 
 /* The correction of row 1 that was last. */
-static inline real *iso_adams_last(const iso_trail *const trail)
+static inline real *iso_adams_last(const iso_history *const history)
 {
-    return trail->past + ISO_ADAMS_ORDERS * trail->n;
+    return history->past + ISO_ADAMS_ORDERS * history->n;
 }
 
-/* What the last correction makes of the rows of order q: those of order q + 1, up to row `rows`; with a sign of -1, back.
- * It is the slope at one end of sub-steps more, less that of the polynomial there. */
+/* What the last correction makes of the rows of order q: those of order q + 1, up to row `rows`; with a sign of -1,
+ * back. It is the derivative at one end of sub-steps more, less that of the polynomial there. */
 static inline void iso_adams_extend(const iso_adams_run *const run, const size_t q, const real sign, const size_t rows)
 {
-    const size_t n = run->trail->n;
-    const real *const last = iso_adams_last(run->trail);
+    const size_t n = run->history->n;
+    const real *const last = iso_adams_last(run->history);
     for (size_t j = 2; j <= rows; j++) {
         const real part = sign * (iso_table_nordsieck[q + 1][j] - iso_table_nordsieck[q][j]);
-        real *const row = run->trail->past + (j - 1) * n;
+        real *const row = run->history->past + (j - 1) * n;
         for (size_t s = 0; s < n; s++) {
             row[s] += part * last[s];
         }
@@ -161,13 +161,13 @@ static inline void iso_adams_extend(const iso_adams_run *const run, const size_t
 /* The rows for a step of `factor` times the present one, a power of two. The last correction goes with its q + 1. */
 static inline void iso_adams_scale(const iso_adams_run *const run, const real factor)
 {
-    const size_t n = run->trail->n;
+    const size_t n = run->history->n;
     const size_t q = run->state->order;
-    real *const last = iso_adams_last(run->trail);
+    real *const last = iso_adams_last(run->history);
     real power = factor;
     iso_adams_extend(run, q, R(1.0), q);
     for (size_t j = 1; j <= q; j++) {
-        real *const row = run->trail->past + (j - 1) * n;
+        real *const row = run->history->past + (j - 1) * n;
         for (size_t s = 0; s < n; s++) {
             row[s] *= power;
         }
@@ -184,7 +184,7 @@ static inline void iso_adams_scale(const iso_adams_run *const run, const real fa
  * make of steps that change in every tick grows. */
 static inline void iso_adams_forget(const iso_adams_run *const run)
 {
-    memset(iso_adams_last(run->trail), 0, run->trail->n * sizeof *run->trail->past);
+    memset(iso_adams_last(run->history), 0, run->history->n * sizeof *run->history->past);
     run->state->age = 0;
 }
 
@@ -209,29 +209,30 @@ static inline bool iso_adams_can_halve(const iso_adams_run *const run)
     return run->state->level < run->options->level_max && 2 * run->remaining <= run->left;
 }
 
-/* The first row, for a slope that is known anew. */
-static inline void iso_adams_take_slope(const iso_adams_run *const run)
+/* The first row, for a derivative that is known anew. */
+static inline void iso_adams_take_derivative(const iso_adams_run *const run)
 {
     const real h = iso_adams_step_size(run);
-    iso_adams_evaluate(run, run->trail->x);
-    for (size_t s = 0; s < run->trail->n; s++) {
-        run->trail->past[s] = h * run->slope[s];
+    iso_adams_evaluate(run, run->history->x);
+    for (size_t s = 0; s < run->history->n; s++) {
+        run->history->past[s] = h * run->derivative[s];
     }
 }
 
-/* Forgets the past: order one, and a step so small that its error h^2 x'' / 2 would be a quarter of the tolerance if the
- * slope changed by itself within a tick. The step is not larger than the present one. */
+/* Forgets the past: order one, and a step so small that its error h^2 x'' / 2 would be a quarter of the tolerance if
+ * the derivative changed by itself within a tick. The step is not larger than the present one. */
 static inline void iso_adams_begin(iso_adams_run *const run)
 {
     iso_adams_state *const state = run->state;
     real ratio = R(0.0);
-    memset(run->trail->past, 0, ISO_ADAMS_ROWS * run->trail->n * sizeof *run->trail->past);
-    iso_adams_take_slope(run);
+    memset(run->history->past, 0, ISO_ADAMS_ROWS * run->history->n * sizeof *run->history->past);
+    iso_adams_take_derivative(run);
     state->order = 1;
     state->age = 0;
     state->starting = true;
-    for (size_t s = 0; s < run->trail->n; s++) {
-        ratio = iso_max(ratio, iso_adams_ratio(iso_adams_step_size(run) * run->slope[s], iso_adams_weight(run, s)));
+    for (size_t s = 0; s < run->history->n; s++) {
+        ratio =
+            iso_max(ratio, iso_adams_ratio(iso_adams_step_size(run) * run->derivative[s], iso_adams_weight(run, s)));
     }
     /* ratio is h |x'|, and h^2 |x'| / H is asked for. */
     ratio /= (real)((uint32_t)1 << state->level);
@@ -241,27 +242,27 @@ static inline void iso_adams_begin(iso_adams_run *const run)
     }
 }
 
-/* Predicts and evaluates. Returns the leading term of the local error over the tolerance, and leaves the state as it is;
- * the corrections of row 1 stand in run->slope. */
+/* Predicts and evaluates. Returns the leading term of the local error over the tolerance, and leaves the state as it
+ * is; the corrections of row 1 stand in run->derivative. */
 static inline real iso_adams_try(const iso_adams_run *const run)
 {
-    const iso_trail *const trail = run->trail;
+    const iso_history *const history = run->history;
     const size_t q = run->state->order;
     const real h = iso_adams_step_size(run);
     const real part = iso_table_nordsieck[q + 1][0] - iso_table_nordsieck[q][0];
     real z[ISO_ADAMS_ORDERS + 1];
     real largest = R(0.0);
-    for (size_t s = 0; s < trail->n; s++) {
-        iso_adams_predict(trail, s, z);
+    for (size_t s = 0; s < history->n; s++) {
+        iso_adams_predict(history, s, z);
         run->increment[s] = z[0];
-        run->at[s] = trail->x[s] + z[0];
+        run->at[s] = history->x[s] + z[0];
     }
     iso_adams_evaluate(run, run->at);
-    for (size_t s = 0; s < trail->n; s++) {
-        iso_adams_predict(trail, s, z);
-        run->slope[s] = h * run->slope[s] - z[1];
+    for (size_t s = 0; s < history->n; s++) {
+        iso_adams_predict(history, s, z);
+        run->derivative[s] = h * run->derivative[s] - z[1];
         run->at[s] = iso_adams_weight(run, s);
-        largest = iso_max(largest, iso_adams_ratio(part * run->slope[s], run->at[s]));
+        largest = iso_max(largest, iso_adams_ratio(part * run->derivative[s], run->at[s]));
     }
     return largest;
 }
@@ -274,41 +275,41 @@ typedef struct iso_adams_estimates {
 } iso_adams_estimates;
 
 /* Corrects, evaluates again and moves the rows on. The last correction is h^(q+1) x^(q+1), its difference to the one
- * before that of one order more, z_q the one of an order less. The error is what the implicit Adams formula of two orders
- * more, with the slope evaluated last, gives beyond the increment; of one order more where no correction of before is
- * known. */
+ * before that of one order more, z_q the one of an order less. The error is what the implicit Adams formula of two
+ * orders more, with the derivative evaluated last, gives beyond the increment; of one order more where no correction of
+ * before is known. */
 static inline iso_adams_estimates iso_adams_correct(const iso_adams_run *const run)
 {
-    const iso_trail *const trail = run->trail;
-    const size_t n = trail->n;
+    const iso_history *const history = run->history;
+    const size_t n = history->n;
     const size_t q = run->state->order;
     const real *const l = iso_table_nordsieck[q];
     const real formula = iso_table_nordsieck[q + 1][0];
     const real below = (l[0] - iso_table_nordsieck[q - 1][0]) / l[q];
     const real above = run->state->age > 0 ? iso_table_nordsieck[q + 2][0] - formula : R(0.0);
     const real h = iso_adams_step_size(run);
-    real *const last = iso_adams_last(trail);
+    real *const last = iso_adams_last(history);
     iso_adams_estimates estimates = {R(0.0), R(0.0), R(0.0)};
     for (size_t s = 0; s < n; s++) {
-        const real correction = l[0] * run->slope[s];
-        iso_advance(trail, s, run->increment[s] + correction);
+        const real correction = l[0] * run->derivative[s];
+        iso_advance(history, s, run->increment[s] + correction);
         run->increment[s] = correction;
     }
-    iso_adams_evaluate(run, trail->x);
+    iso_adams_evaluate(run, history->x);
     for (size_t s = 0; s < n; s++) {
         real z[ISO_ADAMS_ORDERS + 1];
-        iso_adams_predict(trail, s, z);
-        const real slope = h * run->slope[s];
-        const real e = slope - z[1];
+        iso_adams_predict(history, s, z);
+        const real derivative = h * run->derivative[s];
+        const real e = derivative - z[1];
         const real next = above * (e - last[s]);
         const real error = formula * e - run->increment[s] + next;
-        trail->past[s] = slope;
+        history->past[s] = derivative;
         ISO_UNROLL
         for (size_t j = 2; j <= ISO_ADAMS_ORDERS; j++) {
-            trail->past[(j - 1) * n + s] = z[j] + l[j] * e;
+            history->past[(j - 1) * n + s] = z[j] + l[j] * e;
         }
         const real weight = run->at[s];
-        estimates.lower = iso_max(estimates.lower, iso_abs(below * trail->past[(q - 1) * n + s]) * weight);
+        estimates.lower = iso_max(estimates.lower, iso_abs(below * history->past[(q - 1) * n + s]) * weight);
         estimates.present = iso_max(estimates.present, iso_adams_ratio(error, weight));
         estimates.higher = iso_max(estimates.higher, iso_abs(next) * weight);
         run->error[s] += error;
@@ -329,10 +330,10 @@ static inline void iso_adams_raise(const iso_adams_run *const run)
 /* One order less, whose last correction is known from the row that goes. */
 static inline void iso_adams_lower(const iso_adams_run *const run)
 {
-    const size_t n = run->trail->n;
+    const size_t n = run->history->n;
     const size_t q = run->state->order;
-    real *const row = run->trail->past + (q - 1) * n;
-    real *const last = iso_adams_last(run->trail);
+    real *const row = run->history->past + (q - 1) * n;
+    real *const last = iso_adams_last(run->history);
     for (size_t s = 0; s < n; s++) {
         last[s] = row[s] / iso_table_nordsieck[q][q];
         row[s] = R(0.0);
@@ -342,12 +343,13 @@ static inline void iso_adams_lower(const iso_adams_run *const run)
     run->state->age = 1;
 }
 
-/* Order and step of the next sub-step: twice the step where that keeps the error below half the tolerance, else the order
- * with the least error; a lower one only for a quarter of it, and where it is not so small. The error may be small because
- * it passes through zero: until twice the step is done it will have changed by some two of its next term. Each is left
- * alone until the corrections come from as many sub-steps as it needs. At a start the order is raised once the slopes that
- * it takes come from sub-steps of the order below: those of an order less are wrong by more than the terms that it looks
- * at. After Shampine and Gordon (1975), Computer Solution of Ordinary Differential Equations, ch. 7. */
+/* Order and step of the next sub-step: twice the step where that keeps the error below half the tolerance, else the
+ * order with the least error; a lower one only for a quarter of it, and where it is not so small. The error may be
+ * small because it passes through zero: until twice the step is done it will have changed by some two of its next term.
+ * Each is left alone until the corrections come from as many sub-steps as it needs. At a start the order is raised once
+ * the derivatives that it takes come from sub-steps of the order below: those of an order less are wrong by more than
+ * the terms that it looks at. After Shampine and Gordon (1975), Computer Solution of Ordinary Differential Equations,
+ * ch. 7. */
 static inline void iso_adams_adapt(iso_adams_run *const run, const iso_adams_estimates e)
 {
     iso_adams_state *const state = run->state;
@@ -369,22 +371,22 @@ static inline void iso_adams_adapt(iso_adams_run *const run, const iso_adams_est
     }
 }
 
-/* Halves a sub-step that was refused. The correction that takes the past to the new size is the one at which the slope
- * half a step back is right to one order more: between the refused one, of slopes 1 to 1 - q, and the last one, of slopes
- * 0 to -q, whose polynomials err there by 3/2 to q - 1/2. */
+/* Halves a sub-step that was refused. The correction that takes the past to the new size is the one at which the
+ * derivative half a step back is right to one order more: between the refused one, of derivatives 1 to 1 - q, and the
+ * last one, of derivatives 0 to -q, whose polynomials err there by 3/2 to q - 1/2. */
 static inline void iso_adams_halve_refused(iso_adams_run *const run)
 {
     const real weight = run->state->age > 0 ? R(1.5) / (real)(run->state->order + 1) : R(0.0);
-    real *const last = iso_adams_last(run->trail);
-    for (size_t s = 0; s < run->trail->n; s++) {
-        last[s] = run->slope[s] + weight * (last[s] - run->slope[s]);
+    real *const last = iso_adams_last(run->history);
+    for (size_t s = 0; s < run->history->n; s++) {
+        last[s] = run->derivative[s] + weight * (last[s] - run->derivative[s]);
     }
     iso_adams_halve(run);
 }
 
 /* What becomes of a sub-step with too large an error: true if it has to be tried again. Halving divides the estimate by
- * 2^(order + 1), at least by 4, where the motion is smooth, and by 2 where the slope jumped: more than a third of the
- * one before, estimated at twice the step, tells a jump. */
+ * 2^(order + 1), at least by 4, where the motion is smooth, and by 2 where the derivative jumped: more than a third of
+ * the one before, estimated at twice the step, tells a jump. */
 static inline bool iso_adams_reject(iso_adams_run *const run, const real estimate)
 {
     iso_adams_state *const state = run->state;
@@ -430,14 +432,15 @@ static inline void iso_adams_attempt(iso_adams_run *const run)
 }
 
 static inline iso_adams_run iso_adams_run_of(const iso_adams_options *const options, iso_adams_state *const state,
-                                             const iso_trail *const trail, iso_derivative *const f, const real h_tick,
-                                             const real *const u, const real *const p, real *const work)
+                                             const iso_history *const history, iso_derivative *const f,
+                                             const real h_tick, const real *const u, const real *const p,
+                                             real *const work)
 {
-    const size_t n = trail->n;
+    const size_t n = history->n;
     return (iso_adams_run){
         .options = options,
         .state = state,
-        .trail = trail,
+        .history = history,
         .f = f,
         .u = u,
         .p = p,
@@ -445,34 +448,34 @@ static inline iso_adams_run iso_adams_run_of(const iso_adams_options *const opti
         .remaining = (uint32_t)1 << state->level,
         .left = options->budget,
         .refused = R(0.0),
-        .slope = work,
+        .derivative = work,
         .at = work + n,
         .increment = work + 2 * n,
         .error = work + 3 * n,
     };
 }
 
-/* Before the first tick, and after a jump: starts from the states in the trail, whose past is [ISO_ADAMS_ROWS n]. One
+/* Before the first tick, and after a jump: starts from the states in the history, whose past is [ISO_ADAMS_ROWS n]. One
  * evaluation. The counts go on. work[ISO_ADAMS_WORK(n)]. */
 static inline void iso_adams_start(const iso_adams_options *const options, iso_adams_state *const state,
-                                   const iso_trail *const trail, iso_derivative *const f, const real h_tick,
+                                   const iso_history *const history, iso_derivative *const f, const real h_tick,
                                    const real *const u, const real *const p, real *const work)
 {
     state->level = 0;
     state->overdue = false;
-    iso_adams_run run = iso_adams_run_of(options, state, trail, f, h_tick, u, p, work);
+    iso_adams_run run = iso_adams_run_of(options, state, history, f, h_tick, u, p, work);
     iso_adams_begin(&run);
 }
 
 /* Advances the states by one tick with u and p held. work[ISO_ADAMS_WORK(n)]. Returns the largest part of its local
  * error, absolute: the estimates of its sub-steps, added up state by state. */
 static inline real iso_adams_tick(const iso_adams_options *const options, iso_adams_state *const state,
-                                  const iso_trail *const trail, iso_derivative *const f, const real h_tick,
+                                  const iso_history *const history, iso_derivative *const f, const real h_tick,
                                   const real *const u, const real *const p, real *const work)
 {
-    iso_adams_run run = iso_adams_run_of(options, state, trail, f, h_tick, u, p, work);
+    iso_adams_run run = iso_adams_run_of(options, state, history, f, h_tick, u, p, work);
     real largest = R(0.0);
-    memset(run.error, 0, trail->n * sizeof *run.error);
+    memset(run.error, 0, history->n * sizeof *run.error);
     if (run.remaining > run.left && state->overdue) {
         iso_adams_forget(&run);
     }
@@ -480,12 +483,12 @@ static inline real iso_adams_tick(const iso_adams_options *const options, iso_ad
         iso_adams_double(&run);
     }
     if (options->driven) {
-        iso_adams_take_slope(&run);
+        iso_adams_take_derivative(&run);
     }
     while (run.remaining > 0) {
         iso_adams_attempt(&run);
     }
-    for (size_t s = 0; s < trail->n; s++) {
+    for (size_t s = 0; s < history->n; s++) {
         largest = iso_larger(largest, run.error[s]);
     }
     return largest;

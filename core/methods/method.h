@@ -60,8 +60,8 @@ enum {
 #define ISO_HAS_NO_JACOBIAN(recipe)                                                                                    \
     _Static_assert(!ISO_IS_IMPLICIT(recipe), "bdf4 and rosenbrock need a Jacobian, and this plant has none")
 
-/* Whether a check compares with slopes of the steps before; abm4 and bdf4 have an estimate of their own. */
-#define ISO_CHECKS_SLOPES(recipe)                                                                                      \
+/* Whether a check compares with derivatives of the steps before; abm4 and bdf4 have an estimate of their own. */
+#define ISO_CHECKS_DERIVATIVES(recipe)                                                                                 \
     (ISO_IS_CHECKED(recipe) && !ISO_IS_ABM4(recipe) && !ISO_IS(recipe, ISO_BDF4) && !ISO_IS(recipe, ISO_ADAMS))
 
 /* Whether a jump of the motion is watched for: where steps are checked, and what is kept enters the next. */
@@ -73,9 +73,9 @@ enum {
          ? 1                                                                                                           \
          : (ISO_IS(recipe, ISO_HEUN) ? 2 : (ISO_IS(recipe, ISO_ROSENBROCK) ? 3 : 4)))
 
-/* Slopes before the end of a step that its check uses: one more than the order. The leading term of an error can pass
- * through zero in all states at about the same time, and then the next one decides. */
-#define ISO_CHECK_KEPT(recipe) (ISO_CHECKS_SLOPES(recipe) ? ISO_ORDER_OF(recipe) + 1 : 0)
+/* Derivatives before the end of a step that its check uses: one more than the order. The leading term of an error can
+ * pass through zero in all states at about the same time, and then the next one decides. */
+#define ISO_CHECK_KEPT(recipe) (ISO_CHECKS_DERIVATIVES(recipe) ? ISO_ORDER_OF(recipe) + 1 : 0)
 
 /* Vectors of n reals that are kept behind the state: sums or rows, increments, the check, what rounding has taken. */
 #define ISO_PAST_KEPT(recipe)                                                                                          \
@@ -100,15 +100,15 @@ enum {
     (ISO_IS(recipe, ISO_BDF4) ? ISO_BDF4_PRIME_WORK(n)                                                                 \
                               : (ISO_IS_IMPLICIT(recipe) ? (n) : (ISO_IS_PRIMED(recipe) ? ISO_PRIME_WORK(n) : 1)))
 
-static inline iso_trail iso_trail_of(const unsigned recipe, const size_t n, real *const x)
+static inline iso_history iso_history_of(const unsigned recipe, const size_t n, real *const x)
 {
-    iso_trail trail = {.n = n, .x = x, .past = x + n, .checked = ISO_CHECK_KEPT(recipe)};
-    trail.increments = trail.past + n * ISO_PAST_KEPT(recipe);
-    trail.check = trail.increments + n * ISO_INCREMENTS_KEPT(recipe);
+    iso_history history = {.n = n, .x = x, .past = x + n, .checked = ISO_CHECK_KEPT(recipe)};
+    history.increments = history.past + n * ISO_PAST_KEPT(recipe);
+    history.check = history.increments + n * ISO_INCREMENTS_KEPT(recipe);
     if (ISO_IS_COMPENSATED(recipe)) {
-        trail.carry = trail.check + n * (size_t)ISO_CHECK_KEPT(recipe);
+        history.compensation = history.check + n * (size_t)ISO_CHECK_KEPT(recipe);
     }
-    return trail;
+    return history;
 }
 
 /* How a run goes, beside its state. */
@@ -121,8 +121,8 @@ typedef struct iso_progress {
 } iso_progress;
 
 /* A local error so many times its usual size is a jump of the motion: kinks are by 1 / h or a higher power of it larger
- * than the error of a smooth motion, which grows little in a step. The usual size is the largest of late, and is forgotten
- * by a sixteenth in a step; nothing is usual before so many steps. */
+ * than the error of a smooth motion, which grows little in a step. The usual size is the largest of late, and is
+ * forgotten by a sixteenth in a step; nothing is usual before so many steps. */
 #define ISO_JUMP R(64.0)
 enum { ISO_USUAL_STEPS = 16 };
 
@@ -142,39 +142,39 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
                                 real *const x, const real *const u, const real *const p, real *const lu,
                                 real *const work, iso_progress *const progress)
 {
-    const iso_trail trail = iso_trail_of(recipe, n, x);
+    const iso_history history = iso_history_of(recipe, n, x);
     iso_derivative *const f = eq->derivative;
     real error = R(0.0);
     switch (ISO_METHOD_OF(recipe)) {
     case ISO_EULER:
-        error = iso_explicit_step(&iso_tableau_euler, &trail, f, h, u, p, work);
+        error = iso_explicit_step(&iso_tableau_euler, &history, f, h, u, p, work);
         break;
     case ISO_HEUN:
-        error = iso_explicit_step(&iso_tableau_heun, &trail, f, h, u, p, work);
+        error = iso_explicit_step(&iso_tableau_heun, &history, f, h, u, p, work);
         break;
     case ISO_RK4:
-        error = iso_explicit_step(&iso_tableau_rk4, &trail, f, h, u, p, work);
+        error = iso_explicit_step(&iso_tableau_rk4, &history, f, h, u, p, work);
         break;
     case ISO_AB4:
-        error = iso_ab4_step(&trail, f, h, u, p, work);
+        error = iso_ab4_step(&history, f, h, u, p, work);
         break;
     case ISO_SEMI_IMPLICIT:
-        error = iso_semi_implicit_step(&trail, eq, h, u, p, work);
+        error = iso_semi_implicit_step(&history, eq, h, u, p, work);
         break;
     case ISO_ABM4:
-        error = iso_abm4_step(&trail, f, h, u, p, work, 1, true);
+        error = iso_abm4_step(&history, f, h, u, p, work, 1, true);
         break;
     case ISO_ABM4_PEC:
-        error = iso_abm4_step(&trail, f, h, u, p, work, 1, false);
+        error = iso_abm4_step(&history, f, h, u, p, work, 1, false);
         break;
     case ISO_ABM4_PECECE:
-        error = iso_abm4_step(&trail, f, h, u, p, work, 2, true);
+        error = iso_abm4_step(&history, f, h, u, p, work, 2, true);
         break;
     case ISO_BDF4:
-        error = iso_bdf4_step(&trail, eq, h, u, p, lu, work, (uint8_t)ISO_ITERATIONS_OF(recipe), &progress->residual);
+        error = iso_bdf4_step(&history, eq, h, u, p, lu, work, (uint8_t)ISO_ITERATIONS_OF(recipe), &progress->residual);
         break;
     case ISO_ROSENBROCK:
-        error = iso_rosenbrock_step(&trail, eq, h, u, p, lu, work);
+        error = iso_rosenbrock_step(&history, eq, h, u, p, lu, work);
         break;
     default:
         break;
@@ -187,28 +187,29 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     }
 }
 
-/* For an explicit method: what it keeps of the slopes that lead to x, the oldest first. work[ISO_PRIME_WORK(n)]. */
-static inline void iso_prime_explicit(const unsigned recipe, const iso_trail *const trail, iso_derivative *const f,
+/* For an explicit method: what it keeps of the derivatives that lead to x, the oldest first. work[ISO_PRIME_WORK(n)].
+ */
+static inline void iso_prime_explicit(const unsigned recipe, const iso_history *const history, iso_derivative *const f,
                                       const real h, const real *const u, const real *const p, real *const work)
 {
-    const size_t n = trail->n;
+    const size_t n = history->n;
     const uint8_t count = ISO_IS_ABM4(recipe) || ISO_CHECK_KEPT(recipe) == 0 ? ISO_AB4_STEPS : ISO_CHECK_KEPT(recipe);
     real *const moved = work;
     real *const at = work + n;
-    real *const slopes = work + 2 * n;
-    iso_walk_back(n, f, h, trail->x, u, p, count, ISO_IS_ABM4(recipe), slopes, moved, at,
-                  slopes + ISO_ADAMS_SLOPES * n);
+    real *const derivatives = work + 2 * n;
+    iso_walk_back(n, f, h, history->x, u, p, count, ISO_IS_ABM4(recipe), derivatives, moved, at,
+                  derivatives + ISO_ADAMS_DERIVATIVES * n);
     for (uint8_t past = count; past-- > 0;) {
-        const real *const slope = slopes + past * n;
+        const real *const derivative = derivatives + past * n;
         if (ISO_IS_ABM4(recipe)) {
-            iso_abm4_take_slope(trail, h, slope);
+            iso_abm4_take_derivative(history, h, derivative);
         } else if (ISO_IS(recipe, ISO_AB4)) {
-            iso_ab4_take_slope(trail, h, slope);
+            iso_ab4_take_derivative(history, h, derivative);
         }
-        iso_keep_slope(trail, h, slope);
+        iso_keep_derivative(history, h, derivative);
     }
-    for (size_t s = 0; s < n && trail->checked > 0; s++) {
-        trail->check[s] = moved[s] - trail->check[s];
+    for (size_t s = 0; s < n && history->checked > 0; s++) {
+        history->check[s] = moved[s] - history->check[s];
     }
 }
 
@@ -218,13 +219,13 @@ static inline void iso_method_prime(const unsigned recipe, const size_t n, const
                                     real *const x, const real *const u, const real *const p, real *const lu,
                                     real *const work)
 {
-    const iso_trail trail = iso_trail_of(recipe, n, x);
+    const iso_history history = iso_history_of(recipe, n, x);
     if (ISO_IS(recipe, ISO_BDF4)) {
-        iso_bdf4_prime(&trail, eq, h, u, p, lu, work);
+        iso_bdf4_prime(&history, eq, h, u, p, lu, work);
     } else if (ISO_IS_IMPLICIT(recipe)) {
-        iso_prime_constant(&trail, eq->derivative, h, u, p, work);
+        iso_prime_constant(&history, eq->derivative, h, u, p, work);
     } else if (ISO_IS_PRIMED(recipe)) {
-        iso_prime_explicit(recipe, &trail, eq->derivative, h, u, p, work);
+        iso_prime_explicit(recipe, &history, eq->derivative, h, u, p, work);
     }
 }
 

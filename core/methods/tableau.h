@@ -49,21 +49,21 @@ static const iso_tableau iso_tableau_rk4 = {
     .b_over = 6,
 };
 
-/* Adams methods: x += h / over (b[0] f + b[1] f[-1] + ...), where an explicit one begins with the slope at the start of
- * the step and an implicit one with that at its end. Bashforth and Adams (1883), An Attempt to Test the Theories of
- * Capillary Action, ch. 3; in this form Hairer, Norsett, Wanner (1993), Solving Ordinary Differential Equations I,
- * tables III.1.1 and III.1.2. */
-enum { ISO_ADAMS_SLOPES = 6, ISO_AB4_STEPS = 4 };
+/* Adams methods: x += h / over (b[0] f + b[1] f[-1] + ...), where an explicit one begins with the derivative at the
+ * start of the step and an implicit one with that at its end. Bashforth and Adams (1883), An Attempt to Test the
+ * Theories of Capillary Action, ch. 3; in this form Hairer, Norsett, Wanner (1993), Solving Ordinary Differential
+ * Equations I, tables III.1.1 and III.1.2. */
+enum { ISO_ADAMS_DERIVATIVES = 6, ISO_AB4_STEPS = 4 };
 
 typedef struct iso_adams {
-    int16_t b[ISO_ADAMS_SLOPES];
+    int16_t b[ISO_ADAMS_DERIVATIVES];
     int16_t over;
 } iso_adams;
 
 static const iso_adams iso_table_ab4 = {.b = {55, -59, 37, -9}, .over = 24};
 
-/* The implicit ones, by the number of slopes from before the end of the step; their order is one more. */
-static const iso_adams iso_table_am[ISO_ADAMS_SLOPES] = {
+/* The implicit ones, by the number of derivatives from before the end of the step; their order is one more. */
+static const iso_adams iso_table_am[ISO_ADAMS_DERIVATIVES] = {
     {.b = {1}, .over = 1},
     {.b = {1, 1}, .over = 2},
     {.b = {5, 8, -1}, .over = 12},
@@ -79,20 +79,20 @@ static const iso_adams iso_table_milne = {.b = {19}, .over = 270};
 /* The fourth-order backward differentiation formula (Curtiss and Hirschfelder 1952; Gear 1971, Numerical Initial Value
  * Problems in Ordinary Differential Equations, table 11.1), 1/25 (48 y - 36 y[-1] + 16 y[-2] - 3 y[-3] + 12 h f),
  * in the increments of the steps before, which are small where the states are not:
- *     dx = 1/over (b[0] d + b[1] d[-1] + b[2] d[-2] + slope h f). */
+ *     dx = 1/over (b[0] d + b[1] d[-1] + b[2] d[-2] + derivative h f). */
 enum { ISO_BDF4_STEPS = 4 };
 
 typedef struct iso_bdf {
     int8_t b[ISO_BDF4_STEPS - 1];
-    int8_t slope;
+    int8_t derivative;
     int8_t over;
     int8_t predictor[ISO_BDF4_STEPS]; /* the increment that continues a polynomial of degree four */
 } iso_bdf;
 
-static const iso_bdf iso_table_bdf4 = {.b = {23, -13, 3}, .slope = 12, .over = 25, .predictor = {4, -6, 4, -1}};
+static const iso_bdf iso_table_bdf4 = {.b = {23, -13, 3}, .derivative = 12, .over = 25, .predictor = {4, -6, 4, -1}};
 
-/* A linearly implicit method: (1 - h gamma J) k_i = h gamma (f(x + sum_j a_ij k_j) + sum_j c_ij k_j / h), x += sum_i m_i k_i.
- * Hairer and Wanner (1996), Solving Ordinary Differential Equations II, eq. IV.7.25. */
+/* A linearly implicit method: (1 - h gamma J) k_i = h gamma (f(x + sum_j a_ij k_j) + sum_j c_ij k_j / h), x += sum_i
+ * m_i k_i. Hairer and Wanner (1996), Solving Ordinary Differential Equations II, eq. IV.7.25. */
 enum { ISO_ROSENBROCK_STAGES = 3 };
 
 typedef struct iso_rosenbrock {

@@ -106,8 +106,8 @@ static inline iso_bits iso_not_finite(const real x)
     return (iso_bits)0 - ((exponent + lowest) >> ISO_SIGN_SHIFT);
 }
 
-/* All ones if |x| is beyond range > 0, finite, or if x is no number, else zero: without their sign, the bits of reals are
- * in the order of their sizes, and those of an infinity or a NaN above all. */
+/* All ones if |x| is beyond range > 0, finite, or if x is no number, else zero: without their sign, the bits of reals
+ * are in the order of their sizes, and those of an infinity or a NaN above all. */
 static inline iso_bits iso_beyond(const real x, const real range)
 {
     return (iso_bits)0 - ((iso_bits_of(range) - (iso_bits_of(x) & ~ISO_SIGN_BIT)) >> ISO_SIGN_SHIFT);

@@ -15,8 +15,8 @@ static inline real iso_phase(const uint32_t tick, const uint64_t increment, cons
 #endif
 }
 
-/* The ticks since first + fraction; before the last tick that is not after it, less than -1, so that it stays below zero
- * throughout the tick that follows. */
+/* The ticks since first + fraction; before the last tick that is not after it, less than -1, so that it stays below
+ * zero throughout the tick that follows. */
 static inline real iso_since(const uint32_t tick, const uint32_t first, const real fraction)
 {
     return (tick < first ? R(-1.0) : (real)(tick - first)) - fraction;

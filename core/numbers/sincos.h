@@ -3,9 +3,9 @@
  * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/exhaustive/sincos.c). Beyond the domain the
  * result is a number of no meaning; for an infinity or a NaN it is NaN. sin(-x) = -sin(x), cos(-x) = cos(x) exactly.
  *
- * Reduction: Cody and Waite (1980), Software Manual for the Elementary Functions, ch. 8: pi/2 in two parts of a double or
- * three of a float, all but the last short enough for k times them to be exact. Polynomials on [-pi/4, pi/4]: float from
- * Moshier's Cephes (1989), sinf.c; double from Sun's fdlibm (1993), k_sin.c and k_cos.c.
+ * Reduction: Cody and Waite (1980), Software Manual for the Elementary Functions, ch. 8: pi/2 in two parts of a double
+ * or three of a float, all but the last short enough for k times them to be exact. Polynomials on [-pi/4, pi/4]: float
+ * from Moshier's Cephes (1989), sinf.c; double from Sun's fdlibm (1993), k_sin.c and k_cos.c.
  */
 #ifndef ISO_CORE_NUMBERS_SINCOS_H
 #define ISO_CORE_NUMBERS_SINCOS_H

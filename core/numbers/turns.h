@@ -4,7 +4,8 @@
 
 #include "core/numbers/sincos.h"
 
-/* Takes the nearest whole number of turns off *angle (|*angle| <= 1e4) and returns it: its quarters, rounded to fours. */
+/* Takes the nearest whole number of turns off *angle (|*angle| <= 1e4) and returns it: its quarters, rounded to fours.
+ */
 static inline int32_t iso_take_turns(real *const angle)
 {
     const real rounded = *angle * R(0.636619772367581343) + R(4.0) * ISO_ROUNDER;

@@ -5,6 +5,7 @@
 #define ISO_CORE_RUNTIME_CHOICE_H
 
 #include "core/methods/method.h"
+#include "core/runtime/plant.h"
 
 #ifndef ISO_METHOD
 #define ISO_METHOD ISO_RK4

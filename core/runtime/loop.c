@@ -29,7 +29,7 @@ void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
     *loop = (iso_loop){
         .plant = plant,
         .guard = plant->states,
-        .account = {.margin = INT32_MAX, .execution_min = UINT32_MAX},
+        .statistics = {.margin = INT32_MAX, .execution_min = UINT32_MAX},
     };
     loop->period = iso_port_start(plant->period_ns);
     loop->overhead = clock_overhead();
@@ -68,35 +68,35 @@ static uint16_t guard(const iso_plant *const plant)
 }
 
 /* Books how far off the closures the plant is. */
-static void book_violation(const iso_plant *const plant, iso_account *const account)
+static void book_violation(const iso_plant *const plant, iso_statistics *const statistics)
 {
     real off = R(0.0);
     plant->violation(&off, plant->x, plant->u, plant->p);
-    account->violated += (uint32_t)(iso_less(plant->violation_limit, off) & 1);
-    account->violation = iso_max(account->violation, off);
+    statistics->violated += (uint32_t)(iso_less(plant->violation_limit, off) & 1);
+    statistics->violation = iso_max(statistics->violation, off);
 }
 
 /* Books a tick that woke up at begin, spent counts on its step, with a restart or without, and was done at end. */
 static void book(iso_loop *const loop, const uint32_t begin, const bool restarted, const uint32_t counts,
                  const uint32_t end)
 {
-    iso_account *const account = &loop->account;
+    iso_statistics *const statistics = &loop->statistics;
     const int32_t margin = elapsed(end, loop->due + loop->period);
 
-    account->ticks++;
-    account->lost += loop->tick != loop->reported;
-    account->late += elapsed(loop->due, begin) > (int32_t)(loop->period >> ISO_LATE_SHIFT);
-    account->overruns += margin < 0;
-    account->margin = margin < account->margin ? margin : account->margin;
+    statistics->ticks++;
+    statistics->lost += loop->tick != loop->reported;
+    statistics->late += elapsed(loop->due, begin) > (int32_t)(loop->period >> ISO_LATE_SHIFT);
+    statistics->overruns += margin < 0;
+    statistics->margin = margin < statistics->margin ? margin : statistics->margin;
     if (restarted) {
-        account->restart_max = counts > account->restart_max ? counts : account->restart_max;
+        statistics->restart_max = counts > statistics->restart_max ? counts : statistics->restart_max;
     } else {
-        account->execution_min = counts < account->execution_min ? counts : account->execution_min;
-        account->execution_max = counts > account->execution_max ? counts : account->execution_max;
-        account->execution_sum += counts;
+        statistics->execution_min = counts < statistics->execution_min ? counts : statistics->execution_min;
+        statistics->execution_max = counts > statistics->execution_max ? counts : statistics->execution_max;
+        statistics->execution_sum += counts;
     }
     if (loop->plant->progress != NULL) {
-        account->local_error = iso_max(account->local_error, loop->plant->progress->local_error);
+        statistics->local_error = iso_max(statistics->local_error, loop->plant->progress->local_error);
     }
 }
 
@@ -118,31 +118,31 @@ bool iso_loop_tick(iso_loop *const loop)
     if (plant->before != NULL) {
         memcpy(plant->before, plant->memory, plant->memory_bytes);
     }
-    const uint32_t restarts = loop->account.restarts;
+    const uint32_t restarts = loop->statistics.restarts;
     const uint32_t before = iso_port_clock();
     if (plant->jumped != NULL && plant->jumped()) {
         plant->prime();
-        loop->account.restarts++;
+        loop->statistics.restarts++;
     }
     plant->step();
     uint32_t after = iso_port_clock();
     /* After a restart the same step would come out again. */
-    if (plant->before != NULL && plant->progress->jumped && loop->account.restarts == restarts) {
+    if (plant->before != NULL && plant->progress->jumped && loop->statistics.restarts == restarts) {
         step_again(plant);
-        loop->account.restarts++;
+        loop->statistics.restarts++;
         after = iso_port_clock();
     }
 
     loop->guard = guard(plant);
     if (loop->guard < plant->states) {
-        loop->account.restarts = restarts;
+        loop->statistics.restarts = restarts;
         return false;
     }
     plant->output(plant->y, plant->x, plant->u, plant->p);
     iso_port_publish(plant->y, plant->outputs);
     if (plant->violation != NULL) {
-        book_violation(plant, &loop->account);
+        book_violation(plant, &loop->statistics);
     }
-    book(loop, begin, loop->account.restarts != restarts, after - before - loop->overhead, iso_port_clock());
+    book(loop, begin, loop->statistics.restarts != restarts, after - before - loop->overhead, iso_port_clock());
     return true;
 }

@@ -17,7 +17,7 @@
 enum { ISO_LATE_SHIFT = 4 };
 
 /* How the ticks kept their time. Times are in counts of the port's clock. */
-typedef struct iso_account {
+typedef struct iso_statistics {
     uint32_t ticks;         /* done */
     uint32_t late;          /* of them, started late */
     uint32_t lost;          /* of them, reported by the port only with a later one */
@@ -31,7 +31,7 @@ typedef struct iso_account {
     uint32_t execution_max;
     uint64_t execution_sum;
     uint32_t restart_max; /* of a step with a restart, with all that this takes */
-} iso_account;
+} iso_statistics;
 
 typedef struct iso_loop {
     const iso_plant *plant;
@@ -41,14 +41,14 @@ typedef struct iso_loop {
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
     uint16_t guard;    /* the first state that is not finite or out of range; plant->states if there is none */
-    iso_account account;
+    iso_statistics statistics;
 } iso_loop;
 
 /* Sets the plant to its start and starts the ticks. */
 void iso_loop_start(iso_loop *loop, const iso_plant *plant);
 
-/* Does the next tick. Returns false if a state is no longer finite, or out of range: then the outputs stay as they were, nothing is
- * published or accounted, and loop->guard and loop->tick say where. */
+/* Does the next tick. Returns false if a state is no longer finite, or out of range: then the outputs stay as they
+ * were, nothing is published or accounted, and loop->guard and loop->tick say where. */
 bool iso_loop_tick(iso_loop *loop);
 
 #endif

@@ -14,8 +14,8 @@ static uintptr_t call(const uintptr_t operation, const uintptr_t *const argument
     return r0;
 }
 
-/* The host's standard output as a file: a write to it waits for a slow reader, while the time of the board stands still.
- * QEMU's console would write a part and let time run on. Where the host has no such file, the console it is. */
+/* The host's standard output as a file: a write to it waits for a slow reader, while the time of the board stands
+ * still. QEMU's console would write a part and let time run on. Where the host has no such file, the console it is. */
 static uintptr_t open_output(void)
 {
     static const char output[] = "/dev/stdout";

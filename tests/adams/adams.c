@@ -1,6 +1,6 @@
 /* The adams method, whole runs against references: error and cost against the tolerance, a stiff plant with a budget,
- * jumps, and inputs that change from tick to tick. In double. Its estimate of the local error: tests/estimate. Stiff plants
- * without a budget: tests/hard.
+ * jumps, and inputs that change from tick to tick. In double. Its estimate of the local error: tests/estimate. Stiff
+ * plants without a budget: tests/hard.
  */
 #include <math.h>
 
@@ -58,8 +58,8 @@ static double error_of_abm4(const problem *const p, const long steps)
     return distance(x, p->reference, p->n);
 }
 
-/* The evaluations from which on abm4's error is not above this, within 6%: up to twice as many steps are looked at, since
- * the error crosses zero here and there. STEPS_MAX if it takes more. */
+/* The evaluations from which on abm4's error is not above this, within 6%: up to twice as many steps are looked at,
+ * since the error crosses zero here and there. STEPS_MAX if it takes more. */
 static long cost_of_abm4(const problem *const p, const double error)
 {
     long least = 16;
@@ -71,7 +71,7 @@ static long cost_of_abm4(const problem *const p, const double error)
     return 2 * least;
 }
 
-/* The slope of the line through log(error) over log(tolerance), least squares. */
+/* The derivative of the line through log(error) over log(tolerance), least squares. */
 static double exponent(const double *const errors, const int first, const int count)
 {
     double sum_x = 0.0, sum_y = 0.0, sum_xx = 0.0, sum_xy = 0.0;
@@ -88,8 +88,8 @@ static double exponent(const double *const errors, const int first, const int co
 
 /* Every sub-step errs by the tolerance at most, which is for 1 + |x|: the error at the end follows from their sum and
  * from how an error grows on the way. At order four the number of sub-steps goes with tolerance^(-1/5), the error thus
- * with tolerance^(4/5); since steps are powers of two, the errors of two tolerances scatter by up to 2^5 around this: over
- * six decades by log10(32) / 6 = 0.25 in the exponent, if it came to the worst. */
+ * with tolerance^(4/5); since steps are powers of two, the errors of two tolerances scatter by up to 2^5 around this:
+ * over six decades by log10(32) / 6 = 0.25 in the exponent, if it came to the worst. */
 #define EXPONENT 0.8
 #define EXPONENT_SCATTER 0.25
 
@@ -112,10 +112,10 @@ static void test_tolerances(const problem *const p)
         report_note("%s, 1e-%d: error %.2e, %.2g of all tolerances; %u sub-steps, %u rejected, %u evaluations", p->name,
                     p->first_tolerance + i, errors[i], share, m.state.substeps, m.state.rejected, m.state.evaluations);
     }
-    const double slope = exponent(errors, p->first_tolerance, TOLERANCES);
+    const double derivative = exponent(errors, p->first_tolerance, TOLERANCES);
     report_ok(largest <= p->share, "%s: the error is at most %g of all tolerances: %.3g", p->name, p->share, largest);
-    report_ok(fabs(slope - EXPONENT) <= EXPONENT_SCATTER, "%s: the error goes with tolerance^%.2f, %.2f +- %.2f",
-              p->name, slope, EXPONENT, EXPONENT_SCATTER);
+    report_ok(fabs(derivative - EXPONENT) <= EXPONENT_SCATTER, "%s: the error goes with tolerance^%.2f, %.2f +- %.2f",
+              p->name, derivative, EXPONENT, EXPONENT_SCATTER);
     report_ok(none_bound, "%s: no sub-step had to be kept", p->name);
 
     const double blind = run_with(&m, p, HUGE_VAL);
@@ -199,7 +199,7 @@ static void test_step_input(const bool driven)
     }
 }
 
-/* An input that changes at every tick: with the slope taken anew there is no restart, and far less to do. */
+/* An input that changes at every tick: with the derivative taken anew there is no restart, and far less to do. */
 static uint32_t cost_of_sampled(const bool driven, double *const largest)
 {
     enum { TICKS = 1000 };
@@ -229,12 +229,12 @@ static void test_sampled_input(void)
     const uint32_t blind = cost_of_sampled(false, &error);
     const uint32_t driven = cost_of_sampled(true, &error);
     report_ok(error <= 1e-5, "sampled input: error %.2e", error);
-    report_ok(driven * 2 <= blind, "sampled input: %u evaluations with the slope taken at every tick, %u without",
+    report_ok(driven * 2 <= blind, "sampled input: %u evaluations with the derivative taken at every tick, %u without",
               driven, blind);
 }
 
-/* q' = v, v' = -sign q: the slope jumps within a tick; from q = 1/2 the period is 4 s. A jump that lies ahead is found
- * again after each restart, a step or two before it, until a step passes it with an error below the tolerance. */
+/* q' = v, v' = -sign q: the derivative jumps within a tick; from q = 1/2 the period is 4 s. A jump that lies ahead is
+ * found again after each restart, a step or two before it, until a step passes it with an error below the tolerance. */
 static void bang(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
 {
     (void)u;

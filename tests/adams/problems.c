@@ -185,8 +185,8 @@ const problem problems[PROBLEMS] = {
      2.0},
 };
 
-/* A quarter car on a damped bushing, linear: eigenvalues -2992, -1485 and -2.34 +- 7.95i per s. The reference is that of a
- * matrix exponential. States: zs, zu, zs', zu'. */
+/* A quarter car on a damped bushing, linear: eigenvalues -2992, -1485 and -2.34 +- 7.95i per s. The reference is that
+ * of a matrix exponential. States: zs, zu, zs', zu'. */
 EQUATIONS(bushing)
 {
     (void)u;

@@ -1,4 +1,5 @@
-/* Problems with reference solutions. References are right to the digits that are given: computed with many more, twice. */
+/* Problems with reference solutions. References are right to the digits that are given: computed with many more, twice.
+ */
 #ifndef ISO_TESTS_ADAMS_PROBLEMS_H
 #define ISO_TESTS_ADAMS_PROBLEMS_H
 

@@ -9,7 +9,7 @@ enum { ADAMS_STATES_MAX = 10 };
 typedef struct adams_memory {
     real x[ISO_ADAMS_STATE(ADAMS_STATES_MAX)];
     real work[ISO_ADAMS_WORK(ADAMS_STATES_MAX)];
-    iso_trail trail;
+    iso_history history;
     iso_adams_options options;
     iso_adams_state state;
 } adams_memory;
@@ -20,7 +20,7 @@ static inline void adams_prepare(adams_memory *const m, const size_t n, const re
 {
     memset(m, 0, sizeof *m);
     memcpy(m->x, start, n * sizeof *start);
-    m->trail = (iso_trail){.n = n, .x = m->x, .past = m->x + n};
+    m->history = (iso_history){.n = n, .x = m->x, .past = m->x + n};
     m->options = (iso_adams_options){
         .tolerance_absolute = tolerance,
         .tolerance_relative = tolerance,
@@ -31,19 +31,19 @@ static inline void adams_prepare(adams_memory *const m, const size_t n, const re
 
 static inline void adams_begin(adams_memory *const m, iso_derivative *const f, const real h, const real *const u)
 {
-    iso_adams_start(&m->options, &m->state, &m->trail, f, h, u, NULL, m->work);
+    iso_adams_start(&m->options, &m->state, &m->history, f, h, u, NULL, m->work);
 }
 
 static inline real adams_tick(adams_memory *const m, iso_derivative *const f, const real h, const real *const u)
 {
-    return iso_adams_tick(&m->options, &m->state, &m->trail, f, h, u, NULL, m->work);
+    return iso_adams_tick(&m->options, &m->state, &m->history, f, h, u, NULL, m->work);
 }
 
 /* A tick that is walked by hand. */
 static inline iso_adams_run adams_walk(adams_memory *const m, iso_derivative *const f, const real h)
 {
-    iso_adams_run run = iso_adams_run_of(&m->options, &m->state, &m->trail, f, h, NULL, NULL, m->work);
-    memset(run.error, 0, m->trail.n * sizeof *run.error);
+    iso_adams_run run = iso_adams_run_of(&m->options, &m->state, &m->history, f, h, NULL, NULL, m->work);
+    memset(run.error, 0, m->history.n * sizeof *run.error);
     return run;
 }
 

@@ -1,5 +1,6 @@
 /* Under memcheck: steps of every plant with all of its memory marked undefined. Any branch, loop count or address that
- * depends on state, history, input or parameter is an error that memcheck counts. Many plants stand in one program, since memcheck takes longer to start than a plant to run.
+ * depends on state, history, input or parameter is an error that memcheck counts. Many plants stand in one program,
+ * since memcheck takes longer to start than a plant to run.
  */
 #include <stdbool.h>
 #include <stdio.h>

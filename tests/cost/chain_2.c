@@ -1,6 +1,6 @@
-/* A planar chain of two uniform rods by hand, as tools/build/chain.sh describes it: absolute angles th1, th2 = th1 + q2,
- * and s, c of q2. With rods of mass and length 1, J the moment about the centre and B = 2 (J + 1/4), twice the equations
- * of Lagrange are
+/* A planar chain of two uniform rods by hand, as tools/build/chain.sh describes it: absolute angles th1, th2 = th1 +
+ * q2, and s, c of q2. With rods of mass and length 1, J the moment about the centre and B = 2 (J + 1/4), twice the
+ * equations of Lagrange are
  *
  * (B + 2) a1 + c a2 = s w2^2 - 3 g sin th1,  c a1 + B a2 = -(s w1^2 + g sin th2).
  *

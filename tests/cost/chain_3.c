@@ -1,6 +1,6 @@
-/* A planar chain of three uniform rods by hand, as tools/build/chain.sh describes it: absolute angles th_i. With rods of
- * mass and length 1, J the moment about the centre, B = 2 (J + 1/4) and s_ij, c_ij of th_j - th_i, twice the equations of
- * Lagrange are
+/* A planar chain of three uniform rods by hand, as tools/build/chain.sh describes it: absolute angles th_i. With rods
+ * of mass and length 1, J the moment about the centre, B = 2 (J + 1/4) and s_ij, c_ij of th_j - th_i, twice the
+ * equations of Lagrange are
  *
  * sum_j M_ij a_j = r_i,  M_ii = B + 2 (3 - i),  M_ij = k_j c_ij with k_2 = 3, k_3 = 1 for i < j,
  * r_i = sum over j > i of k_j s_ij w_j^2 - sum over j < i of k_i s_ji w_j^2 - (7 - 2 i) g sin th_i.

@@ -31,32 +31,32 @@ static void wrench_add(wrench *const w, const wide sign, const wide point[3], co
     accumulate(w->moment, sign, moment);
 }
 
-static wrench thrust_wrench(const mechanism *const m, const sample *const s, const body_motion moved[BODIES_MAX],
-                            const int n)
+static wrench applied_force_wrench(const mechanism *const m, const sample *const s, const body_motion moved[BODIES_MAX],
+                                   const int n)
 {
     wrench w = {{0.0L}, {0.0L}};
     wide point[3];
     wide axis[3];
     wide moment[3] = {0.0L, 0.0L, 0.0L};
     wide force[3] = {0.0L, 0.0L, 0.0L};
-    mechanism_thrust(m, moved, n, point, axis);
-    const wide f = s->input[m->thrust[n].input - 1];
+    mechanism_applied_force(m, moved, n, point, axis);
+    const wide f = s->input[m->applied_force[n].input - 1];
     accumulate(force, f, axis);
-    accumulate(moment, f * m->thrust[n].lever, axis);
+    accumulate(moment, f * m->applied_force[n].lever, axis);
     wrench_add(&w, 1.0L, point, force, moment);
     return w;
 }
 
-/* What acts from without on all that hangs on `root`, but for weight and root's joint: thrusts, and closures as the
- * independent solver has them. */
+/* What acts from without on all that hangs on `root`, but for weight and root's joint: applied forces, and closures as
+ * the independent solver has them. */
 static wrench outside(const mechanism *const m, const sample *const s, const body_motion moved[BODIES_MAX],
                       const int root)
 {
     wrench w = {{0.0L}, {0.0L}};
     const wide origin[3] = {0.0L, 0.0L, 0.0L};
-    for (int n = 0; n < m->thrusts; n++) {
-        if (mechanism_carries(m, root, m->thrust[n].body)) {
-            const wrench t = thrust_wrench(m, s, moved, n);
+    for (int n = 0; n < m->applied_forces; n++) {
+        if (mechanism_carries(m, root, m->applied_force[n].body)) {
+            const wrench t = applied_force_wrench(m, s, moved, n);
             wrench_add(&w, 1.0L, origin, t.force, t.moment);
         }
     }
@@ -71,7 +71,8 @@ static wrench outside(const mechanism *const m, const sample *const s, const bod
     return w;
 }
 
-/* E is the independent energy along the plant's motion; its size is that of the energies that flow: m v.a of every body. */
+/* E is the independent energy along the plant's motion; its size is that of the energies that flow: m v.a of every
+ * body. */
 static wide energy_balance(const mechanism *const m, const sample *const s)
 {
     body_motion moved[BODIES_MAX];
@@ -83,9 +84,9 @@ static wide energy_balance(const mechanism *const m, const sample *const s)
             balance_add(&b, -mechanism_effort(m, j, k, &s->motion, s->input) * s->motion.v[j][k]);
         }
     }
-    for (int n = 0; n < m->thrusts; n++) {
-        const wrench w = thrust_wrench(m, s, moved, n);
-        const body_motion *const on = &moved[m->thrust[n].body];
+    for (int n = 0; n < m->applied_forces; n++) {
+        const wrench w = applied_force_wrench(m, s, moved, n);
+        const body_motion *const on = &moved[m->applied_force[n].body];
         wide omega[3];
         wide velocity[3];
         wide com[3];
@@ -104,8 +105,9 @@ static wide energy_balance(const mechanism *const m, const sample *const s)
     return fabsl(b.sum) / b.size;
 }
 
-/* Along speed k of joint j, all that hangs on it: turning, dL/dt about the hinge = moment from without + effort; sliding,
- * dp/dt = force from without + effort. No reaction of the joint enters. The size is that of the whole vectors. */
+/* Along speed k of joint j, all that hangs on it: turning, dL/dt about the hinge = moment from without + effort;
+ * sliding, dp/dt = force from without + effort. No reaction of the joint enters. The size is that of the whole vectors.
+ */
 static wide momentum_balance(const mechanism *const m, const sample *const s, const body_motion moved[BODIES_MAX],
                              const int j, const int k)
 {
@@ -137,8 +139,9 @@ static wide momentum_balance(const mechanism *const m, const sample *const s, co
     return fabsl(b.sum) / b.size;
 }
 
-/* Of all that hangs on root's joint, or of all for GROUND: dp/dt = weight + forces from without and of that joint, or of
- * the joints with the ground, dL/dt about the origin = their moments; reactions from s->exact, momentum from the motion. */
+/* Of all that hangs on root's joint, or of all for GROUND: dp/dt = weight + forces from without and of that joint, or
+ * of the joints with the ground, dL/dt about the origin = their moments; reactions from s->exact, momentum from the
+ * motion. */
 static wide reaction_balance(const mechanism *const m, const sample *const s, const body_motion moved[BODIES_MAX],
                              const int root)
 {
@@ -184,7 +187,7 @@ balances balances_of(const sample s[STATES], const wide off)
         worst.ground = fmaxl(worst.ground, reaction_balance(m, &one, moved, GROUND) / one.condition);
         for (int j = 0; j < m->bodies; j++) {
             for (int k = 0; k < joint_speeds(m->joint[j].kind); k++) {
-                worst.freedom = fmaxl(worst.freedom, momentum_balance(m, &one, moved, j, k) / one.condition);
+                worst.dof = fmaxl(worst.dof, momentum_balance(m, &one, moved, j, k) / one.condition);
             }
         }
     }

@@ -1,5 +1,5 @@
-/* Newton's method on the coordinates of the tree, until the closures hold; damped by as much as they do not, which keeps its
- * order where equations follow from others (Yamashita and Fukushima 2001, Computing Supplement 15). */
+/* Newton's method on the coordinates of the tree, until the closures hold; damped by as much as they do not, which
+ * keeps its order where equations follow from others (Yamashita and Fukushima 2001, Computing Supplement 15). */
 #include <string.h>
 
 #include "tests/dynamics/hold.h"
@@ -7,7 +7,7 @@
 #include "tests/dynamics/mechanism.h"
 #include "tests/dynamics/wide3.h"
 
-enum { ROWS_MAX = HELD_MAX * CLOSURES_MAX, FREEDOMS_MAX = SPEEDS_MAX * BODIES_MAX, ITERATIONS = 25 };
+enum { ROWS_MAX = HELD_MAX * CLOSURES_MAX, DOFS_MAX = SPEEDS_MAX * BODIES_MAX, ITERATIONS = 25 };
 
 /* m or rad: some 2^-64 of the size of mechanisms. */
 #define CLOSED 1e-17L
@@ -19,7 +19,7 @@ typedef struct linear_closures {
     int rows, columns;
     wide value[ROWS_MAX];
     wide rate[ROWS_MAX];
-    wide jacobian[ROWS_MAX][FREEDOMS_MAX]; /* in the speeds of the joints */
+    wide jacobian[ROWS_MAX][DOFS_MAX]; /* in the speeds of the joints */
 } linear_closures;
 
 /* The rates of some rows of a body for a unit of speed k of joint j, which carries it. */
@@ -40,7 +40,7 @@ static void linearise(const mechanism *const m, const joint_motion *const motion
     body_motion moved[BODIES_MAX];
     mechanism_move(m, motion, moved);
     memset(out, 0, sizeof *out);
-    out->columns = mechanism_freedoms(m);
+    out->columns = mechanism_dofs(m);
     for (int n = 0; n < m->closures; n++) {
         const hold h = hold_of_closure(m, n);
         const held made = hold_linearise(&h, moved);
@@ -61,7 +61,7 @@ static void linearise(const mechanism *const m, const joint_motion *const motion
 }
 
 /* The least d with J d = right: J' (J J' + mu)^-1 right, with mu = off |J|: damped by how far off the closures are. */
-static void least_change(const linear_closures *const l, const wide *const right, const wide off, wide d[FREEDOMS_MAX])
+static void least_change(const linear_closures *const l, const wide *const right, const wide off, wide d[DOFS_MAX])
 {
     static linear_system s;
     wide y[UNKNOWNS_MAX];
@@ -123,7 +123,7 @@ static void displace(const mechanism *const m, joint_motion *const motion, const
 bool mechanism_close(const mechanism *const m, joint_motion *const motion)
 {
     static linear_closures l;
-    wide d[FREEDOMS_MAX];
+    wide d[DOFS_MAX];
     bool closed = false;
     for (int n = 0; n < ITERATIONS && !closed; n++) {
         wide worst = 0.0L;

@@ -8,11 +8,11 @@
 #include "tests/dynamics/sample.h"
 #include "tests/host/report.h"
 
-/* The plant rounds some hundred to a thousand times, by half of EPSILON each; what remains of it is at most 13 EPSILON in
- * the accelerations and 7 in the outputs, and the limits leave room for another order of operations: in double 2.8e-14,
- * where 1e-10 is asked for. Closed loops multiply rounding by the condition of the state, which is divided out. The
- * balances divide the error of the accelerations by flows of energy and momentum that are small in some states: up to
- * 700 EPSILON. */
+/* The plant rounds some hundred to a thousand times, by half of EPSILON each; what remains of it is at most 13 EPSILON
+ * in the accelerations and 7 in the outputs, and the limits leave room for another order of operations: in
+ * double 2.8e-14, where 1e-10 is asked for. Closed loops multiply rounding by the condition of the state, which is
+ * divided out. The balances divide the error of the accelerations by flows of energy and momentum that are small in
+ * some states: up to 700 EPSILON. */
 #define RATE_TOLERANCE (4.0L * EPSILON)
 #define ACCELERATION_TOLERANCE (128.0L * EPSILON)
 #define OUTPUT_TOLERANCE (64.0L * EPSILON)
@@ -135,14 +135,14 @@ static void test_balances(const sample s[STATES])
     const balances b = balances_of(s, 0.0L);
     report_ok(b.energy <= BALANCE_TOLERANCE, "energy rate = input power - damping power: %.2Le <= %.1Le", b.energy,
               BALANCE_TOLERANCE);
-    report_ok(b.freedom <= BALANCE_TOLERANCE, "momentum along each joint's freedom: %.2Le <= %.1Le", b.freedom,
+    report_ok(b.dof <= BALANCE_TOLERANCE, "momentum along each joint's degree of freedom: %.2Le <= %.1Le", b.dof,
               BALANCE_TOLERANCE);
     report_ok(b.ground <= BALANCE_TOLERANCE, "momentum of the tree and the ground's reaction: %.2Le <= %.1Le", b.ground,
               BALANCE_TOLERANCE);
     const balances off = balances_of(s, CONTROL_OFF);
-    report_ok(off.energy > BALANCE_TOLERANCE && off.freedom > BALANCE_TOLERANCE && off.ground > BALANCE_TOLERANCE,
+    report_ok(off.energy > BALANCE_TOLERANCE && off.dof > BALANCE_TOLERANCE && off.ground > BALANCE_TOLERANCE,
               "control: accelerations off by %.0Le break the balances: %.2Le %.2Le %.2Le", CONTROL_OFF, off.energy,
-              off.freedom, off.ground);
+              off.dof, off.ground);
 }
 
 /* A quaternion and its negative are one orientation. */
@@ -157,9 +157,9 @@ static void align(const wide *const want, wide *const got)
     }
 }
 
-/* Output o, whose first number is `first`: each of its numbers, relative to the rms of all of them over the states; one that
- * is always zero, as it is. Accelerations and reactions are as well known as the state's condition says. A count of turns
- * is left to the tests of stepping. */
+/* Output o, whose first number is `first`: each of its numbers, relative to the rms of all of them over the states; one
+ * that is always zero, as it is. Accelerations and reactions are as well known as the state's condition says. A count
+ * of turns is left to the tests of stepping. */
 static void test_output(const sample s[STATES], const int o, const int first)
 {
     const mechanism *const m = &the_table.mechanism;
@@ -203,7 +203,7 @@ int main(void)
     for (int o = 0; o < m->outputs; o++) {
         numbers += output_numbers(m->output[o].kind);
     }
-    if (!report_ok(iso_the_plant.states == mechanism_coordinates(m) + mechanism_freedoms(m) &&
+    if (!report_ok(iso_the_plant.states == mechanism_coordinates(m) + mechanism_dofs(m) &&
                        iso_the_plant.inputs == the_table.inputs && iso_the_plant.outputs == numbers,
                    "the plant has the table's states, inputs and outputs") ||
         !report_ok(sample_all(s), "%d states are found", STATES)) {

@@ -1,11 +1,12 @@
-/* driven.scene against what its functions of time and the laws of motion say, at every step of a second: positions, speeds, and
- * the efforts that it takes. Linked with its plant, in the plant's real.
+/* driven.scene against what its functions of time and the laws of motion say, at every step of a second: positions,
+ * speeds, and the efforts that it takes. Linked with its plant, in the plant's real.
  *
  *     driven PLACE EFFORT   TAP: no position or speed is off by more than PLACE, and no effort by more than EFFORT
  *     driven NAME           the error of one output alone
  *     driven pulled         that of the spindle a while after it was turned by PULLED against its gear
  *
- * The effort of the crank is its power over its speed: what moves takes m (a - g) . v and I alpha omega, its damper d v^2.
+ * The effort of the crank is its power over its speed: what moves takes m (a - g) . v and I alpha omega, its damper d
+ * v^2.
  */
 #include <math.h>
 #include <stdio.h>
@@ -194,7 +195,8 @@ int main(int count, char **arguments)
         report_ok(worst[i] <= most, "%s: error %.2Le, at most %.0Le", names[i], worst[i], most);
         report_ok(off[i] > most, "control: time that runs a tick ahead, %s: error %.2Le", names[i], off[i]);
     }
-    /* By then the crank has turned a whole number of times; the states that are time are the tick's, and no sum of steps. */
+    /* By then the crank has turned a whole number of times; the states that are time are the tick's, and no sum of
+     * steps. */
     run(off, (uint32_t)(86400.0e9 / (double)iso_the_plant.period_ns));
     report_ok(off[SLIDER] <= strtold(arguments[1], NULL), "a day later: the slider is off by %.2Le", off[SLIDER]);
     return report_done();

@@ -15,8 +15,8 @@ typedef struct hold {
     wide length;
 } hold;
 
-/* One hold at a motion: the equations' values, the rates for unit velocities of the two bodies (of the centre of mass, then
- * angular; world axes), and the second derivatives for zero accelerations. */
+/* One hold at a motion: the equations' values, the rates for unit velocities of the two bodies (of the centre of mass,
+ * then angular; world axes), and the second derivatives for zero accelerations. */
 typedef struct held {
     int rows;
     wide value[HELD_MAX];

@@ -16,7 +16,7 @@
 enum {
     BODIES_MAX = 13,
     CLOSURES_MAX = 6,
-    THRUSTS_MAX = 4,
+    APPLIED_FORCES_MAX = 4,
     OUTPUTS_MAX = 12,
     GROUND = -1,
     COORDINATES_MAX = 7, /* of a joint */
@@ -51,10 +51,10 @@ typedef enum joint_kind {
 } joint_kind;
 
 /* Joint i carries body i. The axis is x, y or z where the joint is planar; `second` is square to it.
- * Coordinates: what slides, then what turns. Planar: along the two axes that follow the normal, in the order x, y, z, x.
- * Spherical and free: a quaternion w, x, y, z, whose speeds are the angular velocity in the axes of the child's frame.
- * The generalised force of the only coordinate is u[input - 1] - damping q' - stiffness (q - rest), in N or N m; input
- * 0 is none. Where there are several, it is -damping q' of what slides, -spin_damping q' of what turns. */
+ * Coordinates: what slides, then what turns. Planar: along the two axes that follow the normal, in the order x, y, z,
+ * x. Spherical and free: a quaternion w, x, y, z, whose speeds are the angular velocity in the axes of the child's
+ * frame. The generalised force of the only coordinate is u[input - 1] - damping q' - stiffness (q - rest), in N or N m;
+ * input 0 is none. Where there are several, it is -damping q' of what slides, -spin_damping q' of what turns. */
 typedef struct tree_joint {
     joint_kind kind;
     int parent; /* a body of lower index, or GROUND */
@@ -79,14 +79,15 @@ typedef struct loop_closure {
     wide length; /* of DISTANCE, m */
 } loop_closure;
 
-/* The force u[input - 1] on a point of a body, along an axis of the body; and that times `lever` as a moment about it. */
-typedef struct thrust {
+/* The force u[input - 1] on a point of a body, along an axis of the body; and that times `lever` as a moment about it.
+ */
+typedef struct applied_force {
     int body;
     wide at[3];
     wide axis[3];
     wide lever;
     int input;
-} thrust;
+} applied_force;
 
 typedef enum output_kind {
     POSITION,
@@ -116,8 +117,8 @@ typedef struct mechanism {
     tree_joint joint[BODIES_MAX];
     int closures;
     loop_closure closure[CLOSURES_MAX];
-    int thrusts;
-    thrust thrust[THRUSTS_MAX];
+    int applied_forces;
+    applied_force applied_force[APPLIED_FORCES_MAX];
     int outputs;
     tree_output output[OUTPUTS_MAX];
 } mechanism;
@@ -147,8 +148,8 @@ typedef struct body_motion {
     wide turn[SPEEDS_MAX][3];
 } body_motion;
 
-/* Force and moment that a joint or closure puts on its child, at the origin of its frame on the child; of a joint with those
- * of drive, damping and spring. */
+/* Force and moment that a joint or closure puts on its child, at the origin of its frame on the child; of a joint with
+ * those of drive, damping and spring. */
 typedef struct reaction {
     wide force[3];
     wide moment[3];
@@ -172,7 +173,7 @@ int joint_speeds(joint_kind kind);
 
 /* Coordinates and speeds of all joints. */
 int mechanism_coordinates(const mechanism *m);
-int mechanism_freedoms(const mechanism *m);
+int mechanism_dofs(const mechanism *m);
 
 /* Whether a body is `root` or hangs on it; all hang on GROUND, which hangs on nothing. */
 bool mechanism_carries(const mechanism *m, int root, int body);
@@ -190,18 +191,20 @@ static inline const pose *pose_of(const body_motion moved[BODIES_MAX], const int
     return i == GROUND ? NULL : &moved[i].body;
 }
 
-/* Moves coordinates and speeds to where the closures hold, by least changes. False if Newton's method does not get there. */
+/* Moves coordinates and speeds to where the closures hold, by least changes. False if Newton's method does not get
+ * there. */
 bool mechanism_close(const mechanism *m, joint_motion *motion);
 
 /* Generalised force of speed k of joint j without its spring, for the inputs u; and the spring's. */
 wide mechanism_effort(const mechanism *m, int j, int k, const joint_motion *motion, const wide *u);
 wide mechanism_spring(const mechanism *m, int j, const joint_motion *motion);
 
-/* Where the force of a thrust attacks, and its axis. */
-void mechanism_thrust(const mechanism *m, const body_motion moved[BODIES_MAX], int n, wide point[3], wide axis[3]);
+/* Where the force of a applied force attacks, and its axis. */
+void mechanism_applied_force(const mechanism *m, const body_motion moved[BODIES_MAX], int n, wide point[3],
+                             wide axis[3]);
 
-/* Accelerations and reactions from the equations of motion; motion->a is not read. Equations of closures that follow from
- * others are left out. False if some contradict others. */
+/* Accelerations and reactions from the equations of motion; motion->a is not read. Equations of closures that follow
+ * from others are left out. False if some contradict others. */
 bool mechanism_solve(const mechanism *m, const joint_motion *motion, const wide *u, solution *out);
 
 /* Kinetic and potential energy (gravity from the ground's origin, springs); to first order in time. */

@@ -103,19 +103,19 @@ static jet33 quaternion_rotation(const wide given[4], const wide omega[3], const
 /* Numbers of coordinates; how many of them slide, and how many turns there are about axes. */
 static const struct {
     int coordinates, speeds, slides, turns;
-} freedoms[] = {
+} dofs[] = {
     [FIXED] = {0, 0, 0, 0},       [REVOLUTE] = {1, 1, 0, 1}, [PRISMATIC] = {1, 1, 1, 0}, [UNIVERSAL] = {2, 2, 0, 2},
     [CYLINDRICAL] = {2, 2, 1, 1}, [PLANAR] = {3, 3, 2, 1},   [SPHERICAL] = {4, 3, 0, 0}, [FREE] = {7, 6, 3, 0},
 };
 
 int joint_coordinates(const joint_kind kind)
 {
-    return freedoms[kind].coordinates;
+    return dofs[kind].coordinates;
 }
 
 int joint_speeds(const joint_kind kind)
 {
-    return freedoms[kind].speeds;
+    return dofs[kind].speeds;
 }
 
 /* The direction of slide n in the parent's frame. */
@@ -139,7 +139,7 @@ static pose displacement(const tree_joint *const joint, const wide *const q, con
 {
     const wide zero[3] = {0.0L, 0.0L, 0.0L};
     pose moved = {no_rotation(), jet3_constant(zero)};
-    const int slides = freedoms[joint->kind].slides;
+    const int slides = dofs[joint->kind].slides;
     for (int n = 0; n < slides; n++) {
         wide e[3];
         slide_direction(joint, n, e);
@@ -147,7 +147,7 @@ static pose displacement(const tree_joint *const joint, const wide *const q, con
         moved.origin =
             jet3_add(moved.origin, (jet3){{jet_scale(e[0], along), jet_scale(e[1], along), jet_scale(e[2], along)}});
     }
-    for (int n = 0; n < freedoms[joint->kind].turns; n++) {
+    for (int n = 0; n < dofs[joint->kind].turns; n++) {
         const int k = slides + n;
         const jet33 turn = rotation(n == 0 ? joint->axis : joint->second, (jet){{q[k], v[k], a[k] / 2.0L}});
         moved.turn = jet33_mul(&moved.turn, &turn);
@@ -195,7 +195,7 @@ int mechanism_coordinates(const mechanism *const m)
     return count;
 }
 
-int mechanism_freedoms(const mechanism *const m)
+int mechanism_dofs(const mechanism *const m)
 {
     int count = 0;
     for (int i = 0; i < m->bodies; i++) {

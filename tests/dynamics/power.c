@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/methods/explicit.h"
+#include "core/runtime/plant.h"
 #include "tests/dynamics/tables.h"
 #include "tests/host/report.h"
 
@@ -63,7 +64,7 @@ static balance run(const int steps)
     const uint32_t ticks = UINT32_C(1000000000) / iso_the_plant.period_ns;
     double x[STATES_MAX] = {0.0};
     double work[ISO_EXPLICIT_WORK(STATES_MAX)];
-    const iso_trail trail = {.n = n, .x = x};
+    const iso_history history = {.n = n, .x = x};
     memcpy(x, iso_the_plant.start, (n - 1) * sizeof *x);
     const double before = energy(x);
     balance b = {0.0, 1.0};
@@ -73,7 +74,7 @@ static balance run(const int steps)
             iso_the_plant.drive(tick);
         }
         for (int i = 0; i < steps; i++) {
-            (void)iso_explicit_step(&iso_tableau_rk4, &trail, derivative, h, iso_the_plant.u, iso_the_plant.defaults,
+            (void)iso_explicit_step(&iso_tableau_rk4, &history, derivative, h, iso_the_plant.u, iso_the_plant.defaults,
                                     work);
         }
         b.size += fabs(x[n - 1] - done);

@@ -1,6 +1,6 @@
 /* Reactions of all joints and closures of a generated plant, in the plant's real: against those of the independent
- * dynamics, and in balance with the momentum of what hangs on each joint as the plant moves it. Linked with one table and
- * with a plant whose last outputs are force and moment of each joint of the table, and then of each closure.
+ * dynamics, and in balance with the momentum of what hangs on each joint as the plant moves it. Linked with one table
+ * and with a plant whose last outputs are force and moment of each joint of the table, and then of each closure.
  */
 #include <string.h>
 
@@ -10,9 +10,9 @@
 
 enum { REACTIONS_MAX = BODIES_MAX + CLOSURES_MAX, OUTPUTS_ROOM = NUMBERS_MAX + 6 * REACTIONS_MAX };
 
-/* A reaction is what its child takes to move, less what else acts on it: some hundred roundings, of which at most 43 EPSILON
- * remain in a tree. With closures at most 105: multipliers are not as well known as the accelerations whose condition is
- * divided out. */
+/* A reaction is what its child takes to move, less what else acts on it: some hundred roundings, of which at most 43
+ * EPSILON remain in a tree. With closures at most 105: multipliers are not as well known as the accelerations whose
+ * condition is divided out. */
 #define REACTION_TOLERANCE (256.0L * EPSILON)
 #define BALANCE_TOLERANCE (4096.0L * EPSILON)
 
@@ -67,8 +67,8 @@ static wide farthest(const sample *const s)
     return most;
 }
 
-/* The force of reaction n; of a joint, at least what its child takes to move and of its weight, which the force may balance
- * to zero, as that of a free joint does. */
+/* The force of reaction n; of a joint, at least what its child takes to move and of its weight, which the force may
+ * balance to zero, as that of a free joint does. */
 static wide force_size(const sample *const s, const int n)
 {
     const mechanism *const m = &the_table.mechanism;
@@ -81,9 +81,9 @@ static wide force_size(const sample *const s, const int n)
     return fmaxl(norm(reaction_of(&exact, n)->force), norm(taken));
 }
 
-/* The worst of all states, relative to the rms of this vector over the states and to the state's condition. What is small
- * or zero of a moment is the difference of moments that forces have about points of the mechanism: as large as the
- * reaction's force at its longest lever, which counts with it. */
+/* The worst of all states, relative to the rms of this vector over the states and to the state's condition. What is
+ * small or zero of a moment is the difference of moments that forces have about points of the mechanism: as large as
+ * the reaction's force at its longest lever, which counts with it. */
 static wide worst_difference(sample s[STATES], const int n, const bool of_moment, const wide off)
 {
     wide square = 0.0L;

@@ -22,15 +22,15 @@ typedef struct sample {
     wide input[INPUTS_MAX];
     joint_motion motion; /* a is the plant's */
     solution exact;
-    /* Of the accelerations, over the relative change of coordinates, speeds, lengths and masses that makes it; 0 without
-     * closures. */
+    /* Of the accelerations, over the relative change of coordinates, speeds, lengths and masses that makes it; 0
+     * without closures. */
     wide change[BODIES_MAX][SPEEDS_MAX];
     wide condition; /* the same in 2-norms, relative to the accelerations; at least 1 */
 } sample;
 
-/* All states: angles over the whole circle, sliders within 0.5 m, speeds to 10 rad/s or m/s, inputs to 10 N or N m; where
- * there are closures, about the scene's start, and then moved to where they hold. False if too few can be
- * found. */
+/* All states: angles over the whole circle, sliders within 0.5 m, speeds to 10 rad/s or m/s, inputs to 10 N or N m;
+ * where there are closures, about the scene's start, and then moved to where they hold. False if too few can be found.
+ */
 bool sample_all(sample s[STATES]);
 
 /* The plant's positions change as its speeds say: the worst error relative to the speed; exact but for quaternions. */

@@ -27,10 +27,10 @@ wide mechanism_spring(const mechanism *const m, const int j, const joint_motion 
     return -m->joint[j].stiffness * (motion->q[j][0] - m->joint[j].rest);
 }
 
-void mechanism_thrust(const mechanism *const m, const body_motion moved[BODIES_MAX], const int n, wide point[3],
-                      wide axis[3])
+void mechanism_applied_force(const mechanism *const m, const body_motion moved[BODIES_MAX], const int n, wide point[3],
+                             wide axis[3])
 {
-    const thrust *const t = &m->thrust[n];
+    const applied_force *const t = &m->applied_force[n];
     const pose *const b = &moved[t->body].body;
     wide e[3];
     unit(t->axis, e);
@@ -66,7 +66,7 @@ static reaction joint_effort(const mechanism *const m, const int j, const body_m
     return r;
 }
 
-/* Weight, gyroscopic moment, efforts and thrusts on every body. */
+/* Weight, gyroscopic moment, efforts and applied forces on every body. */
 static void all_loads(const mechanism *const m, const body_motion moved[BODIES_MAX], const joint_motion *const motion,
                       const wide *const u, wide load[BODIES_MAX][PER_BODY])
 {
@@ -87,13 +87,13 @@ static void all_loads(const mechanism *const m, const body_motion moved[BODIES_M
             push(load[m->joint[i].parent], &moved[m->joint[i].parent], -1.0L, moved[i].hinge, r.force, r.moment);
         }
     }
-    for (int n = 0; n < m->thrusts; n++) {
-        const int b = m->thrust[n].body;
+    for (int n = 0; n < m->applied_forces; n++) {
+        const int b = m->applied_force[n].body;
         wide point[3];
         wide axis[3];
-        mechanism_thrust(m, moved, n, point, axis);
-        const wide f = u[m->thrust[n].input - 1];
-        const wide moment = f * m->thrust[n].lever;
+        mechanism_applied_force(m, moved, n, point, axis);
+        const wide f = u[m->applied_force[n].input - 1];
+        const wide moment = f * m->applied_force[n].lever;
         push(load[b], &moved[b], 1.0L, point, (const wide[3]){f * axis[0], f * axis[1], f * axis[2]},
              (const wide[3]){moment * axis[0], moment * axis[1], moment * axis[2]});
     }
@@ -151,8 +151,8 @@ static reaction reaction_of(const held *const made, const wide *const lambda, co
     return out;
 }
 
-/* Accelerations of the joints from those of the bodies. With that of joint i still zero, what body i lacks is the sum of
- * its speeds' directions, which are square to each other, times their rates. */
+/* Accelerations of the joints from those of the bodies. With that of joint i still zero, what body i lacks is the sum
+ * of its speeds' directions, which are square to each other, times their rates. */
 static void find_joint_accelerations(const mechanism *const m, const joint_motion *const motion, const wide *const x,
                                      solution *const out)
 {

@@ -1,12 +1,13 @@
-/* What adams says of its local error, over what that error is, in every sub-step and in every tick of runs of the double
- * pendulum, from the first sub-step on: 0.2 to 5. Of a sub-step it is the norm that its steps are chosen by, the largest of
- * all states over what it may err; of a tick it is the local error that the method tells.
+/* What adams says of its local error, over what that error is, in every sub-step and in every tick of runs of the
+ * double pendulum, from the first sub-step on: 0.2 to 5. Of a sub-step it is the norm that its steps are chosen by, the
+ * largest of all states over what it may err; of a tick it is the local error that the method tells.
  *
- * Runs begin in the midst of the motion, a quarter of a second and more after its start from rest, where the errors of odd
- * order are zero. The true error is that of tests/estimate/local_error.h. As with a fixed step (tests/estimate/estimate.c)
- * an estimate is right to the first order in h, and one in the middle of all is wrong by about the square of it. In
- * double every error is more than rounding but those of a start, whose steps are for order one. Steps for a tolerance of
- * 1e-6, the method's own, resolve the motion; those for 1e-5 do not always, and their estimates neither.
+ * Runs begin in the midst of the motion, a quarter of a second and more after its start from rest, where the errors of
+ * odd order are zero. The true error is that of tests/estimate/local_error.h. As with a fixed step
+ * (tests/estimate/estimate.c) an estimate is right to the first order in h, and one in the middle of all is wrong by
+ * about the square of it. In double every error is more than rounding but those of a start, whose steps are for order
+ * one. Steps for a tolerance of 1e-6, the method's own, resolve the motion; those for 1e-5 do not always, and their
+ * estimates neither.
  */
 #include <math.h>
 
@@ -26,12 +27,12 @@ static ratios of_ticks;
 /* What is done to the constants of a control. */
 typedef enum change { NOTHING, OTHER_CONSTANT, ROWS_ONLY_SCALED } change;
 
-/* The changes of order and step after a sub-step, without what the last correction says of the past: rows are scaled, and
- * nothing else (Nordsieck 1962). */
+/* The changes of order and step after a sub-step, without what the last correction says of the past: rows are scaled,
+ * and nothing else (Nordsieck 1962). */
 static void adapt_rows_only(iso_adams_run *const run, const iso_adams_estimates estimates)
 {
     real last[STATES];
-    real *const kept = iso_adams_last(run->trail);
+    real *const kept = iso_adams_last(run->history);
     const uint8_t level = run->state->level;
     const uint8_t order = run->state->order;
     memcpy(last, kept, sizeof last);
@@ -63,15 +64,16 @@ static void attempt_rows_only(iso_adams_run *const run)
 }
 
 /* One sub-step, and what it says of its error; of a control, with a leading constant of 1/24 in place of 19/720. */
-static void try_substep(iso_adams_run *const run, const real *const carry, const real tolerance, const change made)
+static void try_substep(iso_adams_run *const run, const real *const compensation, const real tolerance,
+                        const change made)
 {
     const uint32_t substeps = run->state->substeps;
-    const real *const x = run->trail->x;
+    const real *const x = run->history->x;
     real before[STATES];
     double weight[STATES];
     double estimate = 0.0;
     watch w;
-    before_step(&w, x, carry, iso_adams_step_size(run));
+    before_step(&w, x, compensation, iso_adams_step_size(run));
     for (int i = 0; i < STATES; i++) {
         before[i] = run->error[i];
     }
@@ -86,7 +88,7 @@ static void try_substep(iso_adams_run *const run, const real *const carry, const
     }
     if (run->state->substeps > substeps) {
         estimate *= made == OTHER_CONSTANT ? (1.0 / 24.0) / (19.0 / 720.0) : 1.0;
-        ratios_add(&of_substeps, estimate, after_step(&w, x, carry, weight));
+        ratios_add(&of_substeps, estimate, after_step(&w, x, compensation, weight));
     }
 }
 
@@ -94,27 +96,27 @@ static void try_substep(iso_adams_run *const run, const real *const carry, const
 static uint32_t run_from(const int quarters, const real h, const real tolerance, const change made)
 {
     static const double alike[STATES] = {1.0, 1.0, 1.0, 1.0};
-    real x[STATES], carry[STATES] = {R(0.0)};
+    real x[STATES], compensation[STATES] = {R(0.0)};
     adams_memory m;
     for (int i = 0; i < STATES; i++) {
         x[i] = (real)the_problem.start[i];
     }
     solution(x, R(1.0) / R(1024.0), 256 * quarters);
     adams_prepare(&m, STATES, x, tolerance, ISO_ADAMS_BUDGET_HOST);
-    m.trail.carry = carry;
+    m.history.compensation = compensation;
     adams_begin(&m, the_equations->derivative, h, NULL);
     for (int tick = 0; tick < (int)((real)SECONDS / h); tick++) {
         iso_adams_run run = adams_walk(&m, the_equations->derivative, h);
         double estimate = 0.0;
         watch w;
-        before_step(&w, m.x, carry, h);
+        before_step(&w, m.x, compensation, h);
         while (run.remaining > 0) {
-            try_substep(&run, carry, tolerance, made);
+            try_substep(&run, compensation, tolerance, made);
         }
         for (int i = 0; i < STATES; i++) {
             estimate = fmax(estimate, fabs((double)run.error[i]));
         }
-        ratios_add(&of_ticks, estimate, after_step(&w, m.x, carry, alike));
+        ratios_add(&of_ticks, estimate, after_step(&w, m.x, compensation, alike));
     }
     return m.state.rejected;
 }

@@ -1,17 +1,18 @@
 /* What a checked method says of its local error, over what that error is, in every step of the first 5 s of the double
  * pendulum: 0.2 to 5.
  *
- * The true local error of a step is the distance of its increment from that of the solution through the state before it:
- * rk4 with 64 steps in place of one, wrong by 64^-4 of an error of rk4. Of a state alone it passes through zero many
- * times a second; the largest of all states, which is what a method tells, does not. A multistep method makes the step
- * from its own history: for bdf4 that is the error constant over sigma(1), 1/5 h^5 x^(5) (Hairer, Norsett, Wanner 1993,
- * III.2). Sums are compensated, so that errors far below the ulp of the state are seen. The first quarter of a second is
- * left out: at rest with both arms horizontal odd derivatives vanish, and the leading term of the error with them.
+ * The true local error of a step is the distance of its increment from that of the solution through the state before
+ * it: rk4 with 64 steps in place of one, wrong by 64^-4 of an error of rk4. Of a state alone it passes through zero
+ * many times a second; the largest of all states, which is what a method tells, does not. A multistep method makes the
+ * step from its own history: for bdf4 that is the error constant over sigma(1), 1/5 h^5 x^(5) (Hairer, Norsett, Wanner
+ * 1993, III.2). Sums are compensated, so that errors far below the ulp of the state are seen. The first quarter of a
+ * second is left out: at rest with both arms horizontal odd derivatives vanish, and the leading term of the error with
+ * them.
  *
  * Estimates are right to the first order in h, and where the leading term is small the next ones decide: h must resolve
  * the motion. In double it does with 2^-10 s, a millisecond. In float a method has a step with which it holds in double
- * too, and the steps are compared whose error is more than rounding. Of rk4, abm4 and abm4_pecece there are three at most:
- * where steps are long enough to be seen in float, they no longer resolve the motion.
+ * too, and the steps are compared whose error is more than rounding. Of rk4, abm4 and abm4_pecece there are three at
+ * most: where steps are long enough to be seen in float, they no longer resolve the motion.
  */
 #include <math.h>
 
@@ -61,15 +62,15 @@ static void run(const unsigned method, const int per_second)
     const unsigned recipe = method | ISO_CHECKED | ISO_COMPENSATED;
     const real h = (real)ldexp(1.0, -per_second);
     real x[STATE_MAX] = {R(0.0)}, work[ISO_PRIME_WORK(STATES)], lu[FACTORS_MAX];
-    const real *const carry = iso_trail_of(recipe, STATES, x).carry;
+    const real *const compensation = iso_history_of(recipe, STATES, x).compensation;
     iso_progress progress = {.local_error = R(0.0)};
     watch w;
     start(x);
     iso_method_prime(recipe, STATES, the_equations, h, x, NULL, NULL, lu, work);
     for (int step = 0; step < SECONDS << per_second; step++) {
-        before_step(&w, x, carry, h);
+        before_step(&w, x, compensation, h);
         iso_method_step(recipe, STATES, the_equations, h, x, NULL, NULL, lu, work, &progress);
-        error[step] = after_step(&w, x, carry, alike);
+        error[step] = after_step(&w, x, compensation, alike);
         estimate[step] = (double)progress.local_error;
     }
 }
@@ -88,27 +89,27 @@ static void find_ratios(const int per_second, const int behind)
 static void test_method(const unsigned method, const int per_second)
 {
     run(method, per_second);
-    find_ratios(per_second, ISO_CHECKS_SLOPES(method | ISO_CHECKED) ? 1 : 0);
+    find_ratios(per_second, ISO_CHECKS_DERIVATIVES(method | ISO_CHECKED) ? 1 : 0);
     report_ok(ratios_within(&found),
               "%s in " REAL_TEXT ", h = 2^-%d s: estimate / error in %d of %d steps: %.3f to %.3f, median %.3f",
               names[method], per_second, found.count, found.count + found.unseen, ratios_least(&found),
               ratios_most(&found), ratios_median(&found));
 }
 
-/* Positive control: a method whose check has too few slopes. */
-static void test_few_slopes(const iso_tableau *const table, const uint8_t checked, const char *const name)
+/* Positive control: a method whose check has too few derivatives. */
+static void test_few_derivatives(const iso_tableau *const table, const uint8_t checked, const char *const name)
 {
     enum { PER_SECOND = 10 };
     const real h = (real)ldexp(1.0, -PER_SECOND);
-    real x[STATES], carry[STATES] = {R(0.0)}, check[ISO_ADAMS_SLOPES * STATES] = {R(0.0)};
+    real x[STATES], compensation[STATES] = {R(0.0)}, check[ISO_ADAMS_DERIVATIVES * STATES] = {R(0.0)};
     real work[ISO_EXPLICIT_WORK(STATES)];
-    const iso_trail trail = {.n = STATES, .x = x, .check = check, .carry = carry, .checked = checked};
+    const iso_history history = {.n = STATES, .x = x, .check = check, .compensation = compensation, .checked = checked};
     watch w;
     start(x);
     for (int step = 0; step < SECONDS << PER_SECOND; step++) {
-        before_step(&w, x, carry, h);
-        estimate[step] = (double)iso_explicit_step(table, &trail, the_equations->derivative, h, NULL, NULL, work);
-        error[step] = after_step(&w, x, carry, alike);
+        before_step(&w, x, compensation, h);
+        estimate[step] = (double)iso_explicit_step(table, &history, the_equations->derivative, h, NULL, NULL, work);
+        error[step] = after_step(&w, x, compensation, alike);
     }
     find_ratios(PER_SECOND, 1);
     report_ok(!ratios_within(&found), "control: %s: %.3g to %.3g, median %.3g", name, ratios_least(&found),
@@ -122,9 +123,9 @@ int main(void)
             test_method(method, step_of[method]);
         }
     }
-    test_few_slopes(&iso_tableau_heun, 1, "heun checked with one slope before the end of the step");
+    test_few_derivatives(&iso_tableau_heun, 1, "heun checked with one derivative before the end of the step");
     if (step_of[ISO_RK4] > 0) {
-        test_few_slopes(&iso_tableau_rk4, 4, "rk4 checked with four slopes");
+        test_few_derivatives(&iso_tableau_rk4, 4, "rk4 checked with four derivatives");
     }
     return report_done();
 }

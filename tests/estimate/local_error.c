@@ -14,18 +14,19 @@ enum { SUBSTEPS = 64 };
 #define MOST 5.0
 enum { ENOUGH = 100 };
 
-/* Epsilons of an increment that its roundings can make: it is a sum of slopes whose weights add up to at most 6.7 in size
- * (Adams-Bashforth), each wrong by half an epsilon as a slope and by half one as a product, and the sum itself. */
+/* Epsilons of an increment that its roundings can make: it is a sum of derivatives whose weights add up to at most 6.7
+ * in size (Adams-Bashforth), each wrong by half an epsilon as a derivative and by half one as a product, and the sum
+ * itself. */
 #define ROUNDINGS 8.0
 
 /* increment[STATES] of the solution through start over h. */
 static void exact_increment(real increment[STATES], const real start[STATES], const real h)
 {
     real x[2 * STATES] = {R(0.0)}, work[ISO_EXPLICIT_WORK(STATES)];
-    const iso_trail trail = {.n = STATES, .x = x, .carry = x + STATES};
+    const iso_history history = {.n = STATES, .x = x, .compensation = x + STATES};
     memcpy(x, start, STATES * sizeof *x);
     for (int i = 0; i < SUBSTEPS; i++) {
-        (void)iso_explicit_step(&iso_tableau_rk4, &trail, the_equations->derivative, h / (real)SUBSTEPS, NULL, NULL,
+        (void)iso_explicit_step(&iso_tableau_rk4, &history, the_equations->derivative, h / (real)SUBSTEPS, NULL, NULL,
                                 work);
     }
     for (int i = 0; i < STATES; i++) {
@@ -44,18 +45,19 @@ void solution(real x[STATES], const real h, const int steps)
     }
 }
 
-void before_step(watch *const w, const real *const x, const real *const carry, const real h)
+void before_step(watch *const w, const real *const x, const real *const compensation, const real h)
 {
     memcpy(w->x, x, sizeof w->x);
-    memcpy(w->carry, carry, sizeof w->carry);
+    memcpy(w->compensation, compensation, sizeof w->compensation);
     exact_increment(w->exact, x, h);
 }
 
-local_error after_step(const watch *const w, const real *const x, const real *const carry, const double weight[STATES])
+local_error after_step(const watch *const w, const real *const x, const real *const compensation,
+                       const double weight[STATES])
 {
     local_error of = {0.0, 0.0};
     for (int i = 0; i < STATES; i++) {
-        const real made = (x[i] - w->x[i]) + (carry[i] - w->carry[i]);
+        const real made = (x[i] - w->x[i]) + (compensation[i] - w->compensation[i]);
         of.error = fmax(of.error, weight[i] * fabs((double)(made - w->exact[i])));
         of.rounding = fmax(of.rounding, weight[i] * ROUNDINGS * (double)ISO_REAL_EPSILON * fabs((double)w->exact[i]));
     }

@@ -13,10 +13,10 @@ void solution(real x[STATES], real h, int steps);
 
 /* A step from x, with the carry of its sums. */
 typedef struct watch {
-    real x[STATES], carry[STATES], exact[STATES];
+    real x[STATES], compensation[STATES], exact[STATES];
 } watch;
 
-void before_step(watch *w, const real *x, const real *carry, real h);
+void before_step(watch *w, const real *x, const real *compensation, real h);
 
 /* How far the step's increment is from the solution's, and how far it can be from rounding alone: the largest of all
  * states, each times its weight. */
@@ -24,7 +24,7 @@ typedef struct local_error {
     double error, rounding;
 } local_error;
 
-local_error after_step(const watch *w, const real *x, const real *carry, const double weight[STATES]);
+local_error after_step(const watch *w, const real *x, const real *compensation, const double weight[STATES]);
 
 /* Estimate over error of the steps whose error is more than rounding. */
 typedef struct ratios {

@@ -2,9 +2,9 @@
  *
  * How much the equations magnify rounding differs from scene to scene: a planar chain of 16 rods loses six times as
  * much by its mass matrix as by articulated bodies. What either says in float is off from what it says in double by
- * that times the roundings in float, as many as there are in double; so that in double the two may differ by as much times
- * the ratio of the roundings. Roundings of the two reals are not the same ones: at some states they happen to cancel in
- * float, for which the worst of all states stands, and a factor of ROOM.
+ * that times the roundings in float, as many as there are in double; so that in double the two may differ by as much
+ * times the ratio of the roundings. Roundings of the two reals are not the same ones: at some states they happen to
+ * cancel in float, for which the worst of all states stands, and a factor of ROOM.
  */
 #include <float.h>
 #include <math.h>
@@ -38,18 +38,18 @@ int main(void)
     for (int place = 0; place < PLACES && same; place++) {
         double first[STATES_MAX], second[STATES_MAX], rough[STATES_MAX];
         first_double.step(x, STEPS_BETWEEN);
-        first_double.slopes(first, x);
-        second_double.slopes(second, x);
+        first_double.derivatives(first, x);
+        second_double.derivatives(second, x);
         apart = fmax(apart, difference(second, first, n));
         /* Float against double at one state: there a quaternion's length is off one, which the formulations feel. */
         for (size_t i = 0; i < n; i++) {
             x[i] = (double)(float)x[i];
         }
-        first_double.slopes(first, x);
-        second_double.slopes(second, x);
-        first_float.slopes(rough, x);
+        first_double.derivatives(first, x);
+        second_double.derivatives(second, x);
+        first_float.derivatives(rough, x);
         in_first = fmax(in_first, difference(rough, first, n));
-        second_float.slopes(rough, x);
+        second_float.derivatives(rough, x);
         in_second = fmax(in_second, difference(rough, second, n));
     }
     const double limit = ROOM * (DBL_EPSILON / single_epsilon) * (in_first + in_second);

@@ -35,7 +35,7 @@ static void step(double *const x, const int steps)
     give(x, PLANT.x);
 }
 
-static void slopes(double *const dx, const double *const x)
+static void derivatives(double *const dx, const double *const x)
 {
     real made[STATES_MAX];
     take(x);
@@ -43,4 +43,4 @@ static void slopes(double *const dx, const double *const x)
     give(dx, made);
 }
 
-const evaluation EVALUATION = {.start = start, .step = step, .slopes = slopes};
+const evaluation EVALUATION = {.start = start, .step = step, .derivatives = derivatives};

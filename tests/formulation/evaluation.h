@@ -7,9 +7,9 @@
 enum { STATES_MAX = 128 };
 
 typedef struct evaluation {
-    size_t (*start)(double *x);                  /* their number */
-    void (*step)(double *x, int steps);          /* with the inputs of tick 0 */
-    void (*slopes)(double *dx, const double *x); /* likewise */
+    size_t (*start)(double *x);                       /* their number */
+    void (*step)(double *x, int steps);               /* with the inputs of tick 0 */
+    void (*derivatives)(double *dx, const double *x); /* likewise */
 } evaluation;
 
 extern const evaluation first_float, first_double, second_float, second_double;

@@ -1,5 +1,5 @@
-/* Steps a plant from its start as many times as the argument says, or evaluates its derivative there if a second argument
- * says so, for an instrument to count. */
+/* Steps a plant from its start as many times as the argument says, or evaluates its derivative there if a second
+ * argument says so, for an instrument to count. */
 #include <stdlib.h>
 #include <string.h>
 

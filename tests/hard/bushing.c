@@ -59,9 +59,9 @@ static double rosenbrock_growth(const double complex z)
     const double complex gz = (double)t->gamma * z;
     const double complex solver = 1.0 / (1.0 - gz);
     const double complex k1 = solver * gz;
-    const double complex slope = gz * (1.0 + (double)t->a21 * k1);
-    const double complex k2 = solver * (slope + (double)t->gamma * (double)t->c21 * k1);
-    const double complex k3 = solver * (slope + (double)t->gamma * ((double)t->c31 * k1 + (double)t->c32 * k2));
+    const double complex derivative = gz * (1.0 + (double)t->a21 * k1);
+    const double complex k2 = solver * (derivative + (double)t->gamma * (double)t->c21 * k1);
+    const double complex k3 = solver * (derivative + (double)t->gamma * ((double)t->c31 * k1 + (double)t->c32 * k2));
     return cabs(1.0 + (double)t->m[0] * k1 + (double)t->m[1] * k2 + (double)t->m[2] * k3);
 }
 

@@ -60,8 +60,8 @@ long hard_go(hard_run *run, long steps);
 /* The first state that is not finite; n if all are. */
 size_t hard_guard(const hard_run *run);
 
-/* A hash of the bits of x[n], as two numbers that every printf knows; zero where they are not all finite, since the bits
- * of a NaN are not promised. */
+/* A hash of the bits of x[n], as two numbers that every printf knows; zero where they are not all finite, since the
+ * bits of a NaN are not promised. */
 typedef struct hard_bits {
     unsigned long high, low;
 } hard_bits;
@@ -98,7 +98,8 @@ bool hard_holds(const hard_problem *problem, const hard_claim *claim, double rou
 /* Whether a test may take so many steps; says which one is left out. */
 bool hard_affords(const hard_problem *problem, unsigned recipe, double t, long steps);
 
-/* One test of every claim that can be afforded, and the control that without a Jacobian the last of them does not hold. */
+/* One test of every claim that can be afforded, and the control that without a Jacobian the last of them does not hold.
+ */
 void hard_expect_claims(const hard_problem *problem, const hard_claim *claims, size_t count, double rounding);
 
 /* The growth per step of y' = z y / h by bdf4: the largest root of (25 - 12 z) r^4 - 48 r^3 + 36 r^2 - 16 r + 3, all

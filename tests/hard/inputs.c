@@ -2,9 +2,9 @@
  * for two seconds. An input is held over a step, so that the solution is known in closed form from tick to tick.
  *
  * What must hold, in float and in double, for steps of 2^-7 s to 2^-11 s: a jump at a tick costs a one-step method
- * nothing, its order is what it always is. A method that keeps slopes or increments has them from before the jump: it
- * falls to order one, the negative control, and is its own again where the jump starts it anew. Orders are means over
- * the four halvings, to 0.2, in double. In float the errors are those of the table, and 4 epsilons of rounding.
+ * nothing, its order is what it always is. A method that keeps derivatives or increments has them from before the jump:
+ * it falls to order one, the negative control, and is its own again where the jump starts it anew. Orders are means
+ * over the four halvings, to 0.2, in double. In float the errors are those of the table, and 4 epsilons of rounding.
  */
 #include <math.h>
 
@@ -107,7 +107,7 @@ static double error_of(const unsigned recipe, signal *const input, const int k, 
 
 typedef struct inputs_method {
     unsigned method;
-    bool keeps; /* slopes or increments of steps before */
+    bool keeps; /* derivatives or increments of steps before */
     int order;
     double error; /* at most, with 2^-COARSEST s */
 } inputs_method;

@@ -29,9 +29,9 @@ static double jacobian_error(const hard_run *const run, const real *const at)
         x[j] = at[j] - (real)d;
         run->problem->equations.derivative(behind, x, run->u, run->problem->p);
         for (size_t i = 0; i < n; i++) {
-            const real slope = (ahead[i] - behind[i]) / (real)(2.0 * d);
-            largest = fmax(largest, fabs((double)(hb * slope)));
-            x[i] = (i == j ? R(1.0) : R(0.0)) - hb * slope;
+            const real derivative = (ahead[i] - behind[i]) / (real)(2.0 * d);
+            largest = fmax(largest, fabs((double)(hb * derivative)));
+            x[i] = (i == j ? R(1.0) : R(0.0)) - hb * derivative;
         }
         run->problem->equations.solve(x, lu);
         for (size_t i = 0; i < n; i++) {

@@ -8,10 +8,10 @@
  *   heavy tip, h = 2^-15 s: its links of 1 mg and 1 g swing at 3e3 rad/s and more. Angles to
  *   2e-9 rad and 2e-5 rad, rates to 1e-5 rad/s and 0.05 rad/s (the rounding of an angle, 3e-8 rad, is 1e-4 rad/s at
  *   that frequency, every step anew).
- *   the energy stays to 1.3e-14 with the light tip, which is the truncation of rk4, and walks by rounding: the variances
- *   of all steps add, and a walk is within four of their standard deviations but once in 8000 runs.
- * Controls: euler with the same step does not keep the energy; rk4 at h = 2^-9 s, where the heavy tip is beyond its
- * limit on the imaginary axis, ends with states that are not finite.
+ *   the energy stays to 1.3e-14 with the light tip, which is the truncation of rk4, and walks by rounding: the
+ * variances of all steps add, and a walk is within four of their standard deviations but once in 8000 runs. Controls:
+ * euler with the same step does not keep the energy; rk4 at h = 2^-9 s, where the heavy tip is beyond its limit on the
+ * imaginary axis, ends with states that are not finite.
  */
 #include <math.h>
 
@@ -58,7 +58,7 @@ static void to_rods(real *const x, const real *const joints)
 }
 
 /* What rounding does to the energy in a step, as the variance of a random number: every state is off by anything up to
- * half an ulp, the variance of which is ulp^2 / 12, and the energy by its slope times that. */
+ * half an ulp, the variance of which is ulp^2 / 12, and the energy by its derivative times that. */
 static double variance(const mass_case *const c, const real *const x, const bool generated)
 {
     static hard_run aside[2];
@@ -75,14 +75,15 @@ static double variance(const mass_case *const c, const real *const x, const bool
                 to_rods(aside[i].x, moved);
             }
         }
-        const double slope = (chain_energy(&aside[0]) - chain_energy(&aside[1])) / (2.0 * (double)d);
+        const double derivative = (chain_energy(&aside[0]) - chain_energy(&aside[1])) / (2.0 * (double)d);
         const double ulp = ldexp((double)ISO_REAL_EPSILON, ilogb((double)x[s]));
-        sum += slope * slope * ulp * ulp / 12.0;
+        sum += derivative * derivative * ulp * ulp / 12.0;
     }
     return sum;
 }
 
-/* A run of a second, by the equations written by hand or by the plant; checks it. Returns how far the energy may be off. */
+/* A run of a second, by the equations written by hand or by the plant; checks it. Returns how far the energy may be
+ * off. */
 static double test_second(const mass_case *const c, const bool generated)
 {
     static hard_run run;

@@ -9,7 +9,7 @@
  * What must hold, in float and in double:
  *   at 1 kHz, over both fast modes, bdf4 has an error of 5.5e-9 at 0.5 s and 2^-4 of it at half the step, rosenbrock
  *   1.4e-7 and 2^-3 (the largest of any state, relative), and in float 400 epsilons, which zu and zu' lose: their
- *   slopes are differences of forces 2e4 times as large. Steps of 16 us resolve the fast modes, at 1 and at 10 ms.
+ *   derivatives are differences of forces 2e4 times as large. Steps of 16 us resolve the fast modes, at 1 and at 10 ms.
  *   adams with a tolerance of 1e-6 reaches the solution at all times, as tests/hard/tolerance.h says.
  *   bdf4 is A(73.35 degrees)-stable, no more: in the band 0.206 s < h < 0.256 s the body's mode grows, by the largest
  *   root of the formula's characteristic polynomial, to 1e-9 (5e-8 in float); beside the band it decays as that root

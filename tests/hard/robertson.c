@@ -6,16 +6,15 @@
  *
  * What must hold, in float and in double: bdf4 and rosenbrock have the errors stated below (the largest of a state,
  * relative).
- *   over all of it: with steps of 0.08 and 0.16 ms, which resolve the first milliseconds, their orders too; with steps of
- *   1 ms nine digits after 40 s and eleven after 4000 s. In float rounding adds 4 epsilons, and where sums are not
+ *   over all of it: with steps of 0.08 and 0.16 ms, which resolve the first milliseconds, their orders too; with steps
+ * of 1 ms nine digits after 40 s and eleven after 4000 s. In float rounding adds 4 epsilons, and where sums are not
  *   compensated half an epsilon a step: 7 digits after four million steps with compensation, 3 without.
  *   from the solution at 40 s on, with steps that grow from 0.4 s to 1e7 s, every later time of the test set. Rounding
- *   adds to bdf4 4 epsilons; to rosenbrock that of a slope, three halves of an epsilon, times the sum of its weights, 7.6,
- *   makes 12; and 0.04 gamma h, since the second pivot of 1 - gamma h J is a difference of numbers larger by that: it
- *   shows at 1e11 s. Bdf4 has such pivots too, but solves with them only for what its predictor leaves.
- *   adams with a tolerance of 1e-8 up to 4000 s, in float to 40 s, as tests/hard/tolerance.h says. The square is that of
- *   y2, whose swing makes y3 grow: after 4000 s it rules.
- * Explicit methods at 10 ms leave the finite numbers within 40 steps.
+ *   adds to bdf4 4 epsilons; to rosenbrock that of a derivative, three halves of an epsilon, times the sum of its
+ * weights, 7.6, makes 12; and 0.04 gamma h, since the second pivot of 1 - gamma h J is a difference of numbers larger
+ * by that: it shows at 1e11 s. Bdf4 has such pivots too, but solves with them only for what its predictor leaves. adams
+ * with a tolerance of 1e-8 up to 4000 s, in float to 40 s, as tests/hard/tolerance.h says. The square is that of y2,
+ * whose swing makes y3 grow: after 4000 s it rules. Explicit methods at 10 ms leave the finite numbers within 40 steps.
  */
 #include "tests/hard/tolerance.h"
 

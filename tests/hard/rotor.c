@@ -4,9 +4,9 @@
  *
  * What must hold, against the product of the plant's own step and speed in long double:
  *   the angle is that of 43.2 million turns to one epsilon of the whole way, 2.7e8 rad: the way of a step is rounded
- *   once for h / 6, once for the sum of the slopes and once for their product, always to the same side; the sum with
- *   the angle is rounded by half an epsilon of pi at most. That is 32 rad in float and 6e-8 rad in double after a day.
- *   The drift is even: compensation, which returns what the sum loses and nothing of what the way lost, makes it
+ *   once for h / 6, once for the sum of the derivatives and once for their product, always to the same side; the sum
+ * with the angle is rounded by half an epsilon of pi at most. That is 32 rad in float and 6e-8 rad in double after a
+ * day. The drift is even: compensation, which returns what the sum loses and nothing of what the way lost, makes it
  *   smaller and not zero.
  *   within a second the angle is right to 4e-4 rad in float, in the last second of the day as in the first.
  * Control: the same way summed up in one real without turns. In float it comes to rest where the way of a step is less

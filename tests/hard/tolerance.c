@@ -7,7 +7,7 @@
 typedef struct tolerance_run {
     const hard_problem *problem;
     real h;
-    real carry[ADAMS_STATES_MAX];
+    real compensation[ADAMS_STATES_MAX];
     adams_memory memory;
 } tolerance_run;
 
@@ -24,8 +24,8 @@ static void begin(tolerance_run *const run, const hard_problem *const problem, c
         start[s] = (real)problem->start[s];
     }
     adams_prepare(m, problem->n, start, (real)tolerance, ISO_ADAMS_BUDGET_HOST);
-    m->trail.carry = run->carry;
-    iso_adams_start(&m->options, &m->state, &m->trail, problem->equations.derivative, run->h, NULL, problem->p,
+    m->history.compensation = run->compensation;
+    iso_adams_start(&m->options, &m->state, &m->history, problem->equations.derivative, run->h, NULL, problem->p,
                     m->work);
 }
 
@@ -33,7 +33,7 @@ static void go(tolerance_run *const run, const long ticks)
 {
     adams_memory *const m = &run->memory;
     for (long i = 0; i < ticks; i++) {
-        (void)iso_adams_tick(&m->options, &m->state, &m->trail, run->problem->equations.derivative, run->h, NULL,
+        (void)iso_adams_tick(&m->options, &m->state, &m->history, run->problem->equations.derivative, run->h, NULL,
                              run->problem->p, m->work);
     }
 }

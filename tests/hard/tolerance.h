@@ -1,15 +1,14 @@
-/* Adams on the stiff cases: no step and no budget, but a tolerance, as on the host. Explicit, it resolves every decay of
- * the fastest mode, however little of that is left.
+/* Adams on the stiff cases: no step and no budget, but a tolerance, as on the host. Explicit, it resolves every decay
+ * of the fastest mode, however little of that is left.
  *
  * What must hold follows from the test equation y' = -lambda y (Dahlquist 1963), on which the very method is run over
  * an octave of lambda: since its steps are powers of two, that is all there is. Stability bounds its steps, so y swings
  * about 0 for ever: up at one step, down at half of it, as the error passes the tolerance. Taken from there:
- *   how far y swings, in tolerances. So far a stiff solution is off: the fast mode forgets all local errors but the last.
- *   What steps so short leave in the other modes is small, but adds up and does not follow the tolerance, which therefore
- *   is chosen above it.
- *   the mean square of the swing, the largest of all lambda, which drives the other states where the equations have
- *   squares.
- *   how many sub-steps a decay takes; in double, since in float rounding has a part in it: zero slopes, and noise.
+ *   how far y swings, in tolerances. So far a stiff solution is off: the fast mode forgets all local errors but the
+ * last. What steps so short leave in the other modes is small, but adds up and does not follow the tolerance, which
+ * therefore is chosen above it. the mean square of the swing, the largest of all lambda, which drives the other states
+ * where the equations have squares. how many sub-steps a decay takes; in double, since in float rounding has a part in
+ * it: zero derivatives, and noise.
  */
 #ifndef ISO_TESTS_HARD_TOLERANCE_H
 #define ISO_TESTS_HARD_TOLERANCE_H

@@ -4,7 +4,8 @@
 
 : "${CC:=cc}"
 FLAGS="-std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes
-    -Wmissing-prototypes -Wvla -Werror -O2 -ffp-contract=off -fno-math-errno -I."
+    -Wmissing-prototypes -Wvla -Werror -O2 -ffp-contract=off -fno-math-errno
+    -fno-tree-vectorize -fno-tree-slp-vectorize -I."
 tests=0
 failures=0
 

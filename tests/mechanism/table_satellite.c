@@ -34,8 +34,8 @@ const table the_table = {
                  .axis = {0.0L, 0.0L, 1.0L},
                  .damping = 1e-3L},
 
-    .mechanism.thrusts = 2,
-    .mechanism.thrust =
+    .mechanism.applied_forces = 2,
+    .mechanism.applied_force =
         {
             [ENGINE] = {BUS, {0.0L, -0.100L, 0.020L}, {0.0L, 1.0L, 0.2L}, 0.0L, 1},
             [SCREW] = {PANEL, {0.010L, 0.300L, 0.0L}, {-1.0L, 0.0L, 0.0L}, 0.030L, 2},
@@ -61,7 +61,7 @@ const table the_table = {
             {"mass of the panel", offsetof(mechanism, body[PANEL].mass)},
             {"turn of the bus", offsetof(mechanism, joint[BUS].on_child.degrees)},
             {"damping of the hinge", offsetof(mechanism, joint[PANEL].spin_damping)},
-            {"place of the engine", offsetof(mechanism, thrust[ENGINE].at[1])},
-            {"lever of the screw", offsetof(mechanism, thrust[SCREW].lever)},
+            {"place of the engine", offsetof(mechanism, applied_force[ENGINE].at[1])},
+            {"lever of the screw", offsetof(mechanism, applied_force[SCREW].lever)},
         },
 };

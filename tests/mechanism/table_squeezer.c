@@ -1,5 +1,5 @@
-/* models/squeezer.scene in the tables of the independent dynamics: Andrews' seven bodies, and the two of the spring's leg,
- * whose eye is 5 g of the plate's 23.73 g. */
+/* models/squeezer.scene in the tables of the independent dynamics: Andrews' seven bodies, and the two of the spring's
+ * leg, whose eye is 5 g of the plate's 23.73 g. */
 #include "tests/dynamics/tables.h"
 
 enum { CRANK, COUPLER, PLATE, UPPER_ROCKER, UPPER_ROD, LOWER_ROCKER, LOWER_ROD, HUB, EYE };

@@ -1,5 +1,5 @@
-/* A closed loop: crank upright, coupler on a triangle 5-12-13, rocker on one 3-4-5. The solution is rk4's with 2^-16 s and
- * compensated sums, a quarter of the test's finest step. */
+/* A closed loop: crank upright, coupler on a triangle 5-12-13, rocker on one 3-4-5. The solution is rk4's with 2^-16 s
+ * and compensated sums, a quarter of the test's finest step. */
 #include <math.h>
 #include <string.h>
 

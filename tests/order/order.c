@@ -3,12 +3,12 @@
  * The error is e(h) = C h^p (1 + D h + ...) + rounding, so log2(e(h) / e(h / 2)) = p + D h / (2 ln 2) + ...: the
  * coarsest step must make the second term small, and the finest must keep e(h) far above rounding, about 2^-53
  * sqrt(1 / h) times the growth of an error in this second, 5: at most 1.5e-13; compensated, some 2^-53 times 5. With
- * the ranges below e(h) is over 5e-12, and D h / (2 ln 2) below 0.09. Only the PEC form of abm4 has so large a D, 60 / s,
- * that it must begin at 2^-10 s; its last errors, 2e-14, are seen compensated only. Steps are powers of two, which meet
- * 1 s exactly.
+ * the ranges below e(h) is over 5e-12, and D h / (2 ln 2) below 0.09. Only the PEC form of abm4 has so large a D, 60 /
+ * s, that it must begin at 2^-10 s; its last errors, 2e-14, are seen compensated only. Steps are powers of two, which
+ * meet 1 s exactly.
  *
- * With the argument `errors` the errors are printed, compensated unless there is a second argument, in whichever real the
- * program has: tests/order/order.t holds those in float against those in double.
+ * With the argument `errors` the errors are printed, compensated unless there is a second argument, in whichever real
+ * the program has: tests/order/order.t holds those in float against those in double.
  */
 #include <math.h>
 #include <stdio.h>
@@ -99,7 +99,7 @@ static void run(const method *const m, const int k, real x[ORDER_STATES_MAX * VE
     const real u[ORDER_INPUTS_MAX] = {(real)the_problem.input[0]};
     const real *const p = iso_the_plant.defaults;
     iso_equations eq = *the_equations;
-    const iso_trail trail = {.n = n, .x = x};
+    const iso_history history = {.n = n, .x = x};
     real work[ISO_PRIME_WORK(ORDER_STATES_MAX)], lu[FACTORS_MAX];
     iso_progress progress = {.local_error = R(0.0)};
     jacobian_scale = (real)m->jacobian;
@@ -113,7 +113,7 @@ static void run(const method *const m, const int k, real x[ORDER_STATES_MAX * VE
     }
     for (long step = 0; step < 1L << k; step++) {
         if (m->table != NULL) {
-            (void)iso_explicit_step(m->table, &trail, eq.derivative, h, u, p, work);
+            (void)iso_explicit_step(m->table, &history, eq.derivative, h, u, p, work);
         } else {
             iso_method_step(m->recipe, n, &eq, h, x, u, p, lu, work, &progress);
         }

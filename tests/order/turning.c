@@ -7,8 +7,8 @@
  *
  *     h^2 / 2 (omega'.J omega' - 2 tau.omega' - tau'.omega) = -h^2 / 2 ((omega x J omega).omega' + (tau.omega)')
  *
- * and terms of h^3. So the energy is not kept, as an oscillator's is: after 1 s it is off by h times a number L that the
- * exact motion gives, and by terms of h^2.
+ * and terms of h^3. So the energy is not kept, as an oscillator's is: after 1 s it is off by h times a number L that
+ * the exact motion gives, and by terms of h^2.
  */
 #include <math.h>
 #include <string.h>

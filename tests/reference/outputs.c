@@ -1,12 +1,12 @@
 /* The outputs of a plant's own run against a reference solution in a text file.
  *
  *     outputs FILE CASE DEMAND ENERGY [EFFORT OUTPUT]
- *                        TAP: the error of every row is at most DEMAND; at every step the energy is off by at most ENERGY (J)
- *                        what it was at the start and what a constant EFFORT (N m) on the angle OUTPUT has added
- *     outputs FILE CASE  the errors alone, one on a line
+ *                        TAP: the error of every row is at most DEMAND; at every step the energy is off by at most
+ * ENERGY (J) what it was at the start and what a constant EFFORT (N m) on the angle OUTPUT has added outputs FILE CASE
+ * the errors alone, one on a line
  *
- * The error of a row is the largest of its columns, of |y| where that is above 1. A file has `case NAME ...`, `columns` with
- * the names of outputs, and `row` with the time and the values.
+ * The error of a row is the largest of its columns, of |y| where that is above 1. A file has `case NAME ...`, `columns`
+ * with the names of outputs, and `row` with the time and the values.
  */
 #include <math.h>
 #include <stdio.h>

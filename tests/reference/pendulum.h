@@ -1,8 +1,8 @@
 /* Planar simple pendulum, m = l = 1, g = 9.81, released at rest: angle from the downward vertical (rad) and its rate.
  *
  * theta = 2 asin(k sn(K(k) - w t, k)), k = sin(a / 2), w = sqrt(g / l), to 21 digits; the closed form and a second
- * computation by extrapolation agree on 29. The first start is benchmark A01 of the IFToMM library of multibody problems.
- * Starts near the top are left out: there rounding grows above the truncation error of a step of 1 ms.
+ * computation by extrapolation agree on 29. The first start is benchmark A01 of the IFToMM library of multibody
+ * problems. Starts near the top are left out: there rounding grows above the truncation error of a step of 1 ms.
  */
 #ifndef ISO_TESTS_REFERENCE_PENDULUM_H
 #define ISO_TESTS_REFERENCE_PENDULUM_H

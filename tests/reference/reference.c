@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "core/methods/explicit.h"
+#include "core/runtime/plant.h"
 #include "tests/host/report.h"
 #include "tests/reference/reference.h"
 
@@ -54,10 +55,10 @@ static state rounded(const long double *const y)
 static void run(state *const s, const int ms, const int steps_per_ms)
 {
     double work[ISO_EXPLICIT_WORK(REFERENCE_STATES_MAX)];
-    const iso_trail trail = {.n = (size_t)the_reference.states, .x = s->x};
+    const iso_history history = {.n = (size_t)the_reference.states, .x = s->x};
     for (long n = 0; n < (long)ms * steps_per_ms; n++) {
-        (void)iso_explicit_step(&iso_tableau_rk4, &trail, iso_the_plant.derivative, MS / steps_per_ms, iso_the_plant.u,
-                                iso_the_plant.p, work);
+        (void)iso_explicit_step(&iso_tableau_rk4, &history, iso_the_plant.derivative, MS / steps_per_ms,
+                                iso_the_plant.u, iso_the_plant.p, work);
     }
 }
 

@@ -1,9 +1,9 @@
 /* Where methods are stable: kernels run on x' = lambda x, against what theory.c computes from their coefficients.
  *
  * With h = 1 and z = lambda, x' = z x with complex x is a plant of two real states. A run is linear: it is scaled by
- * powers of two, which change no digit, and its growth per step is measured over STEPS steps after as many before, which
- * leave the largest root alone. Two roots of the same size, a conjugate pair on the real axis, make the size swing; with
- * a factor below 50, which is what is seen, growth is known to log(50) / STEPS.
+ * powers of two, which change no digit, and its growth per step is measured over STEPS steps after as many before,
+ * which leave the largest root alone. Two roots of the same size, a conjugate pair on the real axis, make the size
+ * swing; with a factor below 50, which is what is seen, growth is known to log(50) / STEPS.
  */
 #include <math.h>
 #include <string.h>

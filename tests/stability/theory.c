@@ -64,8 +64,8 @@ static double ab4_growth(const double complex z)
     return theory_largest_root(c, 4);
 }
 
-/* All slopes are z x: x+ = x + z (b0 p + b1 x + b2 x[-1] + b3 x[-2]), where p is the predictor's x+, or once more the
- * corrector's. Coefficients of zeta^3, zeta^2, ... of the right side. */
+/* All derivatives are z x: x+ = x + z (b0 p + b1 x + b2 x[-1] + b3 x[-2]), where p is the predictor's x+, or once more
+ * the corrector's. Coefficients of zeta^3, zeta^2, ... of the right side. */
 static double pece_growth(const double complex z, const int corrections)
 {
     const iso_adams *const am = &iso_table_am[3];
@@ -86,7 +86,7 @@ static double pece_growth(const double complex z, const int corrections)
     return theory_largest_root(c, 4);
 }
 
-/* Slopes are z p, of the predictor: p+ = x + z s(p), x+ = x + z t(p+), s and t the two formulas. With p = zeta^n:
+/* Derivatives are z p, of the predictor: p+ = x + z s(p), x+ = x + z t(p+), s and t the two formulas. With p = zeta^n:
  * (zeta - 1) (p+ - z s) = z t. */
 static double pec_growth(const double complex z)
 {

@@ -12,8 +12,8 @@
 /* The imaginary unit in double. */
 #define THEORY_I ((double complex)I)
 
-/* The growth per step of a recipe's method at z: of x' = lambda x; for semi_implicit of q'' = lambda^2 q on the imaginary
- * axis and of q' = v, v' = lambda v on the real one. */
+/* The growth per step of a recipe's method at z: of x' = lambda x; for semi_implicit of q'' = lambda^2 q on the
+ * imaginary axis and of q' = v, v' = lambda v on the real one. */
 double theory_growth(unsigned recipe, double complex z);
 
 /* The z on bdf4's root locus at zeta = exp(i angle): sum over k of (1 - 1/zeta)^k / k. */

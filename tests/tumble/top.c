@@ -28,8 +28,8 @@ static integrals now(void)
                        (double)y[SPIN_Z]};
 }
 
-/* Over 10 s at 0.5 ms. The top turns by 0.1 rad a step, of which rk4 misses (0.1 / 2)^5 / 5! in its quaternion; were all of
- * 20,000 steps off to the same side, the integrals would be by no more than their sum. */
+/* Over 10 s at 0.5 ms. The top turns by 0.1 rad a step, of which rk4 misses (0.1 / 2)^5 / 5! in its quaternion; were
+ * all of 20,000 steps off to the same side, the integrals would be by no more than their sum. */
 int main(void)
 {
     const double most = 20000.0 * pow(0.05, 5.0) / 120.0;

@@ -1,5 +1,6 @@
-/* A free body that tumbles about its middle axis, rigid_body.scene, over a number of steps: how far its quaternion's length
- * goes from one in units in the last place, and the energy and the momentum in the ground's axes from where they began.
+/* A free body that tumbles about its middle axis, rigid_body.scene, over a number of steps: how far its quaternion's
+ * length goes from one in units in the last place, and the energy and the momentum in the ground's axes from where they
+ * began.
  *
  *     tumble STEPS      prints: ulps, change of energy, change of momentum; the last two as parts of the whole
  */

@@ -1,5 +1,5 @@
-/* core/methods/adams.h: its tables in whole numbers, single sub-steps against results that are exact in binary, and what a
- * budget promises. How accurate whole runs are: tests/adams. */
+/* core/methods/adams.h: its tables in whole numbers, single sub-steps against results that are exact in binary, and
+ * what a budget promises. How accurate whole runs are: tests/adams. */
 #include "core/methods/multistep.h"
 #include "tests/adams/run.h"
 #include "tests/tap.h"
@@ -18,7 +18,7 @@ static void prepare(adams_memory *const m, const real first, const real second)
 
 static real *row(adams_memory *const m, const size_t j)
 {
-    return m->trail.past + (j - 1) * N;
+    return m->history.past + (j - 1) * N;
 }
 
 /* t' = 1, q' = t^3. */
@@ -88,7 +88,7 @@ static bool whole_table(int32_t l[TABLE_ORDERS + 2][TABLE_ROWS])
     return whole;
 }
 
-/* The polynomial of the l and its slope at -i, times OVER. */
+/* The polynomial of the l and its derivative at -i, times OVER. */
 static int32_t value(const int32_t l[TABLE_ROWS], const int32_t i)
 {
     int32_t sum = 0;
@@ -98,7 +98,7 @@ static int32_t value(const int32_t l[TABLE_ROWS], const int32_t i)
     return sum;
 }
 
-static int32_t slope(const int32_t l[TABLE_ROWS], const int32_t i)
+static int32_t derivative(const int32_t l[TABLE_ROWS], const int32_t i)
 {
     int32_t sum = 0;
     for (int j = TABLE_ORDERS; j > 0; j--) {
@@ -107,12 +107,12 @@ static int32_t slope(const int32_t l[TABLE_ROWS], const int32_t i)
     return sum;
 }
 
-/* The implicit Adams method of order q less the truth for x = t^(q+1) from t = -1 to 0, times over: its slopes are
+/* The implicit Adams method of order q less the truth for x = t^(q+1) from t = -1 to 0, times over: its derivatives are
  * (q + 1) (-j)^q. */
 static int32_t adams_error(const iso_adams *const am, const int32_t q)
 {
     int32_t sum = 0;
-    for (int32_t j = 0; j < ISO_ADAMS_SLOPES; j++) {
+    for (int32_t j = 0; j < ISO_ADAMS_DERIVATIVES; j++) {
         int32_t power = am->b[j];
         for (int32_t i = 0; i < q; i++) {
             power *= -j;
@@ -127,7 +127,7 @@ static void test_table(void)
 {
     int32_t l[TABLE_ORDERS + 2][TABLE_ROWS];
     bool start_held = true;
-    bool slopes_held = true;
+    bool derivatives_held = true;
     bool first = true;
     bool last = true;
     bool moulton = true;
@@ -139,7 +139,7 @@ static void test_table(void)
         factorial *= q;
         start_held = start_held && value(l[q], 1) == 0;
         for (int32_t i = 1; i < q; i++) {
-            slopes_held = slopes_held && slope(l[q], i) == 0;
+            derivatives_held = derivatives_held && derivative(l[q], i) == 0;
         }
         first = first && l[q][1] == OVER;
         last = last && l[q][q] * factorial == OVER;
@@ -152,12 +152,12 @@ static void test_table(void)
         moulton = moulton && l[q][0] * iso_table_am[q - 1].over == iso_table_am[q - 1].b[0] * OVER;
     }
     tap_ok(start_held, "table: a correction leaves the state one step before alone");
-    tap_ok(slopes_held, "table: and the slopes before that");
-    tap_ok(first, "table: it moves the slope at the end by itself");
+    tap_ok(derivatives_held, "table: and the derivatives before that");
+    tap_ok(first, "table: it moves the derivative at the end by itself");
     tap_ok(last, "table: the last of order q is 1 / q!, and the others are zero");
     tap_ok(moulton, "table: the correction of the state is that of the implicit Adams method");
     tap_ok(errors, "table: what the next order has more of it are the error constants of these methods");
-    tap_ok(slope(l[4], 4) != 0, "table, control: four steps before, the slope does change");
+    tap_ok(derivative(l[4], 4) != 0, "table, control: four steps before, the derivative does change");
 }
 
 /* z of t^4 at t = 3 with h = 1/2: all binary; one step further it is that at 3.5. */
@@ -170,16 +170,17 @@ static void test_predict(void)
     row(&m, 2)[1] = R(13.5);   /* 6 t^2 h^2 */
     row(&m, 3)[1] = R(1.5);    /* 4 t h^3 */
     row(&m, 4)[1] = R(0.0625); /* h^4 */
-    iso_adams_predict(&m.trail, 1, z);
+    iso_adams_predict(&m.history, 1, z);
     tap_same(z[0], R(69.0625), "predict: the increment of a quartic is exact");
-    tap_same(z[1], R(85.75), "predict: and its slope");
+    tap_same(z[1], R(85.75), "predict: and its derivative");
     tap_same(z[2], R(18.375), "predict: and its second row");
     tap_same(z[3], R(1.75), "predict: and its third");
     tap_same(z[4], R(0.0625), "predict: and its fourth");
 }
 
-/* The state of `cubic` at t = 3, x = t^4 / 4, in the middle of a run with two steps to the tick of 1. Order 4: the Taylor
- * rows. Order 3: those of the parabola through the slopes at 3, 5/2 and 2, which is t^3 - (t - 3) (t - 5/2) (t - 2). */
+/* The state of `cubic` at t = 3, x = t^4 / 4, in the middle of a run with two steps to the tick of 1. Order 4: the
+ * Taylor rows. Order 3: those of the parabola through the derivatives at 3, 5/2 and 2, which is t^3 - (t - 3) (t - 5/2)
+ * (t - 2). */
 static void in_the_middle(adams_memory *const m, const uint8_t order)
 {
     prepare(m, R(3.0), R(20.25));
@@ -198,9 +199,9 @@ static void test_exact(void)
     in_the_middle(&m, 4);
     const real error = adams_tick(&m, cubic, R(1.0), NULL);
     tap_same(m.x[0], R(4.0), "order 4: the clock is exact");
-    tap_same(m.x[1], R(64.0), "order 4: the integral of a cubic slope is exact");
+    tap_same(m.x[1], R(64.0), "order 4: the integral of a cubic derivative is exact");
     tap_same(error, R(0.0), "order 4: and its estimate is zero");
-    tap_same(row(&m, 1)[1], R(32.0), "order 4: the first row is the slope at the end");
+    tap_same(row(&m, 1)[1], R(32.0), "order 4: the first row is the derivative at the end");
     tap_same(row(&m, 3)[1], R(0.5), "order 4: the rows move on");
     tap_count(m.state.substeps, 2, "order 4: two steps of half a tick");
     tap_count(m.state.evaluations, 4, "order 4: two evaluations each");
@@ -215,8 +216,8 @@ static bool has_rows(adams_memory *const m, const real second, const real third,
            iso_abs(row(m, 4)[1] - fourth) <= near * second;
 }
 
-/* At order 3 the parabola misses h^4 x^(4) = 3/8 of the slope at 7/2; 1/24 of it is the local error. The next correction of
- * a quartic is the same. */
+/* At order 3 the parabola misses h^4 x^(4) = 3/8 of the derivative at 7/2; 1/24 of it is the local error. The next
+ * correction of a quartic is the same. */
 static void test_estimate(void)
 {
     const real correction = R(0.375);
@@ -248,8 +249,8 @@ static void test_estimate(void)
     tap_ok(iso_adams_correct(&run).higher > R(1.0), "estimate, control: a correction of before that is not right");
 }
 
-/* The rows of a quartic at 7/2 where the parabola was: at order 3 through the slopes at 7/2, 3 and 5/2, at order 4 as they
- * are. */
+/* The rows of a quartic at 7/2 where the parabola was: at order 3 through the derivatives at 7/2, 3 and 5/2, at order 4
+ * as they are. */
 static void test_orders(void)
 {
     adams_memory m;
@@ -257,7 +258,7 @@ static void test_orders(void)
     iso_adams_run run = adams_walk(&m, cubic, R(1.0));
     (void)iso_adams_try(&run);
     (void)iso_adams_correct(&run);
-    tap_ok(has_rows(&m, R(4.53125), R(0.375), R(0.0)), "order 3: a parabola through three slopes");
+    tap_ok(has_rows(&m, R(4.53125), R(0.375), R(0.0)), "order 3: a parabola through three derivatives");
     iso_adams_raise(&run);
     tap_ok(has_rows(&m, R(4.59375), R(0.4375), R(0.015625)), "raise: the quartic as it is");
     tap_count(m.state.order, 4, "raise: the order");
@@ -268,21 +269,22 @@ static void test_orders(void)
     tap_count(m.state.order, 3, "lower: the order");
 }
 
-/* Halved and doubled, the parabola goes through the slopes of t^3 at 3, 11/4 and 5/2, or at 3, 2 and 1. */
+/* Halved and doubled, the parabola goes through the derivatives of t^3 at 3, 11/4 and 5/2, or at 3, 2 and 1. */
 static void test_scale(void)
 {
     adams_memory m;
     in_the_middle(&m, 3);
     iso_adams_run run = adams_walk(&m, cubic, R(1.0));
     iso_adams_halve(&run);
-    tap_ok(has_rows(&m, R(0.83984375), R(0.04296875), R(0.0)), "halve: a parabola through slopes half as far back");
+    tap_ok(has_rows(&m, R(0.83984375), R(0.04296875), R(0.0)),
+           "halve: a parabola through derivatives half as far back");
     tap_same(row(&m, 1)[1], R(6.75), "halve: the first row by 1/2");
     tap_count(m.state.level, 2, "halve: one level more");
     tap_count(run.remaining, 4, "halve: twice the sub-steps");
     iso_adams_double(&run);
     tap_ok(has_rows(&m, R(3.3125), R(0.3125), R(0.0)), "double: undoes it");
     iso_adams_double(&run);
-    tap_ok(has_rows(&m, R(12.5), R(2.0), R(0.0)), "double: a parabola through slopes twice as far back");
+    tap_ok(has_rows(&m, R(12.5), R(2.0), R(0.0)), "double: a parabola through derivatives twice as far back");
     tap_same(row(&m, 5)[1], R(6.0), "double: the correction by 2^4");
     tap_count(m.state.level, 0, "double: one level less");
     tap_count(run.remaining, 1, "double: half the sub-steps");
@@ -372,8 +374,8 @@ static void test_budget_of_jumps(void)
     tap_ok(evaluations - before <= 2 * ISO_ADAMS_BUDGET + 1, "budget: one evaluation more where inputs change");
 }
 
-/* The slope of q jumps from 0 to 1 between two ticks. The jump is exactly on a tick: nothing is lost but the rounding of
- * the sum. */
+/* The derivative of q jumps from 0 to 1 between two ticks. The jump is exactly on a tick: nothing is lost but the
+ * rounding of the sum. */
 static void test_restart(void)
 {
     adams_memory m;
@@ -388,7 +390,7 @@ static void test_restart(void)
     tap_count(m.state.order, 4, "restart: at full order");
     u[0] = R(1.0);
     (void)adams_tick(&m, driven, R(1.0), u);
-    tap_count(m.state.restarts, 1, "restart: a slope that jumped is found, once");
+    tap_count(m.state.restarts, 1, "restart: a derivative that jumped is found, once");
     tap_same(m.x[1], R(1.0), "restart: and nothing of the step is lost");
     tap_ok(m.state.rejected >= 2, "restart: after two sub-steps with estimates that halving did not quarter");
 
@@ -398,11 +400,13 @@ static void test_restart(void)
     adams_begin(&m, driven, R(1.0), u);
     u[0] = R(1.0);
     (void)adams_tick(&m, driven, R(1.0), u);
-    tap_count(m.state.restarts + m.state.rejected, 0, "restart: not needed where the slope is taken at every tick");
+    tap_count(m.state.restarts + m.state.rejected, 0,
+              "restart: not needed where the derivative is taken at every tick");
     tap_same(m.x[1], R(2.0), "restart: which loses nothing either");
 }
 
-/* A start's step is a quarter of the tolerance: h^2 / (2 H) |x'| <= tol / 4, for |x'| = 1 = H and tol = 2^-9 h = 2^-5. */
+/* A start's step is a quarter of the tolerance: h^2 / (2 H) |x'| <= tol / 4, for |x'| = 1 = H and tol = 2^-9 h = 2^-5.
+ */
 static void test_start(void)
 {
     const real u[1] = {R(1.0)};
@@ -412,23 +416,23 @@ static void test_start(void)
     m.options.tolerance_relative = R(0.0);
     m.options.budget = 64;
     adams_begin(&m, driven, R(1.0), u);
-    tap_count(m.state.level, 5, "start: the step by the first slope");
+    tap_count(m.state.level, 5, "start: the step by the first derivative");
     tap_count(m.state.order, 1, "start: order 1");
     tap_count(evaluations, 1, "start: one evaluation");
-    tap_same(row(&m, 1)[1], R(0.03125), "start: h times the slope");
+    tap_same(row(&m, 1)[1], R(0.03125), "start: h times the derivative");
     m.options.budget = 8;
     adams_begin(&m, driven, R(1.0), u);
     tap_count(m.state.level, 3, "start: not smaller than the budget can walk");
     tap_same(m.x[1], R(0.0), "start: the state is left as it is");
 }
 
-/* Steps of a tick at order 4 are those of abm4, whose slopes at 0, -h, -2h, -3h are those of the rows below. */
+/* Steps of a tick at order 4 are those of abm4, whose derivatives at 0, -h, -2h, -3h are those of the rows below. */
 static void test_abm4(void)
 {
     enum { STEPS = 32 };
     const real h = R(0.0625);
-    /* Slopes, the newest first, of a motion that passes at 1, 0; any would do. */
-    static const real slopes[ISO_AB4_STEPS] = {R(-1.0), R(-0.75), R(-0.5), R(0.25)};
+    /* Derivatives, the newest first, of a motion that passes at 1, 0; any would do. */
+    static const real derivatives[ISO_AB4_STEPS] = {R(-1.0), R(-0.75), R(-0.5), R(0.25)};
     real x[N] = {R(1.0), R(0.0)};
     real kept[ISO_AB4_STEPS * N], sums[ISO_ABM4_SUMS * N] = {R(0.0)};
     real work[2 * N];
@@ -439,7 +443,7 @@ static void test_abm4(void)
     m.state = (iso_adams_state){.order = 4};
     for (size_t s = 0; s < N; s++) {
         for (size_t j = 0; j < ISO_AB4_STEPS; j++) {
-            kept[j * N + s] = s == 0 ? slopes[ISO_AB4_STEPS - 1 - j] : slopes[j];
+            kept[j * N + s] = s == 0 ? derivatives[ISO_AB4_STEPS - 1 - j] : derivatives[j];
         }
         const real f0 = kept[s], f1 = kept[N + s], f2 = kept[2 * N + s], f3 = kept[3 * N + s];
         const real by = h / R(144.0); /* the cubic through the four, differentiated at the newest */
@@ -448,9 +452,9 @@ static void test_abm4(void)
         row(&m, 3)[s] = by * (R(48.0) * f0 - R(120.0) * f1 + R(96.0) * f2 - R(24.0) * f3);
         row(&m, 4)[s] = by * (R(6.0) * f0 - R(18.0) * f1 + R(18.0) * f2 - R(6.0) * f3);
     }
-    const iso_trail trail = {.n = N, .x = x, .past = sums};
+    const iso_history history = {.n = N, .x = x, .past = sums};
     for (size_t j = ISO_AB4_STEPS; j-- > 0;) {
-        iso_abm4_take_slope(&trail, h, kept + j * N);
+        iso_abm4_take_derivative(&history, h, kept + j * N);
     }
     real off = R(0.0);
     real first = R(0.0);
@@ -458,7 +462,7 @@ static void test_abm4(void)
         const iso_adams_run run = adams_walk(&m, oscillator, h);
         const real estimate = iso_adams_try(&run);
         (void)iso_adams_correct(&run);
-        const real milne = iso_abm4_step(&trail, oscillator, h, NULL, NULL, work, 1, true);
+        const real milne = iso_abm4_step(&history, oscillator, h, NULL, NULL, work, 1, true);
         first = i == 0 ? iso_larger(estimate - milne, R(0.0)) / milne : first;
         off = iso_larger(off, iso_larger(m.x[0] - x[0], m.x[1] - x[1]));
     }
@@ -485,7 +489,7 @@ static void test_not_a_number(void)
     tap_ok(m.state.budget_bound > 0, "what is not a number is never within the tolerance");
 }
 
-/* Compensated sums: half an ulp of 1 is added again and again, by a slope of one ulp and ticks of 1/2. */
+/* Compensated sums: half an ulp of 1 is added again and again, by a derivative of one ulp and ticks of 1/2. */
 static void slow(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
 {
     (void)x;
@@ -498,9 +502,9 @@ static void slow(real *restrict dx, const real *restrict x, const real *restrict
 static void test_compensated(void)
 {
     adams_memory m;
-    real carry[N] = {R(0.0)};
+    real compensation[N] = {R(0.0)};
     prepare(&m, R(1.0), R(0.0));
-    m.trail.carry = carry;
+    m.history.compensation = compensation;
     adams_begin(&m, slow, R(0.5), NULL);
     for (int i = 0; i < 16; i++) {
         (void)adams_tick(&m, slow, R(0.5), NULL);

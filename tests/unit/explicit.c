@@ -32,8 +32,8 @@ static void lorenz(real *restrict dx, const real *restrict x, const real *restri
 static inline void step(const iso_tableau *const table, const size_t n, iso_derivative *const f, const real by,
                         real *const x, const real *const u, const real *const p, real *const work)
 {
-    const iso_trail trail = {.n = n, .x = x};
-    (void)iso_explicit_step(table, &trail, f, by, u, p, work);
+    const iso_history history = {.n = n, .x = x};
+    (void)iso_explicit_step(table, &history, f, by, u, p, work);
 }
 
 static void test_euler(void)
@@ -56,7 +56,7 @@ static void test_heun(void)
     real y[2] = {R(2.0), R(0.0)};
     step(&iso_tableau_heun, 2, linear, h, y, NULL, NULL, work);
     tap_same(y[0], R(3.5), "heun: time advances by h");
-    tap_same(y[1], R(4.125), "heun: the integral of a linear slope is exact");
+    tap_same(y[1], R(4.125), "heun: the integral of a linear derivative is exact");
 }
 
 static void test_rk4(void)
@@ -69,7 +69,7 @@ static void test_rk4(void)
 
     real y[2] = {R(0.0), R(0.0)};
     step(&iso_tableau_rk4, 2, cubic, h, y, NULL, NULL, work);
-    tap_same(y[1], R(1.265625), "rk4: the integral of a cubic slope is exact");
+    tap_same(y[1], R(1.265625), "rk4: the integral of a cubic derivative is exact");
     step(&iso_tableau_rk4, 2, cubic, -h, y, NULL, NULL, work);
     tap_same(y[0], R(0.0), "rk4: a step back undoes the time");
     tap_same(y[1], R(0.0), "rk4: a step back undoes the integral");
@@ -80,16 +80,16 @@ static void test_semi_implicit(void)
 {
     real work[3] = {R(0.0), R(0.0), R(7.0)};
     real x[3] = {R(1.0), R(0.0), R(9.0)};
-    const iso_trail trail = {.n = 2, .x = x};
+    const iso_history history = {.n = 2, .x = x};
     const iso_equations eq = {.derivative = oscillator};
-    (void)iso_semi_implicit_step(&trail, &eq, h_oscillator, NULL, NULL, work);
+    (void)iso_semi_implicit_step(&history, &eq, h_oscillator, NULL, NULL, work);
     tap_same(x[1], R(-0.75), "semi_implicit: oscillator, speed v - h q");
     tap_same(x[0], R(0.4375), "semi_implicit: oscillator, position q + h (v - h q)");
     tap_ok(work[2] == R(7.0) && x[2] == R(9.0), "semi_implicit: work space and state end at n");
 
     /* Symplectic: q^2 - h q v + v^2 stays, here 1. */
     tap_same(x[0] * x[0] - h_oscillator * x[0] * x[1] + x[1] * x[1], R(1.0), "semi_implicit: the invariant stays");
-    (void)iso_semi_implicit_step(&trail, &eq, h_oscillator, NULL, NULL, work);
+    (void)iso_semi_implicit_step(&history, &eq, h_oscillator, NULL, NULL, work);
     tap_same(x[0] * x[0] - h_oscillator * x[0] * x[1] + x[1] * x[1], R(1.0), "semi_implicit: in the second step too");
 }
 
@@ -113,9 +113,9 @@ static void test_semi_implicit_rates(void)
 {
     real work[4] = {R(0.0), R(0.0), R(0.0), R(7.0)};
     real x[4] = {R(1.0), R(3.0), R(0.0), R(9.0)};
-    const iso_trail trail = {.n = 3, .x = x};
+    const iso_history history = {.n = 3, .x = x};
     const iso_equations eq = {.derivative = coupled, .rates = rates, .positions = 2};
-    (void)iso_semi_implicit_step(&trail, &eq, R(0.75), NULL, NULL, work);
+    (void)iso_semi_implicit_step(&history, &eq, R(0.75), NULL, NULL, work);
     tap_same(x[2], R(-0.75), "semi_implicit: two positions, speed v - h q1");
     tap_same(x[0], R(0.4375), "semi_implicit: two positions, q1 + h (v - h q1)");
     tap_same(x[1], R(1.875), "semi_implicit: two positions, q2 + 2 h (v - h q1)");

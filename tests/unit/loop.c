@@ -186,7 +186,7 @@ static void test_start(void)
     tap_same(u[0], R(0.0), "start: the inputs are those of tick 0");
     tap_count(primed, 1, "start: the history is primed once");
     tap_same(state_when_primed, R(5.0), "start: after the state was set");
-    tap_count(loop.account.ticks, 0, "start: nothing is accounted");
+    tap_count(loop.statistics.ticks, 0, "start: nothing is accounted");
     tap_count(loop.overhead, READING, "start: the cost of reading the clock is measured");
 }
 
@@ -194,14 +194,14 @@ static void test_quiet(void)
 {
     const script quiet = {.cost = {0, 50, 70, 60}};
     tap_count(run(&quiet, 3, 0), 3, "quiet: three ticks");
-    tap_count(loop.account.ticks, 3, "quiet: ticks");
-    tap_count(loop.account.late, 0, "quiet: none late");
-    tap_count(loop.account.lost, 0, "quiet: none lost");
-    tap_count(loop.account.overruns, 0, "quiet: no overrun");
-    tap_count(loop.account.execution_min, 50, "quiet: least execution time, without the clock's own");
-    tap_count(loop.account.execution_max, 70, "quiet: greatest execution time");
-    tap_count((uint32_t)loop.account.execution_sum, 180, "quiet: sum of the execution times");
-    tap_count((uint32_t)loop.account.margin, IDLE_MARGIN - 70, "quiet: least margin");
+    tap_count(loop.statistics.ticks, 3, "quiet: ticks");
+    tap_count(loop.statistics.late, 0, "quiet: none late");
+    tap_count(loop.statistics.lost, 0, "quiet: none lost");
+    tap_count(loop.statistics.overruns, 0, "quiet: no overrun");
+    tap_count(loop.statistics.execution_min, 50, "quiet: least execution time, without the clock's own");
+    tap_count(loop.statistics.execution_max, 70, "quiet: greatest execution time");
+    tap_count((uint32_t)loop.statistics.execution_sum, 180, "quiet: sum of the execution times");
+    tap_count((uint32_t)loop.statistics.margin, IDLE_MARGIN - 70, "quiet: least margin");
     tap_count(waits, 3, "quiet: one wait a tick");
     tap_count(published, 3, "quiet: outputs are published once a tick");
     tap_same(seen, R(30.0), "quiet: the outputs are those of the state after the step");
@@ -215,11 +215,11 @@ static void test_late(void)
     enum { LIMIT = PERIOD / 16 };
     const script late = {.delay = {0, 0, LIMIT - READING, LIMIT - READING + 1, 700}};
     tap_count(run(&late, 6, 0), 6, "late: six ticks");
-    tap_count(loop.account.late, 2, "late: two are late, the one at the limit is not");
-    tap_count(loop.account.lost, 0, "late: none lost");
-    tap_count(loop.account.overruns, 0, "late: no overrun");
-    tap_count((uint32_t)loop.account.margin, IDLE_MARGIN - 700, "late: the margin shrinks by the delay");
-    tap_count(loop.account.execution_max, 0, "late: a delay is not execution time");
+    tap_count(loop.statistics.late, 2, "late: two are late, the one at the limit is not");
+    tap_count(loop.statistics.lost, 0, "late: none lost");
+    tap_count(loop.statistics.overruns, 0, "late: no overrun");
+    tap_count((uint32_t)loop.statistics.margin, IDLE_MARGIN - 700, "late: the margin shrinks by the delay");
+    tap_count(loop.statistics.execution_max, 0, "late: a delay is not execution time");
 }
 
 /* Tick 3 is never reported: tick 4 tells, when 3 is a whole period old; both are done then, one after the other. */
@@ -227,18 +227,18 @@ static void test_lost(void)
 {
     const script lost = {.lost = {[3] = true}};
     tap_count(run(&lost, 6, 0), 6, "lost: six ticks");
-    tap_count(loop.account.lost, 1, "lost: one");
-    tap_count(loop.account.late, 1, "lost: the one that was made up for is late");
-    tap_count(loop.account.overruns, 1, "lost: and ends after the next was due");
+    tap_count(loop.statistics.lost, 1, "lost: one");
+    tap_count(loop.statistics.late, 1, "lost: the one that was made up for is late");
+    tap_count(loop.statistics.overruns, 1, "lost: and ends after the next was due");
     tap_count(waits, 5, "lost: no wait for a tick that is already due");
     tap_same(x[0], R(6.0), "lost: no step is missing");
-    tap_ok(loop.account.margin == IDLE_MARGIN - PERIOD, "lost: the margin is negative");
+    tap_ok(loop.statistics.margin == IDLE_MARGIN - PERIOD, "lost: the margin is negative");
 
     const script three = {.lost = {[2] = true, [3] = true, [4] = true}};
     tap_count(run(&three, 6, 0), 6, "lost in a row: six ticks");
-    tap_count(loop.account.lost, 3, "lost in a row: three");
-    tap_count(loop.account.overruns, 3, "lost in a row: each an overrun");
-    tap_ok(loop.account.margin == IDLE_MARGIN - 3 * PERIOD, "lost in a row: the margin is that of the first");
+    tap_count(loop.statistics.lost, 3, "lost in a row: three");
+    tap_count(loop.statistics.overruns, 3, "lost in a row: each an overrun");
+    tap_ok(loop.statistics.margin == IDLE_MARGIN - 3 * PERIOD, "lost in a row: the margin is that of the first");
 }
 
 /* Tick 2 takes two and a half periods: 3 and 4 come due meanwhile and start late; from 5 on all is well. */
@@ -246,24 +246,24 @@ static void test_slow(void)
 {
     const script slow = {.cost = {[2] = 5 * PERIOD / 2}};
     tap_count(run(&slow, 7, 0), 7, "slow: seven ticks");
-    tap_count(loop.account.overruns, 2, "slow: the slow tick and the next end after their time");
-    tap_count(loop.account.late, 2, "slow: two start late");
-    tap_count(loop.account.lost, 1, "slow: the first of them is told of only with the second");
-    tap_count(loop.account.execution_max, 5 * PERIOD / 2, "slow: the execution time is the step's");
-    tap_count(loop.account.execution_min, 0, "slow: the others take nothing");
+    tap_count(loop.statistics.overruns, 2, "slow: the slow tick and the next end after their time");
+    tap_count(loop.statistics.late, 2, "slow: two start late");
+    tap_count(loop.statistics.lost, 1, "slow: the first of them is told of only with the second");
+    tap_count(loop.statistics.execution_max, 5 * PERIOD / 2, "slow: the execution time is the step's");
+    tap_count(loop.statistics.execution_min, 0, "slow: the others take nothing");
     tap_same(x[0], R(7.0), "slow: no step is missing");
-    tap_ok(loop.account.margin == IDLE_MARGIN - 5 * PERIOD / 2, "slow: the margin is negative");
+    tap_ok(loop.statistics.margin == IDLE_MARGIN - 5 * PERIOD / 2, "slow: the margin is negative");
 }
 
 static void test_exactly_full(void)
 {
     const script full = {.cost = {[1] = IDLE_MARGIN, [3] = IDLE_MARGIN + 1}};
     tap_count(run(&full, 1, 0), 1, "full: one tick that takes its whole period");
-    tap_count(loop.account.overruns, 0, "full: is no overrun");
-    tap_count((uint32_t)loop.account.margin, 0, "full: margin 0");
+    tap_count(loop.statistics.overruns, 0, "full: is no overrun");
+    tap_count((uint32_t)loop.statistics.margin, 0, "full: margin 0");
     tap_count(run(&full, 3, 0), 3, "full: and one that takes a count more");
-    tap_count(loop.account.overruns, 1, "full: is an overrun");
-    tap_ok(loop.account.margin == -1, "full: margin -1");
+    tap_count(loop.statistics.overruns, 1, "full: is an overrun");
+    tap_ok(loop.statistics.margin == -1, "full: margin -1");
 }
 
 static void test_guard(void)
@@ -272,7 +272,7 @@ static void test_guard(void)
     tap_count(run(&quiet, 9, 4), 3, "guard: three good ticks before the state is infinite");
     tap_count(loop.guard, 1, "guard: names the state");
     tap_count(loop.tick, 4, "guard: names the tick");
-    tap_count(loop.account.ticks, 3, "guard: the bad tick is not accounted");
+    tap_count(loop.statistics.ticks, 3, "guard: the bad tick is not accounted");
     tap_count(published, 3, "guard: nor published");
     tap_same(y[0], R(30.0), "guard: the last good outputs stand");
     tap_count(run(&quiet, 9, 0), 9, "guard: a new start is good again");
@@ -318,9 +318,9 @@ static void test_violation(void)
     for (int i = 0; i < 6; i++) {
         (void)iso_loop_tick(&loop);
     }
-    tap_count(loop.account.violated, 2, "violation: ticks above the limit are counted");
-    tap_same(loop.account.violation, R(2.0), "violation: the largest is kept");
-    tap_ok(run(&quiet, 6, 0) == 6 && loop.account.violated == 0, "violation: a plant without closures has none");
+    tap_count(loop.statistics.violated, 2, "violation: ticks above the limit are counted");
+    tap_same(loop.statistics.violation, R(2.0), "violation: the largest is kept");
+    tap_ok(run(&quiet, 6, 0) == 6 && loop.statistics.violated == 0, "violation: a plant without closures has none");
 }
 
 /* A step that finds a jump is made again from where it began; all other memory is as it was, the error is not. */
@@ -374,22 +374,24 @@ static void test_jump(void)
     tap_same(state_when_primed, R(5.0), "jump: which is that of the state before the step");
     tap_same(watched_memory.x[0], R(1.0), "jump: the step begins there too");
     tap_same(watched_memory.progress.usual, R(2.0), "jump: but the error stays known");
-    tap_count(loop.account.restarts, 1, "jump: and is accounted");
-    tap_ok(iso_loop_tick(&loop) && steps == 3 && loop.account.restarts == 1, "jump: a step without one is made once");
-    tap_ok(iso_loop_tick(&loop) && steps == 5 && loop.account.restarts == 2, "jump: a step is made again only once");
-    tap_ok(iso_loop_tick(&loop) && loop.account.execution_min == 10 && loop.account.execution_max == 20 &&
-               loop.account.execution_sum == 30,
+    tap_count(loop.statistics.restarts, 1, "jump: and is accounted");
+    tap_ok(iso_loop_tick(&loop) && steps == 3 && loop.statistics.restarts == 1,
+           "jump: a step without one is made once");
+    tap_ok(iso_loop_tick(&loop) && steps == 5 && loop.statistics.restarts == 2, "jump: a step is made again only once");
+    tap_ok(iso_loop_tick(&loop) && loop.statistics.execution_min == 10 && loop.statistics.execution_max == 20 &&
+               loop.statistics.execution_sum == 30,
            "jump: the steps without are timed by themselves");
-    tap_count(loop.account.restart_max, 30 + 40 + 50 + READING, "jump: the dearest with one is all that it took");
-    tap_count(loop.account.ticks, 4, "jump: all are ticks");
+    tap_count(loop.statistics.restart_max, 30 + 40 + 50 + READING, "jump: the dearest with one is all that it took");
+    tap_count(loop.statistics.ticks, 4, "jump: all are ticks");
 
     watched.jumped = watched_jumped;
     steps = primed = 0;
     iso_loop_start(&loop, &watched);
     tap_ok(iso_loop_tick(&loop) && steps == 1 && primed == 2, "jump: after a new history a step is not made again");
-    tap_count(loop.account.restarts, 1, "jump: which is one restart");
+    tap_count(loop.statistics.restarts, 1, "jump: which is one restart");
     watched_memory.x[0] = iso_real_of(ISO_EXPONENT_BITS);
-    tap_ok(!iso_loop_tick(&loop) && primed == 3 && loop.account.restarts == 1, "jump: a restart of a bad tick is not");
+    tap_ok(!iso_loop_tick(&loop) && primed == 3 && loop.statistics.restarts == 1,
+           "jump: a restart of a bad tick is not");
 }
 
 int main(void)

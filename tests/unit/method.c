@@ -1,5 +1,5 @@
-/* core/methods/method.h: every recipe, with its recipe and its size known to the compiler and known only when it runs: the same
- * bits, the evaluations and the memory that are claimed, and the error of a step that it checks. */
+/* core/methods/method.h: every recipe, with its recipe and its size known to the compiler and known only when it runs:
+ * the same bits, the evaluations and the memory that are claimed, and the error of a step that it checks. */
 #include "core/methods/method.h"
 #include "core/methods/dense.h"
 #include "tests/tap.h"
@@ -130,8 +130,8 @@ static void begin(run *const r, const unsigned recipe, const size_t work)
 
 enum { STEPS = 200 };
 
-/* Compiled once, for a recipe and a number of states that the compiler does not know. Cold, so that loops whose counts it
- * does not know either are not unrolled: that would be most of what this file takes to compile. */
+/* Compiled once, for a recipe and a number of states that the compiler does not know. Cold, so that loops whose counts
+ * it does not know either are not unrolled: that would be most of what this file takes to compile. */
 __attribute__((cold)) static void run_any(run *const r, const unsigned recipe, const size_t n, const real h)
 {
     iso_method_prime(recipe, n, &equations, h, r->x, NULL, NULL, r->lu, r->work);

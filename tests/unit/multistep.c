@@ -1,4 +1,5 @@
-/* core/methods/multistep.h: the Adams methods of order four and their priming, against results that are exact in binary. */
+/* core/methods/multistep.h: the Adams methods of order four and their priming, against results that are exact in
+ * binary. */
 #include "core/methods/multistep.h"
 #include "tests/tap.h"
 #include "tests/unit/equations.h"
@@ -8,15 +9,15 @@ enum { N = 2, KEPT = ISO_ABM4_SUMS };
 /* With h = 1.5, h / 24 = 1/16 and every number below is exact, but where 270 divides. */
 static const real h = R(1.5);
 
-/* Memory of one run: the states, and what a trail keeps behind them; and of its past, the newest slope first. */
+/* Memory of one run: the states, and what a history keeps behind them; and of its past, the newest derivative first. */
 typedef struct run {
     real x[N];
     real past[KEPT * N + 1];
-    real slopes[ISO_AB4_STEPS * N + 1];
+    real derivatives[ISO_AB4_STEPS * N + 1];
     real moved[N];
     real at[N];
     real work[ISO_EXPLICIT_WORK(N)];
-    iso_trail trail;
+    iso_history history;
 } run;
 
 static void prepare(run *const r, const size_t kept, const real first, const real second)
@@ -25,38 +26,38 @@ static void prepare(run *const r, const size_t kept, const real first, const rea
     r->x[0] = first;
     r->x[1] = second;
     r->past[kept * N] = R(7.0);
-    r->slopes[ISO_AB4_STEPS * N] = R(7.0);
-    r->trail = (iso_trail){.n = N, .x = r->x, .past = r->past};
+    r->derivatives[ISO_AB4_STEPS * N] = R(7.0);
+    r->history = (iso_history){.n = N, .x = r->x, .past = r->past};
 }
 
-typedef void take_slope(const iso_trail *trail, real h, const real *slope);
+typedef void take_derivative(const iso_history *history, real h, const real *derivative);
 
-/* Fills the sums from r->slopes, the oldest first. */
-static void take(run *const r, take_slope *const method, const size_t count)
+/* Fills the sums from r->derivatives, the oldest first. */
+static void take(run *const r, take_derivative *const method, const size_t count)
 {
     for (size_t j = count; j-- > 0;) {
-        method(&r->trail, h, r->slopes + j * r->trail.n);
+        method(&r->history, h, r->derivatives + j * r->history.n);
     }
 }
 
-/* Each kernel is compiled once, and cold, so that loops whose counts are not known there are not unrolled: that would be
- * most of what this file takes to compile. */
+/* Each kernel is compiled once, and cold, so that loops whose counts are not known there are not unrolled: that would
+ * be most of what this file takes to compile. */
 __attribute__((cold)) static void prime(run *const r, iso_derivative *const f, const real *const u, const real *const p,
-                                        take_slope *const method, const uint8_t count, const bool from_now)
+                                        take_derivative *const method, const uint8_t count, const bool from_now)
 {
-    iso_walk_back(r->trail.n, f, h, r->x, u, p, count, from_now, r->slopes, r->moved, r->at, r->work);
+    iso_walk_back(r->history.n, f, h, r->x, u, p, count, from_now, r->derivatives, r->moved, r->at, r->work);
     take(r, method, count);
 }
 
 __attribute__((cold)) static void ab4(run *const r, iso_derivative *const f, const real *const u, const real *const p)
 {
-    (void)iso_ab4_step(&r->trail, f, h, u, p, r->work);
+    (void)iso_ab4_step(&r->history, f, h, u, p, r->work);
 }
 
 __attribute__((cold)) static real abm4(run *const r, iso_derivative *const f, const real *const u, const real *const p,
                                        const uint8_t corrections, const bool evaluate_last)
 {
-    return iso_abm4_step(&r->trail, f, h, u, p, r->work, corrections, evaluate_last);
+    return iso_abm4_step(&r->history, f, h, u, p, r->work, corrections, evaluate_last);
 }
 
 /* t' = 1, q' = t^4. */
@@ -72,45 +73,46 @@ static void test_walk_back(void)
 {
     run r;
     prepare(&r, 0, R(3.0), R(0.0));
-    r.slopes[3 * N] = R(7.0);
-    iso_walk_back(N, cubic, h, r.x, NULL, NULL, 3, false, r.slopes, r.moved, r.at, r.work);
+    r.derivatives[3 * N] = R(7.0);
+    iso_walk_back(N, cubic, h, r.x, NULL, NULL, 3, false, r.derivatives, r.moved, r.at, r.work);
     tap_ok(r.x[0] == R(3.0) && r.x[1] == R(0.0), "prime: the state is left as it is");
-    tap_same(r.slopes[0 * N + 1], R(3.375), "prime: the newest slope is the one at t - h");
-    tap_same(r.slopes[1 * N + 1], R(0.0), "prime: then the one at t - 2h");
-    tap_same(r.slopes[2 * N + 1], R(-3.375), "prime: then the one at t - 3h");
-    tap_ok(r.slopes[0] == R(1.0) && r.slopes[N] == R(1.0) && r.slopes[2 * N] == R(1.0), "prime: slopes of every state");
-    tap_same(r.slopes[3 * N], R(7.0), "prime: no more than asked for");
+    tap_same(r.derivatives[0 * N + 1], R(3.375), "prime: the newest derivative is the one at t - h");
+    tap_same(r.derivatives[1 * N + 1], R(0.0), "prime: then the one at t - 2h");
+    tap_same(r.derivatives[2 * N + 1], R(-3.375), "prime: then the one at t - 3h");
+    tap_ok(r.derivatives[0] == R(1.0) && r.derivatives[N] == R(1.0) && r.derivatives[2 * N] == R(1.0),
+           "prime: derivatives of every state");
+    tap_same(r.derivatives[3 * N], R(7.0), "prime: no more than asked for");
     tap_ok(r.moved[0] == h && r.moved[1] == R(18.984375), "prime: the increment from t - h to t");
 
-    iso_walk_back(N, cubic, h, r.x, NULL, NULL, 4, true, r.slopes, r.moved, r.at, r.work);
-    tap_same(r.slopes[0 * N + 1], R(27.0), "prime from now: the newest slope is the one at t");
-    tap_same(r.slopes[1 * N + 1], R(3.375), "prime from now: then the one at t - h");
-    tap_same(r.slopes[3 * N + 1], R(-3.375), "prime from now: the last is the one at t - 3h");
-    tap_same(r.slopes[4 * N], R(7.0), "prime from now: no more than asked for");
+    iso_walk_back(N, cubic, h, r.x, NULL, NULL, 4, true, r.derivatives, r.moved, r.at, r.work);
+    tap_same(r.derivatives[0 * N + 1], R(27.0), "prime from now: the newest derivative is the one at t");
+    tap_same(r.derivatives[1 * N + 1], R(3.375), "prime from now: then the one at t - h");
+    tap_same(r.derivatives[3 * N + 1], R(-3.375), "prime from now: the last is the one at t - 3h");
+    tap_same(r.derivatives[4 * N], R(7.0), "prime from now: no more than asked for");
 }
 
 static void test_ab4_cubic(void)
 {
     run r;
     prepare(&r, ISO_AB4_SUMS, R(0.0), R(0.0));
-    prime(&r, cubic, NULL, NULL, iso_ab4_take_slope, 3, false);
+    prime(&r, cubic, NULL, NULL, iso_ab4_take_derivative, 3, false);
     ab4(&r, cubic, NULL, NULL);
     tap_same(r.x[0], R(1.5), "ab4: time advances by h");
-    tap_same(r.x[1], R(1.265625), "ab4: the integral of a cubic slope is exact");
+    tap_same(r.x[1], R(1.265625), "ab4: the integral of a cubic derivative is exact");
     ab4(&r, cubic, NULL, NULL);
     tap_same(r.x[1], R(20.25), "ab4: exact in the second step too");
     tap_same(r.past[ISO_AB4_SUMS * N], R(7.0), "ab4: what is kept ends where its size says");
 }
 
-/* By hand: 16 dq = 55*0 - 59*1 + 37*2 - 9*3 = -12 and 16 dv = 55*(-1) - 59*(-2) + 37*4 - 9*0 = 211. Kept is then what the
- * next step adds to w0 f, negated: 16 (59*0 - 37*1 + 9*2) and 16 (59*(-1) - 37*(-2) + 9*4). */
+/* By hand: 16 dq = 55*0 - 59*1 + 37*2 - 9*3 = -12 and 16 dv = 55*(-1) - 59*(-2) + 37*4 - 9*0 = 211. Kept is then what
+ * the next step adds to w0 f, negated: 16 (59*0 - 37*1 + 9*2) and 16 (59*(-1) - 37*(-2) + 9*4). */
 static void test_ab4_by_hand(void)
 {
-    static const real slopes[3 * N] = {R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
+    static const real derivatives[3 * N] = {R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
     run r;
     prepare(&r, ISO_AB4_SUMS, R(1.0), R(0.0));
-    memcpy(r.slopes, slopes, sizeof slopes);
-    take(&r, iso_ab4_take_slope, 3);
+    memcpy(r.derivatives, derivatives, sizeof derivatives);
+    take(&r, iso_ab4_take_derivative, 3);
     ab4(&r, oscillator, NULL, NULL);
     tap_same(r.x[0], R(0.25), "ab4: position by hand");
     tap_same(r.x[1], R(13.1875), "ab4: speed by hand");
@@ -123,12 +125,12 @@ static void test_inputs(void)
     const real p[1] = {R(0.5)};
     run r;
     prepare(&r, 0, R(1.0), R(0.0));
-    r.trail.n = 1;
-    prime(&r, driven, u, p, iso_ab4_take_slope, 3, false);
-    tap_same(r.slopes[2], R(1.5), "prime: inputs and parameters reach the derivative");
+    r.history.n = 1;
+    prime(&r, driven, u, p, iso_ab4_take_derivative, 3, false);
+    tap_same(r.derivatives[2], R(1.5), "prime: inputs and parameters reach the derivative");
     ab4(&r, driven, u, p);
     tap_same(r.x[0], R(3.25), "ab4: inputs and parameters reach the derivative");
-    prime(&r, driven, u, p, iso_abm4_take_slope, 4, true);
+    prime(&r, driven, u, p, iso_abm4_take_derivative, 4, true);
     (void)abm4(&r, driven, u, p, 1, true);
     tap_same(r.x[0], R(5.5), "abm4: inputs and parameters reach the derivative");
 }
@@ -140,27 +142,28 @@ typedef struct variant {
     uint8_t corrections;
     bool evaluate_last;
     real position, speed; /* by hand */
-    real slope;           /* of the speed, taken at the end of the step */
+    real derivative;      /* of the speed, taken at the end of the step */
 } variant;
 
-/* By hand, from q = 1, v = 0 and slopes (0, -1), (1, -2), (2, 4), (3, 0). Predicted as above: q = 1/4, v = 211/16.
+/* By hand, from q = 1, v = 0 and derivatives (0, -1), (1, -2), (2, 4), (3, 0). Predicted as above: q = 1/4, v = 211/16.
  * Corrected, 16 dq = 9 v - 8 and 16 dv = -9 q - 19 + 10 + 4 with the predicted q and v:
  *     q = 1 + (9 * 211/16 - 5*1 + 2) / 16 = 2107/256,    v = (-9/4 - 19 + 10 + 4) / 16 = -29/64.
  * Corrected again: q = 1 + (9 * (-29/64) - 3) / 16 = 571/1024,    v = (-9 * 2107/256 - 5) / 16 = -20243/4096. */
 static const variant variants[] = {
-    {"PECE: the integral of a cubic slope is exact", "PECE: Milne's estimate is the error of a quartic slope",
+    {"PECE: the integral of a cubic derivative is exact", "PECE: Milne's estimate is the error of a quartic derivative",
      "PECE: by hand", 1, true, R(8.23046875), R(-0.453125), R(-8.23046875)},
-    {"PEC: the integral of a cubic slope is exact", "PEC: Milne's estimate is the error of a quartic slope",
+    {"PEC: the integral of a cubic derivative is exact", "PEC: Milne's estimate is the error of a quartic derivative",
      "PEC: by hand", 1, false, R(8.23046875), R(-0.453125), R(-0.25)},
-    {"P(EC)^2E: the integral of a cubic slope is exact", "P(EC)^2E: Milne's estimate is the error of a quartic slope",
-     "P(EC)^2E: by hand", 2, true, R(0.5576171875), R(-4.942138671875), R(-0.5576171875)},
+    {"P(EC)^2E: the integral of a cubic derivative is exact",
+     "P(EC)^2E: Milne's estimate is the error of a quartic derivative", "P(EC)^2E: by hand", 2, true, R(0.5576171875),
+     R(-4.942138671875), R(-0.5576171875)},
 };
 
 static void test_abm4_cubic(const variant *const v)
 {
     run r;
     prepare(&r, ISO_ABM4_SUMS, R(0.0), R(0.0));
-    prime(&r, cubic, NULL, NULL, iso_abm4_take_slope, 4, true);
+    prime(&r, cubic, NULL, NULL, iso_abm4_take_derivative, 4, true);
     const real first = abm4(&r, cubic, NULL, NULL, v->corrections, v->evaluate_last);
     const bool good = r.x[0] == R(1.5) && r.x[1] == R(1.265625);
     const real second = abm4(&r, cubic, NULL, NULL, v->corrections, v->evaluate_last);
@@ -168,18 +171,19 @@ static void test_abm4_cubic(const variant *const v)
            v->cubic);
 }
 
-/* Without feedback Milne's estimate is the error itself: 19/720 h^5 24. The slopes are those of t^4 in units of h at 0, -1,
- * -2, -3. Everything is exact but for 19 / 270 and its product, and the error that is compared with: 4 roundings. */
+/* Without feedback Milne's estimate is the error itself: 19/720 h^5 24. The derivatives are those of t^4 in units of h
+ * at 0, -1, -2, -3. Everything is exact but for 19 / 270 and its product, and the error that is compared with: 4
+ * roundings. */
 static void test_abm4_quartic(const variant *const v)
 {
     run r;
     prepare(&r, ISO_ABM4_SUMS, R(0.0), R(0.0));
     const real h4 = (h * h) * (h * h);
     for (size_t j = 0; j < 4; j++) {
-        r.slopes[j * N] = R(1.0);
-        r.slopes[j * N + 1] = (real)(j * j * j * j) * h4;
+        r.derivatives[j * N] = R(1.0);
+        r.derivatives[j * N + 1] = (real)(j * j * j * j) * h4;
     }
-    take(&r, iso_abm4_take_slope, 4);
+    take(&r, iso_abm4_take_derivative, 4);
     const real estimate = abm4(&r, quartic, NULL, NULL, v->corrections, v->evaluate_last);
     const real error = r.x[1] - h * h4 / R(5.0);
     const real want = R(19.0) * R(24.0) / R(720.0) * (h * h4);
@@ -188,20 +192,21 @@ static void test_abm4_quartic(const variant *const v)
            v->quartic);
 }
 
-/* The newest slope, that of the speed, stands in the last of either's sums, with the weights 9/16 and 1/16; in the one
- * before it is joined by the slope -1 that was the newest: 37/16 slope + 9/16, 5/16 slope + 1/16. */
+/* The newest derivative, that of the speed, stands in the last of either's sums, with the weights 9/16 and 1/16; in the
+ * one before it is joined by the derivative -1 that was the newest: 37/16 derivative + 9/16, 5/16 derivative + 1/16. */
 static void test_abm4_by_hand(const variant *const v)
 {
-    static const real slopes[4 * N] = {R(0.0), R(-1.0), R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
+    static const real derivatives[4 * N] = {R(0.0), R(-1.0), R(1.0), R(-2.0), R(2.0), R(4.0), R(3.0), R(0.0)};
     const real part = R(1.0) / R(16.0);
     run r;
     prepare(&r, ISO_ABM4_SUMS, R(1.0), R(0.0));
-    memcpy(r.slopes, slopes, sizeof slopes);
-    take(&r, iso_abm4_take_slope, 4);
+    memcpy(r.derivatives, derivatives, sizeof derivatives);
+    take(&r, iso_abm4_take_derivative, 4);
     (void)abm4(&r, oscillator, NULL, NULL, v->corrections, v->evaluate_last);
-    tap_ok(r.x[0] == v->position && r.x[1] == v->speed && r.past[3 * N + 1] == part * (R(9.0) * v->slope) &&
-               r.past[2 * N + 1] == part * (R(37.0) * v->slope + R(9.0)) && r.past[6 * N + 1] == part * v->slope &&
-               r.past[5 * N + 1] == part * (R(5.0) * v->slope + R(1.0)) && r.past[ISO_ABM4_SUMS * N] == R(7.0),
+    tap_ok(r.x[0] == v->position && r.x[1] == v->speed && r.past[3 * N + 1] == part * (R(9.0) * v->derivative) &&
+               r.past[2 * N + 1] == part * (R(37.0) * v->derivative + R(9.0)) &&
+               r.past[6 * N + 1] == part * v->derivative &&
+               r.past[5 * N + 1] == part * (R(5.0) * v->derivative + R(1.0)) && r.past[ISO_ABM4_SUMS * N] == R(7.0),
            v->by_hand);
 }
 

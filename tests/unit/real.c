@@ -1,4 +1,5 @@
-/* core/numbers/real.h: comparison, selection and classification by bits, over all pairs of a list of awkward numbers. */
+/* core/numbers/real.h: comparison, selection and classification by bits, over all pairs of a list of awkward numbers.
+ */
 #include "core/numbers/real.h"
 #include "tests/tap.h"
 

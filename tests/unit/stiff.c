@@ -1,4 +1,5 @@
-/* core/methods/dense.h and core/methods/stiff.h: factors, bdf4 and the linearly implicit method, each against numbers found otherwise. */
+/* core/methods/dense.h and core/methods/stiff.h: factors, bdf4 and the linearly implicit method, each against numbers
+ * found otherwise. */
 #include "core/methods/stiff.h"
 #include "core/methods/dense.h"
 #include "tests/tap.h"
@@ -120,11 +121,11 @@ static void test_bdf4_powers(void)
                                   R(1.0), R(-15.0), R(31.0), R(1.0), R(-65.0), R(211.0)};
     const real tolerance = R(1000.0) * ISO_REAL_EPSILON;
     real x[3] = {R(1.0), R(1.0), R(1.0)}, increments[13], lu[9], work[ISO_BDF4_WORK(3) + 1], residual = R(0.0);
-    const iso_trail trail = {.n = 3, .x = x, .increments = increments};
+    const iso_history history = {.n = 3, .x = x, .increments = increments};
     memcpy(increments, past, sizeof past);
     increments[12] = R(7.0);
     work[ISO_BDF4_WORK(3)] = R(7.0);
-    const real estimate = iso_bdf4_step(&trail, &powers_equations, R(1.0), NULL, NULL, lu, work, 2, &residual);
+    const real estimate = iso_bdf4_step(&history, &powers_equations, R(1.0), NULL, NULL, lu, work, 2, &residual);
     tap_ok(near(x[0], R(2.0), R(4.0) * ISO_REAL_EPSILON), "bdf4: time advances by h");
     tap_ok(near(x[1], R(16.0), tolerance), "bdf4: exact for degree four");
     tap_ok(near(x[2], R(43.52), tolerance), "bdf4: degree five, by hand");
@@ -143,23 +144,23 @@ static void test_bdf4_newton(const uint8_t iterations, const real want, const re
     const real u[1] = {R(4.0)}, p[1] = {R(0.25)};
     real x[1] = {R(1.0)}, increments[4] = {R(0.0), R(0.0), R(0.0), R(0.0)}, lu[1], work[ISO_BDF4_WORK(1)];
     real residual = R(0.0);
-    const iso_trail trail = {.n = 1, .x = x, .increments = increments};
-    (void)iso_bdf4_step(&trail, &square_equations, h, u, p, lu, work, iterations, &residual);
+    const iso_history history = {.n = 1, .x = x, .increments = increments};
+    (void)iso_bdf4_step(&history, &square_equations, h, u, p, lu, work, iterations, &residual);
     tap_ok(near(increments[0], want, R(4.0) * ISO_REAL_EPSILON) && near(residual, last, R(4.0) * ISO_REAL_EPSILON),
            name);
 }
 
-/* A state of 1 does not swallow what its increments need: with increments of 1/8 of its ulp and the slope that keeps
- * them so, the next one is the same. */
+/* A state of 1 does not swallow what its increments need: with increments of 1/8 of its ulp and the derivative that
+ * keeps them so, the next one is the same. */
 static void test_bdf4_small(void)
 {
     const real tiny = ISO_REAL_EPSILON / R(8.0);
     const real rate[1] = {tiny};
-    real x[1] = {R(1.0)}, carry[1] = {R(0.0)}, increments[4] = {tiny, tiny, tiny, tiny};
+    real x[1] = {R(1.0)}, compensation[1] = {R(0.0)}, increments[4] = {tiny, tiny, tiny, tiny};
     real lu[1], work[ISO_BDF4_WORK(1)], residual = R(0.0);
-    const iso_trail trail = {.n = 1, .x = x, .increments = increments, .carry = carry};
+    const iso_history history = {.n = 1, .x = x, .increments = increments, .compensation = compensation};
     for (uint32_t i = 0; i < 8; i++) {
-        (void)iso_bdf4_step(&trail, &decay_equations, R(1.0), NULL, rate, lu, work, 2, &residual);
+        (void)iso_bdf4_step(&history, &decay_equations, R(1.0), NULL, rate, lu, work, 2, &residual);
     }
     tap_ok(near(increments[0], tiny, R(8.0) * ISO_REAL_EPSILON * tiny) && x[0] == R(1.0) + ISO_REAL_EPSILON,
            "bdf4: increments below the ulp of the state, compensated");
@@ -169,8 +170,8 @@ static real rosenbrock(const iso_equations *const eq, const real from, const rea
                        const real *const p)
 {
     real x[1] = {from}, lu[1], work[ISO_ROSENBROCK_WORK(1)];
-    const iso_trail trail = {.n = 1, .x = x};
-    (void)iso_rosenbrock_step(&trail, eq, h, u, p, lu, work);
+    const iso_history history = {.n = 1, .x = x};
+    (void)iso_rosenbrock_step(&history, eq, h, u, p, lu, work);
     return x[0];
 }
 
@@ -200,12 +201,12 @@ static void test_rosenbrock_keeps(void)
 {
     real x[1] = {R(1.0)}, lu[1], work[ISO_ROSENBROCK_WORK(1) + 1], check[4] = {R(0.0), R(0.0), R(0.0), R(7.0)};
     const real p[1] = {R(-0.25)};
-    const iso_trail trail = {.n = 1, .x = x, .check = check, .checked = 3};
+    const iso_history history = {.n = 1, .x = x, .check = check, .checked = 3};
     work[ISO_ROSENBROCK_WORK(1)] = R(7.0);
-    (void)iso_rosenbrock_step(&trail, &decay_equations, R(24.0), NULL, p, lu, work);
+    (void)iso_rosenbrock_step(&history, &decay_equations, R(24.0), NULL, p, lu, work);
     tap_ok(near(check[0], (x[0] - R(1.0)) + R(19.0) * R(0.25), R(32.0) * ISO_REAL_EPSILON) &&
                check[1] == R(-5.0) * R(0.25) && check[2] == R(-0.25),
-           "rosenbrock: keeps slope and increment for the next check");
+           "rosenbrock: keeps derivative and increment for the next check");
     tap_ok(check[3] == R(7.0) && work[ISO_ROSENBROCK_WORK(1)] == R(7.0), "rosenbrock: memory ends where its size says");
 }
 
@@ -216,13 +217,14 @@ static void test_bdf4_prime(void)
     const real stiff[1] = {R(-1.0) / (ISO_REAL_EPSILON * ISO_REAL_EPSILON)};
     const real h = R(0.0078125);
     real x[1] = {R(2.0)}, lu[1], work[ISO_BDF4_PRIME_WORK(1) + 1], increments[ISO_BDF4_STEPS + 1];
-    const iso_trail trail = {.n = 1, .x = x, .increments = increments};
+    const iso_history history = {.n = 1, .x = x, .increments = increments};
     work[ISO_BDF4_PRIME_WORK(1)] = increments[ISO_BDF4_STEPS] = R(7.0);
-    iso_bdf4_prime(&trail, &decay_equations, h, NULL, slow, lu, work);
+    iso_bdf4_prime(&history, &decay_equations, h, NULL, slow, lu, work);
 
-    /* The past of 2 e^-t by its series, e^h - 1 = 0.0078430972064479, and what the error of the polynomial, 126 h^5 x^(5)
-     * at most, makes of it, 7.4e-9. An increment, 2 h, has some eight roundings of half an epsilon, and the weights that
-     * continue four of them by five steps, 56, -140, 120, -35, multiply that by 351: 2808 epsilons of h. */
+    /* The past of 2 e^-t by its series, e^h - 1 = 0.0078430972064479, and what the error of the polynomial, 126 h^5
+     * x^(5) at most, makes of it, 7.4e-9. An increment, 2 h, has some eight roundings of half an epsilon, and the
+     * weights that continue four of them by five steps, 56, -140, 120, -35, multiply that by 351: 2808 epsilons of h.
+     */
     bool good = true;
     real at = R(2.0);
     for (size_t j = 0; j < ISO_BDF4_STEPS; j++) {
@@ -234,7 +236,7 @@ static void test_bdf4_prime(void)
     tap_ok(x[0] == R(2.0) && increments[ISO_BDF4_STEPS] == R(7.0) && work[ISO_BDF4_PRIME_WORK(1)] == R(7.0),
            "bdf4: priming leaves the state, and its memory ends where its size says");
 
-    iso_bdf4_prime(&trail, &decay_equations, h, NULL, stiff, lu, work);
+    iso_bdf4_prime(&history, &decay_equations, h, NULL, stiff, lu, work);
     good = true;
     for (size_t j = 0; j < ISO_BDF4_STEPS; j++) {
         good = good && iso_abs(increments[j]) <= ISO_REAL_EPSILON;

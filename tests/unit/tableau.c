@@ -84,7 +84,7 @@ static unsigned order_of(const iso_tableau *const t)
     return order;
 }
 
-/* Stage i uses slopes before i only, and the fields beyond the stages are empty. */
+/* Stage i uses derivatives before i only, and the fields beyond the stages are empty. */
 static bool is_explicit(const iso_tableau *const t)
 {
     bool good = t->stages >= 1 && t->stages <= ISO_STAGES_MAX && t->b_over > 0;
@@ -139,7 +139,7 @@ static void test_broken_tables(void)
     t = iso_tableau_rk4;
     t.a[2][0] = 1;
     t.a[2][1] = 0;
-    tap_count(order_of(&t), 2, "a third stage from the first slope leaves order 2");
+    tap_count(order_of(&t), 2, "a third stage from the first derivative leaves order 2");
     t = iso_tableau_rk4;
     t.a_over[1] = 3;
     tap_count(order_of(&t), 1, "a second stage at a third of the step leaves order 1");
@@ -159,12 +159,13 @@ static void test_broken_tables(void)
     tap_count(order_of(&kutta3), 3, "the conditions tell order 3 from order 4");
 }
 
-/* (m + 1) sum_j b_j t_j^m against over, with slopes at t = first, first - 1, ...: what the formula gives for the slope
- * (m + 1) t^m, whose integral from 0 to 1 is 1. Times `over`, so that it is whole; zero where the formula is exact. */
+/* (m + 1) sum_j b_j t_j^m against over, with derivatives at t = first, first - 1, ...: what the formula gives for the
+ * derivative (m + 1) t^m, whose integral from 0 to 1 is 1. Times `over`, so that it is whole; zero where the formula is
+ * exact. */
 static int64_t adams_defect(const iso_adams *const t, const int first, const int64_t m)
 {
     int64_t sum = 0;
-    for (int j = 0; j < ISO_ADAMS_SLOPES; j++) {
+    for (int j = 0; j < ISO_ADAMS_DERIVATIVES; j++) {
         int64_t power = 1;
         for (int64_t i = 0; i < m; i++) {
             power *= first - j;
@@ -174,7 +175,7 @@ static int64_t adams_defect(const iso_adams *const t, const int first, const int
     return t->over - (m + 1) * sum;
 }
 
-/* The highest order, at most six: the formula is exact for slopes of the degrees below. */
+/* The highest order, at most six: the formula is exact for derivatives of the degrees below. */
 static unsigned adams_order(const iso_adams *const t, const int first)
 {
     unsigned order = 0;
@@ -189,29 +190,29 @@ enum { FROM_START = 0, FROM_END = 1 };
 static void test_adams(void)
 {
     tap_count(adams_order(&iso_table_ab4, FROM_START), 4, "ab4: order 4");
-    tap_count(adams_order(&iso_table_am[0], FROM_END), 1, "am, no slope of before: order 1");
-    tap_count(adams_order(&iso_table_am[1], FROM_END), 2, "am, one slope of before: order 2");
-    tap_count(adams_order(&iso_table_am[2], FROM_END), 3, "am, two slopes of before: order 3");
-    tap_count(adams_order(&iso_table_am[3], FROM_END), 4, "am, three slopes of before: order 4");
-    tap_count(adams_order(&iso_table_am[4], FROM_END), 5, "am, four slopes of before: order 5");
+    tap_count(adams_order(&iso_table_am[0], FROM_END), 1, "am, no derivative of before: order 1");
+    tap_count(adams_order(&iso_table_am[1], FROM_END), 2, "am, one derivative of before: order 2");
+    tap_count(adams_order(&iso_table_am[2], FROM_END), 3, "am, two derivatives of before: order 3");
+    tap_count(adams_order(&iso_table_am[3], FROM_END), 4, "am, three derivatives of before: order 4");
+    tap_count(adams_order(&iso_table_am[4], FROM_END), 5, "am, four derivatives of before: order 5");
 
-    tap_count(adams_order(&iso_table_am[5], FROM_END), 6, "am, five slopes of before: order 6");
+    tap_count(adams_order(&iso_table_am[5], FROM_END), 6, "am, five derivatives of before: order 6");
 
     bool empty = iso_table_ab4.b[4] == 0 && iso_table_ab4.b[5] == 0;
     bool alternate = true;
-    for (int j = 0; j < ISO_ADAMS_SLOPES; j++) {
+    for (int j = 0; j < ISO_ADAMS_DERIVATIVES; j++) {
         alternate = alternate && iso_table_ab4.b[j] * (j % 2 == 0 ? 1 : -1) >= 0;
-        for (int row = 0; row < ISO_ADAMS_SLOPES && j > 0; row++) {
+        for (int row = 0; row < ISO_ADAMS_DERIVATIVES && j > 0; row++) {
             alternate = alternate && iso_table_am[row].b[j] * (j % 2 == 0 ? -1 : 1) >= 0;
         }
     }
-    tap_ok(alternate, "Adams: the weights of the slopes before the end of a step alternate in sign");
-    for (int row = 0; row < ISO_ADAMS_SLOPES; row++) {
-        for (int j = row + 1; j < ISO_ADAMS_SLOPES; j++) {
+    tap_ok(alternate, "Adams: the weights of the derivatives before the end of a step alternate in sign");
+    for (int row = 0; row < ISO_ADAMS_DERIVATIVES; row++) {
+        for (int j = row + 1; j < ISO_ADAMS_DERIVATIVES; j++) {
             empty = empty && iso_table_am[row].b[j] == 0;
         }
     }
-    tap_ok(empty, "Adams: no weight beyond the slopes that a formula has");
+    tap_ok(empty, "Adams: no weight beyond the derivatives that a formula has");
 
     iso_adams broken = iso_table_ab4;
     broken.b[2]++;
@@ -219,13 +220,13 @@ static void test_adams(void)
     broken = iso_table_am[3];
     broken.b[0]++;
     broken.b[1]--;
-    tap_count(adams_order(&broken, FROM_END), 1, "a weight moved to the next slope leaves order 1");
+    tap_count(adams_order(&broken, FROM_END), 1, "a weight moved to the next derivative leaves order 1");
     tap_count(adams_order(&iso_table_am[3], FROM_START), 1,
               "an implicit formula taken for an explicit one has order 1");
 }
 
-/* The error of a formula of order p is C h^(p+1) x^(p+1), with C = defect / (over (p+1)!) (Hairer, Norsett, Wanner 1993,
- * III.2). Milne's weight is -C_am / (C_ab - C_am): of the difference of the two, the corrector's part. */
+/* The error of a formula of order p is C h^(p+1) x^(p+1), with C = defect / (over (p+1)!) (Hairer, Norsett, Wanner
+ * 1993, III.2). Milne's weight is -C_am / (C_ab - C_am): of the difference of the two, the corrector's part. */
 static bool milne_holds(const iso_adams *const weight)
 {
     const int64_t am = -adams_defect(&iso_table_am[3], FROM_END, 4) * iso_table_ab4.over;
@@ -256,7 +257,7 @@ static int64_t power_of(const int t, const int m)
 /* over (dx - dx of the formula) for x = t^m from t = 0 to 1, the increments before known. */
 static int64_t bdf_defect(const iso_bdf *const t, const int m)
 {
-    int64_t sum = t->over * (power_of(1, m) - power_of(0, m)) - t->slope * m;
+    int64_t sum = t->over * (power_of(1, m) - power_of(0, m)) - t->derivative * m;
     for (int j = 0; j < ISO_BDF4_STEPS - 1; j++) {
         sum -= t->b[j] * (power_of(-j, m) - power_of(-j - 1, m));
     }
@@ -300,8 +301,8 @@ static void test_bdf4(void)
     broken.b[1]++;
     tap_count((uint32_t)degree_of(&broken, bdf_defect), 0, "a wrong bdf4 weight is noticed");
     broken = *t;
-    broken.slope++;
-    tap_count((uint32_t)degree_of(&broken, bdf_defect), 0, "a wrong bdf4 slope is noticed");
+    broken.derivative++;
+    tap_count((uint32_t)degree_of(&broken, bdf_defect), 0, "a wrong bdf4 derivative is noticed");
     broken = *t;
     broken.predictor[3]++;
     tap_count((uint32_t)degree_of(&broken, predictor_defect), 0, "a wrong bdf4 predictor is noticed");
@@ -336,8 +337,8 @@ static void product(real ab[STAGES][STAGES], real a[STAGES][STAGES], real b[STAG
 enum { CONDITIONS = 4 };
 
 /* The left sides of the order conditions to order three, sum b_i = 1, sum b_i beta_i = 1/2, sum b_i alpha_i^2 = 1/3,
- * sum b_i beta_ij beta_j = 1/6 (Hairer and Wanner 1996, table IV.7.1, with beta_ij = alpha_ij + gamma_ij and gamma_ii in
- * it), from the coefficients that a step uses: (gamma_ij) = (1/gamma - c)^-1 = gamma (1 + gamma c + gamma^2 c c),
+ * sum b_i beta_ij beta_j = 1/6 (Hairer and Wanner 1996, table IV.7.1, with beta_ij = alpha_ij + gamma_ij and gamma_ii
+ * in it), from the coefficients that a step uses: (gamma_ij) = (1/gamma - c)^-1 = gamma (1 + gamma c + gamma^2 c c),
  * alpha = a (gamma_ij), b = m (gamma_ij). */
 static void left_sides(const iso_rosenbrock *const t, real left[CONDITIONS])
 {
@@ -414,8 +415,8 @@ static void test_rosenbrock(void)
     const iso_rosenbrock *const t = &iso_table_ros3;
     tap_count(rosenbrock_order(t), 3, "ros3: order 3");
     tap_same(at_infinity(t), R(0.0), "ros3: R(infinity) = 0");
-    /* The one L-stable of order three: a root of 6 g^3 - 18 g^2 + 9 g - 1 (Hairer and Wanner 1996, table IV.6.4). Half an
-     * ulp of each value on the way, and of g times the derivative there, 3.3: 3.2 epsilons in all. */
+    /* The one L-stable of order three: a root of 6 g^3 - 18 g^2 + 9 g - 1 (Hairer and Wanner 1996, table IV.6.4). Half
+     * an ulp of each value on the way, and of g times the derivative there, 3.3: 3.2 epsilons in all. */
     const real cubic = ((R(6.0) * t->gamma - R(18.0)) * t->gamma + R(9.0)) * t->gamma - R(1.0);
     tap_ok(iso_abs(cubic) <= R(4.0) * ISO_REAL_EPSILON, "ros3: gamma is the one of an L-stable method");
 

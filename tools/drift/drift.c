@@ -3,22 +3,22 @@
  *
  *     drift SECONDS PARTS STABILISATION TRUNCATION
  *
- * The plant's last three outputs are the violation, its rate and the energy. Lines: `part TIME VIOLATION`, then `end TIME`,
- * where TIME is less than SECONDS if a state left the finite numbers; `violation`, `rate`, `energy`: the largest, and the
- * largest change; `bound`: what the violation may be.
+ * The plant's last three outputs are the violation, its rate and the energy. Lines: `part TIME VIOLATION`, then `end
+ * TIME`, where TIME is less than SECONDS if a state left the finite numbers; `violation`, `rate`, `energy`: the
+ * largest, and the largest change; `bound`: what the violation may be.
  *
- * The bound. With u the unit roundoff, and Phi_i and Phi'_i the derivatives of a closure's equation and of its rate by the
- * state x_i, a step may be off by
+ * The bound. With u the unit roundoff, and Phi_i and Phi'_i the derivatives of a closure's equation and of its rate by
+ * the state x_i, a step may be off by
  *
- *     q = sum |Phi_i| s_i    in the position: s_i = u (|x_i| + 16 h |x_i'|), as the state is rounded, and its slope
- *     v = sum |Phi'_i| s_i   in the speed
- *     p = sum |Phi_i| 4 u max(1, |x_i|)   in what it sees of Phi: a sine has 1.6 u, products and sums the rest
+ *     q = sum |Phi_i| s_i    in the position: s_i = u (|x_i| + 16 h |x_i'|), as the state is rounded, and its
+ * derivative v = sum |Phi'_i| s_i   in the speed p = sum |Phi_i| 4 u max(1, |x_i|)   in what it sees of Phi: a sine
+ * has 1.6 u, products and sums the rest
  *
  * Projection leaves p where it looks and q where it rounds, and the output sees p again: q + 2 p. Baumgarte's
  * e'' + 2 b e' + b^2 e = 0 answers to q with q (1 + b t) exp(-b t), and to v with v t exp(-b t): summed over all steps
- * 2 q / (b h) and v / (b^2 h), at b = 0.1 / h 20 q and 100 h v; it follows p as well. This is the worst case, all errors of
- * one sign; random ones give about a tenth. To it comes TRUNCATION, which is the method's: the violation of the same plant
- * in double.
+ * 2 q / (b h) and v / (b^2 h), at b = 0.1 / h 20 q and 100 h v; it follows p as well. This is the worst case, all
+ * errors of one sign; random ones give about a tenth. To it comes TRUNCATION, which is the method's: the violation of
+ * the same plant in double.
  */
 #include <float.h>
 #include <math.h>
@@ -59,13 +59,13 @@ static double larger(const double a, const double b)
 static void measure(sizes *const s)
 {
     const double by = 0x1p-10, u = sizeof(real) == sizeof(float) ? 0.5 * (double)FLT_EPSILON : 0.5 * DBL_EPSILON;
-    static real slopes[STATES_MAX];
+    static real derivatives[STATES_MAX];
     sizes here = {0.0, 0.0, 0.0};
-    plant->derivative(slopes, plant->x, plant->u, plant->p);
+    plant->derivative(derivatives, plant->x, plant->u, plant->p);
     for (int i = 0; i < plant->states; i++) {
         const real kept = plant->x[i];
         const double size = fabs((double)kept);
-        const double off = u * (size + 16.0 * (double)plant->step_size * fabs((double)slopes[i]));
+        const double off = u * (size + 16.0 * (double)plant->step_size * fabs((double)derivatives[i]));
         plant->x[i] = kept + (real)by;
         look();
         plant->x[i] = kept;
@@ -90,16 +90,16 @@ static double bound(const sizes *const s, const char *const stabilisation, const
 }
 
 /* The largest so far. */
-typedef struct account {
+typedef struct statistics {
     long done; /* steps */
     double violation, rate, change;
     sizes sizes;
-} account;
+} statistics;
 
 /* Runs until the steps are done or a state is not finite; a line for each part. */
-static account run(const long steps, const long parts, const double step)
+static statistics run(const long steps, const long parts, const double step)
 {
-    account a = {0};
+    statistics a = {0};
     double of_part = 0.0;
     iso_plant_start(plant);
     look();
@@ -136,7 +136,7 @@ int main(const int argc, char **const argv)
         return EXIT_FAILURE;
     }
     const double step = (double)plant->period_ns * 1e-9;
-    const account a = run(lround(strtod(argv[1], NULL) / step), strtol(argv[2], NULL, 10), step);
+    const statistics a = run(lround(strtod(argv[1], NULL) / step), strtol(argv[2], NULL, 10), step);
     printf("end %.9g\nviolation %.3e\nrate %.3e\nenergy %.3e\n", (double)a.done * step, a.violation, a.rate, a.change);
     printf("bound %.3e\n", bound(&a.sizes, argv[3], strtod(argv[4], NULL)));
     return EXIT_SUCCESS;

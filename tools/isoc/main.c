@@ -146,7 +146,8 @@ static bool override(arena *memory, const options *o, scene *s)
     return given.problem_count == 0;
 }
 
-/* A joint that moves no inertia has no acceleration: told at the start, where it can be told from a bad moment later. */
+/* A joint that moves no inertia has no acceleration: told at the start, where it can be told from a bad moment later.
+ */
 static void check_pivots(source *s, const graph *g, const plant *p)
 {
     static const char *const about[] = {" about its x axis", " about its y axis", " about its z axis"};
@@ -154,15 +155,15 @@ static void check_pivots(source *s, const graph *g, const plant *p)
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     graph_evaluate(g, mechanism_start(m, g->memory), NULL, m->defaults, numbers);
     /* From the tips inward, as they are eliminated: what comes after a bad pivot is bad too. */
-    for (int f = m->freedom_count - 1; f >= 0; f--) {
+    for (int f = m->dof_count - 1; f >= 0; f--) {
         const double pivot = numbers[p->d->mass.pivots[f]], inertia = numbers[p->d->mass.diagonal[f]];
-        const link *l = &m->links[m->freedoms[f].link];
+        const link *l = &m->links[m->dofs[f].link];
         if (!(inertia > 0.0) || !(pivot > 1e-10 * inertia)) {
             const bool is_ball = l->kind == JOINT_SPHERICAL;
             source_problem(s, l->at,
                            "the joint '%s' moves no inertia%s at the start (singular mass matrix): give a body beyond "
                            "it an inertia%s",
-                           l->name, is_ball ? about[f - l->freedom] : "",
+                           l->name, is_ball ? about[f - l->dof] : "",
                            is_ball ? "" : " or a centre of mass off its axis");
             return;
         }

@@ -2,8 +2,8 @@
  *
  *     trace -o DIRECTORY [--clock UNIT] -- COMMAND [ARGUMENT...]
  *
- * COMMAND writes its run to its standard output (core/application/stream.h). The table goes to DIRECTORY/trace.csv, which is there
- * only when it is whole. Exit status 0 means that the run reached its end with a finite state.
+ * COMMAND writes its run to its standard output (core/application/stream.h). The table goes to DIRECTORY/trace.csv,
+ * which is there only when it is whole. Exit status 0 means that the run reached its end with a finite state.
  */
 #include <errno.h>
 #include <inttypes.h>

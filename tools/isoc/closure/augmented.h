@@ -7,20 +7,20 @@
  * gamma. Nikravesh (1988), Computer-Aided Analysis of Mechanical Systems, ch. 13; gamma after Baumgarte (1972),
  * "Stabilization of constraints and integrals of motion in dynamical systems", Comp. Meth. Appl. Mech. Eng. 1.
  *
- * The augmented Lagrangian of Bayo, Garcia de Jalon and Serna (1988), "A modified Lagrangian formulation for the dynamic
- * analysis of constrained mechanical systems", Comp. Meth. Appl. Mech. Eng. 71, is the same with A + 1/penalty in the
- * place of A, which has an inverse even where A has none, and a few iterations of the multipliers. In its iteration
- * lambda grows by delta with (A + e) delta = r, e = 1/penalty, and what is left of r is e delta: so that each further
- * iteration is one more solution with the same factors. Where the scene gives no penalty, e is the mean of A's diagonal
- * at the start times the square root of the unit roundoff u: rounding then changes A + e, and the multipliers that no
- * constraint needs, by a part of sqrt(u) at most, and a constraint is held wherever it moves the freedoms by more than
- * u^(1/4) of what it usually does.
+ * The augmented Lagrangian of Bayo, Garcia de Jalon and Serna (1988), "A modified Lagrangian formulation for the
+ * dynamic analysis of constrained mechanical systems", Comp. Meth. Appl. Mech. Eng. 71, is the same with A + 1/penalty
+ * in the place of A, which has an inverse even where A has none, and a few iterations of the multipliers. In its
+ * iteration lambda grows by delta with (A + e) delta = r, e = 1/penalty, and what is left of r is e delta: so that each
+ * further iteration is one more solution with the same factors. Where the scene gives no penalty, e is the mean of A's
+ * diagonal at the start times the square root of the unit roundoff u: rounding then changes A + e, and the multipliers
+ * that no constraint needs, by a part of sqrt(u) at most, and a constraint is held wherever it moves the degrees of
+ * degree of freedom by more than u^(1/4) of what it usually does.
  *
- * Where A has the eigenvalue a, n iterations leave (e / (a + e))^n of what is demanded, and make up to n / e of a rounding
- * error where a is near zero. With n = 3 less than u is left as soon as a is u^(1/6) of the mean, 6 % in float; more
- * iterations reach little further and tear more where the closures lose rank. Parallelograms that pass there for 20 s in
- * float, with 16 speeds: the energy changes by a part of at most 2e-2 with n = 1, 3e-4 with 2, 2e-4 with 3 or 4, 4e-4
- * with 5, 2e-3 with 8.
+ * Where A has the eigenvalue a, n iterations leave (e / (a + e))^n of what is demanded, and make up to n / e of a
+ * rounding error where a is near zero. With n = 3 less than u is left as soon as a is u^(1/6) of the mean, 6 % in
+ * float; more iterations reach little further and tear more where the closures lose rank. Parallelograms that pass
+ * there for 20 s in float, with 16 speeds: the energy changes by a part of at most 2e-2 with n = 1, 3e-4 with 2, 2e-4
+ * with 3 or 4, 4e-4 with 5, 2e-3 with 8.
  */
 #ifndef ISOC_CLOSURE_AUGMENTED_H
 #define ISOC_CLOSURE_AUGMENTED_H
@@ -32,8 +32,8 @@ typedef struct augmented {
     const mass_matrix *mass;
     constraints held;
     int *order;          /* in which the constraints are eliminated: the one with the fewest neighbours first */
-    node **inward;       /* [constraints][freedoms] L'^-1 Phi_q' */
-    node **reach;        /* [constraints][freedoms] D^-1 L'^-1 Phi_q' */
+    node **inward;       /* [constraints][degrees of degree of freedom] L'^-1 Phi_q' */
+    node **reach;        /* [constraints][degrees of degree of freedom] D^-1 L'^-1 Phi_q' */
     node *schur;         /* [constraints constraints] A + e: after the factorisation L, and 1 / D on the diagonal */
     node *pivots;        /* D */
     node *diagonal;      /* of A + e */
@@ -44,12 +44,12 @@ typedef struct augmented {
 /* From effort := L'^-1 (effort - bias) to effort := D^-1 L'^-1 (effort - bias - Phi_q' lambda). */
 augmented augmented_build(const mass_matrix *mass, constraints held, node *effort);
 
-/* -gamma of a constraint: Phi_dd + 2 alpha Phi' + beta^2 Phi, or Phi_dd + alpha Phi' of one of speeds alone: its root is
- * where the double root of the others is with alpha = beta. */
+/* -gamma of a constraint: Phi_dd + 2 alpha Phi' + beta^2 Phi, or Phi_dd + alpha Phi' of one of speeds alone: its root
+ * is where the double root of the others is with alpha = beta. */
 node demand_of(graph *g, const mechanism *m, const constraint *c);
 
-/* The change of the freedoms that takes the least kinetic energy, and with it `gap` off the constraints:
- * -M^-1 Phi_q' (A + e)^-1 gap. */
+/* The change of the degrees of degree of freedom that takes the least kinetic energy, and with it `gap` off the
+ * constraints: -M^-1 Phi_q' (A + e)^-1 gap. */
 void augmented_project(const augmented *a, const node *gap, node *change);
 
 #endif

@@ -47,8 +47,8 @@ static void put(const kinematics *k, constraints *to, constraint made, const cha
     const mechanism *m = k->m;
     node rate = made.rate;
     bool entries = false;
-    for (int f = 0; f < m->freedom_count; f++) {
-        graph_name(g, made.row[f], "Phi_%s_%s", called, m->freedoms[f].name);
+    for (int f = 0; f < m->dof_count; f++) {
+        graph_name(g, made.row[f], "Phi_%s_%s", called, m->dofs[f].name);
         rate = add(g, rate, mul(g, made.row[f], leaf(g, OP_STATE, m->position_count + f)));
         entries = entries || !is_zero(g, made.row[f]);
     }
@@ -68,17 +68,17 @@ static constraint blank(const kinematics *k, int index)
     graph *g = k->g;
     const node zero = constant(g, 0.0);
     constraint made = {.cut = index, .position = zero, .rate = zero, .bias = zero};
-    made.row = arena_take(g->memory, (size_t)k->m->freedom_count, sizeof *made.row);
-    for (int f = 0; f < k->m->freedom_count; f++) {
+    made.row = arena_take(g->memory, (size_t)k->m->dof_count, sizeof *made.row);
+    for (int f = 0; f < k->m->dof_count; f++) {
         made.row[f] = zero;
     }
     made.force = made.moment = vector_zero(g);
     return made;
 }
 
-/* Phi = d . r - length for the way r between the points and a direction d that moves with the parent, which turns with omega_A:
- * Phi' = d . r' + omega_A . (d x r), Phi'' = d . r'' + 2 (omega_A x d) . r' + (alpha_A x d + omega_A x (omega_A x d)) . r.
- * With the points together, or d resting, only the first terms stay. */
+/* Phi = d . r - length for the way r between the points and a direction d that moves with the parent, which turns with
+ * omega_A: Phi' = d . r' + omega_A . (d x r), Phi'' = d . r'' + 2 (omega_A x d) . r' + (alpha_A x d + omega_A x
+ * (omega_A x d)) . r. With the points together, or d resting, only the first terms stay. */
 static void hold_along(const pair *p, constraints *to, vector d, node length, bool turns, const char *called)
 {
     const kinematics *k = p->k;
@@ -86,7 +86,7 @@ static void hold_along(const pair *p, constraints *to, vector d, node length, bo
     constraint made = blank(k, p->index);
     const vector arm = vector_cross(g, d, p->apart), zero = vector_zero(g);
     made.position = sub(g, vector_dot(g, d, p->apart), length);
-    for (int f = 0; f < k->m->freedom_count; f++) {
+    for (int f = 0; f < k->m->dof_count; f++) {
         made.row[f] = vector_dot(g, d, vector_sub(g, p->child.linear[f], p->parent.linear[f]));
         made.row[f] = add(g, made.row[f], vector_dot(g, turns ? arm : zero, p->parent.angular[f]));
     }
@@ -109,7 +109,7 @@ static void hold_across(const pair *p, constraints *to, vector u, vector w, cons
     constraint made = blank(k, p->index);
     const vector c = vector_cross(g, w, u);
     made.position = vector_dot(g, u, w);
-    for (int f = 0; f < k->m->freedom_count; f++) {
+    for (int f = 0; f < k->m->dof_count; f++) {
         made.row[f] = vector_dot(g, c, vector_sub(g, p->child.angular[f], p->parent.angular[f]));
     }
     const vector w_rate = vector_cross(g, p->child.omega, w), u_rate = vector_cross(g, p->parent.omega, u);
@@ -144,7 +144,7 @@ static void hold_distance(const pair *p, constraints *to, const char *called)
     const node half = constant(g, 0.5);
     made.length = length;
     made.position = mul(g, half, sub(g, vector_dot(g, d, p->apart), length));
-    for (int f = 0; f < k->m->freedom_count; f++) {
+    for (int f = 0; f < k->m->dof_count; f++) {
         made.row[f] = vector_dot(g, d, vector_sub(g, p->child.linear[f], p->parent.linear[f]));
     }
     const node square = divide(g, vector_dot(g, p->apart_rate, p->apart_rate), length);
@@ -161,7 +161,7 @@ static void hold_rolling(const pair *p, constraints *to, vector t, vector n, con
     constraint made = blank(k, p->index);
     const vector lever = vector_scale(g, neg(g, p->c->length), n);
     const vector arm = vector_cross(g, lever, t);
-    for (int f = 0; f < k->m->freedom_count; f++) {
+    for (int f = 0; f < k->m->dof_count; f++) {
         const node linear = vector_dot(g, t, p->child.linear[f]);
         made.row[f] = add(g, linear, vector_dot(g, arm, p->child.angular[f]));
     }
@@ -172,8 +172,8 @@ static void hold_rolling(const pair *p, constraints *to, vector t, vector n, con
     put(k, to, made, called);
 }
 
-/* Phi = q_first - ratio q_second - offset, or q_first - motion(t); without what whole turns of continuous joints make of it;
- * of what holds in speeds alone only Phi'. */
+/* Phi = q_first - ratio q_second - offset, or q_first - motion(t); without what whole turns of continuous joints make
+ * of it; of what holds in speeds alone only Phi'. */
 static void hold_joints(const kinematics *k, constraints *to, int index)
 {
     graph *g = k->g;
@@ -181,10 +181,10 @@ static void hold_joints(const kinematics *k, constraints *to, int index)
     constraint made = blank(k, index);
     const link *first = &k->m->links[c->parent.link];
     made.position = sub(g, k->motions[c->parent.link].q[0], c->length);
-    made.row[first->freedom] = constant(g, 1.0);
+    made.row[first->dof] = constant(g, 1.0);
     if (c->kind == CLOSE_GEAR) {
         const link *second = &k->m->links[c->child.link];
-        made.row[second->freedom] = neg(g, c->ratio);
+        made.row[second->dof] = neg(g, c->ratio);
         made.position = sub(g, made.position, mul(g, c->ratio, k->motions[c->child.link].q[0]));
     } else {
         made.position = sub(g, made.position, c->motion);
@@ -242,8 +242,9 @@ static void directions_across(graph *g, vector n, vector across[2])
     across[1] = vector_cross(g, n, across[0]);
 }
 
-/* Whether the directions across a line of the parent need not turn with it: its own direction rests, or the child has no
- * way along it. Then the two rates of the way that they ask for are those of a vector, whose parts along any two are as good. */
+/* Whether the directions across a line of the parent need not turn with it: its own direction rests, or the child has
+ * no way along it. Then the two rates of the way that they ask for are those of a vector, whose parts along any two are
+ * as good. */
 static bool may_rest(const pair *p, int a)
 {
     const kinematics *k = p->k;

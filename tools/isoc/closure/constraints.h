@@ -1,9 +1,9 @@
-/* What the loop closures demand of the freedoms, as nodes: of each constraint its position Phi(q), its rate Phi', its row
- * Phi_q of the Jacobian, and its bias, what Phi'' is at q'' = 0.
+/* What the loop closures demand of the degrees of degree of freedom, as nodes: of each constraint its position Phi(q),
+ * its rate Phi', its row Phi_q of the Jacobian, and its bias, what Phi'' is at q'' = 0.
  *
  * Nikravesh (1988), Computer-Aided Analysis of Mechanical Systems, ch. 7. Rows are made from the velocities of points
- * and axes, joint by joint, in axes of choice (tools/isoc/closure/side.h). A row without an entry is dropped: such a constraint holds by the shape of
- * the scene, as out of the plane of a planar mechanism.
+ * and axes, joint by joint, in axes of choice (tools/isoc/closure/side.h). A row without an entry is dropped: such a
+ * constraint holds by the shape of the scene, as out of the plane of a planar mechanism.
  */
 #ifndef ISOC_CLOSURE_CONSTRAINTS_H
 #define ISOC_CLOSURE_CONSTRAINTS_H
@@ -16,7 +16,7 @@ typedef struct constraint {
     node rate;
     node bias;
     node length;          /* of a distance */
-    node *row;            /* [freedoms] */
+    node *row;            /* [degrees of degree of freedom] */
     vector force, moment; /* on the child, in base axes, about its point, of a multiplier of one; both zero of joints */
 } constraint;
 

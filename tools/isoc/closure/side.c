@@ -47,9 +47,9 @@ static bool same(vector a, vector b)
     return memcmp(a.at, b.at, sizeof a.at) == 0;
 }
 
-/* Adds the way `from` on a link, from where it hangs to where the next one does, and what the link's motion makes of it: in
- * the link's axes, which share it with the dynamics; or behind the rotation, where that leaves the angular velocity as it is, as
- * in a plane, and makes of the way what the Jacobian has. */
+/* Adds the way `from` on a link, from where it hangs to where the next one does, and what the link's motion makes of
+ * it: in the link's axes, which share it with the dynamics; or behind the rotation, where that leaves the angular
+ * velocity as it is, as in a plane, and makes of the way what the Jacobian has. */
 static void add_way(const kinematics *k, const acceleration *all, int i, bool moves, vector from, matrix rotation,
                     side *to)
 {
@@ -74,12 +74,13 @@ static void add_way(const kinematics *k, const acceleration *all, int i, bool mo
     to->acceleration = vector_add(g, to->acceleration, bias);
 }
 
-/* What the freedoms of a link add to the motion of the end, which is at to->point from where the link hangs. */
-static void add_freedoms(const kinematics *k, int i, matrix rotation, side *to)
+/* What the degrees of degree of freedom of a link add to the motion of the end, which is at to->point from where the
+ * link hangs. */
+static void add_dofs(const kinematics *k, int i, matrix rotation, side *to)
 {
     graph *g = k->g;
     const link *l = &k->m->links[i];
-    for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+    for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
         const vector e = matrix_apply(g, rotation, axis_of(k, f));
         to->linear[f] = slides(l) ? e : vector_cross(g, e, to->point);
         to->angular[f] = slides(l) ? vector_zero(g) : e;
@@ -93,15 +94,15 @@ side side_build(const kinematics *k, const acceleration *all, const cut_end *end
     const vector zero = vector_zero(g);
     const matrix last = turns[end->link + 1];
     side made = {.point = zero, .velocity = zero, .acceleration = zero, .omega = zero, .alpha = zero};
-    made.linear = arena_take(g->memory, (size_t)m->freedom_count, sizeof *made.linear);
-    made.angular = arena_take(g->memory, (size_t)m->freedom_count, sizeof *made.angular);
-    for (int f = 0; f < m->freedom_count; f++) {
+    made.linear = arena_take(g->memory, (size_t)m->dof_count, sizeof *made.linear);
+    made.angular = arena_take(g->memory, (size_t)m->dof_count, sizeof *made.angular);
+    for (int f = 0; f < m->dof_count; f++) {
         made.linear[f] = made.angular[f] = zero;
     }
     vector from = end->point;
     for (int i = end->link; i != base; i = m->links[i].parent) {
         add_way(k, all, i, true, from, turns[i + 1], &made);
-        add_freedoms(k, i, turns[i + 1], &made);
+        add_dofs(k, i, turns[i + 1], &made);
         from = k->motions[i].p;
     }
     add_way(k, all, base, false, from, turns[base + 1], &made);

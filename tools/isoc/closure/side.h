@@ -1,7 +1,8 @@
 /* How the two sides of a loop closure move, as nodes, in the axes of one link of the loop.
  *
- * Whose axes they are changes no equation, but what it takes to compute them. What is fixed in that link is constant there;
- * so where a platform is closed by six legs, or a rod by one pin, most entries of the Jacobian are constants in its axes.
+ * Whose axes they are changes no equation, but what it takes to compute them. What is fixed in that link is constant
+ * there; so where a platform is closed by six legs, or a rod by one pin, most entries of the Jacobian are constants in
+ * its axes.
  */
 #ifndef ISOC_CLOSURE_SIDE_H
 #define ISOC_CLOSURE_SIDE_H
@@ -14,8 +15,9 @@ typedef enum closure_axes { AXES_OF_BASE, AXES_OF_PARENT, AXES_OF_CHILD } closur
 typedef struct side {
     vector point, velocity, acceleration; /* from the base's origin, and its rates at q'' = 0 */
     vector omega, alpha;
-    vector *linear, *angular; /* [freedoms] what each adds to the velocity and to the angular velocity */
-    matrix axes;              /* columns: of the closure's frame */
+    vector *linear,
+        *angular; /* [degrees of degree of freedom] what each adds to the velocity and to the angular velocity */
+    matrix axes;  /* columns: of the closure's frame */
 } side;
 
 /* turns[link + 1]: from the axes of each link of the loop, and of its base, to those chosen. */

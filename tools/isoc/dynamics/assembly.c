@@ -13,7 +13,7 @@ typedef struct assembly {
     const mechanism *m;
     const constraints *held;
     closing c;
-    bool *is_free;    /* [freedoms] */
+    bool *is_free;    /* [degrees of degree of freedom] */
     bool keeps_rough; /* coordinates with a rough start are not free */
 } assembly;
 
@@ -24,7 +24,7 @@ static const char *list_free(const assembly *a)
     for (int i = 0; i < a->m->link_count; i++) {
         const link *l = &a->m->links[i];
         bool any = false;
-        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+        for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             any = any || a->is_free[f];
         }
         if (any) {
@@ -38,8 +38,8 @@ static const char *list_free(const assembly *a)
 static int choose_free(const assembly *a, bool rates, bool all)
 {
     int count = 0;
-    for (int f = 0; f < a->m->freedom_count; f++) {
-        const link *l = &a->m->links[a->m->freedoms[f].link];
+    for (int f = 0; f < a->m->dof_count; f++) {
+        const link *l = &a->m->links[a->m->dofs[f].link];
         const bool given = rates ? l->speed_given : l->start_given || (l->start_is_rough && a->keeps_rough);
         a->is_free[f] = false;
         for (int r = 0; r < a->held->count && (all || !given); r++) {
@@ -185,11 +185,11 @@ static void keep_start(const assembly *a)
     for (int i = 0; i < a->m->link_count; i++) {
         link *l = &a->m->links[i];
         const double *x = a->c.x + l->position;
-        const double *speed = a->c.x + a->m->position_count + l->freedom;
+        const double *speed = a->c.x + a->m->position_count + l->dof;
         l->start_found = largest_change(l->start, x, positions_of(l->kind)) > closed;
-        l->speed_found = largest_change(l->speed, speed, freedoms_of(l->kind)) > closed;
+        l->speed_found = largest_change(l->speed, speed, dofs_of(l->kind)) > closed;
         memcpy(l->start, x, (size_t)positions_of(l->kind) * sizeof *x);
-        memcpy(l->speed, speed, (size_t)freedoms_of(l->kind) * sizeof *x);
+        memcpy(l->speed, speed, (size_t)dofs_of(l->kind) * sizeof *x);
     }
 }
 
@@ -200,7 +200,7 @@ void assemble(source *s, const dynamics *d)
         return;
     }
     assembly a = {.s = s, .m = m, .held = &d->loops.held, .c = closing_start(s->memory, d)};
-    a.is_free = arena_take(s->memory, (size_t)m->freedom_count, sizeof *a.is_free);
+    a.is_free = arena_take(s->memory, (size_t)m->dof_count, sizeof *a.is_free);
     go_near(&a);
     if (check_distances(&a) && check_dropped(&a) && close_positions(&a) && close_speeds(&a)) {
         keep_start(&a);

@@ -4,14 +4,14 @@
 
 int balance_rows(const dynamics *d)
 {
-    return d->m->freedom_count + d->loops.held.count;
+    return d->m->dof_count + d->loops.held.count;
 }
 
 /* Newton-Euler with the accelerations, inward. */
 static void build_forces(const dynamics *d, node *left)
 {
     const mechanism *m = d->m;
-    node *taken = arena_take(d->g->memory, (size_t)m->freedom_count, sizeof *taken);
+    node *taken = arena_take(d->g->memory, (size_t)m->dof_count, sizeof *taken);
     wrench *wrenches = arena_take(d->g->memory, (size_t)m->link_count, sizeof *wrenches);
     const acceleration *accelerations = reaction_accelerations(d);
     graph_section(d->g, "What is left of the efforts over what the accelerations take");
@@ -26,7 +26,7 @@ static void build_constraints(const dynamics *d, node *left, node *weights)
     graph *g = d->g;
     const mechanism *m = d->m;
     const constraints *held = &d->loops.held;
-    const int n = m->freedom_count, rows = balance_rows(d);
+    const int n = m->dof_count, rows = balance_rows(d);
     for (int r = 0; r < held->count; r++) {
         node demand = demand_of(g, m, &held->all[r]);
         const node lambda = leaf(g, OP_MULTIPLIER, r);
@@ -34,7 +34,7 @@ static void build_constraints(const dynamics *d, node *left, node *weights)
             const node entry = held->all[r].row[f];
             weights[f * rows + n + r] = weights[(n + r) * rows + f] = entry;
             left[f] = sub(g, left[f], mul(g, entry, lambda));
-            demand = add(g, demand, mul(g, entry, leaf(g, OP_SLOPE, m->position_count + f)));
+            demand = add(g, demand, mul(g, entry, leaf(g, OP_DERIVATIVE, m->position_count + f)));
         }
         left[n + r] = neg(g, demand);
         weights[(n + r) * rows + n + r] = neg(g, d->loops.regularisation);
@@ -44,12 +44,12 @@ static void build_constraints(const dynamics *d, node *left, node *weights)
 void balance_build(const dynamics *d, node *left, node *weights)
 {
     const mechanism *m = d->m;
-    const int n = m->freedom_count, rows = balance_rows(d);
+    const int n = m->dof_count, rows = balance_rows(d);
     for (int i = 0; i < rows * rows; i++) {
         weights[i] = constant(d->g, 0.0);
     }
     for (int i = 0; i < n; i++) {
-        for (int j = i; j != GROUND; j = m->freedoms[j].before) {
+        for (int j = i; j != GROUND; j = m->dofs[j].before) {
             weights[i * rows + j] = weights[j * rows + i] = d->mass.entries[i * n + j];
         }
     }

@@ -1,5 +1,5 @@
-/* The equations of motion before they are solved, as nodes: what is left of the forces over what given accelerations q''
- * and multipliers lambda take,
+/* The equations of motion before they are solved, as nodes: what is left of the forces over what given accelerations
+ * q'' and multipliers lambda take,
  *
  *     left = effort - bias - M q'' - Phi_q' lambda    and    -(Phi_dd + Phi_q q'' + 2 alpha Phi' + beta^2 Phi),
  *
@@ -10,11 +10,11 @@
 
 #include "tools/isoc/dynamics/dynamics.h"
 
-/* Freedoms and constraints. */
+/* Degrees of degree of freedom and constraints. */
 int balance_rows(const dynamics *d);
 
-/* left[rows], by leaves OP_SLOPE of the accelerations and OP_MULTIPLIER; and weights[rows rows], what it has of them:
- * [M Phi_q'; Phi_q -1/penalty]. */
+/* left[rows], by leaves OP_DERIVATIVE of the accelerations and OP_MULTIPLIER; and weights[rows rows], what it has of
+ * them: [M Phi_q'; Phi_q -1/penalty]. */
 void balance_build(const dynamics *d, node *left, node *weights);
 
 #endif

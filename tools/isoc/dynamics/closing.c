@@ -12,7 +12,7 @@ static const double longest_move = 0.5; /* m or rad in an iteration */
 
 static void evaluate(const closing *c)
 {
-    const int n = c->m->freedom_count;
+    const int n = c->m->dof_count;
     graph_evaluate(c->d->g, c->x, NULL, c->m->defaults, c->numbers);
     for (int r = 0; r < c->held->count; r++) {
         for (int f = 0; f < n; f++) {
@@ -40,7 +40,7 @@ static double square_gaps(const closing *c, bool rates)
     return sum;
 }
 
-/* Moves the positions of a link by what its freedoms move. */
+/* Moves the positions of a link by what its degrees of degree of freedom move. */
 static void move_link(const closing *c, const link *l, const double *by)
 {
     double *q = c->x + l->position;
@@ -64,9 +64,9 @@ static void move(const closing *c, bool rates, const double *by)
     for (int i = 0; i < c->m->link_count; i++) {
         const link *l = &c->m->links[i];
         if (!rates) {
-            move_link(c, l, by + l->freedom);
+            move_link(c, l, by + l->dof);
         } else {
-            for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+            for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
                 c->x[c->m->position_count + f] += by[f];
             }
         }
@@ -76,7 +76,7 @@ static void move(const closing *c, bool rates, const double *by)
 /* The least move of the free ones that closes the gaps, to first order; what is open, and the rank of their columns. */
 static gap aim(const closing *c, bool rates, const bool *is_free, double *by)
 {
-    const int n = c->m->freedom_count, rows = c->held->count;
+    const int n = c->m->dof_count, rows = c->held->count;
     double *matrix_free = arena_take(c->memory, (size_t)(rows * n) + 1, sizeof *matrix_free);
     double *wanted = arena_take(c->memory, (size_t)rows + 1, sizeof *wanted);
     gap open = {0};
@@ -120,7 +120,7 @@ static void move_closer(const closing *c, bool rates, double *by)
         if (square_gaps(c, rates) < before) {
             return;
         }
-        for (int f = 0; f < c->m->freedom_count; f++) {
+        for (int f = 0; f < c->m->dof_count; f++) {
             by[f] *= 0.5;
         }
     }
@@ -129,7 +129,7 @@ static void move_closer(const closing *c, bool rates, double *by)
 gap closing_run(const closing *c, bool rates, const bool *is_free)
 {
     enum { ITERATIONS = 100 };
-    double *by = arena_take(c->memory, (size_t)c->m->freedom_count + 1, sizeof *by);
+    double *by = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *by);
     evaluate(c);
     gap open = aim(c, rates, is_free, by);
     for (int i = 0; i < ITERATIONS && open.size > tight; i++) {
@@ -143,25 +143,25 @@ gap closing_run(const closing *c, bool rates, const bool *is_free)
     return open;
 }
 
-/* Free coordinates somewhere else: the n-th point of a sequence that fills their space evenly, a turn wide and as far as
- * `reach`. Roberts (2018), "The unreasonable effectiveness of quasirandom sequences": multiples of the powers of 1 / g,
- * g^(count + 1) = g + 1. */
+/* Free coordinates somewhere else: the n-th point of a sequence that fills their space evenly, a turn wide and as far
+ * as `reach`. Roberts (2018), "The unreasonable effectiveness of quasirandom sequences": multiples of the powers of 1 /
+ * g, g^(count + 1) = g + 1. */
 static void move_away(const closing *c, const bool *is_free, int n, double reach)
 {
-    double *by = arena_take(c->memory, (size_t)c->m->freedom_count + 1, sizeof *by);
+    double *by = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *by);
     double g = 1.5, power = 1.0;
     int count = 0;
-    for (int f = 0; f < c->m->freedom_count; f++) {
+    for (int f = 0; f < c->m->dof_count; f++) {
         count += is_free[f];
     }
     for (int i = 0; i < 50; i++) {
         g = pow(1.0 + g, 1.0 / (count + 1));
     }
-    for (int f = 0; f < c->m->freedom_count; f++) {
+    for (int f = 0; f < c->m->dof_count; f++) {
         if (is_free[f]) {
             power /= g;
             const double part = n * power - floor(n * power) - 0.5;
-            by[f] = part * (slides(&c->m->links[c->m->freedoms[f].link]) ? reach : around);
+            by[f] = part * (slides(&c->m->links[c->m->dofs[f].link]) ? reach : around);
         }
     }
     move(c, false, by);
@@ -172,7 +172,7 @@ static void fold(const closing *c, const bool *is_free)
 {
     for (int i = 0; i < c->m->link_count; i++) {
         const link *l = &c->m->links[i];
-        if (l->kind == JOINT_REVOLUTE && is_free[l->freedom]) {
+        if (l->kind == JOINT_REVOLUTE && is_free[l->dof]) {
             const double from = l->continuous ? 0.0 : l->start[0];
             c->x[l->position] -= around * floor((c->x[l->position] - from) / around + 0.5);
         }
@@ -185,7 +185,7 @@ gap closing_search(const closing *c, const bool *is_free, double enough)
     const size_t states = (size_t)state_count(c->m);
     double *start = arena_take(c->memory, states, sizeof *start);
     double *best = arena_take(c->memory, states, sizeof *best);
-    double *by = arena_take(c->memory, (size_t)c->m->freedom_count + 1, sizeof *by);
+    double *by = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *by);
     memcpy(start, c->x, states * sizeof *start);
     memcpy(best, c->x, states * sizeof *best);
     evaluate(c);
@@ -210,7 +210,7 @@ gap closing_search(const closing *c, const bool *is_free, double enough)
 closing closing_start(arena *memory, const dynamics *d)
 {
     const mechanism *m = d->m;
-    const size_t n = (size_t)m->freedom_count;
+    const size_t n = (size_t)m->dof_count;
     closing c = {.d = d, .m = m, .held = &d->loops.held, .memory = memory, .x = mechanism_start(m, memory)};
     c.numbers = arena_take(memory, d->g->count, sizeof *c.numbers);
     c.jacobian = arena_take(memory, n * (size_t)c.held->count + 1, sizeof *c.jacobian);

@@ -10,7 +10,7 @@ typedef struct closing {
     const constraints *held;
     arena *memory;
     double *x, *numbers; /* states, and the values of all nodes at them */
-    double *jacobian;    /* [constraints][freedoms] */
+    double *jacobian;    /* [constraints][degrees of degree of freedom] */
 } closing;
 
 /* What is left open most, by how much, and the rank of the constraints in the free ones. */
@@ -28,7 +28,8 @@ closing closing_start(arena *memory, const dynamics *d);
 /* Moves the positions, or the speeds, that are free to where the closures hold, as far as they can. */
 gap closing_run(const closing *c, bool rates, const bool *is_free);
 
-/* The same for positions from where they are, and, where that does not lead to less than `enough`, from other places. */
+/* The same for positions from where they are, and, where that does not lead to less than `enough`, from other places.
+ */
 gap closing_search(const closing *c, const bool *is_free, double enough);
 
 #endif

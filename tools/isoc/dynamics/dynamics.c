@@ -17,13 +17,13 @@ static closure_axes axes_of(formulation f)
 void efforts_less(const dynamics *d, const node *bias, node *effort)
 {
     graph *g = d->g;
-    for (int f = 0; f < d->m->freedom_count; f++) {
-        const link *l = &d->m->links[d->m->freedoms[f].link];
-        const motion *now = &d->k.motions[d->m->freedoms[f].link];
+    for (int f = 0; f < d->m->dof_count; f++) {
+        const link *l = &d->m->links[d->m->dofs[f].link];
+        const motion *now = &d->k.motions[d->m->dofs[f].link];
         effort[f] = l->drive < 0 ? constant(g, 0.0) : leaf(g, OP_INPUT, l->drive);
-        effort[f] = sub(g, effort[f], mul(g, l->damping, now->qd[f - l->freedom]));
+        effort[f] = sub(g, effort[f], mul(g, l->damping, now->qd[f - l->dof]));
         effort[f] = sub(g, effort[f], mul(g, l->spring, sub(g, now->q[0], l->rest)));
-        effort[f] = graph_name(g, sub(g, effort[f], bias[f]), "tau_%s", d->m->freedoms[f].name);
+        effort[f] = graph_name(g, sub(g, effort[f], bias[f]), "tau_%s", d->m->dofs[f].name);
     }
 }
 
@@ -47,7 +47,7 @@ static void solve_loops(dynamics *d, node *bias, closure_axes axes)
 static void efforts_alone(dynamics *d, node *bias)
 {
     graph_section(d->g, "Efforts: drives, damping, springs");
-    for (int f = 0; f < d->m->freedom_count; f++) {
+    for (int f = 0; f < d->m->dof_count; f++) {
         bias[f] = constant(d->g, 0.0);
     }
     efforts_less(d, bias, d->acceleration);
@@ -58,7 +58,7 @@ static void efforts_at_absolute(const kinematics *k, node *effort)
 {
     const mechanism *m = k->m;
     for (int i = 0; i < m->link_count; i++) {
-        const int f = m->links[i].freedom, before = m->freedoms[f].before, shared = shared_axis(k, i);
+        const int f = m->links[i].dof, before = m->dofs[f].before, shared = shared_axis(k, i);
         if (shared != 0) {
             effort[before] = sub(k->g, effort[before], mul(k->g, constant(k->g, shared), effort[f]));
         }
@@ -70,7 +70,7 @@ static void relative_of_absolute(const kinematics *k, node *x)
 {
     const mechanism *m = k->m;
     for (int i = m->link_count - 1; i >= 0; i--) {
-        const int f = m->links[i].freedom, before = m->freedoms[f].before, shared = shared_axis(k, i);
+        const int f = m->links[i].dof, before = m->dofs[f].before, shared = shared_axis(k, i);
         if (shared != 0) {
             const node of_parent = mul(k->g, constant(k->g, shared), x[before]);
             x[f] = sub(k->g, x[f], of_parent);
@@ -79,8 +79,8 @@ static void relative_of_absolute(const kinematics *k, node *x)
 }
 
 /* Speeds of links that turn about one axis are absolute: then only the angle between two of them couples their
- * accelerations, and not all angles on the way as well. The mass matrix of the joints' own speeds is there all the same,
- * for the check of its pivots; what nothing else needs is not emitted. */
+ * accelerations, and not all angles on the way as well. The mass matrix of the joints' own speeds is there all the
+ * same, for the check of its pivots; what nothing else needs is not emitted. */
 static void solve_tree(dynamics *d, node *bias)
 {
     graph *g = d->g;
@@ -91,8 +91,8 @@ static void solve_tree(dynamics *d, node *bias)
     efforts_at_absolute(&absolute, x);
     bias_build(&absolute, bias, d->accelerations);
     graph_section(g, "Efforts less bias");
-    for (int f = 0; f < d->m->freedom_count; f++) {
-        x[f] = graph_name(g, sub(g, x[f], bias[f]), "tau_%s", d->m->freedoms[f].name);
+    for (int f = 0; f < d->m->dof_count; f++) {
+        x[f] = graph_name(g, sub(g, x[f], bias[f]), "tau_%s", d->m->dofs[f].name);
     }
     const mass_matrix mass = mass_matrix_build(&absolute);
     graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias)");
@@ -103,8 +103,8 @@ static void solve_tree(dynamics *d, node *bias)
     d->mass = mass_matrix_build(&d->k);
 }
 
-/* Articulated bodies feel by themselves what is the bias elsewhere. The mass matrix is there all the same, for the check of
- * its pivots; what nothing else needs is not emitted. */
+/* Articulated bodies feel by themselves what is the bias elsewhere. The mass matrix is there all the same, for the
+ * check of its pivots; what nothing else needs is not emitted. */
 static void solve_articulated(dynamics *d, node *bias)
 {
     efforts_alone(d, bias);
@@ -115,7 +115,7 @@ static void solve_articulated(dynamics *d, node *bias)
 
 const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
 {
-    const size_t n = (size_t)m->freedom_count;
+    const size_t n = (size_t)m->dof_count;
     dynamics *d = arena_take(g->memory, 1, sizeof *d);
     *d = (dynamics){.m = m, .g = g, .k = kinematics_build(g, m)};
     d->acceleration = arena_take(g->memory, n, sizeof *d->acceleration);
@@ -129,7 +129,7 @@ const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
         solve_tree(d, bias);
     }
     for (size_t f = 0; f < n; f++) {
-        graph_name(g, d->acceleration[f], "qdd_%s", m->freedoms[f].name);
+        graph_name(g, d->acceleration[f], "qdd_%s", m->dofs[f].name);
     }
     return d;
 }

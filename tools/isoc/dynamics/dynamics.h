@@ -8,9 +8,10 @@
 
 #include "tools/isoc/closure/augmented.h"
 
-/* How the accelerations are found: from the factors of the mass matrix of composite bodies (tools/isoc/tree/mass_matrix.h), or,
- * of a tree, by articulated bodies (tools/isoc/tree/articulated.h). The closures of loops, which are always composite, stand in
- * the axes of their base, or of either side (tools/isoc/closure/side.h). */
+/* How the accelerations are found: from the factors of the mass matrix of composite bodies
+ * (tools/isoc/tree/mass_matrix.h), or, of a tree, by articulated bodies (tools/isoc/tree/articulated.h). The closures
+ * of loops, which are always composite, stand in the axes of their base, or of either side (tools/isoc/closure/side.h).
+ */
 typedef enum formulation {
     FORMULATION_COMPOSITE,
     FORMULATION_ARTICULATED,
@@ -30,14 +31,15 @@ typedef struct dynamics {
     kinematics k;
     mass_matrix mass;
     acceleration *accelerations; /* of the links, at q'' = 0 */
-    node *acceleration;          /* [freedoms] q'' */
+    node *acceleration;          /* [degrees of degree of freedom] q'' */
     augmented loops;             /* without constraints where nothing is closed */
 } dynamics;
 
-/* Makes the nodes of the accelerations; in a formulation that fits. Its parts point to one another: it stays where it is. */
+/* Makes the nodes of the accelerations; in a formulation that fits. Its parts point to one another: it stays where it
+ * is. */
 const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen);
 
-/* effort[freedoms]: u - d q' - k (q - rest) - bias. */
+/* effort[degrees of degree of freedom]: u - d q' - k (q - rest) - bias. */
 void efforts_less(const dynamics *d, const node *bias, node *effort);
 
 /* Kinetic energy, gravitational energy (zero at the ground's origin) and energy of the springs; needs

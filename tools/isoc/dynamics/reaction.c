@@ -10,8 +10,8 @@ acceleration *reaction_accelerations(const dynamics *d)
         const link *l = &m->links[i];
         made[i] = accelerate_outward(&d->k, i, made);
         vector *moved = slides(l) ? &made[i].a : &made[i].alpha;
-        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
-            const node qdd = leaf(g, OP_SLOPE, m->position_count + f);
+        for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
+            const node qdd = leaf(g, OP_DERIVATIVE, m->position_count + f);
             *moved = vector_add(g, *moved, vector_scale(g, qdd, axis_of(&d->k, f)));
         }
     }
@@ -67,9 +67,9 @@ static wrench acting(const dynamics *d, int of)
     graph *g = d->g;
     const mechanism *m = d->m;
     wrench sum = {vector_zero(g), vector_zero(g)};
-    for (int i = 0; i < m->thrust_count; i++) {
-        if (m->thrusts[i].body == of) {
-            sum = wrench_add(g, sum, wrench_of_thrust(g, &m->thrusts[i]));
+    for (int i = 0; i < m->applied_force_count; i++) {
+        if (m->applied_forces[i].body == of) {
+            sum = wrench_add(g, sum, wrench_of_applied_force(g, &m->applied_forces[i]));
         }
     }
     for (int i = 0; i < m->cut_count; i++) {

@@ -1,5 +1,5 @@
-/* What joints and closures give to their children, as nodes: force and moment in the ground's axes, the moment about the
- * origin of the joint's frame on the child.
+/* What joints and closures give to their children, as nodes: force and moment in the ground's axes, the moment about
+ * the origin of the joint's frame on the child.
  *
  * Of a joint it is all that passes through it: what it constrains, and what drive, damping and spring, gear and motion
  * put on it. It is what the child takes to move as it does, less what else acts on it: recursive Newton-Euler with the
@@ -19,8 +19,8 @@ wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int 
 
 wrench closure_reaction(const dynamics *d, int index);
 
-/* Of a gear or a motion: what it puts on its first joint, in N*m or N; on the second, a gear puts -ratio times that. Its one
- * constraint has the factor 1 in the first joint's row of M q'' + Phi_q' lambda = effort. */
+/* Of a gear or a motion: what it puts on its first joint, in N*m or N; on the second, a gear puts -ratio times that.
+ * Its one constraint has the factor 1 in the first joint's row of M q'' + Phi_q' lambda = effort. */
 node closure_effort(const dynamics *d, int index);
 
 #endif

@@ -17,7 +17,7 @@ static void put_quaternion(graph *g, settled *made, const dynamics *d, int i, co
         q[n] = d->k.motions[i].q[n];
     }
     if (moved != NULL) {
-        quaternion_rates(g, q, moved + l->freedom, rates);
+        quaternion_rates(g, q, moved + l->dof, rates);
         for (int n = 0; n < 4; n++) {
             q[n] = add(g, q[n], rates[n]);
         }
@@ -51,7 +51,7 @@ settled settled_build(graph *g, const dynamics *d)
 {
     const mechanism *m = d->m;
     const bool projected = m->projections > 0 && d->loops.held.count > 0;
-    const size_t states = (size_t)state_count(m), n = (size_t)m->freedom_count;
+    const size_t states = (size_t)state_count(m), n = (size_t)m->dof_count;
     settled made = {.states = arena_take(g->memory, states, sizeof *made.states)};
     made.values = arena_take(g->memory, states, sizeof *made.values);
     node *moved = arena_take(g->memory, n, sizeof *moved), *sped = arena_take(g->memory, n, sizeof *sped);
@@ -63,11 +63,11 @@ settled settled_build(graph *g, const dynamics *d)
         const link *l = &m->links[i];
         if (l->kind == JOINT_SPHERICAL) {
             put_quaternion(g, &made, d, i, projected ? moved : NULL);
-        } else if (projected && !is_zero(g, moved[l->freedom])) {
-            put(&made, l->position, add(g, d->k.motions[i].q[0], moved[l->freedom]));
+        } else if (projected && !is_zero(g, moved[l->dof])) {
+            put(&made, l->position, add(g, d->k.motions[i].q[0], moved[l->dof]));
         }
     }
-    for (int f = 0; f < m->freedom_count && projected; f++) {
+    for (int f = 0; f < m->dof_count && projected; f++) {
         if (!is_zero(g, sped[f])) {
             const node speed = leaf(g, OP_STATE, m->position_count + f);
             put(&made, m->position_count + f, add(g, speed, sped[f]));

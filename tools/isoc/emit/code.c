@@ -162,7 +162,7 @@ static rendering show(emitter *e, node i)
         return (rendering){"memory.progress.local_error", BINDS_WHOLE};
     case OP_RESIDUAL:
         return (rendering){"memory.progress.residual", BINDS_WHOLE};
-    case OP_SLOPE:
+    case OP_DERIVATIVE:
         return (rendering){arena_format(memory, "dx[%d]", n->index), BINDS_WHOLE};
     case OP_ADD:
     case OP_SUB:

@@ -21,7 +21,8 @@ typedef struct code {
     size_t count;
 } code;
 
-/* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real; *culprit is it. */
+/* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real; *culprit is it.
+ */
 bool code_emit(const code *c, text *out, double *culprit);
 
 /* The shortest decimal that reads back as the same real, e.g. R(0.1). */

@@ -52,7 +52,7 @@ static const char *prefixed(arena *memory, const char *prefix, const char *word)
     return arena_format(memory, "%s%s", prefix, word);
 }
 
-/* What each state is called: a position by its link, a speed by its freedom. */
+/* What each state is called: a position by its link, a speed by its degree of freedom. */
 static const char *const *state_words(const mechanism *m, arena *memory)
 {
     static const char *const endings[] = {"_w", "_x", "_y", "_z"};
@@ -67,8 +67,8 @@ static const char *const *state_words(const mechanism *m, arena *memory)
     for (int i = 0; i < m->clocks.count; i++) {
         words[m->clocks.first + i] = arena_format(memory, "clock_%d", i + 1);
     }
-    for (int f = 0; f < m->freedom_count; f++) {
-        words[m->position_count + f] = m->freedoms[f].name;
+    for (int f = 0; f < m->dof_count; f++) {
+        words[m->position_count + f] = m->dofs[f].name;
     }
     return words;
 }
@@ -239,7 +239,7 @@ static bool emit_function(const plant *p, graph *g, text *out, const char *funct
     } arguments[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}};
     const code body_of = {
         g, names_of(p, out->memory), p->is_double, targets_of(out->memory, array, count), roots, (size_t)count};
-    const bool derives = uses_operation(g, roots, (size_t)count, OP_SLOPE);
+    const bool derives = uses_operation(g, roots, (size_t)count, OP_DERIVATIVE);
     text_add(out, "static void %s(real *restrict const %s, const real *restrict const x,\n", function, array);
     text_add(out, "    const real *restrict const u, const real *restrict const p%s)\n{\n", more);
     for (int i = 0; i < 3 && !derives; i++) {
@@ -371,9 +371,9 @@ static void emit_prime(const plant *p, text *out, const char *recipe, const char
     const char *parameters = array_or_null(m->parameter_count, "memory.p");
     text_add(out, "static void prime(void)\n{\n");
     if (ISO_IS(m->recipe, ISO_ADAMS)) {
-        text_add(out, "    const iso_trail trail = iso_trail_of(%s, PLANT_STATES, memory.x);\n", recipe);
+        text_add(out, "    const iso_history history = iso_history_of(%s, PLANT_STATES, memory.x);\n", recipe);
         text_add(out, "    real work[ISO_ADAMS_WORK(PLANT_STATES)];\n");
-        text_add(out, "    iso_adams_start(&options, &memory.adams, &trail, derivative, %s, %s, %s, work);\n", h, u,
+        text_add(out, "    iso_adams_start(&options, &memory.adams, &history, derivative, %s, %s, %s, work);\n", h, u,
                  parameters);
     } else {
         text_add(out, "    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", recipe);
@@ -402,11 +402,10 @@ static void emit_call(const plant *p, text *out, const char *recipe, const char 
     const char *u = array_or_null(m->input_count, "memory.u");
     const char *parameters = array_or_null(m->parameter_count, "memory.p");
     if (ISO_IS(m->recipe, ISO_ADAMS)) {
-        text_add(out, "    const iso_trail trail = iso_trail_of(%s, PLANT_STATES, memory.x);\n", recipe);
+        text_add(out, "    const iso_history history = iso_history_of(%s, PLANT_STATES, memory.x);\n", recipe);
         text_add(out, "    real work[ISO_ADAMS_WORK(PLANT_STATES)];\n");
-        text_add(
-            out,
-            "    memory.progress.local_error =\n        iso_adams_tick(&options, &memory.adams, &trail, derivative, ");
+        text_add(out, "    memory.progress.local_error =\n        iso_adams_tick(&options, &memory.adams, &history, "
+                      "derivative, ");
         text_add(out, "%s, %s, %s, work);\n", h, u, parameters);
         return;
     }
@@ -432,13 +431,13 @@ static bool emit_settle(const plant *p, graph *g, text *out, double *culprit)
 }
 
 /* Whether a step copies all that it calls into itself: up to so many operations in its evaluations, a sine and cosine
- * counted as 25. In float calls cost a fifth of a small plant's step on a Cortex-M4F and an eighth of a chain's of three,
- * in double on a PC less; of a large one's step little, whose copies take much text. */
+ * counted as 25. In float calls cost a fifth of a small plant's step on a Cortex-M4F and an eighth of a chain's of
+ * three, in double on a PC less; of a large one's step little, whose copies take much text. */
 static bool is_flat(const plant *p, const graph *g)
 {
     enum { MOST_FLOAT = 600, MOST_DOUBLE = 400, OF_SINCOS = 25 };
     const int most = p->is_double ? MOST_DOUBLE : MOST_FLOAT;
-    const operations n = count_operations(g, p->slopes, (size_t)state_count(p->m));
+    const operations n = count_operations(g, p->derivatives, (size_t)state_count(p->m));
     return cost_evaluations(p->m->recipe) * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= most;
 }
 
@@ -519,12 +518,12 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
              is_driven_by_time(g, m) ? "#include \"core/numbers/signal.h\"\n" : "",
              p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
     emit_memory(p, out);
-    bool good = emit_function(p, g, out, "derivative", "dx", "", p->slopes, state_count(m), culprit);
+    bool good = emit_function(p, g, out, "derivative", "dx", "", p->derivatives, state_count(m), culprit);
     good = good && emit_function(p, g, out, "output", "y", "", p->outputs, p->output_count, culprit);
     good = good && (driven_count(m) == 0 || emit_drive(p, g, out, culprit));
     good = good && (!ISO_IS_IMPLICIT(m->recipe) || emit_solver(p, g, out, culprit));
-    good =
-        good && (p->rate_count == 0 || emit_function(p, g, out, "rates", "dx", "", p->slopes, p->rate_count, culprit));
+    good = good &&
+           (p->rate_count == 0 || emit_function(p, g, out, "rates", "dx", "", p->derivatives, p->rate_count, culprit));
     good = good && (p->after.count == 0 || emit_settle(p, g, out, culprit));
     good = good && (p->violation < 0 || emit_function(p, g, out, "violation", "y", "", &p->violation, 1, culprit));
     if (!ISO_IS(m->recipe, ISO_ADAMS)) {

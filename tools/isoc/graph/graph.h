@@ -30,7 +30,7 @@ typedef enum operation {
     OP_LOCAL_ERROR, /* of the step, where it is checked */
     OP_RESIDUAL,    /* of the last Newton iteration */
     OP_MULTIPLIER,  /* lambda[index], until what computes it takes its place */
-    OP_SLOPE,       /* dx[index], where a derivative has been evaluated before */
+    OP_DERIVATIVE,  /* dx[index], where a derivative has been evaluated before */
     OP_PHASE,       /* an angle that grows by `value` turns a tick from `second` turns, in [-pi, pi) */
     OP_RAMP,        /* the ticks since tick `value`, limited to [0, second] */
     OP_TIME,        /* the seconds since tick 0, with `second` in a tick */

@@ -16,7 +16,8 @@ void quaternion_product(graph *g, const node a[4], const node b[4], node product
 /* q' = 1/2 q (0, omega), with omega in turned coordinates. It leaves the norm as it is. */
 void quaternion_rates(graph *g, const node q[4], const node omega[3], node rates[4]);
 
-/* q (3 - |q|^2) / 2, one step of Newton's method for 1 / |q|: of a norm 1 + e it makes 1 - 3/2 e^2, without a branch. */
+/* q (3 - |q|^2) / 2, one step of Newton's method for 1 / |q|: of a norm 1 + e it makes 1 - 3/2 e^2, without a branch.
+ */
 void quaternion_normalise(graph *g, const node q[4], node normed[4]);
 
 /* The quaternion of a constant turn (Shepperd 1978, Quaternion from rotation matrix, J. Guidance and Control 1(3)). */

@@ -35,10 +35,10 @@ node scalar_value(builder *b, const formula *f, dimension of, const char *what);
 void refuse(builder *b, const formula *f, const char *property, const char *why);
 
 /* joints.c: the links that a joint is a chain of, from the parent's side, each with its axes against the joint's frame;
- * their number. And the freedoms of all links. */
+ * their number. And the degrees of degree of freedom of all links. */
 enum { LINKS_OF_A_JOINT = 4 };
 int joint_parts(builder *b, const joint *j, link parts[LINKS_OF_A_JOINT], matrix aligned[LINKS_OF_A_JOINT]);
-void list_freedoms(builder *b);
+void list_dofs(builder *b);
 
 /* closures.c: loop closures, and how the drift off them is held. The link of a joint of one coordinate, or -1, which it
  * notes; and what it is measured in. */
@@ -49,8 +49,8 @@ dimension coordinate_dimension(const link *l);
 /* motions.c: a joint that moves as a function of time says; false if there was a problem. */
 bool build_motion(builder *b, const closure *written, cut *made);
 
-/* thrusts.c: forces of inputs on bodies. */
-void build_thrusts(builder *b);
+/* applied forces.c: forces of inputs on bodies. */
+void build_applied_forces(builder *b);
 
 /* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame turned so that
  * the axis is its coordinate axis *k, times *sign: the identity for x, y, z, -x, -y, -z. */

@@ -96,8 +96,8 @@ dimension coordinate_dimension(const link *l)
     return l->kind == JOINT_PRISMATIC ? metre : radian;
 }
 
-/* What first - ratio second is multiplied with, so that whole turns of those that are continuous make whole turns of it: of
- * both, the denominator of a ratio of small whole numbers. Zero where there is nothing of that kind. */
+/* What first - ratio second is multiplied with, so that whole turns of those that are continuous make whole turns of
+ * it: of both, the denominator of a ratio of small whole numbers. Zero where there is nothing of that kind. */
 static node whole_turns(builder *b, const link *first, const link *second_link, node ratio)
 {
     enum { MOST_TEETH = 100 };

@@ -257,21 +257,21 @@ int joint_parts(builder *b, const joint *j, link parts[LINKS_OF_A_JOINT], matrix
     return count;
 }
 
-/* Every link's freedoms, one after the other. */
-void list_freedoms(builder *b)
+/* Every link's degrees of degree of freedom, one after the other. */
+void list_dofs(builder *b)
 {
     static const char *const endings[] = {"_x", "_y", "_z"};
     mechanism *made = &b->made;
-    made->freedoms = arena_take(b->s->memory, (size_t)made->freedom_count + 1, sizeof *made->freedoms);
+    made->dofs = arena_take(b->s->memory, (size_t)made->dof_count + 1, sizeof *made->dofs);
     for (int i = 0; i < made->link_count; i++) {
         const link *l = &made->links[i];
         const link *parent = l->parent == GROUND ? NULL : &made->links[l->parent];
         const bool is_ball = l->kind == JOINT_SPHERICAL;
-        int before = parent == NULL ? GROUND : parent->freedom + freedoms_of(parent->kind) - 1;
-        for (int n = 0; n < freedoms_of(l->kind); n++) {
+        int before = parent == NULL ? GROUND : parent->dof + dofs_of(parent->kind) - 1;
+        for (int n = 0; n < dofs_of(l->kind); n++) {
             const char *called = arena_format(b->s->memory, "%s%s", l->name, is_ball ? endings[n] : "");
-            made->freedoms[l->freedom + n] = (freedom){i, is_ball ? n : l->axis, before, called};
-            before = l->freedom + n;
+            made->dofs[l->dof + n] = (dof){i, is_ball ? n : l->axis, before, called};
+            before = l->dof + n;
         }
     }
 }

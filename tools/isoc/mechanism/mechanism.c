@@ -165,9 +165,9 @@ static void hang(builder *b, size_t i)
         made->turn = matrix_snap(g, matrix_product(g, last.turn, aligned[n]));
         made->offset = last.offset;
         made->position = b->made.position_count;
-        made->freedom = b->made.freedom_count;
+        made->dof = b->made.dof_count;
         b->made.position_count += positions_of(made->kind);
-        b->made.freedom_count += freedoms_of(made->kind);
+        b->made.dof_count += dofs_of(made->kind);
         last = (body_frame){b->made.link_count++, matrix_transpose(aligned[n]), vector_zero(g), true};
     }
     child->link = last.link;
@@ -229,7 +229,7 @@ double *mechanism_start(const mechanism *m, arena *memory)
     for (int i = 0; i < m->link_count; i++) {
         const link *l = &m->links[i];
         memcpy(x + l->position, l->start, (size_t)positions_of(l->kind) * sizeof *x);
-        memcpy(x + m->position_count + l->freedom, l->speed, (size_t)freedoms_of(l->kind) * sizeof *x);
+        memcpy(x + m->position_count + l->dof, l->speed, (size_t)dofs_of(l->kind) * sizeof *x);
     }
     for (int i = 0; i < m->clocks.count; i++) {
         x[m->clocks.first + i] = m->clocks.all[i].start;
@@ -260,8 +260,8 @@ mechanism mechanism_build(source *s, graph *g, const scene *written)
         connect(&b, i);
     }
     build_tree(&b);
-    list_freedoms(&b);
-    build_thrusts(&b);
+    list_dofs(&b);
+    build_applied_forces(&b);
     build_closures(&b);
     regroup(&b);
     build_inputs(&b);

@@ -6,8 +6,8 @@
  * along x, y and z, and then turns freely. What a user wrote about bodies is carried into link frames here, at compile
  * time.
  *
- * States are the positions of all links, then their speeds. The speeds of a freely turning link are its angular velocity
- * relative to its parent, in its own axes.
+ * States are the positions of all links, then their speeds. The speeds of a freely turning link are its angular
+ * velocity relative to its parent, in its own axes.
  */
 #ifndef ISOC_MECHANISM_MECHANISM_H
 #define ISOC_MECHANISM_MECHANISM_H
@@ -24,7 +24,7 @@ typedef struct link {
     int parent;       /* a link before this one, or GROUND */
     joint_kind kind;  /* JOINT_REVOLUTE, JOINT_PRISMATIC or JOINT_SPHERICAL */
     int position;     /* its first position among the states: 4 of a spherical joint, else 1 */
-    int freedom;      /* its first freedom: 3 of a spherical joint, else 1 */
+    int dof;          /* its first degree of freedom: 3 of a spherical joint, else 1 */
     int axis;         /* 0, 1, 2 */
     double sign;      /* the joint's axis is sign * e_axis */
     bool continuous;
@@ -44,18 +44,18 @@ typedef struct link {
 } link;
 
 /* One way in which a link moves against its parent. */
-typedef struct freedom {
+typedef struct dof {
     int link, axis;
-    int before; /* the freedom that this one hangs on, or GROUND */
+    int before; /* the degree of freedom that this one hangs on, or GROUND */
     const char *name;
-} freedom;
+} dof;
 
 /* A force of an input on a link. */
-typedef struct thrust {
+typedef struct applied_force {
     int body, link, drive;
     vector point, axis; /* constant, in the link's frame */
     node lever;         /* the moment about the force's own line, per newton */
-} thrust;
+} applied_force;
 
 /* A side of a closure: its frame on a link. */
 typedef struct cut_end {
@@ -64,8 +64,8 @@ typedef struct cut_end {
     vector point;
 } cut_end;
 
-/* A function of the tick that motions are functions of: a state that every tick begins with, and that grows at a constant
- * rate within it. */
+/* A function of the tick that motions are functions of: a state that every tick begins with, and that grows at a
+ * constant rate within it. */
 typedef struct clock {
     node of_tick;
     double rate;  /* per second */
@@ -120,8 +120,8 @@ typedef struct body_frame {
 typedef struct mechanism {
     const char *name;
     link *links;
-    freedom *freedoms;
-    int link_count, position_count, freedom_count;
+    dof *dofs;
+    int link_count, position_count, dof_count;
     body_frame *frames; /* of the scene's bodies */
     member *members;    /* likewise */
     int body_count;
@@ -135,8 +135,8 @@ typedef struct mechanism {
     int projections;           /* iterations of the projection after a step */
     double violation_limit;    /* m or rad; 0: none */
     clocks clocks;             /* of motions: states between the links' positions and the speeds */
-    thrust *thrusts;
-    int thrust_count;
+    applied_force *applied_forces;
+    int applied_force_count;
     vector gravity;
     node ground_mass; /* welded to the ground; for the energy */
     vector ground_moment;
@@ -166,20 +166,20 @@ typedef struct mechanism {
 /* How a scene calls a method. */
 extern const char *const method_names[ISO_METHODS + 1];
 
-/* Positions and freedoms of an elementary joint. */
+/* Positions and degrees of degree of freedom of an elementary joint. */
 static inline int positions_of(joint_kind kind)
 {
     return kind == JOINT_SPHERICAL ? 4 : 1;
 }
 
-static inline int freedoms_of(joint_kind kind)
+static inline int dofs_of(joint_kind kind)
 {
     return kind == JOINT_SPHERICAL ? 3 : 1;
 }
 
 static inline int state_count(const mechanism *m)
 {
-    return m->position_count + m->freedom_count;
+    return m->position_count + m->dof_count;
 }
 
 /* The states at the start. */

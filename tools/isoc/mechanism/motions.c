@@ -44,15 +44,15 @@ static node rate_of(builder *b, node moving)
 {
     node sum = constant(b->g, 0.0);
     for (int i = 0; i < b->made.clocks.count; i++) {
-        node slope;
-        differentiate(b->g, &moving, 1, leaf(b->g, OP_STATE, b->made.clocks.first + i), &slope);
-        sum = add(b->g, sum, mul(b->g, constant(b->g, b->made.clocks.all[i].rate), slope));
+        node derivative;
+        differentiate(b->g, &moving, 1, leaf(b->g, OP_STATE, b->made.clocks.first + i), &derivative);
+        sum = add(b->g, sum, mul(b->g, constant(b->g, b->made.clocks.all[i].rate), derivative));
     }
     return sum;
 }
 
-/* A motion that grows for ever at a constant speed, as a phase within a turn and what is left: as exact after a day as after
- * a second. */
+/* A motion that grows for ever at a constant speed, as a phase within a turn and what is left: as exact after a day as
+ * after a second. */
 static node as_phase(builder *b, const closure *written, node moving)
 {
     graph *g = b->g;

@@ -18,10 +18,10 @@ static void move_to_parent(builder *b, const link *from, node mass, vector ms, t
     to->mass = add(g, to->mass, mass);
 }
 
-/* What a joint's motion does not change is as well a part of the parent (Gautier and Khalil 1990, "Direct calculation of
- * minimum set of inertial parameters of serial robots", IEEE Trans. Robotics Automation 6(3)): about a revolute axis
- * the mass, the first moment along the axis and equal moments across it; of a prismatic joint the whole inertia; of a spherical joint the mass. The
- * motion stays the same to the last term, and most of each link's parameters are zero. */
+/* What a joint's motion does not change is as well a part of the parent (Gautier and Khalil 1990, "Direct calculation
+ * of minimum set of inertial parameters of serial robots", IEEE Trans. Robotics Automation 6(3)): about a revolute axis
+ * the mass, the first moment along the axis and equal moments across it; of a prismatic joint the whole inertia; of a
+ * spherical joint the mass. The motion stays the same to the last term, and most of each link's parameters are zero. */
 void regroup(builder *b)
 {
     graph *g = b->g;

@@ -57,10 +57,10 @@ static value evaluate_wave(values *v, const formula *f)
     return scalar(strcmp(f->name, "sin") == 0 ? sine(v->g, angle) : cosine(v->g, angle), plain);
 }
 
-/* How much of a smooth curve is done: with c, how far time is from tick `from` on, as a part of so many ticks, limited to
- * [0, 1], it is c^3 (10 - 15 c + 6 c^2), whose slope and curvature are zero at both ends (the 3-4-5 polynomial of cams). From
- * the middle, d = c - 1/2, that is 1/2 + d (15/8 - d^2 (5 - 6 d^2)), of which rounding takes a tenth as much. `first` is
- * the tick at which all the curves of the ramp begin. */
+/* How much of a smooth curve is done: with c, how far time is from tick `from` on, as a part of so many ticks, limited
+ * to [0, 1], it is c^3 (10 - 15 c + 6 c^2), whose derivative and curvature are zero at both ends (the 3-4-5 polynomial
+ * of cams). From the middle, d = c - 1/2, that is 1/2 + d (15/8 - d^2 (5 - 6 d^2)), of which rounding takes a tenth as
+ * much. `first` is the tick at which all the curves of the ramp begin. */
 static node smooth_part(values *v, double first, double from, double ticks)
 {
     graph *g = v->g;
@@ -73,8 +73,8 @@ static node smooth_part(values *v, double first, double from, double ticks)
     return add(g, constant(g, 0.5), mul(g, d, outer));
 }
 
-/* table(0 s: 0 N, 1 s: 8 N, ...): straight lines between the points, ramp(0 s: 0 N, 1 s: 8 N, ...): smooth curves; the end
- * values outside. */
+/* table(0 s: 0 N, 1 s: 8 N, ...): straight lines between the points, ramp(0 s: 0 N, 1 s: 8 N, ...): smooth curves; the
+ * end values outside. */
 static value evaluate_points(values *v, const formula *f)
 {
     const bool is_smooth = strcmp(f->name, "ramp") == 0;

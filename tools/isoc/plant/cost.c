@@ -27,8 +27,8 @@ static operations of_tableau(const int8_t *row, int terms)
     return combination(c, terms);
 }
 
-/* A formula of `terms` slopes, by its sums. */
-static operations of_slopes(int terms)
+/* A formula of `terms` derivatives, by its sums. */
+static operations of_derivatives(int terms)
 {
     return (operations){.add = terms - 1, .mul = terms};
 }
@@ -53,7 +53,8 @@ static operations abm4_step(unsigned recipe, int n, operations derivative)
 {
     const operations correct = {.add = 1, .mul = 1};
     const int corrections = ISO_IS(recipe, ISO_ABM4_PECECE) ? 2 : 1;
-    operations total = plus((operations){0}, n, plus(of_slopes(ISO_ABM4_PREDICTOR), 1, of_slopes(ISO_ABM4_CORRECTOR)));
+    operations total =
+        plus((operations){0}, n, plus(of_derivatives(ISO_ABM4_PREDICTOR), 1, of_derivatives(ISO_ABM4_CORRECTOR)));
     total = plus(total, corrections * n, plus(correct, 1, one_sum)); /* the sum is that of the state before */
     total = plus(total, corrections, derivative);
     if (ISO_IS_CHECKED(recipe)) {
@@ -97,7 +98,7 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
         total = explicit_step(&iso_tableau_rk4, n, derivative);
         break;
     case ISO_AB4:
-        total = plus(derivative, n, of_slopes(ISO_AB4_STEPS));
+        total = plus(derivative, n, of_derivatives(ISO_AB4_STEPS));
         break;
     case ISO_SEMI_IMPLICIT:
         total = plus(derivative, n, (operations){.mul = 1});
@@ -112,8 +113,8 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
         total = abm4_step(recipe, n, derivative);
         break;
     }
-    if (ISO_CHECKS_SLOPES(recipe)) {
-        total = plus(total, n, plus(of_slopes(ISO_CHECK_KEPT(recipe) + 1), 1, one_sum));
+    if (ISO_CHECKS_DERIVATIVES(recipe)) {
+        total = plus(total, n, plus(of_derivatives(ISO_CHECK_KEPT(recipe) + 1), 1, one_sum));
         total = ISO_IS(recipe, ISO_ROSENBROCK) ? plus(total, 1, cost.solve) : total;
     }
     /* x += dx, or with what rounding took away */
@@ -170,8 +171,8 @@ static implicit_cost cost_of_solving(const plant *p, const graph *g)
 operations cost_of_step(const plant *p, const graph *g)
 {
     const int n = state_count(p->m);
-    const operations derivative = count_operations(g, p->slopes, (size_t)n);
-    const operations rates = count_operations(g, p->slopes, (size_t)p->rate_count);
+    const operations derivative = count_operations(g, p->derivatives, (size_t)n);
+    const operations rates = count_operations(g, p->derivatives, (size_t)p->rate_count);
     return plus(step_operations(p->m->recipe, n, derivative, cost_of_solving(p, g)), 1, rates);
 }
 
@@ -185,7 +186,7 @@ void cost_summary(const plant *p, const graph *g, text *out)
              p->output_count);
     assembled_lines(m, out);
     formulation_lines(p, out);
-    count_line(out, "derivative", count_operations(g, p->slopes, (size_t)n));
+    count_line(out, "derivative", count_operations(g, p->derivatives, (size_t)n));
     if (ISO_IS_IMPLICIT(m->recipe)) {
         const implicit_cost cost = cost_of_solving(p, g);
         count_line(out, "factor", cost.factor);

@@ -44,7 +44,7 @@ typedef struct unknowns {
     node *weights; /* [count count] */
 } unknowns;
 
-static unknowns unknowns_of(graph *g, const node *slopes, int states, int most)
+static unknowns unknowns_of(graph *g, const node *derivatives, int states, int most)
 {
     const size_t room = (size_t)most;
     unknowns z = {.states = states, .of = arena_take(g->memory, room, sizeof *z.of)};
@@ -54,25 +54,25 @@ static unknowns unknowns_of(graph *g, const node *slopes, int states, int most)
     z.weights = arena_take(g->memory, room * room, sizeof *z.weights);
     /* From the tips to the root, where M has its zeros. */
     for (int i = states - 1; i >= 0; i--) {
-        z.follows[i] = g->nodes[slopes[i]].op == OP_STATE;
+        z.follows[i] = g->nodes[derivatives[i]].op == OP_STATE;
         if (!z.follows[i]) {
             z.partner[i] = z.count;
             z.of[z.count++] = i;
         }
     }
     for (int i = 0; i < states; i++) {
-        z.partner[i] = z.follows[i] ? z.partner[g->nodes[slopes[i]].index] : z.partner[i];
+        z.partner[i] = z.follows[i] ? z.partner[g->nodes[derivatives[i]].index] : z.partner[i];
     }
     return z;
 }
 
 /* z' = f: the weights are those of the unit matrix. */
-static unknowns solved_equations(graph *g, const dynamics *d, const node *slopes)
+static unknowns solved_equations(graph *g, const dynamics *d, const node *derivatives)
 {
     const int states = state_count(d->m);
-    unknowns z = unknowns_of(g, slopes, states, states);
+    unknowns z = unknowns_of(g, derivatives, states, states);
     for (int i = 0; i < z.count; i++) {
-        z.left[i] = slopes[z.of[i]];
+        z.left[i] = derivatives[z.of[i]];
         for (int j = 0; j < z.count; j++) {
             z.weights[i * z.count + j] = constant(g, i == j ? 1.0 : 0.0);
         }
@@ -81,11 +81,11 @@ static unknowns solved_equations(graph *g, const dynamics *d, const node *slopes
 }
 
 /* The balance of forces in the place of the rates of the speeds, and of the constraints beside them. */
-static unknowns balanced_equations(graph *g, const dynamics *d, const node *slopes)
+static unknowns balanced_equations(graph *g, const dynamics *d, const node *derivatives)
 {
     const mechanism *m = d->m;
-    const int states = state_count(m), rows = balance_rows(d), n = m->freedom_count;
-    unknowns z = unknowns_of(g, slopes, states, states + rows - n);
+    const int states = state_count(m), rows = balance_rows(d), n = m->dof_count;
+    unknowns z = unknowns_of(g, derivatives, states, states + rows - n);
     node *left = arena_take(g->memory, (size_t)rows, sizeof *left);
     node *weights = arena_take(g->memory, (size_t)(rows * rows), sizeof *weights);
     int *row = arena_take(g->memory, (size_t)(states + rows), sizeof *row); /* of the balance; -1: an explicit rate */
@@ -99,7 +99,7 @@ static unknowns balanced_equations(graph *g, const dynamics *d, const node *slop
     }
     const node zero = constant(g, 0.0), one = constant(g, 1.0);
     for (int i = 0; i < z.count; i++) {
-        z.left[i] = row[i] < 0 ? slopes[z.of[i]] : left[row[i]];
+        z.left[i] = row[i] < 0 ? derivatives[z.of[i]] : left[row[i]];
         for (int j = 0; j < z.count; j++) {
             const bool both = row[i] >= 0 && row[j] >= 0;
             z.weights[i * z.count + j] = both ? weights[row[i] * rows + row[j]] : i == j ? one : zero;
@@ -145,13 +145,13 @@ static void solve(graph *g, jacobian *made, const unknowns *z, const node *lu, c
 }
 
 /* What the leaves of balanced equations stand for takes their place. */
-static void put_solution(graph *g, const dynamics *d, const node *slopes, node *nodes, int count)
+static void put_solution(graph *g, const dynamics *d, const node *derivatives, node *nodes, int count)
 {
-    replace_leaves(g, nodes, (size_t)count, OP_SLOPE, slopes);
+    replace_leaves(g, nodes, (size_t)count, OP_DERIVATIVE, derivatives);
     replace_leaves(g, nodes, (size_t)count, OP_MULTIPLIER, d->loops.multipliers);
 }
 
-static jacobian build(graph *g, const dynamics *d, const node *slopes, const unknowns *z)
+static jacobian build(graph *g, const dynamics *d, const node *derivatives, const unknowns *z)
 {
     const int n = z->count, states = z->states;
     const size_t square = (size_t)(n * n), coupled = (size_t)(n * states);
@@ -173,8 +173,8 @@ static jacobian build(graph *g, const dynamics *d, const node *slopes, const unk
             to[i * n] = add(g, z->follows[j] ? coupling[i * states + j] : column[i], to[i * n]);
         }
     }
-    put_solution(g, d, slopes, lu, n * n);
-    put_solution(g, d, slopes, coupling, n * states);
+    put_solution(g, d, derivatives, lu, n * n);
+    put_solution(g, d, derivatives, coupling, n * states);
 
     graph_section(g, "W - hb B - hb^2 A = L U, for W z' = left(p, z) with A = d left / dp, B = d left / dz");
     for (int k = 0; k < n * n; k++) {
@@ -195,17 +195,17 @@ static int price(const graph *g, const jacobian *j, int states)
 }
 
 /* Each in a copy of the graph. */
-jacobian jacobian_build(graph *g, const dynamics *d, const node *slopes)
+jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives)
 {
     const graph before = *g;
     const int states = state_count(d->m);
     *g = graph_copy(&before);
-    const unknowns solved = solved_equations(g, d, slopes);
-    const jacobian of_solved = build(g, d, slopes, &solved);
+    const unknowns solved = solved_equations(g, d, derivatives);
+    const jacobian of_solved = build(g, d, derivatives, &solved);
     const graph with_solved = *g;
     *g = graph_copy(&before);
-    const unknowns balanced = balanced_equations(g, d, slopes);
-    const jacobian of_balanced = build(g, d, slopes, &balanced);
+    const unknowns balanced = balanced_equations(g, d, derivatives);
+    const jacobian of_balanced = build(g, d, derivatives, &balanced);
     if (price(g, &of_balanced, states) < price(&with_solved, &of_solved, states)) {
         return of_balanced;
     }

@@ -1,8 +1,8 @@
 /* What an implicit method solves with: 1 - hb J for the Jacobian J of x' = f(x), by symbolic differentiation, factored
  * without a pivot search and unrolled for its zeros.
  *
- * Either of the solved equations z' = f, or of those before (tools/isoc/dynamics/balance.h): W z' = left(z') where only what does
- * not depend on z' is differentiated, so that W (d - r) = hb (d left / dx) d. The cheaper is kept.
+ * Either of the solved equations z' = f, or of those before (tools/isoc/dynamics/balance.h): W z' = left(z') where only
+ * what does not depend on z' is differentiated, so that W (d - r) = hb (d left / dx) d. The cheaper is kept.
  */
 #ifndef ISOC_PLANT_JACOBIAN_H
 #define ISOC_PLANT_JACOBIAN_H
@@ -15,6 +15,6 @@ typedef struct jacobian {
     node *solution; /* d[], from the right side and the factors */
 } jacobian;
 
-jacobian jacobian_build(graph *g, const dynamics *d, const node *slopes);
+jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives);
 
 #endif

@@ -22,7 +22,7 @@ static node joint_output(const plant *p, graph *g, const output *o, int i)
     case OUTPUT_TURNS:
         return leaf(g, OP_TURNS, turn_index(p->m, i));
     default:
-        return leaf(g, OP_SLOPE, p->m->position_count + p->m->links[i].freedom);
+        return leaf(g, OP_DERIVATIVE, p->m->position_count + p->m->links[i].dof);
     }
 }
 
@@ -116,31 +116,31 @@ static void build_outputs(plant *p, graph *g)
 }
 
 /* The derivative of the states, and what an implicit method solves with. */
-static void build_slopes(plant *p, graph *g, formulation chosen)
+static void build_derivatives(plant *p, graph *g, formulation chosen)
 {
     const mechanism *m = p->m;
-    p->slopes = arena_take(g->memory, (size_t)state_count(m), sizeof *p->slopes);
+    p->derivatives = arena_take(g->memory, (size_t)state_count(m), sizeof *p->derivatives);
     p->d = dynamics_build(g, m, chosen);
     graph_section(g, "Rates of the positions");
     for (int i = 0; i < m->link_count; i++) {
-        position_rates(&p->d->k, i, p->slopes + m->links[i].position);
+        position_rates(&p->d->k, i, p->derivatives + m->links[i].position);
     }
     for (int i = 0; i < m->clocks.count; i++) {
-        p->slopes[m->clocks.first + i] = constant(g, m->clocks.all[i].rate);
+        p->derivatives[m->clocks.first + i] = constant(g, m->clocks.all[i].rate);
     }
-    for (int f = 0; f < m->freedom_count; f++) {
-        p->slopes[m->position_count + f] = p->d->acceleration[f];
+    for (int f = 0; f < m->dof_count; f++) {
+        p->derivatives[m->position_count + f] = p->d->acceleration[f];
     }
-    if (ISO_IS(m->recipe, ISO_SEMI_IMPLICIT) && m->position_count != m->freedom_count) {
+    if (ISO_IS(m->recipe, ISO_SEMI_IMPLICIT) && m->position_count != m->dof_count) {
         p->rate_count = m->position_count;
     }
     if (ISO_IS_IMPLICIT(m->recipe)) {
-        p->j = jacobian_build(g, p->d, p->slopes);
+        p->j = jacobian_build(g, p->d, p->derivatives);
     }
 }
 
-/* Builds every formulation that fits, each in a copy of the graph, and keeps the one that is wanted, or else the one whose
- * step takes least. */
+/* Builds every formulation that fits, each in a copy of the graph, and keeps the one that is wanted, or else the one
+ * whose step takes least. */
 static void build_cheapest(plant *p, graph *g, formulation wanted)
 {
     const graph before = *g;
@@ -154,8 +154,8 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
         }
         plant tried = bare;
         *g = graph_copy(&before);
-        build_slopes(&tried, g, f);
-        made.of[f] = count_operations(g, tried.slopes, (size_t)state_count(p->m));
+        build_derivatives(&tried, g, f);
+        made.of[f] = count_operations(g, tried.derivatives, (size_t)state_count(p->m));
         const int price = cycles_of(cost_of_step(&tried, g));
         if (f == wanted || (wanted == FORMULATIONS && (made.kept == FORMULATIONS || price < least))) {
             *p = tried;

@@ -21,7 +21,7 @@ typedef struct plant {
     int input_count, output_count, turn_count;
     const char **output_names; /* one for each component */
     node *outputs;
-    node *slopes;                /* the derivative of each state */
+    node *derivatives;           /* the derivative of each state */
     int rate_count;              /* of them those that semi_implicit asks for again; 0: they are the speeds */
     settled after;               /* of a step */
     acceleration *accelerations; /* of the links, where reactions of joints are shown */

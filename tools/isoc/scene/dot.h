@@ -1,5 +1,5 @@
-/* The topology of a mechanism as a graph for graphviz: bodies with the forces on them, joints with their kinds and effects,
- * closures as dashed edges. */
+/* The topology of a mechanism as a graph for graphviz: bodies with the forces on them, joints with their kinds and
+ * effects, closures as dashed edges. */
 #ifndef ISOC_SCENE_DOT_H
 #define ISOC_SCENE_DOT_H
 

@@ -119,7 +119,8 @@ static formula *parse_number(parser *p)
     return f;
 }
 
-/* formula { , formula } ), after the opening parenthesis; a semicolon parts like a comma, a colon too between time and value. */
+/* formula { , formula } ), after the opening parenthesis; a semicolon parts like a comma, a colon too between time and
+ * value. */
 static void parse_parts(parser *p, formula *f, bool of_points)
 {
     do {

@@ -7,8 +7,8 @@
 /* Notes names that are declared twice, or that differ only in case (the generated enumerators are upper case). */
 void names_check(source *s, const scene *written);
 
-/* The index of the body, joint, input or closure that is called n; -1, with a problem that suggests the nearest, if none is.
- * find_body gives -2 for `ground`. */
+/* The index of the body, joint, input or closure that is called n; -1, with a problem that suggests the nearest, if
+ * none is. find_body gives -2 for `ground`. */
 int find_body(source *s, const scene *written, name n);
 int find_joint(source *s, const scene *written, name n);
 int find_input(source *s, const scene *written, name n);

@@ -2,13 +2,11 @@
  * stabilisation has, and which it needs, stands in the tables of parse_*.c:
  *
  *   scene         = { gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
- *                   | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | joint | closure
- *                   | force | parameter | input | output }
- *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA }
- *   joint         = joint NAME (fixed | revolute | prismatic | universal | cylindrical | planar | spherical | free)
- *                   { parent placement | child placement | axis AXIS | second AXIS | start ([about] FORMULA | pose)
- *                   | speed FORMULA | spin FORMULA | continuous | damping FORMULA | spin_damping FORMULA
- *                   | spring FORMULA [rest FORMULA] | drive NAME }
+ *                   | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | joint |
+ * closure | force | parameter | input | output } body          = body NAME { mass FORMULA | com FORMULA | inertia
+ * FORMULA } joint         = joint NAME (fixed | revolute | prismatic | universal | cylindrical | planar | spherical |
+ * free) { parent placement | child placement | axis AXIS | second AXIS | start ([about] FORMULA | pose) | speed FORMULA
+ * | spin FORMULA | continuous | damping FORMULA | spin_damping FORMULA | spring FORMULA [rest FORMULA] | drive NAME }
  *   closure       = close NAME (fixed | revolute | prismatic | spherical | line | distance | gear | rolling | motion)
  *                   { parent placement | child placement | axis AXIS | length FORMULA | radius FORMULA
  *                   | first NAME | second NAME | ratio FORMULA | motion FORMULA | speed FORMULA }
@@ -20,8 +18,8 @@
  *   parameter     = (constant | tunable) NAME = FORMULA
  *   input         = input NAME [jump FORMULA] [= FORMULA]
  *   output        = output NAME = (energy | local_error | residual | violation | violation_rate
- *                   | (position | speed | acceleration | velocity | turns | orientation | spin | force | moment | effort)
- *                   of NAME [at FORMULA] [along (x | y | z)])
+ *                   | (position | speed | acceleration | velocity | turns | orientation | spin | force | moment |
+ * effort) of NAME [at FORMULA] [along (x | y | z)])
  */
 #ifndef ISOC_SCENE_PARSER_H
 #define ISOC_SCENE_PARSER_H

@@ -98,8 +98,9 @@ typedef enum closure_kind {
     CLOSE_LINE,     /* the child's origin stays on the line along `axis` through the parent's */
     CLOSE_DISTANCE, /* `length` between the origins */
     CLOSE_GEAR,     /* first = ratio * second + what the starts give, of two joints' coordinates */
-    CLOSE_ROLLING, /* a ball of `radius` about the child's origin rolls on the plane through the parent's, normal `axis` */
-    CLOSE_MOTION, /* `first` follows `motion`, a function of time, or has the speed `speed` */
+    CLOSE_ROLLING, /* a ball of `radius` about the child's origin rolls on the plane through the parent's, normal `axis`
+                    */
+    CLOSE_MOTION,  /* `first` follows `motion`, a function of time, or has the speed `speed` */
 } closure_kind;
 
 /* Whether it holds coordinates of joints, and not bodies. */
@@ -117,7 +118,8 @@ typedef struct closure {
     bool broken;
 } closure;
 
-/* A force of an input on a point of a body, along an axis of the body; with `moment` metres of lever about that axis. */
+/* A force of an input on a point of a body, along an axis of the body; with `moment` metres of lever about that axis.
+ */
 typedef struct body_force {
     name name;
     name body;

@@ -1,4 +1,5 @@
-/* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` that of a scene. */
+/* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` that of a scene.
+ */
 #ifndef ISOC_SCENE_STATEMENTS_H
 #define ISOC_SCENE_STATEMENTS_H
 

@@ -9,8 +9,9 @@ typedef struct articulated {
     node bias[SPATIAL];
 } articulated;
 
-/* What is kept of a freedom from the way inward for the way outward: its column U of the inertia, the pivot D at its
- * own place there, and the effort u that is left. Along the freedom's coordinate axis, whatever its sign. */
+/* What is kept of a degree of freedom from the way inward for the way outward: its column U of the inertia, the pivot D
+ * at its own place there, and the effort u that is left. Along the degree of freedom's coordinate axis, whatever its
+ * sign. */
 typedef struct release {
     int at;                               /* its place among the six components */
     node column[SPATIAL], share[SPATIAL]; /* U, U / D */
@@ -67,15 +68,16 @@ static articulated rigid(graph *g, const link *l, wrench still)
     return made;
 }
 
-/* Lets a freedom go. What its acceleration gives way to is taken off the inertia, I - U U' / D, and its effort, less
- * what the bias takes, is felt through U / D. Along the freedom itself nothing is left but the effort. */
+/* Lets a degree of freedom go. What its acceleration gives way to is taken off the inertia, I - U U' / D, and its
+ * effort, less what the bias takes, is felt through U / D. Along the degree of freedom itself nothing is left but the
+ * effort. */
 static release let_go(const kinematics *k, int f, node effort, articulated *b)
 {
     graph *g = k->g;
-    const link *l = &k->m->links[k->m->freedoms[f].link];
-    const int at = k->m->freedoms[f].axis + (slides(l) ? LINEAR : ANGULAR);
+    const link *l = &k->m->links[k->m->dofs[f].link];
+    const int at = k->m->dofs[f].axis + (slides(l) ? LINEAR : ANGULAR);
     const node borne = mul(g, axis_of(k, f).at[at % 3], effort), zero = constant(g, 0.0);
-    release made = {.at = at, .pivot = graph_name(g, b->inertia[at][at], "D_%s", k->m->freedoms[f].name)};
+    release made = {.at = at, .pivot = graph_name(g, b->inertia[at][at], "D_%s", k->m->dofs[f].name)};
     made.inverse = divide(g, constant(g, 1.0), made.pivot);
     made.effort = sub(g, borne, b->bias[at]);
     for (int i = 0; i < SPATIAL; i++) {
@@ -156,7 +158,7 @@ static void name_parts(graph *g, const char *owner, const articulated *b)
 
 /* To what a link adds to its parent. It is accelerated whatever the joints do: by its own joint's turned rate, and at
  * its origin by omega x (omega x p) of the parent. */
-static void carry_to_parent(const kinematics *k, int i, articulated *b)
+static void COMPENSATIONTOP(const kinematics *k, int i, articulated *b)
 {
     graph *g = k->g;
     const vector p = k->motions[i].p, still = vector_zero(g);
@@ -171,18 +173,18 @@ static void inward(const kinematics *k, const node *effort, articulated *bodies,
     for (int i = k->m->link_count - 1; i >= 0; i--) {
         const link *l = &k->m->links[i];
         name_parts(k->g, l->name, &bodies[i]);
-        for (int f = l->freedom + freedoms_of(l->kind) - 1; f >= l->freedom; f--) {
+        for (int f = l->dof + dofs_of(l->kind) - 1; f >= l->dof; f--) {
             releases[f] = let_go(k, f, effort[f], &bodies[i]);
         }
         if (l->parent != GROUND) {
-            carry_to_parent(k, i, &bodies[i]);
+            COMPENSATIONTOP(k, i, &bodies[i]);
             join(k->g, &bodies[i], &bodies[l->parent]);
         }
     }
 }
 
-/* (u - U' A) / D over the other components of A: what the freedom's own component of A becomes. By a division where the
- * inverse of the pivot serves nothing else. */
+/* (u - U' A) / D over the other components of A: what the degree of freedom's own component of A becomes. By a division
+ * where the inverse of the pivot serves nothing else. */
 static node follow(graph *g, const release *r, bool alone, const node *a)
 {
     node sum = alone ? r->effort : mul(g, r->effort, r->inverse);
@@ -205,10 +207,10 @@ static void outward(const kinematics *k, const release *releases, node *x)
         all[i] = accelerate_outward(k, i, all);
         put_vector(a, ANGULAR, all[i].alpha);
         put_vector(a, LINEAR, all[i].a);
-        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+        for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             const release *r = &releases[f];
-            const node made = follow(g, r, m->freedoms[f].before == GROUND, a);
-            x[f] = mul(g, axis_of(k, f).at[m->freedoms[f].axis], sub(g, made, a[r->at]));
+            const node made = follow(g, r, m->dofs[f].before == GROUND, a);
+            x[f] = mul(g, axis_of(k, f).at[m->dofs[f].axis], sub(g, made, a[r->at]));
             a[r->at] = made;
         }
         all[i] = (acceleration){vector_at(a, ANGULAR), vector_at(a, LINEAR)};
@@ -220,7 +222,7 @@ void articulated_solve(const kinematics *k, node *x)
     graph *g = k->g;
     const size_t n = (size_t)k->m->link_count;
     articulated *bodies = arena_take(g->memory, n, sizeof *bodies);
-    release *releases = arena_take(g->memory, (size_t)k->m->freedom_count, sizeof *releases);
+    release *releases = arena_take(g->memory, (size_t)k->m->dof_count, sizeof *releases);
     acceleration *still = arena_take(g->memory, n, sizeof *still);
     wrench *wrenches = arena_take(g->memory, n, sizeof *wrenches);
     graph_section(g, "Articulated bodies inward: inertia, and what it takes where the joints are free");

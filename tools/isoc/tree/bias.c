@@ -42,9 +42,9 @@ void inertial_wrenches(const kinematics *k, const acceleration *accelerations, w
         const composite whole = {l->mass, l->first_moment, l->inertia};
         wrenches[i] = wrench_of_motion(k->g, whole, k->motions[i].omega, accelerations[i]);
     }
-    for (int i = 0; i < m->thrust_count; i++) {
-        wrench *pushed = &wrenches[m->thrusts[i].link];
-        *pushed = wrench_sub(k->g, *pushed, wrench_of_thrust(k->g, &m->thrusts[i]));
+    for (int i = 0; i < m->applied_force_count; i++) {
+        wrench *pushed = &wrenches[m->applied_forces[i].link];
+        *pushed = wrench_sub(k->g, *pushed, wrench_of_applied_force(k->g, &m->applied_forces[i]));
     }
 }
 
@@ -60,9 +60,9 @@ void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts)
         const link *l = &m->links[i];
         vector_name(g, wrenches[i].force, "force", l->name);
         vector_name(g, wrenches[i].moment, "moment", l->name);
-        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+        for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             const node along = vector_dot(g, axis_of(k, f), slides(l) ? wrenches[i].force : felt[i]);
-            efforts[f] = graph_name(g, along, "bias_%s", m->freedoms[f].name);
+            efforts[f] = graph_name(g, along, "bias_%s", m->dofs[f].name);
         }
         if (l->parent != GROUND) {
             wrench turning = wrenches[i]; /* but for the moment about a shared axis */

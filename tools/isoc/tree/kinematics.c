@@ -21,8 +21,8 @@ int shared_axis(const kinematics *k, int i)
 vector axis_of(const kinematics *k, int f)
 {
     vector a = vector_zero(k->g);
-    const link *l = &k->m->links[k->m->freedoms[f].link];
-    a.at[k->m->freedoms[f].axis] = constant(k->g, l->kind == JOINT_SPHERICAL ? 1.0 : l->sign);
+    const link *l = &k->m->links[k->m->dofs[f].link];
+    a.at[k->m->dofs[f].axis] = constant(k->g, l->kind == JOINT_SPHERICAL ? 1.0 : l->sign);
     return a;
 }
 
@@ -75,9 +75,9 @@ static void start_motion(const kinematics *k, int i)
     for (int n = 0; n < positions_of(l->kind); n++) {
         now->q[n] = leaf(g, OP_STATE, l->position + n);
     }
-    for (int n = 0; n < freedoms_of(l->kind); n++) {
-        now->qd[n] = leaf(g, OP_STATE, m->position_count + l->freedom + n);
-        now->rate = vector_add(g, now->rate, vector_scale(g, now->qd[n], axis_of(k, l->freedom + n)));
+    for (int n = 0; n < dofs_of(l->kind); n++) {
+        now->qd[n] = leaf(g, OP_STATE, m->position_count + l->dof + n);
+        now->rate = vector_add(g, now->rate, vector_scale(g, now->qd[n], axis_of(k, l->dof + n)));
     }
     if (l->kind == JOINT_SPHERICAL) {
         now->free_turn = quaternion_matrix(g, now->q);
@@ -85,7 +85,7 @@ static void start_motion(const kinematics *k, int i)
             graph_name(g, now->free_turn.at[n / 3][n % 3], "R_%s_%d%d", l->name, n / 3 + 1, n % 3 + 1);
         }
     } else if (slides(l)) {
-        const vector along = vector_scale(g, now->q[0], axis_of(k, l->freedom));
+        const vector along = vector_scale(g, now->q[0], axis_of(k, l->dof));
         now->p = vector_name(g, vector_add(g, l->offset, matrix_apply(g, l->turn, along)), "p", l->name);
     } else {
         const node s = graph_name(g, sine(g, now->q[0]), "sin_%s", l->name);

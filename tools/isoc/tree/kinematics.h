@@ -35,7 +35,7 @@ bool slides(const link *l);
  * about; else 0. */
 int shared_axis(const kinematics *k, int link);
 
-/* The axis of a freedom in its link's axes. */
+/* The axis of a degree of freedom in its link's axes. */
 vector axis_of(const kinematics *k, int f);
 
 /* A vector from link axes to the parent's axes and back. */

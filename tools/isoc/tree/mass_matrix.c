@@ -2,9 +2,9 @@
 
 #include <string.h>
 
-static node at_freedom(const kinematics *k, int f, wrench w)
+static node at_dof(const kinematics *k, int f, wrench w)
 {
-    const link *l = &k->m->links[k->m->freedoms[f].link];
+    const link *l = &k->m->links[k->m->dofs[f].link];
     return vector_dot(k->g, axis_of(k, f), slides(l) ? w.force : w.moment);
 }
 
@@ -59,14 +59,15 @@ composite composite_of_all(const kinematics *k)
 
 /* --- the mass matrix, row by row --- */
 
-/* Row f: the efforts that a unit acceleration of freedom f takes at f and at those that it hangs on. The wrench of an
- * elementary joint is made after the joint's own turn, which its axis does not feel; of a free turn, before. */
+/* Row f: the efforts that a unit acceleration of degree of freedom f takes at f and at those that it hangs on. The
+ * wrench of an elementary joint is made after the joint's own turn, which its axis does not feel; of a free turn,
+ * before. */
 static void build_row(const mass_matrix *m, int f, composite whole, vector swung)
 {
     const kinematics *k = m->k;
     graph *g = k->g;
-    const freedom *freedoms = k->m->freedoms;
-    const int i = freedoms[f].link;
+    const dof *dofs = k->m->dofs;
+    const int i = dofs[f].link;
     const link *l = &k->m->links[i];
     const vector e = axis_of(k, f);
     node *row = m->at + f * m->n;
@@ -79,8 +80,8 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
         w.moment = tensor_apply(g, whole.inertia, e);
     }
     int j = f;
-    for (; j != GROUND && freedoms[j].link == i; j = freedoms[j].before) {
-        row[j] = graph_name(g, at_freedom(k, j, w), "M_%s_%s", freedoms[f].name, freedoms[j].name);
+    for (; j != GROUND && dofs[j].link == i; j = dofs[j].before) {
+        row[j] = graph_name(g, at_dof(k, j, w), "M_%s_%s", dofs[f].name, dofs[j].name);
     }
     w.moment = vector_add(g, w.moment, swung);
     if (l->kind == JOINT_SPHERICAL) {
@@ -94,8 +95,8 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
         const vector about = vector_cross(g, k->motions[at].p, w.force);
         w.moment = vector_add(g, w.moment, about);
         const wrench felt = {w.force, shared_axis(k, at) != 0 ? about : w.moment};
-        for (; j != GROUND && freedoms[j].link == above->parent; j = freedoms[j].before) {
-            row[j] = graph_name(g, at_freedom(k, j, felt), "M_%s_%s", freedoms[f].name, freedoms[j].name);
+        for (; j != GROUND && dofs[j].link == above->parent; j = dofs[j].before) {
+            row[j] = graph_name(g, at_dof(k, j, felt), "M_%s_%s", dofs[f].name, dofs[j].name);
         }
     }
 }
@@ -108,7 +109,7 @@ static void hang(const kinematics *k, int i, composite unturned, outboard *paren
     composite carried = unturned;
     join(k, i, unturned, &parent->whole);
     if (shared_axis(k, i) != 0) {
-        const vector axis = axis_of(k, k->m->links[l->parent].freedom);
+        const vector axis = axis_of(k, k->m->links[l->parent].dof);
         const vector along = vector_cross(g, axis, k->motions[i].p);
         const vector moment = vector_cross(g, matrix_apply(g, l->turn, unturned.ms), along);
         parent->swung = vector_add(g, parent->swung, moment);
@@ -130,7 +131,7 @@ static void build_rows(const mass_matrix *m)
         const link *l = &k->m->links[i];
         const composite turned = unturn_composite(k, i, bodies[i].turned);
         const vector swung = unturn(k, i, bodies[i].swung);
-        for (int f = l->freedom; f < l->freedom + freedoms_of(l->kind); f++) {
+        for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             build_row(m, f, l->kind == JOINT_SPHERICAL ? bodies[i].turned : turned, swung);
         }
         if (l->parent != GROUND) {
@@ -147,19 +148,19 @@ static void factorise(const mass_matrix *m)
 {
     graph *g = m->k->g;
     const int n = m->n;
-    const freedom *freedoms = m->k->m->freedoms;
+    const dof *dofs = m->k->m->dofs;
     node *at = m->at;
     graph_section(g, "Factorisation M = L' D L");
     for (int i = n - 1; i >= 0; i--) {
-        m->pivots[i] = graph_name(g, at[i * n + i], "D_%s", freedoms[i].name);
+        m->pivots[i] = graph_name(g, at[i * n + i], "D_%s", dofs[i].name);
         m->inverse[i] = divide(g, constant(g, 1.0), m->pivots[i]);
-        if (freedoms[i].before != GROUND) {
-            graph_name(g, m->inverse[i], "inverse_D_%s", freedoms[i].name);
+        if (dofs[i].before != GROUND) {
+            graph_name(g, m->inverse[i], "inverse_D_%s", dofs[i].name);
         }
-        for (int j = freedoms[i].before; j != GROUND; j = freedoms[j].before) {
+        for (int j = dofs[i].before; j != GROUND; j = dofs[j].before) {
             const node factor = mul(g, at[i * n + j], m->inverse[i]);
-            graph_name(g, factor, "L_%s_%s", freedoms[i].name, freedoms[j].name);
-            for (int k = j; k != GROUND; k = freedoms[k].before) {
+            graph_name(g, factor, "L_%s_%s", dofs[i].name, dofs[j].name);
+            for (int k = j; k != GROUND; k = dofs[k].before) {
                 at[j * n + k] = sub(g, at[j * n + k], mul(g, factor, at[i * n + k]));
             }
             at[i * n + j] = factor;
@@ -169,8 +170,8 @@ static void factorise(const mass_matrix *m)
 
 mass_matrix mass_matrix_build(const kinematics *k)
 {
-    const size_t n = (size_t)k->m->freedom_count;
-    mass_matrix m = {.k = k, .n = k->m->freedom_count, .at = arena_take(k->g->memory, n * n, sizeof *m.at)};
+    const size_t n = (size_t)k->m->dof_count;
+    mass_matrix m = {.k = k, .n = k->m->dof_count, .at = arena_take(k->g->memory, n * n, sizeof *m.at)};
     m.diagonal = arena_take(k->g->memory, n, sizeof *m.diagonal);
     m.pivots = arena_take(k->g->memory, n, sizeof *m.pivots);
     m.inverse = arena_take(k->g->memory, n, sizeof *m.inverse);
@@ -187,9 +188,9 @@ mass_matrix mass_matrix_build(const kinematics *k)
 void mass_matrix_inward(const mass_matrix *m, node *x)
 {
     graph *g = m->k->g;
-    const freedom *freedoms = m->k->m->freedoms;
+    const dof *dofs = m->k->m->dofs;
     for (int i = m->n - 1; i >= 0; i--) {
-        for (int j = freedoms[i].before; j != GROUND; j = freedoms[j].before) {
+        for (int j = dofs[i].before; j != GROUND; j = dofs[j].before) {
             x[j] = sub(g, x[j], mul(g, m->at[i * m->n + j], x[i]));
         }
     }
@@ -199,7 +200,7 @@ void mass_matrix_scale(const mass_matrix *m, node *x)
 {
     graph *g = m->k->g;
     for (int i = m->n - 1; i >= 0; i--) {
-        const bool alone = m->k->m->freedoms[i].before == GROUND;
+        const bool alone = m->k->m->dofs[i].before == GROUND;
         x[i] = alone ? divide(g, x[i], m->pivots[i]) : mul(g, x[i], m->inverse[i]);
     }
 }
@@ -207,9 +208,9 @@ void mass_matrix_scale(const mass_matrix *m, node *x)
 void mass_matrix_outward(const mass_matrix *m, node *x)
 {
     graph *g = m->k->g;
-    const freedom *freedoms = m->k->m->freedoms;
+    const dof *dofs = m->k->m->dofs;
     for (int i = 0; i < m->n; i++) {
-        for (int j = freedoms[i].before; j != GROUND; j = freedoms[j].before) {
+        for (int j = dofs[i].before; j != GROUND; j = dofs[j].before) {
             x[i] = sub(g, x[i], mul(g, m->at[i * m->n + j], x[j]));
         }
     }

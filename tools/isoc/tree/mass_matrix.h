@@ -13,9 +13,9 @@ typedef struct mass_matrix {
     const kinematics *k;
     int n;
     node *at;       /* [n n]: L below the diagonal, after the factorisation */
-    node *entries;  /* [n n] of M itself, where one freedom hangs on the other: below the diagonal */
+    node *entries;  /* [n n] of M itself, where one degree of freedom hangs on the other: below the diagonal */
     node *diagonal; /* M_ii */
-    node *pivots;   /* D_i: M_ii less what the freedoms beyond i take off */
+    node *pivots;   /* D_i: M_ii less what the degrees of degree of freedom beyond i take off */
     node *inverse;  /* 1 / D_i */
 } mass_matrix;
 

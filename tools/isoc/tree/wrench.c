@@ -49,7 +49,7 @@ wrench wrench_of_motion(graph *g, composite whole, vector w, acceleration now)
 }
 
 /* u e at its point, with a moment about its own line. */
-wrench wrench_of_thrust(graph *g, const thrust *t)
+wrench wrench_of_applied_force(graph *g, const applied_force *t)
 {
     const vector force = vector_scale(g, leaf(g, OP_INPUT, t->drive), t->axis);
     return wrench_at(g, t->point, force, vector_scale(g, t->lever, force));

@@ -24,7 +24,7 @@ wrench wrench_at(graph *g, vector point, vector force, vector moment);
 wrench wrench_of_motion(graph *g, composite whole, vector omega, acceleration now);
 
 /* What a force of an input gives to the link that it acts on. */
-wrench wrench_of_thrust(graph *g, const thrust *t);
+wrench wrench_of_applied_force(graph *g, const applied_force *t);
 
 /* From a link to what it hangs on. */
 wrench wrench_to_parent(const kinematics *k, int link, wrench w);

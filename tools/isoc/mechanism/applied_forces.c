@@ -2,7 +2,7 @@
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/scene/names.h"
 
-static void build_thrust(builder *b, const body_force *written)
+static void build_applied_force(builder *b, const body_force *written)
 {
     graph *g = b->g;
     double axis[3];
@@ -27,16 +27,16 @@ static void build_thrust(builder *b, const body_force *written)
         }
         return;
     }
-    thrust made = {.body = pushed, .link = frame->link, .drive = drive, .lever = lever};
+    applied_force made = {.body = pushed, .link = frame->link, .drive = drive, .lever = lever};
     made.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
     made.axis = matrix_apply(g, frame->turn, vector_of(g, axis[0], axis[1], axis[2]));
-    b->made.thrusts[b->made.thrust_count++] = made;
+    b->made.applied_forces[b->made.applied_force_count++] = made;
 }
 
-void build_thrusts(builder *b)
+void build_applied_forces(builder *b)
 {
-    b->made.thrusts = arena_take(b->s->memory, b->written->force_count + 1, sizeof *b->made.thrusts);
+    b->made.applied_forces = arena_take(b->s->memory, b->written->force_count + 1, sizeof *b->made.applied_forces);
     for (size_t i = 0; i < b->written->force_count; i++) {
-        build_thrust(b, &b->written->forces[i]);
+        build_applied_force(b, &b->written->forces[i]);
     }
 }

@@ -1,0 +1,123 @@
+/* What a method keeps from step to step behind the states, and what is done with it alike for every method: advancing
+ * the state, keeping the past, checking a step.
+ *
+ * All of it is known at compile time: a pointer that is NULL, or a count that is zero, leaves no code.
+ */
+#ifndef ISO_CORE_METHODS_HISTORY_H
+#define ISO_CORE_METHODS_HISTORY_H
+
+#include "core/methods/equations.h"
+#include "core/methods/tableau.h"
+#include "core/numbers/unroll.h"
+
+typedef struct iso_history {
+    size_t n;
+    real *x;          /* [n] the states */
+    real *past;       /* sums of the derivatives so far (core/methods/multistep.h), or rows (core/methods/adams.h) */
+    real *increments; /* [ISO_BDF4_STEPS n] of the steps before this one, the newest first; only bdf4 */
+    real *check; /* [checked n] sums of the derivatives so far, the first one taken from the increment: iso_check */
+    real *compensation; /* [n] what rounding has taken from x so far; NULL where x is not compensated */
+    uint8_t checked;    /* derivatives before the end of a step that its check uses; 0 where steps are not checked */
+} iso_history;
+
+/* x[s] += dx. Compensated: the rounding error of the sum, exact by Knuth (1998), The Art of Computer Programming 2,
+ * 4.2.2, theorem B, is carried to the next step (Kahan 1965; Moller 1965). No branch, and right under the flags that
+ * all is compiled with, which forbid a compiler to take the difference for zero. */
+static inline void iso_advance(const iso_history *const history, const size_t s, const real dx)
+{
+    if (history->checked > 0) {
+        history->check[s] = dx - history->check[s];
+    }
+    if (history->compensation == NULL) {
+        history->x[s] += dx;
+    } else {
+        const real x = history->x[s];
+        const real add = dx + history->compensation[s];
+        const real sum = x + add;
+        const real added = sum - x;
+        history->compensation[s] = (x - (sum - added)) + (add - added);
+        history->x[s] = sum;
+    }
+}
+
+/* h b[j] / over, if that comes before `end`, else zero. */
+ISO_INLINE real iso_weight_before(const iso_adams *const table, const real h, const uint8_t j, const uint8_t end)
+{
+    return j < end ? h * (real)table->b[j] / (real)table->over : R(0.0);
+}
+
+/* |h b[j] / over|: the weight of a derivative. In an Adams method the signs of the derivatives before the end of a step
+ * alternate. The last weight is what the others leave of h: their roundings would else drive every state off, by an
+ * epsilon of all its motion. */
+ISO_INLINE real iso_weight(const iso_adams *const table, const real h, const uint8_t j)
+{
+    real weight = iso_weight_before(table, h, j, ISO_ADAMS_DERIVATIVES);
+    if (j + 1 == ISO_ADAMS_DERIVATIVES || table->b[j + 1] == 0) {
+        weight = h - iso_weight_before(table, h, 0, j) - iso_weight_before(table, h, 1, j) -
+                 iso_weight_before(table, h, 2, j) - iso_weight_before(table, h, 3, j) -
+                 iso_weight_before(table, h, 4, j);
+    }
+    return table->b[j] < 0 ? -weight : weight;
+}
+
+/* One derivative f more in the sums that an Adams method keeps in place of derivatives:
+ *
+ *     sums[0] = w[first] f - sums[1],   sums[1] = w[first + 1] f - sums[2], ...,   sums[terms - 1] = w[first + terms -
+ * 1] f
+ *
+ * Then sums[0] is what the derivatives so far add to the next step. That takes as many products and sums as with the
+ * derivatives themselves, and moves none: the transposed form of a filter, Oppenheim and Schafer (2010), Discrete-Time
+ * Signal Processing, 6.4. After `terms` derivatives nothing is left of what the sums were. sums[terms n]. */
+ISO_INLINE void iso_take_derivative(const iso_adams *const table, const uint8_t first, const uint8_t terms,
+                                    const real h, const size_t n, const real *const derivative, real *const sums)
+{
+    ISO_UNROLL
+    for (uint8_t j = 0; j < terms; j++) {
+        const real weight = iso_weight(table, h, (uint8_t)(first + j));
+        ISO_UNROLL
+        for (size_t s = 0; s < n; s++) {
+            real sum = weight * derivative[s];
+            if (j + 1U < terms) {
+                sum -= sums[(j + 1U) * n + s];
+            }
+            sums[j * n + s] = sum;
+        }
+    }
+}
+
+/* The largest of |a| and |b|. */
+static inline real iso_larger(const real a, const real b)
+{
+    return iso_max(iso_abs(a), iso_abs(b));
+}
+
+/* The local error of the last step, state by state, at no evaluation: its increment against that of the implicit Adams
+ * method with `checked` derivatives from before the end of that step, and with `derivative` there. Exact to h^(checked
+ * + 2). error[n], or NULL to give only the largest, which is returned. */
+static inline real iso_check(const iso_history *const history, const real h, const real *const derivative,
+                             real *const error)
+{
+    real largest = R(0.0);
+    if (history->checked > 0) {
+        const real weight = iso_weight(&iso_table_am[history->checked], h, 0);
+        ISO_UNROLL
+        for (size_t s = 0; s < history->n; s++) {
+            const real e = history->check[s] - weight * derivative[s];
+            largest = iso_larger(largest, e);
+            if (error != NULL) {
+                error[s] = e;
+            }
+        }
+    }
+    return largest;
+}
+
+/* For the next check, before the states advance: what the formula has of the derivatives so far, of which `derivative`
+ * is the newest. */
+ISO_INLINE void iso_keep_derivative(const iso_history *const history, const real h, const real *const derivative)
+{
+    iso_take_derivative(&iso_table_am[history->checked], 1, history->checked, h, history->n, derivative,
+                        history->check);
+}
+
+#endif
