@@ -56,11 +56,18 @@ sub run_one_of_many {
     return $status + 0;
 }
 
-# Runs the compiler with these arguments: exit status, lines of stderr, stdout.
+# Runs the compiler with these arguments and its stdout there: exit status, lines of stderr.
+sub compile_to {
+    my ($out, @arguments) = @_;
+    my $err = "$dir/stderr";
+    my $status = $kind eq 'memcheck' ? run_one_of_many($out, $err, 'isoc', @arguments) : run_alone($out, $err, @arguments);
+    return ($status & 127 ? "signal $status" : $status >> 8, [split /\n/, slurp($err)]);
+}
+
+# The same: exit status, lines of stderr, stdout.
 sub compile {
-    my ($out, $err) = ("$dir/stdout", "$dir/stderr");
-    my $status = $kind eq 'memcheck' ? run_one_of_many($out, $err, 'isoc', @_) : run_alone($out, $err, @_);
-    return ($status & 127 ? "signal $status" : $status >> 8, [split /\n/, slurp($err)], slurp($out));
+    my ($status, $lines) = compile_to("$dir/stdout", @_);
+    return ($status, $lines, slurp("$dir/stdout"));
 }
 
 sub unescape {
@@ -124,7 +131,12 @@ check($status eq '1' && "@$lines" =~ /nested too deeply/, '100,000 parentheses',
 spit("$dir/noise.scene", join '', map { chr(($_ * 7919 + ($_ >> 3) * 104729) % 256) } 1 .. 100_000);
 ($status, $lines) = compile("$dir/noise.scene", '-o', $dir);
 check($status eq '1' && @$lines < 200, '100 kB of noise gets a page of errors at most', scalar(@$lines) . ' lines');
-refused('a directory', $dir, '-: not a file but a directory: name a .scene file in it');
+refused('a directory', $dir, '-: a directory, not a scene: name a .scene file in it');
+refused('a device', '/dev/zero', '-: not a regular file: a scene is a text file');
+# A FIFO without a writer must not be waited for.
+my $fifo = "$dir/fifo.scene";
+system('mkfifo', $fifo) == 0 or die "$fifo: $!\n";
+refused('a FIFO', $fifo, '-: not a regular file: a scene is a text file');
 refused('a file that is not there', "$dir/absent.scene", '-: No such file or directory');
 spit("$dir/caret.scene", $base{good} =~ s/kg/kgg/r);
 ($status, $lines) = compile("$dir/caret.scene", '-o', $dir);
@@ -185,6 +197,13 @@ check($status eq '1' && $lines->[0] =~ /Not a directory/, 'an output folder that
 my $stdout;
 ($status, $lines, $stdout) = compile('tests/scenes/good.scene', '-o', $dir, '--step', '500us', '--method', 'ab4', '--real', 'double');
 check($status eq '0' && $stdout =~ /^method ab4\nstep 0\.0005 s\nreal double\nstates 2\n/m, 'the command line overrides the scene', $stdout);
+
+# Standard output that cannot be written.
+for my $case (['--help'], ['--methods'], ['tests/scenes/good.scene', '-o', $dir], ['tests/scenes/good.scene', '--dot']) {
+    ($status, $lines) = compile_to('/dev/full', @$case);
+    check($status eq '1' && "@$lines" eq 'isoc: error: standard output: No space left on device',
+        "isoc @$case to a full device", "status $status", @$lines);
+}
 
 # Memcheck finds what is planted, and nothing where nothing is.
 if ($kind eq 'memcheck') {

@@ -1,12 +1,12 @@
 /* isoc: from a scene to a plant in straight-line C. */
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "tools/isoc/dynamics/assembly.h"
 #include "tools/isoc/emit/emit.h"
+#include "tools/isoc/emit/write.h"
 #include "tools/isoc/plant/cost.h"
+#include "tools/isoc/plant/pivots.h"
 #include "tools/isoc/scene/dot.h"
 #include "tools/isoc/scene/parser.h"
 
@@ -108,19 +108,6 @@ static bool read_options(char **arguments, options *o)
     return true;
 }
 
-/* The scene's name: its file's, without folder and ending, as an identifier. */
-static const char *scene_name(arena *memory, const char *path)
-{
-    const char *base = strrchr(path, '/') == NULL ? path : strrchr(path, '/') + 1;
-    const size_t length = strcspn(base, ".");
-    char *made = length == 0 ? arena_copy(memory, "scene", 5) : arena_copy(memory, base, length);
-    for (char *c = made; *c != '\0'; c++) {
-        const bool letter = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9');
-        *c = letter ? *c : '_';
-    }
-    return made;
-}
-
 /* --step and --method, read as if they stood in the scene. Their problems are told at once. */
 static bool override(arena *memory, const options *o, scene *s)
 {
@@ -146,63 +133,6 @@ static bool override(arena *memory, const options *o, scene *s)
     return given.problem_count == 0;
 }
 
-/* A joint that moves no inertia has no acceleration: told at the start, where it can be told from a bad moment later.
- */
-static void check_pivots(source *s, const graph *g, const plant *p)
-{
-    static const char *const about[] = {" about its x axis", " about its y axis", " about its z axis"};
-    const mechanism *m = p->m;
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    graph_evaluate(g, mechanism_start(m, g->memory), NULL, m->defaults, numbers);
-    /* From the tips inward, as they are eliminated: what comes after a bad pivot is bad too. */
-    for (int f = m->dof_count - 1; f >= 0; f--) {
-        const double pivot = numbers[p->d->mass.pivots[f]], inertia = numbers[p->d->mass.diagonal[f]];
-        const link *l = &m->links[m->dofs[f].link];
-        if (!(inertia > 0.0) || !(pivot > 1e-10 * inertia)) {
-            const bool is_ball = l->kind == JOINT_SPHERICAL;
-            source_problem(s, l->at,
-                           "the joint '%s' moves no inertia%s at the start (singular mass matrix): give a body beyond "
-                           "it an inertia%s",
-                           l->name, is_ball ? about[f - l->dof] : "",
-                           is_ball ? "" : " or a centre of mass off its axis");
-            return;
-        }
-    }
-}
-
-static bool make_folder(arena *memory, const char *path)
-{
-    char *partial = arena_copy(memory, path, strlen(path));
-    for (char *slash = partial + 1; *slash != '\0'; slash++) {
-        if (*slash == '/') {
-            *slash = '\0';
-            mkdir(partial, 0777);
-            *slash = '/';
-        }
-    }
-    if (mkdir(path, 0777) != 0 && errno != EEXIST) {
-        fprintf(stderr, "%s: error: %s\n", path, strerror(errno));
-        return false;
-    }
-    return true;
-}
-
-/* Writes beside the file and renames, so that a half-written one is never seen. */
-static bool write_file(arena *memory, const char *folder, const char *base, const text *t)
-{
-    const char *path = arena_format(memory, "%s/%s", folder, base);
-    const char *beside = arena_format(memory, "%s.new", path);
-    FILE *file = fopen(beside, "wb");
-    bool good = file != NULL && fwrite(t->bytes, 1, t->length, file) == t->length;
-    good = file != NULL && fclose(file) == 0 && good;
-    good = good && rename(beside, path) == 0;
-    if (!good) {
-        fprintf(stderr, "%s: error: %s\n", path, strerror(errno));
-        remove(beside);
-    }
-    return good;
-}
-
 static bool write_plant(arena *memory, const options *o, const plant *p, graph *g)
 {
     text header = {.memory = memory}, source_text = {.memory = memory}, summary = {.memory = memory};
@@ -214,20 +144,15 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
         return false;
     }
     cost_summary(p, g, &summary);
-    if (!make_folder(memory, o->directory) || !write_file(memory, o->directory, "plant.h", &header) ||
-        !write_file(memory, o->directory, "plant.c", &source_text)) {
-        return false;
-    }
-    fwrite(summary.bytes, 1, summary.length, stdout);
-    return fflush(stdout) == 0;
+    return write_folder(memory, o->directory) && write_file(memory, o->directory, "plant.h", &header) &&
+           write_file(memory, o->directory, "plant.c", &source_text) && write_out(summary.bytes, summary.length);
 }
 
 static bool write_graph(arena *memory, const scene *written)
 {
     text drawing = {.memory = memory};
     dot_write(written, &drawing);
-    fwrite(drawing.bytes, 1, drawing.length, stdout);
-    return fflush(stdout) == 0;
+    return write_out(drawing.bytes, drawing.length);
 }
 
 static bool compile(arena *memory, const options *o)
@@ -238,7 +163,7 @@ static bool compile(arena *memory, const options *o)
         return false;
     }
     scene written = parse_scene(&s, lex(&s));
-    written.name = scene_name(memory, o->scene);
+    written.name = source_name(&s);
     if (!override(memory, o, &written)) {
         return false;
     }
@@ -258,7 +183,7 @@ static bool compile(arena *memory, const options *o)
         const plant p = plant_build(&g, &m, o->is_double, o->wanted);
         graph resting = graph_copy(&g); /* whatever formulation is kept, gaps are told in resting axes */
         assemble(&s, dynamics_build(&resting, &m, FORMULATION_COMPOSITE));
-        check_pivots(&s, &g, &p);
+        pivots_check(&s, &g, &p);
         if (s.problem_count == 0) {
             return write_plant(memory, o, &p, &g);
         }
@@ -268,36 +193,35 @@ static bool compile(arena *memory, const options *o)
 }
 
 /* --version, --help and --methods, which need no scene. */
-static bool answer(const char *argument)
+static bool is_question(const char *argument)
 {
-    if (strcmp(argument, "--version") == 0) {
-        fputs(version, stdout);
-    } else if (strcmp(argument, "--help") == 0) {
-        fputs(help, stdout);
-    } else if (strcmp(argument, "--methods") == 0) {
-        text table = {.memory = arena_new()};
-        cost_methods(&table);
-        fwrite(table.bytes, 1, table.length, stdout);
-        arena_free(table.memory);
-    } else {
-        return false;
+    return strcmp(argument, "--version") == 0 || strcmp(argument, "--help") == 0 || strcmp(argument, "--methods") == 0;
+}
+
+static bool answer(arena *memory, const char *question)
+{
+    text table = {.memory = memory};
+    cost_methods(&table);
+    return strcmp(question, "--version") == 0 ? write_out(version, strlen(version))
+           : strcmp(question, "--help") == 0  ? write_out(help, strlen(help))
+                                              : write_out(table.bytes, table.length);
+}
+
+static bool run(arena *memory, char **arguments)
+{
+    for (char **a = arguments; *a != NULL; a++) {
+        if (is_question(*a)) {
+            return answer(memory, *a);
+        }
     }
-    return true;
+    options o = {0};
+    return read_options(arguments, &o) && compile(memory, &o);
 }
 
 int main(int count, char **arguments)
 {
-    for (int i = 1; i < count; i++) {
-        if (answer(arguments[i])) {
-            return 0;
-        }
-    }
-    options o = {0};
-    if (count == 0 || !read_options(arguments + 1, &o)) {
-        return 1;
-    }
     arena *memory = arena_new();
-    const bool good = compile(memory, &o);
+    const bool good = count > 0 && run(memory, arguments + 1);
     arena_free(memory);
     return good ? 0 : 1;
 }

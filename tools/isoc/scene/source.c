@@ -2,11 +2,13 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 enum {
     LARGEST_FILE = 64 << 20, /* bytes; a scene is some kilobytes */
@@ -15,43 +17,60 @@ enum {
     LONGEST_NAME_COMPARED = 40,
 };
 
-static bool read_all(source *s, FILE *file)
+const char *source_name(const source *s)
+{
+    const char *base = strrchr(s->path, '/') == NULL ? s->path : strrchr(s->path, '/') + 1;
+    const size_t length = strcspn(base, ".");
+    char *made = length == 0 ? arena_copy(s->memory, "scene", 5) : arena_copy(s->memory, base, length);
+    for (char *c = made; *c != '\0'; c++) {
+        const bool letter = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9');
+        *c = letter ? *c : '_';
+    }
+    return made;
+}
+
+/* Why this file cannot be a scene; NULL if it can. */
+static const char *file_fault(const struct stat *status)
+{
+    return S_ISDIR(status->st_mode)         ? "a directory, not a scene: name a .scene file in it"
+           : !S_ISREG(status->st_mode)      ? "not a regular file: a scene is a text file"
+           : status->st_size > LARGEST_FILE ? "larger than 64 MiB: not a scene"
+                                            : NULL;
+}
+
+/* All bytes of an open file, or what is wrong with it. */
+static const char *read_all(source *s, int file)
 {
     struct stat status;
-    if (fstat(fileno(file), &status) != 0) {
-        fprintf(stderr, "%s: error: %s\n", s->path, strerror(errno));
-        return false;
+    if (fstat(file, &status) != 0) {
+        return strerror(errno);
     }
-    if (!S_ISREG(status.st_mode)) {
-        fprintf(stderr, "%s: error: not a file%s\n", s->path,
-                S_ISDIR(status.st_mode) ? " but a directory: name a .scene file in it" : "");
-        return false;
+    const char *fault = file_fault(&status);
+    if (fault != NULL) {
+        return fault;
     }
-    if (status.st_size > LARGEST_FILE) {
-        fprintf(stderr, "%s: error: larger than 64 MiB: not a scene\n", s->path);
-        return false;
+    char *bytes = arena_take(s->memory, (size_t)status.st_size + 1, 1);
+    ssize_t got = 1;
+    while (s->length < (size_t)status.st_size && got > 0) {
+        got = read(file, bytes + s->length, (size_t)status.st_size - s->length);
+        s->length += got > 0 ? (size_t)got : 0;
     }
-    char *text = arena_take(s->memory, (size_t)status.st_size + 1, 1);
-    s->length = fread(text, 1, (size_t)status.st_size, file);
-    s->text = text;
-    if (ferror(file)) {
-        fprintf(stderr, "%s: error: %s\n", s->path, strerror(errno));
-        return false;
-    }
-    return true;
+    s->text = bytes;
+    return got < 0 ? strerror(errno) : NULL;
 }
 
 bool source_read(source *s, arena *memory, const char *path)
 {
     *s = (source){.memory = memory, .path = path};
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        fprintf(stderr, "%s: error: %s\n", path, strerror(errno));
-        return false;
+    const int file = open(path, O_RDONLY | O_NONBLOCK); /* which does not wait for the other end of a FIFO */
+    const char *fault = file < 0 ? strerror(errno) : read_all(s, file);
+    if (fault != NULL) {
+        fprintf(stderr, "%s: error: %s\n", path, fault);
     }
-    bool done = read_all(s, file);
-    fclose(file);
-    return done;
+    if (file >= 0) {
+        close(file);
+    }
+    return fault == NULL;
 }
 
 void source_problem(source *s, place at, const char *format, ...)

@@ -24,6 +24,9 @@ typedef struct source {
     size_t problem_count, problem_room;
 } source;
 
+/* What the scene is called: its file's name without folder and ending, as an identifier. */
+const char *source_name(const source *s);
+
 /* Reads a file whole. Returns false after saying on stderr why it could not. */
 bool source_read(source *s, arena *memory, const char *path);
 
