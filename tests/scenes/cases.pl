@@ -157,6 +157,20 @@ my @gaps = (
 );
 check(keys %at == 4 && !grep({ abs > 1e-8 } @gaps), 'what is assembled is told, and closes the loop', $summary, "@gaps");
 
+# The constants of the equations are the same whether the start is found or given as it was found.
+my $found = $base{loop} . "stabilisation lagrangian\n";
+my $given = $found =~ s/(elbow|foot)( revolute \{)/$1$2 start $at{$1} rad; speed $at{"$1_speed"} rad\/s;/gr;
+my @constants;
+for my $scene ($found, $given) {
+    spit("$dir/start.scene", $scene);
+    compile("$dir/start.scene", '-o', $dir, '--real', 'double');
+    push @constants, [slurp("$dir/plant.c") =~ /\bR\(([^)]*)\)/g];
+}
+my ($of_found, $of_given) = @constants;
+my @other = grep { abs($of_found->[$_] - $of_given->[$_]) > 1e-7 * abs $of_found->[$_] } 0 .. $#$of_found;
+check(@$of_found > 20 && @$of_found == @$of_given && !@other, 'a start that is found gives the constants that it gives if it is given',
+    map { "$of_found->[$_] and $of_given->[$_]" } @other);
+
 # It closes in two ways, mirrored at the line from the knee to the foot; a rough start says which.
 my ($knee, $diagonal) = (atan2(0.1, -0.39), sqrt(0.39**2 + 0.1**2));
 my $opening = ($diagonal**2 + 0.25**2 - 0.26**2) / (2 * $diagonal * 0.25);

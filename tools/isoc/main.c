@@ -180,9 +180,12 @@ static bool compile(arena *memory, const options *o)
                                             : "a tree has no such formulation:",
                             o->scene);
         }
-        const plant p = plant_build(&g, &m, o->is_double, o->wanted);
         graph resting = graph_copy(&g); /* whatever formulation is kept, gaps are told in resting axes */
         assemble(&s, dynamics_build(&resting, &m, FORMULATION_COMPOSITE));
+    }
+    /* Constants of the equations may depend on the start: so that comes first. */
+    if (s.problem_count == 0) {
+        const plant p = plant_build(&g, &m, o->is_double, o->wanted);
         pivots_check(&s, &g, &p);
         if (s.problem_count == 0) {
             return write_plant(memory, o, &p, &g);
