@@ -1,7 +1,7 @@
 /* The run as a stream of bytes on the console, for build/trace to write down: nothing here formats a number in decimal.
  *
  *     header   lines "key value", the first "isochron 1", then an empty line; whole numbers in hexadecimal
- *     row      ISO_STREAM_ROW, the outputs of a tick
+ *     row      ISO_STREAM_ROW, the outputs of a tick; the first are those of tick 0, the start
  *     end      ISO_STREAM_END, the account, the hash, the guard, the state, the largest local error and violation
  *
  * All numbers are little-endian, reals as wide as the build's. A port that gives up writes a line of text that starts
@@ -23,7 +23,7 @@ enum { ISO_STREAM_ROW = 'r', ISO_STREAM_END = 'e', ISO_STREAM_BAIL_OUT = 'B' };
 /* The run that follows: the plant, and the plant time to run in nanoseconds. */
 void iso_stream_header(const iso_plant *plant, uint64_t duration);
 
-/* The outputs y[outputs] of the next tick. */
+/* The outputs y[outputs] of tick 0, then of each tick that is done. */
 void iso_stream_row(const real *y, size_t outputs);
 
 /* Ends the stream: how the loop kept its time, where it stopped, and the hash of the trajectory. */

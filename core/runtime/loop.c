@@ -31,6 +31,8 @@ void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
         .guard = plant->states,
         .statistics = {.margin = INT32_MAX, .execution_min = UINT32_MAX},
     };
+    plant->output(plant->y, plant->x, plant->u, plant->p);
+    iso_port_publish(plant->y, plant->outputs);
     loop->period = iso_port_start(plant->period_ns);
     loop->overhead = clock_overhead();
 }

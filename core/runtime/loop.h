@@ -44,7 +44,7 @@ typedef struct iso_loop {
     iso_statistics statistics;
 } iso_loop;
 
-/* Sets the plant to its start and starts the ticks. */
+/* Sets the plant to its start, publishes its outputs of tick 0, and starts the ticks. */
 void iso_loop_start(iso_loop *loop, const iso_plant *plant);
 
 /* Does the next tick. Returns false if a state is no longer finite, or out of range: then the outputs stay as they

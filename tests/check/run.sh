@@ -39,21 +39,22 @@ expect $? "hash: 16 hexadecimal digits"
 expect $? "nothing late on the simulated tick"
 [ "$(value trace)" = build/host/float/double_pendulum/trace.csv ] && [ -f "$csv" ]
 expect $? "trace: build/host/float/double_pendulum/trace.csv"
-[ "$(rows)" = 10000 ]
-expect $? "one row a tick"
+[ "$(rows)" = 10001 ]
+expect $? "a row for the start, and one for each tick"
 header=t,shoulder_angle,elbow_angle,shoulder_rate,elbow_rate,tip_x,tip_y,tip_z,energy
 [ "$(head -n 1 "$csv")" = $header ]
 expect $? "the header: t and the names of the outputs"
 awk -F, 'NR == 1 { n = NF } NF != n { exit 1 }' "$csv"
 expect $? "every row has as many numbers as the header has names"
-awk -F, 'NR > 1 && ($1 - (NR - 1) * 1e-3) ^ 2 > 1e-18 { exit 1 }' "$csv"
-expect $? "t is the tick times the step"
+awk -F, 'NR > 1 && ($1 - (NR - 2) * 1e-3) ^ 2 > 1e-18 { exit 1 }' "$csv"
+expect $? "t is the tick times the step, from 0 on"
 hash=$(value hash)
 cp "$csv" "$out/first.csv"
 run && [ "$(value hash)" = "$hash" ] && cmp -s "$csv" "$out/first.csv"
 expect $? "a second run gives the same hash and the same table"
 
-# The table reads back exactly: from its columns, which begin with the four states, comes the hash of the run.
+# The table reads back exactly: from its columns, which begin with the four states, comes the hash of the run: that of ticks
+# 1 and after.
 cat >"$out/hash.c" <<'C'
 #include "core/application/hash.h"
 #include <stdio.h>
@@ -70,7 +71,7 @@ int main(void)
         for (int i = 0; row > 0 && i < STATES; i++) {
             x[i] = strtof(at + 1, &at);
         }
-        hash = row > 0 ? iso_hash_reals(hash, x, STATES) : hash;
+        hash = row > 1 ? iso_hash_reals(hash, x, STATES) : hash;
     }
     printf("%016llx\n", (unsigned long long)hash);
     return 0;
@@ -81,14 +82,14 @@ expect $? "the table reads back exactly: it has the states that the hash is of"
 [ "$(tail -n 1 "$csv" | cut -d, -f2-5 | tr , ' ')" = "$(value state)" ]
 expect $? "state: as in the last row"
 
-run METHOD=euler STEP=2ms SECONDS=1 && [ "$(value method)" = euler ] && [ "$(value ticks)" = 500 ] && [ "$(rows)" = 500 ]
+run METHOD=euler STEP=2ms SECONDS=1 && [ "$(value method)" = euler ] && [ "$(value ticks)" = 500 ] && [ "$(rows)" = 501 ]
 expect $? "METHOD, STEP and SECONDS are heard"
 run REAL=double SECONDS=1 && [ "$(value real)" = double ] && [ "$(value ticks)" = 1000 ] && [ "$(value hash)" != "$hash" ]
 expect $? "REAL=double"
-run SCENE=models/oscillator.c SECONDS=1 && [ "$(value scene)" = oscillator ] && [ "$(rows)" = 1000 ]
+run SCENE=models/oscillator.c SECONDS=1 && [ "$(value scene)" = oscillator ] && [ "$(rows)" = 1001 ]
 expect $? "a plant written by hand"
 mkdir -p "$out/elsewhere" && cp models/pendulum.scene "$out/elsewhere/mine.scene"
-run SCENE="$PWD/$out/elsewhere/mine.scene" SECONDS=1 && [ "$(value scene)" = mine ] && [ "$(rows)" = 1000 ]
+run SCENE="$PWD/$out/elsewhere/mine.scene" SECONDS=1 && [ "$(value scene)" = mine ] && [ "$(rows)" = 1001 ]
 expect $? "a scene outside the project"
 
 # A step so long that the method diverges to infinity.

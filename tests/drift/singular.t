@@ -31,7 +31,7 @@ kept()
     awk -F, -v e="$(column energy)" '
         NR == 2 { first = $e }
         NR > 1 { change = ($e / first - 1) ^ 2; most = change > most ? change : most; n++ }
-        END { printf "%.1e\n", sqrt(most); exit !(n == 20000 && sqrt(most) <= 0.001) }' "$csv"
+        END { printf "%.1e\n", sqrt(most); exit !(n == 20001 && sqrt(most) <= 0.001) }' "$csv"
 }
 
 # passes ANGLE: how often the angle, in rad, goes through a multiple of pi.

@@ -24,7 +24,7 @@ stops()
     found=$(sed -n "s/^trace: guard state \([0-9]*\) at tick \([0-9]*\): it is $why\$/\1 \2/p" "$out/errors")
     tick=${found#* }
     [ $status -ne 0 ] && grep -q 'run. Error 1$' "$out/errors" && echo "$found" | grep -Eqx "$1 $2" &&
-        [ "$(value ticks)" -eq $((tick - 1)) ] && [ "$(awk 'END { print NR - 1 }' "$csv")" -eq $((tick - 1)) ] &&
+        [ "$(value ticks)" -eq $((tick - 1)) ] && [ "$(awk 'END { print NR - 1 }' "$csv")" -eq "$tick" ] &&
         ! tail -n 1 "$csv" | grep -Eqi 'nan|inf'
 }
 

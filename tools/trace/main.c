@@ -140,29 +140,29 @@ static void write_row(FILE *const table, const stream *const run, const uint64_t
     fputc('\n', table);
 }
 
-/* Copies the rows of the run to the table. False: run->error says why it stopped. */
+/* Copies the rows of the run, from tick 0 on, to the table. False: run->error says why it stopped. */
 static bool write_table(FILE *const table, stream *const run)
 {
     if (!stream_read_header(run)) {
         return false;
     }
     fprintf(table, run->header.outputs > 0 ? "t,%s\n" : "t\n", run->header.names);
-    uint64_t ticks = 0;
+    uint64_t rows = 0;
     stream_record record = stream_read(run);
     while (record == STREAM_ROW) {
-        ticks++;
-        write_row(table, run, ticks);
+        write_row(table, run, rows);
+        rows++;
         if (ferror(table) != 0) {
             snprintf(run->error, sizeof run->error, "the table cannot be written: %s", strerror(errno));
             return false;
         }
-        show_progress(&run->header, ticks, false);
+        show_progress(&run->header, rows, false);
         record = stream_read(run);
     }
-    show_progress(&run->header, ticks, true);
-    if (record == STREAM_END && ticks != run->end.ticks) {
-        snprintf(run->error, sizeof run->error, "%" PRIu32 " ticks were done, but %" PRIu64 " arrived", run->end.ticks,
-                 ticks);
+    show_progress(&run->header, rows, true);
+    if (record == STREAM_END && rows != (uint64_t)run->end.ticks + 1) {
+        snprintf(run->error, sizeof run->error, "%" PRIu32 " ticks were done, but %" PRIu64 " rows arrived",
+                 run->end.ticks, rows);
         return false;
     }
     return record == STREAM_END;
