@@ -1,0 +1,17 @@
+/* The pictures. Each function writes gnuplot's commands to the standard output: first a comment with the size,
+ * `# size WIDTH HEIGHT`; nothing where there is nothing to draw. */
+#ifndef ISO_TOOLS_PLOT_PICTURES_H
+#define ISO_TOOLS_PLOT_PICTURES_H
+
+/* Error over cost and over the step for every method, from a report's table, tab-separated (tools/report). */
+void picture_work_precision(const char *scene, const char *time, const char *path);
+
+/* The largest violation over time for every stabilisation: the lines of tools/drift/drift.c, each after the name of the
+ * stabilisation; thin, what the violation may be. */
+void picture_violation(const char *scene, const char *path);
+
+/* Copies a drawing of gnuplot's from the standard input without what changes nothing. Exits if its groups do not
+ * match. */
+void compact_svg(void);
+
+#endif

@@ -1,0 +1,146 @@
+#include "tools/table/table.h"
+
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+_Noreturn static void fail(const char *const path, const char *const why)
+{
+    fprintf(stderr, "%s: %s\n", path, why);
+    exit(EXIT_FAILURE);
+}
+
+void *table_memory(const size_t count, const size_t bytes)
+{
+    void *const memory = calloc(count > 0 ? count : 1, bytes);
+    if (memory == NULL) {
+        fail("memory", strerror(ENOMEM));
+    }
+    return memory;
+}
+
+/* The whole file with a final zero byte. */
+static char *read_all(FILE *const file, const char *const path)
+{
+    size_t used = 0;
+    size_t room = 1 << 16;
+    char *text = table_memory(room, 1);
+    size_t got = fread(text, 1, room - 1, file);
+    while (got > 0) {
+        used += got;
+        if (used == room - 1) {
+            room *= 2;
+            char *const larger = realloc(text, room);
+            if (larger == NULL) {
+                fail(path, strerror(ENOMEM));
+            }
+            text = larger;
+        }
+        got = fread(text + used, 1, room - 1 - used, file);
+    }
+    if (ferror(file) != 0) {
+        fail(path, strerror(errno));
+    }
+    text[used] = '\0';
+    return text;
+}
+
+static bool separates(const char c, const char separator)
+{
+    return c == separator || (separator == ' ' && c == '\t');
+}
+
+/* Splits a line in place. Its cells go to `cell` unless that is NULL; returns how many there are. */
+static size_t split(char *const line, char *const end, const char separator, char **const cell)
+{
+    size_t cells = 0;
+    char *at = line;
+    while (at < end || (separator != ' ' && at == end)) {
+        char *start = at;
+        while (separator == ' ' && start < end && separates(*start, separator)) {
+            start++;
+        }
+        if (separator == ' ' && start == end) {
+            break;
+        }
+        char *stop = start;
+        while (stop < end && !separates(*stop, separator)) {
+            stop++;
+        }
+        if (cell != NULL) {
+            cell[cells] = start;
+            *stop = '\0';
+        }
+        cells++;
+        at = stop + 1;
+    }
+    return cells;
+}
+
+/* Goes over all lines: counts lines and cells, and keeps them if there is room for them already. */
+static size_t take_lines(table *const of, const char separator)
+{
+    size_t cells = 0;
+    size_t rows = 0;
+    char *line = of->text;
+    while (*line != '\0') {
+        char *const end = line + strcspn(line, "\n");
+        const bool last = *end == '\0';
+        if (of->first != NULL) {
+            of->first[rows] = cells;
+        }
+        cells += split(line, end, separator, of->cell == NULL ? NULL : of->cell + cells);
+        rows++;
+        if (last) {
+            break;
+        }
+        line = end + 1;
+    }
+    if (of->first != NULL) {
+        of->first[rows] = cells;
+    }
+    of->rows = rows;
+    return cells;
+}
+
+table table_read(const char *const path, const char separator)
+{
+    const bool standard = strcmp(path, "-") == 0;
+    FILE *const file = standard ? stdin : fopen(path, "r");
+    if (file == NULL) {
+        fail(path, strerror(errno));
+    }
+    table read = {.text = read_all(file, path), .path = path};
+    if (!standard) {
+        fclose(file);
+    }
+    const size_t cells = take_lines(&read, separator);
+    read.cell = table_memory(cells, sizeof *read.cell);
+    read.first = table_memory(read.rows + 1, sizeof *read.first);
+    (void)take_lines(&read, separator);
+    return read;
+}
+
+void table_free(table *const of)
+{
+    free(of->text);
+    free(of->cell);
+    free(of->first);
+}
+
+size_t table_cells(const table *const of, const size_t row)
+{
+    return of->first[row + 1] - of->first[row];
+}
+
+const char *table_text(const table *const of, const size_t row, const size_t column)
+{
+    return column < table_cells(of, row) ? of->cell[of->first[row] + column] : "";
+}
+
+double table_number(const table *const of, const size_t row, const size_t column)
+{
+    return strtod(table_text(of, row, column), NULL);
+}
