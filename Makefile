@@ -3,7 +3,7 @@
 #     scene --build/isoc--> plant.c --compiler--> program --build/trace--> trace.csv and a summary
 #
 # Everything made stands in build/: what belongs to one scene in build/TARGET/REAL/NAME/, objects that scenes share
-# in build/obj/, the tools build/isoc and build/trace. Files named `flags`, `choice` and `link` there hold the command that made
+# in build/obj/, the tools build/isoc, build/trace and build/plot. Files named `flags`, `choice` and `link` there hold the command that made
 # their neighbours, and change when it does.
 
 ## Usage: make TARGET [VARIABLE=VALUE...]
@@ -143,7 +143,8 @@ build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 
 build/isoc: $(filter build/obj/tools/isoc/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
-build/isoc build/trace:
+build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
+build/isoc build/trace build/plot:
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -o $@ -lm
 
@@ -194,7 +195,7 @@ run: $(PROGRAM) build/trace ## run the scene: build/TARGET/REAL/NAME/trace.csv a
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(RUN)
 
-plot: $(PROGRAM) build/trace ## run the scene and draw it with gnuplot: trace.svg, path.svg and the same as png, beside the trace
+plot: $(PROGRAM) build/trace build/plot ## run the scene and draw it with gnuplot: trace.svg, path.svg and the same as png, beside the trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(RUN) >$(OUT)/summary.txt
@@ -234,7 +235,7 @@ REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) NA
 REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
 REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 
-report: build/isoc build/trace ## error of every method over its price and its step: build/report/NAME/
+report: build/isoc build/trace build/plot ## error of every method over its price and its step: build/report/NAME/
 	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/report/report.sh
@@ -243,7 +244,7 @@ bench: build/isoc build/trace ## compare the methods at equal step and at equal 
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/report/bench.sh
 
-drift: build/isoc build/trace ## how far the loops of a scene come apart with every stabilisation: table, picture in build/drift/NAME/
+drift: build/isoc build/trace build/plot ## how far the loops of a scene come apart with every stabilisation: table, picture in build/drift/NAME/
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/drift/drift.sh

@@ -134,6 +134,7 @@ static void read_colour(const char *const element, const char *const name, char 
     snprintf(colour, 8, "%s", value == NULL ? "" : value);
 }
 
+/* Every part of a path that begins anew is a shape. */
 static void read_path(const char *const element)
 {
     const char *at = attribute(element, " d='");
@@ -141,18 +142,22 @@ static void read_path(const char *const element)
     if (attribute(element, " id=") != NULL || end == NULL) {
         return;
     }
-    shape *const path = &shapes[one_more(&shape_count, ITEMS_MOST, "too many shapes")];
-    *path = (shape){.mark = -1, .first = place_count};
-    read_colour(element, "stroke='", path->colour);
+    char colour[8];
+    read_colour(element, "stroke='", colour);
     while (at < end) {
         double x = 0;
         double y = 0;
         if ((*at == 'M' || *at == 'L') && sscanf(at + 1, "%lf,%lf", &x, &y) == 2) {
+            if (*at == 'M') {
+                shape *const next = &shapes[one_more(&shape_count, ITEMS_MOST, "too many shapes")];
+                *next = (shape){.mark = -1, .first = place_count};
+                memcpy(next->colour, colour, sizeof colour);
+            }
             places[one_more(&place_count, PLACES_MOST, "too many points")] = (place){x, y};
+            shapes[shape_count - 1].places++;
         }
         at++;
     }
-    path->places = place_count - path->first;
 }
 
 static void read_mark(const char *const element)
@@ -248,11 +253,13 @@ static void read_drawing(const char *const svg)
         if (strncmp(at, "<path ", 6) == 0) {
             const size_t before = shape_count;
             read_path(at);
-            const shape *const path = &shapes[shape_count - 1];
-            const bool of_axis = shape_count > before && strcmp(path->colour, AXIS_COLOUR) == 0;
-            tic = of_axis && path->places == 2 ? path : NULL;
-            if (of_axis && path->places > 2) {
-                add_panel(&places[path->first]);
+            tic = NULL;
+            for (const shape *path = &shapes[before]; path < &shapes[shape_count]; path++) {
+                const bool of_axis = strcmp(path->colour, AXIS_COLOUR) == 0;
+                tic = of_axis && path->places == 2 ? path : tic;
+                if (of_axis && path->places > 2) {
+                    add_panel(&places[path->first]);
+                }
             }
         } else if (strncmp(at, "<use ", 5) == 0) {
             read_mark(at);

@@ -4,6 +4,7 @@
 # are seen.
 . tests/host/test.sh
 . tests/host/project.sh
+. tests/host/picture.sh
 begin check/report
 project
 methods="euler heun rk4 rosenbrock adams"
@@ -84,7 +85,11 @@ grep -Ev '^  (CC|LINK) ' "$out/output" | head -n "$(grep -c '' "$folder/report.t
 result $? "report.txt is what is printed"
 [ "$(wc -c <"$folder/work_precision.svg")" -lt 100000 ]
 result $? "the picture is smaller than 100 kB"
-for text in $methods 'double_pendulum: error and its price' 'float, compensated sums' 'step, ms'; do
+reads_picture
+report_points "$tsv" >"$out/points"
+shows "$folder/work_precision.svg" "$out/points" all
+result $? "the picture, read back through its labels, has the points of the table, and those of the Pareto fronts"
+for text in $methods 'double_pendulum: error over cost' 'float, compensated sums' 'step, ms'; do
     grep -qF "$text" "$folder/work_precision.svg"
     result $? "the picture says: $text"
 done
@@ -160,7 +165,7 @@ result $? "found: a point without a reference"
 
 # At rest every method is right.
 awk -F '\t' -v OFS='\t' 'NR > 1 { $5 = "0.000e+00" } { print }' "$tsv" >"$out/rest.tsv"
-[ -z "$(awk -f tools/report/plot.awk "$out/rest.tsv")" ] && [ -n "$(awk -f tools/report/plot.awk "$tsv")" ]
+[ -z "$(build/plot work_precision rest 5 "$out/rest.tsv")" ] && [ -n "$(build/plot work_precision rest 5 "$tsv")" ]
 result $? "nothing is drawn where no method errs"
 
 # agreed LINE LINE: whether two states are the same to 1e-12.

@@ -40,6 +40,6 @@ for stabilisation in $STABILISATIONS; do
     [ -s "$dir/$stabilisation.measured" ] && sed "s/^/$stabilisation /" "$dir/$stabilisation.measured"
 done >"$dir/measured"
 [ -s "$dir/measured" ] || fail "there is nothing to measure in $SCENE"
-awk -v scene="$NAME" -f tools/drift/plot.awk "$dir/measured" >"$dir/violation.gnuplot"
+build/plot violation "$NAME" "$dir/measured" >"$dir/violation.gnuplot" || exit 1
 echo
 sh tools/plot/draw.sh "$dir/violation.gnuplot" || fail "gnuplot does not draw $dir/violation.gnuplot"

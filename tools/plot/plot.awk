@@ -178,7 +178,7 @@ function draw_group(g, top, bottom, last,    stem, n, m, i, least, most, text) {
 
 function draw_trace(    g, i, height, head, foot, total, top) {
     head = 60
-    foot = 16
+    foot = 36
     height = 118
     for (i = 2; i <= columns; i++)
         put_column(i, 0, 450)
@@ -227,7 +227,7 @@ function draw_path(    g, stem, energy, i, value) {
     find_plane(stem)
     put_plane(across, up, 1600)
     print "set multiplot"
-    print "set tmargin at screen 0.875\nset bmargin at screen 0.125"
+    print "set tmargin at screen 0.875\nset bmargin at screen 0.15"
     print "set lmargin at screen " (energy == "" ? 0.2 : 0.08) "\nset rmargin at screen " (energy == "" ? 0.95 : 0.08 + 1 / 3)
     print "set label 2 " quoted(title()) " noenhanced at graph 0, 1 offset 0, 1 left font ',14'"
     square(across, up)

@@ -33,7 +33,7 @@ prepare()
         *.c)
             awk -v compensated=$compensated '
                 { print }
-                compensated == "yes" && /^#include "core\/choice.h"/ {
+                compensated == "yes" && /^#include "core\/runtime\/choice.h"/ {
                     print "enum { REPORT_METHOD = ISO_METHOD | ISO_COMPENSATED };"
                     print "#undef ISO_METHOD\n#define ISO_METHOD REPORT_METHOD"
                 }' "$SCENE" >"$dir/$kind/$NAME.c"

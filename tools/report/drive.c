@@ -14,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/runtime/plant.h"
 #include "tools/report/step.h"
 
 /* Steps after which every method is under way. */

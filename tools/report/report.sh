@@ -35,7 +35,7 @@ awk -f tools/report/errors.awk part=reference "$dir/reference.txt" part=points "
     awk -f tools/report/text.awk "$dir/report.tsv"
 } >"$dir/report.txt"
 
-awk -v scene="$NAME" -v time="$time" -f tools/report/plot.awk "$dir/report.tsv" >"$dir/work_precision.gnuplot"
+build/plot work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/work_precision.gnuplot" || exit 1
 
 cat "$dir/report.txt"
 echo

@@ -1,0 +1,37 @@
+# shellcheck shell=sh
+# Pictures read back, and what they must show; read after tests/host/test.sh and `begin`.
+
+# reads_picture: builds tests/check/picture.c.
+reads_picture()
+{
+    program picture tests/check/picture.c
+}
+
+# shows SVG [POINTS all|drawn|covered]: whether the picture shows these points, and has no text that is cut off. If not, it
+# is said in comments.
+shows()
+{
+    "$out/picture" "$@" >"$out/shown" 2>&1
+    shows_status=$?
+    [ $shows_status -eq 0 ] || head -n 20 "$out/shown" | sed 's/^/# /'
+    return $shows_status
+}
+
+# report_points TSV: what a report's picture must show: every error over cost and over the step, and of each kind the Pareto
+# front, the points with a smaller error than any that are as cheap.
+report_points()
+{
+    report_panels='
+        function over(what) { return title[$1] "|" what }
+        function cost() { return "instructions per second, " ($1 == "double" ? "host" : "Cortex-M4F") }
+        BEGIN {
+            FS = OFS = "\t"
+            title["float"] = "float"
+            title["compensated"] = "float, compensated sums"
+            title["double"] = "double"
+        }
+        $5 == "inf" || $5 + 0 <= 0 || $5 + 0 > 100 { next }'
+    sed 1d "$1" | awk "$report_panels"'{ print over(cost()), $2, $8, $5; print over("step, ms"), $2, 1000 * $3, $5 }'
+    sed 1d "$1" | sort -t "$(printf '\t')" -k 1,1 -k 8,8g -k 5,5g | awk "$report_panels"'
+        $1 != kind || $5 + 0 < least { print over(cost()), "Pareto front", $8, $5; kind = $1; least = $5 + 0 }'
+}
