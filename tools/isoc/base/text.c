@@ -23,3 +23,12 @@ void text_add(text *t, const char *format, ...)
     va_end(again);
     t->length += length;
 }
+
+const char *alternatives(arena *memory, const char *const *words, size_t count)
+{
+    const char *list = words[0];
+    for (size_t i = 1; i < count; i++) {
+        list = arena_format(memory, "%s%s%s", list, i + 1 < count ? ", " : " or ", words[i]);
+    }
+    return list;
+}

@@ -13,4 +13,7 @@ typedef struct text {
 /* Adds what printf would write. */
 void text_add(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* The words as a person lists them: a, b or c. */
+const char *alternatives(arena *memory, const char *const *words, size_t count);
+
 #endif

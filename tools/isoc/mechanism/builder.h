@@ -61,10 +61,12 @@ matrix align(graph *g, const double a[3], int *k, double *sign);
 /* regroup.c: moves to the parents what the joints' motion does not change. */
 void regroup(builder *b);
 
-/* signals.c: inputs, outputs and tunable parameters. */
+/* signals.c: inputs and tunable parameters. */
 void build_inputs(builder *b);
-void build_outputs(builder *b);
 void build_parameters(builder *b);
+
+/* outputs.c: what the outputs show. */
+void build_outputs(builder *b);
 
 /* recipe.c: the method with its options, and the step. */
 void build_method(builder *b);

@@ -117,6 +117,17 @@ typedef struct body_frame {
     bool placed;
 } body_frame;
 
+/* What an output shows. */
+typedef struct shown {
+    name name;
+    output_kind kind;
+    int along;    /* 0, 1, 2: only this component; -1: all */
+    int link;     /* of a coordinate */
+    int body;     /* of a body; of what a joint gives to it */
+    int cut;      /* of a closure; -1: of none */
+    vector point; /* in the body's frame */
+} shown;
+
 typedef struct mechanism {
     const char *name;
     link *links;
@@ -146,12 +157,8 @@ typedef struct mechanism {
     node *drives;  /* the inputs as functions of time, and behind them the clocks */
     double *jumps; /* the changes of inputs that start a method anew; 0: none does */
 
-    const output *outputs;
+    shown *outputs;
     size_t output_count;
-    vector *points;   /* of the outputs, in their body's frame */
-    int *output_link; /* the joint's, or -1 for a body */
-    int *output_body; /* of a joint's force or moment: the child */
-    int *output_cut;  /* of a closure's */
 
     int parameter_count;
     const char **parameter_names;

@@ -20,13 +20,15 @@ typedef struct plant {
     choice formulations;
     int input_count, output_count, turn_count;
     const char **output_names; /* one for each component */
+    const char **output_units;
     node *outputs;
     node *derivatives;           /* the derivative of each state */
     int rate_count;              /* of them those that semi_implicit asks for again; 0: they are the speeds */
     settled after;               /* of a step */
     acceleration *accelerations; /* of the links, where reactions of joints are shown */
     jacobian j;                  /* only for implicit methods */
-    node violation;              /* of the closures, where the loop accounts for it; else -1 */
+    node energy;
+    node violation; /* of the closures, where the loop accounts for it; else -1 */
     bool is_double;
 } plant;
 

@@ -140,22 +140,10 @@ static void list_clocks(source *s, listing *l, const scene *written)
 /* The letters of an output's columns; none where it has but one. */
 static const char *components(const scene *written, const output *o)
 {
-    switch (o->kind) {
-    case OUTPUT_POSITION:
-        if (o->of.text == NULL || find_among(GROUP(written, bodies, body_count), o->of) < 0) {
-            return "";
-        }
-        return o->along < 0 ? "xyz" : "";
-    case OUTPUT_VELOCITY:
-    case OUTPUT_SPIN:
-    case OUTPUT_FORCE:
-    case OUTPUT_MOMENT:
-        return o->along < 0 ? "xyz" : "";
-    case OUTPUT_ORIENTATION:
-        return "wxyz";
-    default:
-        return "";
-    }
+    const bool is_body = o->of.text != NULL && find_among(GROUP(written, bodies, body_count), o->of) >= 0;
+    const output_kind of_body = is_body ? output_of(o->kind, OF_BODY) : OUTPUT_ROWS;
+    const output_row *row = &output_rows[of_body < OUTPUT_ROWS ? of_body : o->kind];
+    return o->along < 0 ? row->components : "";
 }
 
 /* An output of several components declares NAME_x and so on as well. */

@@ -1,61 +1,54 @@
 /* output NAME = KIND [of NAME [at FORMULA] [along AXIS]] */
+#include <string.h>
+
 #include "tools/isoc/scene/formula.h"
 #include "tools/isoc/scene/statements.h"
 
-static const char *const kind_names[] = {
-    [OUTPUT_POSITION] = "position", [OUTPUT_SPEED] = "speed",         [OUTPUT_ACCELERATION] = "acceleration",
-    [OUTPUT_VELOCITY] = "velocity", [OUTPUT_TURNS] = "turns",         [OUTPUT_ORIENTATION] = "orientation",
-    [OUTPUT_SPIN] = "spin",         [OUTPUT_FORCE] = "force",         [OUTPUT_MOMENT] = "moment",
-    [OUTPUT_EFFORT] = "effort",     [OUTPUT_ENERGY] = "energy",       [OUTPUT_LOCAL_ERROR] = "local_error",
-    [OUTPUT_RESIDUAL] = "residual", [OUTPUT_VIOLATION] = "violation", [OUTPUT_VIOLATION_RATE] = "violation_rate",
-};
-
-/* What an output is of; NULL: of the whole mechanism. */
-static const char *const owners[COUNT_OF(kind_names)] = {
-    [OUTPUT_POSITION] = "a joint or a body",
-    [OUTPUT_SPEED] = "a joint",
-    [OUTPUT_ACCELERATION] = "a joint",
-    [OUTPUT_VELOCITY] = "a body",
-    [OUTPUT_TURNS] = "a joint",
-    [OUTPUT_ORIENTATION] = "a body",
-    [OUTPUT_SPIN] = "a body",
-    [OUTPUT_FORCE] = "a joint or a closure",
-    [OUTPUT_MOMENT] = "a joint or a closure",
-    [OUTPUT_EFFORT] = "a gear or a motion",
-};
-
-static bool is_of_point(output_kind kind)
+/* The first row of the next word, which is taken. */
+static output_kind parse_output_kind(parser *p)
 {
-    return kind == OUTPUT_POSITION || kind == OUTPUT_VELOCITY;
+    const char *words[OUTPUT_ROWS];
+    output_kind kinds[OUTPUT_ROWS];
+    size_t count = 0;
+    for (output_kind kind = 0; kind < OUTPUT_ROWS; kind++) {
+        if (count == 0 || strcmp(words[count - 1], output_rows[kind].word) != 0) {
+            words[count] = output_rows[kind].word;
+            kinds[count++] = kind;
+        }
+    }
+    const size_t found = take_one_of(p, words, count);
+    return found < count ? kinds[found] : 0;
 }
 
-static bool has_components(output_kind kind)
+/* What outputs of this word are of: a joint or a body. */
+static const char *owners(arena *memory, output_kind kind)
 {
-    return is_of_point(kind) || kind == OUTPUT_SPIN || kind == OUTPUT_FORCE || kind == OUTPUT_MOMENT;
+    const char *phrases[OPERANDS];
+    size_t count = 0;
+    for (operand of = 0; of < OPERANDS; of++) {
+        if (output_of(kind, of) < OUTPUT_ROWS) {
+            phrases[count++] = operand_phrases[of];
+        }
+    }
+    return alternatives(memory, phrases, count);
 }
 
 static void parse_owner(parser *p, output *o)
 {
+    const char *wanted = owners(p->s->memory, o->kind);
     if (!take_word(p, "of")) {
-        parse_problem(p, arena_format(p->s->memory, "expected 'of' and the name of %s", owners[o->kind]));
+        parse_problem(p, arena_format(p->s->memory, "expected 'of' and the name of %s", wanted));
         return;
     }
-    o->of = take_name(p, arena_format(p->s->memory, "expected the name of %s", owners[o->kind]));
-    place at = p->next->at;
+    o->of = take_name(p, arena_format(p->s->memory, "expected the name of %s", wanted));
+    o->point_at = p->next->at;
     if (!p->failed && take_word(p, "at")) {
         o->point = parse_formula(p);
-        if (!is_of_point(o->kind)) {
-            source_problem(p->s, at, "'at' is for a position or a velocity: only they are of a point");
-        }
     }
     o->along_at = p->next->at;
     if (!p->failed && take_word(p, "along")) {
         static const char *const axes[] = {"x", "y", "z"};
         o->along = (int)take_one_of(p, axes, COUNT_OF(axes));
-        if (!has_components(o->kind)) {
-            source_problem(p->s, o->along_at,
-                           "'along' is for a position, velocity, spin, force or moment: only they have x, y and z");
-        }
     }
 }
 
@@ -69,9 +62,9 @@ void read_output(parser *p, const token *word, void *slot)
     }
     o.kind_at = p->next->at;
     if (!p->failed) {
-        o.kind = (output_kind)take_one_of(p, kind_names, COUNT_OF(kind_names));
+        o.kind = parse_output_kind(p);
     }
-    if (!p->failed && owners[o.kind] != NULL) {
+    if (!p->failed && output_rows[o.kind].of >= OF_COORDINATE) {
         parse_owner(p, &o);
     }
     if (!p->failed) {

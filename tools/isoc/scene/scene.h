@@ -2,6 +2,7 @@
 #ifndef ISOC_SCENE_SCENE_H
 #define ISOC_SCENE_SCENE_H
 
+#include "tools/isoc/scene/output_kinds.h"
 #include "tools/isoc/scene/source.h"
 #include "tools/isoc/scene/unit.h"
 
@@ -144,32 +145,14 @@ typedef struct quantity {
     bool tunable;
 } quantity;
 
-typedef enum output_kind {
-    OUTPUT_POSITION,
-    OUTPUT_SPEED,
-    OUTPUT_ACCELERATION,
-    OUTPUT_VELOCITY,
-    OUTPUT_TURNS,
-    OUTPUT_ORIENTATION, /* of a body: a quaternion, w x y z */
-    OUTPUT_SPIN,        /* of a body: angular velocity, in its own axes */
-    OUTPUT_FORCE,       /* of a joint or a closure, on its child, in the ground's axes */
-    OUTPUT_MOMENT,      /* about the child's origin */
-    OUTPUT_EFFORT,      /* of a gear or a motion, on its first joint */
-    OUTPUT_ENERGY,
-    OUTPUT_LOCAL_ERROR,
-    OUTPUT_RESIDUAL,
-    OUTPUT_VIOLATION, /* of the closures: the largest, of positions */
-    OUTPUT_VIOLATION_RATE,
-} output_kind;
-
 typedef struct output {
     name name;
-    output_kind kind;
+    output_kind kind; /* the first of its word: whose it is tells which */
     place kind_at;
     name of;        /* a joint, a body or a closure */
     formula *point; /* in the body's frame; NULL: its origin */
     int along;      /* 0, 1, 2: only x, y or z; -1: all three */
-    place along_at;
+    place point_at, along_at;
 } output;
 
 typedef struct scene {

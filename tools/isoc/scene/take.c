@@ -36,15 +36,6 @@ bool take_word(parser *p, const char *word)
     return is;
 }
 
-const char *alternatives(arena *memory, const char *const *words, size_t count)
-{
-    const char *text = words[0];
-    for (size_t i = 1; i < count; i++) {
-        text = arena_format(memory, "%s%s%s", text, i + 1 < count ? ", " : " or ", words[i]);
-    }
-    return text;
-}
-
 size_t take_one_of(parser *p, const char *const *words, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

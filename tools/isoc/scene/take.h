@@ -2,6 +2,7 @@
 #ifndef ISOC_SCENE_TAKE_H
 #define ISOC_SCENE_TAKE_H
 
+#include "tools/isoc/base/text.h"
 #include "tools/isoc/scene/lexer.h"
 #include "tools/isoc/scene/scene.h"
 
@@ -24,9 +25,6 @@ bool next_is_word(const parser *p, const char *word);
 /* Takes the next token if it is this sign or this word. */
 bool take_sign(parser *p, char sign);
 bool take_word(parser *p, const char *word);
-
-/* The words as a person lists them: a, b or c. */
-const char *alternatives(arena *memory, const char *const *words, size_t count);
 
 /* The index of the next token among words, which is taken; or count, with a problem that lists them. */
 size_t take_one_of(parser *p, const char *const *words, size_t count);

@@ -1,0 +1,136 @@
+/* What the outputs show: the operand of each, found by its name, and the row that its word has for that operand. */
+#include <string.h>
+
+#include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/scene/names.h"
+
+/* The link of a joint of one coordinate, or of a part of a joint; -1 if there is none. */
+static int link_called(const mechanism *made, name n)
+{
+    for (int i = 0; i < made->link_count; i++) {
+        if (made->links[i].kind != JOINT_SPHERICAL && strcmp(made->links[i].name, n.text) == 0) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+/* The parts of a joint that an output can show, as a list; or what to write instead. */
+static const char *parts_of(builder *b, const joint *j)
+{
+    const char *list = "";
+    for (int i = 0; i < b->made.link_count; i++) {
+        const link *l = &b->made.links[i];
+        if (l->at == j->name.at && l->kind != JOINT_SPHERICAL) {
+            list = arena_format(b->s->memory, "%s%s%s", list, list[0] == '\0' ? "" : ", ", l->name);
+        }
+    }
+    return list[0] == '\0' ? "the orientation of its child" : list;
+}
+
+/* A joint that is no link by itself: has it no coordinate, or several? */
+static void refuse_joint(builder *b, const output *o, const joint *j)
+{
+    if (j->kind == JOINT_FIXED) {
+        source_problem(b->s, o->of.at, "the joint '%s' is fixed: it has no coordinate", o->of.text);
+    } else if (!j->broken && j->kind != JOINT_REVOLUTE && j->kind != JOINT_PRISMATIC) {
+        source_problem(b->s, o->of.at, "the joint '%s' has more than one coordinate: show %s", o->of.text,
+                       parts_of(b, j));
+    }
+}
+
+/* A coordinate or a body; false if it is neither, or if there is no such output of it. */
+static bool find_operand(builder *b, const output *o, shown *made)
+{
+    bool is_joint = true;
+    made->link = link_called(&b->made, o->of);
+    const int of = made->link >= 0 ? -1 : find_joint_or_body(b->s, b->written, o->of, &is_joint);
+    if (made->link < 0 && of < 0) {
+        return false;
+    }
+    made->body = is_joint ? -1 : of;
+    made->kind = output_of(o->kind, is_joint ? OF_COORDINATE : OF_BODY);
+    if (made->kind == OUTPUT_ROWS) {
+        source_problem(b->s, o->kind_at, "'%s' needs %s; '%s' is %s", output_rows[o->kind].word,
+                       operand_phrases[is_joint ? OF_BODY : OF_COORDINATE], o->of.text,
+                       operand_phrases[is_joint ? OF_COORDINATE : OF_BODY]);
+        return false;
+    }
+    if (is_joint && made->link < 0) {
+        refuse_joint(b, o, &b->written->joints[of]);
+        return false;
+    }
+    if (made->kind == OUTPUT_TURNS && !b->made.links[made->link].continuous) {
+        source_problem(b->s, o->kind_at, "only a continuous joint counts its turns");
+    }
+    return true;
+}
+
+/* A joint, which is known by its child, or a closure between bodies. */
+static bool find_connection(builder *b, const output *o, shown *made)
+{
+    bool is_joint;
+    const int of = find_joint_or_closure(b->s, b->written, o->of, &is_joint);
+    if (of >= 0 && !is_joint && acts_along_joints(b->written->closures[of].kind)) {
+        source_problem(b->s, o->of.at, "'%s' acts along joints, not by a force between bodies: effort of %s",
+                       o->of.text, o->of.text);
+    }
+    made->body = of >= 0 && is_joint ? b->children[of] : -1;
+    made->cut = of >= 0 && !is_joint ? of : -1;
+    return of >= 0;
+}
+
+static bool find_transmission(builder *b, const output *o, shown *made)
+{
+    made->cut = find_closure(b->s, b->written, o->of);
+    if (made->cut >= 0 && !acts_along_joints(b->written->closures[made->cut].kind)) {
+        source_problem(b->s, o->of.at, "'%s' acts by a force between bodies: force of %s, or moment of %s", o->of.text,
+                       o->of.text, o->of.text);
+    }
+    return made->cut >= 0;
+}
+
+static bool has_point(const output_row *row)
+{
+    return row->is_of_point;
+}
+
+/* `at` and `along`, where the output has a point or components. */
+static void check_parts(builder *b, const output *o, const output_row *row)
+{
+    if (o->point != NULL && !row->is_of_point) {
+        source_problem(b->s, o->point_at, "'at' is only for the %s", output_list(b->s->memory, has_point));
+    }
+    if (o->along >= 0 && !output_is_vector(row)) {
+        source_problem(b->s, o->along_at, "'along' is only for vectors: the %s",
+                       output_list(b->s->memory, output_is_vector));
+    }
+}
+
+static void build_output(builder *b, const output *o, shown *made)
+{
+    const operand of = output_rows[o->kind].of;
+    *made = (shown){.name = o->name, .kind = o->kind, .along = o->along, .link = -1, .body = -1, .cut = -1};
+    made->point = vector_value(b, o->point, metre, "a point");
+    if (of == OF_CLOSURES && b->written->closure_count == 0) {
+        source_problem(b->s, o->kind_at, "a scene without closures has no violation");
+    }
+    if (of >= OF_COORDINATE && o->of.text != NULL) {
+        const bool found = of == OF_CONNECTION     ? find_connection(b, o, made)
+                           : of == OF_TRANSMISSION ? find_transmission(b, o, made)
+                                                   : find_operand(b, o, made);
+        if (found) {
+            check_parts(b, o, &output_rows[made->kind]);
+        }
+    }
+}
+
+void build_outputs(builder *b)
+{
+    const size_t count = b->written->output_count;
+    b->made.outputs = arena_take(b->s->memory, count + 1, sizeof *b->made.outputs);
+    b->made.output_count = count;
+    for (size_t i = 0; i < count; i++) {
+        build_output(b, &b->written->outputs[i], &b->made.outputs[i]);
+    }
+}

@@ -1,0 +1,193 @@
+#include "tools/isoc/plant/outputs.h"
+
+#include "tools/isoc/dynamics/reaction.h"
+
+/* --- one function for each kind, or for a few that differ little --- */
+
+typedef void show_function(plant *p, graph *g, const shown *o);
+
+/* Each quantity by its row's unit: what turns has another than what slides. */
+static const char *unit_of(const plant *p, const shown *o)
+{
+    const output_row *row = &output_rows[o->kind];
+    const int of = o->cut >= 0 ? p->m->cuts[o->cut].parent.link : o->link;
+    return of >= 0 && slides(&p->m->links[of]) ? row->unit : row->turning_unit;
+}
+
+static void show_as(plant *p, const shown *o, const char *label, node n)
+{
+    p->output_names[p->output_count] = label;
+    p->output_units[p->output_count] = unit_of(p, o);
+    p->outputs[p->output_count++] = n;
+}
+
+static void show(plant *p, const shown *o, node n)
+{
+    show_as(p, o, o->name.text, n);
+}
+
+/* A vector, whole or along one axis. */
+static void show_vector(plant *p, graph *g, const shown *o, vector v)
+{
+    for (int k = 0; k < 3; k++) {
+        if (o->along < 0) {
+            show_as(p, o, arena_format(g->memory, "%s_%c", o->name.text, "xyz"[k]), v.at[k]);
+        } else if (o->along == k) {
+            show(p, o, v.at[k]);
+        }
+    }
+}
+
+static void show_position(plant *p, graph *g, const shown *o)
+{
+    (void)g;
+    show(p, o, p->d->k.motions[o->link].q[0]);
+}
+
+static void show_speed(plant *p, graph *g, const shown *o)
+{
+    (void)g;
+    show(p, o, p->d->k.motions[o->link].qd[0]);
+}
+
+static void show_acceleration(plant *p, graph *g, const shown *o)
+{
+    show(p, o, leaf(g, OP_DERIVATIVE, p->m->position_count + p->m->links[o->link].dof));
+}
+
+static void show_turns(plant *p, graph *g, const shown *o)
+{
+    int index = 0;
+    for (int i = 0; i < o->link; i++) {
+        index += p->m->links[i].continuous;
+    }
+    show(p, o, leaf(g, OP_TURNS, index));
+}
+
+/* The point that an output is at, in the frame of its body's link. */
+static vector point_in_link(const plant *p, graph *g, const shown *o)
+{
+    const body_frame *frame = &p->m->frames[o->body];
+    return vector_add(g, matrix_apply(g, frame->turn, o->point), frame->offset);
+}
+
+static void show_point(plant *p, graph *g, const shown *o)
+{
+    show_vector(p, g, o, outward_point(&p->d->k, p->m->frames[o->body].link, GROUND, point_in_link(p, g, o)));
+}
+
+static void show_velocity(plant *p, graph *g, const shown *o)
+{
+    const int link_shown = p->m->frames[o->body].link;
+    const vector velocity = point_velocity(&p->d->k, link_shown, point_in_link(p, g, o));
+    show_vector(p, g, o, outward_axes(&p->d->k, link_shown, GROUND, velocity));
+}
+
+/* The product of the orientations of all links on the way to the body. */
+static void show_orientation(plant *p, graph *g, const shown *o)
+{
+    node q[4];
+    body_orientation(&p->d->k, &p->m->frames[o->body], q);
+    for (int i = 0; i < 4; i++) {
+        show_as(p, o, arena_format(g->memory, "%s_%c", o->name.text, output_rows[o->kind].components[i]), q[i]);
+    }
+}
+
+static void show_spin(plant *p, graph *g, const shown *o)
+{
+    const body_frame *frame = &p->m->frames[o->body];
+    const vector omega = frame->link == GROUND ? vector_zero(g) : p->d->k.motions[frame->link].omega;
+    show_vector(p, g, o, matrix_apply(g, matrix_transpose(frame->turn), omega));
+}
+
+/* What a joint or a closure gives to its child. */
+static wrench reaction(plant *p, graph *g, const shown *o)
+{
+    if (o->cut >= 0) {
+        return closure_reaction(p->d, o->cut);
+    }
+    p->accelerations = p->accelerations == NULL ? reaction_accelerations(p->d) : p->accelerations;
+    graph_section(g, "Reactions");
+    return joint_reaction(p->d, p->accelerations, o->body);
+}
+
+static void show_force(plant *p, graph *g, const shown *o)
+{
+    show_vector(p, g, o, reaction(p, g, o).force);
+}
+
+static void show_moment(plant *p, graph *g, const shown *o)
+{
+    show_vector(p, g, o, reaction(p, g, o).moment);
+}
+
+static void show_effort(plant *p, graph *g, const shown *o)
+{
+    (void)g;
+    show(p, o, closure_effort(p->d, o->cut));
+}
+
+static void show_energy(plant *p, graph *g, const shown *o)
+{
+    (void)g;
+    show(p, o, p->energy);
+}
+
+static void show_local_error(plant *p, graph *g, const shown *o)
+{
+    show(p, o, leaf(g, OP_LOCAL_ERROR, 0));
+}
+
+static void show_residual(plant *p, graph *g, const shown *o)
+{
+    show(p, o, leaf(g, OP_RESIDUAL, 0));
+}
+
+static void show_violation(plant *p, graph *g, const shown *o)
+{
+    (void)g;
+    show(p, o, largest_violation(&p->d->k, &p->d->loops.held, false));
+}
+
+static void show_violation_rate(plant *p, graph *g, const shown *o)
+{
+    (void)g;
+    show(p, o, largest_violation(&p->d->k, &p->d->loops.held, true));
+}
+
+static show_function *const functions[OUTPUT_ROWS] = {
+    [OUTPUT_POSITION] = show_position,
+    [OUTPUT_POINT] = show_point,
+    [OUTPUT_SPEED] = show_speed,
+    [OUTPUT_ACCELERATION] = show_acceleration,
+    [OUTPUT_VELOCITY] = show_velocity,
+    [OUTPUT_TURNS] = show_turns,
+    [OUTPUT_ORIENTATION] = show_orientation,
+    [OUTPUT_SPIN] = show_spin,
+    [OUTPUT_FORCE] = show_force,
+    [OUTPUT_MOMENT] = show_moment,
+    [OUTPUT_EFFORT] = show_effort,
+    [OUTPUT_ENERGY] = show_energy,
+    [OUTPUT_LOCAL_ERROR] = show_local_error,
+    [OUTPUT_RESIDUAL] = show_residual,
+    [OUTPUT_VIOLATION] = show_violation,
+    [OUTPUT_VIOLATION_RATE] = show_violation_rate,
+};
+
+/* --- all of them --- */
+
+void outputs_build(plant *p, graph *g)
+{
+    enum { MOST_COMPONENTS = 4 };
+    const mechanism *m = p->m;
+    const size_t room = MOST_COMPONENTS * m->output_count + 1;
+    p->output_names = arena_take(g->memory, room, sizeof *p->output_names);
+    p->output_units = arena_take(g->memory, room, sizeof *p->output_units);
+    p->outputs = arena_take(g->memory, room, sizeof *p->outputs);
+    kinematics_velocities(&p->d->k);
+    p->energy = dynamics_energy(p->d);
+    graph_section(g, "Points in the ground's frame");
+    for (size_t i = 0; i < m->output_count; i++) {
+        functions[m->outputs[i].kind](p, g, &m->outputs[i]);
+    }
+}
