@@ -280,31 +280,24 @@ static void hold_ball(const pair *p, constraints *to, int a)
 static void close_pair(const pair *p, constraints *to)
 {
     const int a = p->c->axis;
-    switch (p->c->kind) {
-    case CLOSE_FIXED:
+    const unsigned holds = closure_rows[p->c->kind].holds;
+    if (holds & HOLDS_ORIGIN) {
         hold_together(p, to);
-        hold_turn(p, to);
-        break;
-    case CLOSE_REVOLUTE:
-        hold_together(p, to);
-        hold_parallel(p, to, a);
-        break;
-    case CLOSE_SPHERICAL:
-        hold_together(p, to);
-        break;
-    case CLOSE_PRISMATIC:
+    }
+    if (holds & HOLDS_ON_LINE) {
         hold_on_line(p, to, a);
-        hold_turn(p, to);
-        break;
-    case CLOSE_LINE:
-        hold_on_line(p, to, a);
-        break;
-    case CLOSE_DISTANCE:
+    }
+    if (holds & HOLDS_DISTANCE) {
         hold_distance(p, to, p->c->name);
-        break;
-    default:
+    }
+    if (holds & HOLDS_ROLLING) {
         hold_ball(p, to, a);
-        break;
+    }
+    if (holds & HOLDS_AXIS) {
+        hold_parallel(p, to, a);
+    }
+    if (holds & HOLDS_TURN) {
+        hold_turn(p, to);
     }
 }
 

@@ -36,8 +36,7 @@ void refuse(builder *b, const formula *f, const char *property, const char *why)
 
 /* joints.c: the links that a joint is a chain of, from the parent's side, each with its axes against the joint's frame;
  * their number. And the degrees of degree of freedom of all links. */
-enum { LINKS_OF_A_JOINT = 4 };
-int joint_parts(builder *b, const joint *j, link parts[LINKS_OF_A_JOINT], matrix aligned[LINKS_OF_A_JOINT]);
+int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT]);
 void list_dofs(builder *b);
 
 /* closures.c: loop closures, and how the drift off them is held. The link of a joint of one coordinate, or -1, which it

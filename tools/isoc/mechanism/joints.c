@@ -1,5 +1,6 @@
 /* A joint as the chain of links that it is. */
 #include <math.h>
+#include <string.h>
 
 #include "tools/isoc/graph/quaternion.h"
 #include "tools/isoc/mechanism/builder.h"
@@ -89,7 +90,7 @@ static link part(builder *b, const joint *j, joint_kind kind, const char *ending
 
     dimension resistance = turns ? newton_metre : newton;
     dimension_times(&resistance, per_second(turns ? radian : metre), -1);
-    const formula *damping = turns && j->kind != JOINT_REVOLUTE ? j->spin_damping : j->damping;
+    const formula *damping = turns && !joint_has_one_coordinate(j->kind) ? j->spin_damping : j->damping;
     made.damping = scalar_value(b, damping, resistance, "the damping of this joint");
     if (value_now(&b->values, made.damping) < 0.0) {
         source_problem(b->s, damping->at, "damping is not negative: it takes energy away");
@@ -97,11 +98,11 @@ static link part(builder *b, const joint *j, joint_kind kind, const char *ending
     return made;
 }
 
-/* The only coordinate of a revolute or prismatic joint, with its effects. */
+/* The only coordinate of a joint, with its effects. */
 static link single(builder *b, const joint *j, int axis, double sign)
 {
-    link made = part(b, j, j->kind, "", axis, sign);
-    const bool turns = j->kind == JOINT_REVOLUTE;
+    link made = part(b, j, joint_rows[j->kind].parts[0].kind, "", axis, sign);
+    const bool turns = made.kind == JOINT_REVOLUTE;
     const dimension coordinate = turns ? radian : metre;
     dimension stiffness = turns ? newton_metre : newton;
     dimension_times(&stiffness, coordinate, -1);
@@ -125,135 +126,145 @@ static link single(builder *b, const joint *j, int axis, double sign)
     return made;
 }
 
-static int universal_parts(builder *b, const joint *j, link *parts, matrix *aligned)
+/* The axes of a joint: `axis`, `second` and those of its frame. */
+typedef struct joint_axes {
+    matrix turned[2]; /* of axis and second: the frame in which it is coordinate axis k, times sign */
+    int k[2];
+    double sign[2];
+} joint_axes;
+
+static joint_axes axes_of(builder *b, const joint *j)
 {
-    static const char *const endings[] = {"_first", "_second"};
-    const formula *const axes[] = {j->axis, j->second};
-    double spins[2], axis[2][3] = {{0.0}};
-    constants(b, j->spin, per_second(radian), 2, "the spin of a universal joint", spins);
+    const formula *const written[] = {j->axis, j->second};
+    const matrix own = matrix_identity(b->g);
+    joint_axes made = {{own, own}, {0, 0}, {1.0, 1.0}};
+    double axis[2][3] = {{0.0}}, across = 0.0;
     for (int n = 0; n < 2; n++) {
-        if (axes[n] == NULL || !unit_axis(b, axes[n], axis[n])) {
-            return 0;
+        if (written[n] != NULL && unit_axis(b, written[n], axis[n])) {
+            made.turned[n] = align(b->g, axis[n], &made.k[n], &made.sign[n]);
         }
-        int k;
-        double sign;
-        aligned[n] = align(b->g, axis[n], &k, &sign);
-        parts[n] = part(b, j, JOINT_REVOLUTE, endings[n], k, sign);
-        parts[n].start[0] = start_angle(b, j, (size_t)n);
-        parts[n].start_given = (size_t)n < j->start.turn_count;
-        parts[n].speed[0] = spins[n];
-        parts[n].speed_given = j->spin != NULL;
     }
-    double across = 0.0;
     for (int i = 0; i < 3; i++) {
         across += axis[0][i] * axis[1][i];
     }
     if (fabs(across) > 1.0 - 1e-6) {
-        source_problem(b->s, j->second->at, "the two axes of a universal joint differ: axis x, second y");
+        source_problem(b->s, j->second->at, "the axes of a %s joint must differ: axis x, second y",
+                       joint_rows[j->kind].word);
     }
-    return 2;
+    return made;
 }
 
-static int cylindrical_parts(builder *b, const joint *j, int k, double sign, link *parts)
+/* Which of its coordinate axes a part moves along or about, and the frame that it is an axis of. */
+static matrix part_frame(builder *b, const joint_axes *axes, part_axis along, int *k, double *sign)
 {
-    parts[0] = part(b, j, JOINT_PRISMATIC, "_slide", k, sign);
-    constants(b, j->start.position, metre, 1, "the place of a cylindrical joint", parts[0].start);
-    constants(b, j->speed, per_second(metre), 1, "the speed of a cylindrical joint", parts[0].speed);
-    parts[0].start_given = j->start.position != NULL;
-    parts[0].speed_given = j->speed != NULL;
-    parts[1] = part(b, j, JOINT_REVOLUTE, "_turn", k, sign);
-    return 2;
-}
-
-/* Slides along two axes, or three, from a place given in the joint's frame. `back` turns from there to the axes. */
-static int slide_parts(builder *b, const joint *j, matrix back, int first, int count, link *parts)
-{
-    static const char *const endings[] = {"_x", "_y", "_z"};
-    double place_given[3], speed[3];
-    constants(b, j->start.position, metre, 3, "the place of this joint", place_given);
-    constants(b, j->speed, per_second(metre), 3, "the speed of this joint", speed);
-    for (int n = 0; n < count; n++) {
-        const int k = (first + n) % 3;
-        parts[n] = part(b, j, JOINT_PRISMATIC, endings[k], k, 1.0);
-        parts[n].start_given = j->start.position != NULL;
-        parts[n].speed_given = j->speed != NULL;
-        for (int i = 0; i < 3; i++) {
-            const double along = constant_value(b->g, back.at[k][i]);
-            parts[n].start[0] += along * place_given[i];
-            parts[n].speed[0] += along * speed[i];
-        }
+    const int which = along == ALONG_SECOND;
+    const bool in_frame = along == NO_AXIS || along >= ALONG_X;
+    *k = along >= ALONG_X ? (int)along - (int)ALONG_X : in_frame ? 0 : axes->k[which];
+    *sign = along == ALONG_AXIS || along == ALONG_SECOND ? axes->sign[which] : 1.0;
+    if (along == ACROSS_AXIS || along == ACROSS_BOTH) {
+        *k = (*k + (along == ACROSS_AXIS ? 1 : 2)) % 3;
     }
-    return count;
+    return in_frame ? matrix_identity(b->g) : axes->turned[which];
 }
 
-/* A place or a speed of a planar joint lies in its plane. */
-static void check_plane(builder *b, const formula *f, dimension of, matrix back, int normal)
+/* What a scene gives of a joint of several coordinates: one place along its only sliding axis, or a vector. */
+typedef struct given {
+    int sliding;
+    double place[3], speed[3], spin[3];
+} given;
+
+/* A place or a speed of a joint that slides along two axes lies in their plane. */
+static void check_plane(builder *b, const formula *f, const double at[3], const joint_axes *axes)
 {
-    double given[3], out = 0.0, size = 0.0;
-    constants(b, f, of, 3, "a vector", given);
+    const matrix back = matrix_transpose(axes->turned[0]);
+    double out = 0.0, size = 0.0;
     for (int i = 0; i < 3; i++) {
-        out += constant_value(b->g, back.at[normal][i]) * given[i];
-        size += fabs(given[i]);
+        out += constant_value(b->g, back.at[axes->k[0]][i]) * at[i];
+        size += fabs(at[i]);
     }
     if (fabs(out) > 1e-12 * size) {
         source_problem(b->s, f->at, "out of the joint's plane, which its axis is normal to");
     }
 }
 
-static int free_parts(builder *b, const joint *j, link *parts)
+static given read_given(builder *b, const joint *j, const joint_axes *axes)
 {
-    const int slid = j->kind == JOINT_FREE ? slide_parts(b, j, matrix_identity(b->g), 0, 3, parts) : 0;
-    link *turned = &parts[slid];
-    *turned = part(b, j, JOINT_SPHERICAL, j->kind == JOINT_FREE ? "_turn" : "", 0, 1.0);
-    start_quaternion(b, j, turned->start);
-    turned->start_given = j->start.quaternion != NULL || j->start.turn_count > 0;
-    constants(b, j->spin, per_second(radian), 3, "the spin of this joint", turned->speed);
-    turned->speed_given = j->spin != NULL;
-    return slid + 1;
+    const int turning = joint_parts_that(j->kind, JOINT_REVOLUTE);
+    given made = {.sliding = joint_parts_that(j->kind, JOINT_PRISMATIC)};
+    if (made.sliding > 0) {
+        const int count = made.sliding == 1 ? 1 : 3;
+        constants(b, j->start.position, metre, count, "the place of this joint", made.place);
+        constants(b, j->speed, per_second(metre), count, "the speed of this joint", made.speed);
+    }
+    if (made.sliding == 2) {
+        check_plane(b, j->start.position, made.place, axes);
+        check_plane(b, j->speed, made.speed, axes);
+    }
+    const int count = joint_parts_that(j->kind, JOINT_SPHERICAL) > 0 ? 3 : turning;
+    if (count > 0) {
+        constants(b, j->spin, per_second(radian), count, "the spin of this joint", made.spin);
+    }
+    return made;
 }
 
-int joint_parts(builder *b, const joint *j, link parts[LINKS_OF_A_JOINT], matrix aligned[LINKS_OF_A_JOINT])
+static void start_sliding(builder *b, const joint *j, const given *from, matrix turned, link *part_made)
 {
-    double axis[3];
-    int k = 0, count = 0;
-    double sign = 1.0;
-    matrix turned = matrix_identity(b->g);
-    if (j->kind == JOINT_UNIVERSAL) {
-        return universal_parts(b, j, parts, aligned);
+    part_made->start_given = j->start.position != NULL;
+    part_made->speed_given = j->speed != NULL;
+    if (from->sliding == 1) {
+        part_made->start[0] = from->place[0];
+        part_made->speed[0] = from->speed[0];
+        return;
     }
-    if (j->axis != NULL && unit_axis(b, j->axis, axis)) {
-        turned = align(b->g, axis, &k, &sign);
+    for (int i = 0; i < 3; i++) {
+        const double along = constant_value(b->g, turned.at[i][part_made->axis]);
+        part_made->start[0] += along * from->place[i];
+        part_made->speed[0] += along * from->speed[i];
     }
-    for (int n = 0; n < LINKS_OF_A_JOINT; n++) {
-        aligned[n] = turned;
-    }
-    const matrix back = matrix_transpose(turned);
-    switch (j->kind) {
-    case JOINT_REVOLUTE:
-    case JOINT_PRISMATIC:
-        parts[0] = single(b, j, k, sign);
+}
+
+/* The n-th part that turns about an axis. */
+static void start_turning(builder *b, const joint *j, const given *from, int n, link *part_made)
+{
+    part_made->start[0] = start_angle(b, j, (size_t)n);
+    part_made->start_given = (size_t)n < j->start.turn_count;
+    part_made->speed[0] = from->spin[n];
+    part_made->speed_given = j->spin != NULL;
+}
+
+static void start_ball(builder *b, const joint *j, const given *from, link *part_made)
+{
+    start_quaternion(b, j, part_made->start);
+    part_made->start_given = j->start.quaternion != NULL || j->start.turn_count > 0;
+    memcpy(part_made->speed, from->spin, sizeof part_made->speed);
+    part_made->speed_given = j->spin != NULL;
+}
+
+int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT])
+{
+    static const char *const letters[] = {"_x", "_y", "_z"};
+    const joint_part *parts = joint_rows[j->kind].parts;
+    const int count = joint_parts_count(j->kind);
+    const joint_axes axes = axes_of(b, j);
+    if (joint_has_one_coordinate(j->kind)) {
+        aligned[0] = axes.turned[0];
+        links[0] = single(b, j, axes.k[0], axes.sign[0]);
         return 1;
-    case JOINT_SPHERICAL:
-    case JOINT_FREE:
-        return free_parts(b, j, parts);
-    case JOINT_CYLINDRICAL:
-        count = cylindrical_parts(b, j, k, sign, parts);
-        break;
-    case JOINT_PLANAR:
-        check_plane(b, j->start.position, metre, back, k);
-        check_plane(b, j->speed, per_second(metre), back, k);
-        count = slide_parts(b, j, back, k + 1, 2, parts) + 1;
-        parts[2] = part(b, j, JOINT_REVOLUTE, "_turn", k, sign);
-        break;
-    default:
-        return 0;
     }
-    /* What turns about the axis, last. */
-    link *turning = &parts[count - 1];
-    turning->start[0] = start_angle(b, j, 0);
-    turning->start_given = j->start.turn_count > 0;
-    constants(b, j->spin, per_second(radian), 1, "the spin of this joint", turning->speed);
-    turning->speed_given = j->spin != NULL;
+    const given from = read_given(b, j, &axes);
+    for (int n = 0, turning = 0; n < count; n++) {
+        int k;
+        double sign;
+        aligned[n] = part_frame(b, &axes, parts[n].axis, &k, &sign);
+        links[n] = part(b, j, parts[n].kind, parts[n].ending == NULL ? letters[k] : parts[n].ending, k, sign);
+        if (parts[n].kind == JOINT_PRISMATIC) {
+            start_sliding(b, j, &from, aligned[n], &links[n]);
+        } else if (parts[n].kind == JOINT_REVOLUTE) {
+            start_turning(b, j, &from, turning++, &links[n]);
+        } else {
+            start_ball(b, j, &from, &links[n]);
+        }
+    }
     return count;
 }
 

@@ -155,12 +155,12 @@ static void hang(builder *b, size_t i)
     /* From the axes that the last link has, to those of the joint: the last link's own axis is one of its axes. */
     body_frame last = {parent.link, matrix_product(g, parent.turn, on_parent), vector_zero(g), true};
     last.offset = vector_add(g, matrix_apply(g, parent.turn, at_parent), parent.offset);
-    link parts[LINKS_OF_A_JOINT];
-    matrix aligned[LINKS_OF_A_JOINT];
-    const int count = joint_parts(b, j, parts, aligned);
+    link links[PARTS_OF_A_JOINT];
+    matrix aligned[PARTS_OF_A_JOINT];
+    const int count = joint_links(b, j, links, aligned);
     for (int n = 0; n < count; n++) {
         link *made = &b->made.links[b->made.link_count];
-        *made = parts[n];
+        *made = links[n];
         made->parent = last.link;
         made->turn = matrix_snap(g, matrix_product(g, last.turn, aligned[n]));
         made->offset = last.offset;
@@ -244,7 +244,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written)
     b.parents = arena_take(s->memory, written->joint_count + 1, sizeof *b.parents);
     b.children = arena_take(s->memory, written->joint_count + 1, sizeof *b.children);
     b.made = (mechanism){.name = written->name, .ground_mass = constant(g, 0.0), .ground_moment = vector_zero(g)};
-    b.made.links = arena_take(s->memory, LINKS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.links);
+    b.made.links = arena_take(s->memory, PARTS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.links);
     b.made.frames = arena_take(s->memory, written->body_count + 1, sizeof *b.made.frames);
     b.made.members = arena_take(s->memory, written->body_count + 1, sizeof *b.made.members);
     b.made.body_count = (int)written->body_count;

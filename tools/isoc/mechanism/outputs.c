@@ -33,7 +33,7 @@ static void refuse_joint(builder *b, const output *o, const joint *j)
 {
     if (j->kind == JOINT_FIXED) {
         source_problem(b->s, o->of.at, "the joint '%s' is fixed: it has no coordinate", o->of.text);
-    } else if (!j->broken && j->kind != JOINT_REVOLUTE && j->kind != JOINT_PRISMATIC) {
+    } else if (!joint_has_one_coordinate(j->kind)) {
         source_problem(b->s, o->of.at, "the joint '%s' has more than one coordinate: show %s", o->of.text,
                        parts_of(b, j));
     }

@@ -8,7 +8,7 @@
 typedef struct reading {
     const block *b;
     const char *kind;                    /* its name; NULL: there is but one, or it is none */
-    unsigned bit;                        /* of its kind; of all kinds where it is none */
+    unsigned traits;                     /* of its kind; of all kinds where it is none */
     const token *first[MOST_PROPERTIES]; /* where each property stands; NULL: not yet */
     char *to;
 } reading;
@@ -33,7 +33,7 @@ static void refuse_property(parser *p, const reading *r, bool of_another)
     const char *words[MOST_PROPERTIES + 1];
     size_t count = 0;
     for (size_t i = 0; i < r->b->property_count; i++) {
-        if (r->b->properties[i].kinds & r->bit) {
+        if (r->b->properties[i].kinds & r->traits) {
             words[count++] = r->b->properties[i].word;
         }
     }
@@ -54,7 +54,7 @@ static void read_property(parser *p, reading *r)
     const token *word = p->next;
     const size_t i = find_property(r->b, word);
     const bool known = i < r->b->property_count;
-    if (!known || !(r->b->properties[i].kinds & r->bit)) {
+    if (!known || !(r->b->properties[i].kinds & r->traits)) {
         refuse_property(p, r, known);
         return;
     }
@@ -79,9 +79,21 @@ static void recover(parser *p, const block *b, const token *before)
     p->failed = false;
 }
 
+/* The word of a kind. */
+static const char *word_of(const block *b, size_t kind)
+{
+    const char *word;
+    memcpy(&word, (const char *)b->kinds + kind * b->kind_size, sizeof word);
+    return word;
+}
+
 size_t parse_kind(parser *p, const block *b)
 {
-    const size_t kind = take_one_of(p, b->kinds, b->kind_count);
+    const char *words[MOST_KINDS];
+    for (size_t i = 0; i < b->kind_count; i++) {
+        words[i] = word_of(b, i);
+    }
+    const size_t kind = take_one_of(p, words, b->kind_count);
     if (p->failed && p->next[0].kind != TOKEN_END && p->next[1].sign == '{') {
         p->failed = false;
         p->next++;
@@ -115,8 +127,8 @@ static bool read_properties(parser *p, reading *r)
 bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to)
 {
     const bool known = kind < b->kind_count;
-    reading r = {.b = b, .kind = known ? b->kinds[kind] : NULL, .to = to};
-    r.bit = known ? 1u << kind : EVERY_KIND;
+    reading r = {.b = b, .kind = known ? word_of(b, kind) : NULL, .to = to};
+    r.traits = !known ? EVERY_KIND : b->traits == NULL ? 1U << kind : b->traits(kind);
     if (!take_sign(p, '{')) {
         parse_problem(p, "expected {");
         return false;
@@ -129,7 +141,8 @@ bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to)
     bool complete = whole;
     for (size_t i = 0; i < b->property_count && whole; i++) {
         const property *absent = &b->properties[i];
-        if (r.first[i] == NULL && absent->needed != NULL && (absent->kinds & r.bit) && (known || b->kind_count == 0)) {
+        if (r.first[i] == NULL && absent->needed != NULL && (absent->kinds & r.traits) &&
+            (known || b->kind_count == 0)) {
             source_problem(p->s, whose.at, "the %s '%s' has no %s: %s", b->what, whose.text, absent->word,
                            absent->needed);
             complete = false;
@@ -140,7 +153,7 @@ bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to)
 
 bool parse_statements(parser *p, const block *statements, void *to)
 {
-    reading r = {.b = statements, .bit = EVERY_KIND, .to = to};
+    reading r = {.b = statements, .traits = EVERY_KIND, .to = to};
     p->statements = p->within = statements;
     bool whole = true;
     while (p->next->kind != TOKEN_END) {

@@ -12,16 +12,18 @@ typedef struct property {
     const char *word;
     property_reader *read;
     size_t slot;        /* its offset in the struct that is filled */
-    unsigned kinds;     /* that have it: a bit for each, or EVERY_KIND; and MANY where it may come more than once */
+    unsigned kinds;     /* that have it: those with one of these traits; and MANY where it may come more than once */
     const char *needed; /* where none of them can be without it: an example */
 } property;
 
-enum { EVERY_KIND = 0xFFFF, MANY = 0x10000, MOST_PROPERTIES = 24 };
+enum { EVERY_KIND = 0xFFFF, MANY = 0x10000, MOST_PROPERTIES = 24, MOST_KINDS = 16 };
 
 typedef struct block {
-    const char *what; /* joint */
-    const char *const *kinds;
-    size_t kind_count; /* 0: there is but one, which has no name */
+    const char *what;  /* joint */
+    const void *kinds; /* structs that begin with their word, of this size each */
+    size_t kind_size;
+    size_t kind_count;               /* 0: there is but one, which has no name */
+    unsigned (*traits)(size_t kind); /* NULL: a bit for each kind */
     const property *properties;
     size_t property_count;
 } block;

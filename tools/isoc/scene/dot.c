@@ -30,7 +30,7 @@ static void draw_bodies(const scene *written, text *out)
 static void draw_joint(const joint *j, text *out)
 {
     text_add(out, "    \"%s\" -> \"%s\" [label=\"%s\\n%s%s", j->parent.body.text, j->child.body.text, j->name.text,
-             joint_kinds[j->kind], j->continuous ? ", continuous" : "");
+             joint_rows[j->kind].word, j->continuous ? ", continuous" : "");
     if (j->damping != NULL || j->spin_damping != NULL) {
         text_add(out, "\\ndamping");
     }
@@ -69,7 +69,7 @@ static void draw_closure(const scene *written, const closure *c, text *out)
         from = c->kind == CLOSE_GEAR ? joint_of(written, c->second)->child.body.text : first->parent.body.text;
     }
     text_add(out, "    \"%s\" -> \"%s\" [style=dashed, arrowhead=none, constraint=false, label=\"%s\\n%s\"];\n", from,
-             to, c->name.text, closure_kinds[c->kind]);
+             to, c->name.text, closure_rows[c->kind].word);
 }
 
 void dot_write(const scene *written, text *out)

@@ -87,19 +87,26 @@ static void list_group(source *s, listing *l, group g)
     }
 }
 
-/* A joint of several coordinates declares NAME_first and so on, in upper case and with _SPEED in plant.h. */
+static void list_part(source *s, listing *l, const joint *j, const char *part, const char *ending, const char *after)
+{
+    list_one(s, l, (name){arena_format(s->memory, "%s%s%s%s", j->name.text, part, ending, after), j->name.at});
+}
+
+/* A joint of several parts declares NAME_first and so on, in upper case and with _SPEED in plant.h. */
 static void list_parts(source *s, listing *l, const joint *j, const char *after)
 {
-    static const char *const endings[][8] = {
-        [JOINT_UNIVERSAL] = {"first", "second"},
-        [JOINT_CYLINDRICAL] = {"slide", "turn"},
-        [JOINT_PLANAR] = {"x", "y", "z", "turn"},
-        [JOINT_SPHERICAL] = {"w", "x", "y", "z"},
-        [JOINT_FREE] = {"x", "y", "z", "turn", "turn_w", "turn_x", "turn_y", "turn_z"},
-    };
-    for (int i = 0; i < 8 && j->name.text != NULL && endings[j->kind][i] != NULL; i++) {
-        list_one(s, l,
-                 (name){arena_format(s->memory, "%s_%s%s", j->name.text, endings[j->kind][i], after), j->name.at});
+    static const char *const of_ball[] = {"_w", "_x", "_y", "_z"}, *const of_frame[] = {"_x", "_y", "_z"};
+    const joint_part *parts = joint_rows[j->kind].parts;
+    for (int i = 0; i < joint_parts_count(j->kind) && j->name.text != NULL; i++) {
+        if (parts[i].ending != NULL && parts[i].ending[0] != '\0') {
+            list_part(s, l, j, parts[i].ending, "", after);
+        }
+        for (int n = 0; n < 3 && parts[i].ending == NULL; n++) {
+            list_part(s, l, j, of_frame[n], "", after);
+        }
+        for (int n = 0; n < 4 && parts[i].kind == JOINT_SPHERICAL; n++) {
+            list_part(s, l, j, parts[i].ending, of_ball[n], after);
+        }
     }
 }
 

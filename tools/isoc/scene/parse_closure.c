@@ -6,40 +6,23 @@
 #include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/statements.h"
 
-const char *const closure_kinds[] = {"fixed",    "revolute", "prismatic", "spherical", "line",
-                                     "distance", "gear",     "rolling",   "motion"};
-
-enum {
-    REVOLUTE = 1 << CLOSE_REVOLUTE,
-    PRISMATIC = 1 << CLOSE_PRISMATIC,
-    LINE = 1 << CLOSE_LINE,
-    DISTANCE = 1 << CLOSE_DISTANCE,
-    GEAR = 1 << CLOSE_GEAR,
-    ROLLING = 1 << CLOSE_ROLLING,
-    MOTION = 1 << CLOSE_MOTION,
-
-    OF_BODIES = EVERY_KIND & ~(GEAR | MOTION),
-    OF_JOINTS = GEAR | MOTION,
-    WITH_AXIS = REVOLUTE | PRISMATIC | LINE | ROLLING,
-};
-
 #define IN(member) offsetof(closure, member)
 static const property properties[] = {
-    {"parent", read_placement, IN(parent), OF_BODIES, "parent ground"},
-    {"child", read_placement, IN(child), OF_BODIES, "child BODY"},
+    {"parent", read_placement, IN(parent), BETWEEN_BODIES, "parent ground"},
+    {"child", read_placement, IN(child), BETWEEN_BODIES, "child BODY"},
     {"axis", read_axis, IN(axis), WITH_AXIS, "axis z"},
-    {"length", read_formula, IN(length), DISTANCE, NULL},
-    {"radius", read_formula, IN(radius), ROLLING, "radius 5 cm"},
-    {"first", read_joint, IN(first), OF_JOINTS, "first JOINT"},
-    {"second", read_joint, IN(second), GEAR, "second JOINT"},
-    {"ratio", read_formula, IN(ratio), GEAR, "ratio -2"},
-    {"motion", read_formula, IN(motion), MOTION, NULL},
-    {"speed", read_formula, IN(speed), MOTION, NULL},
+    {"length", read_formula, IN(length), WITH_LENGTH, NULL},
+    {"radius", read_formula, IN(radius), WITH_RADIUS, "radius 5 cm"},
+    {"first", read_joint, IN(first), ALONG_JOINTS, "first JOINT"},
+    {"second", read_joint, IN(second), WITH_RATIO, "second JOINT"},
+    {"ratio", read_formula, IN(ratio), WITH_RATIO, "ratio -2"},
+    {"motion", read_formula, IN(motion), WITH_MOTION, NULL},
+    {"speed", read_formula, IN(speed), WITH_MOTION, NULL},
 };
 #undef IN
 
-static const block closure_block = {"closure", closure_kinds, COUNT_OF(closure_kinds), properties,
-                                    COUNT_OF(properties)};
+static const block closure_block = {"closure",      closure_rows, sizeof closure_rows[0], CLOSURE_ROWS,
+                                    closure_traits, properties,   COUNT_OF(properties)};
 
 void read_closure(parser *p, const token *word, void *slot)
 {
@@ -75,7 +58,8 @@ static const property force_properties[] = {
     {"moment", read_formula, offsetof(body_force, moment), EVERY_KIND, NULL},
 };
 
-static const block force_block = {"force", NULL, 0, force_properties, COUNT_OF(force_properties)};
+static const block force_block = {
+    .what = "force", .properties = force_properties, .property_count = COUNT_OF(force_properties)};
 
 void read_force(parser *p, const token *word, void *slot)
 {

@@ -19,8 +19,8 @@ static const property properties[] = {
 };
 #undef IN
 
-static const block stabilisation_block = {"stabilisation", kind_names, COUNT_OF(kind_names), properties,
-                                          COUNT_OF(properties)};
+static const block stabilisation_block = {
+    "stabilisation", kind_names, sizeof kind_names[0], COUNT_OF(kind_names), NULL, properties, COUNT_OF(properties)};
 
 void read_stabilisation(parser *p, const token *word, void *slot)
 {

@@ -12,7 +12,8 @@ static const property body_properties[] = {
     {"inertia", read_formula, offsetof(body, inertia), EVERY_KIND, NULL},
 };
 
-static const block body_block = {"body", NULL, 0, body_properties, COUNT_OF(body_properties)};
+static const block body_block = {
+    .what = "body", .properties = body_properties, .property_count = COUNT_OF(body_properties)};
 
 static void read_body(parser *p, const token *word, void *slot)
 {
@@ -92,7 +93,7 @@ static const property statements[] = {
 
 scene parse_scene(source *s, const token *tokens)
 {
-    static const block whole = {"scene", NULL, 0, statements, COUNT_OF(statements)};
+    static const block whole = {.what = "scene", .properties = statements, .property_count = COUNT_OF(statements)};
     parser p = {.s = s, .next = tokens};
     scene made = {0};
     const bool read = parse_statements(&p, &whole, &made);

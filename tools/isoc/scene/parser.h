@@ -27,9 +27,6 @@
 #include "tools/isoc/scene/lexer.h"
 #include "tools/isoc/scene/scene.h"
 
-/* How a scene calls the kinds of joints and of closures. */
-extern const char *const joint_kinds[], *const closure_kinds[];
-
 /* What the source says, as far as it can be understood; the rest is noted as problems. */
 scene parse_scene(source *s, const token *tokens);
 

@@ -2,6 +2,8 @@
 #ifndef ISOC_SCENE_SCENE_H
 #define ISOC_SCENE_SCENE_H
 
+#include "tools/isoc/scene/closure_kinds.h"
+#include "tools/isoc/scene/joint_kinds.h"
 #include "tools/isoc/scene/output_kinds.h"
 #include "tools/isoc/scene/source.h"
 #include "tools/isoc/scene/unit.h"
@@ -55,17 +57,6 @@ typedef struct body {
     bool broken; /* a property could not be read */
 } body;
 
-typedef enum joint_kind {
-    JOINT_FIXED,
-    JOINT_REVOLUTE,
-    JOINT_PRISMATIC,
-    JOINT_UNIVERSAL,   /* turns about `axis`, then about `second` */
-    JOINT_CYLINDRICAL, /* slides along `axis`, then turns about it */
-    JOINT_PLANAR,      /* slides across `axis`, then turns about it */
-    JOINT_SPHERICAL,
-    JOINT_FREE,
-} joint_kind;
-
 /* Where a joint starts: a coordinate alone, or a place and turns, or a place and a quaternion (w, x, y, z). */
 typedef struct pose {
     formula *coordinate;
@@ -91,25 +82,6 @@ typedef struct joint {
 } joint;
 
 /* A loop closure: what holds between two bodies, or between two joints, beside the joints of the tree. */
-typedef enum closure_kind {
-    CLOSE_FIXED,
-    CLOSE_REVOLUTE,
-    CLOSE_PRISMATIC,
-    CLOSE_SPHERICAL,
-    CLOSE_LINE,     /* the child's origin stays on the line along `axis` through the parent's */
-    CLOSE_DISTANCE, /* `length` between the origins */
-    CLOSE_GEAR,     /* first = ratio * second + what the starts give, of two joints' coordinates */
-    CLOSE_ROLLING, /* a ball of `radius` about the child's origin rolls on the plane through the parent's, normal `axis`
-                    */
-    CLOSE_MOTION,  /* `first` follows `motion`, a function of time, or has the speed `speed` */
-} closure_kind;
-
-/* Whether it holds coordinates of joints, and not bodies. */
-static inline bool acts_along_joints(closure_kind kind)
-{
-    return kind == CLOSE_GEAR || kind == CLOSE_MOTION;
-}
-
 typedef struct closure {
     name name;
     closure_kind kind;
