@@ -31,10 +31,11 @@ static void output(real *restrict const y, const real *restrict const x, const r
     y[OUT_ENERGY] = R(0.5) * (p[MASS] * x[SPEED] * x[SPEED] + p[STIFFNESS] * x[POSITION] * x[POSITION]);
 }
 
-static void drive(const uint32_t tick)
+static void drive(void *const instance, const uint32_t tick)
 {
+    plant_memory *const memory = instance;
     const real t = (real)tick * ISO_STEP_SIZE;
-    memory.u[FORCE] = iso_select(iso_less(t, R(1.0)), R(1.0), R(0.0));
+    memory->u[FORCE] = iso_select(iso_less(t, R(1.0)), R(1.0), R(0.0));
 }
 
 /* For implicit methods: 1 - hb J with J = [0 1; -k/m -c/m], factored and solved. */

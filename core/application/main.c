@@ -20,9 +20,9 @@ int main(int argc, char **argv)
     while (good && (time < duration || duration == 0)) {
         good = iso_loop_tick(&loop);
         if (good) {
-            time += plant->period_ns;
-            hash = iso_hash_reals(hash, plant->x, plant->states);
-            iso_stream_row(plant->y, plant->outputs);
+            time += plant->model->period_ns;
+            hash = iso_hash_reals(hash, plant->x, plant->model->states);
+            iso_stream_row(plant->y, plant->model->outputs);
         }
     }
     iso_stream_end(&loop, hash);

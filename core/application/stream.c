@@ -67,15 +67,15 @@ static void put_hexadecimal(const char *const key, const uint64_t value)
 void iso_stream_header(const iso_plant *const plant, const uint64_t duration)
 {
     put_text(ISO_STREAM_VERSION "\n");
-    put_line("scene", plant->name);
-    put_line("method", plant->method);
-    put_line("step", plant->step_text);
+    put_line("scene", plant->model->name);
+    put_line("method", plant->model->method);
+    put_line("step", plant->model->step_text);
     put_line("real", sizeof(real) == sizeof(float) ? "float" : "double");
-    put_hexadecimal("period_ns", plant->period_ns);
+    put_hexadecimal("period_ns", plant->model->period_ns);
     put_hexadecimal("duration_ns", duration);
-    put_hexadecimal("states", plant->states);
-    put_hexadecimal("outputs", plant->outputs);
-    put_line("names", plant->output_names);
+    put_hexadecimal("states", plant->model->states);
+    put_hexadecimal("outputs", plant->model->outputs);
+    put_line("names", plant->model->output_names);
     put_byte('\n');
     flush();
 }
@@ -121,7 +121,7 @@ void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
     }
     put_number(statistics->execution_sum, sizeof statistics->execution_sum);
     put_number(hash, sizeof hash);
-    put_reals(loop->plant->x, loop->plant->states);
+    put_reals(loop->plant->x, loop->plant->model->states);
     put_reals(&statistics->local_error, 1);
     put_reals(&statistics->violation, 1);
     flush();

@@ -18,9 +18,8 @@
 #ifndef ISO_CORE_METHODS_ADAMS_H
 #define ISO_CORE_METHODS_ADAMS_H
 
-#include <stdbool.h>
-
 #include "core/methods/history.h"
+#include "core/methods/progress.h"
 
 enum {
     ISO_ADAMS_ORDERS = 4,
@@ -48,21 +47,6 @@ typedef struct iso_adams_options {
     bool driven; /* and one more where inputs change from tick to tick: the derivative at its start is evaluated anew */
     uint8_t level_max; /* at most ISO_ADAMS_LEVELS */
 } iso_adams_options;
-
-/* How a run goes. Zeros before the first start. */
-typedef struct iso_adams_state {
-    uint8_t order;
-    uint8_t level;
-    uint8_t age; /* corrections of this order and level, up to 255; one from before the level changed counts as well */
-    bool starting; /* the order grows as soon as it can */
-    bool overdue;  /* the step is too large, but the budget did not allow a smaller one */
-
-    uint32_t substeps;     /* taken */
-    uint32_t rejected;     /* tried, and found to be too large */
-    uint32_t budget_bound; /* of those taken: with an error above the tolerance, as budget or level_max wanted it */
-    uint32_t restarts;     /* since the derivative jumped */
-    uint32_t evaluations;
-} iso_adams_state;
 
 /* Row j of the correction of order q, by that of row 1: its polynomial vanishes one step before, and its derivative at
  * the q - 1 steps before. Row 0 is the weight of the newest derivative in the implicit Adams formula of order q: what

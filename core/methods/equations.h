@@ -7,15 +7,15 @@
 
 #include "core/numbers/real.h"
 
-/* dx[states] = f(x[states], u[inputs], p[parameters]). The arrays do not overlap; an empty one may be NULL. */
-typedef void iso_derivative(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p);
+/* dx[states] = f(x[states], u[inputs], p[parameters]). The arrays do not overlap, so that a definition says `restrict`
+ * (these types do not: this header is C++ as well); an empty one may be NULL. */
+typedef void iso_derivative(real *dx, const real *x, const real *u, const real *p);
 
 /* lu[factors] = what a plant keeps of 1 - hb J to solve with it, J[i][j] = df_i/dx_j at x, u, p. */
-typedef void iso_factor(real *restrict lu, const real *restrict x, const real *restrict u, const real *restrict p,
-                        real hb);
+typedef void iso_factor(real *lu, const real *x, const real *u, const real *p, real hb);
 
 /* d[states] = (1 - hb J)^-1 d, from the factors lu. */
-typedef void iso_solve(real *restrict d, const real *restrict lu);
+typedef void iso_solve(real *d, const real *lu);
 
 /* The equations of motion as a method needs them. */
 typedef struct iso_equations {

@@ -9,6 +9,7 @@
 
 #include "core/methods/adams.h"
 #include "core/methods/multistep.h"
+#include "core/methods/progress.h"
 #include "core/methods/stiff.h"
 
 /* Every method, X(constant, name in a scene): those of a fixed step, which iso_method_step does, and last the one whose
@@ -110,15 +111,6 @@ static inline iso_history iso_history_of(const unsigned recipe, const size_t n, 
     }
     return history;
 }
-
-/* How a run goes, beside its state. */
-typedef struct iso_progress {
-    real local_error; /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
-    real residual;    /* of the last Newton iteration */
-    real usual;       /* local error, where jumps are watched for: iso_watch */
-    uint8_t watched;  /* steps, up to ISO_USUAL_STEPS */
-    bool jumped;      /* the motion did, in this step: what the method keeps is of no use, nor is the step */
-} iso_progress;
 
 /* A local error so many times its usual size is a jump of the motion: kinks are by 1 / h or a higher power of it larger
  * than the error of a smooth motion, which grows little in a step. The usual size is the largest of late, and is

@@ -25,53 +25,66 @@ _Static_assert(!ISO_IS(ISO_METHOD, ISO_ADAMS),
 #define ISO_STEP_TEXT ISO_EXPAND(ISO_STRING, ISO_STEP)
 #define ISO_STEP_NS ((uint32_t)(ISO_STEP * 1e9 + 0.5))
 
-/* `memory`: the state with what the method keeps behind it, inputs, parameters and outputs. C has no empty array: what
- * a plant has none of is one number that nothing uses. */
+/* `plant_memory`: the state with what the method keeps behind it, inputs, parameters and outputs. C has no empty array:
+ * what a plant has none of is one number that nothing uses. */
 #define ISO_PLANT_MEMORY(state_count, input_count, parameter_count, output_count)                                      \
-    static struct {                                                                                                    \
+    typedef struct plant_memory {                                                                                      \
         real x[ISO_METHOD_STATE(ISO_METHOD, state_count)];                                                             \
         real u[(input_count) > 0 ? (input_count) : 1];                                                                 \
         real p[(parameter_count) > 0 ? (parameter_count) : 1];                                                         \
         real y[(output_count) > 0 ? (output_count) : 1];                                                               \
         iso_progress progress;                                                                                         \
-    } memory
+    } plant_memory
 
-/* iso_the_plant, of `memory`, `equations`, `output` and `start`; what else it has follows as initialisers. */
+/* iso_the_plant, of `plant_memory`, `equations`, `output` and `start`; what else its model has follows as initialisers.
+ */
 #define ISO_PLANT(state_count, input_count, parameter_count, output_count, ...)                                        \
-    static void prime(void)                                                                                            \
+    static void publish(void *const instance)                                                                          \
     {                                                                                                                  \
+        plant_memory *const memory = instance;                                                                         \
+        output(memory->y, memory->x, memory->u, memory->p);                                                            \
+    }                                                                                                                  \
+                                                                                                                       \
+    static void prime(void *const instance)                                                                            \
+    {                                                                                                                  \
+        plant_memory *const memory = instance;                                                                         \
         real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, state_count)], lu[(state_count) * (state_count)];                  \
-        iso_method_prime(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, lu, work);  \
+        iso_method_prime(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory->x, memory->u, memory->p, lu,      \
+                         work);                                                                                        \
     }                                                                                                                  \
                                                                                                                        \
-    ISO_FLAT static void step(void)                                                                                    \
+    ISO_FLAT static void step(void *const instance)                                                                    \
     {                                                                                                                  \
+        plant_memory *const memory = instance;                                                                         \
         real work[ISO_METHOD_WORK(ISO_METHOD, state_count)], lu[(state_count) * (state_count)];                        \
-        iso_method_step(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory.x, memory.u, memory.p, lu, work,    \
-                        &memory.progress);                                                                             \
+        iso_method_step(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory->x, memory->u, memory->p, lu, work, \
+                        &memory->progress);                                                                            \
     }                                                                                                                  \
                                                                                                                        \
-    const iso_plant iso_the_plant = {.method = ISO_METHOD_TEXT,                                                        \
-                                     .step_text = ISO_STEP_TEXT,                                                       \
-                                     .step_size = ISO_STEP_SIZE,                                                       \
-                                     .period_ns = ISO_STEP_NS,                                                         \
-                                     .states = state_count,                                                            \
-                                     .inputs = input_count,                                                            \
-                                     .outputs = output_count,                                                          \
-                                     .parameters = parameter_count,                                                    \
-                                     .x = memory.x,                                                                    \
-                                     .u = memory.u,                                                                    \
-                                     .p = memory.p,                                                                    \
-                                     .y = memory.y,                                                                    \
-                                     .start = start,                                                                   \
-                                     .progress = &memory.progress,                                                     \
-                                     .memory = &memory,                                                                \
-                                     .memory_bytes = sizeof memory,                                                    \
-                                     .derivative = derivative,                                                         \
-                                     .output = output,                                                                 \
-                                     .prime = prime,                                                                   \
-                                     .step = step,                                                                     \
-                                     __VA_ARGS__}
+    static const iso_model model = {.method = ISO_METHOD_TEXT,                                                         \
+                                    .step_text = ISO_STEP_TEXT,                                                        \
+                                    .step_size = ISO_STEP_SIZE,                                                        \
+                                    .period_ns = ISO_STEP_NS,                                                          \
+                                    .states = state_count,                                                             \
+                                    .inputs = input_count,                                                             \
+                                    .outputs = output_count,                                                           \
+                                    .parameters = parameter_count,                                                     \
+                                    .start = start,                                                                    \
+                                    .memory_bytes = sizeof(plant_memory),                                              \
+                                    .derivative = derivative,                                                          \
+                                    .output = publish,                                                                 \
+                                    .prime = prime,                                                                    \
+                                    .step = step,                                                                      \
+                                    __VA_ARGS__};                                                                      \
+                                                                                                                       \
+    static plant_memory the_memory;                                                                                    \
+    const iso_plant iso_the_plant = {.model = &model,                                                                  \
+                                     .memory = &the_memory,                                                            \
+                                     .x = the_memory.x,                                                                \
+                                     .u = the_memory.u,                                                                \
+                                     .p = the_memory.p,                                                                \
+                                     .y = the_memory.y,                                                                \
+                                     .progress = &the_memory.progress}
 
 #define ISO_EXPAND(macro, argument) macro(argument)
 #define ISO_STRING(text) #text

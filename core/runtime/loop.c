@@ -28,12 +28,12 @@ void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
     iso_plant_start(plant);
     *loop = (iso_loop){
         .plant = plant,
-        .guard = plant->states,
+        .guard = plant->model->states,
         .statistics = {.margin = INT32_MAX, .execution_min = UINT32_MAX},
     };
-    plant->output(plant->y, plant->x, plant->u, plant->p);
-    iso_port_publish(plant->y, plant->outputs);
-    loop->period = iso_port_start(plant->period_ns);
+    plant->model->output(plant->memory);
+    iso_port_publish(plant->y, plant->model->outputs);
+    loop->period = iso_port_start(plant->model->period_ns);
     loop->overhead = clock_overhead();
 }
 
@@ -42,26 +42,26 @@ void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
 static void step_again(const iso_plant *const plant)
 {
     const iso_progress told = *plant->progress;
-    memcpy(plant->memory, plant->before, plant->memory_bytes);
+    memcpy(plant->memory, plant->before, plant->model->memory_bytes);
     *plant->progress = told;
-    plant->prime();
-    plant->step();
+    plant->model->prime(plant->memory);
+    plant->model->step(plant->memory);
 }
 
 /* All ones if state i is not finite or out of its range, else zero; without a branch on it. */
 static iso_bits is_bad(const iso_plant *const plant, const uint16_t i)
 {
-    return iso_beyond(plant->x[i], plant->range == NULL ? ISO_REAL_MAX : plant->range[i]);
+    return iso_beyond(plant->x[i], plant->model->range == NULL ? ISO_REAL_MAX : plant->model->range[i]);
 }
 
 /* The first bad state. The test of all is without a branch; the search is for the report only. */
 static uint16_t guard(const iso_plant *const plant)
 {
     iso_bits bad = 0;
-    for (uint16_t i = 0; i < plant->states; i++) {
+    for (uint16_t i = 0; i < plant->model->states; i++) {
         bad |= is_bad(plant, i);
     }
-    uint16_t first = plant->states;
+    uint16_t first = plant->model->states;
     if (bad != 0) {
         for (first = 0; is_bad(plant, first) == 0; first++) {
         }
@@ -72,9 +72,8 @@ static uint16_t guard(const iso_plant *const plant)
 /* Books how far off the closures the plant is. */
 static void book_violation(const iso_plant *const plant, iso_statistics *const statistics)
 {
-    real off = R(0.0);
-    plant->violation(&off, plant->x, plant->u, plant->p);
-    statistics->violated += (uint32_t)(iso_less(plant->violation_limit, off) & 1);
+    const real off = plant->model->violation(plant->memory);
+    statistics->violated += (uint32_t)(iso_less(plant->model->violation_limit, off) & 1);
     statistics->violation = iso_max(statistics->violation, off);
 }
 
@@ -110,23 +109,23 @@ bool iso_loop_tick(iso_loop *const loop)
         loop->reported = iso_port_wait();
     }
     const uint32_t begin = iso_port_clock();
-    if (plant->drive != NULL) {
-        plant->drive(loop->tick);
+    if (plant->model->drive != NULL) {
+        plant->model->drive(plant->memory, loop->tick);
     }
-    iso_port_read(plant->u, plant->inputs);
+    iso_port_read(plant->u, plant->model->inputs);
     loop->tick++;
     loop->due += loop->period;
 
     if (plant->before != NULL) {
-        memcpy(plant->before, plant->memory, plant->memory_bytes);
+        memcpy(plant->before, plant->memory, plant->model->memory_bytes);
     }
     const uint32_t restarts = loop->statistics.restarts;
     const uint32_t before = iso_port_clock();
-    if (plant->jumped != NULL && plant->jumped()) {
-        plant->prime();
+    if (plant->model->jumped != NULL && plant->model->jumped(plant->memory)) {
+        plant->model->prime(plant->memory);
         loop->statistics.restarts++;
     }
-    plant->step();
+    plant->model->step(plant->memory);
     uint32_t after = iso_port_clock();
     /* After a restart the same step would come out again. */
     if (plant->before != NULL && plant->progress->jumped && loop->statistics.restarts == restarts) {
@@ -136,13 +135,13 @@ bool iso_loop_tick(iso_loop *const loop)
     }
 
     loop->guard = guard(plant);
-    if (loop->guard < plant->states) {
+    if (loop->guard < plant->model->states) {
         loop->statistics.restarts = restarts;
         return false;
     }
-    plant->output(plant->y, plant->x, plant->u, plant->p);
-    iso_port_publish(plant->y, plant->outputs);
-    if (plant->violation != NULL) {
+    plant->model->output(plant->memory);
+    iso_port_publish(plant->y, plant->model->outputs);
+    if (plant->model->violation != NULL) {
         book_violation(plant, &loop->statistics);
     }
     book(loop, begin, loop->statistics.restarts != restarts, after - before - loop->overhead, iso_port_clock());

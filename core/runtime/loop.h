@@ -40,7 +40,7 @@ typedef struct iso_loop {
     uint32_t due;      /* when tick was due, on the port's clock */
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
-    uint16_t guard;    /* the first state that is not finite or out of range; plant->states if there is none */
+    uint16_t guard;    /* the first state that is not finite or out of range; plant->model->states if there is none */
     iso_statistics statistics;
 } iso_loop;
 

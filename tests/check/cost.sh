@@ -100,8 +100,8 @@ noisy()
         /^ *dx\[/ { sub(/;$/, " + noise();") }
         { print }
         /^static void forced\(/ { forced = 1 }
-        forced && /^{/ {
-            print "    if (noise_size > R(0.0)) {\n        memory.x[0] = memory.x[1] = R(1.0);\n    }"
+        forced && /plant_memory/ {
+            print "    if (noise_size > R(0.0)) {\n        memory->x[0] = memory->x[1] = R(1.0);\n    }"
             forced = 0
         }' build/cost/adams/forced.c >build/cost/noisy/noisy.c
     cp build/cost/adams/plant.h build/cost/noisy

@@ -33,18 +33,18 @@ static void examine(const iso_plant *const plant, const char *const name)
     iso_plant_start(plant);
 
     const unsigned long before = VALGRIND_COUNT_ERRORS;
-    VALGRIND_MAKE_MEM_UNDEFINED(plant->memory, plant->memory_bytes);
+    VALGRIND_MAKE_MEM_UNDEFINED(plant->memory, plant->model->memory_bytes);
     for (int i = 0; i < STEPS; i++) {
-        plant->step();
+        plant->model->step(plant->memory);
     }
     const unsigned long after_step = VALGRIND_COUNT_ERRORS;
-    plant->output(plant->y, plant->x, plant->u, plant->p);
+    plant->model->output(plant->memory);
     const unsigned long after_output = VALGRIND_COUNT_ERRORS;
     bool poisoned = RUNNING_ON_VALGRIND != 0;
-    for (uint16_t i = 0; i < plant->states; i++) {
+    for (uint16_t i = 0; i < plant->model->states; i++) {
         poisoned = poisoned && is_poisoned(plant->x + i);
     }
-    VALGRIND_MAKE_MEM_DEFINED(plant->memory, plant->memory_bytes);
+    VALGRIND_MAKE_MEM_DEFINED(plant->memory, plant->model->memory_bytes);
 
     ok(poisoned, name, "memcheck watches, and the marks reach every state");
     ok(after_step == before, name, "a step does not depend on data");

@@ -27,7 +27,7 @@ static wide relative(const wide *const a, const wide *const b, const int n)
 
 int main(void)
 {
-    const int joints = iso_the_plant.states / 2;
+    const int joints = iso_the_plant.model->states / 2;
     sequence random = {UINT64_C(0xD1B54A32D192ED03)};
     wide plant_worst = 0.0L;
     wide solver_worst = 0.0L;
@@ -53,7 +53,7 @@ int main(void)
         }
         const double u[1] = {sequence_next(&random, 10.0)};
         const wide wide_u[1] = {(wide)u[0]};
-        iso_the_plant.derivative(dx, x, u, iso_the_plant.defaults);
+        iso_the_plant.model->derivative(dx, x, u, iso_the_plant.model->defaults);
         for (int i = 0; i < joints; i++) {
             got[i] = (wide)dx[joints + i];
         }

@@ -176,7 +176,7 @@ static void test_output(const sample s[STATES], const int o, const int first)
         joint_motion motion = s[n].motion;
         memcpy(motion.a, s[n].exact.a, sizeof motion.a);
         (void)mechanism_outputs(m, &motion, &s[n].exact, want);
-        iso_the_plant.output(y, s[n].x, s[n].u, iso_the_plant.defaults);
+        sample_outputs(&s[n], y);
         for (int i = 0; i < count; i++) {
             got[i] = (wide)y[first + i];
         }
@@ -203,8 +203,8 @@ int main(void)
     for (int o = 0; o < m->outputs; o++) {
         numbers += output_numbers(m->output[o].kind);
     }
-    if (!report_ok(iso_the_plant.states == mechanism_coordinates(m) + mechanism_dofs(m) &&
-                       iso_the_plant.inputs == the_table.inputs && iso_the_plant.outputs == numbers,
+    if (!report_ok(iso_the_plant.model->states == mechanism_coordinates(m) + mechanism_dofs(m) &&
+                       iso_the_plant.model->inputs == the_table.inputs && iso_the_plant.model->outputs == numbers,
                    "the plant has the table's states, inputs and outputs") ||
         !report_ok(sample_all(s), "%d states are found", STATES)) {
         return report_done();

@@ -132,8 +132,8 @@ static wide error_of(const int i, const wide wanted)
 static void tick_of(const uint32_t tick, const uint32_t ticks, wide y[OUTPUTS])
 {
     const wide t = (wide)(tick + 1) / (wide)ticks;
-    iso_the_plant.step();
-    iso_the_plant.output(iso_the_plant.y, iso_the_plant.x, iso_the_plant.u, iso_the_plant.p);
+    iso_the_plant.model->step(iso_the_plant.memory);
+    iso_the_plant.model->output(iso_the_plant.memory);
     crank(t, y);
     lift(t, y);
     axle(t, y);
@@ -144,12 +144,12 @@ static void tick_of(const uint32_t tick, const uint32_t ticks, wide y[OUTPUTS])
 /* The largest errors in a second, of what is larger than 1 relative to that; where time runs so many ticks ahead. */
 static void run(wide worst[OUTPUTS], const uint32_t ahead)
 {
-    const uint32_t ticks = UINT32_C(1000000000) / iso_the_plant.period_ns;
+    const uint32_t ticks = UINT32_C(1000000000) / iso_the_plant.model->period_ns;
     memset(worst, 0, OUTPUTS * sizeof *worst);
     iso_plant_start(&iso_the_plant);
     for (uint32_t tick = 0; tick < ticks; tick++) {
         wide y[OUTPUTS];
-        iso_the_plant.drive(tick + ahead);
+        iso_the_plant.model->drive(iso_the_plant.memory, tick + ahead);
         tick_of(tick, ticks, y);
         for (int i = 0; i < OUTPUTS; i++) {
             const wide off = error_of(i, y[i]) / fmaxl(1.0L, fabsl(y[i]));
@@ -161,13 +161,13 @@ static void run(wide worst[OUTPUTS], const uint32_t ahead)
 /* The second after that of `run`: the stabilisation, with 50/s, takes what is pulled back by a factor of 1e20. */
 static wide pulled(void)
 {
-    const uint32_t ticks = UINT32_C(1000000000) / iso_the_plant.period_ns;
+    const uint32_t ticks = UINT32_C(1000000000) / iso_the_plant.model->period_ns;
     wide y[OUTPUTS] = {0.0L};
-    for (int i = 0; i < iso_the_plant.states; i++) {
+    for (int i = 0; i < iso_the_plant.model->states; i++) {
         iso_the_plant.x[i] += iso_the_plant.x[i] == iso_the_plant.y[MATE] ? PULLED : R(0.0);
     }
     for (uint32_t tick = ticks; tick < 2 * ticks; tick++) {
-        iso_the_plant.drive(tick);
+        iso_the_plant.model->drive(iso_the_plant.memory, tick);
         tick_of(tick, ticks, y);
     }
     return error_of(MATE, y[MATE]);
@@ -197,7 +197,7 @@ int main(int count, char **arguments)
     }
     /* By then the crank has turned a whole number of times; the states that are time are the tick's, and no sum of
      * steps. */
-    run(off, (uint32_t)(86400.0e9 / (double)iso_the_plant.period_ns));
+    run(off, (uint32_t)(86400.0e9 / (double)iso_the_plant.model->period_ns));
     report_ok(off[SLIDER] <= strtold(arguments[1], NULL), "a day later: the slider is off by %.2Le", off[SLIDER]);
     return report_done();
 }

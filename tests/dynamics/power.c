@@ -26,9 +26,9 @@ static void derivative(double *restrict const dx, const double *restrict const x
                        const double *restrict const p)
 {
     const mechanism *const m = &the_table.mechanism;
-    const int states = iso_the_plant.states;
+    const int states = iso_the_plant.model->states;
     const double *speed = x + states / 2;
-    iso_the_plant.derivative(dx, x, u, p);
+    iso_the_plant.model->derivative(dx, x, u, p);
     for (int i = states / 2; i < states; i++) {
         dx[i] *= off;
     }
@@ -46,9 +46,10 @@ static void derivative(double *restrict const dx, const double *restrict const x
 /* The last of every scene's outputs. */
 static double energy(const double *const x)
 {
-    double y[NUMBERS_MAX] = {0.0};
-    iso_the_plant.output(y, x, iso_the_plant.u, iso_the_plant.defaults);
-    return y[iso_the_plant.outputs - 1];
+    const iso_model *const model = iso_the_plant.model;
+    memcpy(iso_the_plant.x, x, model->states * sizeof *x);
+    model->output(iso_the_plant.memory);
+    return iso_the_plant.y[model->outputs - 1];
 }
 
 typedef struct balance {
@@ -59,23 +60,24 @@ typedef struct balance {
 /* Over a second, with so many steps in a tick. */
 static balance run(const int steps)
 {
-    const size_t n = (size_t)iso_the_plant.states + 1;
-    const double h = iso_the_plant.step_size / steps;
-    const uint32_t ticks = UINT32_C(1000000000) / iso_the_plant.period_ns;
+    const size_t n = (size_t)iso_the_plant.model->states + 1;
+    const double h = iso_the_plant.model->step_size / steps;
+    const uint32_t ticks = UINT32_C(1000000000) / iso_the_plant.model->period_ns;
     double x[STATES_MAX] = {0.0};
     double work[ISO_EXPLICIT_WORK(STATES_MAX)];
     const iso_history history = {.n = n, .x = x};
-    memcpy(x, iso_the_plant.start, (n - 1) * sizeof *x);
+    iso_plant_start(&iso_the_plant);
+    memcpy(x, iso_the_plant.model->start, (n - 1) * sizeof *x);
     const double before = energy(x);
     balance b = {0.0, 1.0};
     for (uint32_t tick = 0; tick < ticks; tick++) {
         const double done = x[n - 1];
-        if (iso_the_plant.drive != NULL) {
-            iso_the_plant.drive(tick);
+        if (iso_the_plant.model->drive != NULL) {
+            iso_the_plant.model->drive(iso_the_plant.memory, tick);
         }
         for (int i = 0; i < steps; i++) {
-            (void)iso_explicit_step(&iso_tableau_rk4, &history, derivative, h, iso_the_plant.u, iso_the_plant.defaults,
-                                    work);
+            (void)iso_explicit_step(&iso_tableau_rk4, &history, derivative, h, iso_the_plant.u,
+                                    iso_the_plant.model->defaults, work);
         }
         b.size += fabs(x[n - 1] - done);
     }

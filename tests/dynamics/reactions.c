@@ -33,8 +33,8 @@ static sample with_reactions(const sample *const s, const wide off)
 {
     real y[OUTPUTS_ROOM];
     sample made = *s;
-    iso_the_plant.output(y, s->x, s->u, iso_the_plant.defaults);
-    const real *at = y + iso_the_plant.outputs - 6 * reaction_count();
+    sample_outputs(s, y);
+    const real *at = y + iso_the_plant.model->outputs - 6 * reaction_count();
     for (int n = 0; n < reaction_count(); n++) {
         reaction *const r = reaction_of(&made.exact, n);
         for (int i = 0; i < 3; i++) {
@@ -115,8 +115,8 @@ static wide worst_balance(const sample s[STATES], const wide off)
 int main(void)
 {
     static sample s[STATES];
-    if (!report_ok(iso_the_plant.outputs >= 6 * reaction_count() && iso_the_plant.outputs <= OUTPUTS_ROOM &&
-                       sample_all(s),
+    if (!report_ok(iso_the_plant.model->outputs >= 6 * reaction_count() &&
+                       iso_the_plant.model->outputs <= OUTPUTS_ROOM && sample_all(s),
                    "the plant shows %d reactions; %d states are found", reaction_count(), STATES)) {
         return report_done();
     }

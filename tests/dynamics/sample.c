@@ -79,7 +79,7 @@ static joint_motion draw_motion(sequence *const random)
     const mechanism *const m = &the_table.mechanism;
     const real none[STATES_MAX] = {R(0.0)};
     const bool closed = m->closures > 0;
-    joint_motion motion = motion_of(closed ? iso_the_plant.start : none, none);
+    joint_motion motion = motion_of(closed ? iso_the_plant.model->start : none, none);
     for (int j = 0; j < m->bodies; j++) {
         const joint_kind kind = m->joint[j].kind;
         for (int k = 0; k < joint_coordinates(kind); k++) {
@@ -182,7 +182,7 @@ static bool draw(sequence *const random, sample *const s)
         s->u[i] = (real)sequence_next(random, 10.0);
         s->input[i] = (wide)s->u[i];
     }
-    iso_the_plant.derivative(s->dx, s->x, s->u, iso_the_plant.defaults);
+    iso_the_plant.model->derivative(s->dx, s->x, s->u, iso_the_plant.model->defaults);
     s->motion = motion_of(s->x, s->dx);
     s->condition = 1.0L;
     return mechanism_close(m, &s->motion) && keeps_speeds(&s->motion, s->x) &&
@@ -229,4 +229,16 @@ wide sample_position_rates(const sample *const s)
         speed += joint_speeds(kind);
     }
     return worst;
+}
+
+void sample_outputs(const sample *const s, real *const y)
+{
+    const iso_model *const model = iso_the_plant.model;
+    iso_plant_start(&iso_the_plant);
+    memcpy(iso_the_plant.x, s->x, model->states * sizeof *s->x);
+    if (model->inputs > 0) {
+        memcpy(iso_the_plant.u, s->u, model->inputs * sizeof *s->u);
+    }
+    model->output(iso_the_plant.memory);
+    memcpy(y, iso_the_plant.y, model->outputs * sizeof *y);
 }

@@ -36,4 +36,7 @@ bool sample_all(sample s[STATES]);
 /* The plant's positions change as its speeds say: the worst error relative to the speed; exact but for quaternions. */
 wide sample_position_rates(const sample *s);
 
+/* y[outputs]: the plant's outputs at the sample, with its parameters at their defaults. */
+void sample_outputs(const sample *s, real *y);
+
 #endif

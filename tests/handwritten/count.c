@@ -13,14 +13,14 @@ int main(const int count, char **const arguments)
     const long steps = count > 1 ? strtol(arguments[1], NULL, 10) : 0;
     const bool evaluate = count > 2 && strcmp(arguments[2], "derivative") == 0;
     real dx[COUNT_STATES_MAX];
-    memcpy(plant->x, plant->start, plant->states * sizeof(real));
-    memcpy(plant->p, plant->defaults, plant->parameters * sizeof(real));
+    memcpy(plant->x, plant->model->start, plant->model->states * sizeof(real));
+    memcpy(plant->p, plant->model->defaults, plant->model->parameters * sizeof(real));
     for (long n = 0; n < steps; n++) {
         if (evaluate) {
-            plant->derivative(dx, plant->x, plant->u, plant->p);
+            plant->model->derivative(dx, plant->x, plant->u, plant->p);
         } else {
-            plant->step();
+            plant->model->step(plant->memory);
         }
     }
-    return steps > 0 && plant->states <= COUNT_STATES_MAX ? 0 : 1;
+    return steps > 0 && plant->model->states <= COUNT_STATES_MAX ? 0 : 1;
 }

@@ -45,11 +45,12 @@ static void output(real *restrict const y, const real *restrict const x, const r
     memcpy(y, x, STATES * sizeof *y);
 }
 
-static void drive(const uint32_t tick)
+static void drive(void *const instance, const uint32_t tick)
 {
-    memory.u[FREE_FORCE] = memory.u[BUSHING_FORCE] = R(0.0);
+    plant_memory *const memory = instance;
+    memory->u[FREE_FORCE] = memory->u[BUSHING_FORCE] = R(0.0);
     if (tick >= FAULT_TICK) {
-        memory.u[FAULT_FORCE] = FAULT_VALUE;
+        memory->u[FAULT_FORCE] = FAULT_VALUE;
     }
 }
 

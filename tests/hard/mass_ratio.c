@@ -97,7 +97,7 @@ static double test_second(const mass_case *const c, const bool generated)
     for (long i = 0; i < 1L << c->k; i++) {
         rounding += variance(c, x, generated);
         if (generated) {
-            iso_the_plant.step();
+            iso_the_plant.model->step(iso_the_plant.memory);
             to_rods(run.x, iso_the_plant.x);
         } else {
             (void)hard_go(&run, 1);
@@ -131,9 +131,10 @@ int main(void)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         mass_case c = cases[i];
         c.problem.equations = chain_of_3;
-        if (strcmp(iso_the_plant.name, c.problem.name) == 0) {
-            memcpy(iso_the_plant.x, iso_the_plant.start, STATES * sizeof(real));
-            report_ok(iso_the_plant.step_size == (real)ldexp(1.0, -c.k), "%s: the scene has the step", c.problem.name);
+        if (strcmp(iso_the_plant.model->name, c.problem.name) == 0) {
+            memcpy(iso_the_plant.x, iso_the_plant.model->start, STATES * sizeof(real));
+            report_ok(iso_the_plant.model->step_size == (real)ldexp(1.0, -c.k), "%s: the scene has the step",
+                      c.problem.name);
             (void)test_second(&c, false);
             test_euler(&c, test_second(&c, true));
             if (c.problem.p == heavy_tip) {

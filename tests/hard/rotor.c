@@ -25,23 +25,23 @@ enum { RATE = 1000 };
 static long double angle(const iso_plant *const plant)
 {
     int32_t turns = 0;
-    memcpy(&turns, plant->y + plant->outputs, sizeof turns);
+    memcpy(&turns, plant->y + plant->model->outputs, sizeof turns);
     return TWO_PI * (long double)turns + (long double)plant->x[0];
 }
 
 int main(void)
 {
     const iso_plant *const plant = &iso_the_plant;
-    const real step = plant->step_size * plant->start[1];
-    const long double way = (long double)plant->step_size * (long double)plant->start[1];
+    const real step = plant->model->step_size * plant->model->start[1];
+    const long double way = (long double)plant->model->step_size * (long double)plant->model->start[1];
     const long double epsilon = (long double)ISO_REAL_EPSILON;
     long double error[3] = {0.0L, 0.0L, 0.0L}; /* after a second, a second before the end, at the end */
     real sum = R(0.0);
     bool inside = true;
 
-    memcpy(plant->x, plant->start, plant->states * sizeof *plant->x);
+    memcpy(plant->x, plant->model->start, plant->model->states * sizeof *plant->x);
     for (long i = 1; i <= (long)DAY * RATE; i++) {
-        plant->step();
+        plant->model->step(plant->memory);
         sum += step;
         inside = inside && fabs((double)plant->x[0]) < 3.1415930;
         if (i == RATE || i == (long)(DAY - 1) * RATE || i == (long)DAY * RATE) {

@@ -97,7 +97,7 @@ static void run(const method *const m, const int k, real x[ORDER_STATES_MAX * VE
     const size_t n = (size_t)the_problem.states;
     const real h = (real)ldexp(1.0, -k);
     const real u[ORDER_INPUTS_MAX] = {(real)the_problem.input[0]};
-    const real *const p = iso_the_plant.defaults;
+    const real *const p = iso_the_plant.model->defaults;
     iso_equations eq = *the_equations;
     const iso_history history = {.n = n, .x = x};
     real work[ISO_PRIME_WORK(ORDER_STATES_MAX)], lu[FACTORS_MAX];
@@ -128,8 +128,8 @@ static double error_of(const method *const m, const int k)
     long double y[ORDER_STATES_MAX] = {0.0L};
     long double square = 0.0L;
     run(m, k, x);
-    for (int i = 0; i < iso_the_plant.parameters; i++) {
-        defaults[i] = (double)iso_the_plant.defaults[i];
+    for (int i = 0; i < iso_the_plant.model->parameters; i++) {
+        defaults[i] = (double)iso_the_plant.model->defaults[i];
     }
     the_problem.exact(y, defaults);
     for (int i = 0; i < the_problem.states; i++) {
@@ -180,8 +180,9 @@ int main(const int count, char **const arguments)
     if (count > 1 && strcmp(arguments[1], "errors") == 0) {
         return print_errors(count > 2 ? 0 : ISO_COMPENSATED);
     }
-    if (!report_ok(iso_the_plant.states == the_problem.states && iso_the_plant.inputs <= ORDER_INPUTS_MAX &&
-                       iso_the_plant.parameters <= PARAMETERS_MAX && the_equations->factors > 0 &&
+    if (!report_ok(iso_the_plant.model->states == the_problem.states &&
+                       iso_the_plant.model->inputs <= ORDER_INPUTS_MAX &&
+                       iso_the_plant.model->parameters <= PARAMETERS_MAX && the_equations->factors > 0 &&
                        the_equations->factors <= FACTORS_MAX,
                    "the plant has the problem's states, and a Jacobian")) {
         return report_done();

@@ -44,8 +44,8 @@ static void rates_of_energy(const double *const x, double *const gyroscopic, dou
 {
     double dx[STATES_MAX];
     the_equations->derivative(dx, x, NULL, NULL);
-    const double *const omega = x + iso_the_plant.states - 3;
-    const double *const alpha = dx + iso_the_plant.states - 3;
+    const double *const omega = x + iso_the_plant.model->states - 3;
+    const double *const alpha = dx + iso_the_plant.model->states - 3;
     *gyroscopic = *power = 0.0;
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3;
@@ -58,11 +58,11 @@ static void rates_of_energy(const double *const x, double *const gyroscopic, dou
 /* To 1 s by steps of 2^-k s; L by the trapezoidal rule. */
 static motion run(const unsigned recipe, const iso_equations *const eq, const int k)
 {
-    const size_t n = iso_the_plant.states;
+    const size_t n = iso_the_plant.model->states;
     const double h = ldexp(1.0, -k);
     double work[ISO_EXPLICIT_WORK(STATES_MAX)], gyroscopic, next, power;
     motion made = {.limit = 0.0};
-    memcpy(made.x, iso_the_plant.start, n * sizeof *made.x);
+    memcpy(made.x, iso_the_plant.model->start, n * sizeof *made.x);
     rates_of_energy(made.x, &gyroscopic, &power);
     made.limit = 0.5 * power;
     for (long step = 0; step < 1L << k; step++) {
@@ -79,7 +79,7 @@ static motion run(const unsigned recipe, const iso_equations *const eq, const in
 static double distance(const double *const a, const double *const b)
 {
     double square = 0.0;
-    for (int i = 0; i < iso_the_plant.states; i++) {
+    for (int i = 0; i < iso_the_plant.model->states; i++) {
         square += (a[i] - b[i]) * (a[i] - b[i]);
     }
     return sqrt(square);
@@ -87,9 +87,9 @@ static double distance(const double *const a, const double *const b)
 
 static double energy_of(const double *const x)
 {
-    double y[1];
-    iso_the_plant.output(y, x, NULL, NULL);
-    return y[0];
+    memcpy(iso_the_plant.x, x, iso_the_plant.model->states * sizeof *x);
+    iso_the_plant.model->output(iso_the_plant.memory);
+    return iso_the_plant.y[0];
 }
 
 static void test_order(const motion *const exact)
@@ -109,7 +109,7 @@ static void test_order(const motion *const exact)
 /* The energy's error over h at 1 s, without its term of h, relative to what is derived. */
 static double energy_off(const unsigned recipe, const motion *const exact)
 {
-    const double begin = energy_of(iso_the_plant.start);
+    const double begin = energy_of(iso_the_plant.model->start);
     const double h = ldexp(1.0, -COARSEST);
     const double coarse = (energy_of(run(recipe, the_equations, COARSEST).x) - begin) / h;
     const double fine = (energy_of(run(recipe, the_equations, COARSEST + 1).x) - begin) / (h / 2.0);
@@ -118,8 +118,8 @@ static double energy_off(const unsigned recipe, const motion *const exact)
 
 int main(void)
 {
-    const size_t n = iso_the_plant.states;
-    if (!report_ok(n <= STATES_MAX && iso_the_plant.outputs == 1 && the_equations->rates != NULL &&
+    const size_t n = iso_the_plant.model->states;
+    if (!report_ok(n <= STATES_MAX && iso_the_plant.model->outputs == 1 && the_equations->rates != NULL &&
                        the_equations->positions == (n + 1) / 2,
                    "the plant has rates of its own, and one position more than speeds")) {
         return report_done();

@@ -21,15 +21,15 @@ static int known_output(const char *const wanted)
 int main(int count, char **arguments)
 {
     enum { EVERY = 100 };
-    const long steps = (long)(5.0 / (double)iso_the_plant.step_size + 0.5);
+    const long steps = (long)(5.0 / (double)iso_the_plant.model->step_size + 0.5);
     iso_plant_start(&iso_the_plant);
     for (long n = 1; n <= steps; n++) {
-        if (iso_the_plant.drive != NULL) {
-            iso_the_plant.drive((uint32_t)n - 1U);
+        if (iso_the_plant.model->drive != NULL) {
+            iso_the_plant.model->drive(iso_the_plant.memory, (uint32_t)n - 1U);
         }
-        iso_the_plant.step();
+        iso_the_plant.model->step(iso_the_plant.memory);
         if (n % EVERY == 0) {
-            iso_the_plant.output(iso_the_plant.y, iso_the_plant.x, iso_the_plant.u, iso_the_plant.p);
+            iso_the_plant.model->output(iso_the_plant.memory);
             for (int i = 1; i < count; i++) {
                 printf("%.17g%c", (double)iso_the_plant.y[known_output(arguments[i])], i + 1 < count ? ' ' : '\n');
             }

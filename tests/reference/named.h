@@ -9,9 +9,9 @@
 /* Which output is called so; -1: none. */
 static inline int find_output(const char *const wanted)
 {
-    const char *at = iso_the_plant.output_names;
+    const char *at = iso_the_plant.model->output_names;
     const size_t length = strlen(wanted);
-    for (int i = 0; i < iso_the_plant.outputs; i++) {
+    for (int i = 0; i < iso_the_plant.model->outputs; i++) {
         const size_t here = strcspn(at, ",");
         if (here == length && strncmp(at, wanted, here) == 0) {
             return i;

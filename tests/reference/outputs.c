@@ -43,7 +43,7 @@ static bool read_columns(char *const line, table *const t)
 
 static double balance_now(const balance *const b)
 {
-    iso_the_plant.output(iso_the_plant.y, iso_the_plant.x, iso_the_plant.u, iso_the_plant.p);
+    iso_the_plant.model->output(iso_the_plant.memory);
     const double energy = b->energy < 0 ? 0.0 : (double)iso_the_plant.y[b->energy];
     return energy - (b->angle < 0 ? 0.0 : b->effort * (double)iso_the_plant.y[b->angle]);
 }
@@ -55,12 +55,12 @@ static double error_of_row(char *const line, const table *const t, balance *cons
     double largest = 0.0;
     char *at;
     *time = strtod(line, &at);
-    const double ticks = *time / (double)iso_the_plant.step_size;
+    const double ticks = *time / (double)iso_the_plant.model->step_size;
     while (*tick < (uint32_t)lround(ticks)) {
-        if (iso_the_plant.drive != NULL) {
-            iso_the_plant.drive(*tick);
+        if (iso_the_plant.model->drive != NULL) {
+            iso_the_plant.model->drive(iso_the_plant.memory, *tick);
         }
-        iso_the_plant.step();
+        iso_the_plant.model->step(iso_the_plant.memory);
         ++*tick;
         const double off = fabs(balance_now(b) - b->first);
         b->worst = off <= b->worst ? b->worst : off; /* what is not a number stays */

@@ -57,7 +57,7 @@ static void run(state *const s, const int ms, const int steps_per_ms)
     double work[ISO_EXPLICIT_WORK(REFERENCE_STATES_MAX)];
     const iso_history history = {.n = (size_t)the_reference.states, .x = s->x};
     for (long n = 0; n < (long)ms * steps_per_ms; n++) {
-        (void)iso_explicit_step(&iso_tableau_rk4, &history, iso_the_plant.derivative, MS / steps_per_ms,
+        (void)iso_explicit_step(&iso_tableau_rk4, &history, iso_the_plant.model->derivative, MS / steps_per_ms,
                                 iso_the_plant.u, iso_the_plant.p, work);
     }
 }
@@ -89,19 +89,19 @@ static void test_step(void)
 {
     const size_t bytes = (size_t)the_reference.states * sizeof(double);
     state kernel = rounded(the_reference.first->start);
-    report_ok(memcmp(iso_the_plant.start, kernel.x, bytes) == 0, "the scene starts where the reference does");
-    memcpy(iso_the_plant.x, iso_the_plant.start, bytes);
+    report_ok(memcmp(iso_the_plant.model->start, kernel.x, bytes) == 0, "the scene starts where the reference does");
+    memcpy(iso_the_plant.x, iso_the_plant.model->start, bytes);
     run(&kernel, 1000, 1);
     for (int n = 0; n < 1000; n++) {
-        iso_the_plant.step();
+        iso_the_plant.model->step(iso_the_plant.memory);
     }
     report_ok(memcmp(iso_the_plant.x, kernel.x, bytes) == 0, "a second of the plant's own steps: the same bits");
 }
 
 int main(void)
 {
-    if (!report_ok(iso_the_plant.states == the_reference.states && strcmp(iso_the_plant.method, "rk4") == 0 &&
-                       iso_the_plant.period_ns == 1000000,
+    if (!report_ok(iso_the_plant.model->states == the_reference.states &&
+                       strcmp(iso_the_plant.model->method, "rk4") == 0 && iso_the_plant.model->period_ns == 1000000,
                    "the plant has the reference's states, rk4 and 1 ms")) {
         return report_done();
     }

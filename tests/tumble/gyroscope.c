@@ -13,10 +13,10 @@ int main(void)
     double elevation = 0.0;
     iso_plant_start(&iso_the_plant);
     for (int n = 0; n < 20000; n++) {
-        iso_the_plant.step();
+        iso_the_plant.model->step(iso_the_plant.memory);
         elevation = fmax(elevation, fabs((double)iso_the_plant.x[INNER]));
     }
-    iso_the_plant.output(iso_the_plant.y, iso_the_plant.x, iso_the_plant.u, iso_the_plant.p);
+    iso_the_plant.model->output(iso_the_plant.memory);
     const double angle = (double)iso_the_plant.y[AZIMUTH] + 2.0 * pi * (double)iso_the_plant.y[TURNS];
     const double rate = angle / seconds;
     report_ok(fabs(rate / steady - 1.0) <= 1e-3, "it precesses at %.6f rad/s: %.6f within 1e-3", rate, steady);

@@ -18,7 +18,7 @@ typedef struct integrals {
 static integrals now(void)
 {
     const real *const y = iso_the_plant.y;
-    iso_the_plant.output(iso_the_plant.y, iso_the_plant.x, iso_the_plant.u, iso_the_plant.p);
+    iso_the_plant.model->output(iso_the_plant.memory);
     const double w = (double)y[W], i = (double)y[X];
     const double j = (double)y[Y], k = (double)y[Z];
     const double up[3] = {2.0 * (i * k - w * j), 2.0 * (j * k + w * i), 1.0 - 2.0 * (i * i + j * j)};
@@ -37,7 +37,7 @@ int main(void)
     const integrals first = now();
     double energy = 0.0, vertical = 0.0, spin = 0.0, lowest = 1.0;
     for (int n = 0; n < 20000; n++) {
-        iso_the_plant.step();
+        iso_the_plant.model->step(iso_the_plant.memory);
         const integrals after = now();
         energy = fmax(energy, fabs(after.energy / first.energy - 1.0));
         vertical = fmax(vertical, fabs(after.vertical / first.vertical - 1.0));

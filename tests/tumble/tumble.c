@@ -66,7 +66,7 @@ int main(int count, char **arguments)
     iso_plant_start(&iso_the_plant);
     const invariants first = now();
     for (long n = 0; n < steps; n++) {
-        iso_the_plant.step();
+        iso_the_plant.model->step(iso_the_plant.memory);
         length = fmax(length, length_error());
         if (n % EVERY != 0) {
             continue;

@@ -50,7 +50,7 @@ METHODS
 
 # Control: without the last step of Newton's method the length drifts.
 real float
-tumbling && sed 's/^    settle(memory.x);$//; s/^static void settle/static inline void settle/' "$out/rigid_body/plant.c" \
+tumbling && sed 's/^    settle(memory->x);$//; s/^static void settle/static inline void settle/' "$out/rigid_body/plant.c" \
     >"$out/rigid_body/loose.c" &&
     EXTRA="-I$out/rigid_body" program loose tests/tumble/tumble.c "$out/rigid_body/loose.c" && "$out/loose" 10000000 >"$out/drift"
 awk '{ exit !($1 > 4) }' "$out/drift"

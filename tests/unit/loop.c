@@ -91,37 +91,28 @@ static uint32_t primed, steps, fail_at, leave_at;
 static real range[2] = {ISO_REAL_MAX, ISO_REAL_MAX};
 static real input_of_step, state_when_primed;
 
-static void derivative(real *restrict const dx, const real *restrict const state, const real *restrict const input,
-                       const real *restrict const parameter)
+static void output(void *const memory)
 {
-    (void)state;
-    (void)input;
-    (void)parameter;
-    dx[0] = R(1.0);
-    dx[1] = R(0.0);
+    (void)memory;
+    y[0] = R(10.0) * x[0];
 }
 
-static void output(real *restrict const out, const real *restrict const state, const real *restrict const input,
-                   const real *restrict const parameter)
+static void drive(void *const memory, const uint32_t tick)
 {
-    (void)input;
-    (void)parameter;
-    out[0] = R(10.0) * state[0];
-}
-
-static void drive(const uint32_t tick)
-{
+    (void)memory;
     u[0] = (real)tick;
 }
 
-static void prime(void)
+static void prime(void *const memory)
 {
+    (void)memory;
     primed++;
     state_when_primed = x[1];
 }
 
-static void step(void)
+static void step(void *const memory)
 {
+    (void)memory;
     steps++;
     now += events->cost[steps];
     input_of_step = u[0];
@@ -134,26 +125,23 @@ static void step(void)
     }
 }
 
-static const iso_plant plant = {
+static const iso_model model = {
     .name = "counter",
     .period_ns = PERIOD,
     .states = 2,
     .inputs = 1,
     .outputs = 1,
     .parameters = 1,
-    .x = x,
-    .u = u,
-    .p = p,
-    .y = y,
     .start = start,
     .defaults = defaults,
     .range = range,
-    .derivative = derivative,
     .output = output,
     .drive = drive,
     .prime = prime,
     .step = step,
 };
+
+static const iso_plant plant = {.model = &model, .x = x, .u = u, .p = p, .y = y};
 
 /* Runs so many ticks of the script; returns how many of them were good. */
 static iso_loop loop;
@@ -278,7 +266,7 @@ static void test_guard(void)
     tap_count(published, 1 + 3, "guard: nor published");
     tap_same(y[0], R(30.0), "guard: the last good outputs stand");
     tap_count(run(&quiet, 9, 0), 9, "guard: a new start is good again");
-    tap_count(loop.guard, plant.states, "guard: no state is named while all are finite");
+    tap_count(loop.guard, model.states, "guard: no state is named while all are finite");
 }
 
 /* The second state leaves its range downwards by an ulp; it may stay at its end. The first has none. */
@@ -299,21 +287,21 @@ static void test_range(void)
 }
 
 /* How far off its closures the plant is: at the limit after two ticks and six, above it after three and five. */
-static void violation(real *restrict const out, const real *restrict const state, const real *restrict const input,
-                      const real *restrict const parameter)
+static real violation(const void *const memory)
 {
     static const real off[] = {R(0.0), R(0.25), R(0.5), R(0.75), R(0.125), R(2.0), R(0.5)};
-    (void)input;
-    (void)parameter;
-    out[0] = off[(int)state[0]];
+    (void)memory;
+    return off[(int)x[0]];
 }
 
 static void test_violation(void)
 {
     static const script quiet;
+    iso_model closing = model;
+    closing.violation = violation;
+    closing.violation_limit = R(0.5);
     iso_plant closed = plant;
-    closed.violation = violation;
-    closed.violation_limit = R(0.5);
+    closed.model = &closing;
     events = &quiet;
     steps = fail_at = 0;
     iso_loop_start(&loop, &closed);
@@ -331,8 +319,9 @@ static struct {
     iso_progress progress;
 } watched_memory, watched_before;
 
-static void watched_step(void)
+static void watched_step(void *const memory)
 {
+    (void)memory;
     steps++;
     watched_memory.x[0] += primed > 1 ? R(1.0) : R(100.0);
     watched_memory.x[1] = R(3.0);
@@ -341,34 +330,39 @@ static void watched_step(void)
     now += events->cost[steps];
 }
 
-static void watched_prime(void)
+static void watched_prime(void *const memory)
 {
     enum { PRIMING = 40 };
+    (void)memory;
     primed++;
     now += PRIMING;
     state_when_primed = watched_memory.x[0] + watched_memory.x[1];
 }
 
-static bool watched_jumped(void)
+static bool watched_jumped(void *const memory)
 {
+    (void)memory;
     return steps < 2;
 }
 
 static void test_jump(void)
 {
     static const script costs = {.cost = {0, 10, 10, 20, 30, 50, 10}};
-    iso_plant watched = plant;
-    watched.x = watched_memory.x;
-    watched.u = watched_memory.u;
-    watched.p = watched_memory.p;
-    watched.y = watched_memory.y;
-    watched.progress = &watched_memory.progress;
-    watched.memory = &watched_memory;
-    watched.memory_bytes = sizeof watched_memory;
-    watched.before = &watched_before;
-    watched.drive = NULL;
-    watched.prime = watched_prime;
-    watched.step = watched_step;
+    iso_model watching = model;
+    watching.memory_bytes = sizeof watched_memory;
+    watching.drive = NULL;
+    watching.prime = watched_prime;
+    watching.step = watched_step;
+    const iso_plant watched = {
+        .model = &watching,
+        .memory = &watched_memory,
+        .x = watched_memory.x,
+        .u = watched_memory.u,
+        .p = watched_memory.p,
+        .y = watched_memory.y,
+        .progress = &watched_memory.progress,
+        .before = &watched_before,
+    };
     events = &costs;
     steps = primed = 0;
     iso_loop_start(&loop, &watched);
@@ -386,7 +380,7 @@ static void test_jump(void)
     tap_count(loop.statistics.restart_max, 30 + 40 + 50 + READING, "jump: the dearest with one is all that it took");
     tap_count(loop.statistics.ticks, 4, "jump: all are ticks");
 
-    watched.jumped = watched_jumped;
+    watching.jumped = watched_jumped;
     steps = primed = 0;
     iso_loop_start(&loop, &watched);
     tap_ok(iso_loop_tick(&loop) && steps == 1 && primed == 2, "jump: after a new history a step is not made again");

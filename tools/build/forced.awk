@@ -7,15 +7,15 @@
 # between none is larger.
 /^static void drive\(/ { driven = 1 }
 
-/^const iso_plant iso_the_plant/ {
-    print "static void forced(const uint32_t tick)\n{"
+/^static const iso_model model/ {
+    print "static void forced(void *const instance, const uint32_t tick)\n{\n    plant_memory *const memory = instance;"
     if (driven)
-        print "    drive(tick);"
+        print "    drive(instance, tick);"
     if (jump == "told")
-        print "    memory.p[PLANT_P_FORCED] += (real)(tick % 2);"
+        print "    memory->p[PLANT_P_FORCED] += (real)(tick % 2);"
     else {
-        print "    memory.progress.usual = tick % 2 == 0 ? ISO_REAL_MAX : R(-1.0);"
-        print "    memory.progress.watched = ISO_USUAL_STEPS;"
+        print "    memory->progress.usual = tick % 2 == 0 ? ISO_REAL_MAX : R(-1.0);"
+        print "    memory->progress.watched = ISO_USUAL_STEPS;"
     }
     print "}\n"
 }

@@ -42,12 +42,12 @@ typedef struct sizes {
 
 static double output(const int which)
 {
-    return (double)plant->y[plant->outputs - OUTPUTS + which];
+    return (double)plant->y[plant->model->outputs - OUTPUTS + which];
 }
 
 static void look(void)
 {
-    plant->output(plant->y, plant->x, plant->u, plant->p);
+    plant->model->output(plant->memory);
 }
 
 static double larger(const double a, const double b)
@@ -61,11 +61,11 @@ static void measure(sizes *const s)
     const double by = 0x1p-10, u = sizeof(real) == sizeof(float) ? 0.5 * (double)FLT_EPSILON : 0.5 * DBL_EPSILON;
     static real derivatives[STATES_MAX];
     sizes here = {0.0, 0.0, 0.0};
-    plant->derivative(derivatives, plant->x, plant->u, plant->p);
-    for (int i = 0; i < plant->states; i++) {
+    plant->model->derivative(derivatives, plant->x, plant->u, plant->p);
+    for (int i = 0; i < plant->model->states; i++) {
         const real kept = plant->x[i];
         const double size = fabs((double)kept);
-        const double off = u * (size + 16.0 * (double)plant->step_size * fabs((double)derivatives[i]));
+        const double off = u * (size + 16.0 * (double)plant->model->step_size * fabs((double)derivatives[i]));
         plant->x[i] = kept + (real)by;
         look();
         plant->x[i] = kept;
@@ -86,7 +86,7 @@ static double bound(const sizes *const s, const char *const stabilisation, const
     if (strcmp(stabilisation, "projection") == 0) {
         return truncation + s->position + 2.0 * s->look;
     }
-    return truncation + 20.0 * s->position + 100.0 * (double)plant->step_size * s->speed + 2.0 * s->look;
+    return truncation + 20.0 * s->position + 100.0 * (double)plant->model->step_size * s->speed + 2.0 * s->look;
 }
 
 /* The largest so far. */
@@ -105,10 +105,10 @@ static statistics run(const long steps, const long parts, const double step)
     look();
     const double energy = output(2);
     for (long part = 1; a.done < steps; a.done++) {
-        if (plant->drive != NULL) {
-            plant->drive((uint32_t)a.done);
+        if (plant->model->drive != NULL) {
+            plant->model->drive(plant->memory, (uint32_t)a.done);
         }
-        plant->step();
+        plant->model->step(plant->memory);
         look();
         if (!isfinite(output(0)) || !isfinite(output(2))) {
             break;
@@ -131,11 +131,11 @@ static statistics run(const long steps, const long parts, const double step)
 
 int main(const int argc, char **const argv)
 {
-    if (argc != 5 || plant->states > STATES_MAX) {
+    if (argc != 5 || plant->model->states > STATES_MAX) {
         fputs("usage: drift SECONDS PARTS STABILISATION TRUNCATION, of a plant of at most 256 states\n", stderr);
         return EXIT_FAILURE;
     }
-    const double step = (double)plant->period_ns * 1e-9;
+    const double step = (double)plant->model->period_ns * 1e-9;
     const statistics a = run(lround(strtod(argv[1], NULL) / step), strtol(argv[2], NULL, 10), step);
     printf("end %.9g\nviolation %.3e\nrate %.3e\nenergy %.3e\n", (double)a.done * step, a.violation, a.rate, a.change);
     printf("bound %.3e\n", bound(&a.sizes, argv[3], strtod(argv[4], NULL)));

@@ -28,7 +28,7 @@ static const iso_plant *const plant = &iso_the_plant;
 static void steps(const long count)
 {
     for (long i = 0; i < count; i++) {
-        plant->step();
+        plant->model->step(plant->memory);
     }
 }
 
@@ -55,14 +55,14 @@ static void run(const double time, const char *const text)
         report_step = (real)(time / (double)count);
     } else {
         report_tolerance = (real)strtod(text, NULL);
-        report_step = plant->step_size;
+        report_step = plant->model->step_size;
         count = (long)(time / (double)report_step + 0.5);
     }
     iso_plant_start(plant);
     counted(count);
     printf("%ld %.17g", plant->adams == NULL ? count : (long)plant->adams->substeps,
            (double)count * (double)report_step);
-    for (size_t i = 0; i < plant->states; i++) {
+    for (size_t i = 0; i < plant->model->states; i++) {
         printf(" %.17g", (double)plant->x[i]);
     }
     printf("\n");
@@ -71,12 +71,12 @@ static void run(const double time, const char *const text)
 int main(const int argc, char **const argv)
 {
     if (argc == 2 && strcmp(argv[1], "about") == 0) {
-        printf("%s %u\n", plant->step_text, (unsigned)plant->states);
+        printf("%s %u\n", plant->model->step_text, (unsigned)plant->model->states);
     } else if (argc == 3 && strcmp(argv[1], "count") == 0) {
-        report_step = plant->step_size;
+        report_step = plant->model->step_size;
         iso_plant_start(plant);
         for (int i = 0; i < START_STEPS; i++) {
-            plant->step();
+            plant->model->step(plant->memory);
         }
         counted(number(argv[2]));
         printf("%s\n", argv[2]);

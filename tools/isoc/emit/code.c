@@ -151,7 +151,7 @@ static rendering show(emitter *e, node i)
     case OP_PARAMETER:
         return (rendering){e->c->names.parameters[n->index], BINDS_WHOLE};
     case OP_TURNS:
-        return (rendering){arena_format(memory, "(real)memory.turns[%d]", n->index), BINDS_WHOLE};
+        return (rendering){arena_format(memory, "(real)memory->turns[%d]", n->index), BINDS_WHOLE};
     case OP_STEP:
         return (rendering){"hb", BINDS_WHOLE};
     case OP_FACTOR:
@@ -159,9 +159,9 @@ static rendering show(emitter *e, node i)
     case OP_RIGHT:
         return (rendering){arena_format(memory, "r_%s", e->c->names.states[n->index]), BINDS_WHOLE};
     case OP_LOCAL_ERROR:
-        return (rendering){"memory.progress.local_error", BINDS_WHOLE};
+        return (rendering){"memory->progress.local_error", BINDS_WHOLE};
     case OP_RESIDUAL:
-        return (rendering){"memory.progress.residual", BINDS_WHOLE};
+        return (rendering){"memory->progress.residual", BINDS_WHOLE};
     case OP_DERIVATIVE:
         return (rendering){arena_format(memory, "dx[%d]", n->index), BINDS_WHOLE};
     case OP_ADD:

@@ -186,7 +186,7 @@ static void emit_range(const plant *p, text *out)
 static void emit_memory(const plant *p, text *out)
 {
     const mechanism *m = p->m;
-    text_add(out, "static struct {\n    real x[ISO_METHOD_STATE(%s, PLANT_STATES)];\n",
+    text_add(out, "typedef struct plant_memory {\n    real x[ISO_METHOD_STATE(%s, PLANT_STATES)];\n",
              recipe_symbol(out->memory, m->recipe));
     if (m->input_count > 0) {
         text_add(out, "    real u[PLANT_INPUTS];\n");
@@ -208,7 +208,7 @@ static void emit_memory(const plant *p, text *out)
         text_add(out, "%s%s", m->input_count > 0 ? "    real last_u[PLANT_INPUTS];\n" : "",
                  m->parameter_count > 0 ? "    real last_p[PLANT_PARAMETERS];\n" : "");
     }
-    text_add(out, "} memory%s;\n\n", ISO_IS_WATCHED(m->recipe) ? ", before" : "");
+    text_add(out, "} plant_memory;\n\n");
 
     emit_array(p, out, "start", "PLANT_STATES", "X", state_symbols(m, out->memory), mechanism_start(m, out->memory),
                state_count(m));
@@ -229,20 +229,21 @@ static const char *const *targets_of(arena *memory, const char *array, int count
     return targets;
 }
 
+/* What the equations read, as arrays. */
+static const struct {
+    operation op;
+    const char *name;
+} arguments[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}};
+
 /* A function of plant.c that fills `array` from x, u and p with `count` roots; `more` is a further parameter. */
 static bool emit_function(const plant *p, graph *g, text *out, const char *function, const char *array,
                           const char *more, const node *roots, int count, double *culprit)
 {
-    static const struct {
-        operation op;
-        const char *name;
-    } arguments[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}};
     const code body_of = {
         g, names_of(p, out->memory), p->is_double, targets_of(out->memory, array, count), roots, (size_t)count};
-    const bool derives = uses_operation(g, roots, (size_t)count, OP_DERIVATIVE);
     text_add(out, "static void %s(real *restrict const %s, const real *restrict const x,\n", function, array);
     text_add(out, "    const real *restrict const u, const real *restrict const p%s)\n{\n", more);
-    for (int i = 0; i < 3 && !derives; i++) {
+    for (int i = 0; i < 3; i++) {
         if (!uses_operation(g, roots, (size_t)count, arguments[i].op)) {
             text_add(out, "    (void)%s;\n", arguments[i].name);
         }
@@ -250,11 +251,51 @@ static bool emit_function(const plant *p, graph *g, text *out, const char *funct
     if (more[0] != '\0' && !uses_operation(g, roots, (size_t)count, OP_STEP)) {
         text_add(out, "    (void)hb;\n");
     }
-    if (derives) {
-        text_add(out, "    real dx[PLANT_STATES];\n    derivative(dx, x, u, p);\n");
-    }
     const bool good = code_emit(&body_of, out, culprit);
     text_add(out, "}\n\n");
+    return good;
+}
+
+/* The arrays of a plant's memory, that `roots` are functions of; all of those that it has, for the derivative. */
+static void emit_arrays(const plant *p, const graph *g, text *out, const node *roots, int count)
+{
+    const bool derives = uses_operation(g, roots, (size_t)count, OP_DERIVATIVE);
+    const int sizes[] = {state_count(p->m), p->m->input_count, p->m->parameter_count};
+    for (int i = 0; i < 3; i++) {
+        if (uses_operation(g, roots, (size_t)count, arguments[i].op) || (derives && sizes[i] > 0)) {
+            text_add(out, "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
+        }
+    }
+    if (derives) {
+        text_add(out, "    real dx[PLANT_STATES];\n    derivative(dx, x, %s, %s);\n", sizes[1] > 0 ? "u" : "NULL",
+                 sizes[2] > 0 ? "p" : "NULL");
+    }
+}
+
+/* The outputs of a plant. */
+static bool emit_output(const plant *p, graph *g, text *out, double *culprit)
+{
+    const char *const *targets = targets_of(out->memory, "y", p->output_count);
+    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, p->outputs, (size_t)p->output_count};
+    text_add(out, "static void output(void *const instance)\n{\n");
+    text_add(out, "    plant_memory *const memory = instance;\n    real *const y = memory->y;\n");
+    emit_arrays(p, g, out, p->outputs, p->output_count);
+    const bool good = code_emit(&body_of, out, culprit);
+    text_add(out, "}\n\n");
+    return good;
+}
+
+/* How far off its closures a plant is. */
+static bool emit_violation(const plant *p, graph *g, text *out, double *culprit)
+{
+    static const char *const targets[] = {"off"};
+    const code body_of = {g, names_of(p, out->memory), p->is_double, targets, &p->violation, 1};
+    text_add(out, "static real violation(const void *const instance)\n{\n");
+    text_add(out, "    const plant_memory *const memory = instance;\n");
+    emit_arrays(p, g, out, &p->violation, 1);
+    text_add(out, "    real off;\n");
+    const bool good = code_emit(&body_of, out, culprit);
+    text_add(out, "    return off;\n}\n\n");
     return good;
 }
 
@@ -306,19 +347,20 @@ static bool emit_drive(const plant *p, graph *g, text *out, double *culprit)
     const size_t count = driven_count(m);
     const char **targets = arena_take(out->memory, count, sizeof *targets);
     for (int i = 0; i < m->input_count; i++) {
-        targets[i] = arena_format(out->memory, "memory.u[%d]", i);
+        targets[i] = arena_format(out->memory, "memory->u[%d]", i);
     }
     for (int i = 0; i < m->clocks.count; i++) {
-        targets[m->input_count + i] = arena_format(out->memory, "memory.x[%d]", m->clocks.first + i);
+        targets[m->input_count + i] = arena_format(out->memory, "memory->x[%d]", m->clocks.first + i);
     }
     const code body_of = {g, names_of(p, out->memory), p->is_double, targets, m->drives, count};
     text_add(out, "/* What is a function of time; other inputs are zero until a port reads them. */\n");
-    text_add(out, "static void drive(const uint32_t tick)\n{\n");
+    text_add(out, "static void drive(void *const instance, const uint32_t tick)\n{\n    plant_memory *const memory = "
+                  "instance;\n");
     if (!is_driven_by_time(g, m)) {
         text_add(out, "    (void)tick;\n");
     }
     if (uses_operation(g, m->drives, count, OP_PARAMETER)) {
-        text_add(out, "    const real *const p = memory.p;\n");
+        text_add(out, "    const real *const p = memory->p;\n");
     }
     const bool good = code_emit(&body_of, out, culprit);
     text_add(out, "}\n\n");
@@ -334,26 +376,27 @@ static const char *array_or_null(int count, const char *array)
 static void emit_jumped(const plant *p, text *out)
 {
     const mechanism *m = p->m;
-    text_add(out, "static bool jumped(void)\n{\n    bool jump = false;\n");
+    text_add(out, "static bool jumped(void *const instance)\n{\n    plant_memory *const memory = instance;\n    bool "
+                  "jump = false;\n");
     for (int i = 0; i < m->input_count; i++) {
         if (m->jumps[i] > 0.0) {
-            text_add(out, "    jump |= iso_abs(memory.u[%d] - memory.last_u[%d]) > %s;\n", i, i,
+            text_add(out, "    jump |= iso_abs(memory->u[%d] - memory->last_u[%d]) > %s;\n", i, i,
                      code_literal(out->memory, m->jumps[i], p->is_double));
         }
     }
     for (int i = 0; i < m->parameter_count; i++) {
-        text_add(out, "    jump |= memory.p[%d] != memory.last_p[%d];\n", i, i);
+        text_add(out, "    jump |= memory->p[%d] != memory->last_p[%d];\n", i, i);
     }
-    text_add(out, "    remember();\n    return jump;\n}\n\n");
+    text_add(out, "    remember(memory);\n    return jump;\n}\n\n");
 }
 
 /* The inputs and parameters that jumped() compares with. */
 static void emit_remember(const plant *p, text *out)
 {
-    text_add(out, "static void remember(void)\n{\n");
-    text_add(out, "%s", p->m->input_count > 0 ? "    memcpy(memory.last_u, memory.u, sizeof memory.last_u);\n" : "");
+    text_add(out, "static void remember(plant_memory *const memory)\n{\n");
+    text_add(out, "%s", p->m->input_count > 0 ? "    memcpy(memory->last_u, memory->u, sizeof memory->last_u);\n" : "");
     text_add(out, "%s",
-             p->m->parameter_count > 0 ? "    memcpy(memory.last_p, memory.p, sizeof memory.last_p);\n" : "");
+             p->m->parameter_count > 0 ? "    memcpy(memory->last_p, memory->p, sizeof memory->last_p);\n" : "");
     text_add(out, "}\n\n");
 }
 
@@ -367,21 +410,21 @@ static void emit_factors(const plant *p, text *out)
 static void emit_prime(const plant *p, text *out, const char *recipe, const char *h)
 {
     const mechanism *m = p->m;
-    const char *u = array_or_null(m->input_count, "memory.u");
-    const char *parameters = array_or_null(m->parameter_count, "memory.p");
-    text_add(out, "static void prime(void)\n{\n");
+    const char *u = array_or_null(m->input_count, "memory->u");
+    const char *parameters = array_or_null(m->parameter_count, "memory->p");
+    text_add(out, "static void prime(void *const instance)\n{\n    plant_memory *const memory = instance;\n");
     if (ISO_IS(m->recipe, ISO_ADAMS)) {
-        text_add(out, "    const iso_history history = iso_history_of(%s, PLANT_STATES, memory.x);\n", recipe);
+        text_add(out, "    const iso_history history = iso_history_of(%s, PLANT_STATES, memory->x);\n", recipe);
         text_add(out, "    real work[ISO_ADAMS_WORK(PLANT_STATES)];\n");
-        text_add(out, "    iso_adams_start(&options, &memory.adams, &history, derivative, %s, %s, %s, work);\n", h, u,
+        text_add(out, "    iso_adams_start(&options, &memory->adams, &history, derivative, %s, %s, %s, work);\n", h, u,
                  parameters);
     } else {
         text_add(out, "    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", recipe);
         emit_factors(p, out);
-        text_add(out, "    iso_method_prime(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, %s, work);\n", recipe,
+        text_add(out, "    iso_method_prime(%s, PLANT_STATES, &equations, %s, memory->x, %s, %s, %s, work);\n", recipe,
                  h, u, parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
     }
-    text_add(out, "%s}\n\n", can_jump(m) ? "    remember();\n" : "");
+    text_add(out, "%s}\n\n", can_jump(m) ? "    remember(memory);\n" : "");
 }
 
 /* A tick of adams: as many steps as the tolerance asks for and the budget allows. */
@@ -399,21 +442,21 @@ static void emit_adams(const plant *p, text *out)
 static void emit_call(const plant *p, text *out, const char *recipe, const char *h)
 {
     const mechanism *m = p->m;
-    const char *u = array_or_null(m->input_count, "memory.u");
-    const char *parameters = array_or_null(m->parameter_count, "memory.p");
+    const char *u = array_or_null(m->input_count, "memory->u");
+    const char *parameters = array_or_null(m->parameter_count, "memory->p");
     if (ISO_IS(m->recipe, ISO_ADAMS)) {
-        text_add(out, "    const iso_history history = iso_history_of(%s, PLANT_STATES, memory.x);\n", recipe);
+        text_add(out, "    const iso_history history = iso_history_of(%s, PLANT_STATES, memory->x);\n", recipe);
         text_add(out, "    real work[ISO_ADAMS_WORK(PLANT_STATES)];\n");
-        text_add(out, "    memory.progress.local_error =\n        iso_adams_tick(&options, &memory.adams, &history, "
+        text_add(out, "    memory->progress.local_error =\n        iso_adams_tick(&options, &memory->adams, &history, "
                       "derivative, ");
         text_add(out, "%s, %s, %s, work);\n", h, u, parameters);
         return;
     }
     text_add(out, "    real work[ISO_METHOD_WORK(%s, PLANT_STATES)];\n", recipe);
     emit_factors(p, out);
-    text_add(out, "    iso_method_step(%s, PLANT_STATES, &equations, %s, memory.x, %s, %s, %s, work,\n", recipe, h, u,
+    text_add(out, "    iso_method_step(%s, PLANT_STATES, &equations, %s, memory->x, %s, %s, %s, work,\n", recipe, h, u,
              parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
-    text_add(out, "                    %s);\n", has_progress(m) ? "&memory.progress" : "NULL");
+    text_add(out, "                    %s);\n", has_progress(m) ? "&memory->progress" : "NULL");
 }
 
 /* What is put right after a step, in place. */
@@ -456,55 +499,67 @@ static void emit_step(const plant *p, const graph *g, text *out)
     if (is_primed(m)) {
         emit_prime(p, out, recipe, h);
     }
-    text_add(out, "%sstatic void step(void)\n{\n", is_flat(p, g) ? "ISO_FLAT " : "");
+    text_add(out, "%sstatic void step(void *const instance)\n{\n    plant_memory *const memory = instance;\n",
+             is_flat(p, g) ? "ISO_FLAT " : "");
     emit_call(p, out, recipe, h);
     if (m->projections > 1 && p->after.count > 0) {
-        text_add(out, "    for (int i = 0; i < %d; i++) {\n        settle(memory.x);\n    }\n", m->projections);
+        text_add(out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x);\n    }\n", m->projections);
     } else if (p->after.count > 0) {
-        text_add(out, "    settle(memory.x);\n");
+        text_add(out, "    settle(memory->x);\n");
     }
     int counted = 0;
     for (int i = 0; i < m->link_count; i++) {
         if (m->links[i].continuous) {
-            text_add(out, "    memory.turns[%d] += iso_take_turns(&memory.x[PLANT_X_%s]);\n", counted++,
+            text_add(out, "    memory->turns[%d] += iso_take_turns(&memory->x[PLANT_X_%s]);\n", counted++,
                      upper(out->memory, m->links[i].name));
         }
     }
     text_add(out, "}\n\n");
 }
 
-static void emit_description(const plant *p, text *out)
+/* What all plants of the scene share. */
+static void emit_model(const plant *p, text *out)
 {
     const mechanism *m = p->m;
     const char *seconds = code_literal(out->memory, m->step, true); /* R(0.001) */
-    text_add(out, "const iso_plant iso_the_plant = {\n");
+    text_add(out, "static const iso_model model = {\n");
     text_add(out, "    .name = \"%s\",\n    .method = \"%s\",\n", m->name, method_names[ISO_METHOD_OF(m->recipe)]);
     text_add(out, "    .step_text = \"%.*s\",\n    .step_size = %s,\n", (int)strlen(seconds) - 3, seconds + 2,
              code_literal(out->memory, m->step, p->is_double));
     text_add(out, "    .period_ns = UINT32_C(%.0f),\n    .states = PLANT_STATES,\n", m->step * 1e9);
-    if (m->input_count > 0) {
-        text_add(out, "    .inputs = PLANT_INPUTS,\n    .u = memory.u,\n");
-    }
-    text_add(out, "%s", driven_count(m) > 0 ? "    .drive = drive,\n" : "");
-    if (m->parameter_count > 0) {
-        text_add(out, "    .parameters = PLANT_PARAMETERS,\n    .p = memory.p,\n    .defaults = defaults,\n");
-    }
-    text_add(out, "    .outputs = PLANT_OUTPUTS,\n    .output_names =");
+    text_add(out, "%s", m->input_count > 0 ? "    .inputs = PLANT_INPUTS,\n" : "");
+    text_add(out, "    .outputs = PLANT_OUTPUTS,\n");
+    text_add(out, "%s", m->parameter_count > 0 ? "    .parameters = PLANT_PARAMETERS,\n" : "");
+    text_add(out, "    .output_names =");
     for (int i = 0; i < p->output_count; i++) {
         text_add(out, "\n        \"%s%s\"", p->output_names[i], i + 1 < p->output_count ? "," : "");
     }
-    text_add(out, ",\n    .x = memory.x,\n    .y = memory.y,\n    .start = start,\n%s    .memory = &memory,\n",
-             has_angles(m) ? "    .range = range,\n" : "");
-    text_add(out, "%s", ISO_IS_WATCHED(m->recipe) ? "    .before = &before,\n" : "");
-    text_add(out, "    .memory_bytes = sizeof memory,\n    .derivative = derivative,\n    .output = output,\n");
+    text_add(out, ",\n    .start = start,\n");
+    text_add(out, "%s", m->parameter_count > 0 ? "    .defaults = defaults,\n" : "");
+    text_add(out, "%s", has_angles(m) ? "    .range = range,\n" : "");
+    text_add(out, "    .memory_bytes = sizeof(plant_memory),\n    .derivative = derivative,\n    .output = output,\n");
     if (p->violation >= 0) {
         text_add(out, "    .violation = violation,\n    .violation_limit = %s,\n",
                  code_literal(out->memory, m->violation_limit, p->is_double));
     }
-    text_add(out, "%s%s", has_progress(m) ? "    .progress = &memory.progress,\n" : "",
-             is_primed(m) ? "    .prime = prime,\n" : "");
+    text_add(out, "%s", driven_count(m) > 0 ? "    .drive = drive,\n" : "");
+    text_add(out, "%s", can_jump(m) ? "    .jumped = jumped,\n" : "");
+    text_add(out, "%s    .step = step,\n};\n\n", is_primed(m) ? "    .prime = prime,\n" : "");
+}
+
+/* The plant of the program, and its memory. */
+static void emit_plant(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    text_add(out, "static plant_memory memory%s;\n\n", ISO_IS_WATCHED(m->recipe) ? ", before" : "");
+    text_add(out,
+             "const iso_plant iso_the_plant = {\n    .model = &model,\n    .memory = &memory,\n    .x = memory.x,\n");
+    text_add(out, "%s", m->input_count > 0 ? "    .u = memory.u,\n" : "");
+    text_add(out, "%s", m->parameter_count > 0 ? "    .p = memory.p,\n" : "");
+    text_add(out, "    .y = memory.y,\n");
+    text_add(out, "%s", has_progress(m) ? "    .progress = &memory.progress,\n" : "");
     text_add(out, "%s", ISO_IS(m->recipe, ISO_ADAMS) ? "    .adams = &memory.adams,\n" : "");
-    text_add(out, "%s    .step = step,\n};\n", can_jump(m) ? "    .jumped = jumped,\n" : "");
+    text_add(out, "%s};\n", ISO_IS_WATCHED(m->recipe) ? "    .before = &before,\n" : "");
 }
 
 bool emit_source(const plant *p, graph *g, text *out, double *culprit)
@@ -519,17 +574,18 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
              p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
     emit_memory(p, out);
     bool good = emit_function(p, g, out, "derivative", "dx", "", p->derivatives, state_count(m), culprit);
-    good = good && emit_function(p, g, out, "output", "y", "", p->outputs, p->output_count, culprit);
+    good = good && emit_output(p, g, out, culprit);
     good = good && (driven_count(m) == 0 || emit_drive(p, g, out, culprit));
     good = good && (!ISO_IS_IMPLICIT(m->recipe) || emit_solver(p, g, out, culprit));
     good = good &&
            (p->rate_count == 0 || emit_function(p, g, out, "rates", "dx", "", p->derivatives, p->rate_count, culprit));
     good = good && (p->after.count == 0 || emit_settle(p, g, out, culprit));
-    good = good && (p->violation < 0 || emit_function(p, g, out, "violation", "y", "", &p->violation, 1, culprit));
+    good = good && (p->violation < 0 || emit_violation(p, g, out, culprit));
     if (!ISO_IS(m->recipe, ISO_ADAMS)) {
         emit_equations(p, out);
     }
     emit_step(p, g, out);
-    emit_description(p, out);
+    emit_model(p, out);
+    emit_plant(p, out);
     return good;
 }
