@@ -16,7 +16,7 @@ int main(int argc, char **argv)
 
     iso_stream_header(plant, duration);
     iso_loop_start(&loop, plant);
-    iso_stream_row(plant->y, plant->outputs);
+    iso_stream_row(plant->y, plant->model->outputs);
     while (good && (time < duration || duration == 0)) {
         good = iso_loop_tick(&loop);
         if (good) {

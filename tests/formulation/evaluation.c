@@ -7,14 +7,14 @@ extern const iso_plant PLANT;
 
 static void take(const double *const x)
 {
-    for (size_t i = 0; i < PLANT.states; i++) {
+    for (size_t i = 0; i < PLANT.model->states; i++) {
         PLANT.x[i] = (real)x[i];
     }
 }
 
 static void give(double *const to, const real *const from)
 {
-    for (size_t i = 0; i < PLANT.states; i++) {
+    for (size_t i = 0; i < PLANT.model->states; i++) {
         to[i] = (double)from[i];
     }
 }
@@ -23,14 +23,14 @@ static size_t start(double *const x)
 {
     iso_plant_start(&PLANT);
     give(x, PLANT.x);
-    return PLANT.states;
+    return PLANT.model->states;
 }
 
 static void step(double *const x, const int steps)
 {
     take(x);
     for (int n = 0; n < steps; n++) {
-        PLANT.step();
+        PLANT.model->step(PLANT.memory);
     }
     give(x, PLANT.x);
 }
@@ -39,7 +39,7 @@ static void derivatives(double *const dx, const double *const x)
 {
     real made[STATES_MAX];
     take(x);
-    PLANT.derivative(made, PLANT.x, PLANT.u, PLANT.p);
+    PLANT.model->derivative(made, PLANT.x, PLANT.u, PLANT.p);
     give(dx, made);
 }
 
