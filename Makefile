@@ -199,7 +199,7 @@ plot: $(PROGRAM) build/trace build/plot ## run the scene and draw it with gnuplo
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(RUN) >$(OUT)/summary.txt
-	$(Q)sh tools/plot/plot.sh $(OUT) $(call quote,$(SCENE))
+	$(Q)sh tools/plot/plot.sh $(OUT)
 
 # --- What it costs -----------------------------------------------------------------------------------------------
 

@@ -31,6 +31,7 @@ typedef struct iso_model {
     uint16_t outputs;
     uint16_t parameters;
     const char *output_names; /* separated by commas */
+    const char *output_units; /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL where nobody knows */
     const real *start;        /* the state at tick 0 */
     const real *defaults;     /* of the parameters */
     const real *range;   /* [states] each may be this large, for the guard; NULL where all may be any finite number,

@@ -300,7 +300,6 @@ static bool label_value(const char *const text, double *const value, bool *const
     char *end = NULL;
     *power = strncmp(text, "10^", 3) == 0;
     *value = *power ? pow(10, strtod(text + 3, &end)) : strtod(text, &end);
-    *power = *power || strchr(text, 'e') != NULL;
     return end != text && *end == '\0';
 }
 
@@ -573,7 +572,7 @@ static void check_texts(void)
 
 /* --- The comparison --- */
 
-static point expected[PLACES_MOST];
+static point *expected;
 static size_t expected_count;
 
 /* The next field of a line, up to a tab or the end. */
@@ -601,6 +600,14 @@ static size_t panel_named(const char *const name)
 static void read_expected(char *const text)
 {
     char *line = text;
+    size_t lines = 1;
+    for (const char *c = text; *c != '\0'; c++) {
+        lines += *c == '\n';
+    }
+    expected = calloc(lines, sizeof *expected);
+    if (expected == NULL) {
+        fail("no memory");
+    }
     while (*line != '\0') {
         char *const end = line + strcspn(line, "\n");
         char *const next = *end == '\0' ? end : end + 1;
@@ -612,7 +619,7 @@ static void read_expected(char *const text)
             wrong = 1;
             return;
         }
-        point *const p = &expected[one_more(&expected_count, PLACES_MOST, "too many points are expected")];
+        point *const p = &expected[expected_count++];
         p->panel = of;
         p->curve = field(&line);
         p->x = strtod(field(&line), NULL);
@@ -620,6 +627,35 @@ static void read_expected(char *const text)
         double tolerance = 0;
         p->at = (place){pixel_of(&panels[of].x, p->x, &tolerance), pixel_of(&panels[of].y, p->y, &tolerance)};
         line = next;
+    }
+}
+
+/* Points by the pixel of their abscissa, so that each is compared with its neighbours alone. */
+enum { COLUMNS = 4096 };
+
+typedef struct sorted {
+    const point *points;
+    size_t head[COLUMNS]; /* the number of a point plus one; 0 for none */
+    size_t *next;
+} sorted;
+
+static size_t column_of(const double x)
+{
+    return (size_t)fmin(fmax(x, 0), COLUMNS - 1);
+}
+
+static void sort_points(sorted *const by_column, const point *const points, const size_t count)
+{
+    memset(by_column->head, 0, sizeof by_column->head);
+    by_column->points = points;
+    by_column->next = malloc((count + 1) * sizeof *by_column->next);
+    if (by_column->next == NULL) {
+        fail("no memory");
+    }
+    for (size_t i = 0; i < count; i++) {
+        size_t *const head = &by_column->head[column_of(points[i].at.x)];
+        by_column->next[i] = *head;
+        *head = i + 1;
     }
 }
 
@@ -636,18 +672,30 @@ static bool meets(const point *const e, const point *const d)
     return fabs(e->at.x - d->at.x) <= x_off && fabs(e->at.y - d->at.y) <= y_off && strcmp(e->curve, d->curve) == 0;
 }
 
-/* Prints each point of `these` that has none in `those`. */
+/* Whether a point is met by one of the others. */
+static bool met(const point *const p, const bool of_drawing, const sorted *const others)
+{
+    const size_t column = column_of(p->at.x);
+    for (size_t c = column == 0 ? 0 : column - 1; c <= column + 1 && c < COLUMNS; c++) {
+        for (size_t i = others->head[c]; i > 0; i = others->next[i - 1]) {
+            const point *const other = &others->points[i - 1];
+            if (of_drawing ? meets(other, p) : meets(p, other)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/* Prints each point of the drawing that is not expected, or each that is expected and not drawn. */
 static void compare(const bool of_drawing)
 {
+    static sorted others;
     const point *const these = of_drawing ? drawn : expected;
     const size_t count = of_drawing ? drawn_count : expected_count;
-    const size_t others = of_drawing ? expected_count : drawn_count;
+    sort_points(&others, of_drawing ? expected : drawn, of_drawing ? expected_count : drawn_count);
     for (size_t i = 0; i < count; i++) {
-        bool met = false;
-        for (size_t j = 0; j < others && !met; j++) {
-            met = of_drawing ? meets(&expected[j], &drawn[i]) : meets(&expected[i], &drawn[j]);
-        }
-        if (!met) {
+        if (!met(&these[i], of_drawing, &others)) {
             const panel *const p = &panels[these[i].panel];
             printf("%s: %s|%s, %s: %.6g %.6g\n", of_drawing ? "drawn, but it is not so" : "not drawn", p->title,
                    p->abscissa, these[i].curve, of_drawing ? value_of(&p->x, these[i].at.x) : these[i].x,
@@ -655,6 +703,7 @@ static void compare(const bool of_drawing)
             wrong = 1;
         }
     }
+    free(others.next);
 }
 
 int main(const int argc, char **const argv)
@@ -685,6 +734,7 @@ int main(const int argc, char **const argv)
             compare(false);
         }
         free(points);
+        free(expected);
     } else if (wrong == 0) {
         for (size_t i = 0; i < drawn_count; i++) {
             const panel *const p = &panels[drawn[i].panel];

@@ -1,10 +1,12 @@
 #!/bin/sh
-# make plot: a panel for every output with its unit, in svg and in png, for the models; nothing fast is lost when the
-# points are made fewer.
+# make plot: a panel for every output, with the unit that isoc gives it, in svg and in png, for the models; the pictures,
+# read back through their labels, show the rows of the trace, and nothing fast is lost when the points are made fewer.
 . tests/host/test.sh
 . tests/host/project.sh
+. tests/host/picture.sh
 begin check/plot
 project
+reads_picture
 
 # texts FILE: the texts of a drawing, one on a line.
 texts()
@@ -12,36 +14,147 @@ texts()
     grep -o '<text>.*</text>' "$1" | sed 's/<[^>]*>//g'
 }
 
-for scene in $(models any) models/oscillator.c; do
+# trace_points DIRECTORY: all that its trace.svg may show: every row of the trace, by panel and curve.
+trace_points()
+{
+    awk -F , -v OFS='\t' '
+        FNR == 1 { files++ }
+        FNR == 1 { for (i = 2; i <= NF; i++) column[$i] = i }
+        files == 1 && FNR == 2 { for (i = 2; i <= NF; i++) unit[i] = $i == "" || $i == "1" ? "" : ", " $i }
+        files == 2 && FNR == 1 {
+            for (i = 2; i <= NF; i++) {
+                stem = substr($i, 1, length($i) - 2)
+                vector = (stem "_x") in column && (stem "_y") in column && (stem "_z") in column
+                panel[i] = (vector ? stem : $i) unit[i] "|t, s"
+                curve[i] = vector ? substr($i, length($i)) : ""
+            }
+        }
+        files == 2 && FNR > 1 { for (i = 2; i <= NF; i++) print panel[i], curve[i], $1, $i }' "$1/units.csv" "$1/trace.csv"
+}
+
+# extremes: of such points the least and the greatest of each curve.
+extremes()
+{
+    awk -F '\t' '
+        { key = $1 FS $2 }
+        !(key in least) { order[++n] = key }
+        !(key in least) || $4 + 0 < least[key] { least[key] = $4 + 0; least_at[key] = $0 }
+        !(key in most) || $4 + 0 > most[key] { most[key] = $4 + 0; most_at[key] = $0 }
+        END { for (i = 1; i <= n; i++) print least_at[order[i]] "\n" most_at[order[i]] }'
+}
+
+# true_to DIRECTORY: whether its trace.svg shows rows of its trace, the least and the greatest of each column among them.
+true_to()
+{
+    trace_points "$1" >"$out/points"
+    extremes <"$out/points" >"$out/extremes"
+    shows "$1/trace.svg" "$out/points" drawn && shows "$1/trace.svg" "$out/extremes" covered
+}
+
+for scene in $(models any) models/oscillator.c tests/scenes/units.scene; do
     name=$(basename "$scene" | sed 's/\..*//')
     folder=$out/project/build/host/float/$name
-    call plot SCENE="$scene" SECONDS=1 && [ ! -s "$out/errors" ] && texts "$folder/trace.svg" >"$out/texts"
+    call plot SCENE="$scene" SECONDS=1 && [ ! -s "$out/errors" ] && [ -s "$folder/trace.png" ]
     expect $? "$name is drawn, and nothing is said against it"
-    missing=
-    for output in $(head -n 1 "$folder/trace.csv" | tr , '\n' | sed -n '2,$ { s/_[xyz]$//; p; }' | sort -u); do
-        grep -Eq "^$output(, .*)?\$" "$out/texts" || missing="$missing $output"
-    done
-    [ -z "$missing" ] && [ -s "$folder/trace.png" ]
-    expect $? "$name: every output has its panel, a point one for its three$missing"
+    true_to "$folder"
+    result $? "$name: a panel for every output with its unit, and in it what the trace has"
+    [ ! -e "$folder/path.svg" ] || shows "$folder/path.svg"
+    result $? "$name: no text of the path is cut off"
 done
 
-texts "$out/project/build/host/float/tree/trace.svg" >"$out/texts"
-for text in 'tree: rk4, step 0.5 ms, float' 'rail_position, m' 'hinge_angle, rad' 'rotor_turns, turns' \
-    'needle_rate, rad/s' 'sensor_velocity, m/s' 'hinge_acceleration, rad/s^2' 'energy, J' 't, s'; do
+# The path, and the change of the energy.
+folder=$out/project/build/host/float/double_pendulum
+awk -F , -v OFS='\t' '
+    FNR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+    FNR == 2 { start = $column["energy"] }
+    {
+        print "double_pendulum: rk4, step 1 ms, float|tip_x, m", "", $column["tip_x"], $column["tip_y"]
+        print "|t, s", "", $1, $column["energy"] - start
+    }' "$folder/trace.csv" >"$out/points"
+shows "$folder/path.svg" "$out/points" drawn
+result $? "double_pendulum: the path has the points of the trace"
+
+# wrong WHAT SED...: the trace of the tree so changed is found not to be that of its picture.
+tree=$out/project/build/host/float/tree
+wrong()
+{
+    what=$1
+    shift
+    mkdir -p "$out/wrong"
+    cp "$tree/trace.csv" "$tree/units.csv" "$out/wrong"
+    sed "$@" "$tree/trace.svg" >"$out/wrong/trace.svg"
+    ! true_to "$out/wrong" >/dev/null
+    result $? "found: $what"
+}
+wrong "a wrong unit" 's/needle_rate, rad/needle_rate, m/'
+wrong "another component" 's/>y</>z</'
+wrong "a wrong label" 's/>0\.4</>0.5</'
+
+texts "$tree/trace.svg" >"$out/texts"
+for text in 'tree: rk4, step 0.5 ms, float' 'rail_position, m' 'rotor_turns' 'needle_rate, rad/s' 'hinge_acceleration, rad/s^2'; do
     grep -qxF "$text" "$out/texts"
     result $? "tree: $text"
 done
-! grep -qxF 'needle_rate, m/s' "$out/texts"
-result $? "found: a unit that is not there"
 [ ! -e "$out/project/build/host/float/oscillator/path.svg" ]
 result $? "no path without a point"
 
+# The unit of every kind of output, of what turns and of what slides.
+sed -n 's/.*ROW(OUTPUT_[A-Z_]*, "\([a-z_]*\)".*/\1/p' tools/isoc/scene/output_kinds.h | sort -u >"$out/kinds"
+sed -n 's/^output [a-z_]* = \([a-z_]*\).*/\1/p' tests/scenes/units.scene | sort -u | cmp -s - "$out/kinds" && [ -s "$out/kinds" ]
+result $? "tests/scenes/units.scene has every kind of output"
+units='t s
+position_of_a_slide m
+position_of_a_hinge rad
+point_x m
+point_y m
+point_z m
+point_along m
+speed_of_a_slide m/s
+speed_of_a_hinge rad/s
+acceleration_of_a_slide m/s^2
+acceleration_of_a_hinge rad/s^2
+velocity_x m/s
+velocity_y m/s
+velocity_z m/s
+turns 1
+orientation_w 1
+orientation_x 1
+orientation_y 1
+orientation_z 1
+spin_x rad/s
+spin_y rad/s
+spin_z rad/s
+force_x N
+force_y N
+force_z N
+force_along N
+moment_x N*m
+moment_y N*m
+moment_z N*m
+effort_of_a_gear_on_a_slide N
+effort_of_a_gear_on_a_hinge N*m
+effort_of_a_motion_of_a_hinge N*m
+effort_of_a_motion_of_a_slide N
+energy J
+local_error mixed
+residual mixed
+violation m or rad
+violation_rate m/s or rad/s'
+for line in 1 2; do
+    sed -n ${line}p "$out/project/build/host/float/units/units.csv" | tr , '\n' >"$out/line$line"
+done
+[ "$(paste -d ' ' "$out/line1" "$out/line2")" = "$units" ]
+result $? "every kind of output has its unit"
+[ "$(cat "$out/project/build/host/float/oscillator/units.csv")" = "$(printf 't,position,speed,energy\ns,m,m/s,J')" ]
+result $? "so have those of a plant in C"
+
 # A signal that is 0 but for one row of 10,000: its height is in the drawing.
-printf 'scene spike\nmethod rk4\nstep 0.001\nreal float\n' >"$out/summary.txt"
-awk 'BEGIN { print "t,a"; for (i = 1; i <= 10000; i++) print i / 1000 "," (i == 4567 ? 7.25 : 0) }' >"$out/spike.csv"
-awk -v kind=trace -f tools/plot/plot.awk part=scene /dev/null part=run "$out/summary.txt" part=trace "$out/spike.csv" \
-    >"$out/spike.gnuplot"
-grep -qx '4.567 7.25' "$out/spike.gnuplot" && [ "$(grep -c '^[0-9.]* [-0-9.]*$' "$out/spike.gnuplot")" -lt 1000 ]
+mkdir -p "$out/spike"
+printf 'scene spike\nmethod rk4\nstep 0.001\nreal float\n' >"$out/spike/summary.txt"
+printf 't,a\ns,\n' >"$out/spike/units.csv"
+awk 'BEGIN { print "t,a"; for (i = 1; i <= 10000; i++) print i / 1000 "," (i == 4567 ? 7.25 : 0) }' >"$out/spike/trace.csv"
+build/plot trace "$out/spike" >"$out/spike/trace.gnuplot"
+grep -qx '4.567 7.25' "$out/spike/trace.gnuplot" && [ "$(grep -c '^[0-9.]* [-0-9.]*$' "$out/spike/trace.gnuplot")" -lt 1000 ]
 result $? "a spike in one row of 10,000 is drawn, with less than 1000 points"
 
 # A machine without gnuplot.

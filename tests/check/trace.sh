@@ -29,6 +29,8 @@ tells 'broke off.*signal 9' 'a command that is killed' sh -c 'kill -9 $$'
 tells "not a run.*'hello'" 'something else than a run' echo hello
 tells 'broke off' 'a header without a run' printf 'isochron 1\nscene x\n'
 tells "'colour'" 'a header with an unknown line' printf 'isochron 1\ncolour red\n\n'
+tells 'makes no sense' 'a header with more units than outputs' \
+    printf 'isochron 1\nscene x\nmethod rk4\nstep 0.1\nreal float\nperiod_ns 1\nnames a,b\nunits m,m,m\n\n'
 tells 'makes no sense' 'a header without a step' printf 'isochron 1\nscene x\n\n'
 tells 'Bail out! hot' 'a platform that gives up' printf 'Bail out! hot\n'
 "$oscillator" 1000000000 >"$out/stream"

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 void gnuplot_style(void)
 {
@@ -36,7 +37,15 @@ void gnuplot_range(const char axis, const double least, const double most)
     const double half = (most - least + 2 * air) / 2;
     const double decade = pow(10, floor(log10(half)));
     const double tic = decade * (half >= 5 * decade ? 5 : half >= 2 * decade ? 2 : 1);
-    printf("set %crange [%.9g:%.9g]\nset %ctics %.3g\n", axis, least - air, most + air, axis, tic);
+    const int first = (int)ceil((least - air) / tic);
+    const int last = (int)floor((most + air) / tic);
+    const double greatest = tic * fmax(1, fmax(abs(first), abs(last)));
+    const int digits = (int)fmax(6, 1 + floor(log10(greatest)) - floor(log10(tic)));
+    printf("set %crange [%.9g:%.9g]\nset %ctics (", axis, least - air, most + air, axis);
+    for (int i = first; i <= last; i++) {
+        printf("%s'%.*g' %.12g", i == first ? "" : ", ", digits, i * tic, i * tic);
+    }
+    puts(")");
 }
 
 /* Labels at powers of ten, so many decades apart that there are at most six; over less than two decades at 2 and 5 times

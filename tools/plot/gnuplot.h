@@ -14,7 +14,7 @@ void gnuplot_text(const char *text);
 void gnuplot_panel(double left, double right, double top, double bottom);
 
 /* A linear axis, 'x' or 'y', over the values from `least` to `most` with some air, and two to five tics at multiples of
- * 1, 2 or 5 times a power of ten. */
+ * 1, 2 or 5 times a power of ten, labelled with as many digits as they need. */
 void gnuplot_range(char axis, double least, double most);
 
 /* A logarithmic axis from `least` to `most`, with tics, and labels if it is to have them, where the value of each is. Gnuplot, told to place tics of a

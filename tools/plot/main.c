@@ -1,5 +1,6 @@
 /* Writes gnuplot's commands for a picture.
  *
+ *     plot trace|path DIRECTORY                     of a run: trace.csv, units.csv and summary.txt there
  *     plot work_precision SCENE TIME report.tsv
  *     plot violation SCENE measured
  *     plot compact <drawn.svg >smaller.svg
@@ -13,14 +14,20 @@
 int main(const int argc, char **const argv)
 {
     const char *const kind = argc > 1 ? argv[1] : "";
-    if (strcmp(kind, "work_precision") == 0 && argc == 5) {
+    if (strcmp(kind, "trace") == 0 && argc == 3) {
+        picture_trace(argv[2]);
+    } else if (strcmp(kind, "path") == 0 && argc == 3) {
+        picture_path(argv[2]);
+    } else if (strcmp(kind, "work_precision") == 0 && argc == 5) {
         picture_work_precision(argv[2], argv[3], argv[4]);
     } else if (strcmp(kind, "violation") == 0 && argc == 4) {
         picture_violation(argv[2], argv[3]);
     } else if (strcmp(kind, "compact") == 0 && argc == 2) {
         compact_svg();
     } else {
-        fputs("usage: plot work_precision SCENE TIME TABLE | plot violation SCENE LINES | plot compact\n", stderr);
+        fputs("usage: plot trace|path DIRECTORY | plot work_precision SCENE TIME TABLE | plot violation SCENE LINES | "
+              "plot compact\n",
+              stderr);
         return EXIT_FAILURE;
     }
     return fflush(stdout) == 0 && ferror(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

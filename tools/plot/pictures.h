@@ -3,6 +3,13 @@
 #ifndef ISO_TOOLS_PLOT_PICTURES_H
 #define ISO_TOOLS_PLOT_PICTURES_H
 
+/* All outputs of a run over time, a panel for each; the components of a vector share one. */
+void picture_trace(const char *directory);
+
+/* The way of the first point that is shown, in the plane in which it moves most, and the change of the energy, if there
+ * is one. Nothing where there is no point. */
+void picture_path(const char *directory);
+
 /* Error over cost and over the step for every method, from a report's table, tab-separated (tools/report). */
 void picture_work_precision(const char *scene, const char *time, const char *path);
 

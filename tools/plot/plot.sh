@@ -1,17 +1,10 @@
 #!/bin/sh
-# Draws the run in a folder, its trace.csv and summary.txt, with gnuplot: trace.svg and trace.png, all outputs over time;
-# path.svg and path.png, the way of a point of the mechanism, if the scene puts one out.
+# Draws the run in a folder, its trace.csv, units.csv and summary.txt, with gnuplot: trace.svg and trace.png, all outputs over time;
+# path.svg and path.png, the way of a point of the mechanism, if an output is one.
 #
-#     plot.sh DIR SCENE
+#     plot.sh DIR
 set -eu
-dir=$1
-scene=$2
-case $scene in
-*.c) scene=/dev/null ;;
-esac
-
 for kind in trace path; do
-    awk -v kind=$kind -f tools/plot/plot.awk \
-        part=scene - part=run "$dir/summary.txt" part=trace "$dir/trace.csv" <"$scene" >"$dir/$kind.gnuplot"
-    sh tools/plot/draw.sh "$dir/$kind.gnuplot"
+    build/plot $kind "$1" >"$1/$kind.gnuplot"
+    sh tools/plot/draw.sh "$1/$kind.gnuplot"
 done

@@ -25,13 +25,15 @@ typedef struct options {
     char **command;
 } options;
 
-static const char usage[] = "usage: trace -o DIRECTORY [--clock UNIT] -- COMMAND [ARGUMENT...]\n"
-                            "\n"
-                            "Runs COMMAND, writes its outputs to DIRECTORY/trace.csv and prints a summary.\n"
-                            "\n"
-                            "    -o DIRECTORY    an existing directory\n"
-                            "    --clock UNIT    what the platform's clock counts: ns (unless told), cycles,\n"
-                            "                    instructions (these are summed up as instructions_per_step)\n";
+static const char usage[] =
+    "usage: trace -o DIRECTORY [--clock UNIT] -- COMMAND [ARGUMENT...]\n"
+    "\n"
+    "Runs COMMAND, writes its outputs to DIRECTORY/trace.csv, their units to units.csv there, and prints a\n"
+    "summary.\n"
+    "\n"
+    "    -o DIRECTORY    an existing directory\n"
+    "    --clock UNIT    what the platform's clock counts: ns (unless told), cycles,\n"
+    "                    instructions (these are summed up as instructions_per_step)\n";
 
 _Noreturn static void fail(const char *const what, const char *const why)
 {
@@ -278,30 +280,79 @@ static char *join(const char *const directory, const char *const name)
     return path;
 }
 
+/* A file that is there only when it is whole: what is written goes to PATH.partial. */
+typedef struct result {
+    char *path;
+    char *partial;
+    FILE *file;
+} result;
+
+static result result_open(const char *const directory, const char *const name)
+{
+    result r = {.path = join(directory, name)};
+    const size_t bytes = strlen(r.path) + sizeof ".partial";
+    r.partial = malloc(bytes);
+    if (r.partial == NULL) {
+        fail(r.path, strerror(errno));
+    }
+    snprintf(r.partial, bytes, "%s.partial", r.path);
+    r.file = fopen(r.partial, "w");
+    if (r.file == NULL) {
+        fail(r.partial, strerror(errno));
+    }
+    return r;
+}
+
+/* Leaves what was there before. */
+static void result_drop(const result *const r)
+{
+    if (r->file != NULL) {
+        fclose(r->file);
+    }
+    (void)remove(r->partial);
+}
+
+static bool result_close(result *const r)
+{
+    const bool whole = fclose(r->file) == 0;
+    r->file = NULL;
+    return whole;
+}
+
+/* The columns of the table and their units, in the same order. */
+static void write_units(FILE *const file, const stream_header *const header)
+{
+    const char *const comma = header->outputs > 0 ? "," : "";
+    fprintf(file, "t%s%s\ns%s", comma, header->names, comma);
+    for (const char *c = header->names; header->units[0] == '\0' && *c != '\0'; c++) {
+        fputs(*c == ',' ? "," : "", file);
+    }
+    fprintf(file, "%s\n", header->units);
+}
+
 int main(int argc, char **argv)
 {
     static stream run;
     const options chosen = parse(argc, argv);
-    char *const path = join(chosen.directory, "trace.csv");
-    char *const partial = join(chosen.directory, "trace.csv.partial");
-    FILE *const table = fopen(partial, "w");
-    if (table == NULL) {
-        fail(partial, strerror(errno));
+    result table = result_open(chosen.directory, "trace.csv");
+    result units = result_open(chosen.directory, "units.csv");
+    const bool recorded = record(&chosen, &run, table.file);
+    if (recorded) {
+        write_units(units.file, &run.header);
     }
-    if (!record(&chosen, &run, table)) {
-        (void)remove(partial);
+    if (!recorded || !result_close(&table) || !result_close(&units)) {
+        const int why = errno;
+        result_drop(&table);
+        result_drop(&units);
+        if (recorded) {
+            fail(table.path, strerror(why));
+        }
         return EXIT_FAILURE;
     }
-    if (fclose(table) != 0) {
-        (void)remove(partial);
-        fail(path, strerror(errno));
+    if (rename(table.partial, table.path) != 0 || rename(units.partial, units.path) != 0) {
+        fail(table.path, strerror(errno));
     }
-    if (rename(partial, path) != 0) {
-        fail(path, strerror(errno));
-    }
-    print_summary(&run, chosen.clock, path);
-    free(path);
-    free(partial);
+    print_summary(&run, chosen.clock, table.path);
     if (fflush(stdout) != 0) {
         fail("standard output", strerror(errno));
     }

@@ -51,7 +51,7 @@ static bool parse_field(stream_header *const header, const char *const key, cons
     } texts[] = {
         {"scene", header->scene, sizeof header->scene}, {"method", header->method, sizeof header->method},
         {"step", header->step, sizeof header->step},    {"real", header->real, sizeof header->real},
-        {"names", header->names, sizeof header->names},
+        {"names", header->names, sizeof header->names}, {"units", header->units, sizeof header->units},
     };
     const struct {
         const char *key;
@@ -75,6 +75,15 @@ static bool parse_field(stream_header *const header, const char *const key, cons
     return false;
 }
 
+static size_t commas(const char *text)
+{
+    size_t count = 0;
+    for (; *text != '\0'; text++) {
+        count += *text == ',';
+    }
+    return count;
+}
+
 static bool check_header(stream *const run)
 {
     stream_header *const header = &run->header;
@@ -83,7 +92,8 @@ static bool check_header(stream *const run)
                                                                : 0;
     header->step_size = strtod(header->step, NULL);
     if (header->real_bytes == 0 || !(header->step_size > 0) || header->period_ns == 0 ||
-        header->states > STREAM_VALUES_MAX || header->outputs > STREAM_VALUES_MAX) {
+        header->states > STREAM_VALUES_MAX || header->outputs > STREAM_VALUES_MAX ||
+        (header->units[0] != '\0' && commas(header->units) != commas(header->names))) {
         return fail(run, "the header of the run makes no sense");
     }
     return true;

@@ -15,9 +15,10 @@ typedef struct stream_header {
     char method[16];
     char step[64];
     char real[16];
-    char names[STREAM_TEXT_BYTES];
-    double step_size;  /* s */
-    size_t real_bytes; /* 4 or 8 */
+    char names[STREAM_TEXT_BYTES]; /* of the outputs, separated by commas */
+    char units[STREAM_TEXT_BYTES]; /* as many; empty where nobody knows them */
+    double step_size;              /* s */
+    size_t real_bytes;             /* 4 or 8 */
     uint64_t period_ns;
     uint64_t duration_ns; /* 0: no end */
     uint64_t states;

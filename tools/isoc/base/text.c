@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 void text_add(text *t, const char *format, ...)
 {
@@ -10,7 +11,14 @@ void text_add(text *t, const char *format, ...)
     va_copy(again, arguments);
     const size_t length = (size_t)vsnprintf(NULL, 0, format, arguments);
     va_end(arguments);
-    t->bytes = arena_grow(t->memory, t->bytes, t->length + length, &t->room, 1);
+    if (t->length + length + 1 > t->room) {
+        t->room = 2 * (t->length + length + 1);
+        char *larger = arena_take(t->memory, t->room, 1);
+        if (t->length != 0) {
+            memcpy(larger, t->bytes, t->length);
+        }
+        t->bytes = larger;
+    }
     vsnprintf(t->bytes + t->length, length + 1, format, again);
     va_end(again);
     t->length += length;

@@ -331,6 +331,16 @@ static size_t driven_count(const mechanism *m)
     return (size_t)(m->input_count + m->clocks.count);
 }
 
+/* Whether any of it is a function of the tick. */
+static bool is_driven_by_time(const graph *g, const mechanism *m)
+{
+    bool is = false;
+    for (operation op = OP_PHASE; op <= OP_SINCE; op++) {
+        is = is || uses_operation(g, m->drives, driven_count(m), op);
+    }
+    return is;
+}
+
 static bool emit_drive(const plant *p, graph *g, text *out, double *culprit)
 {
     const mechanism *m = p->m;
@@ -346,7 +356,7 @@ static bool emit_drive(const plant *p, graph *g, text *out, double *culprit)
     text_add(out, "/* What is a function of time; other inputs are zero until a port reads them. */\n");
     text_add(out, "static void drive(void *const instance, const uint32_t tick)\n{\n    plant_memory *const memory = "
                   "instance;\n");
-    if (!uses_time(g, m->drives, count)) {
+    if (!is_driven_by_time(g, m)) {
         text_add(out, "    (void)tick;\n");
     }
     if (uses_operation(g, m->drives, count, OP_PARAMETER)) {
@@ -507,6 +517,16 @@ static void emit_step(const plant *p, const graph *g, text *out)
     text_add(out, "}\n\n");
 }
 
+/* .FIELD = "WORD," "WORD,", ...: one string, of words separated by commas. */
+static void emit_list(text *out, const char *field, const char *const *words, int count)
+{
+    text_add(out, "    .%s =%s", field, count == 0 ? " \"\"" : "");
+    for (int i = 0; i < count; i++) {
+        text_add(out, "\n        \"%s%s\"", words[i], i + 1 < count ? "," : "");
+    }
+    text_add(out, ",\n");
+}
+
 /* What all plants of the scene share. */
 static void emit_model(const plant *p, text *out)
 {
@@ -520,11 +540,9 @@ static void emit_model(const plant *p, text *out)
     text_add(out, "%s", m->input_count > 0 ? "    .inputs = PLANT_INPUTS,\n" : "");
     text_add(out, "    .outputs = PLANT_OUTPUTS,\n");
     text_add(out, "%s", m->parameter_count > 0 ? "    .parameters = PLANT_PARAMETERS,\n" : "");
-    text_add(out, "    .output_names =");
-    for (int i = 0; i < p->output_count; i++) {
-        text_add(out, "\n        \"%s%s\"", p->output_names[i], i + 1 < p->output_count ? "," : "");
-    }
-    text_add(out, ",\n    .start = start,\n");
+    emit_list(out, "output_names", p->output_names, p->output_count);
+    emit_list(out, "output_units", p->output_units, p->output_count);
+    text_add(out, "    .start = start,\n");
     text_add(out, "%s", m->parameter_count > 0 ? "    .defaults = defaults,\n" : "");
     text_add(out, "%s", has_angles(m) ? "    .range = range,\n" : "");
     text_add(out, "    .memory_bytes = sizeof(plant_memory),\n    .derivative = derivative,\n    .output = output,\n");
@@ -560,7 +578,7 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
     text_add(out,
              " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n#include \"plant.h\"\n\n");
     text_add(out, "#include \"core/methods/method.h\"\n%s#include \"core/numbers/sincos.h\"\n%s\n",
-             uses_time(g, m->drives, driven_count(m)) ? "#include \"core/numbers/signal.h\"\n" : "",
+             is_driven_by_time(g, m) ? "#include \"core/numbers/signal.h\"\n" : "",
              p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
     emit_memory(p, out);
     bool good = emit_function(p, g, out, "derivative", "dx", "", p->derivatives, state_count(m), culprit);
