@@ -1,7 +1,9 @@
-/* Memory of one compilation: taken piece by piece, given back all at once. */
+/* Memory of one compilation: taken piece by piece, given back all at once, and large pieces before if they are no
+ * longer needed. */
 #ifndef ISOC_BASE_ARENA_H
 #define ISOC_BASE_ARENA_H
 
+#include <stdarg.h>
 #include <stddef.h>
 
 typedef struct arena arena;
@@ -12,13 +14,19 @@ void arena_free(arena *a);
 /* Zeroed memory for `count` things of `size` bytes. Ends the program when there is none left. */
 void *arena_take(arena *a, size_t count, size_t size);
 
+/* Gives back before the end what was taken for `count` things of `size` bytes: as far as it is large, for small pieces
+ * share their block with others. */
+void arena_return(arena *a, void *items, size_t count, size_t size);
+
 /* A copy of the `length` bytes at `text`, ended by a zero. */
 char *arena_copy(arena *a, const char *text, size_t length);
 
-/* The text that printf would write. */
+/* The text that printf would write, and vprintf. */
 char *arena_format(arena *a, const char *format, ...) __attribute__((format(printf, 2, 3)));
+char *arena_format_list(arena *a, const char *format, va_list arguments) __attribute__((format(printf, 2, 0)));
 
-/* An array that grows: returns `items`, or a copy with twice the room when `count` items fill `room`. */
+/* An array that grows: `items`, or in their place a larger array that begins with them, so that it has room for more
+ * than `count`. The old one is no longer there. */
 void *arena_grow(arena *a, void *items, size_t count, size_t *room, size_t size);
 
 #endif

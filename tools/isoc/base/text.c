@@ -2,7 +2,6 @@
 
 #include <stdarg.h>
 #include <stdio.h>
-#include <string.h>
 
 void text_add(text *t, const char *format, ...)
 {
@@ -11,14 +10,7 @@ void text_add(text *t, const char *format, ...)
     va_copy(again, arguments);
     const size_t length = (size_t)vsnprintf(NULL, 0, format, arguments);
     va_end(arguments);
-    if (t->length + length + 1 > t->room) {
-        t->room = 2 * (t->length + length + 1);
-        char *larger = arena_take(t->memory, t->room, 1);
-        if (t->length != 0) {
-            memcpy(larger, t->bytes, t->length);
-        }
-        t->bytes = larger;
-    }
+    t->bytes = arena_grow(t->memory, t->bytes, t->length + length, &t->room, 1);
     vsnprintf(t->bytes + t->length, length + 1, format, again);
     va_end(again);
     t->length += length;

@@ -122,7 +122,8 @@ static double regularisation(const augmented *a)
         return m->is_redundant ? 1.0 / m->penalty : 0.0;
     }
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers), sum = 0.0;
-    graph_evaluate(g, mechanism_start(m, g->memory), NULL, m->defaults, numbers);
+    const evaluation at = {mechanism_start(m, g->memory), NULL, m->defaults};
+    graph_evaluate(g, 0, &at, numbers);
     for (int r = 0; r < a->held.count; r++) {
         sum += numbers[a->schur[r * a->held.count + r]];
     }

@@ -10,9 +10,6 @@
 
 enum { LONGEST_INLINE = 72 }; /* characters of an expression that stands inside another */
 
-/* How tightly an expression binds, for parentheses. */
-typedef enum binding { BINDS_SUM, BINDS_PRODUCT, BINDS_WHOLE } binding;
-
 /* What stands for a node where it is used. */
 typedef struct rendering {
     const char *text;
@@ -27,7 +24,8 @@ typedef struct emitter {
     bool *needed;
     int *uses;
     rendering *shown;
-    const char **taken; /* names given so far */
+    const char **turned; /* of an angle: what holds its sine and cosine */
+    const char **taken;  /* names given so far */
     size_t taken_count, taken_room;
     int temporaries, section;
     double culprit;
@@ -124,128 +122,92 @@ static const char *operand(const emitter *e, node n, binding least)
     return r->binds >= least ? r->text : arena_format(e->g->memory, "(%s)", r->text);
 }
 
-static rendering show_sum(const emitter *e, const graph_node *n)
-{
-    arena *memory = e->g->memory;
-    const bool negative = n->op == OP_ADD && is_constant(e->g, n->a) && constant_value(e->g, n->a) < 0.0;
-    if (negative) {
-        const char *literal = code_literal(memory, -constant_value(e->g, n->a), e->c->is_double);
-        return (rendering){arena_format(memory, "%s - %s", operand(e, n->b, BINDS_SUM), literal), BINDS_SUM};
-    }
-    const char *left = operand(e, n->a, BINDS_SUM), *right = operand(e, n->b, BINDS_PRODUCT);
-    return (rendering){arena_format(memory, "%s %c %s", left, n->op == OP_ADD ? '+' : '-', right), BINDS_SUM};
-}
-
-static rendering show(emitter *e, node i)
-{
-    const graph_node *n = &e->g->nodes[i];
-    arena *memory = e->g->memory;
-    switch (n->op) {
-    case OP_CONSTANT:
-        e->culprit = in_range(n->value, e->c->is_double) ? e->culprit : n->value;
-        return (rendering){code_literal(memory, n->value, e->c->is_double), BINDS_WHOLE};
-    case OP_STATE:
-        return (rendering){e->c->names.states[n->index], BINDS_WHOLE};
-    case OP_INPUT:
-        return (rendering){e->c->names.inputs[n->index], BINDS_WHOLE};
-    case OP_PARAMETER:
-        return (rendering){e->c->names.parameters[n->index], BINDS_WHOLE};
-    case OP_TURNS:
-        return (rendering){arena_format(memory, "(real)memory->turns[%d]", n->index), BINDS_WHOLE};
-    case OP_STEP:
-        return (rendering){"hb", BINDS_WHOLE};
-    case OP_FACTOR:
-        return (rendering){arena_format(memory, "lu_%d", n->index), BINDS_WHOLE};
-    case OP_RIGHT:
-        return (rendering){arena_format(memory, "r_%s", e->c->names.states[n->index]), BINDS_WHOLE};
-    case OP_LOCAL_ERROR:
-        return (rendering){"memory->progress.local_error", BINDS_WHOLE};
-    case OP_RESIDUAL:
-        return (rendering){"memory->progress.residual", BINDS_WHOLE};
-    case OP_DERIVATIVE:
-        return (rendering){arena_format(memory, "dx[%d]", n->index), BINDS_WHOLE};
-    case OP_ADD:
-    case OP_SUB:
-        return show_sum(e, n);
-    case OP_MUL:
-    case OP_DIV:
-        return (rendering){arena_format(memory, "%s %c %s", operand(e, n->a, BINDS_PRODUCT),
-                                        n->op == OP_MUL ? '*' : '/', operand(e, n->b, BINDS_WHOLE)),
-                           BINDS_PRODUCT};
-    case OP_NEG:
-        return (rendering){arena_format(memory, "-%s", operand(e, n->a, BINDS_WHOLE)), BINDS_PRODUCT};
-    case OP_ABS:
-        return (rendering){arena_format(memory, "iso_abs(%s)", e->shown[n->a].text), BINDS_WHOLE};
-    case OP_MAX:
-    case OP_ABOVE:
-        return (rendering){arena_format(memory, "iso_%s(%s, %s)", n->op == OP_MAX ? "max" : "above",
-                                        e->shown[n->a].text, e->shown[n->b].text),
-                           BINDS_WHOLE};
-    case OP_WRAP:
-        return (rendering){arena_format(memory, "iso_within_turn(%s)", e->shown[n->a].text), BINDS_WHOLE};
-    default:
-        return (rendering){"", BINDS_WHOLE};
-    }
-}
-
 /* 2^64 per turn; the fraction of a turn as a phase. */
-static uint64_t phase_of(double turns)
+static const char *phase(arena *memory, double turns)
 {
     const double fraction = turns - floor(turns);
-    return (uint64_t)(fraction * 18446744073709549568.0);
+    return arena_format(memory, "UINT64_C(0x%016llX)", (unsigned long long)(fraction * 18446744073709549568.0));
 }
 
-static rendering show_timed(emitter *e, const graph_node *n)
+static const char *number(emitter *e, double value)
 {
-    arena *memory = e->g->memory;
-    if (n->op == OP_PHASE) {
-        return (rendering){arena_format(memory, "iso_phase(tick, UINT64_C(0x%016llX), UINT64_C(0x%016llX))",
-                                        (unsigned long long)phase_of(n->value),
-                                        (unsigned long long)phase_of(n->second)),
-                           BINDS_WHOLE};
-    }
-    const char *second = code_literal(memory, n->second, e->c->is_double);
-    if (n->op == OP_TIME) {
-        return (rendering){arena_format(memory, "%s * (real)tick", second), BINDS_PRODUCT};
-    }
-    const double whole = floor(n->value);
-    const char *first = arena_format(memory, "tick, UINT32_C(%.0f), %s", whole,
-                                     code_literal(memory, n->value - whole, e->c->is_double));
-    return n->op == OP_SINCE ? (rendering){arena_format(memory, "%s * iso_since(%s)", second, first), BINDS_PRODUCT}
-                             : (rendering){arena_format(memory, "iso_ramp(%s, %s)", first, second), BINDS_WHOLE};
+    e->culprit = in_range(value, e->c->is_double) ? e->culprit : value;
+    return code_literal(e->g->memory, value, e->c->is_double);
 }
 
 /* Sine and cosine of one angle come from one call. */
-static void declare_turn(emitter *e, node i)
+static const char *turned(emitter *e, const graph_node *n)
 {
-    const graph_node *n = &e->g->nodes[i];
-    for (node j = 0; j < i; j++) {
-        const graph_node *other = &e->g->nodes[j];
-        if (e->needed[j] && (other->op == OP_SIN || other->op == OP_COS) && other->a == n->a) {
-            const char *pair = arena_copy(e->g->memory, e->shown[j].text, strlen(e->shown[j].text) - 4);
-            e->shown[i] =
-                (rendering){arena_format(e->g->memory, "%s.%s", pair, n->op == OP_SIN ? "sin" : "cos"), BINDS_WHOLE};
-            return;
+    if (e->turned[n->a] == NULL) {
+        const char *joint = n->name != NULL ? n->name + strlen("sin_") : "wave";
+        e->turned[n->a] = unique_name(e, arena_format(e->g->memory, "turn_%s", joint));
+        heading(e, n->section);
+        text_add(e->out, "    const iso_sine_cosine %s = iso_sincos(%s);\n", e->turned[n->a], e->shown[n->a].text);
+    }
+    return e->turned[n->a];
+}
+
+/* What stands for @letter in the text of an operator (tools/isoc/graph/operators.h). */
+static const char *part(emitter *e, const graph_node *n, char letter)
+{
+    const operator_row *row = &operators[n->op];
+    arena *memory = e->g->memory;
+    switch (letter) {
+    case 'a':
+        return operand(e, n->a, row->least_a);
+    case 'b':
+        return operand(e, n->b, row->least_b);
+    case 't':
+        return turned(e, n);
+    case 'x':
+        return e->c->names.states[n->index];
+    case 'u':
+        return e->c->names.inputs[n->index];
+    case 'p':
+        return e->c->names.parameters[n->index];
+    case 'i':
+        return arena_format(memory, "%d", n->index);
+    case '1':
+        return number(e, n->value);
+    case '2':
+        return number(e, n->second);
+    case 'w':
+        return arena_format(memory, "UINT32_C(%.0f)", floor(n->value));
+    case 'f':
+        return number(e, n->value - floor(n->value));
+    case 'v':
+        return phase(memory, n->value);
+    default:
+        return phase(memory, n->second);
+    }
+}
+
+static rendering show(emitter *e, const graph_node *n)
+{
+    const operator_row *row = &operators[n->op];
+    text made = {.memory = e->g->memory};
+    if (n->op == OP_ADD && is_constant(e->g, n->a) && constant_value(e->g, n->a) < 0.0) {
+        text_add(&made, "%s - %s", operand(e, n->b, BINDS_SUM), number(e, -constant_value(e->g, n->a)));
+        return (rendering){made.bytes, BINDS_SUM};
+    }
+    text_add(&made, "%s", "");
+    for (const char *c = row->text; *c != '\0'; c++) {
+        if (*c == '@') {
+            text_add(&made, "%s", part(e, n, *++c));
+        } else {
+            text_add(&made, "%c", *c);
         }
     }
-    const char *joint = n->name != NULL ? n->name + strlen("sin_") : "wave";
-    const char *pair = unique_name(e, arena_format(e->g->memory, "turn_%s", joint));
-    heading(e, n->section);
-    text_add(e->out, "    const iso_sine_cosine %s = iso_sincos(%s);\n", pair, e->shown[n->a].text);
-    e->shown[i] = (rendering){arena_format(e->g->memory, "%s.%s", pair, n->op == OP_SIN ? "sin" : "cos"), BINDS_WHOLE};
+    return (rendering){made.bytes, row->binds};
 }
 
 /* A node with a name or several uses is declared; the others stand where they are used, unless they grow long. */
 static void emit_node(emitter *e, node i)
 {
     const graph_node *n = &e->g->nodes[i];
-    if (n->op == OP_SIN || n->op == OP_COS) {
-        declare_turn(e, i);
-        return;
-    }
-    e->shown[i] = is_timed(e->g, i) ? show_timed(e, n) : show(e, i);
-    const bool leaf_like = n->op < OP_ADD || n->op == OP_NEG;
-    if (leaf_like || (n->name == NULL && e->uses[i] < 2 && strlen(e->shown[i].text) < LONGEST_INLINE)) {
+    e->shown[i] = show(e, n);
+    if (operators[n->op].place == IN_PLACE ||
+        (n->name == NULL && e->uses[i] < 2 && strlen(e->shown[i].text) < LONGEST_INLINE)) {
         return;
     }
     const char *wanted = n->name != NULL ? n->name : arena_format(e->g->memory, "t%d", ++e->temporaries);
@@ -259,9 +221,9 @@ static void count_uses(emitter *e)
 {
     for (size_t i = 0; i < e->g->count; i++) {
         const graph_node *n = &e->g->nodes[i];
-        if (e->needed[i] && n->op >= OP_ADD) {
-            e->uses[n->a]++;
-            e->uses[n->b] += n->op <= OP_DIV;
+        if (e->needed[i]) {
+            e->uses[n->a] += operators[n->op].operands > 0;
+            e->uses[n->b] += operators[n->op].operands == 2;
         }
     }
     for (size_t i = 0; i < e->c->count; i++) {
@@ -272,16 +234,12 @@ static void count_uses(emitter *e)
 /* const real q_shoulder = x[PLANT_X_SHOULDER]; for the states, inputs and parameters that are used. */
 static void declare_leaves(emitter *e)
 {
-    static const struct {
-        operation op;
-        const char *array;
-    } kinds[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}, {OP_RIGHT, "d"}, {OP_FACTOR, "lu"}};
-    for (size_t k = 0; k < sizeof kinds / sizeof kinds[0]; k++) {
-        for (size_t i = 0; i < e->g->count; i++) {
+    for (operation op = 0; op < OPERATIONS; op++) {
+        for (size_t i = 0; i < e->g->count && operators[op].array != NULL; i++) {
             const graph_node *n = &e->g->nodes[i];
-            if (e->needed[i] && n->op == kinds[k].op) {
-                const char *name = unique_name(e, show(e, (node)i).text);
-                text_add(e->out, "    const real %s = %s[%d];\n", name, kinds[k].array, n->index);
+            if (e->needed[i] && n->op == op) {
+                const char *name = unique_name(e, show(e, n).text);
+                text_add(e->out, "    const real %s = %s[%d];\n", name, operators[op].array, n->index);
             }
         }
     }
@@ -295,6 +253,7 @@ bool code_emit(const code *c, text *out, double *culprit)
     e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
     e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
     e.shown = arena_take(g->memory, g->count, sizeof *e.shown);
+    e.turned = arena_take(g->memory, g->count, sizeof *e.turned);
     graph_reach(g, roots, c->count, e.needed);
     count_uses(&e);
     declare_leaves(&e);

@@ -331,16 +331,6 @@ static size_t driven_count(const mechanism *m)
     return (size_t)(m->input_count + m->clocks.count);
 }
 
-/* Whether any of it is a function of the tick. */
-static bool is_driven_by_time(const graph *g, const mechanism *m)
-{
-    bool is = false;
-    for (operation op = OP_PHASE; op <= OP_SINCE; op++) {
-        is = is || uses_operation(g, m->drives, driven_count(m), op);
-    }
-    return is;
-}
-
 static bool emit_drive(const plant *p, graph *g, text *out, double *culprit)
 {
     const mechanism *m = p->m;
@@ -356,7 +346,7 @@ static bool emit_drive(const plant *p, graph *g, text *out, double *culprit)
     text_add(out, "/* What is a function of time; other inputs are zero until a port reads them. */\n");
     text_add(out, "static void drive(void *const instance, const uint32_t tick)\n{\n    plant_memory *const memory = "
                   "instance;\n");
-    if (!is_driven_by_time(g, m)) {
+    if (!uses_time(g, m->drives, count)) {
         text_add(out, "    (void)tick;\n");
     }
     if (uses_operation(g, m->drives, count, OP_PARAMETER)) {
@@ -578,7 +568,7 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
     text_add(out,
              " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n#include \"plant.h\"\n\n");
     text_add(out, "#include \"core/methods/method.h\"\n%s#include \"core/numbers/sincos.h\"\n%s\n",
-             is_driven_by_time(g, m) ? "#include \"core/numbers/signal.h\"\n" : "",
+             uses_time(g, m->drives, driven_count(m)) ? "#include \"core/numbers/signal.h\"\n" : "",
              p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
     emit_memory(p, out);
     bool good = emit_function(p, g, out, "derivative", "dx", "", p->derivatives, state_count(m), culprit);

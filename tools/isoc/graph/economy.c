@@ -15,9 +15,9 @@ static void count_uses(economy *e, const node *roots, size_t count)
     graph_reach(e->from, roots, count, e->needed);
     for (size_t i = 0; i < e->from->count; i++) {
         const graph_node *n = &e->from->nodes[i];
-        if (e->needed[i] && n->op >= OP_ADD) {
-            e->uses[n->a]++;
-            e->uses[n->b] += n->op <= OP_DIV;
+        if (e->needed[i]) {
+            e->uses[n->a] += operators[n->op].operands > 0;
+            e->uses[n->b] += operators[n->op].operands == 2;
         }
     }
     for (size_t i = 0; i < count; i++) {
@@ -73,10 +73,11 @@ static bool factor_out(economy *e, graph_node *n)
 static void move(economy *e, node i)
 {
     graph_node n = e->from->nodes[i];
-    if ((n.op == OP_ADD || n.op == OP_SUB) && factor_out(e, &n)) {
-    } else if (n.op >= OP_ADD && !(n.op == OP_MUL && divide_once(e, &n))) {
-        n.a = e->moved[n.a];
-        n.b = n.op <= OP_DIV ? e->moved[n.b] : 0;
+    const bool is_sum = n.op == OP_ADD || n.op == OP_SUB, is_product = n.op == OP_MUL;
+    const int operands = operators[n.op].operands;
+    if (!(is_sum && factor_out(e, &n)) && !(is_product && divide_once(e, &n))) {
+        n.a = operands > 0 ? e->moved[n.a] : n.a;
+        n.b = operands == 2 ? e->moved[n.b] : n.b;
     }
     e->moved[i] = graph_put(&e->to, n);
 }
@@ -84,9 +85,7 @@ static void move(economy *e, node i)
 graph economise(const graph *g, const node *roots, size_t count, node *made)
 {
     economy e = {.from = g};
-    graph_start(&e.to, g->memory);
-    memcpy(e.to.sections, g->sections, sizeof e.to.sections);
-    e.to.section_count = g->section_count;
+    graph_start_like(&e.to, g);
     e.moved = arena_take(g->memory, g->count, sizeof *e.moved);
     e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
     e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
@@ -99,5 +98,8 @@ graph economise(const graph *g, const node *roots, size_t count, node *made)
     for (size_t i = 0; i < count; i++) {
         made[i] = e.moved[roots[i]];
     }
+    arena_return(g->memory, e.moved, g->count, sizeof *e.moved);
+    arena_return(g->memory, e.needed, g->count, sizeof *e.needed);
+    arena_return(g->memory, e.uses, g->count, sizeof *e.uses);
     return e.to;
 }

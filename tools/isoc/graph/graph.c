@@ -6,12 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The trigonometry of constants is the target's own (in double), so that every host folds them to the same bits. */
-#include "core/numbers/turns.h"
-
-_Static_assert(sizeof(real) == sizeof(double), "isoc folds constants in double: -DISO_REAL_DOUBLE");
-
-enum { FIRST_TABLE = 4096, NAME_ROOM = 160 };
+enum { FIRST_TABLE = 4096 };
 
 void graph_start(graph *g, arena *memory)
 {
@@ -20,18 +15,34 @@ void graph_start(graph *g, arena *memory)
     memset(g->table, -1, g->table_size * sizeof *g->table);
 }
 
+void graph_start_like(graph *g, const graph *other)
+{
+    graph_start(g, other->memory);
+    for (int i = 0; i < other->section_count; i++) {
+        graph_section(g, other->sections[i]);
+    }
+}
+
 graph graph_copy(const graph *g)
 {
-    graph made = *g;
-    made.nodes = arena_take(g->memory, g->room, sizeof *made.nodes);
-    made.table = arena_take(g->memory, g->table_size, sizeof *made.table);
-    memcpy(made.nodes, g->nodes, g->count * sizeof *made.nodes);
-    memcpy(made.table, g->table, g->table_size * sizeof *made.table);
+    graph made;
+    graph_start_like(&made, g);
+    for (size_t i = 0; i < g->count; i++) {
+        graph_put(&made, g->nodes[i]);
+    }
     return made;
+}
+
+void graph_free(graph *g)
+{
+    arena_return(g->memory, g->nodes, g->room, sizeof *g->nodes);
+    arena_return(g->memory, g->table, g->table_size, sizeof *g->table);
+    *g = (graph){0};
 }
 
 void graph_section(graph *g, const char *heading)
 {
+    g->sections = arena_grow(g->memory, g->sections, (size_t)g->section_count, &g->section_room, sizeof *g->sections);
     g->sections[g->section_count++] = heading;
 }
 
@@ -39,13 +50,12 @@ node graph_name(graph *g, node n, const char *format, ...)
 {
     const bool negated = g->nodes[n].op == OP_NEG;
     graph_node *named = &g->nodes[negated ? g->nodes[n].a : n];
-    if (named->op >= OP_ADD && named->name == NULL) {
-        char text[NAME_ROOM];
+    if (operators[named->op].kind == KIND_OPERATION && named->name == NULL) {
         va_list arguments;
         va_start(arguments, format);
-        vsnprintf(text, sizeof text, format, arguments);
+        const char *name = arena_format_list(g->memory, format, arguments);
         va_end(arguments);
-        named->name = arena_format(g->memory, "%s%s", negated ? "minus_" : "", text);
+        named->name = negated ? arena_format(g->memory, "minus_%s", name) : name;
     }
     return n;
 }
@@ -80,6 +90,7 @@ static size_t slot_of(const graph *g, const graph_node *n)
 
 static void grow_table(graph *g)
 {
+    arena_return(g->memory, g->table, g->table_size, sizeof *g->table);
     g->table_size *= 2;
     g->table = arena_take(g->memory, g->table_size, sizeof *g->table);
     memset(g->table, -1, g->table_size * sizeof *g->table);
@@ -144,7 +155,7 @@ static node binary(graph *g, operation op, node a, node b)
 
 bool is_timed(const graph *g, node n)
 {
-    return g->nodes[n].op >= OP_PHASE && g->nodes[n].op <= OP_SINCE;
+    return operators[g->nodes[n].op].kind == KIND_TIMED;
 }
 
 bool is_constant(const graph *g, node n)
@@ -172,10 +183,16 @@ static bool is(const graph *g, node n, operation op)
     return g->nodes[n].op == op;
 }
 
+/* The constant that an operation on constants is. */
+static node folded(graph *g, operation op, node a, node b)
+{
+    return constant(g, operators[op].value(NULL, NULL, constant_value(g, a), constant_value(g, b)));
+}
+
 node neg(graph *g, node a)
 {
     if (is_constant(g, a)) {
-        return constant(g, -constant_value(g, a));
+        return folded(g, OP_NEG, a, a);
     }
     if (is(g, a, OP_NEG)) {
         return g->nodes[a].a;
@@ -266,7 +283,7 @@ node add(graph *g, node a, node b)
         b = swap;
     }
     if (is_constant(g, a) && is_constant(g, b)) {
-        return constant(g, constant_value(g, a) + constant_value(g, b));
+        return folded(g, OP_ADD, a, b);
     }
     if (is_zero(g, a)) {
         return b;
@@ -303,7 +320,7 @@ node mul(graph *g, node a, node b)
         b = swap;
     }
     if (is_constant(g, a) && is_constant(g, b)) {
-        return constant(g, constant_value(g, a) * constant_value(g, b));
+        return folded(g, OP_MUL, a, b);
     }
     if (is_zero(g, a)) {
         return a;
@@ -354,7 +371,7 @@ node divide(graph *g, node a, node b)
 node larger(graph *g, node a, node b)
 {
     if (is_constant(g, a) && is_constant(g, b)) {
-        return constant(g, fmax(constant_value(g, a), constant_value(g, b)));
+        return folded(g, OP_MAX, a, b);
     }
     return a == b ? a : a < b ? binary(g, OP_MAX, a, b) : binary(g, OP_MAX, b, a);
 }
@@ -362,7 +379,7 @@ node larger(graph *g, node a, node b)
 node above(graph *g, node a, node b)
 {
     if (is_constant(g, a) && is_constant(g, b)) {
-        return constant(g, constant_value(g, a) > constant_value(g, b) ? 1.0 : 0.0);
+        return folded(g, OP_ABOVE, a, b);
     }
     return a == b ? constant(g, 0.0) : binary(g, OP_ABOVE, a, b);
 }
@@ -375,7 +392,7 @@ node wrap(graph *g, node a)
 node magnitude(graph *g, node a)
 {
     if (is_constant(g, a)) {
-        return constant(g, fabs(constant_value(g, a)));
+        return folded(g, OP_ABS, a, a);
     }
     return intern(g, (graph_node){.op = OP_ABS, .a = is(g, a, OP_NEG) ? g->nodes[a].a : a});
 }
@@ -383,7 +400,7 @@ node magnitude(graph *g, node a)
 node sine(graph *g, node a)
 {
     if (is_constant(g, a)) {
-        return constant(g, iso_sincos(constant_value(g, a)).sin);
+        return folded(g, OP_SIN, a, a);
     }
     return is(g, a, OP_NEG) ? neg(g, sine(g, g->nodes[a].a)) : intern(g, (graph_node){.op = OP_SIN, .a = a});
 }
@@ -391,7 +408,7 @@ node sine(graph *g, node a)
 node cosine(graph *g, node a)
 {
     if (is_constant(g, a)) {
-        return constant(g, iso_sincos(constant_value(g, a)).cos);
+        return folded(g, OP_COS, a, a);
     }
     return is(g, a, OP_NEG) ? cosine(g, g->nodes[a].a) : intern(g, (graph_node){.op = OP_COS, .a = a});
 }
@@ -417,48 +434,11 @@ node difference_of_products(graph *g, node a, node b, node c, node d)
     return sub(g, ab, cd);
 }
 
-static double evaluate_one(const graph_node *n, const double *x, const double *u, const double *p, const double *v)
+void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *values)
 {
-    switch (n->op) {
-    case OP_CONSTANT:
-        return n->value;
-    case OP_STATE:
-        return x == NULL ? 0.0 : x[n->index];
-    case OP_INPUT:
-        return u == NULL ? 0.0 : u[n->index];
-    case OP_PARAMETER:
-        return p[n->index];
-    case OP_ADD:
-        return v[n->a] + v[n->b];
-    case OP_SUB:
-        return v[n->a] - v[n->b];
-    case OP_MUL:
-        return v[n->a] * v[n->b];
-    case OP_DIV:
-        return v[n->a] / v[n->b];
-    case OP_NEG:
-        return -v[n->a];
-    case OP_ABS:
-        return fabs(v[n->a]);
-    case OP_MAX:
-        return fmax(v[n->a], v[n->b]);
-    case OP_ABOVE:
-        return iso_above(v[n->a], v[n->b]);
-    case OP_WRAP:
-        return iso_within_turn(v[n->a]);
-    case OP_SIN:
-        return iso_sincos(v[n->a]).sin;
-    case OP_COS:
-        return iso_sincos(v[n->a]).cos;
-    default:
-        return 0.0;
-    }
-}
-
-void graph_evaluate(const graph *g, const double *x, const double *u, const double *p, double *values)
-{
-    for (size_t i = 0; i < g->count; i++) {
-        values[i] = evaluate_one(&g->nodes[i], x, u, p, values);
+    for (size_t i = first; i < g->count; i++) {
+        const graph_node *n = &g->nodes[i];
+        values[i] = operators[n->op].value(n, at, values[n->a], values[n->b]);
     }
 }
 
@@ -469,11 +449,10 @@ void graph_reach(const graph *g, const node *roots, size_t count, bool *needed)
         needed[roots[i]] = true;
     }
     for (size_t i = g->count; i-- > 0;) {
-        if (needed[i] && g->nodes[i].op >= OP_ADD) {
-            needed[g->nodes[i].a] = true;
-            if (g->nodes[i].op <= OP_DIV) {
-                needed[g->nodes[i].b] = true;
-            }
+        const graph_node *n = &g->nodes[i];
+        if (needed[i] && operators[n->op].operands > 0) {
+            needed[n->a] = true;
+            needed[n->b] = needed[n->b] || operators[n->op].operands == 2;
         }
     }
 }

@@ -11,43 +11,9 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
 
 #include "tools/isoc/base/arena.h"
-
-/* A node's index in its graph. */
-typedef int32_t node;
-
-typedef enum operation {
-    OP_CONSTANT,    /* value */
-    OP_STATE,       /* x[index] */
-    OP_INPUT,       /* u[index] */
-    OP_PARAMETER,   /* p[index] */
-    OP_TURNS,       /* whole turns of a continuous joint: turns[index] */
-    OP_STEP,        /* hb, the step times a coefficient of the method */
-    OP_FACTOR,      /* lu[index] */
-    OP_RIGHT,       /* d[index], a right side to be solved for */
-    OP_LOCAL_ERROR, /* of the step, where it is checked */
-    OP_RESIDUAL,    /* of the last Newton iteration */
-    OP_MULTIPLIER,  /* lambda[index], until what computes it takes its place */
-    OP_DERIVATIVE,  /* dx[index], where a derivative has been evaluated before */
-    OP_PHASE,       /* an angle that grows by `value` turns a tick from `second` turns, in [-pi, pi) */
-    OP_RAMP,        /* the ticks since tick `value`, limited to [0, second] */
-    OP_TIME,        /* the seconds since tick 0, with `second` in a tick */
-    OP_SINCE,       /* the seconds since tick `value`, with `second` in a tick; before it, something less than zero */
-    OP_ADD,
-    OP_SUB,
-    OP_MUL,
-    OP_MAX,   /* the larger */
-    OP_ABOVE, /* 1 if the first is the larger, else 0 */
-    OP_DIV,   /* the last of two operands */
-    OP_NEG,
-    OP_ABS,
-    OP_WRAP, /* an angle without its whole turns: within half a turn of zero */
-    OP_SIN,
-    OP_COS,
-    OPERATIONS
-} operation;
+#include "tools/isoc/graph/operators.h"
 
 typedef struct graph_node {
     operation op;
@@ -64,14 +30,21 @@ typedef struct graph {
     size_t count, room;
     node *table; /* open addressing, -1 is free */
     size_t table_size;
-    const char *sections[96];
+    const char **sections;
     int section_count;
+    size_t section_room;
 } graph;
 
 void graph_start(graph *g, arena *memory);
 
+/* An empty graph with the headings of another. */
+void graph_start_like(graph *g, const graph *other);
+
 /* A graph to try on: what is made in it is not in the other. */
 graph graph_copy(const graph *g);
+
+/* Gives back what holds the nodes. */
+void graph_free(graph *g);
 
 /* Nodes made from here on stand under this heading. */
 void graph_section(graph *g, const char *heading);
@@ -84,7 +57,7 @@ node graph_put(graph *g, graph_node n);
 
 node constant(graph *g, double value);
 node leaf(graph *g, operation op, int index);
-node timed(graph *g, operation op, double value, double second); /* OP_PHASE to OP_SINCE */
+node timed(graph *g, operation op, double value, double second); /* of a function of the tick */
 
 node add(graph *g, node a, node b);
 node sub(graph *g, node a, node b);
@@ -108,9 +81,9 @@ bool is_timed(const graph *g, node n);
 bool is_zero(const graph *g, node n);
 double constant_value(const graph *g, node n);
 
-/* The numbers of all nodes (values[g->count]) for these x, u, p; functions of time, dx, and x or u that are NULL, count
- * as zero. */
-void graph_evaluate(const graph *g, const double *x, const double *u, const double *p, double *values);
+/* The numbers of the nodes from `first` on (values[g->count]), from those before them; functions of time, dx, and x or u
+ * that are NULL, count as zero. */
+void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *values);
 
 /* Marks needed[g->count] for all that the `count` roots depend on. */
 void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);

@@ -2,30 +2,30 @@
 
 #include "tools/isoc/graph/economy.h"
 
-/* Sums of iso_take_turns in core/numbers/turns.h, and as many products. */
-enum { OPERATIONS_OF_WRAP = 5 };
-
 operations count_operations(const graph *of, const node *of_roots, size_t count)
 {
     operations made = {0};
     node *roots = arena_take(of->memory, count + 1, sizeof *roots);
-    const graph economical = economise(of, of_roots, count, roots), *g = &economical;
+    graph economical = economise(of, of_roots, count, roots);
+    const graph *g = &economical;
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     bool *turned = arena_take(g->memory, g->count, sizeof *turned);
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
+        const operations cost = operators[n->op].cost;
         if (needed[i]) {
-            const bool trigonometric = n->op == OP_SIN || n->op == OP_COS;
-            made.add += (n->op >= OP_ADD && n->op < OP_DIV && n->op != OP_MUL) || n->op == OP_NEG || n->op == OP_ABS;
-            made.mul += n->op == OP_MUL;
-            made.add += n->op == OP_WRAP ? OPERATIONS_OF_WRAP : 0;
-            made.mul += n->op == OP_WRAP ? OPERATIONS_OF_WRAP : 0;
-            made.div += n->op == OP_DIV;
-            made.sincos += trigonometric && !turned[n->a];
-            turned[n->a] = turned[n->a] || trigonometric;
+            made.add += cost.add;
+            made.mul += cost.mul;
+            made.div += cost.div;
+            made.sincos += cost.sincos > 0 && !turned[n->a];
+            turned[n->a] = turned[n->a] || cost.sincos > 0;
         }
     }
+    arena_return(g->memory, needed, g->count, sizeof *needed);
+    arena_return(g->memory, turned, g->count, sizeof *turned);
+    arena_return(of->memory, roots, count + 1, sizeof *roots);
+    graph_free(&economical);
     return made;
 }
 
@@ -35,13 +35,26 @@ int cycles_of(operations n)
     return n.add + n.mul + DIVISION * n.div;
 }
 
-bool uses_operation(const graph *g, const node *roots, size_t count, operation op)
+/* Whether any node that the roots need is of this kind, and of this operation unless that is OPERATIONS. */
+static bool uses(const graph *g, const node *roots, size_t count, operator_kind kind, operation op)
 {
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     bool used = false;
     graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        used = used || (needed[i] && g->nodes[i].op == op);
+    for (size_t i = 0; i < g->count && !used; i++) {
+        const operation is = g->nodes[i].op;
+        used = needed[i] && operators[is].kind == kind && (op == OPERATIONS || is == op);
     }
+    arena_return(g->memory, needed, g->count, sizeof *needed);
     return used;
+}
+
+bool uses_operation(const graph *g, const node *roots, size_t count, operation op)
+{
+    return uses(g, roots, count, operators[op].kind, op);
+}
+
+bool uses_time(const graph *g, const node *roots, size_t count)
+{
+    return uses(g, roots, count, KIND_TIMED, OPERATIONS);
 }

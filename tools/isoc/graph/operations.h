@@ -4,10 +4,6 @@
 
 #include "tools/isoc/graph/graph.h"
 
-typedef struct operations {
-    int add, mul, div, sincos; /* comparisons and signs count as additions */
-} operations;
-
 /* What the code of these roots computes. */
 operations count_operations(const graph *g, const node *roots, size_t count);
 
@@ -16,5 +12,8 @@ int cycles_of(operations n);
 
 /* Whether any node of this operation is needed for the roots. */
 bool uses_operation(const graph *g, const node *roots, size_t count, operation op);
+
+/* Whether any function of the tick is. */
+bool uses_time(const graph *g, const node *roots, size_t count);
 
 #endif

@@ -322,9 +322,11 @@ double value_displacement(values *v, const formula *f, const char *what, double 
     return found.count == 0 ? fallback : value_constant(v, f, of, what, fallback);
 }
 
-double value_now(const values *v, node n)
+double value_now(values *v, node n)
 {
-    double *numbers = arena_take(v->s->memory, v->g->count, sizeof *numbers);
-    graph_evaluate(v->g, NULL, NULL, v->defaults, numbers);
-    return numbers[n];
+    const evaluation at = {NULL, NULL, v->defaults};
+    v->numbers = arena_grow(v->s->memory, v->numbers, v->g->count, &v->number_room, sizeof *v->numbers);
+    graph_evaluate(v->g, v->number_count, &at, v->numbers);
+    v->number_count = v->g->count;
+    return v->numbers[n];
 }

@@ -26,6 +26,8 @@ typedef struct values {
     char *resolving;   /* 0 not yet, 1 now, 2 done */
     double *defaults;  /* of the tunables, by index */
     int tunables;
+    double *numbers; /* of the nodes so far, with the tunables at their defaults */
+    size_t number_count, number_room;
 } values;
 
 void values_start(values *v, source *s, graph *g, const scene *written);
@@ -48,6 +50,6 @@ double value_constant(values *v, const formula *f, dimension of, const char *wha
 double value_displacement(values *v, const formula *f, const char *what, double fallback);
 
 /* The number that a node has with the tunables at their defaults. */
-double value_now(const values *v, node n);
+double value_now(values *v, node n);
 
 #endif

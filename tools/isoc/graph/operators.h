@@ -1,0 +1,162 @@
+/* Everything that a node can be: one row for each operator. A new one is a row here and a function in
+ * tools/isoc/graph/graph.h that makes its nodes; what lacks a cell, a derivative say, does not compile.
+ *
+ * The C text of an operator has @a and @b where its operands stand, @t for the pair of sine and cosine of its operand,
+ * @x, @u, @p for the name of a state, input, parameter, and @i for its index. Of what has numbers of its own, @1 and @2
+ * are these numbers, @w and @f the whole part of the first and the rest, @v and @s both as phases: 2^64 is a turn.
+ */
+#ifndef ISOC_GRAPH_OPERATORS_H
+#define ISOC_GRAPH_OPERATORS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* A node's index in its graph. */
+typedef int32_t node;
+
+struct graph;
+struct graph_node;
+
+/* How tightly an expression binds, for parentheses. */
+typedef enum binding { BINDS_SUM, BINDS_PRODUCT, BINDS_WHOLE } binding;
+
+/* Whether the code declares a variable for what has a name or several uses, or always writes the text itself. */
+typedef enum place_in_code { DECLARED, IN_PLACE } place_in_code;
+
+/* What it takes to compute; comparisons and signs count as additions. */
+typedef struct operations {
+    int add, mul, div, sincos; /* sine and cosine of one angle count once */
+} operations;
+
+/* Where a graph is evaluated. States and inputs that are NULL count as zero. */
+typedef struct evaluation {
+    const double *x, *u, *p;
+} evaluation;
+
+/* clang-format off */
+/* Leaves. The array is what they are read from at the head of a function, or NULL.
+ * LEAF(name, array, C text, value at the evaluation `at` of the node `of`) */
+#define ISOC_LEAVES(LEAF)                                                                                              \
+    LEAF(CONSTANT, NULL, "@1", of->value)                       /* value */                                            \
+    LEAF(STATE, "x", "@x", at->x == NULL ? 0.0 : at->x[of->index])                                                     \
+    LEAF(INPUT, "u", "@u", at->u == NULL ? 0.0 : at->u[of->index])                                                     \
+    LEAF(PARAMETER, "p", "@p", at->p[of->index])                                                                       \
+    LEAF(RIGHT, "d", "r_@x", 0.0)                               /* a right side to be solved for */                    \
+    LEAF(FACTOR, "lu", "lu_@i", 0.0)                                                                                   \
+    LEAF(TURNS, NULL, "(real)memory->turns[@i]", 0.0)            /* whole turns of a continuous joint */                \
+    LEAF(STEP, NULL, "hb", 0.0)                                 /* the step times a coefficient of the method */       \
+    LEAF(LOCAL_ERROR, NULL, "memory->progress.local_error", 0.0) /* of the step, where it is checked */                 \
+    LEAF(RESIDUAL, NULL, "memory->progress.residual", 0.0)       /* of the last Newton iteration */                     \
+    LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until what computes it takes its place */   \
+    LEAF(DERIVATIVE, NULL, "dx[@i]", 0.0)                       /* where a derivative has been evaluated before */
+
+/* Functions of the tick; constants as far as derivatives go.
+ * TIMED(name, C text, how tightly it binds) */
+#define ISOC_TIMED(TIMED)                                                                                              \
+    TIMED(PHASE, "iso_phase(tick, @v, @s)", WHOLE)     /* an angle that grows by `value` turns a tick from `second`    \
+                                                        * turns, in [-pi, pi) */                                       \
+    TIMED(RAMP, "iso_ramp(tick, @w, @f, @2)", WHOLE)   /* the ticks since tick `value`, limited to [0, second] */      \
+    TIMED(TIME, "@2 * (real)tick", PRODUCT)            /* the seconds since tick 0, with `second` in a tick */         \
+    TIMED(SINCE, "@2 * iso_since(tick, @w, @f)", PRODUCT) /* the seconds since tick `value`, with `second` in a tick;  \
+                                                           * before it, something less than zero */
+
+/* Operations on a and b, one of them or both; i is the node itself, da and db are the derivatives of the operands.
+ * OPERATION(name, operands,
+ *           value,
+ *           derivative,
+ *           the same on other operands,
+ *           C text, how tightly it binds, what a must bind at least and b, its place,
+ *           operations: add, mul, div, sincos) */
+#define ISOC_OPERATIONS(OPERATION)                                                                                     \
+    OPERATION(ADD, 2,                                                                                                  \
+              a + b,                                                                                                   \
+              add(g, da, db),                                                                                          \
+              add(g, a, b),                                                                                            \
+              "@a + @b", SUM, SUM, PRODUCT, DECLARED,                                                                  \
+              1, 0, 0, 0)                                                                                              \
+    OPERATION(SUB, 2,                                                                                                  \
+              a - b,                                                                                                   \
+              sub(g, da, db),                                                                                          \
+              sub(g, a, b),                                                                                            \
+              "@a - @b", SUM, SUM, PRODUCT, DECLARED,                                                                  \
+              1, 0, 0, 0)                                                                                              \
+    OPERATION(MUL, 2,                                                                                                  \
+              a * b,                                                                                                   \
+              sum_of_products(g, da, b, a, db),                                                                        \
+              mul(g, a, b),                                                                                            \
+              "@a * @b", PRODUCT, PRODUCT, WHOLE, DECLARED,                                                            \
+              0, 1, 0, 0)                                                                                              \
+    OPERATION(DIV, 2,                                                                                                  \
+              a / b,                                                                                                   \
+              derivative_of_quotient(g, i, b, da, db),                                                                 \
+              divide(g, a, b),                                                                                         \
+              "@a / @b", PRODUCT, PRODUCT, WHOLE, DECLARED,                                                            \
+              0, 0, 1, 0)                                                                                              \
+    OPERATION(NEG, 1,                                                                                                  \
+              -a,                                                                                                      \
+              neg(g, da),                                                                                              \
+              neg(g, a),                                                                                               \
+              "-@a", PRODUCT, WHOLE, WHOLE, IN_PLACE,                                                                  \
+              1, 0, 0, 0)                                                                                              \
+    OPERATION(ABS, 1,                                                                                                  \
+              fabs(a),                                                                                                 \
+              derivative_of_magnitude(g, a, da),                                                                       \
+              magnitude(g, a),                                                                                         \
+              "iso_abs(@a)", WHOLE, SUM, SUM, DECLARED,                                                                \
+              1, 0, 0, 0)                                                                                              \
+    OPERATION(MAX, 2, /* the larger */                                                                                 \
+              fmax(a, b),                                                                                              \
+              derivative_of_larger(g, a, b, da, db),                                                                   \
+              larger(g, a, b),                                                                                         \
+              "iso_max(@a, @b)", WHOLE, SUM, SUM, DECLARED,                                                            \
+              1, 0, 0, 0)                                                                                              \
+    OPERATION(ABOVE, 2, /* 1 if the first is the larger, else 0 */                                                     \
+              iso_above(a, b),                                                                                         \
+              constant(g, 0.0),                                                                                        \
+              above(g, a, b),                                                                                          \
+              "iso_above(@a, @b)", WHOLE, SUM, SUM, DECLARED,                                                          \
+              1, 0, 0, 0)                                                                                              \
+    OPERATION(WRAP, 1, /* an angle without its whole turns: within half a turn of zero */                              \
+              iso_within_turn(a),                                                                                      \
+              da,                                                                                                      \
+              wrap(g, a),                                                                                              \
+              "iso_within_turn(@a)", WHOLE, SUM, SUM, DECLARED,                                                        \
+              5, 5, 0, 0)                                                                                              \
+    OPERATION(SIN, 1,                                                                                                  \
+              iso_sincos(a).sin,                                                                                       \
+              mul(g, cosine(g, a), da),                                                                                \
+              sine(g, a),                                                                                              \
+              "@t.sin", WHOLE, SUM, SUM, IN_PLACE,                                                                     \
+              0, 0, 0, 1)                                                                                              \
+    OPERATION(COS, 1,                                                                                                  \
+              iso_sincos(a).cos,                                                                                       \
+              neg(g, mul(g, sine(g, a), da)),                                                                          \
+              cosine(g, a),                                                                                            \
+              "@t.cos", WHOLE, SUM, SUM, IN_PLACE,                                                                     \
+              0, 0, 0, 1)
+/* clang-format on */
+
+#define ISOC_ENUMERATOR(NAME, ...) OP_##NAME,
+typedef enum operation {
+    ISOC_LEAVES(ISOC_ENUMERATOR) ISOC_TIMED(ISOC_ENUMERATOR) ISOC_OPERATIONS(ISOC_ENUMERATOR) OPERATIONS
+} operation;
+#undef ISOC_ENUMERATOR
+
+typedef enum operator_kind { KIND_LEAF, KIND_TIMED, KIND_OPERATION } operator_kind;
+
+/* A row. What only operations have is zero for others. */
+typedef struct operator_row {
+    operator_kind kind;
+    int operands;
+    const char *name, *array, *text;
+    binding binds, least_a, least_b;
+    place_in_code place;
+    operations cost;
+    double (*value)(const struct graph_node *of, const evaluation *at, double a, double b);
+    node (*derivative)(struct graph *g, node i, node da, node db);
+    node (*again)(struct graph *g, node a, node b);
+} operator_row;
+
+extern const operator_row operators[OPERATIONS];
+
+#endif
