@@ -1,5 +1,7 @@
 #include "tools/isoc/graph/economy.h"
 
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 typedef struct economy {
@@ -8,6 +10,10 @@ typedef struct economy {
     node *moved; /* where a node is in `to` */
     bool *needed;
     int *uses;
+    node *multiple; /* a needed product of a constant and this node, or -1; and the next one of the same node */
+    node *next;
+    node *term[2]; /* a needed c (x y) that this node is a factor of, as x or as y; and the next one with the same */
+    node *after[2];
 } economy;
 
 static void count_uses(economy *e, const node *roots, size_t count)
@@ -29,6 +35,36 @@ static void count_uses(economy *e, const node *roots, size_t count)
 static bool serves_one(const economy *e, node i, operation op)
 {
     return e->from->nodes[i].op == op && e->uses[i] == 1;
+}
+
+/* Whether a node is c (x y) with a constant c, the only use of x y. */
+static bool is_scaled_product(const economy *e, const graph_node *n)
+{
+    return n->op == OP_MUL && is_constant(e->from, n->a) && serves_one(e, n->b, OP_MUL) &&
+           !is_constant(e->from, e->from->nodes[n->b].a);
+}
+
+/* The constant multiples of each node that are needed anyway, and the scaled products that it is a factor of. */
+static void list_multiples(economy *e)
+{
+    const size_t size = e->from->count * sizeof *e->multiple;
+    memset(e->multiple, -1, size);
+    memset(e->term[0], -1, size);
+    memset(e->term[1], -1, size);
+    for (size_t i = 0; i < e->from->count; i++) {
+        const graph_node *n = &e->from->nodes[i];
+        if (e->needed[i] && is_scaled_product(e, n)) {
+            const graph_node product = e->from->nodes[n->b];
+            for (int k = 0; k < (product.a == product.b ? 1 : 2); k++) {
+                const node x = k == 0 ? product.a : product.b;
+                e->after[k][i] = e->term[k][x];
+                e->term[k][x] = (node)i;
+            }
+        } else if (e->needed[i] && n->op == OP_MUL && is_constant(e->from, n->a)) {
+            e->next[i] = e->multiple[n->b];
+            e->multiple[n->b] = (node)i;
+        }
+    }
 }
 
 /* x (1 / p) is x / p. */
@@ -70,12 +106,154 @@ static bool factor_out(economy *e, graph_node *n)
     return false;
 }
 
+/* Constants that only rounding tells apart are the same. */
+static bool is_same(double a, double b)
+{
+    return fabs(a - b) <= 4 * DBL_EPSILON * fabs(b);
+}
+
+/* A term of a sum as a constant times the rest: c x, or (c x) y, where nothing else uses what they are made of. */
+typedef struct scaled {
+    double constant; /* 0: there is none */
+    node x, y;       /* y is -1 where there is none */
+} scaled;
+
+static scaled scaled_of(const economy *e, node term)
+{
+    const graph_node n = e->from->nodes[term];
+    if (!serves_one(e, term, OP_MUL)) {
+        return (scaled){0};
+    }
+    if (is_constant(e->from, n.a)) {
+        return (scaled){constant_value(e->from, n.a), n.b, -1};
+    }
+    for (int swap = 0; swap < 2; swap++) {
+        const node of = swap ? n.b : n.a, other = swap ? n.a : n.b;
+        const graph_node inner = e->from->nodes[of];
+        if (serves_one(e, of, OP_MUL) && is_constant(e->from, inner.a)) {
+            return (scaled){constant_value(e->from, inner.a), inner.b, other};
+        }
+    }
+    return (scaled){0};
+}
+
+static node put_product(economy *e, node a, node b, int section)
+{
+    const bool in_order = is_constant(&e->to, a) || (a < b && !is_constant(&e->to, b));
+    return graph_put(&e->to,
+                     (graph_node){.op = OP_MUL, .a = in_order ? a : b, .b = in_order ? b : a, .section = section});
+}
+
+static node put_rest(economy *e, scaled term, int section)
+{
+    return term.y < 0 ? e->moved[term.x] : put_product(e, e->moved[term.x], e->moved[term.y], section);
+}
+
+/* c x + (c y) z is c (x + y z). */
+static bool factor_constant_out(economy *e, graph_node *n)
+{
+    const scaled left = scaled_of(e, n->a), right = scaled_of(e, n->b);
+    if (left.constant == 0.0 || !is_same(left.constant, right.constant)) {
+        return false;
+    }
+    graph_node sum = {.op = n->op, .section = n->section};
+    sum.a = put_rest(e, left, n->section);
+    sum.b = put_rest(e, right, n->section);
+    n->b = graph_put(&e->to, sum);
+    n->op = OP_MUL;
+    n->a = constant(&e->to, left.constant);
+    return true;
+}
+
+/* The multiple of x by c that is needed anyway, or x itself for c = 1, or -1. */
+static node needed_multiple(const economy *e, node x, double c)
+{
+    node found = is_same(c, 1.0) ? x : -1;
+    for (node m = e->multiple[x]; m >= 0 && found < 0; m = e->next[m]) {
+        found = is_same(c, constant_value(e->from, e->from->nodes[m].a)) ? m : -1;
+    }
+    return found;
+}
+
+/* How many scaled products by c the node is a factor of. */
+static int terms_of(const economy *e, node x, double c)
+{
+    int count = 0;
+    for (int k = 0; k < 2; k++) {
+        for (node t = e->term[k][x]; t >= 0; t = e->after[k][t]) {
+            count += is_same(c, constant_value(e->from, e->from->nodes[t].a));
+        }
+    }
+    return count;
+}
+
+static void move(economy *e, node i);
+
+/* c (x y) is (a x) (b y) with a b = c, where a x and b y are needed anyway: one product in place of two. */
+static bool share_multiples(economy *e, graph_node *n)
+{
+    if (!is_scaled_product(e, n)) {
+        return false;
+    }
+    const double c = constant_value(e->from, n->a);
+    const graph_node of = e->from->nodes[n->b];
+    node left = of.a, right = needed_multiple(e, of.b, c);
+    for (node m = e->multiple[of.a]; m >= 0 && right < 0; m = e->next[m]) {
+        left = m;
+        right = needed_multiple(e, of.b, c / constant_value(e->from, e->from->nodes[m].a));
+    }
+    if (right < 0) {
+        return false;
+    }
+    /* A multiple may stand further down: what it is a multiple of is there already. */
+    move(e, left);
+    move(e, right);
+    const node a = e->moved[left], b = e->moved[right];
+    n->a = a < b ? a : b;
+    n->b = a < b ? b : a;
+    return true;
+}
+
+/* c (x y) and c (x z) are (c x) y and (c x) z: three products in place of four. */
+static bool share_scaled_factor(economy *e, graph_node *n)
+{
+    if (!is_scaled_product(e, n)) {
+        return false;
+    }
+    const graph_node of = e->from->nodes[n->b];
+    const double c = constant_value(e->from, n->a);
+    for (int swap = 0; swap < 2; swap++) {
+        const node x = swap ? of.b : of.a, y = swap ? of.a : of.b;
+        if (terms_of(e, x, c) > 1) {
+            const node multiple = put_product(e, constant(&e->to, c), e->moved[x], n->section);
+            const node other = e->moved[y];
+            n->a = multiple < other ? multiple : other;
+            n->b = multiple < other ? other : multiple;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Whether a node has a simpler form for who else uses what it is made of; n is then that. */
+static bool simplify(economy *e, graph_node *n)
+{
+    switch (n->op) {
+    case OP_ADD:
+    case OP_SUB:
+        return factor_out(e, n) || factor_constant_out(e, n);
+    case OP_MUL:
+        return share_multiples(e, n) || share_scaled_factor(e, n) || divide_once(e, n);
+    default:
+        return false;
+    }
+}
+
 static void move(economy *e, node i)
 {
     graph_node n = e->from->nodes[i];
-    const bool is_sum = n.op == OP_ADD || n.op == OP_SUB, is_product = n.op == OP_MUL;
     const int operands = operators[n.op].operands;
-    if (!(is_sum && factor_out(e, &n)) && !(is_product && divide_once(e, &n))) {
+    if (!simplify(e, &n)) {
         n.a = operands > 0 ? e->moved[n.a] : n.a;
         n.b = operands == 2 ? e->moved[n.b] : n.b;
     }
@@ -89,7 +267,14 @@ graph economise(const graph *g, const node *roots, size_t count, node *made)
     e.moved = arena_take(g->memory, g->count, sizeof *e.moved);
     e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
     e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
+    e.multiple = arena_take(g->memory, g->count, sizeof *e.multiple);
+    e.next = arena_take(g->memory, g->count, sizeof *e.next);
+    for (int k = 0; k < 2; k++) {
+        e.term[k] = arena_take(g->memory, g->count, sizeof *e.term[k]);
+        e.after[k] = arena_take(g->memory, g->count, sizeof *e.after[k]);
+    }
     count_uses(&e, roots, count);
+    list_multiples(&e);
     for (size_t i = 0; i < g->count; i++) {
         if (e.needed[i]) {
             move(&e, (node)i);
