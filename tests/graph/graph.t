@@ -1,0 +1,53 @@
+#!/bin/sh
+# The operators of isoc's expressions: each has its derivative, or it does not compile; and a new one is a row and the
+# function that makes its nodes.
+. tests/host/test.sh
+begin graph
+
+FLAGS="$FLAGS -D_POSIX_C_SOURCE=200809L"
+sources="tools/isoc/graph/*.c tools/isoc/base/*.c tests/graph/operators.c tests/tap.c port/sim/*.c"
+
+# shellcheck disable=SC2086
+program operators $sources
+result $? "the program builds"
+joined "operators" "$out/operators"
+
+# A copy of the tree, to change.
+tree=$out/tree
+mkdir -p "$tree"
+cp -r --parents tools/isoc/graph tools/isoc/base tests/graph tests/tap.[ch] port core "$tree"
+list=$tree/tools/isoc/graph/operators.h
+
+# builds: what the copy's test program says goes to $out/copied.
+builds()
+{
+    # shellcheck disable=SC2086
+    (cd "$tree" && "$CC" $FLAGS $REAL_FLAG $sources -o copied -lm) >"$out/said" 2>&1 && "$tree/copied" >"$out/copied"
+}
+
+# without WHAT EDIT: the edit, which takes a cell out of a row, changes the list, and then it does not compile.
+without()
+{
+    cp "$list" "$out/list"
+    sed "$2" "$out/list" >"$list"
+    ! cmp -s "$list" "$out/list" && ! builds && grep -q "operators" "$out/said"
+    result $? "$1 does not compile"
+    cp "$out/list" "$list"
+}
+without "a row without its derivative" '/derivative_of_magnitude/d'
+without "a row whose derivative is empty" 's/derivative_of_magnitude([^,]*,[^,]*,[^,]*),/,/'
+
+cp "$list" "$out/list"
+sed 's/derivative_of_magnitude([^,]*,[^,]*,[^,]*),/constant(g, 0.0),/' "$out/list" >"$list"
+! builds && [ "$(grep -c '^not ok' "$out/copied")" -ge 1 ] && grep -q '^not ok .* ABS has its derivative' "$out/copied"
+result $? "found: |v| with a derivative of zero"
+cp "$out/list" "$list"
+
+sed 's/^    OPERATION(ADD, 2,/    OPERATION(SQUARE, 1, a * a, sum_of_products(g, da, a, a, da), square(g, a), "iso_square(@a)", WHOLE, SUM, SUM, DECLARED, 0, 1, 0, 0) \\\n&/' \
+    "$list" >"$out/list" && cp "$out/list" "$list"
+echo 'node square(graph *g, node a) { return graph_put(g, (graph_node){.op = OP_SQUARE, .a = a}); }' \
+    >>"$tree/tools/isoc/graph/graph.c"
+sed 's/^node add(/node square(graph *g, node a);\n&/' tools/isoc/graph/graph.h >"$tree/tools/isoc/graph/graph.h"
+builds && grep -q '^ok .* SQUARE has its derivative' "$out/copied" && ! grep -q '^not ok' "$out/copied"
+result $? "a new operator is a row and a function"
+finish
