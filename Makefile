@@ -4,15 +4,16 @@
 #
 # Everything made stands in build/: what belongs to one scene in build/TARGET/REAL/NAME/, objects that scenes share
 # in build/obj/, the tools build/isoc, build/trace and build/plot. Files named `flags`, `choice` and `link` there hold the command that made
-# their neighbours, and change when it does.
+# their neighbours, and change when it does. NAME is that of the file of a scene in models/; of any other scene it ends with
+# a number made of the file's path, so that no two share a folder. Makes that run at once lock the folder they work in.
 
 ## Usage: make TARGET [VARIABLE=VALUE...]
 ##
-# What to run and how; set on the command line.
+# What to run and how; set on the command line (of the environment, CC and CFLAGS alone have an effect).
 ##     SCENE=models/double_pendulum.scene  what to run: a scene, or a plant in C (core/runtime/plant.h)
 ##     METHOD=rk4                          in place of the scene's
 ##     STEP=1ms                            in place of the scene's
-##     TOLERANCE=1e-9                      of adams, which then takes as many sub-steps as it needs
+##     TOLERANCE=1e-9                      of METHOD=adams, which then takes as many sub-steps as it needs
 ##     SECONDS=10                          how long, in the plant's time; 5 for report and bench, 600 for drift
 ##     TARGET=host|cortex-m4f              where: this machine, or the board in QEMU
 ##     REAL=float|double                   the type of its numbers
@@ -21,10 +22,13 @@
 SCENE = models/$(if $(filter drift,$(MAKECMDGOALS)),four_bar,double_pendulum).scene
 METHOD =
 STEP =
+TOLERANCE =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,10))
-TARGET = $(if $(filter size,$(MAKECMDGOALS)),cortex-m4f,host)
+TARGET = $(if $(filter size cost chains,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
 SCRIPT =
+METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
+LENGTHS = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
 V =
 
 .DEFAULT_GOAL := help
@@ -32,7 +36,10 @@ V =
 .SUFFIXES:
 MAKEFLAGS += --no-builtin-rules
 
-.PHONY: help run plot size stack cost report bench drift digits clean
+# The goals that build and run plants; each works in one folder.
+GOALS := run plot size stack cost chains report bench drift
+
+.PHONY: help shared digits clean $(GOALS)
 help: ## say what can be made; the same as make alone
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
@@ -63,7 +70,47 @@ require = @for tool in $(1); do \
 .PHONY: always
 always:
 
-# --- What was chosen ---------------------------------------------------------------------------------------------
+# --- What was asked for ------------------------------------------------------------------------------------------
+
+GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
+
+# The text of a variable as it was typed: a `$$` in a path is no reference of make.
+TEXTS := SCENE METHOD STEP TOLERANCE SECONDS SCRIPT
+$(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
+define newline
+
+
+endef
+$(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
+    $(error $(name) has a line break, which make cannot pass on)))
+
+# What has an effect on which goal. A goal that is a file, and a make that another make calls, may be given anything.
+EFFECTS_run := SCENE METHOD STEP TOLERANCE SECONDS TARGET REAL SCRIPT OUT PORT_FLAGS
+EFFECTS_plot := $(EFFECTS_run)
+EFFECTS_size := $(filter-out SECONDS SCRIPT,$(EFFECTS_run))
+EFFECTS_stack := $(EFFECTS_size)
+EFFECTS_cost := METHODS TARGET REAL
+EFFECTS_chains := LENGTHS TARGET REAL
+EFFECTS_report := SCENE METHODS STEP SECONDS
+EFFECTS_bench := $(EFFECTS_report)
+EFFECTS_drift := SCENE STEP SECONDS
+EFFECTS_test := TEST_JOBS
+EFFECTS_check := TEST_JOBS
+EFFECTS := V CC CFLAGS $(sort $(foreach goal,$(GOALS) test check,$(EFFECTS_$(goal))))
+
+nearest = $(shell mkdir -p build && $(CC) -I. tools/build/nearest.c tools/isoc/base/nearest.c -o build/nearest.$$$$ && \
+    build/nearest.$$$$ $(1) $(EFFECTS); rm -f build/nearest.$$$$)
+unknown = $(error $(1) is not known$(if $(2), (did you mean $(2)?)); `make help` lists what can be set)
+no_effect = $(error $(1) has no effect on `make $(2)`; it has one on: $(strip $(foreach goal,$(GOALS) test \
+    check,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
+ifeq ($(MAKELEVEL),0)
+$(foreach name,$(filter-out $(EFFECTS) MAKEFLAGS SHELL,$(GIVEN)),$(call unknown,$(name),$(call nearest,$(name))))
+ifeq ($(filter-out $(GOALS) test check help clean digits,$(or $(MAKECMDGOALS),help)),)
+$(foreach name,$(filter $(GIVEN),$(filter-out V CC CFLAGS,$(EFFECTS))),$(if $($(name)),$(if $(filter $(name),$(foreach \
+    goal,$(MAKECMDGOALS),$(EFFECTS_$(goal)))),,$(call no_effect,$(name),$(or $(MAKECMDGOALS),help)))))
+endif
+endif
+
 
 PORT_OF_host := port/sim
 PORT_OF_cortex-m4f := port/mps2
@@ -71,7 +118,6 @@ PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is
 # for scenes only.
 FIXED_METHODS := $(filter-out adams,$(shell sed -n 's/^ *X(ISO_[A-Z0-9_]*, "\(.*\)").*/\1/p' core/methods/method.h))
-METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
 
@@ -81,40 +127,40 @@ endif
 ifeq ($(filter float double,$(REAL)),)
 $(error REAL=$(REAL) is unknown; it can be float or double)
 endif
+ifneq ($(filter cost chains,$(MAKECMDGOALS)),)
+ifneq ($(TARGET) $(REAL),cortex-m4f float)
+$(error make $(MAKECMDGOALS) is of the cortex-m4f in float; TARGET and REAL cannot be others)
+endif
+endif
+ifneq ($(SCRIPT),)
+ifneq ($(TARGET),host)
+$(error SCRIPT has no effect on TARGET=$(TARGET), which has ticks of its own; it is for TARGET=host)
+endif
+endif
+ifneq ($(TOLERANCE),)
+ifeq ($(suffix $(subst $(space),_,$(SCENE))),.c)
+$(error TOLERANCE has no effect on a plant in C; it is of METHOD=adams, which is for scenes)
+endif
+ifneq ($(filter-out adams,$(METHOD)),)
+$(error TOLERANCE has no effect on METHOD=$(METHOD); it is of METHOD=adams)
+endif
+endif
 ifneq ($(METHOD),)
 ifeq ($(filter $(FIXED_METHODS) adams,$(METHOD)),)
 $(error METHOD=$(METHOD) is unknown; it can be one of: $(FIXED_METHODS) adams)
 endif
 endif
 
-# The name of a scene is that of its file; what make could misread in a path of ours becomes a line.
+# What make could misread in a path of ours becomes a line; a path outside of models/, an unusual one and a long one get
+# their number.
 SCENE_FILE := $(subst $(space),_,$(SCENE))
-NAME := $(shell printf %s $(call quote,$(basename $(notdir $(SCENE_FILE)))) | tr -c 'A-Za-z0-9_.-' _)
-OUT := build/$(TARGET)/$(REAL)/$(NAME)
-
-# Times come as a number with a unit. The step of a plant in C is checked here, that of a scene by build/isoc.
-nanoseconds = $(shell awk -v text=$(call quote,$(1)) -v least=$(2) -v most=$(3) -v as=$(4) \
-    -f tools/build/nanoseconds.awk)
-NANOSECONDS := $(call nanoseconds,$(SECONDS),1,1e18)
-ifeq ($(NANOSECONDS),)
-$(error SECONDS=$(SECONDS) is no time to run; it could be 10 or 0.5)
+NAME := $(shell printf %s $(call quote,$(basename $(notdir $(SCENE_FILE)))) | tr -c 'A-Za-z0-9_.-' _ | cut -c 1-64)
+ifeq ($(patsubst .%,,$(NAME)),)
+$(error SCENE=$(SCENE) has no name before its ending)
 endif
-
-ifeq ($(suffix $(SCENE_FILE)),.c)
-ifneq ($(STEP),)
-STEP_SECONDS := $(call nanoseconds,$(STEP),1000,1e9,seconds)
-ifeq ($(STEP_SECONDS),)
-$(error STEP=$(STEP) is no step; it could be 1ms, 500us or 0.001, from 1us to 1s in whole nanoseconds)
-endif
-endif
-METHOD_MACRO := $(shell printf %s '$(METHOD)' | tr a-z A-Z)
-CHOICE := $(METHOD:%=-DISO_METHOD=ISO_$(METHOD_MACRO) -DISO_METHOD_NAME=%) $(STEP_SECONDS:%=-DISO_STEP=%)
-PLANT := $(SCENE)
-else
-CHOICE := $(METHOD:%=--method %) $(if $(STEP),--step $(call quote,$(STEP))) \
-    $(if $(TOLERANCE),--tolerance $(call quote,$(TOLERANCE))) --real $(REAL)
-PLANT := $(OUT)/plant.c
-endif
+FOLDER := $(shell path=$$(realpath -m --relative-to=. -- $(call quote,$(SCENE))); test "$${path%.*}" = models/$(NAME) \
+    && echo $(NAME) || echo $(NAME)-$$(printf %s "$$path" | cksum | cut -d ' ' -f 1))
+OUT := build/$(TARGET)/$(REAL)/$(FOLDER)
 
 include $(PORT)/port.mk
 
@@ -144,16 +190,17 @@ build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 build/isoc: $(filter build/obj/tools/isoc/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
-build/isoc build/trace build/plot:
+build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
+TOOLS := build/isoc build/trace build/plot build/duration
+$(TOOLS):
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -o $@ -lm
 
-# --- The program -------------------------------------------------------------------------------------------------
+# --- Objects that programs share ---------------------------------------------------------------------------------
 
 COMPILE := $(PORT_CC) $(WARNINGS) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. $(CFLAGS)
 OBJ := build/obj/$(TARGET)/$(REAL)
 OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/*/*.c $(PORT)/*.c))
-PROGRAM := $(OUT)/$(NAME)$(PORT_SUFFIX)
 
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
@@ -164,90 +211,40 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
 	$(Q)$(COMPILE) -MMD -MP -c $< -o $@
 
-# The scene by its path and by what it says; not by its date, since its path may hold what make cannot.
-$(OUT)/choice: always
-	@test -e $(call quote,$(SCENE)) || { printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; \
-	    ls models >&2; exit 1; }
-	$(call remember,$(call quote,$(SCENE) $(CHOICE)) "$$(cksum <$(call quote,$(SCENE)))")
+-include $(TOOL_OBJECTS:.o=.d) $(OBJECTS:.o=.d)
 
-$(OUT)/plant.c: $(OUT)/choice build/isoc
-	$(call say,ISOC,$(SCENE))
-	$(Q)build/isoc $(call quote,$(SCENE)) -o $(OUT) $(CHOICE) >$(OUT)/plant.txt
+# --- Goals -------------------------------------------------------------------------------------------------------
 
-$(OUT)/plant.o: $(OUT)/choice $(OBJ)/flags $(if $(filter %/plant.c,$(PLANT)),$(PLANT))
-	$(call say,CC,$(PLANT))
-	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -MMD -MP -c $(call quote,$(PLANT)) -o $@
+run: ## run the scene: build/TARGET/REAL/NAME/trace.csv and a summary
+plot: ## run the scene and draw it with gnuplot: trace.svg, path.svg and the same as png, beside the trace
+size: ## show the size of the firmware and of its parts; the double pendulum's must keep its limits
+stack: ## show the deepest stack of a step; recursion and frames without a bound fail
+cost: ## price the models and the effects: instructions, operations, bytes; on the Cortex-M4F in float
+chains: ## price chains of rods by their LENGTHS: operations, instructions, bytes; on the Cortex-M4F in float
+report: ## error of every method over its price and its step: build/report/NAME/
+bench: ## compare the methods at equal step and at equal error, as a table
+drift: ## how far the loops of a scene come apart with every stabilisation: table, picture in build/drift/NAME/
 
-LINK := $(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(OUT)/plant.o $(OBJECTS) -o $(PROGRAM)
+# Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
+# goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
+folder_of = $(if $(filter run plot size stack,$(1)),$(OUT),$(if $(filter cost chains,$(1)),build/cost,build/$(1)/$(FOLDER)))
+shared = $(TOOLS) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS))
+LOCK_TOOLS := flock realpath
+LOCK_INSTALL := apt-get install util-linux coreutils
 
-$(OUT)/link: always
-	$(call remember,$(call quote,$(LINK)))
+shared: $(SHARED)
+	@:
 
-$(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
-	$(call say,LINK,$@)
-	$(Q)$(LINK)
-
--include $(TOOL_OBJECTS:.o=.d) $(OBJECTS:.o=.d) $(OUT)/plant.d
-
-RUN = build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
-
-run: $(PROGRAM) build/trace ## run the scene: build/TARGET/REAL/NAME/trace.csv and a summary
-	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	$(Q)$(RUN)
-
-plot: $(PROGRAM) build/trace build/plot ## run the scene and draw it with gnuplot: trace.svg, path.svg and the same as png, beside the trace
-	$(call require,gnuplot,apt-get install gnuplot-nox)
-	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	$(Q)$(RUN) >$(OUT)/summary.txt
-	$(Q)sh tools/plot/plot.sh $(OUT)
-
-# --- What it costs -----------------------------------------------------------------------------------------------
-
-size: $(PROGRAM) ## show the size of the firmware and of its parts; the double pendulum's must keep its limits
-	@$(PORT_SIZE) $(OUT)/plant.o $(OBJECTS) $(PROGRAM)
-	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | awk -v limits=$(LIMITS) -f tools/build/size.awk
-
-# The limits were set for this one, with its own method.
-LIMITED := cortex-m4f float models/double_pendulum.scene
-LIMITS := $(if $(findstring $(LIMITED),$(TARGET) $(REAL) $(SCENE)),$(if $(filter-out rk4,$(METHOD)),no,yes),no)
-
-# GCC writes the call graph with the frame of every function into plant.ci.
-stack: $(OUT)/plant.o ## show the deepest stack of a step; recursion and frames without a bound fail
-	@mkdir -p $(OUT)/stack
-	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) \
-	    -o $(OUT)/stack/plant.o || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
-	@awk -v root=step -f tools/build/stack.awk $(OUT)/stack/plant.ci
-
-# Prints the tables and nothing else, so that they can be held against README.md.
-cost: build/isoc ## price the models and the effects: instructions, operations, bytes; on the Cortex-M4F in float
-	$(call require,valgrind,apt-get install valgrind)
-	@MAKE=$(call quote,$(MAKE)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/build/cost.sh
-
-LENGTHS = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
-chains: build/isoc ## price chains of rods by their LENGTHS: operations, instructions, bytes; on the Cortex-M4F in float
-	$(call require,valgrind,apt-get install valgrind)
-	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/build/chains.sh
-
-# Both measure the methods of METHODS, all unless told.
-REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) NANOSECONDS=$(NANOSECONDS) \
-    METHODS=$(call quote,$(METHODS)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \
-    COMPILE=$(call quote,$(CC) $(WARNINGS) $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS))
-REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
-REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
-
-report: build/isoc build/trace build/plot ## error of every method over its price and its step: build/report/NAME/
-	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
-	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
-	@$(REPORT) sh tools/report/report.sh
-
-bench: build/isoc build/trace ## compare the methods at equal step and at equal error, as a table
-	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
-	@$(REPORT) sh tools/report/bench.sh
-
-drift: build/isoc build/trace build/plot ## how far the loops of a scene come apart with every stabilisation: table, picture in build/drift/NAME/
-	$(call require,gnuplot,apt-get install gnuplot-nox)
-	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
-	@$(REPORT) sh tools/drift/drift.sh
+ifeq ($(ISOCHRON_LOCKED),$(MAKECMDGOALS) $(call folder_of,$(MAKECMDGOALS)))
+include tools/build/goals.mk
+else
+$(GOALS):
+	$(call require,$(LOCK_TOOLS),$(LOCK_INSTALL))
+	@mkdir -p $(call folder_of,$@)
+	@flock build/lock $(MAKE) --no-print-directory shared SHARED='$(call shared,$@)' TARGET=$(TARGET) REAL=$(REAL)
+	@flock -n $(call folder_of,$@)/lock true || echo '  WAIT until another make is done in $(call folder_of,$@)' >&2
+	@ISOCHRON_LOCKED='$@ $(call folder_of,$@)' flock $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@
+endif
 
 digits: build/isoc ## how many digits of reference solutions are met
 	@sh tests/reference/table.sh

@@ -12,6 +12,6 @@ PORT_STACK =
 PORT_CLOCK = instructions
 PORT_EXEC_TOOLS = qemu-system-arm
 PORT_EXEC = qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
-    -semihosting-config enable=on,target=native,arg=$(NAME),arg=$(NANOSECONDS) -kernel $(PROGRAM)
+    -semihosting-config enable=on,target=native,arg=plant,arg=$(NANOSECONDS) -kernel $(PROGRAM)
 PORT_NM = arm-none-eabi-nm
 PORT_SIZE = arm-none-eabi-size

@@ -3,7 +3,7 @@
 # `make drift`, with what tools/report/common.sh lists in the environment; everything stands in build/drift/NAME/:
 # violation.svg and .png, the picture; STABILISATION.scene, and what was measured beside it.
 . tools/drift/common.sh
-dir=build/drift/$NAME
+dir=build/drift/$FOLDER
 mkdir -p "$dir" || exit 1
 seconds=$(awk -v ns="$NANOSECONDS" 'BEGIN { printf "%.9g", ns / 1e9 }')
 parts=200 # of the time: points of a line in the picture

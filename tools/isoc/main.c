@@ -171,6 +171,9 @@ static bool compile(arena *memory, const options *o)
     graph_section(&g, "Constants of the scene");
     mechanism m = mechanism_build(&s, &g, &written);
     m.is_double = o->is_double;
+    if (s.problem_count == 0 && o->tolerance != NULL && !ISO_IS(m.recipe, ISO_ADAMS)) {
+        return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m.recipe)]);
+    }
     if (s.problem_count == 0 && o->draws) {
         return write_graph(memory, &written);
     }

@@ -2,7 +2,7 @@
 # The methods at equal step and at equal error, as a Markdown table, and what it answers. Called by `make bench`; what
 # is made stands in build/bench/NAME/.
 WHAT="make bench"
-dir=build/bench/$NAME
+dir=build/bench/$FOLDER
 . tools/report/common.sh
 error=1e-6
 export error

@@ -2,7 +2,7 @@
 # What make report and make bench share; read by the scripts beside it. From the Makefile they have in the environment
 #
 #     MAKE COMPILE          make, and the compiler with all flags but those of a plant
-#     SCENE NAME            what is measured, and the name that its folder has
+#     SCENE NAME FOLDER     what is measured, the name that it has, and its folder
 #     STEP METHODS          the step if it is not the scene's, and the methods
 #     NANOSECONDS           how long, in the plant's time
 #

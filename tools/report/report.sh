@@ -2,7 +2,7 @@
 # Work-precision of every method on one scene. Called by `make report`; everything stands in build/report/NAME/:
 # report.txt and report.tsv, the tables; work_precision.svg and .png, the picture.
 WHAT="make report"
-dir=build/report/$NAME
+dir=build/report/$FOLDER
 . tools/report/common.sh
 
 start

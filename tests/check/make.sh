@@ -1,0 +1,142 @@
+#!/bin/sh
+# What make does with its variables and with paths, and with many makes at once.
+. tests/host/test.sh
+. tests/host/project.sh
+begin check/make
+project
+
+# told TEXT ARGUMENT...: fails, and says TEXT.
+told()
+{
+    text=$1
+    shift
+    ! timeout 60 make -C "$out/project" --no-print-directory "$@" >"$out/output" 2>"$out/errors" </dev/null &&
+        grep -q -- "$text" "$out/errors"
+    expect $? "told, with '$text': make $(echo "$*" | tr '\n' '|')"
+}
+
+# runs NAME ARGUMENT...: the run ends well within a minute, with a hash.
+runs()
+{
+    name=$1
+    shift
+    timeout 60 make -C "$out/project" --no-print-directory run SECONDS=0.1 "$@" >"$out/output" 2>"$out/errors" </dev/null &&
+        [ -n "$(value hash)" ]
+    expect $? "$name: runs"
+}
+
+told "SCEEN is not known (did you mean SCENE?)" run SCEEN=models/pendulum.scene
+told "STEPS is not known (did you mean STEP?)" STEPS=1ms
+told "SCEEN is not known (did you mean SCENE?)" clean SCEEN=models/pendulum.scene
+told "WEATHER is not known;" run WEATHER=fair
+told "SECONDS has no effect on .make size." size SECONDS=3
+told "METHOD has no effect on .make cost." cost METHOD=heun
+told "make cost is of the cortex-m4f" cost TARGET=host
+told "make chains is of the cortex-m4f" chains REAL=double
+told "METHOD has no effect on .make report." report METHOD=heun
+told "TOLERANCE has no effect on METHOD=rk4" run METHOD=rk4 TOLERANCE=1e-6
+told "has no effect on rk4" run SCENE=models/pendulum.scene TOLERANCE=1e-6
+told "TOLERANCE has no effect on a plant in C" run SCENE=models/oscillator.c TOLERANCE=1e-6
+told "SCRIPT has no effect on TARGET=cortex-m4f" run TARGET=cortex-m4f SCRIPT=script
+for seconds in 0 0.0 -1 1e-10 0x10 inf nan 1e300 '1 h' ''; do
+    told "SECONDS=$seconds is no time to run" run SECONDS="$seconds"
+done
+for step in 0 0.1us 2s 1.5ns 1e; do
+    told "STEP=$step is no step" run SCENE=models/oscillator.c STEP="$step"
+done
+told "SCENE has a line break" run SCENE="$out/a
+b.scene"
+mkdir -p "$out/scenes"
+cp models/pendulum.scene "$out/scenes/.scene"
+told "has no name" run SCENE="$PWD/$out/scenes/.scene"
+
+runs "TOLERANCE with METHOD=adams" METHOD=adams TOLERANCE=1e-6
+runs "the environment has no effect" METHOD=rk4
+hash=$(value hash)
+runs "SECONDS with a unit" METHOD=rk4 SECONDS='100 ms'
+[ "$(value hash)" = "$hash" ]
+expect $? "it is as long as SECONDS=0.1"
+TOLERANCE=1e-6 SCENE=models/absent.scene METHOD=absent TARGET=absent SECONDS=0 SCEEN=absent runs "variables of the environment" METHOD=rk4
+[ "$(value hash)" = "$hash" ]
+expect $? "they have no effect"
+
+strange="$PWD/$out/scenes/a \$b #c'd (e)"
+mkdir -p "$strange"
+for scene in models/pendulum.scene models/oscillator.c; do
+    runs "$scene" SCENE=$scene
+    hash=$(value hash)
+    name='x$y z'.${scene##*.}
+    cp $scene "$strange/$name"
+    runs "the same in $strange/$name" SCENE="$strange/$name" && [ "$(value hash)" = "$hash" ]
+    expect $? "with the same hash"
+done
+long=$(printf 'n%.0s' $(seq 130))
+cp models/pendulum.scene "$out/scenes/$long.scene"
+runs "a name of 130 characters on the Cortex-M4F" SCENE="$PWD/$out/scenes/$long.scene" TARGET=cortex-m4f
+
+# Scenes of one file name in two folders have folders of their own, those of models/ the plain name.
+mkdir -p "$out/scenes/a" "$out/scenes/b"
+sed 's/start 90 deg/start 80 deg/' models/pendulum.scene >"$out/scenes/a/pendulum.scene"
+sed 's/start 90 deg/start 70 deg/' models/pendulum.scene >"$out/scenes/b/pendulum.scene"
+folders=
+for scene in models "$PWD/$out/scenes/a" "$PWD/$out/scenes/b"; do
+    runs "$scene/pendulum.scene" SCENE="$scene/pendulum.scene" && [ -s "$out/project/$(value trace)" ]
+    folders="$folders $(dirname "$(value trace)")"
+done
+# shellcheck disable=SC2086
+[ "$(printf '%s\n' $folders | sort -u | wc -l)" -eq 3 ] && case $folders in " build/host/float/pendulum "*) ;; *) false ;; esac
+result $? "their folders differ, and that of the model has its name:$folders"
+
+# What is run at once, from nothing built for it: one scene with other methods, steps and reals, and scenes of one name. A
+# line is the arguments of make.
+cat >"$out/runs" <<END
+SCENE=models/pendulum.scene METHOD=rk4
+SCENE=models/pendulum.scene METHOD=heun
+SCENE=models/pendulum.scene METHOD=bdf4
+SCENE=models/pendulum.scene STEP=2ms
+SCENE=models/pendulum.scene STEP=4ms
+SCENE=models/pendulum.scene REAL=double
+SCENE=$PWD/$out/scenes/a/pendulum.scene
+SCENE=$PWD/$out/scenes/b/pendulum.scene
+END
+
+# hash_of LINE: the hash that a run with these arguments prints.
+hash_of()
+{
+    # shellcheck disable=SC2086
+    make -C "$out/project" --no-print-directory run SECONDS=0.2 $1 2>&1 </dev/null | sed -n 's/^hash //p'
+}
+
+# together ROUNDS: all of the lines at once, each so many times; their hashes stand in $out/together.
+together()
+{
+    rm -rf "$out/project/build/host"
+    : >"$out/together"
+    for round in $(seq "$1"); do
+        while IFS= read -r line; do
+            { hash=$(hash_of "$line") && echo "$line: $hash" >>"$out/together"; } &
+        done <"$out/runs"
+    done
+    wait
+}
+
+while IFS= read -r line; do
+    echo "$line: $(hash_of "$line")"
+done <"$out/runs" >"$out/alone"
+[ "$(sed 's/.*: //' "$out/alone" | grep -Ec '^[0-9a-f]{16}$')" -eq 8 ] && [ "$(sed 's/.*: //' "$out/alone" | sort -u | wc -l)" -eq 8 ]
+result $? "eight runs, one by one: eight hashes"
+together 3
+for _ in 1 2 3; do
+    cat "$out/alone"
+done | sort >"$out/expected"
+sort "$out/together" | cmp -s - "$out/expected"
+result $? "24 makes at once print each the hash of its own run"
+
+# Without locks they meet.
+printf '#!/bin/sh\nwhile [ "${1#-}" != "$1" ]; do shift; done\nshift\nexec "$@"\n' >"$out/flock"
+mkdir -p "$out/bin" && mv "$out/flock" "$out/bin/flock" && chmod +x "$out/bin/flock"
+PATH=$PWD/$out/bin:$PATH
+together 3
+! sort "$out/together" | cmp -s - "$out/expected"
+result $? "found: makes that do not lock their folder"
+finish

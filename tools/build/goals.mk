@@ -1,0 +1,114 @@
+# What the goals of the Makefile that build and run plants do; read by a make that has their folder locked.
+
+# --- What was chosen ---------------------------------------------------------------------------------------------
+
+# Times come as a number with a unit. The step of a plant in C is checked here, that of a scene by build/isoc.
+duration = $(shell build/duration $(1) $(call quote,$(2)) $(3) $(4))
+NANOSECONDS := $(call duration,ns,$(SECONDS),1,1e18)
+ifeq ($(NANOSECONDS),)
+$(error SECONDS=$(SECONDS) is no time to run; it could be 10 or 0.5)
+endif
+
+ifeq ($(suffix $(SCENE_FILE)),.c)
+ifneq ($(STEP),)
+STEP_SECONDS := $(call duration,s,$(STEP),1000,1e9)
+ifeq ($(STEP_SECONDS),)
+$(error STEP=$(STEP) is no step; it could be 1ms, 500us or 0.001, from 1us to 1s in whole nanoseconds)
+endif
+endif
+METHOD_MACRO := $(shell printf %s '$(METHOD)' | tr a-z A-Z)
+CHOICE := $(METHOD:%=-DISO_METHOD=ISO_$(METHOD_MACRO) -DISO_METHOD_NAME=%) $(STEP_SECONDS:%=-DISO_STEP=%)
+PLANT := $(SCENE)
+else
+CHOICE := $(METHOD:%=--method %) $(if $(STEP),--step $(call quote,$(STEP))) \
+    $(if $(TOLERANCE),--tolerance $(call quote,$(TOLERANCE))) --real $(REAL)
+PLANT := $(OUT)/plant.c
+endif
+
+# --- The program -------------------------------------------------------------------------------------------------
+
+PROGRAM := $(OUT)/$(NAME)$(PORT_SUFFIX)
+
+# The scene by its path and by what it says; not by its date, since its path may hold what make cannot.
+$(OUT)/choice: always
+	@test -e $(call quote,$(SCENE)) || { printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; \
+	    ls models >&2; exit 1; }
+	$(call remember,$(call quote,$(SCENE) $(CHOICE)) "$$(cksum <$(call quote,$(SCENE)))")
+
+$(OUT)/plant.c: $(OUT)/choice build/isoc
+	$(call say,ISOC,$(SCENE))
+	$(Q)build/isoc $(call quote,$(SCENE)) -o $(OUT) $(CHOICE) >$(OUT)/plant.txt
+
+$(OUT)/plant.o: $(OUT)/choice $(OBJ)/flags $(if $(filter %/plant.c,$(PLANT)),$(PLANT))
+	$(call say,CC,$(PLANT))
+	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -MMD -MP -c $(call quote,$(PLANT)) -o $@
+
+LINK := $(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(OUT)/plant.o $(OBJECTS) -o $(PROGRAM)
+
+$(OUT)/link: always
+	$(call remember,$(call quote,$(LINK)))
+
+$(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
+	$(call say,LINK,$@)
+	$(Q)$(LINK)
+
+-include $(OUT)/plant.d
+
+RUN = build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
+
+run: $(PROGRAM) build/trace
+	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
+	$(Q)$(RUN)
+
+plot: $(PROGRAM) build/trace build/plot
+	$(call require,gnuplot,apt-get install gnuplot-nox)
+	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
+	$(Q)$(RUN) >$(OUT)/summary.txt
+	$(Q)sh tools/plot/plot.sh $(OUT)
+
+# --- What it costs -----------------------------------------------------------------------------------------------
+
+size: $(PROGRAM)
+	@$(PORT_SIZE) $(OUT)/plant.o $(OBJECTS) $(PROGRAM)
+	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | awk -v limits=$(LIMITS) -f tools/build/size.awk
+
+# The limits were set for this one, with its own method.
+LIMITED := cortex-m4f float models/double_pendulum.scene
+LIMITS := $(if $(findstring $(LIMITED),$(TARGET) $(REAL) $(SCENE)),$(if $(filter-out rk4,$(METHOD)),no,yes),no)
+
+# GCC writes the call graph with the frame of every function into plant.ci.
+stack: $(OUT)/plant.o
+	@mkdir -p $(OUT)/stack
+	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) \
+	    -o $(OUT)/stack/plant.o || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
+	@awk -v root=step -f tools/build/stack.awk $(OUT)/stack/plant.ci
+
+# Prints the tables and nothing else, so that they can be held against README.md.
+cost: build/isoc
+	$(call require,valgrind,apt-get install valgrind)
+	@MAKE=$(call quote,$(MAKE)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/build/cost.sh
+
+chains: build/isoc
+	$(call require,valgrind,apt-get install valgrind)
+	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/build/chains.sh
+
+# Both measure the methods of METHODS, all unless told.
+REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) NANOSECONDS=$(NANOSECONDS) \
+    METHODS=$(call quote,$(METHODS)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \
+    COMPILE=$(call quote,$(CC) $(WARNINGS) $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS))
+REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
+REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
+
+report: build/isoc build/trace build/plot
+	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
+	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
+	@$(REPORT) sh tools/report/report.sh
+
+bench: build/isoc build/trace
+	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
+	@$(REPORT) sh tools/report/bench.sh
+
+drift: build/isoc build/trace build/plot
+	$(call require,gnuplot,apt-get install gnuplot-nox)
+	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
+	@$(REPORT) sh tools/drift/drift.sh
