@@ -108,8 +108,8 @@ check:
 	@tests/tools.sh
 	@$(MAKE) --no-print-directory -j$(TEST_JOBS) check-run
 
-test-run: $(TEST_ALL) build/isoc build/trace build/plot
+test-run: $(TEST_ALL) $(TOOLS)
 	@TEST_STRIDE=1 $(TEST_PROVE) $(call longest_first,$(TEST_ALL) $(TEST_SCRIPTS))
 
-check-run: $(TEST_FAST) build/isoc build/trace build/plot
+check-run: $(TEST_FAST) $(TOOLS)
 	@TEST_STRIDE=11 $(TEST_PROVE) $(call longest_first,$(TEST_FAST) $(filter-out $(TEST_SLOW),$(TEST_SCRIPTS)))

@@ -64,11 +64,11 @@ still
 expect $? "nothing changed: nothing built"
 
 touched core/numbers/real.h
-change "core/numbers/real.h" "$program build/obj/host/float/core/loop.o build/host/float/double_pendulum/plant.o"
+change "core/numbers/real.h" "$program build/obj/host/float/core/runtime/loop.o build/host/float/double_pendulum/plant.o"
 touched core/numbers/sincos.h
 change "core/numbers/sincos.h, which the plant includes" "$program build/host/float/double_pendulum/plant.o"
 touched core/runtime/loop.c
-change "core/runtime/loop.c" "$program build/obj/host/float/core/loop.o"
+change "core/runtime/loop.c" "$program build/obj/host/float/core/runtime/loop.o"
 unbuilt build/isoc
 result $? "core/runtime/loop.c: the scene compiler is left alone"
 touched port/sim/script.h
@@ -93,7 +93,7 @@ change "STEP" "$program build/host/float/double_pendulum/plant.o" STEP=2ms
 [ "$(value ticks)" = 500 ]
 expect $? "STEP: the program that ran is the new one"
 state >"$out/before"
-change "CFLAGS" "$program build/obj/host/float/core/loop.o build/host/float/double_pendulum/plant.o" CFLAGS=-O1
+change "CFLAGS" "$program build/obj/host/float/core/runtime/loop.o build/host/float/double_pendulum/plant.o" CFLAGS=-O1
 call run SECONDS=1
 state >"$out/before"
 call run SECONDS=2 && [ "$(value ticks)" = 2000 ] && unbuilt $program build/isoc
@@ -111,7 +111,7 @@ touched models/oscillator.c
 change "a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/oscillator.c METHOD=heun
 
 # A Makefile that forgets a header is found: without the lists of included files, a touched header builds nothing.
-sed -i 's/^-include .*//' "$out/project/Makefile"
+sed -i 's/^-include .*//' "$out/project/Makefile" "$out/project/tools/build/goals.mk"
 call run SECONDS=1
 touched core/numbers/real.h
 ! { call run SECONDS=1 && built $program; }

@@ -159,7 +159,7 @@ result $? "a spike in one row of 10,000 is drawn, with less than 1000 points"
 
 # A machine without gnuplot.
 mkdir -p "$out/bin"
-for tool in cc gcc as ld make sh awk sed tr cut printf mkdir cat cmp cksum grep test ls basename dirname nproc; do
+for tool in cc gcc as ld make sh awk sed tr cut printf mkdir cat cmp cksum grep test ls basename dirname nproc flock realpath; do
     path=$(command -v $tool) && [ -x "$path" ] && ln -sf "$path" "$out/bin/$tool"
 done
 ! PATH=$PWD/$out/bin call plot && grep -q 'gnuplot is missing.*apt-get install gnuplot-nox' "$out/errors"

@@ -226,7 +226,7 @@ expect $? "adams: a sub-step takes $price instructions"
 
 # Machines on which something is missing.
 mkdir -p "$out/bin"
-for tool in cc gcc as ld make sh awk sed tr cut printf mkdir cat cmp cksum grep test ls basename dirname nproc; do
+for tool in cc gcc as ld make sh awk sed tr cut printf mkdir cat cmp cksum grep test ls basename dirname nproc flock realpath; do
     path=$(command -v $tool) && [ -x "$path" ] && ln -sf "$path" "$out/bin/$tool"
 done
 # names TARGET TOOL PACKAGE: without it, it is named, with how to install it; then it is there.

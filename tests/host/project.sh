@@ -11,7 +11,8 @@ project()
     mkdir -p "$out/project"
     {
         find . ! -type d ! -path './build/*' ! -path './.git/*'
-        find build/isoc build/trace build/plot build/obj/tools -type f 2>/dev/null
+        find build -maxdepth 1 -type f ! -name lock 2>/dev/null
+        find build/obj/tools -type f 2>/dev/null
     } | tar -cf - -T - | tar -xf - -C "$out/project"
 }
 
