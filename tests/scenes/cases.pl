@@ -142,6 +142,21 @@ spit("$dir/caret.scene", $base{good} =~ s/kg/kgg/r);
 ($status, $lines) = compile("$dir/caret.scene", '-o', $dir);
 check($lines->[1] eq '        mass 1 kgg' && $lines->[2] eq '               ^', 'the line and a caret under the word', @$lines);
 
+# More than a plant counts in 16 bits: refused where it begins.
+for my $case (
+    ['tunable parameters', 3, '65539:9', sub { "tunable k$_[0] = 1" }],
+    ['inputs', 5, '65540:7', sub { "input u$_[0] = 1 N*m" }],
+    ['outputs', 21, '65557:8', sub { "output y$_[0] = position of pivot" }],
+    ['states', 12, '32780:7', sub { "joint j$_[0] revolute { parent ground; child bob; axis z }" }],
+) {
+    my ($what, $before, $place, $line) = @$case;
+    my @scene = split /^/, $base{good};
+    spit("$dir/many.scene", join '', @scene[0 .. $before - 1], map({ $line->($_) . "\n" } 1 .. 65_535), @scene[$before .. $#scene]);
+    ($status, $lines) = compile("$dir/many.scene", '-o', $dir);
+    my @told = grep { /error: too many/ } @$lines;
+    check($status eq '1' && @told == 1 && $told[0] =~ /:$place: error: too many $what: a plant has at most 65535$/, "65,536 $what", @told);
+}
+
 # The control: the scenes that all cases are made from are good ones, and then the plant is written.
 accepted("$_.scene", "tests/scenes/$_.scene") for 'loop', 'closed', 'good';
 
@@ -211,6 +226,11 @@ check($status eq '1' && $lines->[0] =~ /Not a directory/, 'an output folder that
 my $stdout;
 ($status, $lines, $stdout) = compile('tests/scenes/good.scene', '-o', $dir, '--step', '500us', '--method', 'ab4', '--real', 'double');
 check($status eq '0' && $stdout =~ /^method ab4\nstep 0\.0005 s\nreal double\nstates 2\n/m, 'the command line overrides the scene', $stdout);
+
+# A double holds what a float cannot.
+spit("$dir/wide.scene", $base{good} =~ s/10 deg/1e-46 rad; speed 1e39 rad\/s/r);
+($status, $lines) = compile("$dir/wide.scene", '-o', $dir, '--real', 'double');
+check($status eq '0' && !@$lines, 'numbers that only a double holds', @$lines);
 
 # Standard output that cannot be written.
 for my $case (['--help'], ['--methods'], ['tests/scenes/good.scene', '-o', $dir], ['tests/scenes/good.scene', '--dot']) {

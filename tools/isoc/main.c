@@ -124,7 +124,7 @@ static bool override(arena *memory, const options *o, scene *s)
     graph g;
     graph_start(&g, memory);
     graph_section(&g, "");
-    mechanism_method_and_step(&given, &g, &read);
+    mechanism_method_and_step(&given, &g, &read, o->is_double);
     source_report(&given);
     s->step = read.step == NULL ? s->step : read.step;
     s->method = read.method.text == NULL ? s->method : read.method;
@@ -169,8 +169,7 @@ static bool compile(arena *memory, const options *o)
     }
     graph_start(&g, memory);
     graph_section(&g, "Constants of the scene");
-    mechanism m = mechanism_build(&s, &g, &written);
-    m.is_double = o->is_double;
+    mechanism m = mechanism_build(&s, &g, &written, o->is_double);
     if (s.problem_count == 0 && o->tolerance != NULL && !ISO_IS(m.recipe, ISO_ADAMS)) {
         return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m.recipe)]);
     }

@@ -6,6 +6,7 @@
 
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/mechanism/inertia.h"
+#include "tools/isoc/scene/counts.h"
 #include "tools/isoc/scene/names.h"
 
 static const dimension moment_of_inertia = {1, 2, 0, 0}, acceleration = {0, 1, -2, 0};
@@ -237,19 +238,24 @@ double *mechanism_start(const mechanism *m, arena *memory)
     return x;
 }
 
-mechanism mechanism_build(source *s, graph *g, const scene *written)
+mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double)
 {
     builder b = {.s = s, .g = g, .written = written};
     b.solids = arena_take(s->memory, written->body_count + 1, sizeof *b.solids);
     b.parents = arena_take(s->memory, written->joint_count + 1, sizeof *b.parents);
     b.children = arena_take(s->memory, written->joint_count + 1, sizeof *b.children);
-    b.made = (mechanism){.name = written->name, .ground_mass = constant(g, 0.0), .ground_moment = vector_zero(g)};
+    b.made = (mechanism){.name = written->name, .is_double = is_double};
+    b.made.ground_mass = constant(g, 0.0);
+    b.made.ground_moment = vector_zero(g);
     b.made.links = arena_take(s->memory, PARTS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.links);
     b.made.frames = arena_take(s->memory, written->body_count + 1, sizeof *b.made.frames);
     b.made.members = arena_take(s->memory, written->body_count + 1, sizeof *b.made.members);
     b.made.body_count = (int)written->body_count;
-    values_start(&b.values, s, g, written);
+    values_start(&b.values, s, g, written, is_double);
 
+    if (!counts_check(s, written)) {
+        return b.made;
+    }
     names_check(s, written);
     build_step(&b);
     build_method(&b);

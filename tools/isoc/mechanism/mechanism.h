@@ -193,9 +193,9 @@ static inline int state_count(const mechanism *m)
 double *mechanism_start(const mechanism *m, arena *memory);
 
 /* Resolves names, units and places; notes problems. The result is whole only if there are none. */
-mechanism mechanism_build(source *s, graph *g, const scene *written);
+mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double);
 
 /* Only the method and the step, for a scene that says nothing else; notes problems. */
-void mechanism_method_and_step(source *s, graph *g, const scene *written);
+void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double);
 
 #endif

@@ -3,6 +3,8 @@
 
 #include "tools/isoc/mechanism/builder.h"
 
+static const double rounding = 1e-12; /* of a decimal number in s, relative */
+
 const char *const method_names[ISO_METHODS + 1] = ISO_METHOD_NAMES;
 
 static bool is_yes(builder *b, name word)
@@ -78,17 +80,21 @@ void build_step(builder *b)
 {
     const formula *f = b->written->step;
     b->made.step = value_constant(&b->values, f, second, "the step", 1e-3);
+    const double ns = b->made.step * 1e9, whole = floor(ns + 0.5);
     if (f != NULL && !(b->made.step >= 1e-6 && b->made.step <= 1.0)) {
         source_problem(b->s, f->at, "a step is between 1 us and 1 s");
         b->made.step = 1e-3;
+    } else if (f != NULL && fabs(ns - whole) > rounding * ns) {
+        source_problem(b->s, f->at, "a step is a whole number of nanoseconds, such as %.0f ns or %.0f ns", floor(ns),
+                       ceil(ns));
     }
     b->values.step = b->made.step;
 }
 
-void mechanism_method_and_step(source *s, graph *g, const scene *written)
+void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double)
 {
     builder b = {.s = s, .g = g, .written = written};
-    values_start(&b.values, s, g, written);
+    values_start(&b.values, s, g, written, is_double);
     build_step(&b);
     build_method(&b);
 }

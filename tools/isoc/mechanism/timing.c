@@ -6,6 +6,8 @@
 static const dimension plain = {0, 0, 0, 0}, second = {0, 0, 1, 0};
 static const double pi = 3.14159265358979323846;
 
+static const double most_ticks = 4e9; /* of 2^32 */
+
 static const value nothing = {0};
 
 static value scalar(node n, dimension of)
@@ -96,8 +98,13 @@ static value evaluate_points(values *v, const formula *f)
             source_problem(v->s, f->parts[i + 1]->at, "the values of a %s are numbers of one dimension", f->name);
             return nothing;
         }
-        if (!(time > last_time) || last_time < 0.0 || time > 4e9) {
+        if (!(time > last_time) || last_time < 0.0) {
             source_problem(v->s, f->parts[i]->at, "the times of a %s begin at 0 or later and rise", f->name);
+            return nothing;
+        }
+        if (time > most_ticks) {
+            source_problem(v->s, f->parts[i]->at, "a time of a %s is at most %g s with this step (%g ticks)", f->name,
+                           most_ticks * v->step, most_ticks);
             return nothing;
         }
         const node rise = sub(v->g, here.parts[0], last.parts[0]);

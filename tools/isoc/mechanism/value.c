@@ -1,5 +1,6 @@
 #include "tools/isoc/mechanism/value.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -8,9 +9,9 @@
 static const dimension plain = {0, 0, 0, 0};
 static const double pi = 3.14159265358979323846;
 
-void values_start(values *v, source *s, graph *g, const scene *written)
+void values_start(values *v, source *s, graph *g, const scene *written, bool is_double)
 {
-    *v = (values){.s = s, .g = g, .scene = written};
+    *v = (values){.s = s, .g = g, .scene = written, .is_double = is_double};
     const size_t room = written->parameter_count + 1;
     v->parameters = arena_take(s->memory, room, sizeof *v->parameters);
     v->resolving = arena_take(s->memory, room, sizeof *v->resolving);
@@ -28,6 +29,36 @@ static value nothing(void)
 static value scalar(node n, dimension of)
 {
     return (value){.count = 1, .parts = {n}, .of = of};
+}
+
+/* Notes a number that the plant's type cannot hold. */
+static bool check_range(const values *v, const formula *f, const char *what, double number)
+{
+    const double largest = v->is_double ? DBL_MAX : (double)FLT_MAX, least = v->is_double ? DBL_MIN : (double)FLT_MIN;
+    if (number == 0.0 || (fabs(number) >= least && fabs(number) <= largest)) {
+        return true;
+    }
+    source_problem(v->s, f->at, "%s is %g in SI units; a %s holds 0 and %.2g to %.2g%s", what, number,
+                   v->is_double ? "double" : "float", least, largest,
+                   v->is_double ? "" : ": choose another number, or --real double");
+    return false;
+}
+
+/* The same for all numbers that a node is made of. */
+static bool check_constants(const values *v, const formula *f, const char *what, node n)
+{
+    if (is_constant(v->g, n)) {
+        return check_range(v, f, what, constant_value(v->g, n));
+    }
+    bool *needed = arena_take(v->s->memory, v->g->count, sizeof *needed);
+    graph_reach(v->g, &n, 1, needed);
+    const char *part = arena_format(v->s->memory, "a number in %s", what);
+    for (size_t i = 0; i < v->g->count; i++) {
+        if (needed[i] && is_constant(v->g, (node)i) && !check_range(v, f, part, constant_value(v->g, (node)i))) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /* The position of parameter i among the tunables. */
@@ -56,6 +87,8 @@ static value resolve(values *v, size_t i, place used_at)
         const int index = tunable_index(v->scene, i);
         if (result.count != 1 || !is_constant(v->g, result.parts[0])) {
             source_problem(v->s, q->value->at, "a tunable parameter is one number that no other tunable is part of");
+            result = nothing();
+        } else if (!check_range(v, q->value, "this parameter", constant_value(v->g, result.parts[0]))) {
             result = nothing();
         } else {
             v->defaults[index] = constant_value(v->g, result.parts[0]);
@@ -291,6 +324,9 @@ value value_of(values *v, const formula *f, dimension of, int parts, const char 
     for (int i = 0; i < r.count; i++) {
         if (!isfinite(value_now(v, r.parts[i]))) {
             source_problem(v->s, f->at, "%s is beyond the finite numbers", what);
+            return nothing();
+        }
+        if (!check_constants(v, f, what, r.parts[i])) {
             return nothing();
         }
     }

@@ -19,6 +19,7 @@ typedef struct values {
     source *s;
     graph *g;
     const scene *scene;
+    bool is_double;    /* the number type of the plant */
     double step;       /* s; functions of time need it */
     bool time_allowed; /* in the formula of an input or a motion */
     bool is_smooth;    /* of a motion */
@@ -30,7 +31,7 @@ typedef struct values {
     size_t number_count, number_room;
 } values;
 
-void values_start(values *v, source *s, graph *g, const scene *written);
+void values_start(values *v, source *s, graph *g, const scene *written, bool is_double);
 
 /* All parameters, in the order of the scene; notes what is wrong with them. */
 void values_resolve(values *v);

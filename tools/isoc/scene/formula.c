@@ -88,6 +88,8 @@ static unit parse_unit(parser *p)
     while (going && unit_goes_on(p)) {
         const bool divide = next_is_sign(p, '/');
         p->next++;
+        p->factors = arena_grow(p->s->memory, p->factors, p->factor_count, &p->factor_room, sizeof *p->factors);
+        p->factors[p->factor_count++] = (name){p->next->text, p->next->at};
         going = parse_unit_factor(p, &product, divide);
     }
     return product;

@@ -121,14 +121,20 @@ static void list_states(source *s, listing *l, const joint *j)
     list_parts(s, l, j, "_speed");
 }
 
-/* How often a formula tells the time: it has no more clocks. */
-static int times_told(const formula *f)
+/* How often a formula names the time, or a function of it. */
+static int count_times(const formula *f)
 {
-    int told = f->kind == FORMULA_CALL || (f->kind == FORMULA_NAME && strcmp(f->name, "time") == 0);
+    int count = f->kind == FORMULA_CALL || (f->kind == FORMULA_NAME && strcmp(f->name, "time") == 0);
     for (size_t i = 0; i < f->count; i++) {
-        told += times_told(f->parts[i]);
+        count += count_times(f->parts[i]);
     }
-    return told;
+    return count;
+}
+
+int closure_clocks(const closure *c)
+{
+    const formula *f = c->motion != NULL ? c->motion : c->speed;
+    return f == NULL ? 0 : count_times(f);
 }
 
 /* The clocks of all motions are states too. */
@@ -136,16 +142,13 @@ static void list_clocks(source *s, listing *l, const scene *written)
 {
     int clocks = 0;
     for (size_t i = 0; i < written->closure_count; i++) {
-        const closure *c = &written->closures[i];
-        const formula *f = c->motion != NULL ? c->motion : c->speed;
-        for (int told = f == NULL ? 0 : times_told(f); told > 0; told--) {
-            list_one(s, l, (name){arena_format(s->memory, "clock_%d", ++clocks), c->name.at});
+        for (int n = closure_clocks(&written->closures[i]); n > 0; n--) {
+            list_one(s, l, (name){arena_format(s->memory, "clock_%d", ++clocks), written->closures[i].name.at});
         }
     }
 }
 
-/* The letters of an output's columns; none where it has but one. */
-static const char *components(const scene *written, const output *o)
+const char *output_components(const scene *written, const output *o)
 {
     const bool is_body = o->of.text != NULL && find_among(GROUP(written, bodies, body_count), o->of) >= 0;
     const output_kind of_body = is_body ? output_of(o->kind, OF_BODY) : OUTPUT_ROWS;
@@ -156,7 +159,7 @@ static const char *components(const scene *written, const output *o)
 /* An output of several components declares NAME_x and so on as well. */
 static void list_components(source *s, listing *l, const scene *written, const output *o)
 {
-    for (const char *c = components(written, o); *c != '\0' && o->name.text != NULL; c++) {
+    for (const char *c = output_components(written, o); *c != '\0' && o->name.text != NULL; c++) {
         list_one(s, l, (name){arena_format(s->memory, "%s_%c", o->name.text, *c), o->name.at});
     }
 }

@@ -7,6 +7,12 @@
 /* Notes names that are declared twice, or that differ only in case (the generated enumerators are upper case). */
 void names_check(source *s, const scene *written);
 
+/* The letters of an output's components; none where it has but one. */
+const char *output_components(const scene *written, const output *o);
+
+/* How many clocks a motion has at most: one for each time that its formula names the time. */
+int closure_clocks(const closure *c);
+
 /* The index of the body, joint, input or closure that is called n; -1, with a problem that suggests the nearest, if
  * none is. find_body gives -2 for `ground`. */
 int find_body(source *s, const scene *written, name n);

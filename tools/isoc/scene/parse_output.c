@@ -57,6 +57,9 @@ void read_output(parser *p, const token *word, void *slot)
     (void)word;
     scene *made = slot;
     output o = {.name = take_name(p, "expected a name for the output"), .along = -1};
+    if (o.name.text != NULL && strcmp(o.name.text, "t") == 0) {
+        source_problem(p->s, o.name.at, "'t' is the time in the trace: choose another name");
+    }
     if (!p->failed && !take_sign(p, '=')) {
         parse_problem(p, "expected =, as in: output angle = position of joint");
     }

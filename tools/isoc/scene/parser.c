@@ -29,7 +29,7 @@ static void read_body(parser *p, const token *word, void *slot)
 static void read_parameter(parser *p, const token *word, void *slot)
 {
     scene *made = slot;
-    quantity q = {.name = take_new_name(p, "expected a name for the parameter")};
+    quantity q = {.name = take_parameter_name(p, "expected a name for the parameter")};
     q.tunable = strcmp(word->text, "tunable") == 0;
     if (!p->failed && !take_sign(p, '=')) {
         parse_problem(p, "expected = and a value");
@@ -91,6 +91,22 @@ static const property statements[] = {
 };
 #undef IN
 
+/* 2 N * ks: a unit, though a parameter may be called so too. */
+static void check_factors(const parser *p, const scene *made)
+{
+    for (size_t i = 0; i < p->factor_count; i++) {
+        const name *unit_read = &p->factors[i];
+        for (size_t j = 0; j < made->parameter_count; j++) {
+            const char *called = made->parameters[j].name.text;
+            if (called != NULL && strcmp(called, unit_read->text) == 0) {
+                source_problem(p->s, unit_read->at,
+                               "after a unit, '%s' is a unit too, and not the parameter: write the parameter first",
+                               called);
+            }
+        }
+    }
+}
+
 scene parse_scene(source *s, const token *tokens)
 {
     static const block whole = {.what = "scene", .properties = statements, .property_count = COUNT_OF(statements)};
@@ -98,5 +114,6 @@ scene parse_scene(source *s, const token *tokens)
     scene made = {0};
     const bool read = parse_statements(&p, &whole, &made);
     made.broken |= !read;
+    check_factors(&p, &made);
     return made;
 }

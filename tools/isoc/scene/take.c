@@ -60,24 +60,36 @@ name take_name(parser *p, const char *expected)
     return n;
 }
 
-static bool is_reserved(const char *word)
+/* Words that stand for something wherever a name can. */
+static bool is_own_word(const char *word)
 {
-    unit u;
     static const char *const own[] = {"x",      "y",    "z",     "ground", "pi",         "at",  "about",
                                       "rotate", "rest", "along", "of",     "quaternion", "time"};
+    bool is = false;
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
-        if (strcmp(word, own[i]) == 0) {
-            return true;
-        }
+        is = is || strcmp(word, own[i]) == 0;
     }
-    return unit_find(word, &u);
+    return is;
 }
 
 name take_new_name(parser *p, const char *expected)
 {
     const name n = take_name(p, expected);
-    if (n.text != NULL && is_reserved(n.text)) {
-        source_problem(p->s, n.at, "'%s' is a unit or a word of the language: choose another name", n.text);
+    if (n.text != NULL && is_own_word(n.text)) {
+        source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
+    }
+    return n;
+}
+
+name take_parameter_name(parser *p, const char *expected)
+{
+    const name n = take_new_name(p, expected);
+    size_t count;
+    const char *const *units = unit_names(&count);
+    for (size_t i = 0; i < count && n.text != NULL; i++) {
+        if (strcmp(n.text, units[i]) == 0) {
+            source_problem(p->s, n.at, "'%s' is a unit: choose another name", n.text);
+        }
     }
     return n;
 }

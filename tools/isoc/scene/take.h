@@ -11,8 +11,10 @@ struct block;
 typedef struct parser {
     source *s;
     const token *next;
-    bool failed;                             /* in this statement or property */
-    int depth;                               /* of nested parentheses */
+    bool failed;   /* in this statement or property */
+    int depth;     /* of nested parentheses */
+    name *factors; /* units after * or /, where a parameter's name could stand */
+    size_t factor_count, factor_room;
     const struct block *statements, *within; /* the words of the scene, and of the block that is being read */
 } parser;
 
@@ -29,8 +31,10 @@ bool take_word(parser *p, const char *word);
 /* The index of the next token among words, which is taken; or count, with a problem that lists them. */
 size_t take_one_of(parser *p, const char *const *words, size_t count);
 
-/* A name, which stands on the line; one that is declared must be no word of the language. */
+/* A name, which stands on the line; one that is declared must be no word of the language, and one that formulas use no
+ * common unit. */
 name take_name(parser *p, const char *expected);
 name take_new_name(parser *p, const char *expected);
+name take_parameter_name(parser *p, const char *expected);
 
 #endif

@@ -129,8 +129,9 @@ bool unit_find(const char *name, unit *found)
 
 const char *const *unit_names(size_t *count)
 {
-    static const char *const names[] = {"m", "mm", "cm", "km", "g",   "kg",  "s",    "ms",  "us",  "N",   "kN", "mN",
-                                        "J", "W",  "Pa", "Hz", "kHz", "rad", "mrad", "deg", "rev", "rpm", "min"};
+    static const char *const names[] = {"m",    "mm",  "cm",  "km",  "g",   "kg", "s",  "ms",  "us",
+                                        "N",    "kN",  "mN",  "J",   "W",   "Pa", "Hz", "kHz", "rad",
+                                        "mrad", "deg", "rev", "rpm", "min", "h",  "t"};
     *count = sizeof names / sizeof names[0];
     return names;
 }

@@ -33,7 +33,7 @@ const char *dimension_phrase(arena *memory, dimension d);
 /* Finds a unit by name, with an SI prefix where it takes one. */
 bool unit_find(const char *name, unit *found);
 
-/* All names without prefixes, for suggestions. */
+/* The common units: no parameter is called so, and what is misspelt is compared with them. */
 const char *const *unit_names(size_t *count);
 
 #endif

@@ -1,0 +1,51 @@
+#include "tools/isoc/scene/counts.h"
+
+#include <string.h>
+
+#include "tools/isoc/scene/names.h"
+
+typedef struct counter {
+    const char *what;
+    size_t count;
+    bool exceeded;
+} counter;
+
+static void count(source *s, counter *c, size_t more, place at)
+{
+    enum { MOST = 65535 };
+    c->count += more;
+    if (c->count > MOST && !c->exceeded) {
+        c->exceeded = true;
+        source_problem(s, at, "too many %s: a plant has at most %d", c->what, MOST);
+    }
+}
+
+/* Positions and speeds: two of an elementary joint of one coordinate, seven of one that turns freely. */
+static size_t states_of(const joint *j)
+{
+    const int balls = joint_parts_that(j->kind, JOINT_SPHERICAL);
+    return (size_t)(2 * (joint_parts_count(j->kind) - balls) + 7 * balls);
+}
+
+bool counts_check(source *s, const scene *written)
+{
+    counter states = {.what = "states"}, inputs = {.what = "inputs"};
+    counter tunables = {.what = "tunable parameters"}, outputs = {.what = "outputs"};
+    for (size_t i = 0; i < written->joint_count; i++) {
+        count(s, &states, states_of(&written->joints[i]), written->joints[i].name.at);
+    }
+    for (size_t i = 0; i < written->closure_count; i++) {
+        count(s, &states, (size_t)closure_clocks(&written->closures[i]), written->closures[i].name.at);
+    }
+    for (size_t i = 0; i < written->input_count; i++) {
+        count(s, &inputs, 1, written->inputs[i].name.at);
+    }
+    for (size_t i = 0; i < written->parameter_count; i++) {
+        count(s, &tunables, written->parameters[i].tunable, written->parameters[i].name.at);
+    }
+    for (size_t i = 0; i < written->output_count; i++) {
+        const size_t letters = strlen(output_components(written, &written->outputs[i]));
+        count(s, &outputs, letters == 0 ? 1 : letters, written->outputs[i].name.at);
+    }
+    return !states.exceeded && !inputs.exceeded && !tunables.exceeded && !outputs.exceeded;
+}

@@ -1,0 +1,10 @@
+/* How many states, inputs, parameters and outputs a plant can have: core/runtime/plant.h counts them in 16 bits. */
+#ifndef ISOC_SCENE_COUNTS_H
+#define ISOC_SCENE_COUNTS_H
+
+#include "tools/isoc/scene/scene.h"
+
+/* Notes what is too many, where it begins. Returns whether nothing is. */
+bool counts_check(source *s, const scene *written);
+
+#endif
