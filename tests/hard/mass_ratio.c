@@ -15,6 +15,7 @@
  */
 #include <math.h>
 
+#include "core/runtime/plant.h"
 #include "tests/hard/chain.h"
 
 /* Standard deviations that a walk is allowed. */
@@ -111,7 +112,8 @@ static double test_second(const mass_case *const c, const bool generated)
     const char *const from = generated ? "generated" : "by hand";
     const double most = c->energy + SIGMAS * sqrt(rounding) / start;
     report_ok(hard_guard(&run) == STATES && error[0] <= c->angle[real_of] && error[1] <= c->rate[real_of],
-              "%s, %s, rk4, %ld steps: errors %.1e rad, %.1e rad/s", c->problem.name, from, c->steps, error[0], error[1]);
+              "%s, %s, rk4, %ld steps: errors %.1e rad, %.1e rad/s", c->problem.name, from, c->steps, error[0],
+              error[1]);
     report_ok(drift <= most, "%s, %s: energy to %.1e, at most %.1e", c->problem.name, from, drift, most);
     return most;
 }

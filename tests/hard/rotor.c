@@ -14,6 +14,7 @@
  */
 #include <math.h>
 
+#include "core/runtime/plant.h"
 #include "tests/hard/hard.h"
 
 #define DAY 86400
