@@ -28,7 +28,9 @@ TARGET = $(if $(filter size cost chains,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
 SCRIPT =
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
+PARTS = models methods restarts effects
 LENGTHS = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
+TABLES = models/costs.md models/chains.md models/drift.md core/methods.md tests/digits.md
 V =
 
 .DEFAULT_GOAL := help
@@ -39,7 +41,7 @@ MAKEFLAGS += --no-builtin-rules
 # The goals that build and run plants; each works in one folder.
 GOALS := run plot size stack cost chains report bench drift
 
-.PHONY: help shared digits clean $(GOALS)
+.PHONY: help shared digits tables pictures clean $(GOALS)
 help: ## say what can be made; the same as make alone
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
@@ -89,23 +91,24 @@ EFFECTS_run := SCENE METHOD STEP TOLERANCE SECONDS TARGET REAL SCRIPT OUT PORT_F
 EFFECTS_plot := $(EFFECTS_run)
 EFFECTS_size := $(filter-out SECONDS SCRIPT,$(EFFECTS_run))
 EFFECTS_stack := $(EFFECTS_size)
-EFFECTS_cost := METHODS TARGET REAL
+EFFECTS_cost := PARTS METHODS TARGET REAL
 EFFECTS_chains := LENGTHS TARGET REAL
 EFFECTS_report := SCENE METHODS STEP SECONDS
 EFFECTS_bench := $(EFFECTS_report)
 EFFECTS_drift := SCENE STEP SECONDS
 EFFECTS_test := TEST_JOBS
 EFFECTS_check := TEST_JOBS
-EFFECTS := V CC CFLAGS $(sort $(foreach goal,$(GOALS) test check,$(EFFECTS_$(goal))))
+EFFECTS_tables := TABLES
+EFFECTS := V CC CFLAGS $(sort $(foreach goal,$(GOALS) test check tables,$(EFFECTS_$(goal))))
 
 nearest = $(shell mkdir -p build && $(CC) -I. tools/build/nearest.c tools/isoc/base/nearest.c -o build/nearest.$$$$ && \
     build/nearest.$$$$ $(1) $(EFFECTS); rm -f build/nearest.$$$$)
 unknown = $(error $(1) is not known$(if $(2), (did you mean $(2)?)); `make help` lists what can be set)
 no_effect = $(error $(1) has no effect on `make $(2)`; it has one on: $(strip $(foreach goal,$(GOALS) test \
-    check,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
+    check tables,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
 ifeq ($(MAKELEVEL),0)
 $(foreach name,$(filter-out $(EFFECTS) MAKEFLAGS SHELL,$(GIVEN)),$(call unknown,$(name),$(call nearest,$(name))))
-ifeq ($(filter-out $(GOALS) test check help clean digits,$(or $(MAKECMDGOALS),help)),)
+ifeq ($(filter-out $(GOALS) test check tables pictures help clean digits,$(or $(MAKECMDGOALS),help)),)
 $(foreach name,$(filter $(GIVEN),$(filter-out V CC CFLAGS,$(EFFECTS))),$(if $($(name)),$(if $(filter $(name),$(foreach \
     goal,$(MAKECMDGOALS),$(EFFECTS_$(goal)))),,$(call no_effect,$(name),$(or $(MAKECMDGOALS),help)))))
 endif
@@ -219,11 +222,11 @@ run: ## run the scene: build/TARGET/REAL/NAME/trace.csv and a summary
 plot: ## run the scene and draw it with gnuplot: trace.svg, path.svg and the same as png, beside the trace
 size: ## show the size of the firmware and of its parts; the double pendulum's must keep its limits
 stack: ## show the deepest stack of a step; recursion and frames without a bound fail
-cost: ## price the models and the effects: instructions, operations, bytes; on the Cortex-M4F in float
-chains: ## price chains of rods by their LENGTHS: operations, instructions, bytes; on the Cortex-M4F in float
-report: ## error of every method over its price and its step: build/report/NAME/
+cost: ## print tables of costs, of the PARTS models methods restarts effects; on the Cortex-M4F in float
+chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float
+report: ## measure the error of every method over its cost and its step: tables and a picture in build/report/NAME/
 bench: ## compare the methods at equal step and at equal error, as a table
-drift: ## how far the loops of a scene come apart with every stabilisation: table, picture in build/drift/NAME/
+drift: ## measure the drift of closed loops with every stabilisation: a table, and a picture in build/drift/NAME/
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
@@ -246,8 +249,16 @@ $(GOALS):
 	@ISOCHRON_LOCKED='$@ $(call folder_of,$@)' flock $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@
 endif
 
-digits: build/isoc ## how many digits of reference solutions are met
+digits: build/isoc ## print a table of errors against reference solutions
 	@sh tests/reference/table.sh
+
+# What they call makes the tools first, so that a table has no line of the compiler.
+tables: $(TOOLS) ## write the generated tables again, in the Markdown files TABLES
+	@MAKE=$(call quote,$(MAKE)) sh tools/build/tables.sh $(TABLES)
+
+pictures: $(TOOLS) ## draw the pictures of models/README.md again
+	$(call require,gnuplot dot,apt-get install gnuplot-nox graphviz)
+	@MAKE=$(call quote,$(MAKE)) sh tools/plot/pictures.sh models/pictures
 
 clean: ## remove all that was made
 	rm -rf build

@@ -1,6 +1,6 @@
 #!/bin/sh
 # make size and make stack: the double pendulum keeps its limits, and what breaks a limit or has no bound is found. The
-# dearest steps of the price list: nothing takes more.
+# longest steps of the table of restarts: no other motion has a longer one.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/cost
@@ -69,23 +69,23 @@ finds pointer 'a call through a pointer' 'extern int (*volatile f)(int); int ste
 finds 'not known' 'a function of another file' 'int other(int); int step(int); int step(int n) { return other(n) + 1; }'
 finds 'no function' 'no step at all' 'int leap(int n); int leap(int n) { return n; }'
 
-# price COMMAND...: in the copy, with the functions of the price list; what they say is in $out/errors.
-price()
+# tables COMMAND...: in the copy, with the functions of the tables of costs; what they say is in $out/errors.
+tables()
 {
     (cd "$out/project" && . tools/build/measure.sh && "$@") 2>"$out/errors"
 }
 
-# A restart takes one number of instructions, whatever the motion is: from the horizontal, and from 10 deg with a push.
+# A restart has one number of instructions for every motion: from the horizontal, and from 10 deg with a push.
 sed '0,/start 90 deg/s//start 10 deg\n    speed 3 rad\/s/' models/double_pendulum.scene >"$out/project/pushed.scene"
 for method in ab4 abm4 abm4_pec abm4_pecece bdf4; do
-    for jump in told found; do
-        one=$(price dearest one models/double_pendulum.scene $method $jump) &&
-            other=$(price dearest other pushed.scene $method $jump) && [ "$one" -eq "$other" ]
-        result $? "$method, a jump that is $jump: $one instructions, and from another start $other"
+    for discontinuity in announced detected; do
+        one=$(tables longest_step one models/double_pendulum.scene $method $discontinuity) &&
+            other=$(tables longest_step other pushed.scene $method $discontinuity) && [ "$one" -eq "$other" ]
+        result $? "$method, a discontinuity that is $discontinuity: $one instructions, and from another start $other"
     done
 done
 
-# noisy SIZE: the dearest step of the plant that dearest left in build/cost/adams, with noise of many sizes in its slopes;
+# noisy SIZE: the longest step of the plant that longest_step left in build/cost/adams, with noise of many sizes in its slopes;
 # where there is any, each tick begins at the same place, since the sum would leave the domain of the sine. Marsaglia (2003),
 # Xorshift RNGs.
 noisy()
@@ -118,14 +118,14 @@ adams()
 }
 
 # The noise itself takes the same in every evaluation: the limit is that of a sub-step more, with noise of size 0.
-forced=$(price dearest adams models/pendulum.scene adams told) && silent=$(price noisy 0.0) &&
-    more=$(price dearest adams models/pendulum.scene adams told 'tolerance 1e-30' 'substeps 9') && limit=$(price noisy 0.0)
+forced=$(tables longest_step adams models/pendulum.scene adams announced) && silent=$(tables noisy 0.0) &&
+    more=$(tables longest_step adams models/pendulum.scene adams announced 'tolerance 1e-30' 'substeps 9') && limit=$(tables noisy 0.0)
 adams "the budget used in vain" "$forced" "$((more - 1))"
 adams "the same with noise of size 0" "$silent" "$((limit - 1))"
 for tolerance in 1e-4 1e-6 1e-8; do
-    adams "a tolerance of $tolerance" "$(price dearest adams models/pendulum.scene adams told "tolerance $tolerance")" "$forced"
+    adams "a tolerance of $tolerance" "$(tables longest_step adams models/pendulum.scene adams announced "tolerance $tolerance")" "$forced"
     for size in 1e-10 1e-8 1e-7; do
-        adams "and noise of $size" "$(price noisy $size)" "$limit"
+        adams "and noise of $size" "$(tables noisy $size)" "$limit"
     done
 done
 finish

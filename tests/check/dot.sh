@@ -43,8 +43,8 @@ told()
 
 build/isoc --dot models/squeezer.scene | dot -Tsvg >"$out/drawing.svg"
 told "$out/drawing.svg" >"$out/told"
-[ "$(grep -c . "$out/told")" -gt 40 ] && told models/squeezer_graph.svg | cmp -s - "$out/told"
-result $? "models/squeezer_graph.svg is what graphviz draws"
+[ "$(grep -c . "$out/told")" -gt 40 ] && told models/pictures/squeezer.svg | cmp -s - "$out/told"
+result $? "models/pictures/squeezer.svg is what graphviz draws"
 
 ! build/isoc --dot models/pendulum.scene | head -c 60 | dot -Tsvg >"$out/drawing.svg" 2>"$out/errors"
 result $? "found: half a graph"

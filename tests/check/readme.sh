@@ -1,26 +1,28 @@
 #!/bin/sh
-# README.md says what is so: its commands run, in a copy of the project, and print the lines shown below them; its tables are
-# those of `make cost`, `make chains`, `make bench`, `make drift`, `make digits` and `build/isoc --methods`, its scene and its
-# pictures those of models/, its links lead somewhere. A README with one thing changed is found.
+# What the Markdown files say is so: the commands in their `sh` blocks run, in a copy of the project, and print the lines shown
+# below them; the commands of make in their text are known to make; C in them is part of a file that they link to; their links
+# lead somewhere, and lines are not too long. One with a thing changed is found. (Generated tables: tests/check/tables.sh;
+# pictures: tests/check/gallery.sh.)
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/readme
 project
 mkdir -p "$out/printed"
+documents=$(find . -name '*.md' ! -path './build/*' ! -path './.*/*' | sed 's|^\./||' | sort)
 
-# commands README: those after `$ ` in its ```sh blocks, one on a line.
+# commands FILE: those after `$ ` in its ```sh blocks, one on a line.
 commands()
 {
     awk '/^```/ { shell = $0 == "```sh"; next } shell && sub(/^\$ /, "")' "$1"
 }
 
-# mentioned README: commands of make in its text and tables, one on a line.
+# mentioned FILE: the commands of make in its text and tables, one on a line.
 mentioned()
 {
     awk '/^```/ { code = !code; next } !code' "$1" | tr '\n' ' ' | grep -o '`make [^`]*`' | tr -d '`' | sort -u
 }
 
-# shown README COMMAND: the lines below a command.
+# shown FILE COMMAND: the lines below a command.
 shown()
 {
     awk -v command="$ $2" '
@@ -36,205 +38,151 @@ printed()
     echo "$out/printed/$(printf %s "$1" | cksum | tr ' ' -)"
 }
 
-# The lengths of which `make chains` is run again: with equations composite and articulated, copied and called, of both
-# kinds of chain, and those that its list is of.
-lengths='2 8 16'
-
-# try COMMAND: runs it in the copy. A command whose output shows an error must fail, every other must not.
+# try FILE COMMAND: runs it in the copy. A command whose output shows an error must fail, every other must not.
 try()
 {
-    (cd "$out/project" && eval "$1 $([ "$1" != 'make chains' ] || echo "LENGTHS='$lengths'")") </dev/null >"$(printed "$1")" 2>&1
-    status=$?
-    if shown README.md "$1" | grep -q ': error: '; then
-        [ $status -ne 0 ]
+    (cd "$out/project" && eval "$2") </dev/null >"$(printed "$2")" 2>&1
+    try_status=$?
+    if shown "$1" "$2" | grep -q ': error: '; then
+        [ $try_status -ne 0 ]
     else
-        [ $status -eq 0 ]
+        [ $try_status -eq 0 ]
     fi
 }
 
-# The tables: how their first lines begin, and what prints them.
-tables='| model |:make cost
-| steps of |:make cost
-| dearest step of |:make cost
-| effect on:make cost
-| chain |:make chains
-| method | order | evaluations | Jacobians |:build/isoc --methods
-| method | order | evaluations | error,:make bench
-| stabilisation | largest violation |:make drift
-| reference | real | step |:make digits'
-
-# table README BEGINNING: the table whose first line begins so, and the list that follows it, if there is one.
-table()
+# known COMMAND: whether make has the goal and the variables. SECONDS=2 stands for numbers; a file, for one that is there.
+known()
 {
-    awk -v beginning="$2" '
-        index($0, beginning) == 1 {
-            on = 1
-            gap = 0
-            n++
-        }
-        !/^[|-]/ && (gap || $0 != "") || gap && !/^-/ { on = 0 }
-        { gap = $0 == "" }
-        on && !gap
-        END { exit n != 1 }' "$1"
+    command=$(echo "$1" | sed 's/=NAME/=models\/pendulum/; s/models\/NAME/models\/pendulum/; s/SCRIPT=FILE/SCRIPT=\/dev\/null/')
+    (cd "$out/project" && eval "$command -n") </dev/null >"$out/known" 2>&1
 }
 
-# again BEGINNING: of the table of README.md that begins so, what is measured again: rows of those lengths, if it is of chains.
-again()
-{
-    awk -F ' *[|,] *' -v chains="$([ "$1" != '| chain |' ] || echo " $lengths ")" '
-        chains == "" || !/^[|] [a-z]*, / || index(chains, " " $3 " ")'
-}
-
-# exact: a table without its column of isoc, which another compiler of isoc changes.
-exact()
-{
-    awk '/^[|] [a-z]* [|].* isoc [|]$/ { isoc = 1 } isoc && /^[|]/ { sub(/[^|]*[|]$/, "") } { print }'
-}
-
-# unlike ONE OTHER: rows of two tables whose isoc differs by more than a quarter, and what rounding makes of millions.
-unlike()
-{
-    paste -d '|' "$1" "$2" | awk -F ' *[|] *' '
-        /^[|] [a-z]* [|].* isoc [|]/ { isoc = (NF + 1) / 2 - 1 }
-        isoc && /^[|] [a-z]/ && NR > 1 {
-            a = $isoc
-            b = $(NF - 1)
-            if (a > 1.25 * b + 1 || b > 1.25 * a + 1)
-                print "isoc takes " b ", not " a ": " $2
-        }'
-}
-
-# operations: the rows of chains, of all lengths, as far as isoc tells them.
-operations()
-{
-    for kind in planar spatial; do
-        for n in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16; do
-            sh tools/build/chain.sh "$n" "$kind" >"$out/chain.scene"
-            build/isoc "$out/chain.scene" -o "$out/chain" --method euler |
-                awk -v name="$kind, $n" '/ kept / { kept = $2 }
-                    $1 == "derivative" { print "| " name " | " kept " | " $3 " | " $5 " | " $7 " | " $9 " |" }'
-        done
-    done
-}
-
-# first_block README: the text in the first ``` block.
-first_block()
-{
-    awk '/^```/ { if (n++) exit; next } n' "$1"
-}
-
-# targets README: whether the commands of make that take long, or away what is made, have a recipe.
-targets()
-{
-    for target in test check clean; do
-        mentioned "$1" | grep -qx "make $target" && grep -q "^$target:" Makefile tests/tests.mk || return 1
-    done
-}
-
-# wrong README: what it says that is not so.
-wrong()
+# unlike_commands FILE: commands that were not run, and lines that they did not print.
+unlike_commands()
 {
     commands "$1" | while IFS= read -r command; do
         if [ ! -s "$(printed "$command")" ]; then
-            echo "not run: $command"
+            echo "$1: not run: $command"
             continue
         fi
         shown "$1" "$command" | while IFS= read -r line; do
-            grep -qxF -- "$line" "$(printed "$command")" || echo "not printed by '$command': $line"
+            grep -qxF -- "$line" "$(printed "$command")" || echo "$1: not printed by '$command': $line"
         done
     done
-    echo "$tables" | while IFS=: read -r beginning command; do
-        table "$1" "$beginning" >"$out/whole" || echo "not one table that begins: $beginning"
-        again "$beginning" <"$out/whole" >"$out/table"
-        table "$(printed "$command")" "$beginning" >"$out/measured" || echo "$command prints no table: $beginning"
-        exact <"$out/table" >"$out/table.exact"
-        exact <"$out/measured" | diff "$out/table.exact" -
-        unlike "$out/table" "$out/measured"
-    done
-    table "$1" '| chain |' | grep -o '^| [a-z]*, [0-9]* | [a-z]* |\( [0-9]* |\)\{4\}' | diff - "$out/operations"
-    first_block "$1" | diff - models/pendulum.scene
-    grep -o '](\([^)]*\))' "$1" | tr -d ']()' | while IFS= read -r file; do
-        [ -e "$file" ] || echo "leads nowhere: $file"
-    done
-    awk 'length > 120 { print "longer than 120: " $0 }' "$1"
 }
 
-commands README.md >"$out/commands"
-mentioned README.md | grep -Evx 'make (test|check|clean)' >"$out/mentioned"
-[ "$(grep -c . "$out/commands")" -ge 4 ] && [ "$(grep -c . "$out/mentioned")" -ge 6 ]
-result $? "README.md has commands: $(grep -c . "$out/commands") with what they print, $(grep -c . "$out/mentioned") of make"
-{ cat "$out/commands" "$out/mentioned" && echo "build/isoc --methods"; } >"$out/all"
-while IFS= read -r command; do
-    try "$command"
-    status=$?
-    [ $status -eq 0 ] || tail -n 5 "$(printed "$command")" | sed 's/^/# /'
-    result $status "$command"
-done <"$out/all"
-targets README.md
-result $? "make test, make check and make clean are there"
-
-operations >"$out/operations"
-wrong README.md >"$out/wrong"
-sed 's/^/# /' "$out/wrong"
-[ ! -s "$out/wrong" ]
-result $? "README.md shows what its commands print, and what is in models/"
-
-# The picture, but for the name of the gnuplot that drew it.
-picture=$out/project/build/host/float/double_pendulum/path.svg
-(cd "$out/project" && make plot) >/dev/null 2>&1
-grep -v '^<desc>' "$picture" >"$out/picture.svg"
-[ -s "$out/picture.svg" ] && grep -v '^<desc>' models/double_pendulum.svg | cmp -s - "$out/picture.svg"
-result $? "models/double_pendulum.svg is what make plot draws"
-[ "$(wc -c <models/double_pendulum.svg)" -lt 100000 ]
-result $? "the picture is smaller than 100 kB"
-
-grep -v '^<desc>' "$out/project/build/drift/four_bar/violation.svg" >"$out/picture.svg"
-[ -s "$out/picture.svg" ] && grep -v '^<desc>' models/four_bar_violation.svg | cmp -s - "$out/picture.svg"
-result $? "models/four_bar_violation.svg is what make drift draws"
-
-# texts FILE: the texts of a drawing, one on a line.
-texts()
+# links FILE: what it links to, as far as it is in the project.
+links()
 {
-    grep -o '<text>.*</text>' "$1" | sed 's/<[^>]*>//g'
+    grep -o '](\([^)]*\))' "$1" | sed 's/^](//; s/)$//' | grep -v '^https\{0,1\}:'
 }
 
-# The picture of the report, but for its points: those of the host depend on its compiler.
-picture=models/double_pendulum_work_precision.svg
-texts $picture >"$out/texts"
-texts "$out/project/build/report/double_pendulum/work_precision.svg" | cmp -s - "$out/texts" && [ -s "$out/texts" ]
-result $? "$picture has the axes and the methods that make report draws"
-[ "$(wc -c <$picture)" -lt 100000 ]
-result $? "and is smaller than 100 kB"
+# anchors FILE: those of its headings.
+anchors()
+{
+    awk '/^```/ { code = !code } !code && sub(/^##* /, "")' "$1" | tr 'A-Z ' 'a-z-' | tr -cd 'a-z0-9_\n-'
+}
 
-# found NAME SED: README.md so changed says something wrong.
+# dead_links FILE [FOLDER]: links of a file, as one of this folder, that lead nowhere.
+dead_links()
+{
+    folder=${2-$(dirname "$1")}
+    links "$1" | while IFS= read -r link; do
+        path=${link%%#*}
+        target=$folder/$path
+        [ -n "$path" ] || target=$1
+        if [ ! -e "$target" ]; then
+            echo "$1: leads nowhere: $link"
+        elif [ "$link" != "$path" ] && ! anchors "$target" | grep -qxF -- "${link#*#}"; then
+            echo "$1: no such heading: $link"
+        fi
+    done
+}
+
+# foreign_code FILE [FOLDER]: whether a ```c block is not a part of a file that is linked to.
+foreign_code()
+{
+    links "$1" | sed "s|^|${2-$(dirname "$1")}/|" | grep '\.[ch]$' >"$out/sources"
+    perl -e '
+        my ($document, $list) = @ARGV;
+        sub text { local (@ARGV, $/) = @_; return scalar <> }
+        my @sources = map { text($_) } grep { -f } split /\n/, text($list);
+        my $all = text($document);
+        while ($all =~ /^```c\n(.*?)^```$/msg) {
+            my $block = $1;
+            print "$document: in no file that it links to: ", (split /\n/, $block)[0], "\n"
+                unless grep { index($_, $block) >= 0 } @sources;
+        }' "$1" "$out/sources"
+}
+
+# long_lines FILE: text of more than 120 characters; a table or a picture may be wider.
+long_lines()
+{
+    awk -v file="$1" 'length > 120 && !/^[|!<]/ { print file ": longer than 120: " $0 }' "$1"
+}
+
+# wrong FILE [FOLDER]: what it says that is not so.
+wrong()
+{
+    unlike_commands "$1"
+    dead_links "$@"
+    foreign_code "$@"
+    long_lines "$1"
+}
+
+echo "# $documents" | tr '\n' ' '
+echo
+for document in $documents; do
+    commands "$document" >"$out/commands"
+    while IFS= read -r command; do
+        [ ! -s "$(printed "$command")" ] || continue
+        try "$document" "$command"
+        status=$?
+        [ $status -eq 0 ] || tail -n 5 "$(printed "$command")" | sed 's/^/# /'
+        result $status "$document: $command"
+    done <"$out/commands"
+done
+for document in $documents; do
+    mentioned "$document"
+done | sort -u >"$out/mentioned"
+[ "$(grep -c . "$out/mentioned")" -ge 10 ]
+result $? "the text has commands of make: $(grep -c . "$out/mentioned")"
+while IFS= read -r command; do
+    known "$command"
+    status=$?
+    [ $status -eq 0 ] || tail -n 5 "$out/known" | sed 's/^/# /'
+    result $status "make knows: $command"
+done <"$out/mentioned"
+for document in $documents; do
+    wrong "$document" >"$out/wrong"
+    sed 's/^/# /' "$out/wrong"
+    [ ! -s "$out/wrong" ]
+    result $? "$document shows what its commands print; its links lead somewhere; its lines are short enough"
+done
+[ "$(wc -l <README.md)" -le 200 ]
+result $? "README.md has $(wc -l <README.md) lines, at most 200"
+head -n 40 README.md | grep -q '^hash '
+result $? "it shows what a scene prints within the first 40"
+
+# found NAME FILE SED: a file so changed says something wrong.
 found()
 {
-    sed "$2" README.md >"$out/changed.md"
-    ! cmp -s README.md "$out/changed.md" && [ -n "$(wrong "$out/changed.md")" ]
+    sed "$3" "$2" >"$out/changed.md"
+    ! cmp -s "$2" "$out/changed.md" && [ -n "$(wrong "$out/changed.md" "$(dirname "$2")")" ]
     result $? "found: $1"
 }
 
-found "a digit of a hash" '/^hash /s/.$/x/'
-found "a number of a step" '/^instructions_per_step /s/$/0/'
-found "a price of a model" '/^| arm6 /s/|\([^|]*\)|$/|\10 |/'
-found "a price of a chain" '/^| planar, 16 /s/| \([0-9]* | [0-9]* |\)$/| 1\1/'
-found "an operation of a chain that is not run again" '/^| spatial, 13 /s/| 1119 /| 1118 /'
-found "the time of isoc for it" '/^| planar, 16 /s/ |$/0 |/'
-found "a dearest step" '/^| arm6, found /s/| - |$/| 0 |/'
-found "an order of a method" '/^| rk4 | 4 | 4 | 0/s/| 4/| 3/'
-found "an error of a method" '/^| rk4 | 4 | 4 | [1-9]/s/e-0/e-1/'
-found "an answer" 's/^- abm4 takes [0-9.]*/&1/'
-found "a price of an effect" '/^| damping |/s/+/+1/'
-found "an error of a reference" '/^| Bricard | double /s/e-/e-1/'
-found "a violation" '/^| projection | [0-9]/s/e-/e-1/'
-found "a row left out" '/^| cart_pole /d'
-found "a number of the scene" 's/^step 1 ms/step 2 ms/'
-found "a word of an error" "s/did you mean 'kg'/did you mean 'g'/"
-found "a command that was not run" 's/^\$ make run.*/& SECONDS=3/'
-found "a link to nothing" 's|(core/runtime/plant.h)|(core/plants.h)|'
-sed 's/`make clean`/`make cleaner`/' README.md >"$out/changed.md"
-! targets "$out/changed.md"
-result $? "found: a target that is none"
-! try 'make run SCENE=models/absent.scene'
+found "a digit of a hash" README.md '/^hash /s/.$/x/'
+found "a number of a step" README.md '/^instructions_per_step /s/$/0/'
+found "a number of the scene" README.md 's/^step 1 ms/step 2 ms/'
+found "a word of an error" tools/isoc/README.md "s/did you mean 'kg'/did you mean 'g'/"
+found "a command that was not run" README.md 's/^\$ make run.*/& SECONDS=3/'
+found "a link to nothing" README.md 's|(port/port.h)|(port/ports.h)|'
+found "a link to a heading that is not there" README.md 's|#the-summary-of-a-run|#the-summary|'
+found "a line of code" core/README.md '/^```c$/,/^```$/s/;$/; /'
+found "a long line" README.md '1s/$/ ........................................................................................................................./'
+! known 'make cleaner'
+result $? "found: a target that is not there"
+! try README.md 'make run SCENE=models/absent.scene'
 result $? "found: a command that fails"
 finish

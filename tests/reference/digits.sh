@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# The table of digits that `make digits` prints; read after tests/host/test.sh and `begin`. $out/digits has its rows.
+# The table of digits, tests/digits.md, that `make digits` prints; read after tests/host/test.sh and `begin`. $out/digits has its rows.
 
 # digits MECHANISM REAL STEP: a row for each case of what `joined` has joined last, of its largest error until the last time: of
 # the lines
@@ -39,4 +39,26 @@ digits()
         }
         END { row() }
     ' "$out/tap" >>"$out/digits"
+}
+
+# rows_of FILE MECHANISMS...: the rows of a table of digits; the mechanisms are options of grep.
+rows_of()
+{
+    rows_file=$1
+    shift
+    grep '^| [^-]' "$rows_file" | grep -v '^| reference ' | grep "$@"
+}
+
+# listed MECHANISMS...: the rows of tests/digits.md are those measured here; and one with another digit is found. Not where
+# `make digits` prints the rows that are to be.
+listed()
+{
+    [ -z "${MAKES_DIGITS-}" ] || return 0
+    rows_of tests/digits.md "$@" | diff "$out/digits" - >"$out/unlike"
+    listed_status=$?
+    sed 's/^/# /' "$out/unlike"
+    result $listed_status "tests/digits.md has the $(grep -c . "$out/digits") rows that were measured"
+    sed 's/e-\([0-9]\)/e-1\1/' tests/digits.md >"$out/changed.md"
+    ! rows_of "$out/changed.md" "$@" | cmp -s "$out/digits" -
+    result $? "found: another error in tests/digits.md"
 }

@@ -11,4 +11,5 @@ for name in pendulum double_pendulum; do
     joined "$name" "$out/$name.run"
     digits "$(echo "$name" | tr _ ' ')" double 1ms
 done
+listed -E '^. (double )?pendulum'
 finish

@@ -1,7 +1,7 @@
 #!/bin/sh
 # What chains of rods cost by their length, as a Markdown table: operations of an evaluation of their equations of motion
-# and the formulation that is kept; on the Cortex-M4F in float the instructions of an Euler step, which evaluates once, and
-# its code; and the time of isoc. Called by `make chains`, with the make to call in $MAKE and the lengths in $LENGTHS.
+# and the formulation that is kept; on the Cortex-M4F in float the instructions of a step of euler, which has one evaluation,
+# and its code. Called by `make chains`, with the make to call in $MAKE and the lengths in $LENGTHS.
 set -u
 . tools/build/measure.sh
 
@@ -13,9 +13,8 @@ chain()
     sh tools/build/chain.sh "$2" "$1" >"$folder/chain.scene"
     measure "$1_$2" "$folder/chain.scene" euler size
     kept=$(awk '$1 == "formulation" && $3 == "kept" { print $2 }' "$dir/plant.txt")
-    operations=$(operations) && instructions=$(get instructions_per_step) && text=$(get step_text) &&
-        isoc=$(compiling "$folder/chain.scene") || exit 1
-    echo "| $1, $2 | $kept | $operations | $instructions | $text | $isoc |"
+    operations=$(operations) && instructions=$(get instructions_per_step) && text=$(get step_text) || exit 1
+    echo "| $1, $2 | $kept | $operations | $instructions | $text |"
 }
 
 # growth KIND: from half the greatest length to that.
@@ -37,8 +36,8 @@ growth()
 
 mkdir -p build/cost
 {
-    echo '| chain | formulation | add | mul | div | sincos | instructions | text | isoc |'
-    echo '|---|---|--:|--:|--:|--:|--:|--:|--:|'
+    echo '| chain | formulation | add | mul | div | sincos | instructions | text |'
+    echo '|---|---|--:|--:|--:|--:|--:|--:|'
     for kind in planar spatial; do
         for n in $LENGTHS; do
             chain $kind "$n"

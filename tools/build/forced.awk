@@ -1,17 +1,17 @@
-# A generated plant in which every second tick is one where the motion jumps; what makes it jump stands between the ticks,
-# outside of what is counted.
+# A generated plant in which every second tick has a discontinuity; its cause is between the ticks, outside of what is
+# counted.
 #
-#     awk -v jump=told|found -f forced.awk plant.c
+#     awk -v discontinuity=announced|detected -f forced.awk plant.c
 #
-# Told: a tunable `forced` changes. Found, where steps are checked: no error of a step is as small as is usual, in the ticks
-# between none is larger.
+# Announced: a tunable `forced` changes. Detected, where steps are checked: the usual error is so small that every error is
+# larger; in the ticks between it is so large that none is.
 /^static void drive\(/ { driven = 1 }
 
 /^static const iso_model model/ {
     print "static void forced(void *const instance, const uint32_t tick)\n{\n    plant_memory *const memory = instance;"
     if (driven)
         print "    drive(instance, tick);"
-    if (jump == "told")
+    if (discontinuity == "announced")
         print "    memory->p[PLANT_P_FORCED] += (real)(tick % 2);"
     else {
         print "    memory->progress.usual = tick % 2 == 0 ? ISO_REAL_MAX : R(-1.0);"

@@ -83,13 +83,10 @@ stack: $(OUT)/plant.o
 	    -o $(OUT)/stack/plant.o || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
 	@awk -v root=step -f tools/build/stack.awk $(OUT)/stack/plant.ci
 
-# Prints the tables and nothing else, so that they can be held against README.md.
-cost: build/isoc
-	$(call require,valgrind,apt-get install valgrind)
-	@MAKE=$(call quote,$(MAKE)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/build/cost.sh
+cost: build/isoc build/trace
+	@MAKE=$(call quote,$(MAKE)) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/build/cost.sh
 
-chains: build/isoc
-	$(call require,valgrind,apt-get install valgrind)
+chains: build/isoc build/trace
 	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/build/chains.sh
 
 # Both measure the methods of METHODS, all unless told.

@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# Measuring firmware on the Cortex-M4F in float; read by the price lists, with the make to call in $MAKE.
+# Measuring firmware on the Cortex-M4F in float; read by the tables of costs, with the make to call in $MAKE.
 
 fail()
 {
@@ -37,38 +37,29 @@ operations()
         "$dir/plant.txt" || fail "$dir/plant.txt has not one line of operations"
 }
 
-# compiling SCENE: millions of instructions on the host that isoc takes for it, by callgrind.
-compiling()
-{
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null build/isoc "$1" -o "$dir/compiled" \
-        >"$dir/compiling" 2>&1 </dev/null
-    awk '/ Collected : / { printf "%.0f\n", $NF / 1e6; n++ } END { exit n != 1 }' "$dir/compiling" ||
-        fail "$dir/compiling has no count of isoc's instructions"
-}
-
-# dearest DIR SCENE METHOD told|found [STATEMENT...]: the instructions of the dearest step of a run in which the motion jumps
-# in every second tick; the scene with these statements, and what makes it jump, stands in build/cost/DIR. Of adams that is
-# a run whose tolerance cannot be met either: told of the jump it makes a new history, then tries all of its sub-steps and
-# rejects none. A rejected one would have no correction, the dearest part, and what it has in place of that, a restart
-# within the tick or half the step, takes less. How often order and step change, the motion has it: what that can add is
-# less than a sub-step (tests/check/cost.sh).
-dearest()
+# longest_step DIR SCENE METHOD announced|detected [STATEMENT...]: the instructions of the longest step of a run in which
+# every second tick has a discontinuity; the scene with these statements, and what causes it, is in build/cost/DIR. The run of
+# adams has a tolerance that cannot be met as well: it restarts, then tries all of its sub-steps and rejects none. A rejected
+# sub-step has no correction, which is the longest part of one; the restart within the tick, or the half step, that it has
+# instead is shorter. How often order and step change depends on the motion: that adds less than a sub-step
+# (tests/check/cost.sh).
+longest_step()
 {
     folder=build/cost/$1
     mkdir -p "$folder"
     cp "$2" "$folder/forced.scene"
     method=$3
-    jump=$4
+    discontinuity=$4
     firmware=$1/firmware
     shift 4
-    case $method-$jump-$* in
+    case $method-$discontinuity-$* in
     adams-*-tolerance*) ;;
     adams-*) set -- 'tolerance 1e-30' "$@" ;;
-    *-found-*) set -- 'checked yes' "$@" ;;
+    *-detected-*) set -- 'checked yes' "$@" ;;
     esac
     printf '%s\n' 'tunable forced = 1' "$@" >>"$folder/forced.scene"
     { build/isoc "$folder/forced.scene" -o "$folder" --method "$method" >"$folder/plant.txt" &&
-        awk -v jump="$jump" -f tools/build/forced.awk "$folder/plant.c" >"$folder/forced.c"; } ||
+        awk -v discontinuity="$discontinuity" -f tools/build/forced.awk "$folder/plant.c" >"$folder/forced.c"; } ||
         fail "no plant of $folder/forced.scene"
     seconds=2
     measure "$firmware" "$folder/forced.c" ''

@@ -1,0 +1,53 @@
+#!/bin/sh
+# Rewrites the generated tables in Markdown files. A table is between the lines
+#
+#     <!-- make cost PARTS=models -->
+#     <!-- end -->
+#
+# the first of which names the command that prints it. Called by `make tables`, with the make to call in $MAKE:
+#
+#     tables.sh FILE...
+set -u
+
+fail()
+{
+    echo "$1" >&2
+    exit 1
+}
+
+# rewritten: the file on the input, with what its commands print.
+rewritten()
+{
+    inside=no
+    while IFS= read -r line; do
+        case $line in
+        '<!-- end -->') inside=no ;;
+        esac
+        [ $inside = yes ] || printf '%s\n' "$line"
+        case $line in
+        '<!-- make '* | '<!-- build/isoc '*)
+            inside=yes
+            command=${line#<!-- }
+            command=${command% -->}
+            case $command in
+            make*) command="${MAKE:-make} --no-print-directory ${command#make }" ;;
+            esac
+            echo
+            sh -c "$command" </dev/null || fail "failed: $command"
+            echo
+            ;;
+        esac
+    done
+    [ $inside = no ] || fail "a table without an end"
+}
+
+mkdir -p build
+for file; do
+    rewritten <"$file" >build/rewritten.md || fail "$file stays as it is"
+    if cmp -s build/rewritten.md "$file"; then
+        echo "$file is unchanged"
+    else
+        cat build/rewritten.md >"$file"
+        echo "$file is rewritten"
+    fi
+done
