@@ -4,7 +4,7 @@
 #     <!-- make cost PARTS=models -->
 #     <!-- end -->
 #
-# the first of which names the command that prints it. Called by `make tables`, with the make to call in $MAKE:
+# the first of which names the command that prints it; of what it prints, tables and lists are kept. Called by `make tables`, with the make to call in $MAKE:
 #
 #     tables.sh FILE...
 set -u
@@ -32,9 +32,9 @@ rewritten()
             case $command in
             make*) command="${MAKE:-make} --no-print-directory ${command#make }" ;;
             esac
-            echo
-            sh -c "$command" </dev/null || fail "failed: $command"
-            echo
+            text=$(sh -c "$command" </dev/null) || fail "failed: $command"
+            text=$(printf '%s\n' "$text" | grep '^[|-]\|^$')
+            printf '\n%s\n\n' "$text"
             ;;
         esac
     done
