@@ -12,11 +12,11 @@ TEST_REALS := float double
 TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
 
 # Scripts that `make check` leaves to `make test`, since they take longer.
-TEST_SLOW := $(addprefix tests/check/,cost.sh dependencies.sh effects.sh jumps.sh plot.sh trace.sh poison.sh readme.sh \
+TEST_SLOW := $(addprefix tests/check/,cost.sh dependencies.sh effects.sh jumps.sh plot.sh trace.sh poison.sh readme.sh tables.sh gallery.sh \
     report.sh same_bits.sh same_bytes.sh symbols.sh violation.sh) $(wildcard tests/*.t tests/*/*.t)
 
 # What takes longest begins first, so that every core has work to the end.
-TEST_LONGEST := $(addprefix tests/check/,readme.sh same_bits.sh poison.sh) build/tests/exhaustive/float/sincos \
+TEST_LONGEST := $(addprefix tests/check/,tables.sh readme.sh same_bits.sh poison.sh) build/tests/exhaustive/float/sincos \
     tests/hard/hard.t $(addprefix tests/check/,report.sh cppcheck.sh run.sh dependencies.sh) tests/hard/guard.t
 longest_first = $(filter $(1),$(TEST_LONGEST)) $(filter-out $(TEST_LONGEST),$(1))
 

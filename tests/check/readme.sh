@@ -181,7 +181,9 @@ found "a word of an error" tools/isoc/README.md "s/did you mean 'kg'/did you mea
 found "a command that was not run" README.md 's/^\$ make run.*/& SECONDS=3/'
 found "a link to nothing" README.md 's|(port/port.h)|(port/ports.h)|'
 found "a link to a heading that is not there" README.md 's|#the-summary-of-a-run|#the-summary|'
-found "a line of code" core/README.md '/^```c$/,/^```$/s/;$/; /'
+printf '%s\n' '[main](core/application/main.c)' '```c' 'static iso_loop loops;' '```' >"$out/code.md"
+[ -n "$(wrong "$out/code.md" .)" ] && sed 's/loops/loop/' "$out/code.md" >"$out/right.md" && [ -z "$(wrong "$out/right.md" .)" ]
+result $? "found: a line of code that is in no file"
 found "a long line" README.md '1s/$/ ........................................................................................................................./'
 ! known 'make cleaner' && ! known 'make run SCEEN=models/pendulum.scene'
 result $? "found: a target and a variable that are not there"
