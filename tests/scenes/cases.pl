@@ -125,9 +125,23 @@ refused('a line of 10 MB', "$dir/long.scene", '1:11: \'@\' means nothing here',
 spit("$dir/long_name.scene", 'body ' . ('b' x 1_000_000));
 my ($status, $lines) = compile("$dir/long_name.scene", '-o', $dir);
 check($status eq '1' && "@$lines" =~ /a name of 1000000 characters: 64 is the most/, 'a name of 1 MB', @$lines);
-spit("$dir/deep.scene", 'step ' . ('(' x 100_000));
-($status, $lines) = compile("$dir/deep.scene", '-o', $dir);
-check($status eq '1' && "@$lines" =~ /nested too deeply/, '100,000 parentheses', @$lines[0 .. 3]);
+for my $sign ('(', '-', 'f(', '-(') {
+    spit("$dir/deep.scene", 'step ' . ($sign x 100_000));
+    ($status, $lines) = compile("$dir/deep.scene", '-o', $dir);
+    check($status eq '1' && $lines->[0] =~ /^\S+:1:\d+: error: parentheses and signs nested more than 100 deep/, "100,000 times $sign", $lines->[0] // $status);
+}
+
+# What is long and not deep is compiled.
+my $sum = join ' + ', map { "$_ ug" } 1 .. 30_000;
+spit("$dir/sum.scene", $base{good} =~ s/mass 1 kg/mass 1 kg + $sum/r);
+accepted('a sum of 30,000 terms', "$dir/sum.scene");
+my $chain = join '', map({ "constant k$_ = k" . ($_ + 1) . " + 1 ug\n" } 1 .. 29_999), "constant k30000 = 1 ug\n";
+spit("$dir/chain.scene", $chain . $base{good} =~ s/mass 1 kg/mass 1 kg + k1/r);
+accepted('a chain of 30,000 constants, each of the next', "$dir/chain.scene");
+spit("$dir/circle.scene", ($chain =~ s/= 1 ug/= k29000/r) . $base{good});
+refused('a chain of constants that ends in a circle', "$dir/circle.scene", "30000:19: 'k29000' depends on itself");
+spit("$dir/outputs.scene", $base{good} . join '', map { "output push$_ = force of pivot along x\n" } 1 .. 200);
+accepted('200 outputs of forces', "$dir/outputs.scene");
 spit("$dir/noise.scene", join '', map { chr(($_ * 7919 + ($_ >> 3) * 104729) % 256) } 1 .. 100_000);
 ($status, $lines) = compile("$dir/noise.scene", '-o', $dir);
 check($status eq '1' && @$lines < 200, '100 kB of noise gets a page of errors at most', scalar(@$lines) . ' lines');

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tools/isoc/base/dictionary.h"
 #include "tools/isoc/graph/economy.h"
 
 enum { LONGEST_INLINE = 72 }; /* characters of an expression that stands inside another */
@@ -25,8 +26,7 @@ typedef struct emitter {
     int *uses;
     rendering *shown;
     const char **turned; /* of an angle: what holds its sine and cosine */
-    const char **taken;  /* names given so far */
-    size_t taken_count, taken_room;
+    dictionary taken;    /* the names given so far, each with the number to try next behind it */
     int temporaries, section;
     double culprit;
 } emitter;
@@ -55,24 +55,14 @@ const char *code_literal(arena *memory, double value, bool is_double)
     return arena_format(memory, "R(%s%s)", digits, point);
 }
 
-static bool name_is_taken(const emitter *e, const char *name)
-{
-    for (size_t i = 0; i < e->taken_count; i++) {
-        if (strcmp(e->taken[i], name) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
+/* The name that is wanted, or if it is taken, followed by the least number from 2 on that makes it another. */
 static const char *unique_name(emitter *e, const char *wanted)
 {
     const char *name = wanted;
-    for (int i = 2; name_is_taken(e, name); i++) {
-        name = arena_format(e->g->memory, "%s_%d", wanted, i);
+    for (int *next = dictionary_find(&e->taken, wanted); dictionary_find(&e->taken, name) != NULL; ++*next) {
+        name = arena_format(e->g->memory, "%s_%d", wanted, *next);
     }
-    e->taken = arena_grow(e->g->memory, e->taken, e->taken_count, &e->taken_room, sizeof *e->taken);
-    e->taken[e->taken_count++] = name;
+    dictionary_put(&e->taken, name, 2);
     return name;
 }
 
@@ -249,7 +239,7 @@ bool code_emit(const code *c, text *out, double *culprit)
 {
     node *roots = arena_take(out->memory, c->count + 1, sizeof *roots);
     graph economical = economise(c->g, c->roots, c->count, roots), *g = &economical;
-    emitter e = {.c = c, .g = g, .out = out, .roots = roots, .section = -1};
+    emitter e = {.c = c, .g = g, .out = out, .roots = roots, .taken = {.memory = g->memory}, .section = -1};
     e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
     e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
     e.shown = arena_take(g->memory, g->count, sizeof *e.shown);

@@ -14,10 +14,17 @@ void values_start(values *v, source *s, graph *g, const scene *written, bool is_
     *v = (values){.s = s, .g = g, .scene = written, .is_double = is_double};
     const size_t room = written->parameter_count + 1;
     v->parameters = arena_take(s->memory, room, sizeof *v->parameters);
-    v->resolving = arena_take(s->memory, room, sizeof *v->resolving);
+    v->progress = arena_take(s->memory, room, sizeof *v->progress);
     v->defaults = arena_take(s->memory, room, sizeof *v->defaults);
+    v->tunable_index = arena_take(s->memory, room, sizeof *v->tunable_index);
+    v->names = (dictionary){.memory = s->memory};
     for (size_t i = 0; i < written->parameter_count; i++) {
-        v->tunables += written->parameters[i].tunable;
+        const quantity *q = &written->parameters[i];
+        v->tunable_index[i] = v->tunables;
+        v->tunables += q->tunable;
+        if (q->name.text != NULL && dictionary_find(&v->names, q->name.text) == NULL) {
+            dictionary_put(&v->names, q->name.text, (int)i);
+        }
     }
 }
 
@@ -53,38 +60,22 @@ static bool check_constants(const values *v, const formula *f, const char *what,
     bool *needed = arena_take(v->s->memory, v->g->count, sizeof *needed);
     graph_reach(v->g, &n, 1, needed);
     const char *part = arena_format(v->s->memory, "a number in %s", what);
-    for (size_t i = 0; i < v->g->count; i++) {
-        if (needed[i] && is_constant(v->g, (node)i) && !check_range(v, f, part, constant_value(v->g, (node)i))) {
-            return false;
-        }
+    bool good = true;
+    for (size_t i = 0; i < v->g->count && good; i++) {
+        const bool is_part = needed[i] && is_constant(v->g, (node)i);
+        good = !is_part || check_range(v, f, part, constant_value(v->g, (node)i));
     }
-    return true;
+    arena_return(v->s->memory, needed, v->g->count, sizeof *needed);
+    return good;
 }
 
-/* The position of parameter i among the tunables. */
-static int tunable_index(const scene *written, size_t i)
-{
-    int index = 0;
-    for (size_t j = 0; j < i; j++) {
-        index += written->parameters[j].tunable;
-    }
-    return index;
-}
-
-static value resolve(values *v, size_t i, place used_at)
+/* A parameter, from its formula; those that this names have their values. */
+static void evaluate_parameter(values *v, size_t i)
 {
     const quantity *q = &v->scene->parameters[i];
-    if (v->resolving[i] == 1) {
-        source_problem(v->s, used_at, "'%s' depends on itself", q->name.text);
-        return nothing();
-    }
-    if (v->resolving[i] == 2) {
-        return v->parameters[i];
-    }
-    v->resolving[i] = 1;
     value result = q->value == NULL ? nothing() : value_any(v, q->value);
     if (result.count > 0 && q->tunable) {
-        const int index = tunable_index(v->scene, i);
+        const int index = v->tunable_index[i];
         if (result.count != 1 || !is_constant(v->g, result.parts[0])) {
             source_problem(v->s, q->value->at, "a tunable parameter is one number that no other tunable is part of");
             result = nothing();
@@ -97,37 +88,91 @@ static value resolve(values *v, size_t i, place used_at)
         }
     }
     v->parameters[i] = result;
-    v->resolving[i] = 2;
-    return result;
+    v->progress[i] = DONE;
+}
+
+/* Parameters that wait for one another, the last for nobody. */
+typedef struct queue {
+    size_t *all, count, room;
+} queue;
+
+static void wait_for(values *v, queue *q, size_t i)
+{
+    if (v->progress[i] == NOT_YET) {
+        q->all = arena_grow(v->s->memory, q->all, q->count, &q->room, sizeof *q->all);
+        q->all[q->count++] = i;
+    }
+}
+
+/* Those that a formula names and that have no value yet; the first of them comes last. */
+static void wait_for_names(values *v, queue *q, const formula *f)
+{
+    const int *i = f->kind == FORMULA_NAME ? dictionary_find(&v->names, f->name) : NULL;
+    if (i != NULL) {
+        wait_for(v, q, (size_t)*i);
+    }
+    for (size_t n = f->count; n-- > 0;) {
+        wait_for_names(v, q, f->parts[n]);
+    }
+}
+
+/* What a parameter depends on comes first, by a queue and not by recursion: a chain of them may be long. */
+static void resolve(values *v, size_t wanted)
+{
+    queue q = {0};
+    for (wait_for(v, &q, wanted); q.count > 0;) {
+        const size_t i = q.all[q.count - 1];
+        const formula *f = v->scene->parameters[i].value;
+        if (v->progress[i] == NOT_YET && f != NULL) {
+            v->progress[i] = STARTED;
+            wait_for_names(v, &q, f);
+        } else {
+            if (v->progress[i] != DONE) {
+                evaluate_parameter(v, i);
+            }
+            q.count--;
+        }
+    }
 }
 
 void values_resolve(values *v)
 {
     for (size_t i = 0; i < v->scene->parameter_count; i++) {
-        resolve(v, i, v->scene->parameters[i].name.at);
+        resolve(v, i);
     }
+}
+
+static value refuse_name(values *v, const formula *f)
+{
+    const size_t count = v->scene->parameter_count;
+    const char **names = arena_take(v->s->memory, count + 1, sizeof *names);
+    for (size_t i = 0; i < count; i++) {
+        const char *text = v->scene->parameters[i].name.text;
+        names[i] = text == NULL ? "" : text;
+    }
+    source_problem(v->s, f->at, "no constant or tunable is called '%s'%s", f->name,
+                   source_suggestion(v->s, f->name, names, count));
+    return nothing();
 }
 
 static value evaluate_name(values *v, const formula *f)
 {
-    const size_t count = v->scene->parameter_count;
     if (strcmp(f->name, "pi") == 0) {
         return scalar(constant(v->g, pi), plain);
     }
     if (strcmp(f->name, "time") == 0) {
         return time_of_formula(v, f);
     }
-    const char **names = arena_take(v->s->memory, count + 1, sizeof *names);
-    for (size_t i = 0; i < count; i++) {
-        const char *text = v->scene->parameters[i].name.text;
-        names[i] = text == NULL ? "" : text;
-        if (strcmp(names[i], f->name) == 0) {
-            return resolve(v, i, f->at);
-        }
+    const int *i = dictionary_find(&v->names, f->name);
+    if (i == NULL) {
+        return refuse_name(v, f);
     }
-    source_problem(v->s, f->at, "no constant or tunable is called '%s'%s", f->name,
-                   source_suggestion(v->s, f->name, names, count));
-    return nothing();
+    if (v->progress[*i] == STARTED) {
+        source_problem(v->s, f->at, "'%s' depends on itself", f->name);
+        return nothing();
+    }
+    resolve(v, (size_t)*i);
+    return v->parameters[*i];
 }
 
 static value evaluate_number(values *v, const formula *f)
@@ -231,13 +276,21 @@ static value evaluate_product(values *v, const formula *f, value a, value b)
     return r;
 }
 
-static value evaluate_binary(values *v, const formula *f)
+static value evaluate_chain(values *v, const formula *f)
 {
-    const value a = value_any(v, f->parts[0]), b = value_any(v, f->parts[1]);
-    if (a.count == 0 || b.count == 0) {
-        return nothing();
+    value r = value_any(v, f->parts[0]);
+    for (size_t i = 1; i < f->count; i++) {
+        const formula *step = f->parts[i];
+        const value right = value_any(v, step->parts[0]);
+        if (r.count == 0 || right.count == 0) {
+            r = nothing();
+        } else if (step->sign == '+' || step->sign == '-') {
+            r = evaluate_sum(v, step, r, right);
+        } else {
+            r = evaluate_product(v, step, r, right);
+        }
     }
-    return f->sign == '+' || f->sign == '-' ? evaluate_sum(v, f, a, b) : evaluate_product(v, f, a, b);
+    return r;
 }
 
 static value evaluate_power(values *v, const formula *f)
@@ -272,12 +325,13 @@ value value_any(values *v, const formula *f)
         return evaluate_vector(v, f);
     case FORMULA_SCALE:
         return evaluate_scale(v, f);
-    case FORMULA_BINARY:
-        return evaluate_binary(v, f);
+    case FORMULA_CHAIN:
+        return evaluate_chain(v, f);
     case FORMULA_POWER:
         return evaluate_power(v, f);
     case FORMULA_CALL:
         return call_of_formula(v, f);
+    case FORMULA_STEP:
     case FORMULA_NEGATE:
         break;
     }

@@ -2,6 +2,7 @@
 #ifndef ISOC_MECHANISM_VALUE_H
 #define ISOC_MECHANISM_VALUE_H
 
+#include "tools/isoc/base/dictionary.h"
 #include "tools/isoc/graph/graph.h"
 #include "tools/isoc/scene/scene.h"
 
@@ -14,6 +15,9 @@ typedef struct value {
     bool any; /* a plain zero, which is zero in every unit */
 } value;
 
+/* How far the value of a parameter is. */
+typedef enum progress { NOT_YET, STARTED, DONE } progress;
+
 /* The scene's parameters and the graph that formulas become nodes of. */
 typedef struct values {
     source *s;
@@ -24,8 +28,10 @@ typedef struct values {
     bool time_allowed; /* in the formula of an input or a motion */
     bool is_smooth;    /* of a motion */
     value *parameters; /* of the scene's, where resolved */
-    char *resolving;   /* 0 not yet, 1 now, 2 done */
-    double *defaults;  /* of the tunables, by index */
+    progress *progress;
+    dictionary names;   /* of the parameters */
+    int *tunable_index; /* of a parameter: how many tunables are before it */
+    double *defaults;   /* of the tunables, by index */
     int tunables;
     double *numbers; /* of the nodes so far, with the tunables at their defaults */
     size_t number_count, number_room;

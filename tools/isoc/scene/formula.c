@@ -172,10 +172,6 @@ static formula *parse_name_or_call(parser *p)
 
 static formula *parse_primary(parser *p)
 {
-    if (p->depth > DEEPEST) {
-        parse_problem(p, "parentheses or signs nested too deeply");
-        return NULL;
-    }
     if (p->next->kind == TOKEN_NUMBER) {
         return parse_number(p);
     }
@@ -194,9 +190,10 @@ static formula *parse_primary(parser *p)
 static formula *parse_signed(parser *p)
 {
     const place at = p->next->at;
-    p->depth++;
     formula *f = NULL;
-    if (take_sign(p, '-')) {
+    if (++p->depth > DEEPEST) {
+        parse_problem(p, arena_format(p->s->memory, "parentheses and signs nested more than %d deep", DEEPEST));
+    } else if (take_sign(p, '-')) {
         formula *inner = parse_signed(p);
         if (inner != NULL) {
             f = formula_new(p, FORMULA_NEGATE, at);
@@ -219,21 +216,26 @@ static formula *parse_signed(parser *p)
     return p->failed ? NULL : f;
 }
 
+/* operand { sign operand }; it stands where its last sign does. */
 static formula *parse_chain(parser *p, const char *signs, formula *(*parse_operand)(parser *))
 {
-    formula *left = parse_operand(p);
-    while (left != NULL && p->next->sign != '\0' && strchr(signs, p->next->sign) != NULL) {
-        formula *f = formula_new(p, FORMULA_BINARY, p->next->at);
-        f->sign = p->next->sign;
+    formula *first = parse_operand(p), *chain = NULL;
+    while (first != NULL && !p->failed && p->next->sign != '\0' && strchr(signs, p->next->sign) != NULL) {
+        formula *step = formula_new(p, FORMULA_STEP, p->next->at);
+        if (chain == NULL) {
+            chain = formula_new(p, FORMULA_CHAIN, step->at);
+            add_part(p, chain, first);
+        }
+        chain->at = step->at;
+        step->sign = p->next->sign;
         p->next++;
         formula *right = parse_operand(p);
         if (right != NULL) {
-            add_part(p, f, left);
-            add_part(p, f, right);
+            add_part(p, step, right);
+            add_part(p, chain, step);
         }
-        left = right == NULL ? NULL : f;
     }
-    return left;
+    return p->failed ? NULL : chain != NULL ? chain : first;
 }
 
 static formula *parse_product(parser *p)

@@ -14,7 +14,8 @@ typedef enum formula_kind {
     FORMULA_VECTOR, /* parts */
     FORMULA_NEGATE, /* parts[0] */
     FORMULA_SCALE,  /* parts[0] in unit: (1, 2, 3) mm */
-    FORMULA_BINARY, /* parts[0] sign parts[1] */
+    FORMULA_CHAIN,  /* of a first part and steps, from left to right: a + b - c */
+    FORMULA_STEP,   /* sign parts[0] */
     FORMULA_POWER,  /* parts[0] to the number */
     FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value */
 } formula_kind;
