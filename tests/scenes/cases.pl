@@ -141,7 +141,7 @@ spit("$dir/chain.scene", $chain . $base{good} =~ s/mass 1 kg/mass 1 kg + k1/r);
 accepted("a chain of $many constants, each of the next", "$dir/chain.scene");
 spit("$dir/circle.scene", ($chain =~ s/= 1 ug/= k2000/r) . $base{good});
 refused('a chain of constants that ends in a circle', "$dir/circle.scene",
-    "$many:" . (13 + length $many) . ": 'k2000' depends on itself");
+    "$many:" . (14 + length $many) . ": 'k2000' depends on itself");
 spit("$dir/outputs.scene", $base{good} . join '', map { "output push$_ = force of pivot along x\n" } 1 .. 200);
 accepted('200 outputs of forces', "$dir/outputs.scene");
 spit("$dir/noise.scene", join '', map { chr(($_ * 7919 + ($_ >> 3) * 104729) % 256) } 1 .. 100_000);
