@@ -3,9 +3,10 @@
 #     scene --build/isoc--> plant.c --compiler--> program --build/trace--> trace.csv and a summary
 #
 # Everything made stands in build/: what belongs to one scene in build/TARGET/REAL/NAME/, objects that scenes share
-# in build/obj/, the tools build/isoc, build/trace and build/plot. Files named `flags`, `choice` and `link` there hold the command that made
-# their neighbours, and change when it does. NAME is that of the file of a scene in models/; of any other scene it ends with
-# a number made of the file's path, so that no two share a folder. Makes that run at once lock the folder they work in.
+# in build/obj/, the tools build/isoc, build/trace, build/plot and build/accuracy. Files named `flags`, `choice` and `link`
+# there hold the command that made their neighbours, and change when it does. NAME is that of the file of a scene in
+# models/; of any other scene it ends with a number made of the file's path, so that no two share a folder. Makes that run
+# at once lock the folder they work in.
 
 ## Usage: make TARGET [VARIABLE=VALUE...]
 ##
@@ -193,8 +194,10 @@ build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 build/isoc: $(filter build/obj/tools/isoc/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
+build/accuracy: $(filter build/obj/tools/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
-TOOLS := build/isoc build/trace build/plot build/duration
+build/forced: build/obj/tools/build/forced.o build/obj/tools/table/table.o build/obj/tools/flags
+TOOLS := build/isoc build/trace build/plot build/accuracy build/duration build/forced
 $(TOOLS):
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -o $@ -lm

@@ -102,18 +102,22 @@ static char *read_all(const char *const path)
     size_t room = 1 << 20;
     size_t used = 0;
     char *text = malloc(room);
-    while (text != NULL) {
+    if (text == NULL) {
+        fail("no memory");
+    }
+    for (;;) {
         used += fread(text + used, 1, room - 1 - used, file);
         if (used < room - 1) {
             break;
         }
         room *= 2;
-        text = realloc(text, room);
+        char *const larger = realloc(text, room);
+        if (larger == NULL) {
+            fail("no memory");
+        }
+        text = larger;
     }
     fclose(file);
-    if (text == NULL) {
-        fail("no memory");
-    }
     text[used] = '\0';
     return text;
 }

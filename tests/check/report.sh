@@ -157,10 +157,10 @@ wrong "a tolerance in a wrong place" "$out/wrong.tsv"
 sed 's/^| rk4 | 4/| rk4 | 3/' "$out/methods.md" >"$out/wrong.md"
 wrong "a wrong order in the table of methods" "$tsv" "$out/wrong.md"
 awk '{ $3 += 1e-8; print }' OFMT=%.17g CONVFMT=%.17g "$folder/reference.txt" >"$out/wrong.txt"
-awk -f tools/report/errors.awk part=reference "$out/wrong.txt" part=points "$folder/measured.txt" >"$out/wrong.tsv"
+build/accuracy errors "$out/wrong.txt" "$folder/measured.txt" >"$out/wrong.tsv"
 wrong "a reference that is wrong by 1e-8" "$out/wrong.tsv"
 awk '{ print "9", $0 }' "$folder/reference.txt" >"$out/wrong.txt"
-! awk -f tools/report/errors.awk part=reference "$out/wrong.txt" part=points "$folder/measured.txt" >"$out/wrong.tsv" 2>/dev/null
+! build/accuracy errors "$out/wrong.txt" "$folder/measured.txt" >"$out/wrong.tsv" 2>/dev/null
 result $? "found: a point without a reference"
 
 # At rest every method is right.
@@ -171,7 +171,7 @@ result $? "nothing is drawn where no method errs"
 # agreed LINE LINE: whether two states are the same to 1e-12.
 agreed()
 {
-    printf '%s\n' "$@" | awk -v time=5 -v tolerance=1e-12 -f tools/report/agree.awk >"$out/agreed"
+    printf '%s\n' "$@" | build/accuracy agree 5 1e-12 >"$out/agreed"
 }
 
 agreed '9 5 1 2' '9 5 1.000000000001 2' && [ "$(cut -d ' ' -f 1,3- "$out/agreed")" = '5 1 2' ]
@@ -207,7 +207,7 @@ folder=$out/project/build/bench/double_pendulum
 limit()
 {
     "$folder/double-$1/drive" 5 "$2" "$3" | sed 's/^\([^ ]*\) [^ ]*/double m 0 - \1 5/' |
-        awk -f tools/report/errors.awk part=reference "$folder/reference.txt" part=points - |
+        build/accuracy errors "$folder/reference.txt" - |
         awk -F '\t' 'NR == 2 { within = $5 <= 1e-6 } NR == 3 { beyond = $5 >= 0.9999e-6 } END { exit !(within && beyond) }'
 }
 
@@ -217,7 +217,14 @@ for method in rk4 ab4 abm4; do
     result $? "$method: the error is 1e-6 with $fewest steps, and more with one step less"
 done
 found=$(cut -d ' ' -f 4 "$folder/double-adams/bench")
-looser=$(awk -v found="$found" '$1 == found { print before } { before = $1 }' "$folder/double-adams/grid")
+looser=$(awk -v found="$found" 'BEGIN {
+    for (t = 1e-2; t > 1e-13; t /= 2 ^ (1 / 4)) {
+        said = sprintf("%.3g", t)
+        if (said == found "")
+            print before
+        before = said
+    }
+}')
 limit adams "$found" "$looser"
 result $? "adams: the error is 1e-6 with a tolerance of $found, and more with $looser"
 # The tolerance found is less than what float can tell: then it is that of the report's last row.

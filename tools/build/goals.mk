@@ -83,7 +83,7 @@ stack: $(OUT)/plant.o
 	    -o $(OUT)/stack/plant.o || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
 	@awk -v root=step -f tools/build/stack.awk $(OUT)/stack/plant.ci
 
-cost: build/isoc build/trace
+cost: build/isoc build/trace build/forced
 	@MAKE=$(call quote,$(MAKE)) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/build/cost.sh
 
 chains: build/isoc build/trace
@@ -96,12 +96,12 @@ REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FO
 REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
 REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 
-report: build/isoc build/trace build/plot
+report: build/isoc build/trace build/plot build/accuracy
 	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/report/report.sh
 
-bench: build/isoc build/trace
+bench: build/isoc build/trace build/accuracy
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/report/bench.sh
 

@@ -59,7 +59,7 @@ longest_step()
     esac
     printf '%s\n' 'tunable forced = 1' "$@" >>"$folder/forced.scene"
     { build/isoc "$folder/forced.scene" -o "$folder" --method "$method" >"$folder/plant.txt" &&
-        awk -v discontinuity="$discontinuity" -f tools/build/forced.awk "$folder/plant.c" >"$folder/forced.c"; } ||
+        build/forced "$discontinuity" <"$folder/plant.c" >"$folder/forced.c"; } ||
         fail "no plant of $folder/forced.scene"
     seconds=2
     measure "$firmware" "$folder/forced.c" ''

@@ -20,4 +20,4 @@ done | each tools/report/price.sh
 build/isoc --methods >"$dir/methods.md"
 for method in $METHODS; do
     echo "$method $(cat "$dir/double-$method/bench" "$dir/float-$method/instructions" | tr '\n' ' ')"
-done | awk -v scene="$NAME" -v time="$time" -v step="$step" -v error="$error" -f tools/report/bench.awk "$dir/methods.md" -
+done | build/accuracy bench "$dir/methods.md" - "$time" "$step" "$error"

@@ -98,9 +98,9 @@ take()
 # The methods that the reference is computed by.
 REFERENCE_METHODS="rk4 abm4_pecece"
 
-# start: what is measured, ready for `reference`; sets step in seconds, coarsest, the number of steps four times as long
-# that make the time nearest to NANOSECONDS, and time. The tick of adams is the longest part of the time that is at most
-# ten of those, and no more than isoc allows: so long that the method chooses its steps.
+# start: what is measured, ready for `reference`; sets step in seconds, and what `build/accuracy plan` says of it: coarsest,
+# the number of steps four times as long that make the time nearest to NANOSECONDS, time, and the tick of adams, so long
+# that the method chooses its steps.
 start()
 {
     prepare
@@ -109,11 +109,11 @@ start()
     done
     step=$("$dir/reference-rk4/drive" about) || exit 1
     step=${step% *}
-    coarsest=$(awk -v ns="$NANOSECONDS" -v step="$step" \
-        'BEGIN { n = int(ns / (4e9 * step) + 0.5); print n < 1 ? 1 : n }')
-    time=$(awk -v n="$coarsest" -v step="$step" 'BEGIN { printf "%.17g\n", n * 4 * step }')
-    tick=$(awk -v n="$coarsest" -v step="$step" \
-        'BEGIN { for (m = 40; 4 * n % m || m * step > 1; m--); printf "%.9gs\n", m * step }')
+    # shellcheck disable=SC2046
+    set -- $(build/accuracy plan "$NANOSECONDS" "$step")
+    coarsest=$1
+    time=$2
+    tick=$3
     : >"$dir/reference.txt"
 }
 
@@ -126,8 +126,7 @@ reference()
         for method in $REFERENCE_METHODS; do
             "$dir/reference-$method/drive" "$1" $steps || exit 1
         done >"$dir/references"
-        if awk -v time="$1" -v tolerance=1e-12 -f tools/report/agree.awk "$dir/references" \
-            >"$dir/agreed"; then
+        if build/accuracy agree "$1" 1e-12 <"$dir/references" >"$dir/agreed"; then
             cat "$dir/agreed" >>"$dir/reference.txt"
             return
         fi

@@ -24,7 +24,7 @@ while IFS= read -r at; do
     reference "$at"
 done <"$dir/times"
 
-awk -f tools/report/errors.awk part=reference "$dir/reference.txt" part=points "$dir/measured.txt" >"$dir/report.tsv.new" &&
+build/accuracy errors "$dir/reference.txt" "$dir/measured.txt" >"$dir/report.tsv.new" &&
     mv "$dir/report.tsv.new" "$dir/report.tsv" || exit 1
 {
     echo "$NAME after $time s: error of the state, 2-norm over all states in SI units (m, rad, s)"
@@ -32,7 +32,7 @@ awk -f tools/report/errors.awk part=reference "$dir/reference.txt" part=points "
     awk '{ print "Reference after " $1 " s: rk4 and abm4_pecece in double with compensated sums; they differ by " $2 }' \
         "$dir/reference.txt"
     echo
-    awk -f tools/report/text.awk "$dir/report.tsv"
+    build/accuracy text "$dir/report.tsv"
 } >"$dir/report.txt"
 
 build/plot work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/work_precision.gnuplot" || exit 1

@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <stdbool.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -105,6 +104,16 @@ static size_t take_lines(table *const of, const char separator)
     return cells;
 }
 
+table table_take(FILE *const file, const char *const path, const char separator)
+{
+    table read = {.text = read_all(file, path), .path = path};
+    const size_t cells = take_lines(&read, separator);
+    read.cell = table_memory(cells, sizeof *read.cell);
+    read.first = table_memory(read.rows + 1, sizeof *read.first);
+    (void)take_lines(&read, separator);
+    return read;
+}
+
 table table_read(const char *const path, const char separator)
 {
     const bool standard = strcmp(path, "-") == 0;
@@ -112,14 +121,10 @@ table table_read(const char *const path, const char separator)
     if (file == NULL) {
         fail(path, strerror(errno));
     }
-    table read = {.text = read_all(file, path), .path = path};
+    const table read = table_take(file, path, separator);
     if (!standard) {
         fclose(file);
     }
-    const size_t cells = take_lines(&read, separator);
-    read.cell = table_memory(cells, sizeof *read.cell);
-    read.first = table_memory(read.rows + 1, sizeof *read.first);
-    (void)take_lines(&read, separator);
     return read;
 }
 

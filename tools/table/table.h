@@ -3,6 +3,7 @@
 #define ISO_TOOLS_TABLE_TABLE_H
 
 #include <stddef.h>
+#include <stdio.h>
 
 typedef struct table {
     char *text;       /* the whole file, each cell with a final zero byte */
@@ -15,6 +16,9 @@ typedef struct table {
 /* Reads the file, "-" for the standard input. Cells are separated by the character; by ' ' any number of spaces and tabs
  * is meant. Exits with a message if the file cannot be read. */
 table table_read(const char *path, char separator);
+
+/* The same of a file that is open; `path` is its name in messages. */
+table table_take(FILE *file, const char *path, char separator);
 
 void table_free(table *of);
 
