@@ -1,5 +1,10 @@
 # The harness that `prove` runs the tests with: writes all they print to build/tests/log, shows what failed, compares the
 # numbers of tests between the variants of the unit tests, and ends with one line "N passed, N failed".
+#
+# tests/times has the seconds of processor time that each test took when they were measured last, longest first. In that
+# order they begin, so that every core has work to the end; what is not in it begins first of all. Of what took longer than
+# $TALLY_MOST nothing is run. What they take this time goes to
+# $TEST_TIMES.txt.
 package Tally;
 
 use strict;
@@ -53,6 +58,41 @@ sub show_failure {
     print "\n$name failed (status ", $parser->exit, "):\n", map { "    $_\n" } @shown;
 }
 
+# The seconds of each test in tests/times.
+sub times_measured {
+    my %seconds;
+    open my $file, '<', $ENV{TALLY_TIMES} || 'tests/times' or return ();
+    while (<$file>) {
+        $seconds{$2} = $1 if /^\s*([0-9.]+) (\S+)$/;
+    }
+    return %seconds;
+}
+
+# Those that are to be run, in the order in which they begin.
+sub choose {
+    my %seconds = times_measured();
+    my $most = $ENV{TALLY_MOST} || 1e9;
+    my @chosen = grep { !exists $seconds{$_} || $seconds{$_} <= $most } @_;
+    return sort { ($seconds{$b} // 1e9) <=> ($seconds{$a} // 1e9) || $a cmp $b } @chosen;
+}
+
+# Puts the seconds of user and system time of all tests, which tests/exec.sh left in $TEST_TIMES, in one file.
+sub write_times {
+    my $folder = $ENV{TEST_TIMES} or return;
+    my %seconds;
+    for my $path (glob "$folder/*") {
+        open my $file, '<', $path or die "$path: $!\n";
+        my ($own, $children) = <$file>;
+        (my $name = $path) =~ s{.*/}{};
+        $name =~ tr{:}{/};
+        $seconds{$name} = 0;
+        $seconds{$name} += 60 * $1 + $2 while ($children // '') =~ /([0-9]+)m([0-9.]+)s/g;
+    }
+    open my $file, '>', "$folder.txt" or die "$folder.txt: $!\n";
+    printf $file "%7.1f %s\n", $seconds{$_}, $_ for sort { $seconds{$b} <=> $seconds{$a} || $a cmp $b } keys %seconds;
+    close $file or die "$folder.txt: $!\n";
+}
+
 # Every variant of the unit tests must have run the same number of tests. Returns the numbers of passes and failures.
 sub compare_variants {
     my ($parsers) = @_;
@@ -77,7 +117,7 @@ sub compare_variants {
 sub runtests {
     my ($self, @tests) = @_;
     $self->callback(made_parser => \&listen_to);
-    my $aggregate = $self->SUPER::runtests(@tests);
+    my $aggregate = $self->SUPER::runtests(choose(@tests));
     my %parsers;
     @parsers{ $aggregate->descriptions } = $aggregate->parsers($aggregate->descriptions);
 
@@ -88,6 +128,7 @@ sub runtests {
         show_failure($name, $parsers{$name}) if $one[1];
     }
     write_log();
+    write_times();
     my @compared = compare_variants(\%parsers);
     $sum[0] += $compared[0];
     $sum[1] += $compared[1];

@@ -5,20 +5,17 @@
 # tests/check/NAME.sh      checker of the tree or of the build, each with a planted violation that it must find
 # tests/DIR/NAME.t         other host tests: shell scripts
 # All print TAP; `prove` collects. A new file in one of these places is a new test.
+#
+# A test compiles what it wants by the plain name of a compiler: `make`, `$CC` or `program` of tests/host/test.sh. Under
+# `make test` each source is then compiled once for all tests and runs, with the objects in build/tests/once/store.
 
 TEST_UNITS := $(sort $(basename $(notdir $(wildcard tests/unit/*.c))))
 TEST_EXHAUSTIVE := $(sort $(basename $(notdir $(wildcard tests/exhaustive/*.c))))
 TEST_REALS := float double
 TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
 
-# Scripts that `make check` leaves to `make test`, since they take longer.
-TEST_SLOW := $(addprefix tests/check/,cost.sh dependencies.sh effects.sh jumps.sh plot.sh trace.sh poison.sh readme.sh tables.sh gallery.sh \
-    report.sh same_bits.sh same_bytes.sh symbols.sh violation.sh) $(wildcard tests/*.t tests/*/*.t)
-
-# What takes longest begins first, so that every core has work to the end.
-TEST_LONGEST := $(addprefix tests/check/,tables.sh readme.sh same_bits.sh poison.sh) build/tests/exhaustive/float/sincos \
-    tests/hard/hard.t $(addprefix tests/check/,report.sh cppcheck.sh run.sh dependencies.sh) tests/hard/guard.t
-longest_first = $(filter $(1),$(TEST_LONGEST)) $(filter-out $(TEST_LONGEST),$(1))
+# Seconds of processor time, by tests/times: what took longer `make check` leaves to `make test`.
+TEST_QUICK := 3
 
 TEST_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
@@ -91,12 +88,24 @@ build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h) bui
 
 -include $(TEST_OBJECTS:.o=.d)
 
+# What tests compile, they compile once: in their PATH a program stands before each compiler that keeps the objects
+# (tests/host/once.c). Objects that were not used for two days go.
+TEST_ONCE := build/tests/once
+TEST_COMPILERS := cc gcc clang arm-none-eabi-gcc
+$(TEST_ONCE)/once: tests/host/once.c build/tests/plain/float/command
+	@rm -rf $(TEST_ONCE) && mkdir -p $(TEST_ONCE)/real $(TEST_ONCE)/store
+	@for compiler in $(TEST_COMPILERS); do \
+	    ln -s once $(TEST_ONCE)/$$compiler && ln -s "$$(command -v $$compiler)" $(TEST_ONCE)/real/$$compiler; done
+	@$(CC) $(WARNINGS) $(NUMERICS) -D_XOPEN_SOURCE=700 $< -o $@
+
 .PRECIOUS: $(TEST_OBJECTS)
-.PHONY: test check test-run check-run
+.PHONY: test check test-run check-run test-times
 
 TEST_FAST := $(filter build/tests/plain/float/% build/tests/m4f/float/%,$(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f))
 TEST_ALL := $(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f) $(TEST_PROGRAMS_exhaustive) $(TEST_PROGRAMS_memcheck) $(TEST_PROGRAMS_asan)
-TEST_PROVE = PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
+TEST_PROVE = find $(TEST_ONCE)/store -name '*.o' -mtime +2 -delete; \
+    rm -rf build/tests/times && mkdir build/tests/times; TEST_TIMES=$(CURDIR)/build/tests/times \
+    PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
 
 # All tests: the unit tests in every variant, whole domains, checkers, models. A few minutes.
 test:
@@ -108,8 +117,12 @@ check:
 	@tests/tools.sh
 	@$(MAKE) --no-print-directory -j$(TEST_JOBS) check-run
 
-test-run: $(TEST_ALL) $(TOOLS)
-	@TEST_STRIDE=1 $(TEST_PROVE) $(call longest_first,$(TEST_ALL) $(TEST_SCRIPTS))
+test-run: $(TEST_ALL) $(TOOLS) $(TEST_ONCE)/once
+	@export TEST_STRIDE=1; $(TEST_PROVE) $(TEST_ALL) $(TEST_SCRIPTS)
 
-check-run: $(TEST_FAST) $(TOOLS)
-	@TEST_STRIDE=11 $(TEST_PROVE) $(call longest_first,$(TEST_FAST) $(filter-out $(TEST_SLOW),$(TEST_SCRIPTS)))
+check-run: $(TEST_FAST) $(TOOLS) $(TEST_ONCE)/once
+	@export TEST_STRIDE=11 TALLY_MOST=$(TEST_QUICK); $(TEST_PROVE) $(TEST_FAST) $(TEST_SCRIPTS)
+
+# What each test of the last `make test` took. `make test-times >tests/times` keeps it: an order, and what is quick.
+test-times:
+	@cat build/tests/times.txt

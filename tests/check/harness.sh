@@ -3,6 +3,8 @@
 . tests/host/test.sh
 begin check/harness
 mkdir -p "$out/tests"
+# What the harness that runs this test was told is no concern of the one that is tried.
+unset TEST_TIMES TALLY_MOST
 
 # one NAME TEXT: a test script of that name in the small set that the harness is tried on.
 one()
@@ -65,6 +67,26 @@ grep -q 'not ok 2 - this one fails' "$out/output" && grep -q '# for a reason' "$
 result $? "what failed is shown, with its comments"
 grep -qx 'ok 2 - b' "$out/log" && grep -qx 'not ok 2 - this one fails' "$out/log"
 result $? "everything printed stands in the log"
+
+# Times: the longest of the list first, before it what is not in it; none that took longer than is wanted.
+one slow 'echo "ok 1 - a"; i=0; while [ $i -lt 300000 ]; do i=$((i + 1)); done; echo 1..1'
+printf '%s\n' "9.5 $out/tests/skip.t" "20 $out/tests/good.t" "0.5 $out/tests/slow.t" >"$out/known"
+mkdir -p "$out/times"
+export TALLY_TIMES="$out/known" TEST_TIMES="$PWD/$out/times"
+# order: in which they began, by what `prove` says.
+order()
+{
+    sed -n 's|^.*/tests/\([a-z]*\)\.t \.\..*|\1|p' "$out/output" | paste -sd ' '
+}
+tally slow skip good bad
+[ "$(order)" = "bad good skip slow" ]
+result $? "tests begin in the order of their times, and before them what has none: $(order)"
+TALLY_MOST=9 tally slow skip good bad
+[ "$(order)" = "bad slow" ]
+result $? "what takes longer than it may is left out: $(order)"
+[ "$(head -n 1 "$out/times.txt" | awk '{ print ($1 > 0.02), $2 }')" = "1 $out/tests/slow.t" ] && [ "$(wc -l <"$out/times.txt")" -eq 4 ]
+result $? "what each took is written down, the longest first"
+unset TALLY_TIMES TEST_TIMES
 
 # Two variants of the unit tests that differ in number. The files stand where the harness knows them by their place.
 for variant in plain asan; do

@@ -1,0 +1,65 @@
+#!/bin/sh
+# What stands before the compilers in the tests keeps each object once, under all that it follows from: the object is that of
+# the compiler itself, and any change that could change it makes another.
+. tests/host/test.sh
+begin check/once
+mkdir -p "$out/once/real" "$out/once/store" "$out/a" "$out/b"
+store=$out/once/store
+
+# shellcheck disable=SC2086
+"$CC" $FLAGS -D_XOPEN_SOURCE=700 tests/host/once.c -o "$out/once/once"
+result $? "it builds"
+real=$(PATH=$(echo "$PATH" | tr : '\n' | grep -v '/once$' | paste -sd :) command -v gcc)
+ln -s once "$out/once/gcc" && ln -s "$real" "$out/once/real/gcc"
+once=$out/once/gcc
+
+# kept: the number of objects in the store.
+kept()
+{
+    find "$store" -name '*.o' | wc -l
+}
+
+# compiles NUMBER NAME ARGUMENT...: the object is what the compiler makes, and the store then has so many.
+compiles()
+{
+    number=$1
+    name=$2
+    shift 2
+    "$once" "$@" -o "$out/once.o" && "$real" "$@" -o "$out/real.o" && cmp -s "$out/once.o" "$out/real.o" &&
+        [ "$(kept)" -eq "$number" ]
+    result $? "$name: the compiler's object, $number kept"
+}
+
+for folder in a b; do
+    printf '#ifndef FACTOR\n#define FACTOR 3\n#endif\n' >"$out/$folder/part.h"
+    printf '#include "part.h"\nint f(int x);\nint f(int x)\n{\n    return FACTOR * x;\n}\n' >"$out/$folder/part.c"
+done
+compiles 1 "a source" -O1 -c "$out/a/part.c"
+compiles 1 "the same again" -O1 -c "$out/a/part.c"
+compiles 1 "the same elsewhere" -O1 -c "$out/b/part.c"
+compiles 2 "another optimisation" -O2 -c "$out/a/part.c"
+printf '#define FACTOR 5\n' >"$out/b/part.h"
+compiles 3 "another header" -O1 -c "$out/b/part.c"
+compiles 4 "another macro" -O1 -DFACTOR=7 -c "$out/a/part.c"
+compiles 4 "with debug information, which names its folder" -g -O1 -c "$out/a/part.c"
+cp "$out/a/part.c" "$out/a/whole.c"
+compiles 5 "another name" -O1 -c "$out/a/whole.c"
+
+"$once" -O1 -MMD -MP -c "$out/a/part.c" -o "$out/listed.o" && [ "$(kept)" -eq 5 ] && grep -q "^$out/listed.o:" "$out/listed.d" &&
+    grep -q "$out/a/part.h" "$out/listed.d"
+result $? "the list of headers is written for what was kept as well"
+printf 'int f(int x);\nint main(void)\n{\n    return f(2) - 6;\n}\n' >"$out/a/main.c"
+"$once" -O1 "$out/a/main.c" "$out/a/part.c" -o "$out/program" -lm && "$out/program" && [ "$(kept)" -eq 6 ]
+result $? "a command that links keeps the object of each source"
+! "$once" -O1 -c -DFACTOR=g "$out/a/part.c" -o "$out/none.o" 2>/dev/null &&
+    [ ! -e "$out/none.o" ] && [ "$(kept)" -eq 6 ]
+result $? "what does not compile fails, and nothing is kept"
+
+# That the store is asked at all: another object in the place of one of its own is what is then handed out.
+object=$(find "$store" -name '*.o' | head -n 1)
+for file in "$store"/*.o; do
+    echo planted >"$file"
+done
+"$once" -O1 -c "$out/a/part.c" -o "$out/taken.o" && grep -qx planted "$out/taken.o" && [ -n "$object" ]
+result $? "found: an object in the store that is another"
+finish
