@@ -243,6 +243,18 @@ my $stdout;
 ($status, $lines, $stdout) = compile('tests/scenes/good.scene', '-o', $dir, '--step', '500us', '--method', 'ab4', '--real', 'double');
 check($status eq '0' && $stdout =~ /^method ab4\nstep 0\.0005 s\nreal double\nstates 2\n/m, 'the command line overrides the scene', $stdout);
 
+# What is accepted compiles, also with what a compiler need not take: names of more than 4095 characters together.
+sub compiles {
+    my ($name, $scene, @options) = @_;
+    accepted($name, $scene);
+    return if $kind eq 'memcheck';
+    my @cc = (split(' ', $ENV{CC} // 'cc'), qw(-std=c11 -Wall -Wextra -Wpedantic -Werror -Woverlength-strings -I. -c), "-I$dir", @options);
+    check(system(@cc, "$dir/plant.c", '-o', "$dir/plant.o") == 0, "$name: compiles");
+    return;
+}
+spit("$dir/names.scene", $base{good} . join '', map { 'output ' . 'a' x 50 . "_$_ = position of bob\n" } 1 .. 80);
+compiles('long names', "$dir/names.scene");
+
 # A double holds what a float cannot.
 spit("$dir/wide.scene", $base{good} =~ s/10 deg/1e-46 rad; speed 1e39 rad\/s/r);
 ($status, $lines) = compile("$dir/wide.scene", '-o', $dir, '--real', 'double');

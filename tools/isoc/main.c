@@ -7,6 +7,7 @@
 #include "tools/isoc/emit/write.h"
 #include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/pivots.h"
+#include "tools/isoc/plant/range.h"
 #include "tools/isoc/scene/dot.h"
 #include "tools/isoc/scene/parser.h"
 
@@ -189,6 +190,9 @@ static bool compile(arena *memory, const options *o)
     if (s.problem_count == 0) {
         const plant p = plant_build(&g, &m, o->is_double, o->wanted);
         pivots_check(&s, &g, &p);
+        if (s.problem_count == 0) {
+            range_check(&s, &g, &p);
+        }
         if (s.problem_count == 0) {
             return write_plant(memory, o, &p, &g);
         }

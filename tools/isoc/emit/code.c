@@ -1,5 +1,6 @@
 #include "tools/isoc/emit/code.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -7,6 +8,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/dictionary.h"
+#include "tools/isoc/base/real_range.h"
 #include "tools/isoc/graph/economy.h"
 
 enum { LONGEST_INLINE = 72 }; /* characters of an expression that stands inside another */
@@ -31,16 +33,10 @@ typedef struct emitter {
     double culprit;
 } emitter;
 
-static bool in_range(double value, bool is_double)
-{
-    const double largest = is_double ? 1.7976931348623157e308 : 3.4028234663852886e38;
-    const double least = is_double ? 2.2250738585072014e-308 : 1.1754943508222875e-38;
-    return value == 0.0 || (fabs(value) <= largest && fabs(value) >= least);
-}
-
 const char *code_literal(arena *memory, double value, bool is_double)
 {
     char digits[40];
+    value = fabs(value) < (is_double ? DBL_MIN : (double)FLT_MIN) ? copysign(0.0, value) : value;
     for (int precision = 1; precision <= 17; precision++) {
         snprintf(digits, sizeof digits, "%.*g", precision, value);
         if (is_double ? strtod(digits, NULL) == value : strtof(digits, NULL) == (float)value) {
@@ -121,7 +117,7 @@ static const char *phase(arena *memory, double turns)
 
 static const char *number(emitter *e, double value)
 {
-    e->culprit = in_range(value, e->c->is_double) ? e->culprit : value;
+    e->culprit = real_holds(value, e->c->is_double) ? e->culprit : value;
     return code_literal(e->g->memory, value, e->c->is_double);
 }
 

@@ -25,7 +25,7 @@ typedef struct code {
  */
 bool code_emit(const code *c, text *out, double *culprit);
 
-/* The shortest decimal that reads back as the same real, e.g. R(0.1). */
+/* The shortest decimal that reads back as the same real, e.g. R(0.1); of what is below the normal numbers, zero. */
 const char *code_literal(arena *memory, double value, bool is_double);
 
 #endif

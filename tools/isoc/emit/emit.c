@@ -507,14 +507,41 @@ static void emit_step(const plant *p, const graph *g, text *out)
     text_add(out, "}\n\n");
 }
 
-/* .FIELD = "WORD," "WORD,", ...: one string, of words separated by commas. */
+/* A list of words, with commas between. A compiler need not take a string of more than 4095 characters: a longer list
+ * is an array of characters, which stands before the struct that has it. */
+static bool is_long(const char *const *words, int count)
+{
+    enum { LONGEST_STRING = 4095 };
+    size_t length = 0;
+    for (int i = 0; i < count; i++) {
+        length += strlen(words[i]) + 1;
+    }
+    return length > LONGEST_STRING;
+}
+
+static void emit_long_list(text *out, const char *field, const char *const *words, int count)
+{
+    if (!is_long(words, count)) {
+        return;
+    }
+    text_add(out, "static const char %s[] = {\n", field);
+    for (int i = 0; i < count; i++) {
+        text_add(out, "   ");
+        for (const char *c = words[i]; *c != '\0'; c++) {
+            text_add(out, " '%c',", *c);
+        }
+        text_add(out, i + 1 < count ? " ',',\n" : " 0,\n};\n\n");
+    }
+}
+
 static void emit_list(text *out, const char *field, const char *const *words, int count)
 {
-    text_add(out, "    .%s =%s", field, count == 0 ? " \"\"" : "");
-    for (int i = 0; i < count; i++) {
+    const bool is_array = is_long(words, count);
+    text_add(out, "    .%s =%s", field, count == 0 ? " \"\"" : is_array ? " " : "");
+    for (int i = 0; i < count && !is_array; i++) {
         text_add(out, "\n        \"%s%s\"", words[i], i + 1 < count ? "," : "");
     }
-    text_add(out, ",\n");
+    text_add(out, "%s,\n", is_array ? field : "");
 }
 
 /* What all plants of the scene share. */
@@ -522,6 +549,8 @@ static void emit_model(const plant *p, text *out)
 {
     const mechanism *m = p->m;
     const char *seconds = code_literal(out->memory, m->step, true); /* R(0.001) */
+    emit_long_list(out, "output_names", p->output_names, p->output_count);
+    emit_long_list(out, "output_units", p->output_units, p->output_count);
     text_add(out, "static const iso_model model = {\n");
     text_add(out, "    .name = \"%s\",\n    .method = \"%s\",\n", m->name, method_names[ISO_METHOD_OF(m->recipe)]);
     text_add(out, "    .step_text = \"%.*s\",\n    .step_size = %s,\n", (int)strlen(seconds) - 3, seconds + 2,

@@ -1,9 +1,9 @@
 #include "tools/isoc/mechanism/value.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
+#include "tools/isoc/base/real_range.h"
 #include "tools/isoc/mechanism/timing.h"
 
 static const dimension plain = {0, 0, 0, 0};
@@ -41,21 +41,28 @@ static value scalar(node n, dimension of)
 /* Notes a number that the plant's type cannot hold. */
 static bool check_range(const values *v, const formula *f, const char *what, double number)
 {
-    const double largest = v->is_double ? DBL_MAX : (double)FLT_MAX, least = v->is_double ? DBL_MIN : (double)FLT_MIN;
-    if (number == 0.0 || (fabs(number) >= least && fabs(number) <= largest)) {
-        return true;
+    const bool holds = real_holds(number, v->is_double);
+    if (!holds) {
+        source_problem(v->s, f->at, "%s is %g in SI units; %s", what, number, real_advice(v->is_double));
     }
-    source_problem(v->s, f->at, "%s is %g in SI units; a %s holds 0 and %.2g to %.2g%s", what, number,
-                   v->is_double ? "double" : "float", least, largest,
-                   v->is_double ? "" : ": choose another number, or --real double");
-    return false;
+    return holds;
+}
+
+/* Whether any constant so far is out of range: most scenes have none, and then there is nothing to look for. */
+static bool has_foreign(values *v)
+{
+    for (; v->scanned < v->g->count; v->scanned++) {
+        const node n = (node)v->scanned;
+        v->is_foreign = v->is_foreign || (is_constant(v->g, n) && !real_holds(constant_value(v->g, n), v->is_double));
+    }
+    return v->is_foreign;
 }
 
 /* The same for all numbers that a node is made of. */
-static bool check_constants(const values *v, const formula *f, const char *what, node n)
+static bool check_constants(values *v, const formula *f, const char *what, node n)
 {
-    if (is_constant(v->g, n)) {
-        return check_range(v, f, what, constant_value(v->g, n));
+    if (is_constant(v->g, n) || !has_foreign(v)) {
+        return !is_constant(v->g, n) || check_range(v, f, what, constant_value(v->g, n));
     }
     bool *needed = arena_take(v->s->memory, v->g->count, sizeof *needed);
     graph_reach(v->g, &n, 1, needed);

@@ -24,6 +24,8 @@ typedef struct values {
     graph *g;
     const scene *scene;
     bool is_double;    /* the number type of the plant */
+    size_t scanned;    /* nodes that were looked at for constants out of its range */
+    bool is_foreign;   /* one of them is */
     double step;       /* s; functions of time need it */
     bool time_allowed; /* in the formula of an input or a motion */
     bool is_smooth;    /* of a motion */

@@ -1,0 +1,16 @@
+#include "tools/isoc/base/real_range.h"
+
+#include <float.h>
+#include <math.h>
+
+bool real_holds(double number, bool is_double)
+{
+    const double largest = is_double ? DBL_MAX : (double)FLT_MAX, least = is_double ? DBL_MIN : (double)FLT_MIN;
+    return number == 0.0 || (fabs(number) >= least && fabs(number) <= largest);
+}
+
+const char *real_advice(bool is_double)
+{
+    return is_double ? "a double holds 0 and 2.2e-308 to 1.8e308: choose another number"
+                     : "a float holds 0 and 1.2e-38 to 3.4e38: choose another number, or --real double";
+}

@@ -1,0 +1,12 @@
+/* Which numbers the plant's type holds: zero, and what is no smaller than the least normal number and finite. */
+#ifndef ISOC_BASE_REAL_RANGE_H
+#define ISOC_BASE_REAL_RANGE_H
+
+#include <stdbool.h>
+
+bool real_holds(double number, bool is_double);
+
+/* What a message says of a number that it does not hold: the range, and what would be right. */
+const char *real_advice(bool is_double);
+
+#endif
