@@ -10,16 +10,16 @@
 
 ## Usage: make TARGET [VARIABLE=VALUE...]
 ##
-# What to run and how; set on the command line (of the environment, CC and CFLAGS alone have an effect).
+# Variables are set on the command line; of the environment, only CC and CFLAGS have an effect.
 ##     SCENE=models/double_pendulum.scene  what to run: a scene, or a plant in C (core/runtime/plant.h)
-##     METHOD=rk4                          in place of the scene's
-##     STEP=1ms                            in place of the scene's
-##     TOLERANCE=1e-9                      of METHOD=adams, which then takes as many sub-steps as it needs
-##     SECONDS=10                          how long, in the plant's time; 5 for report and bench, 600 for drift
-##     TARGET=host|cortex-m4f              where: this machine, or the board in QEMU
-##     REAL=float|double                   the type of its numbers
-##     SCRIPT=FILE                         what goes wrong with the ticks, on the host (port/sim/script.h)
-##     V=1                                 shows the commands
+##     METHOD=rk4                          the method, instead of that of the scene
+##     STEP=1ms                            the step, instead of that of the scene
+##     TOLERANCE=1e-9                      largest local error of METHOD=adams, which then uses as many sub-steps as it needs
+##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600
+##     TARGET=host|cortex-m4f              where to run: on this machine, or on the board in QEMU
+##     REAL=float|double                   the type of the numbers
+##     SCRIPT=FILE                         late, lost and slow ticks, on the host (port/sim/script.h)
+##     V=1                                 show the commands
 SCENE = models/$(if $(filter drift,$(MAKECMDGOALS)),four_bar,double_pendulum).scene
 METHOD =
 STEP =
@@ -43,11 +43,11 @@ MAKEFLAGS += --no-builtin-rules
 GOALS := run plot size stack cost chains report bench drift
 
 .PHONY: help shared digits tables pictures clean $(GOALS)
-help: ## say what can be made; the same as make alone
+help: ## list the commands and the variables; the same as make without a command
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | while read -r target text; do \
-	    printf '    make %-6s %s\n' $$target "$$text"; done
+	    printf '    make %-8s %s\n' $$target "$$text"; done
 
 # --- Helpers -----------------------------------------------------------------------------------------------------
 
@@ -221,10 +221,10 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 
 # --- Goals -------------------------------------------------------------------------------------------------------
 
-run: ## run the scene: build/TARGET/REAL/NAME/trace.csv and a summary
-plot: ## run the scene and draw it with gnuplot: trace.svg, path.svg and the same as png, beside the trace
-size: ## show the size of the firmware and of its parts; the double pendulum's must keep its limits
-stack: ## show the deepest stack of a step; recursion and frames without a bound fail
+run: ## run the scene: write build/TARGET/REAL/NAME/trace.csv and print a summary
+plot: ## run the scene and draw it with gnuplot: trace.svg and path.svg, and both as png, beside the trace
+size: ## print the memory of the firmware and of its parts; check the limits of the double pendulum
+stack: ## print the deepest stack of a step; fail if it has no bound
 cost: ## print tables of costs, of the PARTS models methods restarts effects; on the Cortex-M4F in float
 chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float
 report: ## measure the error of every method over its cost and its step: tables and a picture in build/report/NAME/
@@ -263,7 +263,7 @@ pictures: $(TOOLS) ## draw the pictures of models/README.md again
 	$(call require,gnuplot dot,apt-get install gnuplot-nox graphviz)
 	@MAKE=$(call quote,$(MAKE)) sh tools/plot/pictures.sh models/pictures
 
-clean: ## remove all that was made
+clean: ## remove build/
 	rm -rf build
 
 include tests/tests.mk

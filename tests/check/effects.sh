@@ -1,6 +1,6 @@
 #!/bin/sh
 # Only what the scene calls for: an effect that it does not name leaves no instruction, no byte and no symbol in the
-# plant's object for the Cortex-M4F; one that it names is there. The effects are those of the price list.
+# plant's object for the Cortex-M4F; one that it names is there. The effects are those of tools/build/effects.txt.
 . tests/host/test.sh
 begin check/effects
 
@@ -116,7 +116,7 @@ holds heun range 32 heun
 # Three older slopes of two states.
 holds "ab4, the method with a history" "prime range" 56 ab4
 
-# lists LINE...: the verdict of the price list, when every program measures so.
+# lists LINE...: the verdict of the table of costs, when every program measures so.
 lists()
 {
     mkdir -p "$out/list"
@@ -124,7 +124,7 @@ lists()
     ln -sfn "$PWD/models" "$out/list/models"
     printf '#!/bin/sh\nprintf "%%s\\n" "%s"\n' "$1" >"$out/list/make"
     chmod +x "$out/list/make"
-    (cd "$out/list" && MAKE=./make METHODS="euler rk4" sh tools/build/cost.sh >output 2>errors)
+    (cd "$out/list" && MAKE=./make PARTS=models METHODS="euler rk4" sh tools/build/cost.sh >output 2>errors)
 }
 
 ! lists 'instructions_per_step 65 66' && grep -q 'not one instructions_per_step' "$out/list/errors"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # A force that jumps in the middle of a run starts the history of a method anew, where its scene says what a jump is, or
-# where steps are checked and their error tells of it: told as `restarts`, priced as `restart_execution`, and needed for
+# where steps are checked and their error tells of it: reported as `restarts`, measured as `restart_execution`, and needed for
 # the right motion. The plant is a cart of 1 kg on a spring of 100 N/m, pushed with 2 N from 0.501 s on:
 # x = 2 N / k (1 - cos(w (t - 0.501 s))), w = 10 / s.
 . tests/host/test.sh

@@ -52,7 +52,7 @@ ordered()
         }' "$2" "$1"
 }
 
-# adapted TSV: with every smaller tolerance adams takes more steps, and in double its error falls with tolerance^(4/5),
+# adapted TSV: with every smaller tolerance adams makes more steps, and in double its error falls with tolerance^(4/5),
 # but for the scatter that tests/adams/adams.c derives: steps are powers of two, an error of order four is within 2^5.
 adapted()
 {
@@ -131,12 +131,12 @@ row 1e-6 | awk -F '\t' -v run="$(value execution)" -v ticks="$(value ticks)" '
     END { exit n != 1 || off > 0.001 || off < -0.001 }'
 result $? "its instructions per second are those of the run"
 
-# A step takes the same instructions whatever it is and however many there are.
+# The instructions of a step do not depend on its length, nor on the number of steps.
 for arguments in "STEP=4ms SECONDS=0.1" "STEP=125us SECONDS=0.05"; do
     # shellcheck disable=SC2086
     call run TARGET=cortex-m4f METHOD=heun $arguments
-    [ "$(value instructions_per_step)" = "$(sed 's/ .*//' "$folder/float-heun/prices" | sort -u)" ]
-    expect $? "a step of heun takes as many instructions with $arguments"
+    [ "$(value instructions_per_step)" = "$(sed 's/ .*//' "$folder/float-heun/costs" | sort -u)" ]
+    expect $? "a step of heun has as many instructions with $arguments"
 done
 
 # wrong NAME TSV [METHODS_TABLE]: the table is found wrong.
@@ -196,7 +196,7 @@ call report SCENE=models/cart_pole.scene METHODS=rk4 SECONDS=1
 expect $? "make report of a scene with an input"
 
 # The bench: its largest step is the largest.
-price=$(row 1e-8 | cut -f 7)
+cost=$(row 1e-8 | cut -f 7)
 call bench METHODS="rk4 ab4 abm4 adams"
 expect $? "make bench"
 [ "$(grep -c '^| \(rk4\|ab4\|abm4\) | 4 |' "$out/output")" -eq 3 ] && [ "$(grep -c '^- \(abm4\|adams\)[ ,].*: \(yes\|no\)\.$' "$out/output")" -eq 3 ]
@@ -228,8 +228,8 @@ looser=$(awk -v found="$found" 'BEGIN {
 limit adams "$found" "$looser"
 result $? "adams: the error is 1e-6 with a tolerance of $found, and more with $looser"
 # The tolerance found is less than what float can tell: then it is that of the report's last row.
-grep -qx "| adams | 1 to 4 | 2\.[0-9]* | - | - | [0-9.]* | $price | [0-9]* |" "$out/output"
-expect $? "adams: a sub-step takes $price instructions"
+grep -qx "| adams | 1 to 4 | 2\.[0-9]* | - | - | [0-9.]* | $cost | [0-9]* |" "$out/output"
+expect $? "adams: a sub-step has $cost instructions"
 
 # Machines on which something is missing.
 mkdir -p "$out/bin"

@@ -26,7 +26,7 @@ runs()
     status=$?
     csv=$out/project/$(value trace)
     hash=$(value hash)
-    price=$(value instructions_per_step)
+    cost=$(value instructions_per_step)
     return $status
 }
 
@@ -57,8 +57,8 @@ expect $? "without a limit: the same motion, and nothing is told"
 
 runs free TARGET=cortex-m4f
 expect $? "a run on the board"
-cheap=$price
-runs limited TARGET=cortex-m4f && [ "$price" = "$cheap" ] && [ "$hash" = "$known" ] &&
+cheap=$cost
+runs limited TARGET=cortex-m4f && [ "$cost" = "$cheap" ] && [ "$hash" = "$known" ] &&
     [ "$(value violation) $(value violated)" = "$(seen 2e-5)" ]
 expect $? "on the board a limit costs the step nothing, and the account is the same"
 

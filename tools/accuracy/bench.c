@@ -91,7 +91,7 @@ static int row_of(const measurements *const m, const char *const method)
 
 static void answer(const char *const subject, const double ratio, const char *const question, const bool yes)
 {
-    printf("- %s takes %.2f %s: %s.\n", subject, ratio, question, yes ? "yes" : "no");
+    printf("- %s %.2f %s: %s.\n", subject, ratio, question, yes ? "yes" : "no");
 }
 
 /* Two methods at equal error, by the instructions of a second. */
@@ -101,11 +101,11 @@ static const struct {
     const char *subject;
     const char *question;
 } pairs[] = {
-    {"abm4", "ab4", "abm4", "times the instructions of ab4 at equal error. Fewer"},
-    {"abm4_pec", "abm4", "abm4_pec, without the last evaluation,", "times those of abm4. Fewer"},
-    {"abm4_pecece", "abm4", "abm4_pecece, with a second correction,", "times those of abm4. Fewer"},
-    {"ab4", "rk4", "ab4, with one evaluation for four,", "times the instructions of rk4. Fewer"},
-    {"adams", "abm4", "adams, which varies step and order,", "times those of abm4. Fewer"},
+    {"abm4", "ab4", "abm4 needs", "times the instructions of ab4 at equal error. Fewer"},
+    {"abm4_pec", "abm4", "abm4_pec, without the last evaluation, needs", "times those of abm4. Fewer"},
+    {"abm4_pecece", "abm4", "abm4_pecece, with a second correction, needs", "times those of abm4. Fewer"},
+    {"ab4", "rk4", "ab4, with one evaluation instead of four, needs", "times the instructions of rk4. Fewer"},
+    {"adams", "abm4", "adams, which varies step and order, needs", "times those of abm4. Fewer"},
 };
 
 /* Whether both have a step with the error; then where they stand. */
@@ -126,7 +126,7 @@ static void put_answers(const measurements *const m)
     size_t rows[2];
     if (both(m, "abm4", "ab4", rows)) {
         const double ratio = longest(m, rows[0]) / longest(m, rows[1]);
-        answer("abm4 (PECE)", ratio, "times the step of ab4 at equal error. More than twice", ratio > 2);
+        answer("abm4 (PECE) has", ratio, "times the step of ab4 at equal error. More than twice", ratio > 2);
     }
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         if (both(m, pairs[i].method, pairs[i].other, rows)) {
@@ -139,7 +139,7 @@ static void put_answers(const measurements *const m)
     if (stiff >= 0 && plain >= 0) {
         const double ratio =
             table_number(&m->rows, (size_t)stiff, INSTRUCTIONS) / table_number(&m->rows, (size_t)plain, INSTRUCTIONS);
-        answer("A step of bdf4", ratio, "times the instructions of one of rk4. At most three times", ratio <= 3);
+        answer("A step of bdf4 has", ratio, "times the instructions of a step of rk4. At most three times", ratio <= 3);
     }
 }
 

@@ -89,7 +89,7 @@ cost: build/isoc build/trace build/forced
 chains: build/isoc build/trace
 	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/build/chains.sh
 
-# Both measure the methods of METHODS, all unless told.
+# Both measure the methods of METHODS; default: all.
 REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) NANOSECONDS=$(NANOSECONDS) \
     METHODS=$(call quote,$(METHODS)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \
     COMPILE=$(call quote,$(CC) $(WARNINGS) $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS))

@@ -8,8 +8,8 @@ mkdir -p "$dir" || exit 1
 seconds=$(awk -v ns="$NANOSECONDS" 'BEGIN { printf "%.9g", ns / 1e9 }')
 parts=200 # of the time: points of a line in the picture
 
-# price STABILISATION: instructions of a step on the Cortex-M4F.
-price()
+# cost STABILISATION: instructions of a step on the Cortex-M4F.
+cost()
 {
     "${MAKE:-make}" --no-print-directory run TARGET=cortex-m4f REAL=float OUT="$dir/$1-m4f" SCENE="$dir/$1.scene" METHOD= \
         STEP="$STEP" SECONDS=0.05 >"$dir/$1.run" </dev/null || fail "$1 does not run on the Cortex-M4F; see $dir/$1.run"
@@ -21,7 +21,7 @@ echo "| stabilisation | largest violation | bound | change of energy | instructi
 echo "|---|--:|--:|--:|--:|"
 for stabilisation in $STABILISATIONS; do
     if measure "$stabilisation" "$seconds" $parts; then
-        instructions=$(price "$stabilisation") || exit 1
+        instructions=$(cost "$stabilisation") || exit 1
         awk -v name="$stabilisation" -v seconds="$seconds" -v instructions="$instructions" '
             { value[$1] = $2 }
             END {

@@ -15,7 +15,7 @@ for method in $METHODS; do
 done | each tools/report/search.sh
 for method in $METHODS; do
     echo float "$method"
-done | each tools/report/price.sh
+done | each tools/report/cost.sh
 
 build/isoc --methods >"$dir/methods.md"
 for method in $METHODS; do

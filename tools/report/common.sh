@@ -89,7 +89,7 @@ variable()
     build "$1" "$2" "$dir/$1-$2" -include tools/report/step.h
 }
 
-# take METHOD: before it is built or priced. Adams chooses its steps itself, by TOLERANCE, within STEP, its tick.
+# take METHOD: before it is built or measured. Adams chooses its steps itself, by TOLERANCE, within STEP, its tick.
 take()
 {
     [ "$1" != adams ] || STEP=$tick TOLERANCE=1e-6

@@ -27,16 +27,16 @@ if [ -n "$TOLERANCE" ]; then
     *) points="1e-3 1e-4 1e-5 1e-6 1e-7 1e-8" ;;
     esac
     for TOLERANCE in $points; do
-        price=$(instructions) || exit 255
-        echo "$price $TOLERANCE"
+        cost=$(instructions) || exit 255
+        echo "$cost $TOLERANCE"
     done
 else
     points="$coarsest $((2 * coarsest)) $((4 * coarsest)) $((8 * coarsest)) $((16 * coarsest)) $((32 * coarsest))"
-    price=$(instructions) || exit 255
+    cost=$(instructions) || exit 255
     for _ in $points; do
-        echo "$price -"
+        echo "$cost -"
     done
-fi >"$of/prices"
+fi >"$of/costs"
 # shellcheck disable=SC2086
 "$of/drive" "$time" $points >"$of/points" || fail "$method in $kind does not run"
-paste -d ' ' "$of/prices" "$of/points" >"$of/measured"
+paste -d ' ' "$of/costs" "$of/points" >"$of/measured"

@@ -3,7 +3,7 @@
 # search.sh found, and with the evaluations of a sub-step. Below 1e-8 rounding in float would be taken for an error, and
 # steps for too large: what a sub-step takes is measured there.
 #
-#     price.sh float METHOD
+#     cost.sh float METHOD
 . tools/report/common.sh
 mkdir -p "$dir/float-$2"
 take "$2"
