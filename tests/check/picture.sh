@@ -60,6 +60,19 @@ for picture in models/pictures/*.svg; do
     result $? "$picture: no text is cut off or lies on another one"
 done
 
+# The pictures in models/ and the tables beside them: the errors of make bench, and the bounds of make drift.
+report=models/pictures/double_pendulum_work_precision.svg
+awk -F ' *[|] *' -v OFS='\t' '
+    /^[|] method .* error, 2 ms / { on = 1; next }
+    !/^[|]/ { on = 0 }
+    on && $5 + 0 > 0 { print "double|step, ms", $2, 2, $5; print "double|step, ms", $2, 1, $6 }' core/methods.md >"$out/errors"
+[ "$(grep -c . "$out/errors")" -ge 20 ] && shows $report "$out/errors" covered
+result $? "$report has the errors that core/methods.md has"
+awk -F ' *[|] *' -v OFS='\t' '/^[|] [a-z]* [|] [0-9]/ { print "|t, s", $2, 0, $4; print "|t, s", $2, 600, $4 }' \
+    models/drift.md >"$out/bounds"
+[ "$(grep -c . "$out/bounds")" -eq 6 ] && shows models/pictures/four_bar_violation.svg "$out/bounds" covered
+result $? "models/pictures/four_bar_violation.svg has the bounds that models/drift.md has"
+
 # found WHAT SVG [POINTS]: this picture is found wrong.
 found()
 {
@@ -84,6 +97,8 @@ sed 3d "$out/points" >"$out/wrong.points"
 found "a point that is not in the table" "$out/report.svg" "$out/wrong.points" all
 sed "s/>rk4</>rk5</" "$out/report.svg" >"$out/wrong.svg"
 found "a wrong name in the legend" "$out/wrong.svg" "$out/points" all
+awk -F '\t' -v OFS='\t' 'NR == 3 { $4 *= 1.02 } { print }' "$out/errors" >"$out/wrong.points"
+found "an error that is not in the picture" $report "$out/wrong.points" covered
 sed "s/^set xlabel.*/&\nset label 'so far to the right' at screen 0.95, 0.9/" "$out/violation.gnuplot" >"$out/wrong.gnuplot"
 draw wrong
 found "a text that is cut off" "$out/wrong.svg"

@@ -64,6 +64,12 @@ for document in models/costs.md models/chains.md models/drift.md core/methods.md
     done <"$out/commands"
 done
 
+# The picture beside the table of make drift, but for the name of the gnuplot that drew it.
+picture=models/pictures/four_bar_violation.svg
+grep -v '^<desc>' "$out/project/build/drift/four_bar/violation.svg" >"$out/picture.svg"
+[ -s "$out/picture.svg" ] && grep -v '^<desc>' $picture | cmp -s - "$out/picture.svg"
+result $? "$picture is what make drift draws"
+
 # found NAME FILE COMMAND SED: the table so changed is another one.
 found()
 {
