@@ -16,7 +16,7 @@ static const double step = 1e-5;
 static double value_at(const graph *g, node n, const double *x)
 {
     double *values = arena_take(g->memory, g->count, sizeof *values);
-    const evaluation at = {x, NULL, NULL};
+    const evaluation at = {.x = x};
     graph_evaluate(g, 0, &at, values);
     return values[n];
 }

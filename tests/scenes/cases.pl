@@ -188,6 +188,12 @@ my @gaps = (
 );
 check(keys %at == 4 && !grep({ abs > 1e-8 } @gaps), 'what is assembled is told, and closes the loop', $summary, "@gaps");
 
+# What a float cannot hold a double can.
+spit("$dir/ratio.scene", $base{loop} =~ s/rocker \{ mass 1 kg/rocker { mass 4294967296 kg/r
+      . 'close drive motion { first shaft; speed 1 rad/s }');
+($status, $lines) = compile("$dir/ratio.scene", '-o', $dir, '--real', 'double');
+check($status eq '0', 'a ratio of masses that float cannot hold, in double', @$lines);
+
 # The constants of the equations are the same whether the start is found or given as it was found.
 my $found = $base{loop} . "stabilisation lagrangian\n";
 my $given = $found =~ s/(elbow|foot)( revolute \{)/$1$2 start $at{$1} rad; speed $at{"$1_speed"} rad\/s;/gr;

@@ -8,6 +8,7 @@
 #include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/pivots.h"
 #include "tools/isoc/plant/range.h"
+#include "tools/isoc/plant/start.h"
 #include "tools/isoc/scene/dot.h"
 #include "tools/isoc/scene/parser.h"
 
@@ -192,6 +193,9 @@ static bool compile(arena *memory, const options *o)
         pivots_check(&s, &g, &p);
         if (s.problem_count == 0) {
             range_check(&s, &g, &p);
+        }
+        if (s.problem_count == 0) {
+            start_check(&s, &g, &p);
         }
         if (s.problem_count == 0) {
             return write_plant(memory, o, &p, &g);

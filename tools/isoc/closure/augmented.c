@@ -122,7 +122,7 @@ static double regularisation(const augmented *a)
         return m->is_redundant ? 1.0 / m->penalty : 0.0;
     }
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers), sum = 0.0;
-    const evaluation at = {mechanism_start(m, g->memory), NULL, m->defaults};
+    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->defaults};
     graph_evaluate(g, 0, &at, numbers);
     for (int r = 0; r < a->held.count; r++) {
         sum += numbers[a->schur[r * a->held.count + r]];

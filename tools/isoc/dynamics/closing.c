@@ -13,7 +13,7 @@ static const double longest_move = 0.5; /* m or rad in an iteration */
 static void evaluate(const closing *c)
 {
     const int n = c->m->dof_count;
-    const evaluation at = {c->x, NULL, c->m->defaults};
+    const evaluation at = {.x = c->x, .p = c->m->defaults};
     graph_evaluate(c->d->g, 0, &at, c->numbers);
     for (int r = 0; r < c->held->count; r++) {
         for (int f = 0; f < n; f++) {

@@ -438,7 +438,8 @@ void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *
 {
     for (size_t i = first; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
-        values[i] = operators[n->op].value(n, at, values[n->a], values[n->b]);
+        const double value = operators[n->op].value(n, at, values[n->a], values[n->b]);
+        values[i] = at->rounds_to_float ? (double)(float)value : value;
     }
 }
 

@@ -31,6 +31,7 @@ typedef struct operations {
 /* Where a graph is evaluated. States and inputs that are NULL count as zero. */
 typedef struct evaluation {
     const double *x, *u, *p;
+    bool rounds_to_float; /* each number: for + - * / the bits that float arithmetic gives (Figueroa 1995) */
 } evaluation;
 
 /* clang-format off */

@@ -421,7 +421,7 @@ double value_displacement(values *v, const formula *f, const char *what, double 
 
 double value_now(values *v, node n)
 {
-    const evaluation at = {NULL, NULL, v->defaults};
+    const evaluation at = {.p = v->defaults};
     v->numbers = arena_grow(v->s->memory, v->numbers, v->g->count, &v->number_room, sizeof *v->numbers);
     graph_evaluate(v->g, v->number_count, &at, v->numbers);
     v->number_count = v->g->count;

@@ -5,7 +5,7 @@ void pivots_check(source *s, const graph *g, const plant *p)
     static const char *const about[] = {" about its x axis", " about its y axis", " about its z axis"};
     const mechanism *m = p->m;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    const evaluation at = {mechanism_start(m, g->memory), NULL, m->defaults};
+    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->defaults};
     graph_evaluate(g, 0, &at, numbers);
     /* From the tips inward, as they are eliminated: what comes after a bad pivot is bad too. */
     for (int f = m->dof_count - 1; f >= 0; f--) {

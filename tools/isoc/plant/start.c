@@ -1,0 +1,70 @@
+#include "tools/isoc/plant/start.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "tools/isoc/graph/economy.h"
+
+static const char *advice(const plant *p)
+{
+    return p->is_double ? "" : ": try --real double";
+}
+
+static const char *name_of_real(const plant *p)
+{
+    return p->is_double ? "a double" : "a float";
+}
+
+/* Rounding loses a closure where what is left of its pivot is less than an ulp of what it was taken off. Returns whether
+ * there is one, after noting it. */
+static bool check_closures(source *s, const graph *g, const plant *p, const evaluation *at)
+{
+    const augmented *loops = &p->d->loops;
+    const double ulp = p->is_double ? DBL_EPSILON : (double)FLT_EPSILON;
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    int lost = -1;
+    graph_evaluate(g, 0, at, numbers);
+    for (int i = 0; i < loops->held.count && lost < 0; i++) {
+        const int r = loops->order[i];
+        lost = numbers[loops->pivots[r]] > ulp * numbers[loops->diagonal[r]] ? -1 : r;
+    }
+    if (lost >= 0) {
+        const cut *c = &p->m->cuts[loops->held.all[lost].cut];
+        source_problem(s, c->at, "%s cannot hold '%s' at the start: its pivot, %.3g, is lost in the rounding of %.3g%s",
+                       name_of_real(p), c->name, numbers[loops->pivots[lost]], numbers[loops->diagonal[lost]],
+                       advice(p));
+    }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
+    return lost >= 0;
+}
+
+/* The derivative, in the order in which it is emitted. */
+static void check_derivative(source *s, const graph *of, const plant *p, const evaluation *at)
+{
+    const mechanism *m = p->m;
+    const size_t states = (size_t)state_count(m);
+    node *roots = arena_take(of->memory, states, sizeof *roots);
+    graph economical = economise(of, p->derivatives, states, roots), *g = &economical;
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    graph_evaluate(g, 0, at, numbers);
+    for (int f = 0; f < m->dof_count; f++) {
+        const double derivative = numbers[roots[m->position_count + f]];
+        const link *l = &m->links[m->dofs[f].link];
+        if (!isfinite(derivative)) {
+            source_problem(s, l->at, "the acceleration of '%s' at the start is %g in %s%s", m->dofs[f].name, derivative,
+                           name_of_real(p), advice(p));
+            break;
+        }
+    }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
+    graph_free(g);
+}
+
+void start_check(source *s, const graph *g, const plant *p)
+{
+    const evaluation at = {
+        .x = mechanism_start(p->m, g->memory), .p = p->m->defaults, .rounds_to_float = !p->is_double};
+    if (!check_closures(s, g, p, &at)) {
+        check_derivative(s, g, p, &at);
+    }
+}
