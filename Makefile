@@ -28,6 +28,7 @@ SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MA
 TARGET = $(if $(filter size cost chains,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
 SCRIPT =
+MODELS = $(wildcard models/*.scene)
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 PARTS = models methods restarts effects
 LENGTHS = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
@@ -40,7 +41,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot size stack cost chains report bench drift
+GOALS := run plot size stack cost chains flags report bench drift
 
 .PHONY: help shared digits tables pictures clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -94,6 +95,7 @@ EFFECTS_size := $(filter-out SECONDS SCRIPT,$(EFFECTS_run))
 EFFECTS_stack := $(EFFECTS_size)
 EFFECTS_cost := PARTS METHODS TARGET REAL
 EFFECTS_chains := LENGTHS TARGET REAL
+EFFECTS_flags := TARGET REAL MODELS
 EFFECTS_report := SCENE METHODS STEP SECONDS
 EFFECTS_bench := $(EFFECTS_report)
 EFFECTS_drift := SCENE STEP SECONDS
@@ -175,11 +177,11 @@ WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -W
 
 # The same bits everywhere: no fused multiply-add, no vectoriser (which fuses in spite of the flag: GCC PR 106902), no call
 # of libm for the sake of errno.
-NUMERICS := -O2 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize
+NUMERICS := -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize
 
 # --- Tools on the host -------------------------------------------------------------------------------------------
 
-TOOL_COMPILE := $(CC) $(WARNINGS) $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(CFLAGS)
+TOOL_COMPILE := $(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(CFLAGS)
 TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/*/*/*.c))
 
 build/obj/tools/flags: always
@@ -197,14 +199,15 @@ build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJEC
 build/accuracy: $(filter build/obj/tools/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
 build/forced: build/obj/tools/build/forced.o build/obj/tools/table/table.o build/obj/tools/flags
-TOOLS := build/isoc build/trace build/plot build/accuracy build/duration build/forced
+build/cycles: build/obj/tools/build/cycles.o build/obj/tools/flags
+TOOLS := build/cycles build/isoc build/trace build/plot build/accuracy build/duration build/forced
 $(TOOLS):
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -o $@ -lm
 
 # --- Objects that programs share ---------------------------------------------------------------------------------
 
-COMPILE := $(PORT_CC) $(WARNINGS) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. $(CFLAGS)
+COMPILE := $(PORT_CC) $(WARNINGS) $(PORT_OPTIMISE) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. $(CFLAGS)
 OBJ := build/obj/$(TARGET)/$(REAL)
 OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/*/*.c $(PORT)/*.c))
 
@@ -227,13 +230,15 @@ size: ## print the memory of the firmware and of its parts; check the limits of 
 stack: ## print the deepest stack of a step; fail if it has no bound
 cost: ## print tables of costs, of the PARTS models methods restarts effects; on the Cortex-M4F in float
 chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float
+flags: ## measure a step with each optimisation of the compiler: a table of MODELS on the TARGET
 report: ## measure the error of every method over its cost and its step: tables and a picture in build/report/NAME/
 bench: ## compare the methods at equal step and at equal error, as a table
 drift: ## measure the drift of closed loops with every stabilisation: a table, and a picture in build/drift/NAME/
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
-folder_of = $(if $(filter run plot size stack,$(1)),$(OUT),$(if $(filter cost chains,$(1)),build/cost,build/$(1)/$(FOLDER)))
+folder_of = $(if $(filter run plot size stack,$(1)),$(OUT),$(if $(filter cost chains,$(1)),build/cost,$(if $(filter \
+    flags,$(1)),build/flags,build/$(1)/$(FOLDER))))
 shared = $(TOOLS) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS))
 LOCK_TOOLS := flock realpath
 LOCK_INSTALL := apt-get install util-linux coreutils

@@ -89,10 +89,17 @@ cost: build/isoc build/trace build/forced
 chains: build/isoc build/trace
 	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/build/chains.sh
 
+flags: PROGRAM := build/flags/program
+flags: NANOSECONDS := 1
+flags: build/isoc build/cycles
+	$(call require,valgrind,apt-get install valgrind)
+	@TARGET=$(TARGET) REAL=$(REAL) COMPILE=$(call quote,$(COMPILE)) LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK)) \
+	    EXEC=$(call quote,$(PORT_EXEC)) MODELS=$(call quote,$(MODELS)) sh tools/build/flags.sh
+
 # Both measure the methods of METHODS; default: all.
 REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) NANOSECONDS=$(NANOSECONDS) \
     METHODS=$(call quote,$(METHODS)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \
-    COMPILE=$(call quote,$(CC) $(WARNINGS) $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS))
+    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS))
 REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
 REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 
