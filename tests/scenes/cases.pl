@@ -116,15 +116,15 @@ for my $case (grep { /\S/ } split /^== /m, slurp('tests/scenes/bad.txt')) {
 
 # Scenes that are no text of a sensible size.
 spit("$dir/empty.scene", '');
-my @nothing = map { "1:1: $_" } 'nothing moves: the scene has no body on a joint that is not fixed',
+my @nothing = map { "1:1: $_" } 'nothing moves: the scene has no joint that is not fixed',
   'the scene has no output: output angle = position of a joint', 'the scene has no step: step 1 ms';
 refused('an empty file', "$dir/empty.scene", @nothing);
 spit("$dir/long.scene", 'step 1 ms ' . ('@' x 10_000_000));
-refused('a line of 10 MB', "$dir/long.scene", '1:11: \'@\' means nothing here',
+refused('a line of 10 MB', "$dir/long.scene", "1:11: unexpected character '\@'",
     map { s/1:1:/1:10000011:/r } @nothing[0, 1]);
 spit("$dir/long_name.scene", 'body ' . ('b' x 1_000_000));
 my ($status, $lines) = compile("$dir/long_name.scene", '-o', $dir);
-check($status eq '1' && "@$lines" =~ /a name of 1000000 characters: 64 is the most/, 'a name of 1 MB', @$lines);
+check($status eq '1' && "@$lines" =~ /a name of 1000000 characters: at most 64 are allowed/, 'a name of 1 MB', @$lines);
 for my $sign ('(', '-', 'f(', '-(') {
     spit("$dir/deep.scene", 'step ' . ($sign x 100_000));
     ($status, $lines) = compile("$dir/deep.scene", '-o', $dir);
@@ -230,8 +230,8 @@ for my $case (
     [['--method', 'rk5'], "command line:1:8: error: no method is called 'rk5' (did you mean 'rk4'?); "
       . 'there are euler, heun, rk4, ab4, semi_implicit, abm4, abm4_pec, abm4_pecece, bdf4, rosenbrock, adams'],
     [['--step', '1 kg'], 'command line:1:6: error: the step is in s; this is in kg'],
-    [['--step', '-1 ms'], 'command line:1:6: error: a step is between 1 us and 1 s'],
-    [['--real', 'half'], 'isoc: error: --real is float or double, not half'],
+    [['--step', '-1 ms'], 'command line:1:6: error: the step must be between 1 us and 1 s'],
+    [['--real', 'half'], 'isoc: error: --real must be float or double, not half'],
     [['--fast'], 'isoc: error: unknown option --fast'],
     [['--step'], 'isoc: error: a value is missing after --step'],
     [['-o', $dir], 'isoc: error: given twice: -o'],

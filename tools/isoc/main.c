@@ -45,7 +45,7 @@ typedef struct options {
 
 static bool complain(const char *message, const char *argument)
 {
-    fprintf(stderr, "isoc: error: %s%s%s\nisoc --help tells more\n", message, argument == NULL ? "" : " ",
+    fprintf(stderr, "isoc: error: %s%s%s\nisoc --help lists the options\n", message, argument == NULL ? "" : " ",
             argument == NULL ? "" : argument);
     return false;
 }
@@ -96,16 +96,17 @@ static bool read_options(char **arguments, options *o)
         }
     }
     if (o->scene == NULL || (o->directory == NULL && !o->draws)) {
-        return complain(o->scene == NULL ? "no scene named" : "no folder for the plant: -o DIR", NULL);
+        return complain(o->scene == NULL ? "no scene is given" : "no folder for the plant: -o DIR", NULL);
     }
     if (o->directory != NULL && o->draws) {
         return complain("--dot makes no plant: leave out -o", o->directory);
     }
     if (real_name != NULL && !o->is_double && strcmp(real_name, "float") != 0) {
-        return complain("--real is float or double, not", real_name);
+        return complain("--real must be float or double, not", real_name);
     }
     if (formulation_name != NULL && o->wanted == FORMULATIONS) {
-        return complain("--formulation is composite, articulated, parent_axes or child_axes, not", formulation_name);
+        return complain("--formulation must be composite, articulated, parent_axes or child_axes, not",
+                        formulation_name);
     }
     return true;
 }

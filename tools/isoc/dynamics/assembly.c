@@ -74,10 +74,10 @@ static void tell_open(const assembly *a, gap open, int count)
     choose_free(a, false, true);
     const bool would_close = closing_search(&a->c, a->is_free, closed).size <= closed;
     source_problem(a->s, cut_of(a, open)->at,
-                   "'%s' cannot close: it stays %.3g %s open, with rank %d of %d constraints over the coordinates "
+                   "'%s' cannot close: a gap of %.3g %s remains; the constraints have rank %d of %d in the coordinates "
                    "without a start: %s%s",
                    cut_of(a, open)->name, open.size, unit_of(a, open), open.rank, open.all, count == 0 ? "none" : list,
-                   would_close ? "; it closes if starts are left out" : "");
+                   would_close ? "; it closes without the given starts" : "");
 }
 
 /* Moves the others as near as they come to a rough start, so that the way to close it is found that is nearest. */
@@ -109,9 +109,10 @@ static bool close_positions(const assembly *a)
     choose_free(a, false, true);
     const gap left = closing_run(&a->c, false, a->is_free);
     if (!(left.size <= exact)) {
-        source_problem(a->s, cut_of(a, left)->at,
-                       "'%s' contradicts the other closures: %.3g %s stay open, with rank %d of %d constraints",
-                       cut_of(a, left)->name, left.size, unit_of(a, left), left.rank, left.all);
+        source_problem(
+            a->s, cut_of(a, left)->at,
+            "'%s' contradicts the other closures: a gap of %.3g %s remains; the constraints have rank %d of %d",
+            cut_of(a, left)->name, left.size, unit_of(a, left), left.rank, left.all);
         return false;
     }
     return true;
@@ -123,8 +124,7 @@ static bool close_speeds(const assembly *a)
     const gap open = closing_run(&a->c, true, a->is_free);
     if (!(open.size <= closed)) {
         source_problem(a->s, cut_of(a, open)->at,
-                       "the speeds given at the start tear '%s' open at %.3g %s/s: leave out those that follow from "
-                       "the others",
+                       "the speeds at the start violate '%s' by %.3g %s/s: leave out those that follow from the others",
                        cut_of(a, open)->name, open.size, unit_of(a, open));
         return false;
     }
@@ -132,8 +132,8 @@ static bool close_speeds(const assembly *a)
     const gap left = closing_run(&a->c, true, a->is_free);
     if (left.rank < left.all && !a->m->is_redundant) {
         source_problem(a->s, a->m->cuts[a->held->all[a->held->count - 1].cut].at,
-                       "the closures repeat each other: rank %d of %d constraints at the start; leave out what is "
-                       "redundant, or write stabilisation lagrangian",
+                       "the closures are redundant: their constraints have rank %d of %d at the start; leave out the "
+                       "redundant ones, or write stabilisation lagrangian",
                        left.rank, left.all);
         return false;
     }
@@ -147,8 +147,8 @@ static bool check_dropped(const assembly *a)
         const double off = fabs(a->c.numbers[a->held->dropped_gaps[i]]);
         const cut *c = &a->m->cuts[a->held->dropped_cuts[i]];
         if (!(off <= closed)) {
-            source_problem(a->s, c->at, "'%s' cannot close: it is %.3g (m or rad) off where no joint moves it", c->name,
-                           off);
+            source_problem(a->s, c->at, "'%s' cannot close: a gap of %.3g (m or rad) remains that no joint can close",
+                           c->name, off);
             return false;
         }
     }
@@ -162,8 +162,8 @@ static bool check_distances(const assembly *a)
         const constraint *c = &a->held->all[r];
         if (a->m->cuts[c->cut].kind == CLOSE_DISTANCE && !(a->c.numbers[c->length] > closed)) {
             source_problem(a->s, a->m->cuts[c->cut].at,
-                           "the points of '%s' are together at the start, which is no distance: length 1 m, or a start "
-                           "that parts them",
+                           "the points of '%s' coincide at the start: write a length, as in length 1 m, or a start at "
+                           "which they are apart",
                            a->m->cuts[c->cut].name);
             return false;
         }

@@ -14,7 +14,7 @@ static void build_applied_force(builder *b, const body_force *written)
     const vector point = vector_value(b, written->point, metre, "a point");
     const node lever = scalar_value(b, written->moment, metre, "the moment of a force for each newton");
     if (pushed == -2) {
-        source_problem(b->s, written->body.at, "a force on the ground moves nothing");
+        source_problem(b->s, written->body.at, "a force on the ground has no effect");
     }
     if (pushed < 0 || drive < 0 || written->axis == NULL || !unit_axis(b, written->axis, axis)) {
         return;
@@ -22,7 +22,7 @@ static void build_applied_force(builder *b, const body_force *written)
     const body_frame *frame = &b->made.frames[pushed];
     if (!frame->placed || frame->link == GROUND) {
         if (frame->placed) {
-            source_problem(b->s, written->body.at, "'%s' is welded to the ground: a force moves nothing",
+            source_problem(b->s, written->body.at, "'%s' is fixed to the ground: a force on it has no effect",
                            written->body.text);
         }
         return;

@@ -31,9 +31,6 @@ typedef struct builder {
 vector vector_value(builder *b, const formula *f, dimension of, const char *what);
 node scalar_value(builder *b, const formula *f, dimension of, const char *what);
 
-/* Notes that a property cannot stand where it is written. */
-void refuse(builder *b, const formula *f, const char *property, const char *why);
-
 /* joints.c: the links that a joint is a chain of, from the parent's side, each with its axes against the joint's frame;
  * their number. And the degrees of degree of freedom of all links. */
 int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT]);

@@ -55,7 +55,7 @@ static bool build_between(builder *b, const closure *written, cut *made)
         return false;
     }
     if (made->parent.link == made->child.link) {
-        source_problem(b->s, written->name.at, "'%s' closes nothing: '%s' and '%s' do not move against each other",
+        source_problem(b->s, written->name.at, "'%s' closes nothing: '%s' and '%s' do not move relative to each other",
                        written->name.text, written->parent.body.text, written->child.body.text);
         return false;
     }
@@ -63,12 +63,12 @@ static bool build_between(builder *b, const closure *written, cut *made)
     const bool rolls = written->kind == CLOSE_ROLLING;
     made->length = scalar_value(b, rolls ? written->radius : written->length, metre, rolls ? "a radius" : "a length");
     if (rolls && made->parent.link != GROUND) {
-        source_problem(b->s, written->parent.body.at, "a ball rolls on the ground: parent ground");
+        source_problem(b->s, written->parent.body.at, "a ball can roll only on the ground: parent ground");
     }
     const bool sized = rolls || written->kind == CLOSE_DISTANCE;
     if (sized && (rolls || written->length != NULL) && !(value_now(&b->values, made->length) > 0.0)) {
         source_problem(b->s, rolls && written->radius != NULL ? written->radius->at : written->name.at,
-                       "a %s is larger than zero", rolls ? "radius" : "length");
+                       "a %s must be larger than zero", rolls ? "radius" : "length");
         return false;
     }
     return true;
@@ -86,7 +86,8 @@ int coordinate_of(builder *b, name n)
     }
     const int found = find_joint(b->s, b->written, n);
     if (found >= 0) {
-        source_problem(b->s, n.at, "the joint '%s' has not one coordinate, which a gear or a motion needs", n.text);
+        source_problem(b->s, n.at, "a gear or a motion needs one coordinate; the joint '%s' has none or several",
+                       n.text);
     }
     return -1;
 }
@@ -123,7 +124,7 @@ static bool build_gear(builder *b, const closure *written, cut *made)
         return false;
     }
     if (made->parent.link == made->child.link) {
-        source_problem(b->s, written->second.at, "a gear of '%s' with itself", written->second.text);
+        source_problem(b->s, written->second.at, "a gear needs two joints; both are '%s'", written->second.text);
         return false;
     }
     const link *first = &b->made.links[made->parent.link], *second_link = &b->made.links[made->child.link];
@@ -158,7 +159,7 @@ static double option(builder *b, const formula *f, dimension of, const char *wha
 {
     const double number = value_constant(&b->values, f, of, what, fallback);
     if (f != NULL && !(number >= least)) {
-        source_problem(b->s, f->at, "%s is at least %g", what, least);
+        source_problem(b->s, f->at, "%s must be at least %g", what, least);
         return fallback;
     }
     return number;
@@ -192,7 +193,7 @@ static void build_stabilisation(builder *b)
     }
     made->violation_limit = value_displacement(&b->values, written->limit, "the limit", 0.0);
     if (made->violation_limit < 0.0) {
-        source_problem(b->s, written->limit->at, "the limit is at least 0");
+        source_problem(b->s, written->limit->at, "the limit must be at least 0");
     }
 }
 

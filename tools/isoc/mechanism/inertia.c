@@ -26,7 +26,7 @@ const char *inertia_fault(const double t[6])
     const double half = (t[0] + t[1] + t[2]) / 2;
     const double moments[6] = {half - t[0], half - t[1], half - t[2], -t[3], -t[4], -t[5]};
     if (!semidefinite(moments, scale)) {
-        return "belongs to no body: a principal moment is larger than the sum of the other two";
+        return "is impossible: a principal moment is larger than the sum of the other two";
     }
     return NULL;
 }

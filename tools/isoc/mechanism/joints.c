@@ -42,7 +42,7 @@ static double start_angle(builder *b, const joint *j, size_t n)
     const formula *f = j->start.turns[n].angle;
     const double angle = value_constant(&b->values, f, radian, "an angle", 0.0);
     if (fabs(angle) > largest_angle) {
-        source_problem(b->s, f->at, "the start is beyond %g rad", largest_angle);
+        source_problem(b->s, f->at, "the start must be within %g rad", largest_angle);
     }
     return angle;
 }
@@ -58,7 +58,7 @@ static void start_quaternion(builder *b, const joint *j, double q[4])
             q[i] = norm > 0.0 ? q[i] / norm : 0.0;
         }
         if (!(norm > 0.0) && b->s->problem_count == problems) {
-            source_problem(b->s, f->at, "a quaternion of length zero is no orientation: quaternion (1, 0, 0, 0)");
+            source_problem(b->s, f->at, "a quaternion of length zero is not an orientation: quaternion (1, 0, 0, 0)");
         }
         return;
     }
@@ -93,7 +93,7 @@ static link part(builder *b, const joint *j, joint_kind kind, const char *ending
     const formula *damping = turns && !joint_has_one_coordinate(j->kind) ? j->spin_damping : j->damping;
     made.damping = scalar_value(b, damping, resistance, "the damping of this joint");
     if (value_now(&b->values, made.damping) < 0.0) {
-        source_problem(b->s, damping->at, "damping is not negative: it takes energy away");
+        source_problem(b->s, damping->at, "damping must not be negative");
     }
     return made;
 }
@@ -112,7 +112,7 @@ static link single(builder *b, const joint *j, int axis, double sign)
     made.start_is_rough = j->start.is_rough;
     made.start_given = start != NULL && !j->start.is_rough;
     if (turns && fabs(made.start[0]) > (j->continuous ? half_turn : largest_angle)) {
-        source_problem(b->s, start->at, "the start is beyond %s", j->continuous ? "180 deg" : "10000 rad");
+        source_problem(b->s, start->at, "the start must be within %s", j->continuous ? "180 deg" : "10000 rad");
     }
     made.speed[0] = value_constant(&b->values, j->speed, per_second(coordinate), "the speed of this joint", 0.0);
     made.speed_given = j->speed != NULL;
@@ -120,8 +120,8 @@ static link single(builder *b, const joint *j, int axis, double sign)
     made.rest = scalar_value(b, j->rest, coordinate, "the rest of this spring");
     made.drive = j->drive.text == NULL ? -1 : find_input(b->s, b->written, j->drive);
     made.continuous = j->continuous;
-    if (j->continuous) {
-        refuse(b, j->spring, "a spring", "on a continuous joint, whose angle starts anew each turn");
+    if (j->continuous && j->spring != NULL) {
+        source_problem(b->s, j->spring->at, "a continuous joint cannot have a spring: its angle is kept within a turn");
     }
     return made;
 }
@@ -183,7 +183,7 @@ static void check_plane(builder *b, const formula *f, const double at[3], const 
         size += fabs(at[i]);
     }
     if (fabs(out) > 1e-12 * size) {
-        source_problem(b->s, f->at, "out of the joint's plane, which its axis is normal to");
+        source_problem(b->s, f->at, "the vector must lie in the joint's plane, which is normal to its axis");
     }
 }
 

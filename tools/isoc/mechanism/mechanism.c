@@ -33,13 +33,6 @@ node scalar_value(builder *b, const formula *f, dimension of, const char *what)
     return r;
 }
 
-void refuse(builder *b, const formula *f, const char *property, const char *why)
-{
-    if (f != NULL) {
-        source_problem(b->s, f->at, "%s %s", property, why);
-    }
-}
-
 /* --- bodies --- */
 
 static tensor inertia_value(builder *b, const body *written)
@@ -81,7 +74,7 @@ static void build_bodies(builder *b)
         const size_t problems = b->s->problem_count;
         made->mass = scalar_value(b, written->mass, kilogram, "a mass");
         if (written->mass != NULL && b->s->problem_count == problems && !(value_now(&b->values, made->mass) > 0.0)) {
-            source_problem(b->s, written->mass->at, "a mass is larger than zero");
+            source_problem(b->s, written->mass->at, "a mass must be larger than zero");
         }
         made->com = vector_value(b, written->com, metre, "a centre of mass");
         made->inertia = inertia_value(b, written);
@@ -102,14 +95,15 @@ static void connect(builder *b, size_t i)
     b->parents[i] = resolve_end(b, &j->parent);
     const int child = b->children[i] = resolve_end(b, &j->child);
     if (child == -2) {
-        source_problem(b->s, j->child.body.at, "the ground is nobody's child: swap parent and child");
+        source_problem(b->s, j->child.body.at, "the ground cannot be a child: swap parent and child");
         b->children[i] = -1;
     } else if (child >= 0 && child == b->parents[i]) {
-        source_problem(b->s, j->child.body.at, "a joint of '%s' with itself", j->child.body.text);
+        source_problem(b->s, j->child.body.at, "a joint needs two bodies; both are '%s'", j->child.body.text);
         b->children[i] = -1;
     } else if (child >= 0 && b->solids[child].joint >= 0) {
         const name *first = &b->written->joints[b->solids[child].joint].name;
-        source_problem(b->s, j->child.body.at, "'%s' is the child of joint '%s' in line %zu already: a loop",
+        source_problem(b->s, j->child.body.at,
+                       "'%s' is already the child of the joint '%s' in line %zu: a loop is closed by 'close'",
                        j->child.body.text, first->text, source_line(b->s, first->at));
         b->children[i] = -1;
     } else if (child >= 0) {
@@ -208,7 +202,7 @@ static void build_tree(builder *b)
         }
         if (!hung[i] && b->children[i] >= 0 && steps > joints) {
             source_problem(b->s, b->written->joints[i].name.at,
-                           "the joint '%s' is part of a loop that no joint ties to the ground",
+                           "the joint '%s' is part of a loop that is not connected to the ground",
                            b->written->joints[i].name.text);
         }
     }
@@ -219,7 +213,8 @@ static void build_tree(builder *b)
     for (size_t i = 0; i < b->written->body_count && known; i++) {
         if (b->solids[i].joint < 0) {
             source_problem(b->s, b->written->bodies[i].name.at,
-                           "the body '%s' is no joint's child: it hangs on nothing", b->written->bodies[i].name.text);
+                           "the body '%s' is not the child of a joint: one that floats needs a free joint",
+                           b->written->bodies[i].name.text);
         }
     }
 }
@@ -285,7 +280,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
         source_problem(s, s->length, "the scene has no step: step 1 ms");
     }
     if (!moves) {
-        source_problem(s, s->length, "nothing moves: the scene has no body on a joint that is not fixed");
+        source_problem(s, s->length, "nothing moves: the scene has no joint that is not fixed");
     }
     if (written->output_count == 0) {
         source_problem(s, s->length, "the scene has no output: output angle = position of a joint");

@@ -60,16 +60,16 @@ static node as_phase(builder *b, const closure *written, node moving)
     node speed;
     differentiate(g, &moving, 1, time, &speed);
     if (!is_constant(g, speed)) {
-        source_problem(
-            b->s, written->motion->at,
-            "in the motion of the continuous joint '%s', time has a constant factor: 60 rpm * time; or write "
-            "its speed as a function of time",
-            written->first.text);
+        source_problem(b->s, written->motion->at,
+                       "the motion of the continuous joint '%s' must grow at a constant speed, as in 60 rpm * time; "
+                       "for any other, write its speed",
+                       written->first.text);
         return moving;
     }
     const double turns = constant_value(g, speed) * b->made.step / two_pi;
     if (fabs(turns) > 0.5) {
-        source_problem(b->s, written->motion->at, "more than half a turn in a step: it cannot be seen");
+        source_problem(b->s, written->motion->at,
+                       "the motion turns by more than half a turn in a step: use a shorter step");
     }
     const node rest = replace_leaf(g, moving, time, constant(g, 0.0));
     return turns == 0.0 ? rest : add(g, rest, timed(g, OP_PHASE, turns, 0.0));
@@ -91,7 +91,7 @@ bool build_motion(builder *b, const closure *written, cut *made)
         source_problem(b->s, written->motion == NULL ? written->name.at : written->speed->at,
                        written->motion == NULL
                            ? "the closure '%s' has no motion: motion 0.3 rad * sin(2 Hz), or speed 60 rpm"
-                           : "the closure '%s' has a motion already, which gives its speed",
+                           : "the closure '%s' has a motion, which gives its speed: leave out one of them",
                        written->name.text);
         return false;
     }

@@ -72,8 +72,7 @@ static bool find_connection(builder *b, const output *o, shown *made)
     bool is_joint;
     const int of = find_joint_or_closure(b->s, b->written, o->of, &is_joint);
     if (of >= 0 && !is_joint && acts_along_joints(b->written->closures[of].kind)) {
-        source_problem(b->s, o->of.at, "'%s' acts along joints, not by a force between bodies: effort of %s",
-                       o->of.text, o->of.text);
+        source_problem(b->s, o->of.at, "'%s' has no force between bodies: show effort of %s", o->of.text, o->of.text);
     }
     made->body = of >= 0 && is_joint ? b->children[of] : -1;
     made->cut = of >= 0 && !is_joint ? of : -1;
@@ -84,8 +83,8 @@ static bool find_transmission(builder *b, const output *o, shown *made)
 {
     made->cut = find_closure(b->s, b->written, o->of);
     if (made->cut >= 0 && !acts_along_joints(b->written->closures[made->cut].kind)) {
-        source_problem(b->s, o->of.at, "'%s' acts by a force between bodies: force of %s, or moment of %s", o->of.text,
-                       o->of.text, o->of.text);
+        source_problem(b->s, o->of.at, "'%s' has no effort: show force of %s, or moment of %s", o->of.text, o->of.text,
+                       o->of.text);
     }
     return made->cut >= 0;
 }

@@ -56,7 +56,7 @@ void place_joint(builder *b, const placement *p, matrix *turn_made, vector *orig
         }
         double angle = value_constant(&b->values, p->turns[i].angle, radian, "an angle", 0.0);
         if (fabs(angle) > largest_angle) {
-            source_problem(b->s, p->turns[i].angle->at, "an angle beyond %g rad", largest_angle);
+            source_problem(b->s, p->turns[i].angle->at, "an angle must be within %g rad", largest_angle);
             angle = 0.0;
         }
         *turn_made = matrix_snap(b->g, matrix_product(b->g, *turn_made, rodrigues(b->g, axis, angle)));

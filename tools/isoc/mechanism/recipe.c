@@ -43,10 +43,10 @@ static void build_adams(builder *b)
     b->made.substeps =
         value_constant(&b->values, written->substeps, no_unit, "the number of sub-steps", ISO_ADAMS_BUDGET);
     if (!(b->made.tolerance > 0.0)) {
-        source_problem(b->s, written->tolerance->at, "a tolerance is larger than zero");
+        source_problem(b->s, written->tolerance->at, "a tolerance must be larger than zero");
     }
     if (!(b->made.substeps >= 1.0 && b->made.substeps <= 1e6) || b->made.substeps != floor(b->made.substeps)) {
-        source_problem(b->s, written->substeps->at, "sub-steps are a whole number from 1 to 1000000");
+        source_problem(b->s, written->substeps->at, "the number of sub-steps must be a whole number from 1 to 1000000");
     }
 }
 
@@ -61,13 +61,14 @@ void build_method(builder *b)
         const output *o = &written->outputs[i];
         recipe |= o->kind == OUTPUT_LOCAL_ERROR ? ISO_CHECKED : 0U;
         if (o->kind == OUTPUT_RESIDUAL && !ISO_IS(recipe, ISO_BDF4)) {
-            source_problem(b->s, o->kind_at, "only bdf4 has a residual, of its Newton iteration");
+            source_problem(b->s, o->kind_at, "only bdf4 has a residual");
         }
     }
     if (written->iterations != NULL) {
         const double count = value_constant(&b->values, written->iterations, no_unit, "the number of iterations", 2.0);
         if (!(count >= 1.0 && count <= 10.0) || count != floor(count)) {
-            source_problem(b->s, written->iterations->at, "iterations are a whole number from 1 to 10");
+            source_problem(b->s, written->iterations->at,
+                           "the number of iterations must be a whole number from 1 to 10");
         } else {
             recipe |= ISO_ITERATIONS((unsigned)count);
         }
@@ -82,11 +83,11 @@ void build_step(builder *b)
     b->made.step = value_constant(&b->values, f, second, "the step", 1e-3);
     const double ns = b->made.step * 1e9, whole = floor(ns + 0.5);
     if (f != NULL && !(b->made.step >= 1e-6 && b->made.step <= 1.0)) {
-        source_problem(b->s, f->at, "a step is between 1 us and 1 s");
+        source_problem(b->s, f->at, "the step must be between 1 us and 1 s");
         b->made.step = 1e-3;
     } else if (f != NULL && fabs(ns - whole) > rounding * ns) {
-        source_problem(b->s, f->at, "a step is a whole number of nanoseconds, such as %.0f ns or %.0f ns", floor(ns),
-                       ceil(ns));
+        source_problem(b->s, f->at, "the step must be a whole number of nanoseconds, such as %.0f ns or %.0f ns",
+                       floor(ns), ceil(ns));
     }
     b->values.step = b->made.step;
 }

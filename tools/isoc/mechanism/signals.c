@@ -36,10 +36,10 @@ void build_inputs(builder *b)
             continue;
         }
         if (!force && !torque) {
-            source_problem(b->s, q->name.at, "the input '%s' drives no joint: write 'drive %s' in one", q->name.text,
-                           q->name.text);
+            source_problem(b->s, q->name.at, "the input '%s' is not used: write 'drive %s' in a joint or a force",
+                           q->name.text, q->name.text);
         } else if (force && torque) {
-            source_problem(b->s, q->name.at, "the input '%s' is a torque in one place and a force in another",
+            source_problem(b->s, q->name.at, "the input '%s' drives both a torque and a force: use two inputs",
                            q->name.text);
         }
         made->input_names[i] = q->name.text;
@@ -49,7 +49,7 @@ void build_inputs(builder *b)
         made->jumps[i] =
             value_constant(&b->values, force || torque ? q->jump : NULL, effort, what, q->jump != NULL ? 1.0 : 0.0);
         if (q->jump != NULL && !(made->jumps[i] > 0.0)) {
-            source_problem(b->s, q->jump->at, "a jump is larger than zero");
+            source_problem(b->s, q->jump->at, "a jump must be larger than zero");
         }
     }
     b->values.time_allowed = false;

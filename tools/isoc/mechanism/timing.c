@@ -19,7 +19,7 @@ static value scalar(node n, dimension of)
 static bool refuses_time(values *v, const formula *f)
 {
     if (!v->time_allowed) {
-        source_problem(v->s, f->at, "'%s' is a function of time: only an input or a motion can be one", f->name);
+        source_problem(v->s, f->at, "'%s' depends on time: only an input or a motion can", f->name);
     }
     return !v->time_allowed;
 }
@@ -34,7 +34,7 @@ static value evaluate_wave(values *v, const formula *f)
 {
     static const dimension hertz = {0, 0, -1, 0}, radian = {0, 0, 0, 1}, speed = {0, 0, -1, 1};
     if (f->count != 1 && f->count != 2) {
-        source_problem(v->s, f->at, "%s takes a frequency and, if wanted, a phase: %s(3 Hz, 90 deg)", f->name, f->name);
+        source_problem(v->s, f->at, "%s needs a frequency, and may have a phase: %s(3 Hz, 90 deg)", f->name, f->name);
         return nothing;
     }
     value frequency = value_any(v, f->parts[0]);
@@ -52,7 +52,7 @@ static value evaluate_wave(values *v, const formula *f)
     const double phase = f->count == 2 ? value_constant(v, f->parts[1], radian, "the phase", 0.0) : 0.0;
     const double turns = constant_value(v->g, frequency.parts[0]) * v->step;
     if (fabs(turns) > 0.5) {
-        source_problem(v->s, f->parts[0]->at, "more than half a period in a step: the wave cannot be seen");
+        source_problem(v->s, f->parts[0]->at, "more than half a period in a step: use a shorter step");
         return nothing;
     }
     const node angle = timed(v->g, OP_PHASE, turns, phase / (2 * pi));
@@ -81,7 +81,7 @@ static value evaluate_points(values *v, const formula *f)
 {
     const bool is_smooth = strcmp(f->name, "ramp") == 0;
     if (f->count < 2 || f->count % 2 != 0) {
-        source_problem(v->s, f->at, "a %s is pairs of time and value: %s(0 s: 0 N, 1 s: 8 N)", f->name, f->name);
+        source_problem(v->s, f->at, "a %s needs pairs of time and value: %s(0 s: 0 N, 1 s: 8 N)", f->name, f->name);
         return nothing;
     }
     const char *a_time = arena_format(v->s->memory, "a time of the %s", f->name);
@@ -95,11 +95,12 @@ static value evaluate_points(values *v, const formula *f)
             return nothing;
         }
         if (here.count != 1 || last.count != 1 || (!here.any && !last.any && !dimension_equal(here.of, last.of))) {
-            source_problem(v->s, f->parts[i + 1]->at, "the values of a %s are numbers of one dimension", f->name);
+            source_problem(v->s, f->parts[i + 1]->at, "the values of a %s must be numbers of the same dimension",
+                           f->name);
             return nothing;
         }
         if (!(time > last_time) || last_time < 0.0) {
-            source_problem(v->s, f->parts[i]->at, "the times of a %s begin at 0 or later and rise", f->name);
+            source_problem(v->s, f->parts[i]->at, "the times of a %s must begin at 0 or later, and increase", f->name);
             return nothing;
         }
         if (time > most_ticks) {
@@ -136,7 +137,7 @@ value call_of_formula(values *v, const formula *f)
         return nothing;
     }
     if (v->is_smooth && strcmp(f->name, "table") == 0) {
-        source_problem(v->s, f->at, "a motion is smooth, and a table has corners: ramp has none");
+        source_problem(v->s, f->at, "a motion must be smooth, and a table has corners: use ramp");
         return nothing;
     }
     if (refuses_time(v, f)) {

@@ -84,7 +84,8 @@ static void evaluate_parameter(values *v, size_t i)
     if (result.count > 0 && q->tunable) {
         const int index = v->tunable_index[i];
         if (result.count != 1 || !is_constant(v->g, result.parts[0])) {
-            source_problem(v->s, q->value->at, "a tunable parameter is one number that no other tunable is part of");
+            source_problem(v->s, q->value->at,
+                           "a tunable parameter must be one number that depends on no other tunable");
             result = nothing();
         } else if (!check_range(v, q->value, "this parameter", constant_value(v->g, result.parts[0]))) {
             result = nothing();
@@ -199,7 +200,7 @@ static value evaluate_vector(values *v, const formula *f)
 {
     value r = {.any = true};
     if (f->count > VALUE_PARTS) {
-        source_problem(v->s, f->at, "%zu parts: a vector has three (x, y, z), and nothing has more than six", f->count);
+        source_problem(v->s, f->at, "%zu parts: a vector has three (x, y, z), an inertia three or six", f->count);
         return nothing();
     }
     for (size_t i = 0; i < f->count; i++) {
@@ -208,12 +209,12 @@ static value evaluate_vector(values *v, const formula *f)
             return nothing();
         }
         if (part.count != 1) {
-            source_problem(v->s, f->parts[i]->at, "a part of a vector is one number");
+            source_problem(v->s, f->parts[i]->at, "a part of a vector must be one number");
             return nothing();
         }
         if (!part.any && !r.any && !dimension_equal(part.of, r.of)) {
-            source_problem(v->s, f->parts[i]->at, "%s beside %s in one vector", dimension_text(v->s->memory, part.of),
-                           dimension_text(v->s->memory, r.of));
+            source_problem(v->s, f->parts[i]->at, "%s and %s in one vector: its parts must have the same unit",
+                           dimension_text(v->s->memory, part.of), dimension_text(v->s->memory, r.of));
             return nothing();
         }
         if (!part.any) {
@@ -229,7 +230,7 @@ static value evaluate_scale(values *v, const formula *f)
 {
     value r = value_any(v, f->parts[0]);
     if (r.count > 0 && !dimension_equal(r.of, plain)) {
-        source_problem(v->s, f->at, "a unit after a parenthesis that has units inside");
+        source_problem(v->s, f->at, "units inside the parentheses and after them: write only one of both");
         return nothing();
     }
     for (int i = 0; i < r.count; i++) {
@@ -263,7 +264,7 @@ static value evaluate_sum(values *v, const formula *f, value a, value b)
 static value evaluate_product(values *v, const formula *f, value a, value b)
 {
     if ((a.count != 1 && b.count != 1) || (f->sign == '/' && b.count != 1)) {
-        source_problem(v->s, f->at, "a product has at most one vector, and none below a fraction");
+        source_problem(v->s, f->at, "a vector cannot be multiplied by a vector, nor divide");
         return nothing();
     }
     if (f->sign == '/' && value_now(v, b.parts[0]) == 0.0) {
@@ -277,7 +278,7 @@ static value evaluate_product(values *v, const formula *f, value a, value b)
         r.parts[i] = f->sign == '*' ? mul(v->g, left, right) : divide(v->g, left, right);
     }
     if (!dimension_times(&r.of, b.of, f->sign == '*' ? 1 : -1)) {
-        source_problem(v->s, f->at, "a power of a unit beyond 9");
+        source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
         return nothing();
     }
     return r;
@@ -304,7 +305,7 @@ static value evaluate_power(values *v, const formula *f)
 {
     value r = value_any(v, f->parts[0]);
     if (r.count > 1) {
-        source_problem(v->s, f->at, "a vector has no power");
+        source_problem(v->s, f->at, "a vector cannot be raised to a power");
         return nothing();
     }
     if (r.count == 1) {
@@ -313,7 +314,7 @@ static value evaluate_power(values *v, const formula *f)
         r.of = plain;
         r.any = false;
         if (!dimension_times(&r.of, of, (int)f->number)) {
-            source_problem(v->s, f->at, "a power of a unit beyond 9");
+            source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
             return nothing();
         }
     }
@@ -384,7 +385,7 @@ value value_of(values *v, const formula *f, dimension of, int parts, const char 
     }
     for (int i = 0; i < r.count; i++) {
         if (!isfinite(value_now(v, r.parts[i]))) {
-            source_problem(v->s, f->at, "%s is beyond the finite numbers", what);
+            source_problem(v->s, f->at, "%s is not finite", what);
             return nothing();
         }
         if (!check_constants(v, f, what, r.parts[i])) {

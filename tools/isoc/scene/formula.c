@@ -58,7 +58,7 @@ static bool parse_unit_factor(parser *p, unit *product, bool divide)
     if (take_sign(p, '^')) {
         power = take_sign(p, '-') ? -power : power;
         if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
-            parse_problem(p, "a unit's power is one digit: m/s^2");
+            parse_problem(p, "a unit's power must be one digit: m/s^2");
             return false;
         }
         power *= p->next->text[0] - '0';
@@ -73,7 +73,7 @@ static bool parse_unit_factor(parser *p, unit *product, bool divide)
         product->denominator *= u.numerator;
     }
     if (!dimension_times(&product->of, u.of, power)) {
-        source_problem(p->s, at, "a power of a unit beyond 9");
+        source_problem(p->s, at, "the power of a unit must be within -9 and 9");
         p->failed = true;
         return false;
     }
@@ -206,7 +206,7 @@ static formula *parse_signed(parser *p)
             add_part(p, power, f);
             power->number = p->next->number;
             if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
-                parse_problem(p, "a power is one digit: r^2");
+                parse_problem(p, "a power must be one digit: r^2");
             }
             p->next += !p->failed;
             f = power;

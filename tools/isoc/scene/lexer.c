@@ -100,7 +100,7 @@ static void lex_name(lexer *l)
     }
     token *t = add(l, TOKEN_NAME, from);
     if (l->at - from > 64) {
-        source_problem(l->s, from, "a name of %zu characters: 64 is the most", l->at - from);
+        source_problem(l->s, from, "a name of %zu characters: at most 64 are allowed", l->at - from);
         t->text = arena_copy(l->s->memory, l->s->text + from, 64);
     }
 }
@@ -114,7 +114,7 @@ static void lex_garbage(lexer *l)
     } else if (c < ' ' || c > '~') {
         source_problem(l->s, l->at, "a byte 0x%02X outside a comment: a scene is plain ASCII text", (unsigned)c);
     } else {
-        source_problem(l->s, l->at, "'%c' means nothing here", c);
+        source_problem(l->s, l->at, "unexpected character '%c'", c);
     }
     while (l->at < l->s->length) {
         const char next = l->s->text[l->at];

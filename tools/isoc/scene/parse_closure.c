@@ -47,7 +47,7 @@ static void read_point(parser *p, const token *word, void *slot)
     f->body = at.body;
     f->point = at.position;
     if (at.turn_count != 0) {
-        source_problem(p->s, at.turns[0].at, "a force acts on a point, which is not turned: turn its axis");
+        source_problem(p->s, at.turns[0].at, "a point cannot be turned: turn the axis of the force");
     }
 }
 

@@ -50,8 +50,8 @@ pose parse_pose(parser *p, bool axis_needed)
             parse_quaternion(p, &read, word);
         }
         if (read.turn_count != 0 && read.quaternion != NULL) {
-            source_problem(p->s, word->at, "'%s' beside '%s': an orientation is given by turns or by a quaternion",
-                           word->text, word->text[0] == 'r' ? "quaternion" : "rotate");
+            source_problem(p->s, word->at, "'%s' and '%s': give an orientation by turns or by a quaternion", word->text,
+                           word->text[0] == 'r' ? "quaternion" : "rotate");
         }
         word = p->next;
     }
@@ -68,7 +68,7 @@ void read_placement(parser *p, const token *word, void *slot)
     const pose read = parse_pose(p, true);
     if (read.quaternion != NULL) {
         source_problem(p->s, read.quaternion->at,
-                       "a quaternion is for a start; a %s is turned like this: rotate 90 deg about x", word->text);
+                       "a quaternion is only for a start; turn a %s like this: rotate 90 deg about x", word->text);
     }
     to->position = read.position;
     to->turns = read.turns;
