@@ -18,8 +18,7 @@
 #ifndef ISO_CORE_METHODS_ADAMS_H
 #define ISO_CORE_METHODS_ADAMS_H
 
-#include "core/methods/history.h"
-#include "core/methods/progress.h"
+#include "core/methods/step.h"
 
 enum {
     ISO_ADAMS_ORDERS = 4,
@@ -31,14 +30,14 @@ enum {
 };
 
 /* The local error of a sub-step may be this, and this times |x| more, where nothing is said. */
+#ifndef ISO_ADAMS_TOLERANCE
 #define ISO_ADAMS_TOLERANCE R(1e-6)
+#endif
 
 /* The estimate of what is not finite: infinite. */
 #define ISO_ADAMS_FAILED iso_real_of(ISO_EXPONENT_BITS)
 
-/* Reals of x, the states and what is kept behind them, and of work space. */
-#define ISO_ADAMS_STATE(n) ((1 + ISO_ADAMS_ROWS) * (n))
-#define ISO_ADAMS_WORK(n) (4 * (n))
+enum { ISO_ADAMS_VECTORS = 4 }; /* of work space */
 
 typedef struct iso_adams_options {
     real tolerance_absolute; /* above zero; infinite: the steps are never smaller than need be */
@@ -47,6 +46,15 @@ typedef struct iso_adams_options {
     bool driven; /* and one more where inputs change from tick to tick: the derivative at its start is evaluated anew */
     uint8_t level_max; /* at most ISO_ADAMS_LEVELS */
 } iso_adams_options;
+
+/* Where the equations name none. */
+static const iso_adams_options iso_adams_default = {
+    .tolerance_absolute = ISO_ADAMS_TOLERANCE,
+    .tolerance_relative = ISO_ADAMS_TOLERANCE,
+    .budget = ISO_ADAMS_BUDGET,
+    .driven = true,
+    .level_max = ISO_ADAMS_LEVEL_MAX,
+};
 
 /* Row j of the correction of order q, by that of row 1: its polynomial vanishes one step before, and its derivative at
  * the q - 1 steps before. Row 0 is the weight of the newest derivative in the implicit Adams formula of order q: what
@@ -98,7 +106,7 @@ static inline real iso_adams_ratio(const real e, const real weight)
     return iso_select(iso_not_finite(ratio), ISO_ADAMS_FAILED, ratio);
 }
 
-static inline void iso_adams_evaluate(const iso_adams_run *const run, const real *const x)
+ISO_INLINE void iso_adams_evaluate(const iso_adams_run *const run, const real *const x)
 {
     run->f(run->derivative, x, run->u, run->p);
     run->state->evaluations++;
@@ -415,10 +423,9 @@ static inline void iso_adams_attempt(iso_adams_run *const run)
     }
 }
 
-static inline iso_adams_run iso_adams_run_of(const iso_adams_options *const options, iso_adams_state *const state,
-                                             const iso_history *const history, iso_derivative *const f,
-                                             const real h_tick, const real *const u, const real *const p,
-                                             real *const work)
+ISO_INLINE iso_adams_run iso_adams_run_of(const iso_adams_options *const options, iso_adams_state *const state,
+                                          const iso_history *const history, iso_derivative *const f, const real h_tick,
+                                          const real *const u, const real *const p, real *const work)
 {
     const size_t n = history->n;
     return (iso_adams_run){
@@ -440,10 +447,10 @@ static inline iso_adams_run iso_adams_run_of(const iso_adams_options *const opti
 }
 
 /* Before the first tick, and after a jump: starts from the states in the history, whose past is [ISO_ADAMS_ROWS n]. One
- * evaluation. The counts go on. work[ISO_ADAMS_WORK(n)]. */
-static inline void iso_adams_start(const iso_adams_options *const options, iso_adams_state *const state,
-                                   const iso_history *const history, iso_derivative *const f, const real h_tick,
-                                   const real *const u, const real *const p, real *const work)
+ * evaluation. The counts go on. work[ISO_ADAMS_VECTORS n]. */
+ISO_INLINE void iso_adams_start(const iso_adams_options *const options, iso_adams_state *const state,
+                                const iso_history *const history, iso_derivative *const f, const real h_tick,
+                                const real *const u, const real *const p, real *const work)
 {
     state->level = 0;
     state->overdue = false;
@@ -451,11 +458,11 @@ static inline void iso_adams_start(const iso_adams_options *const options, iso_a
     iso_adams_begin(&run);
 }
 
-/* Advances the states by one tick with u and p held. work[ISO_ADAMS_WORK(n)]. Returns the largest part of its local
+/* Advances the states by one tick with u and p held. work[ISO_ADAMS_VECTORS n]. Returns the largest part of its local
  * error, absolute: the estimates of its sub-steps, added up state by state. */
-static inline real iso_adams_tick(const iso_adams_options *const options, iso_adams_state *const state,
-                                  const iso_history *const history, iso_derivative *const f, const real h_tick,
-                                  const real *const u, const real *const p, real *const work)
+ISO_INLINE real iso_adams_tick(const iso_adams_options *const options, iso_adams_state *const state,
+                               const iso_history *const history, iso_derivative *const f, const real h_tick,
+                               const real *const u, const real *const p, real *const work)
 {
     iso_adams_run run = iso_adams_run_of(options, state, history, f, h_tick, u, p, work);
     real largest = R(0.0);
@@ -476,6 +483,24 @@ static inline real iso_adams_tick(const iso_adams_options *const options, iso_ad
         largest = iso_larger(largest, run.error[s]);
     }
     return largest;
+}
+
+static inline const iso_adams_options *iso_adams_options_of(const iso_step *const step)
+{
+    return step->equations->adams == NULL ? &iso_adams_default : step->equations->adams;
+}
+
+/* The same as any other method; step->progress begins an iso_adams_state. */
+ISO_INLINE void iso_adams_step(iso_step *const step)
+{
+    step->error = iso_adams_tick(iso_adams_options_of(step), (iso_adams_state *)step->progress, step->history, step->f,
+                                 step->h, step->u, step->p, step->work);
+}
+
+ISO_INLINE void iso_adams_prime(iso_step *const step)
+{
+    iso_adams_start(iso_adams_options_of(step), (iso_adams_state *)step->progress, step->history, step->f, step->h,
+                    step->u, step->p, step->work);
 }
 
 #endif

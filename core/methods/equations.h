@@ -25,6 +25,7 @@ typedef struct iso_equations {
     size_t factors;
     iso_derivative *rates; /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
     size_t positions;      /* how many of the states are positions, which come first, where `rates` is given */
+    const struct iso_adams_options *adams; /* for adams only; NULL where what is usual will do */
 } iso_equations;
 
 #endif

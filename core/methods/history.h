@@ -7,14 +7,13 @@
 #define ISO_CORE_METHODS_HISTORY_H
 
 #include "core/methods/equations.h"
-#include "core/methods/tableau.h"
+#include "core/methods/implicit_adams.h"
 #include "core/numbers/unroll.h"
 
 typedef struct iso_history {
     size_t n;
-    real *x;          /* [n] the states */
-    real *past;       /* sums of the derivatives so far (core/methods/multistep.h), or rows (core/methods/adams.h) */
-    real *increments; /* [ISO_BDF4_STEPS n] of the steps before this one, the newest first; only bdf4 */
+    real *x;     /* [n] the states */
+    real *past;  /* what the method keeps of the steps before: sums of derivatives, increments, rows of a polynomial */
     real *check; /* [checked n] sums of the derivatives so far, the first one taken from the increment: iso_check */
     real *compensation; /* [n] what rounding has taken from x so far; NULL where x is not compensated */
     uint8_t checked;    /* derivatives before the end of a step that its check uses; 0 where steps are not checked */

@@ -15,8 +15,10 @@ typedef struct iso_progress {
     bool jumped;      /* the motion did, in this step: what the method keeps is of no use, nor is the step */
 } iso_progress;
 
-/* How a run of adams goes. Zeros before the first start. */
+/* How a run of adams goes: what any method tells, and then what adams alone does. Zeros before the first start. */
 typedef struct iso_adams_state {
+    iso_progress progress;
+
     uint8_t order;
     uint8_t level;
     uint8_t age; /* corrections of this order and level, up to 255; one from before the level changed counts as well */
@@ -29,5 +31,11 @@ typedef struct iso_adams_state {
     uint32_t restarts;     /* since the derivative jumped */
     uint32_t evaluations;
 } iso_adams_state;
+
+/* Of any method. */
+typedef union iso_any_progress {
+    iso_progress progress;
+    iso_adams_state adams;
+} iso_any_progress;
 
 #endif

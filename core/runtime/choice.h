@@ -16,9 +16,6 @@
 #define ISO_STEP 0.001
 #endif
 
-_Static_assert(!ISO_IS(ISO_METHOD, ISO_ADAMS),
-               "adams is for scenes; a plant in C calls iso_adams_tick of core/methods/adams.h");
-
 /* The step as a number, as text, and as the port's tick. */
 #define ISO_STEP_SIZE ISO_EXPAND(R, ISO_STEP)
 #define ISO_METHOD_TEXT ISO_EXPAND(ISO_STRING, ISO_METHOD_NAME)
@@ -33,7 +30,7 @@ _Static_assert(!ISO_IS(ISO_METHOD, ISO_ADAMS),
         real u[(input_count) > 0 ? (input_count) : 1];                                                                 \
         real p[(parameter_count) > 0 ? (parameter_count) : 1];                                                         \
         real y[(output_count) > 0 ? (output_count) : 1];                                                               \
-        iso_progress progress;                                                                                         \
+        iso_any_progress progress;                                                                                     \
     } plant_memory
 
 /* iso_the_plant, of `plant_memory`, `equations`, `output` and `start`; what else its model has follows as initialisers.
@@ -50,7 +47,7 @@ _Static_assert(!ISO_IS(ISO_METHOD, ISO_ADAMS),
         plant_memory *const memory = instance;                                                                         \
         real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, state_count)], lu[(state_count) * (state_count)];                  \
         iso_method_prime(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory->x, memory->u, memory->p, lu,      \
-                         work);                                                                                        \
+                         work, &memory->progress.progress);                                                            \
     }                                                                                                                  \
                                                                                                                        \
     ISO_FLAT static void step(void *const instance)                                                                    \
@@ -58,7 +55,7 @@ _Static_assert(!ISO_IS(ISO_METHOD, ISO_ADAMS),
         plant_memory *const memory = instance;                                                                         \
         real work[ISO_METHOD_WORK(ISO_METHOD, state_count)], lu[(state_count) * (state_count)];                        \
         iso_method_step(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory->x, memory->u, memory->p, lu, work, \
-                        &memory->progress);                                                                            \
+                        &memory->progress.progress);                                                                   \
     }                                                                                                                  \
                                                                                                                        \
     static const iso_model model = {.method = ISO_METHOD_TEXT,                                                         \
@@ -84,7 +81,8 @@ _Static_assert(!ISO_IS(ISO_METHOD, ISO_ADAMS),
                                      .u = the_memory.u,                                                                \
                                      .p = the_memory.p,                                                                \
                                      .y = the_memory.y,                                                                \
-                                     .progress = &the_memory.progress}
+                                     .progress = &the_memory.progress.progress,                                        \
+                                     .adams = ISO_IS_VARYING(ISO_METHOD) ? &the_memory.progress.adams : NULL}
 
 #define ISO_EXPAND(macro, argument) macro(argument)
 #define ISO_STRING(text) #text

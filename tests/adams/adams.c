@@ -51,7 +51,7 @@ static double error_of_abm4(const problem *const p, const long steps)
     const double h = p->end / (double)steps;
     const iso_equations equations = {.derivative = p->f};
     memcpy(x, p->start, p->n * sizeof *x);
-    iso_method_prime(ISO_ABM4, p->n, &equations, h, x, NULL, NULL, NULL, work);
+    iso_method_prime(ISO_ABM4, p->n, &equations, h, x, NULL, NULL, NULL, work, NULL);
     for (long i = 0; i < steps; i++) {
         iso_method_step(ISO_ABM4, p->n, &equations, h, x, NULL, NULL, NULL, work, NULL);
     }

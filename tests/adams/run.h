@@ -2,13 +2,13 @@
 #ifndef ISO_TESTS_ADAMS_RUN_H
 #define ISO_TESTS_ADAMS_RUN_H
 
-#include "core/methods/adams.h"
+#include "core/methods/method.h"
 
 enum { ADAMS_STATES_MAX = 10 };
 
 typedef struct adams_memory {
-    real x[ISO_ADAMS_STATE(ADAMS_STATES_MAX)];
-    real work[ISO_ADAMS_WORK(ADAMS_STATES_MAX)];
+    real x[ISO_METHOD_STATE(ISO_ADAMS, ADAMS_STATES_MAX)];
+    real work[ISO_ADAMS_VECTORS * ADAMS_STATES_MAX];
     iso_history history;
     iso_adams_options options;
     iso_adams_state state;

@@ -7,10 +7,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/methods/explicit.h"
+#include "core/methods/rk4.h"
 #include "core/runtime/plant.h"
 #include "tests/dynamics/tables.h"
 #include "tests/host/report.h"
+#include "tests/one_step.h"
 
 enum { STATES_MAX = 2 * BODIES_MAX + 1, NUMBERS_MAX = 3 * OUTPUTS_MAX };
 
@@ -64,7 +65,7 @@ static balance run(const int steps)
     const double h = iso_the_plant.model->step_size / steps;
     const uint32_t ticks = UINT32_C(1000000000) / iso_the_plant.model->period_ns;
     double x[STATES_MAX] = {0.0};
-    double work[ISO_EXPLICIT_WORK(STATES_MAX)];
+    double work[ISO_EXPLICIT_VECTORS * STATES_MAX];
     const iso_history history = {.n = n, .x = x};
     iso_plant_start(&iso_the_plant);
     memcpy(x, iso_the_plant.model->start, (n - 1) * sizeof *x);
@@ -76,7 +77,7 @@ static balance run(const int steps)
             iso_the_plant.model->drive(iso_the_plant.memory, tick);
         }
         for (int i = 0; i < steps; i++) {
-            (void)iso_explicit_step(&iso_tableau_rk4, &history, derivative, h, iso_the_plant.u,
+            (void)one_explicit_step(&iso_tableau_rk4, &history, derivative, h, iso_the_plant.u,
                                     iso_the_plant.model->defaults, work);
         }
         b.size += fabs(x[n - 1] - done);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tests/one_step.h"
 #include "tests/order/order.h"
 
 /* Steps of the reference in place of one. */
@@ -22,11 +23,11 @@ enum { ENOUGH = 100 };
 /* increment[STATES] of the solution through start over h. */
 static void exact_increment(real increment[STATES], const real start[STATES], const real h)
 {
-    real x[2 * STATES] = {R(0.0)}, work[ISO_EXPLICIT_WORK(STATES)];
+    real x[2 * STATES] = {R(0.0)}, work[ISO_EXPLICIT_VECTORS * STATES];
     const iso_history history = {.n = STATES, .x = x, .compensation = x + STATES};
     memcpy(x, start, STATES * sizeof *x);
     for (int i = 0; i < SUBSTEPS; i++) {
-        (void)iso_explicit_step(&iso_tableau_rk4, &history, the_equations->derivative, h / (real)SUBSTEPS, NULL, NULL,
+        (void)one_explicit_step(&iso_tableau_rk4, &history, the_equations->derivative, h / (real)SUBSTEPS, NULL, NULL,
                                 work);
     }
     for (int i = 0; i < STATES; i++) {

@@ -10,14 +10,14 @@
 
 const char *hard_name(const unsigned recipe)
 {
-    static const char *const names[ISO_METHODS + 1] = ISO_METHOD_NAMES;
+    static const char *const names[ISO_METHODS] = ISO_METHOD_NAMES;
     return names[ISO_METHOD_OF(recipe)];
 }
 
 void hard_prime(hard_run *const run)
 {
     iso_method_prime(run->recipe, run->problem->n, &run->problem->equations, run->h, run->x, run->u, run->problem->p,
-                     run->lu, run->work);
+                     run->lu, run->work, &run->progress.progress);
 }
 
 void hard_begin(hard_run *const run, const hard_problem *const problem, const unsigned recipe, const double h)
@@ -46,7 +46,7 @@ long hard_go(hard_run *const run, const long steps)
     long taken = 0;
     while (taken < steps && hard_guard(run) == run->problem->n) {
         iso_method_step(run->recipe, run->problem->n, &run->problem->equations, run->h, run->x, run->u, run->problem->p,
-                        run->lu, run->work, &run->progress);
+                        run->lu, run->work, &run->progress.progress);
         taken++;
     }
     return taken;
@@ -80,7 +80,7 @@ void hard_expect_failure(const hard_problem *const problem, const unsigned recip
     bool stays = state < problem->n;
     for (int i = 0; i < AFTER && stays; i++) {
         iso_method_step(recipe, problem->n, &problem->equations, run.h, run.x, run.u, problem->p, run.lu, run.work,
-                        &run.progress);
+                        &run.progress.progress);
         stays = hard_guard(&run) < problem->n;
     }
     report_ok(stays, "control: %s, %s, h = %g s: state %d is not finite after %ld steps, and stays so", problem->name,

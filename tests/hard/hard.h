@@ -42,8 +42,8 @@ typedef struct hard_run {
     real u[1];
     real x[ISO_METHOD_STATE(ISO_AB4 | ISO_CHECKED | ISO_COMPENSATED, HARD_STATES_MAX)];
     real lu[HARD_STATES_MAX * HARD_STATES_MAX];
-    real work[ISO_PRIME_WORK(HARD_STATES_MAX)];
-    iso_progress progress;
+    real work[ISO_PRIME_VECTORS * HARD_STATES_MAX];
+    iso_any_progress progress;
 } hard_run;
 
 const char *hard_name(unsigned recipe);

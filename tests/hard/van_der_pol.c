@@ -111,7 +111,7 @@ static double told(const unsigned recipe, const double t, const double h)
     hard_begin(&run, &problem, recipe | ISO_CHECKED, h);
     for (long i = 0; i < lround(t / h); i++) {
         (void)hard_go(&run, 1);
-        largest = fmax(largest, i < SETTLED ? 0.0 : (double)run.progress.local_error);
+        largest = fmax(largest, i < SETTLED ? 0.0 : (double)run.progress.progress.local_error);
     }
     return largest;
 }

@@ -12,7 +12,7 @@ static void exact(long double y[ORDER_STATES_MAX], const double *const defaults)
 {
     static double x[STATES * 2];
     static bool known;
-    double work[ISO_PRIME_WORK(STATES)];
+    double work[ISO_PRIME_VECTORS * STATES];
     iso_progress progress = {.local_error = 0.0};
     if (!known) {
         memcpy(x, the_problem.start, STATES * sizeof *x);

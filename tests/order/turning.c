@@ -60,7 +60,7 @@ static motion run(const unsigned recipe, const iso_equations *const eq, const in
 {
     const size_t n = iso_the_plant.model->states;
     const double h = ldexp(1.0, -k);
-    double work[ISO_EXPLICIT_WORK(STATES_MAX)], gyroscopic, next, power;
+    double work[ISO_EXPLICIT_VECTORS * STATES_MAX], gyroscopic, next, power;
     motion made = {.limit = 0.0};
     memcpy(made.x, iso_the_plant.model->start, n * sizeof *made.x);
     rates_of_energy(made.x, &gyroscopic, &power);

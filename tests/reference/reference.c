@@ -7,9 +7,10 @@
 #include <math.h>
 #include <string.h>
 
-#include "core/methods/explicit.h"
+#include "core/methods/rk4.h"
 #include "core/runtime/plant.h"
 #include "tests/host/report.h"
+#include "tests/one_step.h"
 #include "tests/reference/reference.h"
 
 #define FACTOR 3.0
@@ -54,10 +55,10 @@ static state rounded(const long double *const y)
 /* Advances s by ms milliseconds. */
 static void run(state *const s, const int ms, const int steps_per_ms)
 {
-    double work[ISO_EXPLICIT_WORK(REFERENCE_STATES_MAX)];
+    double work[ISO_EXPLICIT_VECTORS * REFERENCE_STATES_MAX];
     const iso_history history = {.n = (size_t)the_reference.states, .x = s->x};
     for (long n = 0; n < (long)ms * steps_per_ms; n++) {
-        (void)iso_explicit_step(&iso_tableau_rk4, &history, iso_the_plant.model->derivative, MS / steps_per_ms,
+        (void)one_explicit_step(&iso_tableau_rk4, &history, iso_the_plant.model->derivative, MS / steps_per_ms,
                                 iso_the_plant.u, iso_the_plant.p, work);
     }
 }

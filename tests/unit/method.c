@@ -8,7 +8,7 @@ enum {
     N = 4,
     FACTORS = N * N,
     STATE_MAX = ISO_METHOD_STATE(ISO_AB4 | ISO_COMPENSATED | ISO_CHECKED, N),
-    WORK_MAX = ISO_PRIME_WORK(N)
+    WORK_MAX = ISO_PRIME_VECTORS * N
 };
 
 static const real guard = R(7.0);
@@ -58,7 +58,7 @@ typedef struct run {
     real x[STATE_MAX + 1];
     real work[WORK_MAX + 1];
     real lu[FACTORS + 1];
-    iso_progress progress;
+    iso_any_progress progress;
 } run;
 
 typedef void prime_function(run *r, real h);
@@ -68,11 +68,11 @@ typedef void step_function(run *r, real h);
 #define FIXED(name, recipe)                                                                                            \
     __attribute__((cold)) static void prime_##name(run *const r, const real h)                                         \
     {                                                                                                                  \
-        iso_method_prime(recipe, N, &equations, h, r->x, NULL, NULL, r->lu, r->work);                                  \
+        iso_method_prime(recipe, N, &equations, h, r->x, NULL, NULL, r->lu, r->work, &r->progress.progress);           \
     }                                                                                                                  \
     static void step_##name(run *const r, const real h)                                                                \
     {                                                                                                                  \
-        iso_method_step(recipe, N, &equations, h, r->x, NULL, NULL, r->lu, r->work, &r->progress);                     \
+        iso_method_step(recipe, N, &equations, h, r->x, NULL, NULL, r->lu, r->work, &r->progress.progress);            \
     }
 
 /* name, recipe, and a step's evaluations, Jacobians and solutions. */
@@ -134,9 +134,9 @@ enum { STEPS = 200 };
  * it does not know either are not unrolled: that would be most of what this file takes to compile. */
 __attribute__((cold)) static void run_any(run *const r, const unsigned recipe, const size_t n, const real h)
 {
-    iso_method_prime(recipe, n, &equations, h, r->x, NULL, NULL, r->lu, r->work);
+    iso_method_prime(recipe, n, &equations, h, r->x, NULL, NULL, r->lu, r->work, &r->progress.progress);
     for (unsigned i = 0; i < STEPS; i++) {
-        iso_method_step(recipe, n, &equations, h, r->x, NULL, NULL, r->lu, r->work, &r->progress);
+        iso_method_step(recipe, n, &equations, h, r->x, NULL, NULL, r->lu, r->work, &r->progress.progress);
     }
 }
 
@@ -152,9 +152,10 @@ static void test_bits(const recipe_case *const c)
         c->step(&fixed, R(0.01));
     }
     run_any(&any, recipe, n, R(0.01));
-    const bool same = memcmp(fixed.x, any.x, sizeof fixed.x) == 0 && fixed.x[0] != R(0.1) &&
-                      iso_bits_of(fixed.progress.local_error) == iso_bits_of(any.progress.local_error) &&
-                      iso_bits_of(fixed.progress.residual) == iso_bits_of(any.progress.residual);
+    const bool same =
+        memcmp(fixed.x, any.x, sizeof fixed.x) == 0 && fixed.x[0] != R(0.1) &&
+        iso_bits_of(fixed.progress.progress.local_error) == iso_bits_of(any.progress.progress.local_error) &&
+        iso_bits_of(fixed.progress.progress.residual) == iso_bits_of(any.progress.progress.residual);
     tap_ok(same, c->name);
 }
 
@@ -174,9 +175,10 @@ static void test_costs(const recipe_case *const c)
     kept = kept && r.x[ISO_METHOD_STATE(c->recipe, N)] == guard && r.work[ISO_METHOD_WORK(c->recipe, N)] == guard &&
            r.lu[FACTORS] == guard;
     tap_ok(kept, "state, work space and factors end where their sizes say");
-    tap_ok((r.progress.local_error > R(0.0)) == ISO_IS_CHECKED(c->recipe), "the error of a step is told if asked for");
-    tap_ok(ISO_IS(c->recipe, ISO_BDF4) ? c->evaluations > 1 || r.progress.residual > R(0.0)
-                                       : r.progress.residual == R(0.0),
+    tap_ok((r.progress.progress.local_error > R(0.0)) == ISO_IS_CHECKED(c->recipe),
+           "the error of a step is told if asked for");
+    tap_ok(ISO_IS(c->recipe, ISO_BDF4) ? c->evaluations > 1 || r.progress.progress.residual > R(0.0)
+                                       : r.progress.progress.residual == R(0.0),
            "the residual of Newton's first iteration is told");
 }
 
@@ -225,17 +227,17 @@ static void test_error(const unsigned recipe, const char *const name)
     static run r;
     real from = R(0.0), to = R(0.0);
     memset(&r, 0, sizeof r);
-    degree = ISO_ORDER_OF(recipe);
+    degree = (unsigned)ISO_ORDER_OF(recipe);
     r.x[0] = R(-3.0);
-    iso_method_prime(recipe, 2, &eq, R(1.0), r.x, NULL, NULL, r.lu, r.work);
+    iso_method_prime(recipe, 2, &eq, R(1.0), r.x, NULL, NULL, r.lu, r.work, &r.progress.progress);
     for (unsigned i = 0; i < 5; i++) {
         from = i == 3 ? r.x[1] : from;
         to = i == 4 ? r.x[1] : to;
-        iso_method_step(recipe, 2, &eq, R(1.0), r.x, NULL, NULL, r.lu, r.work, &r.progress);
+        iso_method_step(recipe, 2, &eq, R(1.0), r.x, NULL, NULL, r.lu, r.work, &r.progress.progress);
     }
     const real error = iso_abs((to - from) - R(1.0) / (real)(degree + 1));
     const real tolerance = R(16.0) * R(128.0) * ISO_REAL_EPSILON;
-    tap_ok(error > R(8.0) * tolerance && iso_abs(r.progress.local_error - error) <= tolerance, name);
+    tap_ok(error > R(8.0) * tolerance && iso_abs(r.progress.progress.local_error - error) <= tolerance, name);
 }
 
 /* q'' = 1 by semi-implicit Euler: every step goes h^2 / 2 too far. */
@@ -253,10 +255,10 @@ static void test_semi_implicit_error(void)
     static run r;
     const unsigned recipe = ISO_SEMI_IMPLICIT | ISO_CHECKED;
     memset(&r, 0, sizeof r);
-    iso_method_prime(recipe, 2, &eq, R(0.75), r.x, NULL, NULL, r.lu, r.work);
-    iso_method_step(recipe, 2, &eq, R(0.75), r.x, NULL, NULL, r.lu, r.work, &r.progress);
-    iso_method_step(recipe, 2, &eq, R(0.75), r.x, NULL, NULL, r.lu, r.work, &r.progress);
-    tap_same(r.progress.local_error, R(0.28125), "semi_implicit: the error of a step is told in the next");
+    iso_method_prime(recipe, 2, &eq, R(0.75), r.x, NULL, NULL, r.lu, r.work, &r.progress.progress);
+    iso_method_step(recipe, 2, &eq, R(0.75), r.x, NULL, NULL, r.lu, r.work, &r.progress.progress);
+    iso_method_step(recipe, 2, &eq, R(0.75), r.x, NULL, NULL, r.lu, r.work, &r.progress.progress);
+    tap_same(r.progress.progress.local_error, R(0.28125), "semi_implicit: the error of a step is told in the next");
 }
 
 /* Errors of size 1 for as long as it takes to know it, then one of this size. */

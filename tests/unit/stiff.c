@@ -1,6 +1,6 @@
-/* core/methods/dense.h and core/methods/stiff.h: factors, bdf4 and the linearly implicit method, each against numbers
+/* core/methods/dense.h, bdf4.h and rosenbrock.h: factors, bdf4 and the linearly implicit method, each against numbers
  * found otherwise. */
-#include "core/methods/stiff.h"
+#include "core/methods/bdf4.h"
 #include "core/methods/dense.h"
 #include "tests/tap.h"
 
@@ -112,6 +112,14 @@ static const iso_equations powers_equations = {powers, factor_powers, solve_3, .
 static const iso_equations square_equations = {square, factor_square, solve_1, .factors = 1};
 static const iso_equations decay_equations = {decay, factor_decay, solve_1, .factors = 1};
 
+/* A step of bdf4, or its priming. */
+static iso_step step_of(const iso_history *const history, const iso_equations *const eq, const real h,
+                        const real *const u, const real *const p, real *const lu, real *const work)
+{
+    static iso_progress progress;
+    return (iso_step){history, eq, eq->derivative, h, u, p, lu, work, 2, R(0.0), &progress};
+}
+
 /* From t = 1 to 2 after steps of 1. bdf4 is exact for t and t^4; for t^5 it gives (23 - 13 + 3*31 + 12*80) / 25 = 42.52
  * where 31 is right, and its predictor 4 - 6 + 4*31 - 211 = -89: the estimate is a fifth of 131.52. Roundings: some
  * ten of numbers up to 12*80/25 and, behind J, of t times 160 * 12/25; the tolerance is twice that. */
@@ -120,20 +128,21 @@ static void test_bdf4_powers(void)
     static const real past[12] = {R(1.0), R(1.0),   R(1.0),  R(1.0), R(-1.0),  R(1.0),
                                   R(1.0), R(-15.0), R(31.0), R(1.0), R(-65.0), R(211.0)};
     const real tolerance = R(1000.0) * ISO_REAL_EPSILON;
-    real x[3] = {R(1.0), R(1.0), R(1.0)}, increments[13], lu[9], work[ISO_BDF4_WORK(3) + 1], residual = R(0.0);
-    const iso_history history = {.n = 3, .x = x, .increments = increments};
+    real x[3] = {R(1.0), R(1.0), R(1.0)}, increments[13], lu[9], work[4 * 3 + 1];
+    const iso_history history = {.n = 3, .x = x, .past = increments};
     memcpy(increments, past, sizeof past);
     increments[12] = R(7.0);
-    work[ISO_BDF4_WORK(3)] = R(7.0);
-    const real estimate = iso_bdf4_step(&history, &powers_equations, R(1.0), NULL, NULL, lu, work, 2, &residual);
+    work[4 * 3] = R(7.0);
+    iso_step step = step_of(&history, &powers_equations, R(1.0), NULL, NULL, lu, work);
+    iso_bdf4_step(&step);
     tap_ok(near(x[0], R(2.0), R(4.0) * ISO_REAL_EPSILON), "bdf4: time advances by h");
     tap_ok(near(x[1], R(16.0), tolerance), "bdf4: exact for degree four");
     tap_ok(near(x[2], R(43.52), tolerance), "bdf4: degree five, by hand");
-    tap_ok(near(estimate, R(26.304), tolerance), "bdf4: the estimate, by hand");
-    tap_ok(residual <= tolerance, "bdf4: the second iteration finds nothing left of a linear problem");
+    tap_ok(near(step.error, R(26.304), tolerance), "bdf4: the estimate, by hand");
+    tap_ok(step.progress->residual <= tolerance, "bdf4: the second iteration finds nothing left of a linear problem");
     tap_ok(near(increments[1], R(15.0), tolerance) && increments[4] == R(1.0) && increments[10] == R(-15.0),
            "bdf4: the increments move on by one");
-    tap_ok(increments[12] == R(7.0) && work[ISO_BDF4_WORK(3)] == R(7.0), "bdf4: memory ends where its size says");
+    tap_ok(increments[12] == R(7.0) && work[4 * 3] == R(7.0), "bdf4: memory ends where its size says");
 }
 
 /* From rest at 1 with hb = 1: dx = -(1 + dx)^2, so dx = (sqrt(5) - 3) / 2. Newton's matrix is 3 all the time: from 0 to
@@ -142,10 +151,12 @@ static void test_bdf4_newton(const uint8_t iterations, const real want, const re
 {
     const real h = R(25.0) / R(12.0);
     const real u[1] = {R(4.0)}, p[1] = {R(0.25)};
-    real x[1] = {R(1.0)}, increments[4] = {R(0.0), R(0.0), R(0.0), R(0.0)}, lu[1], work[ISO_BDF4_WORK(1)];
-    real residual = R(0.0);
-    const iso_history history = {.n = 1, .x = x, .increments = increments};
-    (void)iso_bdf4_step(&history, &square_equations, h, u, p, lu, work, iterations, &residual);
+    real x[1] = {R(1.0)}, increments[4] = {R(0.0), R(0.0), R(0.0), R(0.0)}, lu[1], work[4 * 1];
+    const iso_history history = {.n = 1, .x = x, .past = increments};
+    iso_step step = step_of(&history, &square_equations, h, u, p, lu, work);
+    step.iterations = iterations;
+    iso_bdf4_step(&step);
+    const real residual = step.progress->residual;
     tap_ok(near(increments[0], want, R(4.0) * ISO_REAL_EPSILON) && near(residual, last, R(4.0) * ISO_REAL_EPSILON),
            name);
 }
@@ -157,21 +168,28 @@ static void test_bdf4_small(void)
     const real tiny = ISO_REAL_EPSILON / R(8.0);
     const real rate[1] = {tiny};
     real x[1] = {R(1.0)}, compensation[1] = {R(0.0)}, increments[4] = {tiny, tiny, tiny, tiny};
-    real lu[1], work[ISO_BDF4_WORK(1)], residual = R(0.0);
-    const iso_history history = {.n = 1, .x = x, .increments = increments, .compensation = compensation};
+    real lu[1], work[4 * 1];
+    const iso_history history = {.n = 1, .x = x, .past = increments, .compensation = compensation};
     for (uint32_t i = 0; i < 8; i++) {
-        (void)iso_bdf4_step(&history, &decay_equations, R(1.0), NULL, rate, lu, work, 2, &residual);
+        iso_step step = step_of(&history, &decay_equations, R(1.0), NULL, rate, lu, work);
+        iso_bdf4_step(&step);
     }
     tap_ok(near(increments[0], tiny, R(8.0) * ISO_REAL_EPSILON * tiny) && x[0] == R(1.0) + ISO_REAL_EPSILON,
            "bdf4: increments below the ulp of the state, compensated");
 }
 
+static void rosenbrock_step(iso_step step)
+{
+    iso_step_begin(&step, iso_table_ros3.gamma);
+    iso_rosenbrock_step(&step);
+}
+
 static real rosenbrock(const iso_equations *const eq, const real from, const real h, const real *const u,
                        const real *const p)
 {
-    real x[1] = {from}, lu[1], work[ISO_ROSENBROCK_WORK(1)];
+    real x[1] = {from}, lu[1], work[ISO_ROSENBROCK_VECTORS * 1];
     const iso_history history = {.n = 1, .x = x};
-    (void)iso_rosenbrock_step(&history, eq, h, u, p, lu, work);
+    rosenbrock_step(step_of(&history, eq, h, u, p, lu, work));
     return x[0];
 }
 
@@ -199,15 +217,16 @@ static void test_rosenbrock(void)
 
 static void test_rosenbrock_keeps(void)
 {
-    real x[1] = {R(1.0)}, lu[1], work[ISO_ROSENBROCK_WORK(1) + 1], check[4] = {R(0.0), R(0.0), R(0.0), R(7.0)};
+    real x[1] = {R(1.0)}, lu[1], work[ISO_ROSENBROCK_VECTORS * 1 + 1], check[4] = {R(0.0), R(0.0), R(0.0), R(7.0)};
     const real p[1] = {R(-0.25)};
     const iso_history history = {.n = 1, .x = x, .check = check, .checked = 3};
-    work[ISO_ROSENBROCK_WORK(1)] = R(7.0);
-    (void)iso_rosenbrock_step(&history, &decay_equations, R(24.0), NULL, p, lu, work);
+    work[ISO_ROSENBROCK_VECTORS * 1] = R(7.0);
+    rosenbrock_step(step_of(&history, &decay_equations, R(24.0), NULL, p, lu, work));
     tap_ok(near(check[0], (x[0] - R(1.0)) + R(19.0) * R(0.25), R(32.0) * ISO_REAL_EPSILON) &&
                check[1] == R(-5.0) * R(0.25) && check[2] == R(-0.25),
            "rosenbrock: keeps derivative and increment for the next check");
-    tap_ok(check[3] == R(7.0) && work[ISO_ROSENBROCK_WORK(1)] == R(7.0), "rosenbrock: memory ends where its size says");
+    tap_ok(check[3] == R(7.0) && work[ISO_ROSENBROCK_VECTORS * 1] == R(7.0),
+           "rosenbrock: memory ends where its size says");
 }
 
 /* From x = 2 on, x' = -x, or with -x / epsilon^2, which is at rest after one step; and t' = 1. */
@@ -216,10 +235,11 @@ static void test_bdf4_prime(void)
     static const real slow[1] = {R(-1.0)};
     const real stiff[1] = {R(-1.0) / (ISO_REAL_EPSILON * ISO_REAL_EPSILON)};
     const real h = R(0.0078125);
-    real x[1] = {R(2.0)}, lu[1], work[ISO_BDF4_PRIME_WORK(1) + 1], increments[ISO_BDF4_STEPS + 1];
-    const iso_history history = {.n = 1, .x = x, .increments = increments};
-    work[ISO_BDF4_PRIME_WORK(1)] = increments[ISO_BDF4_STEPS] = R(7.0);
-    iso_bdf4_prime(&history, &decay_equations, h, NULL, slow, lu, work);
+    real x[1] = {R(2.0)}, lu[1], work[ISO_BDF4_PRIME_VECTORS * 1 + 1], increments[ISO_BDF4_STEPS + 1];
+    const iso_history history = {.n = 1, .x = x, .past = increments};
+    work[ISO_BDF4_PRIME_VECTORS * 1] = increments[ISO_BDF4_STEPS] = R(7.0);
+    iso_step step = step_of(&history, &decay_equations, h, NULL, slow, lu, work);
+    iso_bdf4_prime(&step);
 
     /* The past of 2 e^-t by its series, e^h - 1 = 0.0078430972064479, and what the error of the polynomial, 126 h^5
      * x^(5) at most, makes of it, 7.4e-9. An increment, 2 h, has some eight roundings of half an epsilon, and the
@@ -233,10 +253,11 @@ static void test_bdf4_prime(void)
         at = before;
     }
     tap_ok(good, "bdf4: primed with the past of a smooth motion");
-    tap_ok(x[0] == R(2.0) && increments[ISO_BDF4_STEPS] == R(7.0) && work[ISO_BDF4_PRIME_WORK(1)] == R(7.0),
+    tap_ok(x[0] == R(2.0) && increments[ISO_BDF4_STEPS] == R(7.0) && work[ISO_BDF4_PRIME_VECTORS * 1] == R(7.0),
            "bdf4: priming leaves the state, and its memory ends where its size says");
 
-    iso_bdf4_prime(&history, &decay_equations, h, NULL, stiff, lu, work);
+    step.p = stiff;
+    iso_bdf4_prime(&step);
     good = true;
     for (size_t j = 0; j < ISO_BDF4_STEPS; j++) {
         good = good && iso_abs(increments[j]) <= ISO_REAL_EPSILON;

@@ -1,9 +1,9 @@
-/* core/methods/tableau.h: the order conditions of every table, exact in whole numbers.
+/* The tables of the methods: the order conditions of every table, exact in whole numbers.
  *
  * Hairer, Norsett, Wanner (1993), Solving Ordinary Differential Equations I, table II.2.1 (the rooted trees to order
  * four) and III.1 (the moments of the Adams methods).
  */
-#include "core/methods/tableau.h"
+#include "core/methods/method.h"
 #include "tests/tap.h"
 
 /* A table with one denominator for all of a: a_ij = a[i][j] / a_over, c_i = sum_j a_ij, b_i = b[i] / b_over. */

@@ -11,17 +11,22 @@ extern real report_step;
 #define report_tolerance ISO_REAL_NAME(report_tolerance)
 extern real report_tolerance;
 
-/* The options of a plant, but for the tolerance. */
-static inline iso_adams_options report_options(iso_adams_options options)
+/* The equations of a plant, with the options of adams but for the tolerance. */
+static inline iso_equations report_equations(iso_equations equations)
 {
+    static iso_adams_options options;
+    options = equations.adams == NULL ? iso_adams_default : *equations.adams;
     options.tolerance_absolute = report_tolerance;
     options.tolerance_relative = report_tolerance;
-    return options;
+    equations.adams = &options;
+    return equations;
 }
 
-#define iso_method_step(recipe, n, eq, h, ...) iso_method_step(recipe, n, eq, report_step, __VA_ARGS__)
-#define iso_method_prime(recipe, n, eq, h, ...) iso_method_prime(recipe, n, eq, report_step, __VA_ARGS__)
-#define iso_adams_tick(options, ...) iso_adams_tick((iso_adams_options[]){report_options(*(options))}, __VA_ARGS__)
-#define iso_adams_start(options, ...) iso_adams_start((iso_adams_options[]){report_options(*(options))}, __VA_ARGS__)
+#define REPORT_EQUATIONS(eq) ((iso_equations[]){report_equations(*(eq))})
+
+#define iso_method_step(recipe, n, eq, h, ...)                                                                         \
+    iso_method_step(recipe, n, REPORT_EQUATIONS(eq), report_step, __VA_ARGS__)
+#define iso_method_prime(recipe, n, eq, h, ...)                                                                        \
+    iso_method_prime(recipe, n, REPORT_EQUATIONS(eq), report_step, __VA_ARGS__)
 
 #endif

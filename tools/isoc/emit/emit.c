@@ -41,12 +41,6 @@ static const char *recipe_symbol(arena *memory, unsigned recipe)
     return arena_format(memory, "ISO_%s%s", upper(memory, method_names[ISO_METHOD_OF(recipe)]), options);
 }
 
-/* Whether a step tells how it went. */
-static bool has_progress(const mechanism *m)
-{
-    return ISO_IS(m->recipe, ISO_ADAMS) || ISO_IS_CHECKED(m->recipe) || ISO_IS(m->recipe, ISO_BDF4);
-}
-
 static const char *prefixed(arena *memory, const char *prefix, const char *word)
 {
     return arena_format(memory, "%s%s", prefix, word);
@@ -198,11 +192,8 @@ static void emit_memory(const plant *p, text *out)
     if (p->turn_count > 0) {
         text_add(out, "    int32_t turns[%d]; /* of the continuous joints */\n", p->turn_count);
     }
-    if (has_progress(m)) {
-        text_add(out, "    iso_progress progress;\n");
-    }
-    if (ISO_IS(m->recipe, ISO_ADAMS)) {
-        text_add(out, "    iso_adams_state adams;\n");
+    if (ISO_HAS_PROGRESS(m->recipe)) {
+        text_add(out, "    %s;\n", ISO_IS_VARYING(m->recipe) ? "iso_adams_state adams" : "iso_progress progress");
     }
     if (can_jump(m)) {
         text_add(out, "%s%s", m->input_count > 0 ? "    real last_u[PLANT_INPUTS];\n" : "",
@@ -312,9 +303,23 @@ static bool emit_solver(const plant *p, graph *g, text *out, double *culprit)
     return good;
 }
 
+/* What a method that varies its step may do in a tick. */
+static void emit_adams(const plant *p, text *out)
+{
+    const mechanism *m = p->m;
+    const char *tolerance = code_literal(out->memory, m->tolerance, p->is_double);
+    text_add(out, "static const iso_adams_options options = {\n    .tolerance_absolute = %s,\n", tolerance);
+    text_add(out, "    .tolerance_relative = %s,\n    .budget = %.0f,\n", tolerance, m->substeps);
+    text_add(out, "    .driven = %s,\n", m->input_count + m->parameter_count > 0 ? "true" : "false");
+    text_add(out, "    .level_max = %s,\n};\n\n", m->substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
+}
+
 /* The functions of the plant as a method takes them. */
 static void emit_equations(const plant *p, text *out)
 {
+    if (ISO_IS_VARYING(p->m->recipe)) {
+        emit_adams(p, out);
+    }
     text_add(out, "static const iso_equations equations = {\n    .derivative = derivative,\n");
     if (ISO_IS_IMPLICIT(p->m->recipe)) {
         text_add(out, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
@@ -322,7 +327,7 @@ static void emit_equations(const plant *p, text *out)
     if (p->rate_count > 0) {
         text_add(out, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
     }
-    text_add(out, "};\n\n");
+    text_add(out, "%s};\n\n", ISO_IS_VARYING(p->m->recipe) ? "    .adams = &options,\n" : "");
 }
 
 /* What a tick sets: inputs, then clocks. */
@@ -390,63 +395,29 @@ static void emit_remember(const plant *p, text *out)
     text_add(out, "}\n\n");
 }
 
-static void emit_factors(const plant *p, text *out)
+/* The call of iso_method_step or iso_method_prime, with what it works on. */
+static void emit_call(const plant *p, text *out, const char *function, const char *size)
 {
-    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+    const mechanism *m = p->m;
+    const char *recipe = recipe_symbol(out->memory, m->recipe);
+    const char *told = !ISO_HAS_PROGRESS(m->recipe) ? "NULL"
+                       : ISO_IS_VARYING(m->recipe)  ? "&memory->adams.progress"
+                                                    : "&memory->progress";
+    text_add(out, "    real work[%s(%s, PLANT_STATES)];\n", size, recipe);
+    if (ISO_IS_IMPLICIT(m->recipe)) {
         text_add(out, "    real lu[%d];\n", p->j.factor_count);
     }
+    text_add(out, "    %s(%s, PLANT_STATES, &equations, %s, memory->x, %s, %s, %s, work,\n", function, recipe,
+             code_literal(out->memory, m->step, p->is_double), array_or_null(m->input_count, "memory->u"),
+             array_or_null(m->parameter_count, "memory->p"), ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
+    text_add(out, "                    %s);\n", told);
 }
 
-static void emit_prime(const plant *p, text *out, const char *recipe, const char *h)
+static void emit_prime(const plant *p, text *out)
 {
-    const mechanism *m = p->m;
-    const char *u = array_or_null(m->input_count, "memory->u");
-    const char *parameters = array_or_null(m->parameter_count, "memory->p");
     text_add(out, "static void prime(void *const instance)\n{\n    plant_memory *const memory = instance;\n");
-    if (ISO_IS(m->recipe, ISO_ADAMS)) {
-        text_add(out, "    const iso_history history = iso_history_of(%s, PLANT_STATES, memory->x);\n", recipe);
-        text_add(out, "    real work[ISO_ADAMS_WORK(PLANT_STATES)];\n");
-        text_add(out, "    iso_adams_start(&options, &memory->adams, &history, derivative, %s, %s, %s, work);\n", h, u,
-                 parameters);
-    } else {
-        text_add(out, "    real work[ISO_METHOD_PRIME_WORK(%s, PLANT_STATES)];\n", recipe);
-        emit_factors(p, out);
-        text_add(out, "    iso_method_prime(%s, PLANT_STATES, &equations, %s, memory->x, %s, %s, %s, work);\n", recipe,
-                 h, u, parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
-    }
-    text_add(out, "%s}\n\n", can_jump(m) ? "    remember(memory);\n" : "");
-}
-
-/* A tick of adams: as many steps as the tolerance asks for and the budget allows. */
-static void emit_adams(const plant *p, text *out)
-{
-    const mechanism *m = p->m;
-    const char *tolerance = code_literal(out->memory, m->tolerance, p->is_double);
-    text_add(out, "static const iso_adams_options options = {\n    .tolerance_absolute = %s,\n", tolerance);
-    text_add(out, "    .tolerance_relative = %s,\n    .budget = %.0f,\n", tolerance, m->substeps);
-    text_add(out, "    .driven = %s,\n", m->input_count + m->parameter_count > 0 ? "true" : "false");
-    text_add(out, "    .level_max = %s,\n};\n\n", m->substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
-}
-
-/* The call of the method in step(). */
-static void emit_call(const plant *p, text *out, const char *recipe, const char *h)
-{
-    const mechanism *m = p->m;
-    const char *u = array_or_null(m->input_count, "memory->u");
-    const char *parameters = array_or_null(m->parameter_count, "memory->p");
-    if (ISO_IS(m->recipe, ISO_ADAMS)) {
-        text_add(out, "    const iso_history history = iso_history_of(%s, PLANT_STATES, memory->x);\n", recipe);
-        text_add(out, "    real work[ISO_ADAMS_WORK(PLANT_STATES)];\n");
-        text_add(out, "    memory->progress.local_error =\n        iso_adams_tick(&options, &memory->adams, &history, "
-                      "derivative, ");
-        text_add(out, "%s, %s, %s, work);\n", h, u, parameters);
-        return;
-    }
-    text_add(out, "    real work[ISO_METHOD_WORK(%s, PLANT_STATES)];\n", recipe);
-    emit_factors(p, out);
-    text_add(out, "    iso_method_step(%s, PLANT_STATES, &equations, %s, memory->x, %s, %s, %s, work,\n", recipe, h, u,
-             parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
-    text_add(out, "                    %s);\n", has_progress(m) ? "&memory->progress" : "NULL");
+    emit_call(p, out, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
+    text_add(out, "%s}\n\n", can_jump(p->m) ? "    remember(memory);\n" : "");
 }
 
 /* What is put right after a step, in place. */
@@ -464,34 +435,30 @@ static bool emit_settle(const plant *p, graph *g, text *out, double *culprit)
 }
 
 /* Whether a step copies all that it calls into itself: up to so many operations in its evaluations, a sine and cosine
- * counted as 25. In float calls cost a fifth of a small plant's step on a Cortex-M4F and an eighth of a chain's of
+ * counted as 25, those of a sub-step that varies once. In float calls cost a fifth of a small plant's step on a Cortex-M4F and an eighth of a chain's of
  * three, in double on a PC less; of a large one's step little, whose copies take much text. */
 static bool is_flat(const plant *p, const graph *g)
 {
     enum { MOST_FLOAT = 600, MOST_DOUBLE = 400, OF_SINCOS = 25 };
     const int most = p->is_double ? MOST_DOUBLE : MOST_FLOAT;
     const operations n = count_operations(g, p->derivatives, (size_t)state_count(p->m));
-    return cost_evaluations(p->m->recipe) * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= most;
+    const int evaluations = ISO_IS_VARYING(p->m->recipe) ? 1 : ISO_EVALUATIONS_OF(p->m->recipe);
+    return evaluations * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= most;
 }
 
 static void emit_step(const plant *p, const graph *g, text *out)
 {
     const mechanism *m = p->m;
-    const char *recipe = recipe_symbol(out->memory, m->recipe);
-    const char *h = code_literal(out->memory, m->step, p->is_double);
-    if (ISO_IS(m->recipe, ISO_ADAMS)) {
-        emit_adams(p, out);
-    }
     if (can_jump(m)) {
         emit_remember(p, out);
         emit_jumped(p, out);
     }
     if (is_primed(m)) {
-        emit_prime(p, out, recipe, h);
+        emit_prime(p, out);
     }
     text_add(out, "%sstatic void step(void *const instance)\n{\n    plant_memory *const memory = instance;\n",
              is_flat(p, g) ? "ISO_FLAT " : "");
-    emit_call(p, out, recipe, h);
+    emit_call(p, out, "iso_method_step", "ISO_METHOD_WORK");
     if (m->projections > 1 && p->after.count > 0) {
         text_add(out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x);\n    }\n", m->projections);
     } else if (p->after.count > 0) {
@@ -584,8 +551,11 @@ static void emit_plant(const plant *p, text *out)
     text_add(out, "%s", m->input_count > 0 ? "    .u = memory.u,\n" : "");
     text_add(out, "%s", m->parameter_count > 0 ? "    .p = memory.p,\n" : "");
     text_add(out, "    .y = memory.y,\n");
-    text_add(out, "%s", has_progress(m) ? "    .progress = &memory.progress,\n" : "");
-    text_add(out, "%s", ISO_IS(m->recipe, ISO_ADAMS) ? "    .adams = &memory.adams,\n" : "");
+    if (ISO_IS_VARYING(m->recipe)) {
+        text_add(out, "    .progress = &memory.adams.progress,\n    .adams = &memory.adams,\n");
+    } else if (ISO_HAS_PROGRESS(m->recipe)) {
+        text_add(out, "    .progress = &memory.progress,\n");
+    }
     text_add(out, "%s};\n", ISO_IS_WATCHED(m->recipe) ? "    .before = &before,\n" : "");
 }
 
@@ -608,9 +578,7 @@ bool emit_source(const plant *p, graph *g, text *out, double *culprit)
            (p->rate_count == 0 || emit_function(p, g, out, "rates", "dx", "", p->derivatives, p->rate_count, culprit));
     good = good && (p->after.count == 0 || emit_settle(p, g, out, culprit));
     good = good && (p->violation < 0 || emit_violation(p, g, out, culprit));
-    if (!ISO_IS(m->recipe, ISO_ADAMS)) {
-        emit_equations(p, out);
-    }
+    emit_equations(p, out);
     emit_step(p, g, out);
     emit_model(p, out);
     emit_plant(p, out);

@@ -171,7 +171,7 @@ typedef struct mechanism {
 } mechanism;
 
 /* How a scene calls a method. */
-extern const char *const method_names[ISO_METHODS + 1];
+extern const char *const method_names[ISO_METHODS];
 
 /* Positions and degrees of degree of freedom of an elementary joint. */
 static inline int positions_of(joint_kind kind)

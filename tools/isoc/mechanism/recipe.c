@@ -5,7 +5,7 @@
 
 static const double rounding = 1e-12; /* of a decimal number in s, relative */
 
-const char *const method_names[ISO_METHODS + 1] = ISO_METHOD_NAMES;
+const char *const method_names[ISO_METHODS] = ISO_METHOD_NAMES;
 
 static bool is_yes(builder *b, name word)
 {
@@ -21,17 +21,17 @@ static unsigned find_method(builder *b, name word)
     if (word.text == NULL) {
         return ISO_RK4;
     }
-    for (unsigned i = 0; i <= ISO_METHODS; i++) {
+    for (unsigned i = 0; i < ISO_METHODS; i++) {
         if (strcmp(word.text, method_names[i]) == 0) {
             return i;
         }
     }
     const char *list = "";
-    for (unsigned i = 0; i <= ISO_METHODS; i++) {
+    for (unsigned i = 0; i < ISO_METHODS; i++) {
         list = arena_format(b->s->memory, "%s%s%s", list, i == 0 ? "" : ", ", method_names[i]);
     }
     source_problem(b->s, word.at, "no method is called '%s'%s; there are %s", word.text,
-                   source_suggestion(b->s, word.text, method_names, ISO_METHODS + 1), list);
+                   source_suggestion(b->s, word.text, method_names, ISO_METHODS), list);
     return ISO_RK4;
 }
 
@@ -60,7 +60,7 @@ void build_method(builder *b)
     for (size_t i = 0; i < written->output_count; i++) {
         const output *o = &written->outputs[i];
         recipe |= o->kind == OUTPUT_LOCAL_ERROR ? ISO_CHECKED : 0U;
-        if (o->kind == OUTPUT_RESIDUAL && !ISO_IS(recipe, ISO_BDF4)) {
+        if (o->kind == OUTPUT_RESIDUAL && !ISO_IS_ITERATING(recipe)) {
             source_problem(b->s, o->kind_at, "only bdf4 has a residual");
         }
     }

@@ -11,9 +11,6 @@ void cost_summary(const plant *p, const graph *g, text *out);
 /* Of a step, but for what follows the method in it (tools/isoc/dynamics/settled.h). */
 operations cost_of_step(const plant *p, const graph *g);
 
-/* Evaluations of the derivative in a step. */
-int cost_evaluations(unsigned recipe);
-
 /* One line for each method: order, evaluations, Jacobians and solutions a step, vectors of n reals kept from step to
  * step, without and with a check. */
 void cost_methods(text *out);

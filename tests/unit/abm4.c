@@ -1,6 +1,6 @@
-/* core/methods/multistep.h: the Adams methods of order four and their priming, against results that are exact in
+/* core/methods/ab4.h, abm4.h and prime.h: the Adams methods of order four and their priming, against results that are exact in
  * binary. */
-#include "core/methods/multistep.h"
+#include "core/methods/abm4.h"
 #include "tests/tap.h"
 #include "tests/unit/equations.h"
 
@@ -14,11 +14,15 @@ typedef struct run {
     real x[N];
     real past[KEPT * N + 1];
     real derivatives[ISO_AB4_STEPS * N + 1];
-    real moved[N];
-    real at[N];
-    real work[ISO_EXPLICIT_WORK(N)];
+    real work[ISO_PRIME_VECTORS * N + 1];
     iso_history history;
 } run;
+
+/* What a step works on. */
+static iso_step step_of(run *const r, iso_derivative *const f, const real *const u, const real *const p)
+{
+    return (iso_step){.history = &r->history, .f = f, .h = h, .u = u, .p = p, .work = r->work};
+}
 
 static void prepare(run *const r, const size_t kept, const real first, const real second)
 {
@@ -45,19 +49,24 @@ static void take(run *const r, take_derivative *const method, const size_t count
 __attribute__((cold)) static void prime(run *const r, iso_derivative *const f, const real *const u, const real *const p,
                                         take_derivative *const method, const uint8_t count, const bool from_now)
 {
-    iso_walk_back(r->history.n, f, h, r->x, u, p, count, from_now, r->derivatives, r->moved, r->at, r->work);
+    const iso_step step = step_of(r, f, u, p);
+    memcpy(r->derivatives, iso_walk_back(&step, count, from_now), count * r->history.n * sizeof *r->derivatives);
     take(r, method, count);
 }
 
 __attribute__((cold)) static void ab4(run *const r, iso_derivative *const f, const real *const u, const real *const p)
 {
-    (void)iso_ab4_step(&r->history, f, h, u, p, r->work);
+    iso_step step = step_of(r, f, u, p);
+    iso_step_begin(&step, R(0.0));
+    iso_ab4_step(&step);
 }
 
 __attribute__((cold)) static real abm4(run *const r, iso_derivative *const f, const real *const u, const real *const p,
                                        const uint8_t corrections, const bool evaluate_last)
 {
-    return iso_abm4_step(&r->history, f, h, u, p, r->work, corrections, evaluate_last);
+    iso_step step = step_of(r, f, u, p);
+    iso_abm4_correct(&step, corrections, evaluate_last);
+    return step.error;
 }
 
 /* t' = 1, q' = t^4. */
@@ -73,22 +82,23 @@ static void test_walk_back(void)
 {
     run r;
     prepare(&r, 0, R(3.0), R(0.0));
-    r.derivatives[3 * N] = R(7.0);
-    iso_walk_back(N, cubic, h, r.x, NULL, NULL, 3, false, r.derivatives, r.moved, r.at, r.work);
+    const iso_step step = step_of(&r, cubic, NULL, NULL);
+    r.work[ISO_PRIME_VECTORS * N] = R(7.0);
+    const real *d = iso_walk_back(&step, 3, false);
     tap_ok(r.x[0] == R(3.0) && r.x[1] == R(0.0), "prime: the state is left as it is");
-    tap_same(r.derivatives[0 * N + 1], R(3.375), "prime: the newest derivative is the one at t - h");
-    tap_same(r.derivatives[1 * N + 1], R(0.0), "prime: then the one at t - 2h");
-    tap_same(r.derivatives[2 * N + 1], R(-3.375), "prime: then the one at t - 3h");
-    tap_ok(r.derivatives[0] == R(1.0) && r.derivatives[N] == R(1.0) && r.derivatives[2 * N] == R(1.0),
-           "prime: derivatives of every state");
-    tap_same(r.derivatives[3 * N], R(7.0), "prime: no more than asked for");
-    tap_ok(r.moved[0] == h && r.moved[1] == R(18.984375), "prime: the increment from t - h to t");
+    tap_same(d[0 * N + 1], R(3.375), "prime: the newest derivative is the one at t - h");
+    tap_same(d[1 * N + 1], R(0.0), "prime: then the one at t - 2h");
+    tap_same(d[2 * N + 1], R(-3.375), "prime: then the one at t - 3h");
+    tap_ok(d[0] == R(1.0) && d[N] == R(1.0) && d[2 * N] == R(1.0), "prime: derivatives of every state");
+    tap_same(d[3 * N], R(0.0), "prime: no more than asked for");
+    tap_ok(r.work[0] == h && r.work[1] == R(18.984375), "prime: the increment from t - h to t");
 
-    iso_walk_back(N, cubic, h, r.x, NULL, NULL, 4, true, r.derivatives, r.moved, r.at, r.work);
-    tap_same(r.derivatives[0 * N + 1], R(27.0), "prime from now: the newest derivative is the one at t");
-    tap_same(r.derivatives[1 * N + 1], R(3.375), "prime from now: then the one at t - h");
-    tap_same(r.derivatives[3 * N + 1], R(-3.375), "prime from now: the last is the one at t - 3h");
-    tap_same(r.derivatives[4 * N], R(7.0), "prime from now: no more than asked for");
+    d = iso_walk_back(&step, 4, true);
+    tap_same(d[0 * N + 1], R(27.0), "prime from now: the newest derivative is the one at t");
+    tap_same(d[1 * N + 1], R(3.375), "prime from now: then the one at t - h");
+    tap_same(d[3 * N + 1], R(-3.375), "prime from now: the last is the one at t - 3h");
+    tap_same(d[4 * N], R(0.0), "prime from now: no more than asked for");
+    tap_same(r.work[ISO_PRIME_VECTORS * N], R(7.0), "prime: work space ends where its size says");
 }
 
 static void test_ab4_cubic(void)

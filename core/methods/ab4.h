@@ -1,0 +1,43 @@
+/* Adams-Bashforth of order four: x += h / 24 (55 f - 59 f[-1] + 37 f[-2] - 9 f[-3]). */
+#ifndef ISO_CORE_METHODS_AB4_H
+#define ISO_CORE_METHODS_AB4_H
+
+#include "core/methods/prime.h"
+
+/* Bashforth and Adams (1883), An Attempt to Test the Theories of Capillary Action, ch. 3. */
+static const iso_adams iso_table_ab4 = {.b = {55, -59, 37, -9}, .over = 24};
+
+/* Derivatives in the formula, and sums of them kept: what those so far add to the next step. */
+enum { ISO_AB4_STEPS = 4, ISO_AB4_SUMS = ISO_AB4_STEPS - 1 };
+
+ISO_INLINE void iso_ab4_take_derivative(const iso_history *const history, const real h, const real *const derivative)
+{
+    iso_take_derivative(&iso_table_ab4, 1, ISO_AB4_SUMS, h, history->n, derivative, history->past);
+}
+
+/* One evaluation. Local error 251/720 h^5 x^(5). history->past[ISO_AB4_SUMS n]. */
+ISO_INLINE void iso_ab4_step(iso_step *const step)
+{
+    const iso_history *const history = step->history;
+    const real *const derivative = step->work;
+    const real weight = iso_weight(&iso_table_ab4, step->h, 0);
+    ISO_UNROLL
+    for (size_t s = 0; s < history->n; s++) {
+        iso_advance(history, s, weight * derivative[s] - history->past[s]);
+    }
+    iso_ab4_take_derivative(history, step->h, derivative);
+}
+
+static inline void iso_ab4_prime(iso_step *const step)
+{
+    const iso_history *const history = step->history;
+    const uint8_t count = history->checked > 0 ? history->checked : ISO_AB4_STEPS;
+    const real *const derivatives = iso_walk_back(step, count, false);
+    for (uint8_t past = count; past-- > 0;) {
+        iso_ab4_take_derivative(history, step->h, derivatives + past * history->n);
+        iso_keep_derivative(history, step->h, derivatives + past * history->n);
+    }
+    iso_keep_moved(step);
+}
+
+#endif

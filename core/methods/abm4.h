@@ -1,0 +1,89 @@
+/* Adams-Bashforth-Moulton of order four: predict, then evaluate and correct, P(EC)^m or P(EC)^m E. */
+#ifndef ISO_CORE_METHODS_ABM4_H
+#define ISO_CORE_METHODS_ABM4_H
+
+#include "core/methods/ab4.h"
+
+/* Milne (1926), Amer. Math. Monthly 33, 455-460: of the difference corrector - predictor of the pair of order four,
+ * this part, negated, is the corrector's local error; from the error constants 251/720 and -19/720. */
+static const iso_adams iso_table_milne = {.b = {19}, .over = 270};
+
+/* Sums kept: what the derivatives so far add first to the predictor, then to the corrector. */
+enum {
+    ISO_ABM4_PREDICTOR = ISO_AB4_STEPS,
+    ISO_ABM4_CORRECTOR = ISO_AB4_STEPS - 1,
+    ISO_ABM4_SUMS = ISO_ABM4_PREDICTOR + ISO_ABM4_CORRECTOR,
+};
+
+ISO_INLINE void iso_abm4_take_derivative(const iso_history *const history, const real h, const real *const derivative)
+{
+    const size_t n = history->n;
+    iso_take_derivative(&iso_table_ab4, 0, ISO_ABM4_PREDICTOR, h, n, derivative, history->past);
+    iso_take_derivative(&iso_table_am[3], 1, ISO_ABM4_CORRECTOR, h, n, derivative,
+                        history->past + ISO_ABM4_PREDICTOR * n);
+}
+
+/* Predict, then evaluate and correct `corrections` times, then evaluate once more if `evaluate_last`. Local error
+ * -19/720 h^5 x^(5), estimated by Milne: 19/270 of the largest difference between predictor and corrector.
+ * history->past[ISO_ABM4_SUMS n], work[2 n]. */
+ISO_INLINE void iso_abm4_correct(iso_step *const step, const uint8_t corrections, const bool evaluate_last)
+{
+    const iso_history *const history = step->history;
+    const size_t n = history->n;
+    const real *const predicted = history->past;
+    const real *const corrector = history->past + ISO_ABM4_PREDICTOR * n;
+    const real weight = iso_weight(&iso_table_am[3], step->h, 0);
+    real *const derivative = step->work;
+    real *const at = step->work + n;
+    real error = R(0.0);
+
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        at[s] = history->x[s] + predicted[s];
+    }
+    ISO_UNROLL
+    for (uint8_t i = 1; i < corrections; i++) {
+        iso_evaluate(step, derivative, at);
+        ISO_UNROLL
+        for (size_t s = 0; s < n; s++) {
+            at[s] = history->x[s] + (weight * derivative[s] + corrector[s]);
+        }
+    }
+    iso_evaluate(step, derivative, at);
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        const real corrected = weight * derivative[s] + corrector[s];
+        error = iso_larger(error, corrected - predicted[s]);
+        iso_advance(history, s, corrected);
+    }
+    if (evaluate_last) {
+        iso_evaluate(step, derivative, history->x);
+    }
+    iso_abm4_take_derivative(history, step->h, derivative);
+    step->error = (real)iso_table_milne.b[0] / (real)iso_table_milne.over * error;
+}
+
+ISO_INLINE void iso_abm4_step(iso_step *const step)
+{
+    iso_abm4_correct(step, 1, true);
+}
+
+ISO_INLINE void iso_abm4_pec_step(iso_step *const step)
+{
+    iso_abm4_correct(step, 1, false);
+}
+
+ISO_INLINE void iso_abm4_pecece_step(iso_step *const step)
+{
+    iso_abm4_correct(step, 2, true);
+}
+
+static inline void iso_abm4_prime(iso_step *const step)
+{
+    const real *const derivatives = iso_walk_back(step, ISO_AB4_STEPS, true);
+    for (uint8_t past = ISO_AB4_STEPS; past-- > 0;) {
+        iso_abm4_take_derivative(step->history, step->h, derivatives + past * step->history->n);
+    }
+}
+
+#endif

@@ -1,0 +1,150 @@
+/* The fourth-order backward differentiation formula, for stiff plants.
+ *
+ * It solves with 1 - hb J, whose factors a plant computes from its analytic Jacobian J = df/dx, without a pivot search:
+ * time and order of operations do not depend on data.
+ */
+#ifndef ISO_CORE_METHODS_BDF4_H
+#define ISO_CORE_METHODS_BDF4_H
+
+#include "core/methods/rosenbrock.h"
+
+/* The fourth-order backward differentiation formula (Curtiss and Hirschfelder 1952; Gear 1971, Numerical Initial Value
+ * Problems in Ordinary Differential Equations, table 11.1), 1/25 (48 y - 36 y[-1] + 16 y[-2] - 3 y[-3] + 12 h f),
+ * in the increments of the steps before, which are small where the states are not:
+ *     dx = 1/over (b[0] d + b[1] d[-1] + b[2] d[-2] + derivative h f). */
+enum { ISO_BDF4_STEPS = 4 };
+
+typedef struct iso_bdf {
+    int8_t b[ISO_BDF4_STEPS - 1];
+    int8_t derivative;
+    int8_t over;
+    int8_t predictor[ISO_BDF4_STEPS]; /* the increment that continues a polynomial of degree four */
+} iso_bdf;
+
+static const iso_bdf iso_table_bdf4 = {.b = {23, -13, 3}, .derivative = 12, .over = 25, .predictor = {4, -6, 4, -1}};
+
+/* Puts an increment before the kept ones. */
+static inline void iso_keep_increment(const iso_history *const history, const size_t s, const real dx)
+{
+    ISO_UNROLL
+    for (size_t j = ISO_BDF4_STEPS; j-- > 1;) {
+        history->past[j * history->n + s] = history->past[(j - 1) * history->n + s];
+    }
+    history->past[s] = dx;
+}
+
+/* The sum of `terms` whole multiples of the kept increments of state s. */
+static inline real iso_past_increments(const iso_history *const history, const size_t s, const int8_t *const c,
+                                       const uint8_t terms)
+{
+    real sum = (real)c[0] * history->past[s];
+    ISO_UNROLL
+    for (uint8_t j = 1; j < terms; j++) {
+        sum += (real)c[j] * history->past[j * history->n + s];
+    }
+    return sum;
+}
+
+/* The increment dx of iso_table_bdf4 by Newton iterations from the predictor, with the Jacobian there. The local error is
+ * that of this step: the difference to the predictor is h^5 x^(5), since the kept increments are those of the formula,
+ * and its error constant over sigma(1) is 1/5 (Hairer, Norsett, Wanner 1993, III.2). The residual is the largest part of
+ * the last correction. history->past[ISO_BDF4_STEPS n], the newest first; work[4 n]. */
+ISO_INLINE void iso_bdf4_step(iso_step *const step)
+{
+    const iso_bdf *const table = &iso_table_bdf4;
+    const iso_history *const history = step->history;
+    const iso_equations *const eq = step->equations;
+    const size_t n = history->n;
+    const real hb = step->h * ((real)table->derivative / (real)table->over);
+    real *const residual = &step->progress->residual;
+    real *const at = step->work;
+    real *const g = step->work + n;
+    real *const past = step->work + 2 * n;
+    real *const dx = step->work + 3 * n;
+    real error = R(0.0);
+
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        dx[s] = iso_past_increments(history, s, table->predictor, ISO_BDF4_STEPS);
+        at[s] = history->x[s] + dx[s];
+        past[s] = R(1.0) / (real)table->over * iso_past_increments(history, s, table->b, ISO_BDF4_STEPS - 1);
+    }
+    eq->factor(step->lu, at, step->u, step->p, hb);
+
+    /* (1 - hb J) correction = past + hb f(x + dx) - dx; the increment is summed up by itself, since x would swallow
+     * corrections below half of its ulp. */
+    for (uint8_t i = 0; i < step->iterations; i++) {
+        *residual = R(0.0);
+        iso_evaluate(step, g, at);
+        ISO_UNROLL
+        for (size_t s = 0; s < n; s++) {
+            g[s] = (past[s] + hb * g[s]) - dx[s];
+        }
+        eq->solve(g, step->lu);
+        ISO_UNROLL
+        for (size_t s = 0; s < n; s++) {
+            dx[s] += g[s];
+            at[s] = history->x[s] + dx[s];
+            *residual = iso_larger(*residual, g[s]);
+        }
+    }
+
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        error = iso_larger(error, dx[s] - iso_past_increments(history, s, table->predictor, ISO_BDF4_STEPS));
+        iso_keep_increment(history, s, dx[s]);
+        iso_advance(history, s, dx[s]);
+    }
+    step->error = R(0.2) * error;
+}
+
+enum { ISO_BDF4_PRIME_VECTORS = 2 + ISO_ROSENBROCK_VECTORS };
+
+/* Fills the kept increments before the first step. The past of a stiff plant cannot be computed, so the linearly
+ * implicit method looks ahead by five steps, each in sub-steps, and the polynomial of degree four through their ends is
+ * continued to the past. It does not go through the state itself, which may lie off the smooth solution, before a layer
+ * that no step resolves: the formula then starts on the solution beyond the layer, and keeps its order. Local errors of
+ * order four and an extrapolation exact to h^5, both made only here, keep it too. x is left as it is.
+ * work[ISO_BDF4_PRIME_VECTORS n]. */
+static inline void iso_bdf4_prime(iso_step *const step)
+{
+    enum { AHEAD = ISO_BDF4_STEPS + 1, SUBSTEPS = 2 };
+    const iso_history *const history = step->history;
+    const size_t n = history->n;
+    real *const at = step->work;
+    real *const compensation = step->work + n;
+    const iso_history moving = {.n = n, .x = at, .compensation = compensation};
+    iso_step ahead = *step;
+    ahead.history = &moving;
+    ahead.h = step->h / (real)SUBSTEPS;
+    ahead.work = compensation + n;
+    memcpy(at, history->x, n * sizeof *at);
+    for (size_t i = 0; i < AHEAD; i++) {
+        real *const increment = history->past + (i > 0 ? i - 1 : 0) * n; /* that of the first is of no use */
+        memcpy(increment, at, n * sizeof *at);
+        memset(compensation, 0, n * sizeof *compensation);
+        for (int j = 0; j < SUBSTEPS; j++) {
+            iso_step_begin(&ahead, iso_table_ros3.gamma);
+            iso_rosenbrock_step(&ahead);
+        }
+        for (size_t s = 0; s < n; s++) {
+            increment[s] = (at[s] - increment[s]) + compensation[s];
+        }
+    }
+    /* Backwards in time they stand as a method keeps them, the nearest first. So the predictor continues them to the
+     * past, and what it leaves is turned about. */
+    for (size_t s = 0; s < n; s++) {
+        for (size_t i = 0; i < AHEAD; i++) {
+            iso_keep_increment(history, s, iso_past_increments(history, s, iso_table_bdf4.predictor, ISO_BDF4_STEPS));
+        }
+        for (size_t j = 0; j < ISO_BDF4_STEPS / 2; j++) {
+            real *const newer = history->past + j * n + s;
+            real *const older = history->past + (ISO_BDF4_STEPS - 1 - j) * n + s;
+            const real swap = *newer;
+            *newer = *older;
+            *older = swap;
+        }
+    }
+}
+
+#endif

@@ -1,0 +1,77 @@
+/* A linearly implicit (Rosenbrock) method of order three for stiff plants: two evaluations, one Jacobian, three
+ * solutions.
+ *
+ * It solves with 1 - h gamma J, whose factors a plant computes from its analytic Jacobian J = df/dx, without a pivot
+ * search: time and order of operations do not depend on data.
+ */
+#ifndef ISO_CORE_METHODS_ROSENBROCK_H
+#define ISO_CORE_METHODS_ROSENBROCK_H
+
+#include "core/methods/step.h"
+
+/* A linearly implicit method: (1 - h gamma J) k_i = h gamma (f(x + sum_j a_ij k_j) + sum_j c_ij k_j / h), x += sum_i
+ * m_i k_i. Hairer and Wanner (1996), Solving Ordinary Differential Equations II, eq. IV.7.25. */
+enum { ISO_ROSENBROCK_STAGES = 3 };
+
+typedef struct iso_rosenbrock {
+    real gamma;
+    real a21; /* also a31; a32 is zero, so that the second and third stage share an evaluation */
+    real c21, c31, c32;
+    real m[ISO_ROSENBROCK_STAGES];
+} iso_rosenbrock;
+
+/* ROS3, order three, L-stable: Sandu, Verwer, Blom, Spee, Carmichael, Potra (1997), Atmospheric Environment 31(20),
+ * 3459-3472. */
+static const iso_rosenbrock iso_table_ros3 = {
+    .gamma = R(0.43586652150845899942),
+    .a21 = R(1.0),
+    .c21 = R(-1.0156171083877702092),
+    .c31 = R(4.0759956452537699825),
+    .c32 = R(9.2076794298330791242),
+    .m = {R(1.0), R(6.1697947043828245593), R(-0.42772256543218573326)},
+};
+
+/* One step of iso_table_ros3, from the derivative and the factors at the start. work[ISO_ROSENBROCK_VECTORS n]. Local
+ * error of order h^4. */
+enum { ISO_ROSENBROCK_VECTORS = 5 };
+
+ISO_INLINE void iso_rosenbrock_step(iso_step *const step)
+{
+    const iso_rosenbrock *const table = &iso_table_ros3;
+    const iso_history *const history = step->history;
+    const iso_equations *const eq = step->equations;
+    const size_t n = history->n;
+    const real h_gamma = step->h * table->gamma;
+    real *const derivative = step->work;
+    real *const k1 = step->work + n;
+    real *const k2 = step->work + 2 * n;
+    real *const k3 = step->work + 3 * n;
+    real *const at = step->work + 4 * n;
+
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        k1[s] = h_gamma * derivative[s];
+    }
+    eq->solve(k1, step->lu);
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        at[s] = history->x[s] + table->a21 * k1[s];
+    }
+    iso_evaluate(step, derivative, at);
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        k2[s] = h_gamma * derivative[s] + table->gamma * table->c21 * k1[s];
+    }
+    eq->solve(k2, step->lu);
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        k3[s] = h_gamma * derivative[s] + (table->gamma * table->c31 * k1[s] + table->gamma * table->c32 * k2[s]);
+    }
+    eq->solve(k3, step->lu);
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        iso_advance(history, s, (table->m[0] * k1[s] + table->m[1] * k2[s]) + table->m[2] * k3[s]);
+    }
+}
+
+#endif
