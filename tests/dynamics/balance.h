@@ -7,7 +7,7 @@
 /* The worst over some states, each relative to its terms. */
 typedef struct balances {
     wide energy; /* dE/dt = power of drives and applied forces - power of dampers */
-    wide dof;    /* momentum of all that hangs on a joint, along each of its degrees of degree of freedom */
+    wide dof;    /* momentum of all that hangs on a joint, along each of its degrees of freedom */
     wide ground; /* momentum of the whole, all six components */
 } balances;
 

@@ -14,7 +14,7 @@
  * further iteration is one more solution with the same factors. Where the scene gives no penalty, e is the mean of A's
  * diagonal at the start times the square root of the unit roundoff u: rounding then changes A + e, and the multipliers
  * that no constraint needs, by a part of sqrt(u) at most, and a constraint is held wherever it moves the degrees of
- * degree of freedom by more than u^(1/4) of what it usually does.
+ * freedom by more than u^(1/4) of what it usually does.
  *
  * Where A has the eigenvalue a, n iterations leave (e / (a + e))^n of what is demanded, and make up to n / e of a
  * rounding error where a is near zero. With n = 3 less than u is left as soon as a is u^(1/6) of the mean, 6 % in
@@ -32,8 +32,8 @@ typedef struct augmented {
     const mass_matrix *mass;
     constraints held;
     int *order;          /* in which the constraints are eliminated: the one with the fewest neighbours first */
-    node **inward;       /* [constraints][degrees of degree of freedom] L'^-1 Phi_q' */
-    node **reach;        /* [constraints][degrees of degree of freedom] D^-1 L'^-1 Phi_q' */
+    node **inward;       /* [constraints][degrees of freedom] L'^-1 Phi_q' */
+    node **reach;        /* [constraints][degrees of freedom] D^-1 L'^-1 Phi_q' */
     node *schur;         /* [constraints constraints] A + e: after the factorisation L, and 1 / D on the diagonal */
     node *pivots;        /* D */
     node *diagonal;      /* of A + e */
@@ -48,7 +48,7 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
  * is where the double root of the others is with alpha = beta. */
 node demand_of(graph *g, const mechanism *m, const constraint *c);
 
-/* The change of the degrees of degree of freedom that takes the least kinetic energy, and with it `gap` off the
+/* The change of the degrees of freedom that takes the least kinetic energy, and with it `gap` off the
  * constraints: -M^-1 Phi_q' (A + e)^-1 gap. */
 void augmented_project(const augmented *a, const node *gap, node *change);
 

@@ -1,4 +1,4 @@
-/* What the loop closures demand of the degrees of degree of freedom, as nodes: of each constraint its position Phi(q),
+/* What the loop closures demand of the degrees of freedom, as nodes: of each constraint its position Phi(q),
  * its rate Phi', its row Phi_q of the Jacobian, and its bias, what Phi'' is at q'' = 0.
  *
  * Nikravesh (1988), Computer-Aided Analysis of Mechanical Systems, ch. 7. Rows are made from the velocities of points
@@ -16,7 +16,7 @@ typedef struct constraint {
     node rate;
     node bias;
     node length;          /* of a distance */
-    node *row;            /* [degrees of degree of freedom] */
+    node *row;            /* [degrees of freedom] */
     vector force, moment; /* on the child, in base axes, about its point, of a multiplier of one; both zero of joints */
 } constraint;
 

@@ -74,7 +74,7 @@ static void add_way(const kinematics *k, const acceleration *all, int i, bool mo
     to->acceleration = vector_add(g, to->acceleration, bias);
 }
 
-/* What the degrees of degree of freedom of a link add to the motion of the end, which is at to->point from where the
+/* What the degrees of freedom of a link add to the motion of the end, which is at to->point from where the
  * link hangs. */
 static void add_dofs(const kinematics *k, int i, matrix rotation, side *to)
 {

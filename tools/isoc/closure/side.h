@@ -15,9 +15,8 @@ typedef enum closure_axes { AXES_OF_BASE, AXES_OF_PARENT, AXES_OF_CHILD } closur
 typedef struct side {
     vector point, velocity, acceleration; /* from the base's origin, and its rates at q'' = 0 */
     vector omega, alpha;
-    vector *linear,
-        *angular; /* [degrees of degree of freedom] what each adds to the velocity and to the angular velocity */
-    matrix axes;  /* columns: of the closure's frame */
+    vector *linear, *angular; /* [degrees of freedom] what each adds to the velocity and to the angular velocity */
+    matrix axes;              /* columns: of the closure's frame */
 } side;
 
 /* turns[link + 1]: from the axes of each link of the loop, and of its base, to those chosen. */

@@ -13,7 +13,7 @@ typedef struct assembly {
     const mechanism *m;
     const constraints *held;
     closing c;
-    bool *is_free;    /* [degrees of degree of freedom] */
+    bool *is_free;    /* [degrees of freedom] */
     bool keeps_rough; /* coordinates with a rough start are not free */
 } assembly;
 

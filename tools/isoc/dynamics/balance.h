@@ -10,7 +10,7 @@
 
 #include "tools/isoc/dynamics/dynamics.h"
 
-/* Degrees of degree of freedom and constraints. */
+/* Degrees of freedom and constraints. */
 int balance_rows(const dynamics *d);
 
 /* left[rows], by leaves OP_DERIVATIVE of the accelerations and OP_MULTIPLIER; and weights[rows rows], what it has of

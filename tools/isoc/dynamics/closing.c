@@ -41,7 +41,7 @@ static double square_gaps(const closing *c, bool rates)
     return sum;
 }
 
-/* Moves the positions of a link by what its degrees of degree of freedom move. */
+/* Moves the positions of a link by what its degrees of freedom move. */
 static void move_link(const closing *c, const link *l, const double *by)
 {
     double *q = c->x + l->position;

@@ -10,7 +10,7 @@ typedef struct closing {
     const constraints *held;
     arena *memory;
     double *x, *numbers; /* states, and the values of all nodes at them */
-    double *jacobian;    /* [constraints][degrees of degree of freedom] */
+    double *jacobian;    /* [constraints][degrees of freedom] */
 } closing;
 
 /* What is left open most, by how much, and the rank of the constraints in the free ones. */

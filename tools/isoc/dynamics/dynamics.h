@@ -31,7 +31,7 @@ typedef struct dynamics {
     kinematics k;
     mass_matrix mass;
     acceleration *accelerations; /* of the links, at q'' = 0 */
-    node *acceleration;          /* [degrees of degree of freedom] q'' */
+    node *acceleration;          /* [degrees of freedom] q'' */
     augmented loops;             /* without constraints where nothing is closed */
 } dynamics;
 
@@ -39,7 +39,7 @@ typedef struct dynamics {
  * is. */
 const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen);
 
-/* effort[degrees of degree of freedom]: u - d q' - k (q - rest) - bias. */
+/* effort[degrees of freedom]: u - d q' - k (q - rest) - bias. */
 void efforts_less(const dynamics *d, const node *bias, node *effort);
 
 /* Kinetic energy, gravitational energy (zero at the ground's origin) and energy of the springs; needs

@@ -32,7 +32,7 @@ vector vector_value(builder *b, const formula *f, dimension of, const char *what
 node scalar_value(builder *b, const formula *f, dimension of, const char *what);
 
 /* joints.c: the links that a joint is a chain of, from the parent's side, each with its axes against the joint's frame;
- * their number. And the degrees of degree of freedom of all links. */
+ * their number. And the degrees of freedom of all links. */
 int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT]);
 void list_dofs(builder *b);
 

@@ -268,7 +268,7 @@ int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix
     return count;
 }
 
-/* Every link's degrees of degree of freedom, one after the other. */
+/* Every link's degrees of freedom, one after the other. */
 void list_dofs(builder *b)
 {
     static const char *const endings[] = {"_x", "_y", "_z"};

@@ -173,7 +173,7 @@ typedef struct mechanism {
 /* How a scene calls a method. */
 extern const char *const method_names[ISO_METHODS];
 
-/* Positions and degrees of degree of freedom of an elementary joint. */
+/* Positions and degrees of freedom of an elementary joint. */
 static inline int positions_of(joint_kind kind)
 {
     return kind == JOINT_SPHERICAL ? 4 : 1;

@@ -10,7 +10,7 @@
 
 #include "tools/isoc/tree/bias.h"
 
-/* From x = efforts to x = q''. [degrees of degree of freedom] */
+/* From x = efforts to x = q''. [degrees of freedom] */
 void articulated_solve(const kinematics *k, node *x);
 
 #endif

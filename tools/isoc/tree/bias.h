@@ -17,11 +17,11 @@ acceleration accelerate_outward(const kinematics *k, int link, const acceleratio
 /* What each link takes by itself for its acceleration, less what forces on it give. */
 void inertial_wrenches(const kinematics *k, const acceleration *accelerations, wrench *wrenches);
 
-/* From the tips to the root: efforts[degrees of degree of freedom] from what each link takes by itself; the wrenches
+/* From the tips to the root: efforts[degrees of freedom] from what each link takes by itself; the wrenches
  * become those of all that hangs on a link. */
 void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts);
 
-/* Fills bias[degrees of degree of freedom] with the efforts, less what forces on bodies give, and accelerations[links].
+/* Fills bias[degrees of freedom] with the efforts, less what forces on bodies give, and accelerations[links].
  */
 void bias_build(const kinematics *k, node *bias, acceleration *accelerations);
 

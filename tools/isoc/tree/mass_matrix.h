@@ -15,7 +15,7 @@ typedef struct mass_matrix {
     node *at;       /* [n n]: L below the diagonal, after the factorisation */
     node *entries;  /* [n n] of M itself, where one degree of freedom hangs on the other: below the diagonal */
     node *diagonal; /* M_ii */
-    node *pivots;   /* D_i: M_ii less what the degrees of degree of freedom beyond i take off */
+    node *pivots;   /* D_i: M_ii less what the degrees of freedom beyond i take off */
     node *inverse;  /* 1 / D_i */
 } mass_matrix;
 
