@@ -197,10 +197,9 @@ build/isoc: $(filter build/obj/tools/isoc/%,$(TOOL_OBJECTS)) build/obj/tools/fla
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/accuracy: $(filter build/obj/tools/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
-build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
-build/forced: build/obj/tools/build/forced.o build/obj/tools/table/table.o build/obj/tools/flags
-build/cycles: build/obj/tools/build/cycles.o build/obj/tools/flags
-TOOLS := build/cycles build/isoc build/trace build/plot build/accuracy build/duration build/forced
+SMALL_TOOLS := $(addprefix build/,cycles duration effect forced size stack)
+$(SMALL_TOOLS): build/%: build/obj/tools/build/%.o build/obj/tools/table/table.o build/obj/tools/flags
+TOOLS := build/isoc build/trace build/plot build/accuracy $(SMALL_TOOLS)
 $(TOOLS):
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -o $@ -lm

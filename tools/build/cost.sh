@@ -90,7 +90,7 @@ effect()
 {
     folder=build/cost/effects/$(echo "$1" | tr -cs 'a-z\n' -)
     mkdir -p "$folder"
-    awk -v effect="$1" -f tools/build/effect.awk tools/build/effects.txt models/pendulum.scene \
+    build/effect "$1" tools/build/effects.txt models/pendulum.scene \
         >"$folder/pendulum.scene" || fail "no scene for '$1'"
     measure "${folder#build/cost/}" "$folder/pendulum.scene" rk4 size
     with=$(cost) || exit 1

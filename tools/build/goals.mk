@@ -68,22 +68,22 @@ plot: $(PROGRAM) build/trace build/plot
 
 # --- What it costs -----------------------------------------------------------------------------------------------
 
-size: $(PROGRAM)
+size: $(PROGRAM) build/size
 	@$(PORT_SIZE) $(OUT)/plant.o $(OBJECTS) $(PROGRAM)
-	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | awk -v limits=$(LIMITS) -f tools/build/size.awk
+	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | build/size $(LIMITS)
 
 # The limits were set for this one, with its own method.
 LIMITED := cortex-m4f float models/double_pendulum.scene
 LIMITS := $(if $(findstring $(LIMITED),$(TARGET) $(REAL) $(SCENE)),$(if $(filter-out rk4,$(METHOD)),no,yes),no)
 
 # GCC writes the call graph with the frame of every function into plant.ci.
-stack: $(OUT)/plant.o
+stack: $(OUT)/plant.o build/stack
 	@mkdir -p $(OUT)/stack
 	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) \
 	    -o $(OUT)/stack/plant.o || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
-	@awk -v root=step -f tools/build/stack.awk $(OUT)/stack/plant.ci
+	@build/stack step <$(OUT)/stack/plant.ci
 
-cost: build/isoc build/trace build/forced
+cost: build/isoc build/trace build/forced build/effect
 	@MAKE=$(call quote,$(MAKE)) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/build/cost.sh
 
 chains: build/isoc build/trace
