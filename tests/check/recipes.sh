@@ -1,0 +1,90 @@
+#!/bin/sh
+# The recipes of tests/README.md, done literally: each patch of tests/recipes changes at most two files, which the recipe names,
+# and what it adds works: a method, a kind of joint, a kind of output. Without the patches nothing of it is known.
+. tests/host/test.sh
+. tests/host/project.sh
+begin check/recipes
+project
+cat >"$out/project/pin_slot.scene" <<'SCENE'
+# A bar with a pin in a slot: it slides along x and turns about y, without gravity.
+step 1 ms
+
+body bar {
+    mass 2 kg
+    inertia (0.01, 0.01, 0.01) kg*m^2
+}
+
+joint slot pin_slot {
+    parent ground rotate 90 deg about z
+    child bar
+    axis x
+    second y
+    start at 10 mm rotate 20 deg
+    speed 1 m/s
+    spin 3 rad/s
+}
+
+output slide = position of slot_slide
+output turn = position of slot_turn
+output turning = angular_velocity of bar
+SCENE
+
+! call run SCENE=pin_slot.scene && grep -q "'pin_slot'" "$out/errors"
+expect $? "without the patches: the kind of joint is unknown"
+! call run METHOD=ralston && grep -q 'METHOD=ralston is unknown' "$out/errors"
+expect $? "without the patches: the method is unknown"
+
+for recipe in tests/recipes/*.patch; do
+    sed -n 's|^+++ b/||p' "$recipe" >"$out/files"
+    [ -s "$out/files" ] && [ "$(grep -c . "$out/files")" -le 2 ]
+    result $? "$recipe changes $(grep -c . "$out/files") files: $(tr '\n' ' ' <"$out/files")"
+    unnamed=
+    while IFS= read -r file; do
+        grep -qF -e "$file" -e "$(dirname "$file")/NAME.h" tests/README.md || unnamed="$unnamed $file"
+    done <"$out/files"
+    [ -z "$unnamed" ]
+    result $? "tests/README.md names them$unnamed"
+    patch -d "$out/project" -p1 <"$recipe" >"$out/output" 2>"$out/errors"
+    expect $? "$recipe applies"
+done
+
+# cell ROW COLUMN: of the table of the last run; -1 is the last row.
+cell()
+{
+    awk -F, -v row="$1" -v column="$2" '
+        FNR == 1 { for (i = 1; i <= NF; i++) if ($i == column) at = i; next }
+        FNR == row + 2 { value = $at; exit }
+        { value = $at }
+        END { print value }' "$out/project/$(value trace)"
+}
+
+# near A B: within 1e-5.
+near()
+{
+    awk -v a="$1" -v b="$2" 'BEGIN { exit !(a != "" && b != "" && (a - b) ^ 2 <= 1e-10) }'
+}
+
+call run SCENE=pin_slot.scene SECONDS=1
+expect $? "a scene with the new joint and the new output runs"
+near "$(cell -1 slide)" 1.01 && near "$(cell -1 turn)" 3.3490658
+expect $? "the joint slides 1 m and turns by 3 rad in 1 s"
+# The second axis of the joint, y, is -x of the ground.
+near "$(cell -1 turning_x)" -3 && near "$(cell -1 turning_y)" 0 && near "$(cell 0 turning_x)" -3
+expect $? "the angular velocity is in the axes of the ground"
+
+# state_error METHOD STEP: of the first angle of the double pendulum after 1 s, in double; the reference is rk4 with a step that
+# is short enough.
+state_error()
+{
+    call run METHOD="$1" STEP="$2" REAL=double SECONDS=1 || return 1
+    awk -v a="$(value state | cut -d ' ' -f 1)" -v b="$reference" 'BEGIN { printf "%.3e\n", a < b ? b - a : a - b }'
+}
+
+call run METHOD=rk4 STEP=100us REAL=double SECONDS=1
+expect $? "the double pendulum with rk4"
+reference=$(value state | cut -d ' ' -f 1)
+whole=$(state_error ralston 2ms) && half=$(state_error ralston 1ms)
+expect $? "the double pendulum with the new method"
+awk -v whole="$whole" -v half="$half" 'BEGIN { exit !(half > 0 && whole > 3.5 * half && whole < 4.5 * half) }'
+result $? "its error is of order 2: $whole at a step of 2 ms, $half at 1 ms"
+finish
