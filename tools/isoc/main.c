@@ -50,7 +50,7 @@ static bool complain(const char *message, const char *argument)
     return false;
 }
 
-/* Takes the value of an option, which must follow it, and come once. */
+/* The value of an option: it must follow, and an option must be given once. */
 static bool take_option(char **argument, const char **slot)
 {
     if (argument[1] == NULL) {
@@ -111,7 +111,7 @@ static bool read_options(char **arguments, options *o)
     return true;
 }
 
-/* --step and --method, read as if they stood in the scene. Their problems are told at once. */
+/* Reads --step, --method and --tolerance as statements of the scene, and reports their problems at once. */
 static bool override(arena *memory, const options *o, scene *s)
 {
     if (o->step == NULL && o->method == NULL && o->tolerance == NULL) {
@@ -185,7 +185,8 @@ static bool compile(arena *memory, const options *o)
                                             : "a tree has no such formulation:",
                             o->scene);
         }
-        graph resting = graph_copy(&g); /* whatever formulation is kept, gaps are told in resting axes */
+        graph resting =
+            graph_copy(&g); /* closures are assembled in the axes of their base, whatever formulation is kept */
         assemble(&s, dynamics_build(&resting, &m, FORMULATION_COMPOSITE));
     }
     /* Constants of the equations may depend on the start: so that comes first. */

@@ -1,4 +1,4 @@
-/* What the parts that build a mechanism share: the scene as written, its values, and what is made of it so far. */
+/* What the files that build a mechanism share: the scene as written, its values, and the mechanism so far. */
 #ifndef ISOC_MECHANISM_BUILDER_H
 #define ISOC_MECHANISM_BUILDER_H
 
@@ -9,7 +9,7 @@ static const dimension no_unit = {0, 0, 0, 0}, kilogram = {1, 0, 0, 0}, metre = 
 
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 
-/* What a body brings to its link. */
+/* What a body adds to its link. */
 typedef struct solid {
     node mass;
     vector com;
@@ -27,29 +27,26 @@ typedef struct builder {
     mechanism made;
 } builder;
 
-/* The value of a formula; zero where there is none, or where it was wrong. */
+/* The value of a formula; zero if there is none, or if it is wrong. */
 vector vector_value(builder *b, const formula *f, dimension of, const char *what);
 node scalar_value(builder *b, const formula *f, dimension of, const char *what);
 
-/* joints.c: the links that a joint is a chain of, from the parent's side, each with its axes against the joint's frame;
- * their number. And the degrees of freedom of all links. */
+/* joints.c: the chain of links that a joint stands for, beginning at the parent, each with its axes in the joint's frame; returns their number. And the degrees of freedom of all links. */
 int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT]);
 void list_dofs(builder *b);
 
-/* closures.c: loop closures, and how the drift off them is held. The link of a joint of one coordinate, or -1, which it
- * notes; and what it is measured in. */
+/* closures.c: loop closures and their stabilisation. The link of a joint of one coordinate, or -1 after noting a problem; and the dimension of its coordinate. */
 void build_closures(builder *b);
 int coordinate_of(builder *b, name n);
 dimension coordinate_dimension(const link *l);
 
-/* motions.c: a joint that moves as a function of time says; false if there was a problem. */
+/* motions.c: a joint whose coordinate is a function of time; returns false after noting a problem. */
 bool build_motion(builder *b, const closure *written, cut *made);
 
-/* applied forces.c: forces of inputs on bodies. */
+/* applied_forces.c: forces of inputs on bodies. */
 void build_applied_forces(builder *b);
 
-/* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame turned so that
- * the axis is its coordinate axis *k, times *sign: the identity for x, y, z, -x, -y, -z. */
+/* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame in which the axis is the coordinate axis *k times *sign (the identity for x, y, z, -x, -y, -z). */
 bool unit_axis(builder *b, const formula *f, double axis[3]);
 void place_joint(builder *b, const placement *p, matrix *turn_made, vector *origin);
 matrix align(graph *g, const double a[3], int *k, double *sign);

@@ -1,11 +1,11 @@
-/* Loop closures as the scene has them, carried to the frames of links. */
+/* Loop closures of the scene, expressed in the frames of links. */
 #include <math.h>
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/scene/names.h"
 
-/* The last link that both hang on. */
+/* The last common ancestor of two links. */
 static int common_link(const mechanism *m, int a, int b)
 {
     while (a != b) {
@@ -97,12 +97,11 @@ dimension coordinate_dimension(const link *l)
     return l->kind == JOINT_PRISMATIC ? metre : radian;
 }
 
-/* What first - ratio second is multiplied with, so that whole turns of those that are continuous make whole turns of
- * it: of both, the denominator of a ratio of small whole numbers. Zero where there is nothing of that kind. */
+/* The factor of first - ratio second with which whole turns of the continuous joints become whole turns of the constraint. If both are continuous, it is the denominator of a ratio of small whole numbers. Zero if there is no such factor. */
 static node whole_turns(builder *b, const link *first, const link *second_link, node ratio)
 {
     enum { MOST_TEETH = 100 };
-    static const double exact = 1e-12; /* of a ratio of whole numbers only its rounding is left */
+    static const double exact = 1e-12; /* relative: the rounding of a ratio of whole numbers */
     graph *g = b->g;
     int whole = first->continuous && !second_link->continuous;
     if (second_link->continuous && !first->continuous && value_now(&b->values, ratio) != 0.0) {
@@ -115,7 +114,7 @@ static node whole_turns(builder *b, const link *first, const link *second_link, 
     return constant(g, whole);
 }
 
-/* A gear between two joints; at the start it holds as it is. */
+/* A gear between two joints; the start satisfies it. */
 static bool build_gear(builder *b, const closure *written, cut *made)
 {
     made->parent.link = coordinate_of(b, written->first);
@@ -165,9 +164,7 @@ static double option(builder *b, const formula *f, dimension of, const char *wha
     return number;
 }
 
-/* Baumgarte's alpha = beta = 1 / (10 h) takes a violation away in some tens of steps, and is stable with every method:
- * its double root -1/10 / h lies within the stability limit of ab4, 0.3 / h. The augmented Lagrangian takes the same as
- * Omega, with mu = 1: gamma is the same. */
+/* Baumgarte's alpha = beta = 1 / (10 h) removes a violation in some tens of steps, and is stable with every method: its double root -1 / (10 h) is within the stability limit of ab4, 0.3 / h. The augmented Lagrangian uses the same value as Omega, with mu = 1, so that gamma is the same. */
 static void build_stabilisation(builder *b)
 {
     static const dimension rate = {0, 0, -1, 0};

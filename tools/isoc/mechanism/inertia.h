@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-/* NULL if the tensor (xx, yy, zz, xy, xz, yz) about a centre of mass can be a body's, else what is wrong with it. */
+/* NULL if a body can have this tensor (xx, yy, zz, xy, xz, yz) about its centre of mass, else what is wrong with it. */
 const char *inertia_fault(const double tensor[6]);
 
 #endif

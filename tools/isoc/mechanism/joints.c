@@ -1,4 +1,4 @@
-/* A joint as the chain of links that it is. */
+/* A joint as a chain of links. */
 #include <math.h>
 #include <string.h>
 
@@ -75,7 +75,7 @@ static void start_quaternion(builder *b, const joint *j, double q[4])
 
 /* --- parts --- */
 
-/* A part that slides along or turns about one of its axes, or turns freely. */
+/* A link that slides along or turns about one of its axes, or turns freely. */
 static link part(builder *b, const joint *j, joint_kind kind, const char *ending, int axis, double sign)
 {
     const bool turns = kind != JOINT_PRISMATIC;
@@ -98,7 +98,7 @@ static link part(builder *b, const joint *j, joint_kind kind, const char *ending
     return made;
 }
 
-/* The only coordinate of a joint, with its effects. */
+/* The link of a joint with one coordinate, with damping, spring and drive. */
 static link single(builder *b, const joint *j, int axis, double sign)
 {
     link made = part(b, j, joint_rows[j->kind].parts[0].kind, "", axis, sign);
@@ -154,7 +154,7 @@ static joint_axes axes_of(builder *b, const joint *j)
     return made;
 }
 
-/* Which of its coordinate axes a part moves along or about, and the frame that it is an axis of. */
+/* The frame in which a part moves along or about the coordinate axis *k times *sign. */
 static matrix part_frame(builder *b, const joint_axes *axes, part_axis along, int *k, double *sign)
 {
     const int which = along == ALONG_SECOND;
@@ -167,13 +167,13 @@ static matrix part_frame(builder *b, const joint_axes *axes, part_axis along, in
     return in_frame ? matrix_identity(b->g) : axes->turned[which];
 }
 
-/* What a scene gives of a joint of several coordinates: one place along its only sliding axis, or a vector. */
+/* The start of a joint with several coordinates. Place and speed are one number if it has one sliding axis, else a vector. */
 typedef struct given {
     int sliding;
     double place[3], speed[3], spin[3];
 } given;
 
-/* A place or a speed of a joint that slides along two axes lies in their plane. */
+/* Place and speed of a joint that slides along two axes must lie in their plane. */
 static void check_plane(builder *b, const formula *f, const double at[3], const joint_axes *axes)
 {
     const matrix back = matrix_transpose(axes->turned[0]);

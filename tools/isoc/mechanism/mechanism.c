@@ -113,7 +113,7 @@ static void connect(builder *b, size_t i)
 
 /* --- the tree --- */
 
-/* Adds a body to its link, or to the ground, as it stands there; and returns it. */
+/* Adds a body to its link, or to the ground, and returns it in that frame. */
 static composite weld(builder *b, const solid *part, const body_frame *frame)
 {
     graph *g = b->g;
@@ -133,7 +133,7 @@ static composite weld(builder *b, const solid *part, const body_frame *frame)
     return own;
 }
 
-/* Hangs the child of a joint on its parent, whose frame is known, by a chain of links. */
+/* Connects the child of a joint to its parent, whose frame is known, by a chain of links. */
 static void hang(builder *b, size_t i)
 {
     graph *g = b->g;
@@ -147,7 +147,7 @@ static void hang(builder *b, size_t i)
     place_joint(b, &j->parent, &on_parent, &at_parent);
     place_joint(b, &j->child, &on_child, &at_child);
 
-    /* From the axes that the last link has, to those of the joint: the last link's own axis is one of its axes. */
+    /* From the axes of the last link to those of the joint: the axis of a link is one of its own coordinate axes. */
     body_frame last = {parent.link, matrix_product(g, parent.turn, on_parent), vector_zero(g), true};
     last.offset = vector_add(g, matrix_apply(g, parent.turn, at_parent), parent.offset);
     link links[PARTS_OF_A_JOINT];
@@ -177,7 +177,7 @@ static void hang(builder *b, size_t i)
     made->own = weld(b, &b->solids[b->children[i]], child);
 }
 
-/* Hangs joints on what is placed, the first declared first, until none is left that can be. */
+/* Connects joints whose parent is placed, in the order of the scene, until there are no more. */
 static void build_tree(builder *b)
 {
     const size_t joints = b->written->joint_count;
@@ -193,7 +193,7 @@ static void build_tree(builder *b)
             }
         }
     }
-    /* What is left hangs on itself or on something unknown. */
+    /* What is left is part of a loop, or its parent is unknown. */
     for (size_t i = 0; i < joints; i++) {
         int above = (int)i;
         size_t steps = 0;

@@ -39,14 +39,14 @@ typedef struct link {
     int drive;                  /* an input, or -1 */
     double start[4], speed[3];  /* a quaternion is w, x, y, z */
     bool start_given, speed_given;
-    bool start_is_rough;           /* not given, but looked for from there */
+    bool start_is_rough;           /* not given: the assembly searches from there */
     bool start_found, speed_found; /* moved by the assembly */
 } link;
 
-/* One way in which a link moves against its parent. */
+/* A degree of freedom: one way in which a link moves relative to its parent. */
 typedef struct dof {
     int link, axis;
-    int before; /* the degree of freedom that this one hangs on, or GROUND */
+    int before; /* its parent degree of freedom, or GROUND */
     const char *name;
 } dof;
 
@@ -57,15 +57,14 @@ typedef struct applied_force {
     node lever;         /* the moment about the force's own line, per newton */
 } applied_force;
 
-/* A side of a closure: its frame on a link. */
+/* One side of a closure: its frame on a link. */
 typedef struct cut_end {
     int body, link; /* or GROUND */
     matrix turn;
     vector point;
 } cut_end;
 
-/* A function of the tick that motions are functions of: a state that every tick begins with, and that grows at a
- * constant rate within it. */
+/* A function of the tick that motions depend on. It is a state, set at the beginning of each tick, with a constant rate within it. */
 typedef struct clock {
     node of_tick;
     double rate;  /* per second */
@@ -76,7 +75,7 @@ typedef struct clocks {
     clock *all;
     int count;
     size_t room;
-    int first; /* the state that the first one is */
+    int first; /* index of the first one among the states */
 } clocks;
 
 /* A loop closure. */
@@ -85,26 +84,26 @@ typedef struct cut {
     place at;
     closure_kind kind;
     cut_end parent, child; /* of a gear or a motion: only the links, first and second */
-    int base;              /* the last link that both sides hang on, or GROUND */
+    int base;              /* the last common ancestor of both sides, or GROUND */
     int axis;              /* 0, 1, 2: of the frames */
     node length;           /* distance; radius; what a gear or a motion starts at */
     node ratio;
     node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
-    node whole;    /* of continuous joints: Phi times this holds but for whole turns; zero: Phi itself holds */
-    bool in_speed; /* a gear or a motion that holds in speeds alone */
+    node whole;    /* with continuous joints: Phi times this is zero up to whole turns; zero: Phi itself is zero */
+    bool in_speed; /* a gear or a motion that constrains only speeds */
 } cut;
 
-/* A body, or several seen as one, in the frame of a link or of the ground. */
+/* A body, or several rigidly connected bodies, in the frame of a link or of the ground. */
 typedef struct composite {
     node mass;
     vector ms;      /* first moment, about the frame's origin */
     tensor inertia; /* likewise */
 } composite;
 
-/* A body as what it hangs by feels it: what the joints' motion does not change is moved between links, not here. */
+/* A body with its own mass, for the reactions of joints: without the terms that regroup.c moves between links. */
 typedef struct member {
-    const char *joint; /* that it hangs by */
-    int parent;        /* the body that it hangs on, or GROUND */
+    const char *joint; /* whose child it is */
+    int parent;        /* the parent body, or GROUND */
     vector hinge;      /* the joint's frame on the body, in the link's */
     composite own;     /* likewise */
 } member;
@@ -149,13 +148,13 @@ typedef struct mechanism {
     applied_force *applied_forces;
     int applied_force_count;
     vector gravity;
-    node ground_mass; /* welded to the ground; for the energy */
+    node ground_mass; /* fixed to the ground; for the energy */
     vector ground_moment;
 
     int input_count;
     const char **input_names;
-    node *drives;  /* the inputs as functions of time, and behind them the clocks */
-    double *jumps; /* the changes of inputs that start a method anew; 0: none does */
+    node *drives;  /* the inputs as functions of time, then the clocks */
+    double *jumps; /* the change of an input that restarts the method; 0: none */
 
     shown *outputs;
     size_t output_count;
@@ -166,11 +165,11 @@ typedef struct mechanism {
 
     unsigned recipe;  /* method and options: core/methods/method.h */
     double tolerance; /* of adams */
-    double substeps;  /* its budget in a tick; 0: as good as none */
+    double substeps;  /* its budget in a tick; 0: unlimited */
     double step;      /* s */
 } mechanism;
 
-/* How a scene calls a method. */
+/* The names of methods in a scene. */
 extern const char *const method_names[ISO_METHODS];
 
 /* Positions and degrees of freedom of an elementary joint. */
@@ -195,7 +194,7 @@ double *mechanism_start(const mechanism *m, arena *memory);
 /* Resolves names, units and places; notes problems. The result is whole only if there are none. */
 mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double);
 
-/* Only the method and the step, for a scene that says nothing else; notes problems. */
+/* Only the method and the step, for a scene that has nothing else; notes problems. */
 void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double);
 
 #endif

@@ -1,4 +1,4 @@
-/* Joints that move as a function of time says. */
+/* Joints whose coordinate is a function of time. */
 #include <math.h>
 
 #include "tools/isoc/graph/differentiate.h"
@@ -6,7 +6,7 @@
 
 static const double two_pi = 6.28318530717958648;
 
-/* The state that is this function of the tick: a method of order four sees it at fourth order within a step. */
+/* The state that stands for this function of the tick. Within a step it is integrated with the other states, so that a method keeps its order. */
 static node clock_of(builder *b, node of_tick)
 {
     clocks *c = &b->made.clocks;
@@ -51,8 +51,7 @@ static node rate_of(builder *b, node moving)
     return sum;
 }
 
-/* A motion that grows for ever at a constant speed, as a phase within a turn and what is left: as exact after a day as
- * after a second. */
+/* A motion at constant speed, as a phase within one turn plus the rest: it stays as exact after a day as after a second. */
 static node as_phase(builder *b, const closure *written, node moving)
 {
     graph *g = b->g;

@@ -1,6 +1,6 @@
 #include "tools/isoc/mechanism/builder.h"
 
-/* Adds mass, first moment and inertia about the origin of a link's frame to what the link hangs on. */
+/* Adds mass, first moment and inertia about the origin of a link's frame to the link's parent. */
 static void move_to_parent(builder *b, const link *from, node mass, vector ms, tensor inertia)
 {
     graph *g = b->g;
@@ -18,10 +18,7 @@ static void move_to_parent(builder *b, const link *from, node mass, vector ms, t
     to->mass = add(g, to->mass, mass);
 }
 
-/* What a joint's motion does not change is as well a part of the parent (Gautier and Khalil 1990, "Direct calculation
- * of minimum set of inertial parameters of serial robots", IEEE Trans. Robotics Automation 6(3)): about a revolute axis
- * the mass, the first moment along the axis and equal moments across it; of a prismatic joint the whole inertia; of a
- * spherical joint the mass. The motion stays the same to the last term, and most of each link's parameters are zero. */
+/* Inertial parameters that a joint's motion does not change can be moved to the parent (Gautier and Khalil 1990, "Direct calculation of minimum set of inertial parameters of serial robots", IEEE Trans. Robotics Automation 6(3)): of a revolute joint the mass, the first moment along the axis and equal moments of inertia across it; of a prismatic joint the whole inertia; of a spherical joint the mass. The equations of motion are the same, and most parameters of each link are zero. */
 void regroup(builder *b)
 {
     graph *g = b->g;

@@ -15,7 +15,7 @@ static value scalar(node n, dimension of)
     return (value){.count = 1, .parts = {n}, .of = of};
 }
 
-/* Whether a formula may not depend on time, which it notes. */
+/* Whether a formula must not depend on time; then it notes a problem. */
 static bool refuses_time(values *v, const formula *f)
 {
     if (!v->time_allowed) {
@@ -59,10 +59,7 @@ static value evaluate_wave(values *v, const formula *f)
     return scalar(strcmp(f->name, "sin") == 0 ? sine(v->g, angle) : cosine(v->g, angle), plain);
 }
 
-/* How much of a smooth curve is done: with c, how far time is from tick `from` on, as a part of so many ticks, limited
- * to [0, 1], it is c^3 (10 - 15 c + 6 c^2), whose derivative and curvature are zero at both ends (the 3-4-5 polynomial
- * of cams). From the middle, d = c - 1/2, that is 1/2 + d (15/8 - d^2 (5 - 6 d^2)), of which rounding takes a tenth as
- * much. `first` is the tick at which all the curves of the ramp begin. */
+/* The part of a smooth curve that is done. With c = (tick - from) / ticks, limited to [0, 1], it is c^3 (10 - 15 c + 6 c^2), whose first and second derivatives are zero at both ends (the 3-4-5 polynomial of cams). With d = c - 1/2 it is 1/2 + d (15/8 - d^2 (5 - 6 d^2)), which has a tenth of the rounding error. `first` is the tick at which the first curve of the ramp begins. */
 static node smooth_part(values *v, double first, double from, double ticks)
 {
     graph *g = v->g;

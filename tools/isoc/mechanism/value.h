@@ -1,4 +1,4 @@
-/* What a formula comes to: nodes with a dimension. */
+/* The value of a formula: nodes with a dimension. */
 #ifndef ISOC_MECHANISM_VALUE_H
 #define ISOC_MECHANISM_VALUE_H
 
@@ -9,7 +9,7 @@
 enum { VALUE_PARTS = 6 };
 
 typedef struct value {
-    int count; /* of parts: 1 a scalar, 3 a vector, 2, 4 or 6; 0: there was a problem, which has been noted */
+    int count; /* of parts: 1 a scalar, 3 a vector, 2, 4 or 6; 0: a problem has been noted */
     node parts[VALUE_PARTS];
     dimension of;
     bool any; /* a plain zero, which is zero in every unit */

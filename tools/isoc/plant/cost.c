@@ -7,7 +7,7 @@ static operations plus(operations a, int times, operations b)
                         a.sincos + times * b.sincos};
 }
 
-/* What it takes to solve with 1 - hb J. */
+/* The cost of solving with 1 - hb J. */
 typedef struct implicit_cost {
     operations factor, solve;
 } implicit_cost;

@@ -83,7 +83,7 @@ static void show_velocity(plant *p, graph *g, const shown *o)
     show_vector(p, g, o, outward_axes(&p->d->k, link_shown, GROUND, velocity));
 }
 
-/* The product of the orientations of all links on the way to the body. */
+/* The product of the orientations of all links from the ground to the body. */
 static void show_orientation(plant *p, graph *g, const shown *o)
 {
     node q[4];

@@ -27,8 +27,7 @@ static void build_derivatives(plant *p, graph *g, formulation chosen)
     }
 }
 
-/* Builds every formulation that fits, each in a copy of the graph, and keeps the one that is wanted, or else the one
- * whose step takes least. */
+/* Builds every formulation that fits, each in a copy of the graph, and keeps the one that is wanted, or else the cheapest one. */
 static void build_cheapest(plant *p, graph *g, formulation wanted)
 {
     const graph before = *g;

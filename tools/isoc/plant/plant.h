@@ -7,7 +7,7 @@
 #include "tools/isoc/graph/operations.h"
 #include "tools/isoc/plant/jacobian.h"
 
-/* What the equations take in each formulation that fits, and which is kept. */
+/* The cost of the equations in each formulation that fits, and which one is kept. */
 typedef struct choice {
     formulation kept;
     operations of[FORMULATIONS];
@@ -28,7 +28,7 @@ typedef struct plant {
     acceleration *accelerations; /* of the links, where reactions of joints are shown */
     jacobian j;                  /* only for implicit methods */
     node energy;
-    node violation; /* of the closures, where the loop accounts for it; else -1 */
+    node violation; /* of the closures, where the loop counts it; else -1 */
     bool is_double;
 } plant;
 

@@ -27,7 +27,7 @@ bool block_has_word(const block *b, const token *t)
     return find_property(b, t) < b->property_count;
 }
 
-/* The next token is no property, or one of another kind: tells which there are. */
+/* The next token is not a property, or one of another kind: notes which properties there are. */
 static void refuse_property(parser *p, const reading *r, bool of_another)
 {
     const char *words[MOST_PROPERTIES + 1];

@@ -1,4 +1,4 @@
-/* The kinds of closures: a row says which properties each has, and what it holds (tools/isoc/closure/constraints.c). */
+/* The kinds of closures: one row for each, with its properties and what it constrains (tools/isoc/closure/constraints.c). */
 #ifndef ISOC_SCENE_CLOSURE_KINDS_H
 #define ISOC_SCENE_CLOSURE_KINDS_H
 
@@ -9,7 +9,7 @@
 enum {
     ANY_CLOSURE = 1,
     BETWEEN_BODIES = 2,
-    ALONG_JOINTS = 4, /* holds coordinates of joints, and not bodies */
+    ALONG_JOINTS = 4, /* constrains coordinates of joints, not bodies */
     WITH_AXIS = 8,
     WITH_LENGTH = 16,
     WITH_RADIUS = 32,
@@ -17,15 +17,14 @@ enum {
     WITH_MOTION = 128,
 };
 
-/* What a closure between bodies holds: the child's frame against the parent's, `axis` one of the axes of both. They are
- * taken in this order. */
+/* What a closure between bodies constrains: the child's frame relative to the parent's, where `axis` is an axis of both. The constraints are made in this order. */
 enum {
     HOLDS_ORIGIN = 1,   /* at the parent's */
     HOLDS_ON_LINE = 2,  /* on the parent's axis */
     HOLDS_DISTANCE = 4, /* from the parent's origin */
     HOLDS_ROLLING = 8,  /* a ball about the child's origin, on the plane across the parent's axis */
     HOLDS_AXIS = 16,    /* parallel to the parent's */
-    HOLDS_TURN = 32,    /* no turn at all */
+    HOLDS_TURN = 32,    /* no relative rotation */
 };
 
 /* kind, word, properties, what is held */

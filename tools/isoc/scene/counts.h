@@ -4,7 +4,7 @@
 
 #include "tools/isoc/scene/scene.h"
 
-/* Notes what is too many, where it begins. Returns whether nothing is. */
+/* Notes the first one that is too many of each. Returns whether there is none. */
 bool counts_check(source *s, const scene *written);
 
 #endif

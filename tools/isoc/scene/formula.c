@@ -20,7 +20,7 @@ static void add_part(parser *p, formula *f, formula *part)
     f->parts[f->count++] = part;
 }
 
-/* Words that may follow a number on its line, and so are no misspelt unit. */
+/* Words that may follow a number on its line; they are not misspelt units. */
 static bool next_is_connective(const parser *p)
 {
     static const char *const words[] = {"at", "about", "rotate", "quaternion", "rest", "along", "of", "jump"};
@@ -38,7 +38,7 @@ static bool next_is_unit(const parser *p)
     return p->next->kind == TOKEN_NAME && !p->next->first_on_line && unit_find(p->next->text, &u);
 }
 
-/* After `*` or `/` a unit goes on only if a unit name follows: 2 N * sin(3 Hz) ends at N. */
+/* After `*` or `/` a unit continues only if the name of a unit follows: in 2 N * sin(3 Hz) it ends at N. */
 static bool unit_goes_on(const parser *p)
 {
     const token *after = p->next + 1;
@@ -121,8 +121,7 @@ static formula *parse_number(parser *p)
     return f;
 }
 
-/* formula { , formula } ), after the opening parenthesis; a semicolon parts like a comma, a colon too between time and
- * value. */
+/* formula { , formula } ), after the opening parenthesis. A semicolon separates like a comma, and so does a colon between time and value. */
 static void parse_parts(parser *p, formula *f, bool of_points)
 {
     do {

@@ -1,5 +1,4 @@
-/* The kinds of joints: each is a chain of elementary joints, which slide along an axis, turn about one, or turn freely.
- * A row says all of a kind; the properties that its joints have follow from the chain. */
+/* The kinds of joints: each is a chain of elementary joints, which slide along an axis, turn about an axis, or turn freely. One row defines a kind; the properties of its joints follow from the chain. */
 #ifndef ISOC_SCENE_JOINT_KINDS_H
 #define ISOC_SCENE_JOINT_KINDS_H
 
@@ -46,14 +45,14 @@ typedef struct joint_row {
 
 extern const joint_row joint_rows[JOINT_KINDS];
 
-/* How many parts it has, and how many of them are such. */
+/* The number of parts, and of those of one elementary kind. */
 int joint_parts_count(joint_kind kind);
 int joint_parts_that(joint_kind kind, joint_kind elementary);
 
 /* Whether it is an elementary joint of one coordinate. */
 bool joint_has_one_coordinate(joint_kind kind);
 
-/* What a property of a joint asks of its kind; a kind has several. */
+/* The traits of a kind; a property needs one of them. */
 enum {
     ANY_JOINT = 1,
     MOVES = 2,
@@ -65,7 +64,7 @@ enum {
     TURNS_ROUND = 128, /* its only coordinate is an angle */
 };
 
-/* Those that a kind has, as a sum. */
+/* The traits of a kind, combined. */
 unsigned joint_traits(size_t kind);
 
 #endif

@@ -105,7 +105,7 @@ static void lex_name(lexer *l)
     }
 }
 
-/* One message for a whole run of bytes that begin no token. */
+/* One message for a sequence of bytes that begin no token. */
 static void lex_garbage(lexer *l)
 {
     const unsigned char c = (unsigned char)l->s->text[l->at];

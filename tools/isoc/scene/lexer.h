@@ -1,5 +1,4 @@
-/* Text to tokens. Comments run from # to the end of the line; line ends mean nothing to the grammar, but a token knows
- * whether it is the first on its line, which tells a unit from the next statement and where to go on after an error. */
+/* Text to tokens. Comments run from # to the end of the line. The grammar ignores line ends, but each token is marked if it is the first on its line: so a unit is told from the next statement, and the parser can continue after an error. */
 #ifndef ISOC_SCENE_LEXER_H
 #define ISOC_SCENE_LEXER_H
 
@@ -21,7 +20,7 @@ typedef struct token {
     const char *text; /* as written */
 } token;
 
-/* All tokens of the source, the last one TOKEN_END. What is no token is noted as a problem and left out. */
+/* All tokens of the source, the last one TOKEN_END. Bytes that are no token are noted as a problem and left out. */
 token *lex(source *s);
 
 #endif

@@ -24,7 +24,7 @@ static int by_text(const void *left, const void *right)
     return order != 0 ? order : a->at < b->at ? -1 : a->at > b->at;
 }
 
-/* Whether a name's place has its problem already: the components of a name taken twice need no more words. */
+/* Whether a problem has been noted at this place: the components of a name that is used twice need no further message. */
 static bool is_told(const source *s, place at)
 {
     for (size_t i = 0; i < s->problem_count; i++) {
@@ -111,7 +111,7 @@ static void list_parts(source *s, listing *l, const joint *j, const char *after)
     }
 }
 
-/* What stands for the states in plant.h: a joint's coordinates, and their speeds. */
+/* The names of the states in plant.h: a joint's coordinates, and their speeds. */
 static void list_states(source *s, listing *l, const joint *j)
 {
     list_one(s, l, j->name);
@@ -165,7 +165,7 @@ static void list_components(source *s, listing *l, const scene *written, const o
     }
 }
 
-/* Outputs have names of their own: they may be called like what they show. */
+/* Outputs have a name space of their own: an output may have the name of what it shows. */
 void names_check(source *s, const scene *written)
 {
     listing things = {0}, states = {0}, outputs = {0};
@@ -201,7 +201,7 @@ static size_t collect(const char **names, group g)
     return found;
 }
 
-/* The index in the first of two groups, or in the second, which *in_first tells apart; `more` is a name beside them. */
+/* The index in the first of two groups (*in_first is true) or in the second; `more` is a further name to suggest. */
 static int find_in(source *s, group first, group second, const char *more, name n, const char *what, bool *in_first)
 {
     int found = find_among(first, n);

@@ -1,4 +1,4 @@
-/* The names that a scene declares: each only once, and each found again by who uses it. */
+/* The names that a scene declares: each must be declared once, and is found where it is used. */
 #ifndef ISOC_SCENE_NAMES_H
 #define ISOC_SCENE_NAMES_H
 
@@ -10,7 +10,7 @@ void names_check(source *s, const scene *written);
 /* The letters of an output's components; none where it has but one. */
 const char *output_components(const scene *written, const output *o);
 
-/* How many clocks a motion has at most: one for each time that its formula names the time. */
+/* The largest number of clocks that a motion can have: one for each use of the time in its formula. */
 int closure_clocks(const closure *c);
 
 /* The index of the body, joint, input or closure that is called n; -1, with a problem that suggests the nearest, if

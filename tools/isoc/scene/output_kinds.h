@@ -1,4 +1,4 @@
-/* What a scene can show: a row for each kind of output. tools/isoc/plant/outputs.c has the nodes of each. */
+/* What a scene can show: one row for each kind of output. tools/isoc/plant/outputs.c has the nodes of each. */
 #ifndef ISOC_SCENE_OUTPUT_KINDS_H
 #define ISOC_SCENE_OUTPUT_KINDS_H
 
@@ -6,7 +6,7 @@
 
 #include "tools/isoc/base/arena.h"
 
-/* What an output is of; from OF_COORDINATE on the scene names it. */
+/* What an output belongs to; from OF_COORDINATE on the scene names it. */
 typedef enum operand {
     OF_MECHANISM,
     OF_CLOSURES, /* all of them */
@@ -46,7 +46,7 @@ typedef struct output_row {
     const char *word;
     operand of;
     bool is_of_point;       /* at FORMULA */
-    const char *components; /* a letter each, which its name in the trace ends with; "": a scalar */
+    const char *components; /* one letter for each, the ending of its name in the trace; "": a scalar */
     const char *unit, *turning_unit;
 } output_row;
 

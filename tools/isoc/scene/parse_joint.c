@@ -28,7 +28,7 @@ static start_form form_of(joint_kind kind)
     };
 }
 
-/* The first part of a start that its joint cannot have; NULL: none. */
+/* The first part of a start that its kind of joint cannot have; NULL if there is none. */
 static const place *foreign_part(const start_form *form, const pose *start)
 {
     if (start->coordinate != NULL && !form->coordinate) {

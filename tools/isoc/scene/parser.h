@@ -1,25 +1,25 @@
-/* Tokens to a scene. The grammar (README.md has it with examples); which properties each kind of joint, closure and
- * stabilisation has, and which it needs, stands in the tables of parse_*.c:
+/* Tokens to a scene. The grammar, where JOINT, CLOSURE and OUTPUT are words of the tables joint_kinds.c, closure_kinds.h
+ * and output_kinds.h; tools/isoc/README.md has examples. Which properties a kind has, and which it needs, is in the tables
+ * of parse_*.c:
  *
- *   scene         = { gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
- *                   | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | joint |
- * closure | force | parameter | input | output } body          = body NAME { mass FORMULA | com FORMULA | inertia
- * FORMULA } joint         = joint NAME (fixed | revolute | prismatic | universal | cylindrical | planar | spherical |
- * free) { parent placement | child placement | axis AXIS | second AXIS | start ([about] FORMULA | pose) | speed FORMULA
- * | spin FORMULA | continuous | damping FORMULA | spin_damping FORMULA | spring FORMULA [rest FORMULA] | drive NAME }
- *   closure       = close NAME (fixed | revolute | prismatic | spherical | line | distance | gear | rolling | motion)
- *                   { parent placement | child placement | axis AXIS | length FORMULA | radius FORMULA
- *                   | first NAME | second NAME | ratio FORMULA | motion FORMULA | speed FORMULA }
+ *   scene         = { statement }
+ *   statement     = gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
+ *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | joint | closure
+ *                 | force | parameter | input | output
+ *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA }
+ *   joint         = joint NAME JOINT { parent placement | child placement | axis AXIS | second AXIS
+ *                 | start ([about] FORMULA | pose) | speed FORMULA | spin FORMULA | continuous | damping FORMULA
+ *                 | spin_damping FORMULA | spring FORMULA [rest FORMULA] | drive NAME }
+ *   closure       = close NAME CLOSURE { parent placement | child placement | axis AXIS | length FORMULA
+ *                 | radius FORMULA | first NAME | second NAME | ratio FORMULA | motion FORMULA | speed FORMULA }
  *   force         = force NAME { body NAME [at FORMULA] | axis AXIS | drive NAME | moment FORMULA }
  *   stabilisation = stabilisation (baumgarte | projection | lagrangian | none) [{ alpha FORMULA | beta FORMULA
- *                   | penalty FORMULA | omega FORMULA | mu FORMULA | iterations FORMULA | limit FORMULA }]
+ *                 | penalty FORMULA | omega FORMULA | mu FORMULA | iterations FORMULA | limit FORMULA }]
  *   placement     = NAME [at FORMULA] { rotate FORMULA about AXIS }
  *   pose          = [at FORMULA] ({ rotate FORMULA [about AXIS] } | quaternion FORMULA)
  *   parameter     = (constant | tunable) NAME = FORMULA
  *   input         = input NAME [jump FORMULA] [= FORMULA]
- *   output        = output NAME = (energy | local_error | residual | violation | violation_rate
- *                   | (position | speed | acceleration | velocity | turns | orientation | spin | force | moment |
- * effort) of NAME [at FORMULA] [along (x | y | z)])
+ *   output        = output NAME = OUTPUT [of NAME [at FORMULA] [along (x | y | z)]]
  */
 #ifndef ISOC_SCENE_PARSER_H
 #define ISOC_SCENE_PARSER_H

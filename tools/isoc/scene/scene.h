@@ -1,4 +1,4 @@
-/* A scene as it is written: what the parser understood, before names and units are looked at. */
+/* A scene as it is written: the result of the parser, before names and units are resolved. */
 #ifndef ISOC_SCENE_SCENE_H
 #define ISOC_SCENE_SCENE_H
 
@@ -61,7 +61,7 @@ typedef struct body {
 /* Where a joint starts: a coordinate alone, or a place and turns, or a place and a quaternion (w, x, y, z). */
 typedef struct pose {
     formula *coordinate;
-    bool is_rough;     /* about ...: where closures look for it */
+    bool is_rough;     /* about ...: the assembly searches from there */
     formula *position; /* at ... */
     turn *turns;       /* rotate ... about ...; the axis is NULL where the joint has it */
     size_t turn_count, turn_room;
@@ -74,7 +74,8 @@ typedef struct joint {
     placement parent, child;
     formula *axis, *second;
     pose start;
-    formula *speed, *spin; /* of what slides or is the only coordinate; of what turns, where the joint does both */
+    formula *speed,
+        *spin; /* speed: of what slides, or of the only coordinate; spin: of what turns in a joint of several coordinates */
     formula *damping, *spin_damping, *spring, *rest;
     name drive;
     bool continuous;
@@ -82,7 +83,7 @@ typedef struct joint {
     bool broken;
 } joint;
 
-/* A loop closure: what holds between two bodies, or between two joints, beside the joints of the tree. */
+/* A loop closure: a constraint between two bodies, or between two joints, beside the joints of the tree. */
 typedef struct closure {
     name name;
     closure_kind kind;
@@ -102,7 +103,7 @@ typedef struct body_force {
     bool broken;
 } body_force;
 
-/* How the drift off the closures is held. */
+/* How the drift off the closures is removed. */
 typedef struct stabilisation {
     name kind;                     /* baumgarte, projection, lagrangian, none */
     formula *alpha, *beta;         /* 1/s, of baumgarte */
@@ -114,13 +115,13 @@ typedef struct stabilisation {
 typedef struct quantity {
     name name;
     formula *value; /* of an input: NULL when nothing drives it */
-    formula *jump;  /* of an input: the change that starts a method anew, or NULL */
+    formula *jump;  /* of an input: the change that restarts a method, or NULL */
     bool tunable;
 } quantity;
 
 typedef struct output {
     name name;
-    output_kind kind; /* the first of its word: whose it is tells which */
+    output_kind kind; /* the first row of its word; mechanism/outputs.c finds the right one */
     place kind_at;
     name of;        /* a joint, a body or a closure */
     formula *point; /* in the body's frame; NULL: its origin */
@@ -130,7 +131,7 @@ typedef struct output {
 
 typedef struct scene {
     const char *name;
-    bool broken; /* a statement could not be read: what is missing may have stood there */
+    bool broken; /* a statement could not be read: what is missing may have been in it */
     formula *gravity, *step;
     name method, compensated, checked; /* the last two: yes or no */
     formula *iterations, *tolerance, *substeps;

@@ -1,4 +1,4 @@
-/* What all parts of the parser share: where it stands, and how it takes tokens. */
+/* What all parts of the parser share: its position, and how it reads tokens. */
 #ifndef ISOC_SCENE_TAKE_H
 #define ISOC_SCENE_TAKE_H
 
@@ -31,8 +31,7 @@ bool take_word(parser *p, const char *word);
 /* The index of the next token among words, which is taken; or count, with a problem that lists them. */
 size_t take_one_of(parser *p, const char *const *words, size_t count);
 
-/* A name, which stands on the line; one that is declared must be no word of the language, and one that formulas use no
- * common unit. */
+/* A name, which must be on the same line. A new name must not be a word of the language; a parameter's must not be a common unit. */
 name take_name(parser *p, const char *expected);
 name take_new_name(parser *p, const char *expected);
 name take_parameter_name(parser *p, const char *expected);

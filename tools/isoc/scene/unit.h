@@ -7,7 +7,7 @@
 
 #include "tools/isoc/base/arena.h"
 
-/* Exponents. The angle counts as a dimension, so that N*m is not taken for N*m/rad. */
+/* Exponents. The angle is a dimension, so that N*m and N*m/rad are different. */
 typedef struct dimension {
     int8_t kg, m, s, rad;
 } dimension;
@@ -33,7 +33,7 @@ const char *dimension_phrase(arena *memory, dimension d);
 /* Finds a unit by name, with an SI prefix where it takes one. */
 bool unit_find(const char *name, unit *found);
 
-/* The common units: no parameter is called so, and what is misspelt is compared with them. */
+/* The common units: a parameter must not have such a name, and a misspelt unit is compared with them. */
 const char *const *unit_names(size_t *count);
 
 #endif
