@@ -19,6 +19,15 @@ extern "C" {
 /* Beyond it, the domain of iso_sincos, the sine of an angle is a number of no meaning (rad). */
 #define ISO_ANGLE_RANGE R(1e4)
 
+/* What is known of a state, an input, a parameter or an output: a generated header has tables of them. */
+typedef struct iso_quantity {
+    const char *name;
+    const char *unit; /* m, rad/s, N*m, ..., 1 for a pure number */
+    real least;       /* -ISO_REAL_MAX and ISO_REAL_MAX: no limit */
+    real most;
+    real start; /* of a state; of a parameter its default; else 0 */
+} iso_quantity;
+
 /* What all plants of one kind share. */
 typedef struct iso_model {
     const char *name;

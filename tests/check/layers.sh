@@ -24,6 +24,7 @@ own()
     port/sim/* | port/posix/*) echo '"(port/[a-z0-9_/]+\.h|core/numbers/real\.h)"|<[a-z0-9_/]+\.h>' ;;
     port/*) echo '"(port/[a-z0-9_/]+\.h|core/numbers/real\.h)"' ;;
     models/*) echo '"core/(numbers|methods|runtime)/[a-z0-9_]+\.h"' ;;
+    build/obj/tools/*) echo '"tools/isoc/emit/[a-z0-9_]+\.h"' ;;
     build/*) echo '"(core/(numbers|methods|runtime)/[a-z0-9_]+\.h|plant\.h)"' ;;
     tools/isoc/*) echo "\"(tools/isoc/($(downto "${folder#tools/isoc/}" "$ISOC"))|core/(numbers|methods))/[a-z0-9_]+\.h\"|<[a-z0-9_/]+\.h>" ;;
     tools/*) echo '"(tools|core)/[a-z0-9_/]+\.h"|<[a-z0-9_/]+\.h>' ;;

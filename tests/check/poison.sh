@@ -24,7 +24,7 @@ add()
     shift
     # shellcheck disable=SC2086
     $compiler $FLAGS $REAL_FLAG -c "$@" -o "$folder/$count.o" &&
-        objcopy --redefine-sym "iso_the_plant_$real=plant_$count" "$folder/$count.o" || rm -f "$folder/$count.o"
+        objcopy --redefine-sym "iso_the_plant_$real=plant_$count" --keep-global-symbol "plant_$count" "$folder/$count.o" || rm -f "$folder/$count.o"
 }
 
 # generated SCENE METHOD: the plant of a scene.

@@ -46,7 +46,7 @@ int main(const int argc, char **const argv)
     for (size_t row = 0; row < lines.rows; row++) {
         const char *const line = table_text(&lines, row, 0);
         driven = driven || begins(line, "static void drive(");
-        if (begins(line, "static const iso_model model")) {
+        if (begins(line, "const iso_model plant_model")) {
             put_forced(driven, cause);
             places++;
         }

@@ -4,7 +4,7 @@
 
 #include "tools/isoc/dynamics/assembly.h"
 #include "tools/isoc/emit/emit.h"
-#include "tools/isoc/emit/write.h"
+#include "tools/isoc/emit/standalone.h"
 #include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/pivots.h"
 #include "tools/isoc/plant/range.h"
@@ -17,11 +17,15 @@ static const char version[] = "isoc 0.1\n";
 static const char help[] =
     "isoc: compiles a scene to a plant in straight-line C\n"
     "\n"
-    "  isoc SCENE -o DIR [--method M] [--step H] [--tolerance T] [--real float|double] [--formulation F]\n"
+    "  isoc SCENE -o DIR [--name NAME] [--standalone] [--method M] [--step H] [--tolerance T] [--real float|double]\n"
+    "       [--formulation F]\n"
     "  isoc SCENE --dot\n"
     "\n"
     "  SCENE          the scene, a text file\n"
     "  -o DIR         where plant.h and plant.c go; made if it is not there\n"
+    "  --name NAME    for a part of other firmware: NAME.h and NAME.c, in which all names begin with NAME_, so that\n"
+    "                 several plants, and several of one, stand in one program\n"
+    "  --standalone   puts beside it what it needs of core, so that the folder compiles alone\n"
     "  --method M     a method, instead of the scene's; --methods lists them\n"
     "  --step H       the step with its unit, e.g. 1ms, instead of the scene's\n"
     "  --tolerance T  of adams, which then takes as many sub-steps as it needs\n"
@@ -38,8 +42,8 @@ static const char help[] =
     "A mistake in the scene is told as file:line:column; the exit status is then 1 and no file is touched.\n";
 
 typedef struct options {
-    const char *scene, *directory, *method, *step, *tolerance;
-    bool is_double, draws;
+    const char *scene, *directory, *name, *method, *step, *tolerance;
+    bool is_double, draws, is_standalone;
     formulation wanted; /* FORMULATIONS: the cheapest one */
 } options;
 
@@ -68,6 +72,7 @@ static bool read_options(char **arguments, options *o)
     const char *real_name = NULL, *formulation_name = NULL;
     for (char **a = arguments; *a != NULL; a++) {
         const char **slot = strcmp(*a, "-o") == 0              ? &o->directory
+                            : strcmp(*a, "--name") == 0        ? &o->name
                             : strcmp(*a, "--method") == 0      ? &o->method
                             : strcmp(*a, "--step") == 0        ? &o->step
                             : strcmp(*a, "--tolerance") == 0   ? &o->tolerance
@@ -81,6 +86,8 @@ static bool read_options(char **arguments, options *o)
             a++;
         } else if (strcmp(*a, "--dot") == 0) {
             o->draws = true;
+        } else if (strcmp(*a, "--standalone") == 0) {
+            o->is_standalone = true;
         } else if ((*a)[0] == '-' && (*a)[1] != '\0') {
             return complain("unknown option", *a);
         } else if (o->scene != NULL) {
@@ -100,6 +107,9 @@ static bool read_options(char **arguments, options *o)
     }
     if (o->directory != NULL && o->draws) {
         return complain("--dot makes no plant: leave out -o", o->directory);
+    }
+    if (o->name != NULL && !naming_allows(o->name)) {
+        return complain("--name is a word of a-z, 0-9 and _, at most 40, that does not begin with iso; not", o->name);
     }
     if (real_name != NULL && !o->is_double && strcmp(real_name, "float") != 0) {
         return complain("--real must be float or double, not", real_name);
@@ -139,16 +149,22 @@ static bool override(arena *memory, const options *o, scene *s)
 static bool write_plant(arena *memory, const options *o, const plant *p, graph *g)
 {
     text header = {.memory = memory}, source_text = {.memory = memory}, summary = {.memory = memory};
+    const naming names = naming_of(p, memory, o->name);
+    file_list files = {.memory = memory, .folder = o->directory};
     double culprit = 0.0;
-    emit_header(p, &header);
-    if (!emit_source(p, g, &source_text, &culprit)) {
+    emit_header(p, &names, &header);
+    if (!emit_source(p, g, &names, &source_text, &culprit)) {
         fprintf(stderr, "%s: error: the equations contain the number %g, which a %s cannot hold%s\n", o->scene, culprit,
                 o->is_double ? "double" : "float", o->is_double ? "" : ": try --real double");
         return false;
     }
     cost_summary(p, g, &summary);
-    return write_folder(memory, o->directory) && write_file(memory, o->directory, "plant.h", &header) &&
-           write_file(memory, o->directory, "plant.c", &source_text) && write_out(summary.bytes, summary.length);
+    file_list_add(&files, arena_format(memory, "%s.h", names.prefix), &header);
+    file_list_add(&files, arena_format(memory, "%s.c", names.prefix), &source_text);
+    if (o->is_standalone) {
+        standalone_files(&files, o->is_double);
+    }
+    return write_files(&files) && write_out(summary.bytes, summary.length);
 }
 
 static bool write_graph(arena *memory, const scene *written)

@@ -1,4 +1,5 @@
 #include "tools/isoc/closure/augmented.h"
+#include "tools/isoc/mechanism/states.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,4 +1,5 @@
 #include "tools/isoc/closure/constraints.h"
+#include "tools/isoc/mechanism/states.h"
 
 #include <math.h>
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/least_squares.h"
+#include "tools/isoc/mechanism/states.h"
 
 static const double tight = 1e-13;   /* where Newton's method ends */
 static const double rounding = 1e-6; /* a gap smaller than this that no longer halves is as small as it gets */

@@ -30,6 +30,8 @@ typedef struct emitter {
     const char **turned; /* of an angle: what holds its sine and cosine */
     dictionary taken;    /* the names given so far, each with the number to try next behind it */
     int temporaries, section;
+    const char *quoted; /* the last line of the scene that was quoted */
+    bool *is_marked;
     double culprit;
 } emitter;
 
@@ -133,6 +135,50 @@ static const char *turned(emitter *e, const graph_node *n)
     return e->turned[n->a];
 }
 
+static const leaf_name *leaf_of(const emitter *e, char array, int index)
+{
+    const leaf_names *all = &e->c->names;
+    return &(array == 'x' ? all->states : array == 'u' ? all->inputs : all->parameters)[index];
+}
+
+/* A line of the scene, unless it stands above already. */
+static void quote(emitter *e, const char *line)
+{
+    if (line != NULL && (e->quoted == NULL || strcmp(line, e->quoted) != 0)) {
+        text_add(e->out, "    /* %s */\n", line);
+        e->quoted = line;
+    }
+}
+
+/* Whether a name has a word in it, between underscores or ends. */
+static bool has_word(const char *name, const char *word)
+{
+    const size_t length = strlen(word);
+    for (const char *at = strstr(name, word); at != NULL; at = strstr(at + 1, word)) {
+        if ((at == name || at[-1] == '_') && (at[length] == '\0' || at[length] == '_')) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The mark of the longest name in this one, once. */
+static void quote_mark(emitter *e, const char *name)
+{
+    size_t longest = e->c->mark_count;
+    for (size_t i = 0; i < e->c->mark_count; i++) {
+        const mark *m = &e->c->marks[i];
+        if (has_word(name, m->name) &&
+            (longest == e->c->mark_count || strlen(m->name) > strlen(e->c->marks[longest].name))) {
+            longest = i;
+        }
+    }
+    if (longest < e->c->mark_count && !e->is_marked[longest]) {
+        e->is_marked[longest] = true;
+        quote(e, e->c->marks[longest].quote);
+    }
+}
+
 /* What stands for @letter in the text of an operator (tools/isoc/graph/operators.h). */
 static const char *part(emitter *e, const graph_node *n, char letter)
 {
@@ -146,11 +192,11 @@ static const char *part(emitter *e, const graph_node *n, char letter)
     case 't':
         return turned(e, n);
     case 'x':
-        return e->c->names.states[n->index];
     case 'u':
-        return e->c->names.inputs[n->index];
     case 'p':
-        return e->c->names.parameters[n->index];
+        return leaf_of(e, letter, n->index)->symbol;
+    case 'X':
+        return leaf_of(e, 'x', n->index)->place;
     case 'i':
         return arena_format(memory, "%d", n->index);
     case '1':
@@ -199,6 +245,7 @@ static void emit_node(emitter *e, node i)
     const char *wanted = n->name != NULL ? n->name : arena_format(e->g->memory, "t%d", ++e->temporaries);
     const char *name = unique_name(e, wanted);
     heading(e, n->section);
+    quote_mark(e, name);
     statement(e->out, arena_format(e->g->memory, "const real %s = %s;", name, e->shown[i].text));
     e->shown[i] = (rendering){name, BINDS_WHOLE};
 }
@@ -224,8 +271,11 @@ static void declare_leaves(emitter *e)
         for (size_t i = 0; i < e->g->count && operators[op].array != NULL; i++) {
             const graph_node *n = &e->g->nodes[i];
             if (e->needed[i] && n->op == op) {
-                const char *name = unique_name(e, show(e, n).text);
-                text_add(e->out, "    const real %s = %s[%d];\n", name, operators[op].array, n->index);
+                const char *name = unique_name(e, show(e, n).text), *array = operators[op].array;
+                const leaf_name *leaf = op == OP_FACTOR ? NULL : leaf_of(e, array[0] == 'd' ? 'x' : array[0], n->index);
+                quote(e, leaf != NULL && e->c->quotes_leaves ? leaf->quote : NULL);
+                text_add(e->out, "    const real %s = %s[%s];\n", name, array,
+                         leaf == NULL ? arena_format(e->g->memory, "%d", n->index) : leaf->place);
             }
         }
     }
@@ -239,6 +289,7 @@ bool code_emit(const code *c, text *out, double *culprit)
     e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
     e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
     e.shown = arena_take(g->memory, g->count, sizeof *e.shown);
+    e.is_marked = arena_take(g->memory, c->mark_count + 1, sizeof *e.is_marked);
     e.turned = arena_take(g->memory, g->count, sizeof *e.turned);
     graph_reach(g, roots, c->count, e.needed);
     count_uses(&e);
@@ -250,6 +301,7 @@ bool code_emit(const code *c, text *out, double *culprit)
     }
     text_add(out, "\n");
     for (size_t i = 0; i < c->count; i++) {
+        quote(&e, c->quotes == NULL ? NULL : c->quotes[i]);
         statement(out, arena_format(g->memory, "%s = %s;", c->targets[i], e.shown[roots[i]].text));
     }
     *culprit = e.culprit;

@@ -6,10 +6,21 @@
 #include "tools/isoc/base/text.h"
 #include "tools/isoc/graph/graph.h"
 
-/* How leaves are called in the code. */
+/* How a leaf is called in the code. */
+typedef struct leaf_name {
+    const char *symbol; /* in the equations */
+    const char *place;  /* in its array */
+    const char *quote;  /* the scene's line that declares it, or NULL */
+} leaf_name;
+
 typedef struct leaf_names {
-    const char *const *states, *const *inputs, *const *parameters;
+    const leaf_name *states, *inputs, *parameters;
 } leaf_names;
+
+/* A line of the scene that stands above the first quantity that has this name in its own. */
+typedef struct mark {
+    const char *name, *quote;
+} mark;
 
 /* One function's worth of statements: `targets[i] = roots[i]`. */
 typedef struct code {
@@ -19,6 +30,10 @@ typedef struct code {
     const char *const *targets;
     const node *roots;
     size_t count;
+    const char *const *quotes; /* the scene's lines, above the targets that they make; or NULL */
+    bool quotes_leaves;        /* and above what the function reads */
+    const mark *marks;
+    size_t mark_count;
 } code;
 
 /* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real; *culprit is it.

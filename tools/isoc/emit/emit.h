@@ -1,12 +1,12 @@
-/* The generated plant: plant.h names what is in its arrays, plant.c computes it. */
+/* The generated plant: a header that names what is in its arrays, and a source that computes it. */
 #ifndef ISOC_EMIT_EMIT_H
 #define ISOC_EMIT_EMIT_H
 
-#include "tools/isoc/emit/code.h"
-#include "tools/isoc/plant/plant.h"
+#include "tools/isoc/emit/naming.h"
 
-/* The texts of the two files. Return false, with *culprit, if a constant leaves the range of real. */
-bool emit_header(const plant *p, text *out);
-bool emit_source(const plant *p, graph *g, text *out, double *culprit);
+void emit_header(const plant *p, const naming *names, text *out);
+
+/* Returns false, with *culprit, if a constant leaves the range of real. */
+bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *culprit);
 
 #endif

@@ -1,38 +1,95 @@
 #include "tools/isoc/emit/write.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
-bool write_folder(arena *memory, const char *path)
+void file_list_add(file_list *files, const char *path, const text *t)
+{
+    files->files = arena_grow(files->memory, files->files, files->count, &files->room, sizeof *files->files);
+    files->files[files->count++] = (file_text){arena_format(files->memory, "%s/%s", files->folder, path), *t};
+}
+
+bool file_list_has(const file_list *files, const char *path)
+{
+    const char *whole = arena_format(files->memory, "%s/%s", files->folder, path);
+    for (size_t i = 0; i < files->count; i++) {
+        if (strcmp(files->files[i].path, whole) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool complain(const char *path)
+{
+    fprintf(stderr, "%s: error: %s\n", path, strerror(errno));
+    return false;
+}
+
+/* Makes the folders that a file stands in. */
+static bool make_folders(arena *memory, const char *path)
 {
     char *partial = arena_copy(memory, path, strlen(path));
     for (char *slash = partial + 1; *slash != '\0'; slash++) {
         if (*slash == '/') {
             *slash = '\0';
-            mkdir(partial, 0777);
+            if (mkdir(partial, 0777) != 0 && errno != EEXIST) {
+                return complain(partial);
+            }
             *slash = '/';
         }
-    }
-    if (mkdir(path, 0777) != 0 && errno != EEXIST) {
-        fprintf(stderr, "%s: error: %s\n", path, strerror(errno));
-        return false;
     }
     return true;
 }
 
-bool write_file(arena *memory, const char *folder, const char *base, const text *t)
+/* What a file is called until all are written; another isoc has other names. */
+static const char *beside(arena *memory, const char *path)
 {
-    const char *path = arena_format(memory, "%s/%s", folder, base);
-    const char *beside = arena_format(memory, "%s.new", path);
-    FILE *file = fopen(beside, "wb");
-    bool good = file != NULL && fwrite(t->bytes, 1, t->length, file) == t->length;
-    good = file != NULL && fclose(file) == 0 && good;
-    good = good && rename(beside, path) == 0;
-    if (!good) {
-        fprintf(stderr, "%s: error: %s\n", path, strerror(errno));
-        remove(beside);
+    return arena_format(memory, "%s.%ld.new", path, (long)getpid());
+}
+
+/* Writes a file to the disk. What it will replace must be no folder. */
+static bool write_beside(arena *memory, const file_text *f)
+{
+    struct stat there;
+    if (!make_folders(memory, f->path)) {
+        return false;
+    }
+    if (stat(f->path, &there) == 0 && S_ISDIR(there.st_mode)) {
+        errno = EISDIR;
+        return complain(f->path);
+    }
+    FILE *file = fopen(beside(memory, f->path), "wb");
+    if (file == NULL) {
+        return complain(f->path);
+    }
+    const bool whole = fwrite(f->text.bytes, 1, f->text.length, file) == f->text.length && fflush(file) == 0 &&
+                       fsync(fileno(file)) == 0;
+    const int why = errno;
+    const bool closed = fclose(file) == 0;
+    errno = whole ? errno : why;
+    return (whole && closed) || complain(f->path);
+}
+
+bool write_files(const file_list *files)
+{
+    signal(SIGXFSZ, SIG_IGN); /* a file that grows too large is told like a full disk */
+    bool good = true;
+    for (size_t i = 0; i < files->count && good; i++) {
+        good = write_beside(files->memory, &files->files[i]);
+    }
+    for (size_t i = 0; i < files->count; i++) {
+        const char *path = files->files[i].path, *made = beside(files->memory, path);
+        if (good && rename(made, path) != 0) {
+            good = complain(path);
+        }
+        if (!good) {
+            remove(made);
+        }
     }
     return good;
 }

@@ -6,11 +6,27 @@
 
 #include "tools/isoc/base/text.h"
 
-/* Makes the folder, with those above it. Each of these returns false after saying on stderr why it could not. */
-bool write_folder(arena *memory, const char *path);
+typedef struct file_text {
+    const char *path;
+    text text;
+} file_text;
 
-/* Writes folder/base: beside it first, then by a new name, so that a half-written file is never seen. */
-bool write_file(arena *memory, const char *folder, const char *base, const text *t);
+/* Files that are written together. */
+typedef struct file_list {
+    arena *memory;
+    const char *folder;
+    file_text *files;
+    size_t count, room;
+} file_list;
+
+/* `path` is that below the folder. */
+void file_list_add(file_list *files, const char *path, const text *t);
+bool file_list_has(const file_list *files, const char *path);
+
+/* Writes all files beside those that are there, in folders that are made where they are missing, and then gives them
+ * their names: where one cannot be written, all stay as they were. Like the next, returns false after saying on stderr
+ * why it could not. */
+bool write_files(const file_list *files);
 
 /* Writes to standard output, to the end. */
 bool write_out(const char *bytes, size_t length);

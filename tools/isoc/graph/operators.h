@@ -2,8 +2,9 @@
  * tools/isoc/graph/graph.h that makes its nodes; what lacks a cell, a derivative say, does not compile.
  *
  * The C text of an operator has @a and @b where its operands stand, @t for the pair of sine and cosine of its operand,
- * @x, @u, @p for the name of a state, input, parameter, and @i for its index. Of what has numbers of its own, @1 and @2
- * are these numbers, @w and @f the whole part of the first and the rest, @v and @s both as phases: 2^64 is a turn.
+ * @x, @u, @p for the name of a state, input, parameter, @X for a state's place in its array, and @i for its index. Of
+ * what has numbers of its own, @1 and @2 are these numbers, @w and @f the whole part of the first and the rest, @v and
+ * @s both as phases: 2^64 is a turn.
  */
 #ifndef ISOC_GRAPH_OPERATORS_H
 #define ISOC_GRAPH_OPERATORS_H
@@ -49,7 +50,7 @@ typedef struct evaluation {
     LEAF(LOCAL_ERROR, NULL, "memory->progress.local_error", 0.0) /* of the step, where it is checked */                 \
     LEAF(RESIDUAL, NULL, "memory->progress.residual", 0.0)       /* of the last Newton iteration */                     \
     LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until what computes it takes its place */   \
-    LEAF(DERIVATIVE, NULL, "dx[@i]", 0.0)                       /* where a derivative has been evaluated before */
+    LEAF(DERIVATIVE, NULL, "dx[@X]", 0.0)                       /* where a derivative has been evaluated before */
 
 /* Functions of the tick; constants as far as derivatives go.
  * TIMED(name, C text, how tightly it binds) */

@@ -219,27 +219,13 @@ static void build_tree(builder *b)
     }
 }
 
-double *mechanism_start(const mechanism *m, arena *memory)
-{
-    double *x = arena_take(memory, (size_t)state_count(m) + 1, sizeof *x);
-    for (int i = 0; i < m->link_count; i++) {
-        const link *l = &m->links[i];
-        memcpy(x + l->position, l->start, (size_t)positions_of(l->kind) * sizeof *x);
-        memcpy(x + m->position_count + l->dof, l->speed, (size_t)dofs_of(l->kind) * sizeof *x);
-    }
-    for (int i = 0; i < m->clocks.count; i++) {
-        x[m->clocks.first + i] = m->clocks.all[i].start;
-    }
-    return x;
-}
-
 mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double)
 {
     builder b = {.s = s, .g = g, .written = written};
     b.solids = arena_take(s->memory, written->body_count + 1, sizeof *b.solids);
     b.parents = arena_take(s->memory, written->joint_count + 1, sizeof *b.parents);
     b.children = arena_take(s->memory, written->joint_count + 1, sizeof *b.children);
-    b.made = (mechanism){.name = written->name, .is_double = is_double};
+    b.made = (mechanism){.name = written->name, .source = s, .is_double = is_double};
     b.made.ground_mass = constant(g, 0.0);
     b.made.ground_moment = vector_zero(g);
     b.made.links = arena_take(s->memory, PARTS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.links);

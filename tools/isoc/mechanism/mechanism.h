@@ -67,8 +67,9 @@ typedef struct cut_end {
 /* A function of the tick that motions depend on. It is a state, set at the beginning of each tick, with a constant rate within it. */
 typedef struct clock {
     node of_tick;
-    double rate;  /* per second */
-    double start; /* rad or s */
+    double rate; /* per second */
+    double start;
+    const char *unit; /* rad or s */
 } clock;
 
 typedef struct clocks {
@@ -127,8 +128,18 @@ typedef struct shown {
     vector point; /* in the body's frame */
 } shown;
 
+/* What the header says of a quantity of the plant. */
+typedef struct variable {
+    const char *name;   /* in the header in capitals */
+    const char *unit;   /* SI */
+    const char *quote;  /* the scene's line that declares it; NULL where none does */
+    double least, most; /* infinite where there is no limit */
+    double start;       /* of a parameter, its default */
+} variable;
+
 typedef struct mechanism {
     const char *name;
+    const source *source;
     link *links;
     dof *dofs;
     int link_count, position_count, dof_count;
@@ -152,7 +163,7 @@ typedef struct mechanism {
     vector ground_moment;
 
     int input_count;
-    const char **input_names;
+    variable *inputs;
     node *drives;  /* the inputs as functions of time, then the clocks */
     double *jumps; /* the change of an input that restarts the method; 0: none */
 
@@ -160,7 +171,7 @@ typedef struct mechanism {
     size_t output_count;
 
     int parameter_count;
-    const char **parameter_names;
+    variable *parameters;
     const double *defaults;
 
     unsigned recipe;  /* method and options: core/methods/method.h */
@@ -187,9 +198,6 @@ static inline int state_count(const mechanism *m)
 {
     return m->position_count + m->dof_count;
 }
-
-/* The states at the start. */
-double *mechanism_start(const mechanism *m, arena *memory);
 
 /* Resolves names, units and places; notes problems. The result is whole only if there are none. */
 mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double);

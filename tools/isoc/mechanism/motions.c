@@ -17,8 +17,8 @@ static node clock_of(builder *b, node of_tick)
     if (i == c->count) {
         const graph_node n = b->g->nodes[of_tick];
         const double step = b->made.step, turns = n.second - floor(n.second + 0.5);
-        const clock made = n.op == OP_PHASE ? (clock){of_tick, two_pi * n.value / step, two_pi * turns}
-                                            : (clock){of_tick, 1.0, -n.value * step};
+        const clock made = n.op == OP_PHASE ? (clock){of_tick, two_pi * n.value / step, two_pi * turns, "rad"}
+                                            : (clock){of_tick, 1.0, -n.value * step, "s"};
         c->all = arena_grow(b->s->memory, c->all, (size_t)c->count, &c->room, sizeof *c->all);
         c->all[c->count++] = made;
     }

@@ -1,3 +1,4 @@
+#include <math.h>
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
@@ -11,7 +12,7 @@ void build_inputs(builder *b)
 {
     mechanism *made = &b->made;
     made->input_count = (int)b->written->input_count;
-    made->input_names = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->input_names);
+    made->inputs = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->inputs);
     made->jumps = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->jumps);
     made->drives = arena_take(b->s->memory, b->written->input_count + (size_t)made->clocks.count + 1, sizeof(node));
     for (int i = 0; i < made->clocks.count; i++) {
@@ -42,7 +43,11 @@ void build_inputs(builder *b)
             source_problem(b->s, q->name.at, "the input '%s' drives both a torque and a force: use two inputs",
                            q->name.text);
         }
-        made->input_names[i] = q->name.text;
+        made->inputs[i] = (variable){.name = q->name.text,
+                                     .unit = torque ? "N*m" : "N",
+                                     .quote = source_quote(b->s, q->name.at),
+                                     .least = -HUGE_VAL,
+                                     .most = HUGE_VAL};
         const dimension effort = torque ? newton_metre : newton;
         const char *what = torque ? "a torque" : "a force";
         made->drives[i] = scalar_value(b, force || torque ? q->value : NULL, effort, what);
@@ -55,15 +60,38 @@ void build_inputs(builder *b)
     b->values.time_allowed = false;
 }
 
+/* A tunable parameter: its default must lie within its limits. */
+static variable parameter_of(builder *b, const quantity *q, dimension of, double start)
+{
+    const bool is_plain = dimension_equal(of, no_unit);
+    const char *what = arena_format(b->s->memory, "a limit of '%s'", q->name.text);
+    variable made = {.name = q->name.text,
+                     .unit = is_plain ? "1" : dimension_text(b->s->memory, of),
+                     .quote = source_quote(b->s, q->name.at),
+                     .least = value_constant(&b->values, q->least, of, what, -HUGE_VAL),
+                     .most = value_constant(&b->values, q->most, of, what, HUGE_VAL),
+                     .start = start};
+    if (made.least > made.most) {
+        source_problem(b->s, q->least->at, "the limits of '%s' are in the wrong order: in LEAST to MOST", q->name.text);
+    } else if (start < made.least || start > made.most) {
+        source_problem(b->s, q->value->at, "the default of '%s' is not within its limits", q->name.text);
+    }
+    return made;
+}
+
 void build_parameters(builder *b)
 {
     const scene *written = b->written;
     mechanism *made = &b->made;
-    made->parameter_names = arena_take(b->s->memory, written->parameter_count + 1, sizeof *made->parameter_names);
+    made->parameters = arena_take(b->s->memory, written->parameter_count + 1, sizeof *made->parameters);
+    made->defaults = b->values.defaults;
     for (size_t i = 0; i < written->parameter_count; i++) {
-        if (written->parameters[i].tunable) {
-            made->parameter_names[made->parameter_count++] = written->parameters[i].name.text;
+        const quantity *q = &written->parameters[i];
+        const value *resolved = &b->values.parameters[i];
+        if (q->tunable) {
+            const int index = made->parameter_count++;
+            made->parameters[index] = resolved->count == 0 ? (variable){.name = q->name.text}
+                                                           : parameter_of(b, q, resolved->of, made->defaults[index]);
         }
     }
-    made->defaults = b->values.defaults;
 }

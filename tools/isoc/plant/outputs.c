@@ -18,6 +18,7 @@ static void show_as(plant *p, const shown *o, const char *label, node n)
 {
     p->output_names[p->output_count] = label;
     p->output_units[p->output_count] = unit_of(p, o);
+    p->output_shows[p->output_count] = o;
     p->outputs[p->output_count++] = n;
 }
 
@@ -183,6 +184,7 @@ void outputs_build(plant *p, graph *g)
     const size_t room = MOST_COMPONENTS * m->output_count + 1;
     p->output_names = arena_take(g->memory, room, sizeof *p->output_names);
     p->output_units = arena_take(g->memory, room, sizeof *p->output_units);
+    p->output_shows = arena_take(g->memory, room, sizeof *p->output_shows);
     p->outputs = arena_take(g->memory, room, sizeof *p->outputs);
     kinematics_velocities(&p->d->k);
     p->energy = dynamics_energy(p->d);

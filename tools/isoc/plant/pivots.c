@@ -1,4 +1,5 @@
 #include "tools/isoc/plant/pivots.h"
+#include "tools/isoc/mechanism/states.h"
 
 void pivots_check(source *s, const graph *g, const plant *p)
 {

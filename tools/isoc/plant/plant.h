@@ -21,6 +21,7 @@ typedef struct plant {
     int input_count, output_count, turn_count;
     const char **output_names; /* one for each component */
     const char **output_units;
+    const shown **output_shows; /* what of */
     node *outputs;
     node *derivatives;           /* the derivative of each state */
     int rate_count;              /* of them those that semi_implicit asks for again; 0: they are the speeds */

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "tools/isoc/graph/economy.h"
+#include "tools/isoc/mechanism/states.h"
 
 static const char *advice(const plant *p)
 {

@@ -25,6 +25,16 @@ static void read_body(parser *p, const token *word, void *slot)
     made->bodies[made->body_count++] = b;
 }
 
+/* LEAST to MOST */
+static void read_limits(parser *p, quantity *q)
+{
+    q->least = parse_formula(p);
+    if (!p->failed && !take_word(p, "to")) {
+        parse_problem(p, "expected to and the largest value: in 0.5 N/m to 2 N/m");
+    }
+    q->most = p->failed ? NULL : parse_formula(p);
+}
+
 /* tunable or constant */
 static void read_parameter(parser *p, const token *word, void *slot)
 {
@@ -35,6 +45,9 @@ static void read_parameter(parser *p, const token *word, void *slot)
         parse_problem(p, "expected = and a value");
     }
     q.value = p->failed ? NULL : parse_formula(p);
+    if (!p->failed && q.tunable && take_word(p, "in")) {
+        read_limits(p, &q);
+    }
     made->parameters =
         arena_grow(p->s->memory, made->parameters, made->parameter_count, &made->parameter_room, sizeof q);
     made->parameters[made->parameter_count++] = q;

@@ -17,7 +17,7 @@
  *                 | penalty FORMULA | omega FORMULA | mu FORMULA | iterations FORMULA | limit FORMULA }]
  *   placement     = NAME [at FORMULA] { rotate FORMULA about AXIS }
  *   pose          = [at FORMULA] ({ rotate FORMULA [about AXIS] } | quaternion FORMULA)
- *   parameter     = (constant | tunable) NAME = FORMULA
+ *   parameter     = constant NAME = FORMULA | tunable NAME = FORMULA [in FORMULA to FORMULA]
  *   input         = input NAME [jump FORMULA] [= FORMULA]
  *   output        = output NAME = OUTPUT [of NAME [at FORMULA] [along (x | y | z)]]
  */

@@ -114,8 +114,9 @@ typedef struct stabilisation {
 
 typedef struct quantity {
     name name;
-    formula *value; /* of an input: NULL when nothing drives it */
-    formula *jump;  /* of an input: the change that restarts a method, or NULL */
+    formula *value;        /* of an input: NULL when nothing drives it */
+    formula *jump;         /* of an input: the change that restarts a method, or NULL */
+    formula *least, *most; /* of a tunable: in LEAST to MOST, or NULL */
     bool tunable;
 } quantity;
 

@@ -102,6 +102,24 @@ size_t source_line(const source *s, place at)
     return line;
 }
 
+const char *source_quote(const source *s, place at)
+{
+    enum { MOST = 100 };
+    const char *from = s->text + line_start(s, at);
+    from += strspn(from, " \t");
+    size_t length = strcspn(from, "#\r\n");
+    while (length > 0 && strchr(" \t{", from[length - 1]) != NULL) {
+        length--;
+    }
+    const char *more = length > MOST ? " ..." : "";
+    char *words = arena_format(s->memory, "%.*s%s", (int)(length > MOST ? MOST : length), from, more);
+    for (char *c = words; *c != '\0'; c++) {
+        const bool ends_comment = (c[0] == '*' && c[1] == '/') || (c[0] == '/' && c[1] == '*');
+        *c = ends_comment || *c == '\\' || *c == '?' || (unsigned char)*c < ' ' ? ' ' : *c;
+    }
+    return words;
+}
+
 static bool starts_character(char c)
 {
     return ((unsigned char)c & 0xC0) != 0x80; /* not a continuation byte of UTF-8 */

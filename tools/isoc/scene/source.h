@@ -39,6 +39,9 @@ void source_report(source *s);
 /* The line number (from 1) of a place. */
 size_t source_line(const source *s, place at);
 
+/* The line of a place, without indentation, comment and opening brace, as words for a comment in C. */
+const char *source_quote(const source *s, place at);
+
 /* The nearest of `count` names to a mistyped one, as " (did you mean 'x'?)", or "" when none is near. */
 const char *source_suggestion(source *s, const char *typed, const char *const *names, size_t count);
 

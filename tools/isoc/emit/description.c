@@ -1,0 +1,97 @@
+#include <string.h>
+
+#include "tools/isoc/emit/parts.h"
+
+/* A list of words, with commas between. A compiler need not take a string of more than 4095 characters: a longer list
+ * is an array of characters, which stands before the struct that has it. */
+static bool is_long(const char *const *words, int count)
+{
+    enum { LONGEST_STRING = 4095 };
+    size_t length = 0;
+    for (int i = 0; i < count; i++) {
+        length += strlen(words[i]) + 1;
+    }
+    return length > LONGEST_STRING;
+}
+
+static void emit_long_list(emission *e, const char *field, const char *const *words, int count)
+{
+    if (!is_long(words, count)) {
+        return;
+    }
+    text_add(e->out, "static const char %s[] = {\n", field);
+    for (int i = 0; i < count; i++) {
+        text_add(e->out, "   ");
+        for (const char *c = words[i]; *c != '\0'; c++) {
+            text_add(e->out, " '%c',", *c);
+        }
+        text_add(e->out, i + 1 < count ? " ',',\n" : " 0,\n};\n\n");
+    }
+}
+
+static void emit_list(emission *e, const char *field, const char *const *words, int count)
+{
+    const bool is_array = is_long(words, count);
+    text_add(e->out, "    .%s =%s", field, count == 0 ? " \"\"" : is_array ? " " : "");
+    for (int i = 0; i < count && !is_array; i++) {
+        text_add(e->out, "\n        \"%s%s\"", words[i], i + 1 < count ? "," : "");
+    }
+    text_add(e->out, "%s,\n", is_array ? field : "");
+}
+
+static void add_if(emission *e, bool wanted, const char *line)
+{
+    text_add(e->out, "%s", wanted ? line : "");
+}
+
+void emit_model(emission *e)
+{
+    const plant *p = e->p;
+    const mechanism *m = p->m;
+    const char *seconds = code_literal(e->out->memory, m->step, true); /* R(0.001) */
+    const char *capitals = e->names->capitals;
+    emit_long_list(e, "output_names", p->output_names, p->output_count);
+    emit_long_list(e, "output_units", p->output_units, p->output_count);
+    text_add(e->out, "const iso_model %s_model = {\n", e->names->prefix);
+    text_add(e->out, "    .name = \"%s\",\n    .method = \"%s\",\n", m->name, method_names[ISO_METHOD_OF(m->recipe)]);
+    text_add(e->out, "    .step_text = \"%.*s\",\n    .step_size = %s,\n", (int)strlen(seconds) - 3, seconds + 2,
+             code_literal(e->out->memory, m->step, p->is_double));
+    text_add(e->out, "    .period_ns = UINT32_C(%.0f),\n    .states = %s_STATES,\n", m->step * 1e9, capitals);
+    add_if(e, m->input_count > 0, arena_format(e->out->memory, "    .inputs = %s_INPUTS,\n", capitals));
+    text_add(e->out, "    .outputs = %s_OUTPUTS,\n", capitals);
+    add_if(e, m->parameter_count > 0, arena_format(e->out->memory, "    .parameters = %s_PARAMETERS,\n", capitals));
+    emit_list(e, "output_names", p->output_names, p->output_count);
+    emit_list(e, "output_units", p->output_units, p->output_count);
+    text_add(e->out, "    .start = start,\n");
+    add_if(e, m->parameter_count > 0, "    .defaults = defaults,\n");
+    add_if(e, has_range(e), "    .range = range,\n");
+    text_add(e->out, "    .memory_bytes = sizeof(%s_memory),\n    .derivative = derivative,\n    .output = output,\n",
+             e->names->prefix);
+    if (p->violation >= 0) {
+        text_add(e->out, "    .violation = violation,\n    .violation_limit = %s,\n",
+                 code_literal(e->out->memory, m->violation_limit, p->is_double));
+    }
+    add_if(e, driven_count(m) > 0, "    .drive = drive,\n");
+    add_if(e, can_jump(m), "    .jumped = jumped,\n");
+    add_if(e, is_primed(m), "    .prime = prime,\n");
+    text_add(e->out, "    .step = step,\n};\n");
+}
+
+void emit_plant(emission *e)
+{
+    const mechanism *m = e->p->m;
+    text_add(e->out, "\n/* The plant of the program. */\nstatic %s_memory memory%s;\n\n", e->names->prefix,
+             ISO_IS_WATCHED(m->recipe) ? ", before" : "");
+    text_add(e->out, "const iso_plant iso_the_plant = {\n    .model = &%s_model,\n", e->names->prefix);
+    text_add(e->out, "    .memory = &memory,\n    .x = memory.x,\n");
+    add_if(e, m->input_count > 0, "    .u = memory.u,\n");
+    add_if(e, m->parameter_count > 0, "    .p = memory.p,\n");
+    text_add(e->out, "    .y = memory.y,\n");
+    if (ISO_IS_VARYING(m->recipe)) {
+        text_add(e->out, "    .progress = &memory.adams.progress,\n    .adams = &memory.adams,\n");
+    } else if (ISO_HAS_PROGRESS(m->recipe)) {
+        text_add(e->out, "    .progress = &memory.progress,\n");
+    }
+    add_if(e, ISO_IS_WATCHED(m->recipe), "    .before = &before,\n");
+    text_add(e->out, "};\n");
+}

@@ -1,0 +1,213 @@
+#include "tools/isoc/emit/parts.h"
+
+/* What the equations read, as arrays. */
+static const struct {
+    operation op;
+    const char *name;
+} arguments[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}};
+
+static bool uses(const emission *e, const code *made, operation op)
+{
+    return uses_operation(e->g, made->roots, made->count, op);
+}
+
+/* array[CART_X_RAIL], ... */
+static const char *const *places_in(const emission *e, const char *array, const leaf_name *leaves, int count)
+{
+    const char **targets = arena_take(e->out->memory, (size_t)count + 1, sizeof *targets);
+    for (int i = 0; i < count; i++) {
+        targets[i] = arena_format(e->out->memory, "%s[%s]", array, leaves[i].place);
+    }
+    return targets;
+}
+
+static const char *const *numbered(const emission *e, const char *array, int count)
+{
+    const char **targets = arena_take(e->out->memory, (size_t)count + 1, sizeof *targets);
+    for (int i = 0; i < count; i++) {
+        targets[i] = arena_format(e->out->memory, "%s[%d]", array, i);
+    }
+    return targets;
+}
+
+static code code_of(const emission *e, const char *const *targets, const node *roots, int count)
+{
+    return (code){.g = e->g,
+                  .names = e->names->leaves,
+                  .is_double = e->p->is_double,
+                  .targets = targets,
+                  .roots = roots,
+                  .count = (size_t)count};
+}
+
+static void emit_code(emission *e, const code *made)
+{
+    double culprit;
+    if (!code_emit(made, e->out, &culprit)) {
+        e->culprit = culprit;
+    }
+}
+
+/* A function that fills `array` from x, u and p; `more` is a further parameter. */
+static void emit_function(emission *e, const char *function, const char *array, const char *more, const code *made)
+{
+    text_add(e->out, "static void %s(real *restrict const %s, const real *restrict const x,\n", function, array);
+    text_add(e->out, "    const real *restrict const u, const real *restrict const p%s)\n{\n", more);
+    for (int i = 0; i < 3; i++) {
+        if (!uses(e, made, arguments[i].op)) {
+            text_add(e->out, "    (void)%s;\n", arguments[i].name);
+        }
+    }
+    if (more[0] != '\0' && !uses(e, made, OP_STEP)) {
+        text_add(e->out, "    (void)hb;\n");
+    }
+    emit_code(e, made);
+    text_add(e->out, "}\n\n");
+}
+
+/* The derivative quotes the scene's lines of what it reads, and of the closures. */
+static void emit_derivative(emission *e)
+{
+    const mechanism *m = e->p->m;
+    mark *marks = arena_take(e->out->memory, (size_t)m->cut_count + 1, sizeof *marks);
+    for (int i = 0; i < m->cut_count; i++) {
+        marks[i] = (mark){m->cuts[i].name, source_quote(m->source, m->cuts[i].at)};
+    }
+    const char *const *targets = places_in(e, "dx", e->names->leaves.states, state_count(m));
+    code made = code_of(e, targets, e->p->derivatives, state_count(m));
+    made.quotes_leaves = true;
+    made.marks = marks;
+    made.mark_count = (size_t)m->cut_count;
+    emit_function(e, "derivative", "dx", "", &made);
+}
+
+/* dx of the positions alone. */
+static void emit_rates(emission *e)
+{
+    const char *const *targets = places_in(e, "dx", e->names->leaves.states, e->p->rate_count);
+    const code made = code_of(e, targets, e->p->derivatives, e->p->rate_count);
+    emit_function(e, "rates", "dx", "", &made);
+}
+
+/* The arrays of a plant's memory that a function of it reads; all that there are, where it asks for the derivative. */
+static void emit_arrays(const emission *e, const code *made)
+{
+    const mechanism *m = e->p->m;
+    const bool derives = uses(e, made, OP_DERIVATIVE);
+    const int sizes[] = {state_count(m), m->input_count, m->parameter_count};
+    for (int i = 0; i < 3; i++) {
+        if (uses(e, made, arguments[i].op) || (derives && sizes[i] > 0)) {
+            text_add(e->out, "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
+        }
+    }
+    if (derives) {
+        text_add(e->out, "    real dx[%s_STATES];\n    derivative(dx, x, %s, %s);\n", e->names->capitals,
+                 sizes[1] > 0 ? "u" : "NULL", sizes[2] > 0 ? "p" : "NULL");
+    }
+}
+
+static void emit_output(emission *e)
+{
+    const plant *p = e->p;
+    const char **targets = arena_take(e->out->memory, (size_t)p->output_count + 1, sizeof *targets);
+    for (int i = 0; i < p->output_count; i++) {
+        targets[i] = arena_format(e->out->memory, "y[%s]", e->names->outputs[i]);
+    }
+    code made = code_of(e, targets, p->outputs, p->output_count);
+    made.quotes = e->names->output_quotes;
+    text_add(e->out, "static void output(void *const instance)\n{\n");
+    text_add(e->out, "    %s_memory *const memory = instance;\n    real *const y = memory->y;\n", e->names->prefix);
+    emit_arrays(e, &made);
+    emit_code(e, &made);
+    text_add(e->out, "}\n\n");
+}
+
+/* How far off its closures a plant is. */
+static void emit_violation(emission *e)
+{
+    static const char *const target = "off";
+    const code made = code_of(e, &target, &e->p->violation, 1);
+    text_add(e->out, "static real violation(const void *const instance)\n{\n");
+    text_add(e->out, "    const %s_memory *const memory = instance;\n", e->names->prefix);
+    emit_arrays(e, &made);
+    text_add(e->out, "    real off;\n");
+    emit_code(e, &made);
+    text_add(e->out, "    return off;\n}\n\n");
+}
+
+/* What an implicit method solves with. */
+static void emit_solver(emission *e)
+{
+    const jacobian *j = &e->p->j;
+    const int states = state_count(e->p->m);
+    const code factors = code_of(e, numbered(e, "lu", j->factor_count), j->factors, j->factor_count);
+    const code solution = code_of(e, places_in(e, "d", e->names->leaves.states, states), j->solution, states);
+    emit_function(e, "factor", "lu", ", const real hb", &factors);
+    text_add(e->out, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
+    emit_code(e, &solution);
+    text_add(e->out, "}\n\n");
+}
+
+static void emit_drive(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char **targets = arena_take(e->out->memory, driven_count(m), sizeof *targets);
+    const char **quotes = arena_take(e->out->memory, driven_count(m), sizeof *quotes);
+    for (int i = 0; i < m->input_count; i++) {
+        targets[i] = arena_format(e->out->memory, "memory->u[%s]", e->names->leaves.inputs[i].place);
+        quotes[i] = m->inputs[i].quote;
+    }
+    for (int i = 0; i < m->clocks.count; i++) {
+        const leaf_name *leaf = &e->names->leaves.states[m->clocks.first + i];
+        targets[m->input_count + i] = arena_format(e->out->memory, "memory->x[%s]", leaf->place);
+    }
+    code made = code_of(e, targets, m->drives, (int)driven_count(m));
+    made.quotes = quotes;
+    text_add(e->out, "/* What is a function of time; other inputs are zero until a port reads them. */\n");
+    text_add(e->out, "static void drive(void *const instance, const uint32_t tick)\n{\n");
+    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    if (!uses_time(e->g, m->drives, driven_count(m))) {
+        text_add(e->out, "    (void)tick;\n");
+    }
+    if (uses(e, &made, OP_PARAMETER)) {
+        text_add(e->out, "    const real *const p = memory->p;\n");
+    }
+    emit_code(e, &made);
+    text_add(e->out, "}\n\n");
+}
+
+/* What is put right after a step, in place. */
+static void emit_settle(emission *e)
+{
+    const settled *after = &e->p->after;
+    const char **targets = arena_take(e->out->memory, (size_t)after->count + 1, sizeof *targets);
+    for (int i = 0; i < after->count; i++) {
+        targets[i] = arena_format(e->out->memory, "x[%s]", e->names->leaves.states[after->states[i]].place);
+    }
+    const code made = code_of(e, targets, after->values, after->count);
+    text_add(e->out, "static void settle(real *const x)\n{\n");
+    emit_code(e, &made);
+    text_add(e->out, "}\n\n");
+}
+
+void emit_functions(emission *e)
+{
+    const plant *p = e->p;
+    emit_derivative(e);
+    emit_output(e);
+    if (driven_count(p->m) > 0) {
+        emit_drive(e);
+    }
+    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+        emit_solver(e);
+    }
+    if (p->rate_count > 0) {
+        emit_rates(e);
+    }
+    if (p->after.count > 0) {
+        emit_settle(e);
+    }
+    if (p->violation >= 0) {
+        emit_violation(e);
+    }
+}

@@ -1,0 +1,194 @@
+#include <math.h>
+
+#include "tools/isoc/emit/emit.h"
+#include "tools/isoc/emit/parts.h"
+
+/* A quantity of an array: its place there, and what is known of it. */
+typedef struct row {
+    const char *place, *name, *unit, *quote;
+    double least, most, start;
+} row;
+
+/* The quantities of one array. */
+typedef struct table {
+    const char *title; /* above its places */
+    const char *what;  /* states */
+    const row *rows;
+    int count;
+} table;
+
+static const row *rows_of(arena *memory, const leaf_name *leaves, const variable *all, int count)
+{
+    row *rows = arena_take(memory, (size_t)count + 1, sizeof *rows);
+    for (int i = 0; i < count; i++) {
+        const variable *v = &all[i];
+        rows[i] = (row){leaves[i].place, v->name, v->unit, v->quote, v->least, v->most, v->start};
+    }
+    return rows;
+}
+
+static const row *rows_of_states(const emission *e)
+{
+    const int count = state_count(e->p->m);
+    variable *all = arena_take(e->out->memory, (size_t)count + 1, sizeof *all);
+    for (int i = 0; i < count; i++) {
+        all[i] = e->names->states[i].about;
+    }
+    return rows_of(e->out->memory, e->names->leaves.states, all, count);
+}
+
+static const row *rows_of_outputs(const emission *e)
+{
+    const plant *p = e->p;
+    row *rows = arena_take(e->out->memory, (size_t)p->output_count + 1, sizeof *rows);
+    for (int i = 0; i < p->output_count; i++) {
+        rows[i] = (row){e->names->outputs[i],
+                        p->output_names[i],
+                        p->output_units[i],
+                        e->names->output_quotes[i],
+                        -HUGE_VAL,
+                        HUGE_VAL,
+                        0.0};
+    }
+    return rows;
+}
+
+/* The places in an array, each with its unit. */
+static void emit_places(const emission *e, const table *t)
+{
+    text_add(e->out, "/* %s. */\nenum {\n", t->title);
+    for (int i = 0; i < t->count; i++) {
+        text_add(e->out, "    %s, /* %s */\n", t->rows[i].place, t->rows[i].unit);
+    }
+    text_add(e->out, "    %s_%s\n};\n\n", e->names->capitals, capitals_of(e->out->memory, t->what));
+}
+
+/* A limit; none is the largest real. */
+static const char *limit(const emission *e, double of)
+{
+    if (isinf(of)) {
+        return of < 0.0 ? "-ISO_REAL_MAX" : "ISO_REAL_MAX";
+    }
+    return code_literal(e->out->memory, of, e->p->is_double);
+}
+
+/* What is known of the quantities of an array, for those who ask at run time. */
+static void emit_table(const emission *e, const table *t)
+{
+    text_add(e->out, "static const iso_quantity %s_%s[%s_%s] = {\n", e->names->prefix, t->what, e->names->capitals,
+             capitals_of(e->out->memory, t->what));
+    for (int i = 0; i < t->count; i++) {
+        const row *r = &t->rows[i];
+        text_add(e->out, "    {\"%s\", \"%s\", %s, %s, %s},\n", r->name, r->unit, limit(e, r->least), limit(e, r->most),
+                 code_literal(e->out->memory, r->start, e->p->is_double));
+    }
+    text_add(e->out, "};\n\n");
+}
+
+static void emit_memory(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char *capitals = e->names->capitals;
+    const size_t states = (size_t)state_count(m), vectors = ISO_METHOD_STATE(m->recipe, states) / states;
+    text_add(e->out, "/* All that a plant keeps, without pointers: a copy of it is a snapshot. */\n");
+    text_add(e->out, "typedef struct %s_memory {\n", e->names->prefix);
+    if (vectors > 1) {
+        text_add(e->out, "    real x[%s_STATES * %zu]; /* the states, and behind them what %s keeps */\n", capitals,
+                 vectors, method_names[ISO_METHOD_OF(m->recipe)]);
+    } else {
+        text_add(e->out, "    real x[%s_STATES];\n", capitals);
+    }
+    if (m->input_count > 0) {
+        text_add(e->out, "    real u[%s_INPUTS];\n", capitals);
+    }
+    if (m->parameter_count > 0) {
+        text_add(e->out, "    real p[%s_PARAMETERS];\n", capitals);
+    }
+    text_add(e->out, "    real y[%s_OUTPUTS];\n", capitals);
+    if (e->p->turn_count > 0) {
+        text_add(e->out, "    int32_t turns[%d]; /* of the continuous joints */\n", e->p->turn_count);
+    }
+    if (ISO_HAS_PROGRESS(m->recipe)) {
+        text_add(e->out, "    %s;\n", ISO_IS_VARYING(m->recipe) ? "iso_adams_state adams" : "iso_progress progress");
+    }
+    if (can_jump(m) && m->input_count > 0) {
+        text_add(e->out, "    real last_u[%s_INPUTS];\n", capitals);
+    }
+    if (can_jump(m) && m->parameter_count > 0) {
+        text_add(e->out, "    real last_p[%s_PARAMETERS];\n", capitals);
+    }
+    text_add(e->out, "} %s_memory;\n\n", e->names->prefix);
+}
+
+/* What makes a plant of the model and a memory. */
+static void emit_instance(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char *prefix = e->names->prefix;
+    const bool watched = ISO_IS_WATCHED(m->recipe);
+    text_add(e->out, "extern const iso_model %s_model;\n\n", prefix);
+    text_add(e->out, "/* A plant that keeps all in `memory`%s: iso_plant_start puts it to its start. */\n",
+             watched ? ", and has room in `before` for a step that is made again" : "");
+    text_add(e->out, "static inline iso_plant %s_plant(%s_memory *const memory%s%s%s)\n{\n", prefix, prefix,
+             watched ? ", " : "", watched ? prefix : "", watched ? "_memory *const before" : "");
+    text_add(e->out, "    const iso_plant plant = {\n        &%s_model,\n        memory,\n        memory->x,\n",
+             prefix);
+    text_add(e->out, "        %s,\n", m->input_count > 0 ? "memory->u" : "NULL");
+    text_add(e->out, "        %s,\n", m->parameter_count > 0 ? "memory->p" : "NULL");
+    text_add(e->out, "        memory->y,\n        %s,\n", progress_of(m));
+    text_add(e->out, "        %s,\n", ISO_IS_VARYING(m->recipe) ? "&memory->adams" : "NULL");
+    text_add(e->out, "        %s,\n    };\n    return plant;\n}\n\n", watched ? "before" : "NULL");
+}
+
+/* The core's numbers must be the plant's. */
+static void emit_check(const emission *e)
+{
+    const char *prefix = e->names->prefix;
+    if (e->p->is_double) {
+        text_add(e->out,
+                 "#ifndef ISO_REAL_DOUBLE\n#error \"%s was made with --real double: compile all with "
+                 "-DISO_REAL_DOUBLE\"\n#endif\n\n",
+                 prefix);
+    } else {
+        text_add(e->out,
+                 "#ifdef ISO_REAL_DOUBLE\n#error \"%s was made with --real float: compile all without "
+                 "-DISO_REAL_DOUBLE\"\n#endif\n\n",
+                 prefix);
+    }
+}
+
+void emit_header(const plant *p, const naming *names, text *out)
+{
+    const mechanism *m = p->m;
+    const emission e = {.p = p, .names = names, .out = out};
+    const table tables[] = {
+        {"States x", "states", rows_of_states(&e), state_count(m)},
+        {"Inputs u", "inputs", rows_of(out->memory, names->leaves.inputs, m->inputs, m->input_count), m->input_count},
+        {"Tunable parameters p", "parameters",
+         rows_of(out->memory, names->leaves.parameters, m->parameters, m->parameter_count), m->parameter_count},
+        {"Outputs y", "outputs", rows_of_outputs(&e), p->output_count},
+    };
+    const size_t count = sizeof tables / sizeof tables[0];
+    text_add(
+        out,
+        "/* The plant of %s.scene, made by isoc: what stands where in its arrays, and its memory. In SI units. */\n",
+        m->name);
+    text_add(out, "#ifndef %s_H\n#define %s_H\n\n#include \"core/runtime/plant.h\"\n\n", names->capitals,
+             names->capitals);
+    emit_check(&e);
+    text_add(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
+    for (size_t i = 0; i < count; i++) {
+        if (tables[i].count > 0) {
+            emit_places(&e, &tables[i]);
+        }
+    }
+    text_add(out, "/* Name, unit, least, most and value at the start of each. */\n");
+    for (size_t i = 0; i < count; i++) {
+        if (tables[i].count > 0) {
+            emit_table(&e, &tables[i]);
+        }
+    }
+    emit_memory(&e);
+    emit_instance(&e);
+    text_add(out, "#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
+}

@@ -1,0 +1,74 @@
+#include "tools/isoc/emit/naming.h"
+
+#include <ctype.h>
+#include <string.h>
+
+enum { LONGEST_PREFIX = 40 };
+
+const char *capitals_of(arena *memory, const char *word)
+{
+    char *copy = arena_copy(memory, word, strlen(word));
+    for (char *c = copy; *c != '\0'; c++) {
+        *c = (char)toupper((unsigned char)*c);
+    }
+    return copy;
+}
+
+bool naming_allows(const char *prefix)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyz", others[] = "abcdefghijklmnopqrstuvwxyz0123456789_";
+    const size_t length = strlen(prefix);
+    return length <= LONGEST_PREFIX && strspn(prefix, letters) > 0 && strspn(prefix, others) == length &&
+           strncmp(prefix, "iso", 3) != 0;
+}
+
+/* CART_X_RAIL */
+static const char *place_of(const naming *n, arena *memory, char array, const char *word)
+{
+    return arena_format(memory, "%s_%c_%s", n->capitals, array, capitals_of(memory, word));
+}
+
+static leaf_name leaf_of(const naming *n, arena *memory, char array, const char *symbol, const variable *v)
+{
+    return (leaf_name){symbol, place_of(n, memory, array, v->name), v->quote};
+}
+
+/* u_PUSH, p_MASS */
+static const leaf_name *leaves_of(const naming *n, arena *memory, char array, const variable *all, int count)
+{
+    leaf_name *made = arena_take(memory, (size_t)count + 1, sizeof *made);
+    for (int i = 0; i < count; i++) {
+        const char *symbol = arena_format(memory, "%c_%s", tolower((unsigned char)array), all[i].name);
+        made[i] = leaf_of(n, memory, array, symbol, &all[i]);
+    }
+    return made;
+}
+
+static const leaf_name *states_of(const naming *n, arena *memory, int count)
+{
+    leaf_name *made = arena_take(memory, (size_t)count + 1, sizeof *made);
+    for (int i = 0; i < count; i++) {
+        made[i] = leaf_of(n, memory, 'X', n->states[i].symbol, &n->states[i].about);
+    }
+    return made;
+}
+
+naming naming_of(const plant *p, arena *memory, const char *prefix)
+{
+    const mechanism *m = p->m;
+    naming made = {.prefix = prefix == NULL ? "plant" : prefix, .is_program = prefix == NULL};
+    made.capitals = capitals_of(memory, made.prefix);
+    made.states = mechanism_states(m, memory);
+    made.leaves.states = states_of(&made, memory, state_count(m));
+    made.leaves.inputs = leaves_of(&made, memory, 'U', m->inputs, m->input_count);
+    made.leaves.parameters = leaves_of(&made, memory, 'P', m->parameters, m->parameter_count);
+    const char **outputs = arena_take(memory, (size_t)p->output_count + 1, sizeof *outputs);
+    const char **quotes = arena_take(memory, (size_t)p->output_count + 1, sizeof *quotes);
+    for (int i = 0; i < p->output_count; i++) {
+        outputs[i] = place_of(&made, memory, 'Y', p->output_names[i]);
+        quotes[i] = source_quote(m->source, p->output_shows[i]->name.at);
+    }
+    made.outputs = outputs;
+    made.output_quotes = quotes;
+    return made;
+}

@@ -1,0 +1,43 @@
+/* The parts of a plant's source, in the order in which they stand there. */
+#ifndef ISOC_EMIT_PARTS_H
+#define ISOC_EMIT_PARTS_H
+
+#include "tools/isoc/emit/naming.h"
+
+typedef struct emission {
+    const plant *p;
+    graph *g;
+    const naming *names;
+    text *out;
+    double culprit; /* a constant that leaves the range of real; else 0 */
+} emission;
+
+/* Whether the method keeps something that must be filled before the first step. */
+bool is_primed(const mechanism *m);
+
+/* Whether it is a history that a jump of an input or a change of a parameter makes useless. */
+bool can_jump(const mechanism *m);
+
+/* Where a step tells how it went; NULL, as C, where it does not. */
+const char *progress_of(const mechanism *m);
+
+/* What a tick sets: inputs, then clocks. */
+size_t driven_count(const mechanism *m);
+
+/* Whether the guard knows how large some state may be. */
+bool has_range(const emission *e);
+
+/* data.c: what is constant. */
+void emit_data(emission *e);
+
+/* functions.c: the equations. */
+void emit_functions(emission *e);
+
+/* step.c: the method. */
+void emit_step(emission *e);
+
+/* description.c: the model; and, for the program, its plant. */
+void emit_model(emission *e);
+void emit_plant(emission *e);
+
+#endif

@@ -1,0 +1,87 @@
+#include "tools/isoc/emit/standalone.h"
+
+#include <string.h>
+
+#include "tools/isoc/emit/core_files.h"
+
+static const char include[] = "#include \"";
+
+/* The length of the path that is included at `at`, which is moved to it; 0 if there is none further on. */
+static size_t next_include(const char **at)
+{
+    const char *found = strstr(*at, include);
+    *at = found == NULL ? "" : found + strlen(include);
+    return strcspn(*at, "\"");
+}
+
+/* A file of core, by its path. */
+static const core_file *find(const char *path, size_t length)
+{
+    for (const core_file *f = core_files; f->path != NULL; f++) {
+        if (strlen(f->path) == length && strncmp(f->path, path, length) == 0) {
+            return f;
+        }
+    }
+    return NULL;
+}
+
+/* Whether this text, or what it includes, includes something beyond core: a port. */
+static bool needs_more(const char *source)
+{
+    const char *at = source;
+    for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
+        const core_file *f = find(at, length);
+        if (f == NULL || needs_more(f->text)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_source(const core_file *f)
+{
+    return f->path[strlen(f->path) - 1] == 'c';
+}
+
+/* The file with relative paths: "core/methods/equations.h" is "../methods/equations.h" for its neighbours. */
+static void add_file(file_list *files, const core_file *f, bool is_double)
+{
+    text copy = {.memory = files->memory};
+    if (is_double) {
+        text_add(&copy, "#ifndef ISO_REAL_DOUBLE\n#define ISO_REAL_DOUBLE\n#endif\n");
+    }
+    const char *from = f->text, *at = from;
+    for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
+        text_add(&copy, "%.*s../%.*s", (int)(at - from), from, (int)(length - strlen("core/")), at + strlen("core/"));
+        from = at + length;
+    }
+    text_add(&copy, "%s", from);
+    file_list_add(files, f->path, &copy);
+}
+
+/* Adds what this text includes, each file once. */
+static void add_includes(file_list *files, const char *source, bool is_double)
+{
+    const char *at = source;
+    for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
+        const core_file *f = find(at, length);
+        if (f != NULL && !file_list_has(files, f->path)) {
+            add_file(files, f, is_double);
+            add_includes(files, f->text, is_double);
+        }
+    }
+}
+
+void standalone_files(file_list *files, bool is_double)
+{
+    const size_t given = files->count;
+    for (size_t i = 0; i < given; i++) {
+        add_includes(files, files->files[i].text.bytes, is_double);
+    }
+    for (const core_file *f = core_files; f->path != NULL; f++) {
+        if (is_source(f) && !needs_more(f->text) && !file_list_has(files, f->path)) {
+            add_file(files, f, is_double);
+            add_includes(files, f->text, is_double);
+        }
+    }
+}

@@ -1,0 +1,11 @@
+/* What a plant needs of core, so that its folder compiles alone. */
+#ifndef ISOC_EMIT_STANDALONE_H
+#define ISOC_EMIT_STANDALONE_H
+
+#include "tools/isoc/emit/write.h"
+
+/* Adds the files of core that those in the list include, and those of its sources that need no port. They find each
+ * other by relative paths, and in double they need no flag that says so. */
+void standalone_files(file_list *files, bool is_double);
+
+#endif

@@ -1,0 +1,184 @@
+#include "tools/isoc/emit/parts.h"
+#include "tools/isoc/plant/cost.h"
+
+bool is_primed(const mechanism *m)
+{
+    return ISO_IS_PRIMED(m->recipe);
+}
+
+bool can_jump(const mechanism *m)
+{
+    bool jumps = m->parameter_count > 0;
+    for (int i = 0; i < m->input_count; i++) {
+        jumps = jumps || m->jumps[i] > 0.0;
+    }
+    return jumps && is_primed(m);
+}
+
+const char *progress_of(const mechanism *m)
+{
+    return !ISO_HAS_PROGRESS(m->recipe) ? "NULL"
+           : ISO_IS_VARYING(m->recipe)  ? "&memory->adams.progress"
+                                        : "&memory->progress";
+}
+
+/* The recipe as C: ISO_RK4 | ISO_CHECKED. */
+static const char *recipe_symbol(arena *memory, unsigned recipe)
+{
+    const char *options = ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "";
+    options = arena_format(memory, "%s%s", options, ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "");
+    if (recipe >> 8 != 0) {
+        options = arena_format(memory, "%s | ISO_ITERATIONS(%u)", options, recipe >> 8);
+    }
+    return arena_format(memory, "ISO_%s%s", capitals_of(memory, method_names[ISO_METHOD_OF(recipe)]), options);
+}
+
+/* The head of a function of the plant. */
+static void begin_function(emission *e, const char *head)
+{
+    text_add(e->out, "%s(void *const instance)\n{\n    %s_memory *const memory = instance;\n", head, e->names->prefix);
+}
+
+/* What a method that varies its step may do in a tick. */
+static void emit_adams(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char *tolerance = code_literal(e->out->memory, m->tolerance, e->p->is_double);
+    text_add(e->out, "static const iso_adams_options options = {\n    .tolerance_absolute = %s,\n", tolerance);
+    text_add(e->out, "    .tolerance_relative = %s,\n    .budget = %.0f,\n", tolerance, m->substeps);
+    text_add(e->out, "    .driven = %s,\n", m->input_count + m->parameter_count > 0 ? "true" : "false");
+    text_add(e->out, "    .level_max = %s,\n};\n\n", m->substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
+}
+
+/* The functions of the plant as a method takes them. */
+static void emit_equations(emission *e)
+{
+    const plant *p = e->p;
+    if (ISO_IS_VARYING(p->m->recipe)) {
+        emit_adams(e);
+    }
+    text_add(e->out, "static const iso_equations equations = {\n    .derivative = derivative,\n");
+    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+        text_add(e->out, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
+    }
+    if (p->rate_count > 0) {
+        text_add(e->out, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
+    }
+    text_add(e->out, "%s};\n\n", ISO_IS_VARYING(p->m->recipe) ? "    .adams = &options,\n" : "");
+}
+
+/* The inputs and parameters that jumped() compares with. */
+static void emit_remember(emission *e)
+{
+    const mechanism *m = e->p->m;
+    text_add(e->out, "static void remember(%s_memory *const memory)\n{\n", e->names->prefix);
+    text_add(e->out, "%s", m->input_count > 0 ? "    memcpy(memory->last_u, memory->u, sizeof memory->last_u);\n" : "");
+    text_add(e->out, "%s",
+             m->parameter_count > 0 ? "    memcpy(memory->last_p, memory->p, sizeof memory->last_p);\n" : "");
+    text_add(e->out, "}\n\n");
+}
+
+/* What starts the method anew: an input that changed by more than its jump in a tick, a parameter that changed. */
+static void emit_jumped(emission *e)
+{
+    const mechanism *m = e->p->m;
+    begin_function(e, "static bool jumped");
+    text_add(e->out, "    bool jump = false;\n");
+    for (int i = 0; i < m->input_count; i++) {
+        if (m->jumps[i] > 0.0) {
+            const char *at = e->names->leaves.inputs[i].place;
+            text_add(e->out, "    jump |= iso_abs(memory->u[%s] - memory->last_u[%s]) > %s;\n", at, at,
+                     code_literal(e->out->memory, m->jumps[i], e->p->is_double));
+        }
+    }
+    for (int i = 0; i < m->parameter_count; i++) {
+        const char *at = e->names->leaves.parameters[i].place;
+        text_add(e->out, "    jump |= memory->p[%s] != memory->last_p[%s];\n", at, at);
+    }
+    text_add(e->out, "    remember(memory);\n    return jump;\n}\n\n");
+}
+
+static const char *array_or_null(int count, const char *array)
+{
+    return count > 0 ? array : "NULL";
+}
+
+/* The call of iso_method_step or iso_method_prime, with what it works on. */
+static void emit_call(emission *e, const char *function, const char *size)
+{
+    const mechanism *m = e->p->m;
+    const char *recipe = recipe_symbol(e->out->memory, m->recipe), *capitals = e->names->capitals;
+    text_add(e->out, "    real work[%s(%s, %s_STATES)];\n", size, recipe, capitals);
+    if (ISO_IS_IMPLICIT(m->recipe)) {
+        text_add(e->out, "    real lu[%d];\n", e->p->j.factor_count);
+    }
+    text_add(e->out, "    %s(%s, %s_STATES, &equations, %s, memory->x, %s, %s, %s, work,\n", function, recipe, capitals,
+             code_literal(e->out->memory, m->step, e->p->is_double), array_or_null(m->input_count, "memory->u"),
+             array_or_null(m->parameter_count, "memory->p"), ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
+    text_add(e->out, "                    %s);\n", progress_of(m));
+}
+
+static void emit_prime(emission *e)
+{
+    begin_function(e, "static void prime");
+    emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
+    text_add(e->out, "%s}\n\n", can_jump(e->p->m) ? "    remember(memory);\n" : "");
+}
+
+/* Whether a step copies all that it calls into itself: up to so many operations in its evaluations, a sine and cosine
+ * counted as 25, those of a sub-step that varies once. In float calls cost a fifth of a small plant's step on a
+ * Cortex-M4F and an eighth of a chain's of three, in double on a PC less; of a large one's step little, whose copies
+ * take much text. */
+static bool is_flat(const emission *e)
+{
+    enum { MOST_FLOAT = 600, MOST_DOUBLE = 400, OF_SINCOS = 25 };
+    const mechanism *m = e->p->m;
+    const int most = e->p->is_double ? MOST_DOUBLE : MOST_FLOAT;
+    const operations n = count_operations(e->g, e->p->derivatives, (size_t)state_count(m));
+    const int evaluations = ISO_IS_VARYING(m->recipe) ? 1 : ISO_EVALUATIONS_OF(m->recipe);
+    return evaluations * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= most;
+}
+
+/* What follows the method in a step: the states are put right, and whole turns taken from angles. */
+static void emit_after(emission *e)
+{
+    const mechanism *m = e->p->m;
+    if (m->projections > 1 && e->p->after.count > 0) {
+        text_add(e->out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x);\n    }\n", m->projections);
+    } else if (e->p->after.count > 0) {
+        text_add(e->out, "    settle(memory->x);\n");
+    }
+    int counted = 0;
+    for (int i = 0; i < state_count(m); i++) {
+        if (e->names->states[i].kind == STATE_TURN) {
+            text_add(e->out, "    memory->turns[%d] += iso_take_turns(&memory->x[%s]);\n", counted++,
+                     e->names->leaves.states[i].place);
+        }
+    }
+}
+
+/* That the header, which is without the methods, has room for what the method keeps. */
+static void emit_check(emission *e)
+{
+    text_add(e->out, "_Static_assert(sizeof((%s_memory *)0)->x == ISO_METHOD_STATE(%s, %s_STATES) * sizeof(real),\n",
+             e->names->prefix, recipe_symbol(e->out->memory, e->p->m->recipe), e->names->capitals);
+    text_add(e->out, "    \"made for another version of core/methods/method.h\");\n\n");
+}
+
+void emit_step(emission *e)
+{
+    const mechanism *m = e->p->m;
+    emit_check(e);
+    emit_equations(e);
+    if (can_jump(m)) {
+        emit_remember(e);
+        emit_jumped(e);
+    }
+    if (is_primed(m)) {
+        emit_prime(e);
+    }
+    begin_function(e, is_flat(e) ? "ISO_FLAT static void step" : "static void step");
+    emit_call(e, "iso_method_step", "ISO_METHOD_WORK");
+    emit_after(e);
+    text_add(e->out, "}\n\n");
+}

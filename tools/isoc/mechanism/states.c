@@ -1,0 +1,74 @@
+#include "tools/isoc/mechanism/states.h"
+
+#include <math.h>
+
+#include "tools/isoc/mechanism/builder.h"
+
+static state state_of(state_kind kind, const char *called, const char *in, const char *quote)
+{
+    return (state){.about = {.name = called, .unit = in, .quote = quote, .least = -HUGE_VAL, .most = HUGE_VAL},
+                   .kind = kind};
+}
+
+/* A position is called as its link, the parts of a quaternion with an ending. */
+static void add_positions(const mechanism *m, const link *l, arena *memory, state *all)
+{
+    static const char *const parts[] = {"w", "x", "y", "z"};
+    const char *quote = source_quote(m->source, l->at);
+    for (int n = 0; n < positions_of(l->kind); n++) {
+        state *made = &all[l->position + n];
+        if (l->kind == JOINT_SPHERICAL) {
+            *made = state_of(STATE_QUATERNION, arena_format(memory, "%s_%s", l->name, parts[n]), "1", quote);
+        } else {
+            *made = state_of(l->continuous ? STATE_TURN : STATE_COORDINATE, l->name,
+                             l->kind == JOINT_REVOLUTE ? "rad" : "m", quote);
+        }
+        /* The sine of an angle is taken, which has a domain. */
+        if (made->kind == STATE_COORDINATE && l->kind == JOINT_REVOLUTE) {
+            made->about.least = -largest_angle;
+            made->about.most = largest_angle;
+        }
+        made->about.start = l->start[n];
+        made->symbol = arena_format(memory, "q_%s", made->about.name);
+    }
+}
+
+/* A speed is called as its degree of freedom. */
+static void add_speeds(const mechanism *m, const link *l, arena *memory, state *all)
+{
+    const char *quote = source_quote(m->source, l->at);
+    for (int n = 0; n < dofs_of(l->kind); n++) {
+        const char *called = m->dofs[l->dof + n].name;
+        state *made = &all[m->position_count + l->dof + n];
+        *made = state_of(STATE_SPEED, arena_format(memory, "%s_speed", called),
+                         l->kind == JOINT_PRISMATIC ? "m/s" : "rad/s", quote);
+        made->about.start = l->speed[n];
+        made->symbol = arena_format(memory, "qd_%s", called);
+    }
+}
+
+const state *mechanism_states(const mechanism *m, arena *memory)
+{
+    state *all = arena_take(memory, (size_t)state_count(m) + 1, sizeof *all);
+    for (int i = 0; i < m->link_count; i++) {
+        add_positions(m, &m->links[i], memory, all);
+        add_speeds(m, &m->links[i], memory, all);
+    }
+    for (int i = 0; i < m->clocks.count; i++) {
+        state *made = &all[m->clocks.first + i];
+        *made = state_of(STATE_CLOCK, arena_format(memory, "clock_%d", i + 1), m->clocks.all[i].unit, NULL);
+        made->about.start = m->clocks.all[i].start;
+        made->symbol = arena_format(memory, "q_%s", made->about.name);
+    }
+    return all;
+}
+
+double *mechanism_start(const mechanism *m, arena *memory)
+{
+    const state *all = mechanism_states(m, memory);
+    double *x = arena_take(memory, (size_t)state_count(m) + 1, sizeof *x);
+    for (int i = 0; i < state_count(m); i++) {
+        x[i] = all[i].about.start;
+    }
+    return x;
+}
