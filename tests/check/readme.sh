@@ -1,6 +1,6 @@
 #!/bin/sh
 # What the Markdown files say is so: the commands in their `sh` blocks run, in a copy of the project, and print the lines shown
-# below them; the commands of make in their text are known to make; C in them is part of a file that they link to; their links
+# below them; C in them compiles; the commands of make in their text are known to make; their links
 # lead somewhere, and lines are not too long. One with a thing changed is found. (Generated tables: tests/check/tables.sh;
 # pictures: tests/check/gallery.sh.)
 . tests/host/test.sh
@@ -103,20 +103,13 @@ dead_links()
     done
 }
 
-# foreign_code FILE [FOLDER]: whether a ```c block is not a part of a file that is linked to.
-foreign_code()
+# write_code FILE: in the copy, the files of its ```c blocks, the first line of which is /* NAME */.
+write_code()
 {
-    links "$1" | sed "s|^|${2-$(dirname "$1")}/|" | grep '\.[ch]$' >"$out/sources"
-    perl -e '
-        my ($document, $list) = @ARGV;
-        sub text { local (@ARGV, $/) = @_; return scalar <> }
-        my @sources = map { text($_) } grep { -f } split /\n/, text($list);
-        my $all = text($document);
-        while ($all =~ /^```c\n(.*?)^```$/msg) {
-            my $block = $1;
-            print "$document: in no file that it links to: ", (split /\n/, $block)[0], "\n"
-                unless grep { index($_, $block) >= 0 } @sources;
-        }' "$1" "$out/sources"
+    awk -v root="$out/project/" '
+        /^```c$/ { getline; name = $2; system("mkdir -p $(dirname " root name ")"); printf "" >(root name) }
+        /^```$/ && name != "" { close(root name); name = "" }
+        name != "" { print >(root name) }' "$1"
 }
 
 # long_lines FILE: text of more than 120 characters; a table or a picture may be wider.
@@ -130,13 +123,13 @@ wrong()
 {
     unlike_commands "$1"
     dead_links "$@"
-    foreign_code "$@"
     long_lines "$1"
 }
 
 echo "# $documents" | tr '\n' ' '
 echo
 for document in $documents; do
+    write_code "$document"
     commands "$document" >"$out/commands"
     while IFS= read -r command; do
         [ ! -e "$(printed "$command")" ] || continue
@@ -181,10 +174,10 @@ found "a word of an error" tools/isoc/README.md "s/did you mean 'kg'/did you mea
 found "a command that was not run" README.md 's/^\$ make run.*/& SECONDS=3/'
 found "a link to nothing" README.md 's|(port/port.h)|(port/ports.h)|'
 found "a link to a heading that is not there" README.md 's|#the-summary-of-a-run|#the-summary|'
-printf '%s\n' '[main](core/application/main.c)' '```c' 'static iso_loop loops;' '```' >"$out/code.md"
-[ -n "$(wrong "$out/code.md" .)" ] && sed 's/loops/loop/' "$out/code.md" >"$out/right.md" && [ -z "$(wrong "$out/right.md" .)" ]
-result $? "found: a line of code that is in no file"
-found "a long line" README.md '1s/$/ ........................................................................................................................./'
+sed 's/cart\.model->step/cart.model->stop/' README.md >"$out/changed.md"
+write_code "$out/changed.md"
+! try README.md "$(commands README.md | grep -F './a.out')"
+result $? "found: code that does not compile"
 ! known 'make cleaner' && ! known 'make run SCEEN=models/pendulum.scene'
 result $? "found: a target and a variable that are not there"
 ! try README.md 'make run SCENE=models/absent.scene'
