@@ -1,4 +1,4 @@
-/* All that Isochron asks of a platform: eight functions. A port is one folder that defines them.
+/* The platform interface: eight functions. A port is one folder that defines them.
  *
  * The clock counts at the port's own rate and wraps at 2^32; it reads 0 when iso_port_start returns, and tick k
  * (k = 1, 2, ...) is due at k times the period that iso_port_start gives.
@@ -17,13 +17,13 @@
 /* Starts a tick every period_ns nanoseconds. Returns the period in counts of the clock. */
 uint32_t iso_port_start(uint32_t period_ns);
 
-/* Idles until a tick is due that the last call did not report. Returns the number of the latest due tick. */
+/* Sleeps until a tick is due that the last call did not report. Returns the number of the latest due tick. */
 uint32_t iso_port_wait(void);
 
 /* The clock, in counts. */
 uint32_t iso_port_clock(void);
 
-/* Overwrites those of u[inputs] that the platform measures; leaves the others, which hold the scene's functions. */
+/* Overwrites those of u[inputs] that the platform measures; the others keep the functions of the scene. */
 void iso_port_read(real *u, size_t inputs);
 
 /* Hands y[outputs] to the platform's digital-to-analogue converters, bus or network. */
@@ -32,7 +32,7 @@ void iso_port_publish(const real *y, size_t outputs);
 /* Writes bytes to the console. */
 void iso_port_write(const void *bytes, size_t count);
 
-/* Takes the arguments of main. Returns how long to run, in nanoseconds of plant time; 0 is until reset. */
+/* Returns how long to run, in nanoseconds of simulated time, from the arguments of main; 0 is until reset. */
 uint64_t iso_port_duration(int argc, char **argv);
 
 /* Ends the program: status 0 is success. */

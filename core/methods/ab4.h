@@ -7,7 +7,7 @@
 /* Bashforth and Adams (1883), An Attempt to Test the Theories of Capillary Action, ch. 3. */
 static const iso_adams iso_table_ab4 = {.b = {55, -59, 37, -9}, .over = 24};
 
-/* Derivatives in the formula, and sums of them kept: what those so far add to the next step. */
+/* Derivatives in the formula, and sums kept: the part of the next step that the derivatives so far contribute. */
 enum { ISO_AB4_STEPS = 4, ISO_AB4_SUMS = ISO_AB4_STEPS - 1 };
 
 ISO_INLINE void iso_ab4_take_derivative(const iso_history *const history, const real h, const real *const derivative)

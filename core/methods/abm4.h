@@ -4,11 +4,11 @@
 
 #include "core/methods/ab4.h"
 
-/* Milne (1926), Amer. Math. Monthly 33, 455-460: of the difference corrector - predictor of the pair of order four,
- * this part, negated, is the corrector's local error; from the error constants 251/720 and -19/720. */
+/* Milne (1926), Amer. Math. Monthly 33, 455-460: the local error of the corrector is minus this part of the difference
+ * corrector - predictor; from the error constants 251/720 and -19/720. */
 static const iso_adams iso_table_milne = {.b = {19}, .over = 270};
 
-/* Sums kept: what the derivatives so far add first to the predictor, then to the corrector. */
+/* Sums kept: the parts of the predictor, then of the corrector, that the derivatives so far contribute. */
 enum {
     ISO_ABM4_PREDICTOR = ISO_AB4_STEPS,
     ISO_ABM4_CORRECTOR = ISO_AB4_STEPS - 1,

@@ -23,7 +23,7 @@ typedef struct iso_bdf {
 
 static const iso_bdf iso_table_bdf4 = {.b = {23, -13, 3}, .derivative = 12, .over = 25, .predictor = {4, -6, 4, -1}};
 
-/* Puts an increment before the kept ones. */
+/* Stores an increment as the newest one. */
 static inline void iso_keep_increment(const iso_history *const history, const size_t s, const real dx)
 {
     ISO_UNROLL
@@ -71,8 +71,8 @@ ISO_INLINE void iso_bdf4_step(iso_step *const step)
     }
     eq->factor(step->lu, at, step->u, step->p, hb);
 
-    /* (1 - hb J) correction = past + hb f(x + dx) - dx; the increment is summed up by itself, since x would swallow
-     * corrections below half of its ulp. */
+    /* (1 - hb J) correction = past + hb f(x + dx) - dx; the increment is summed separately, since
+     * corrections below half an ulp of x would be lost in x. */
     for (uint8_t i = 0; i < step->iterations; i++) {
         *residual = R(0.0);
         iso_evaluate(step, g, at);
@@ -100,11 +100,12 @@ ISO_INLINE void iso_bdf4_step(iso_step *const step)
 
 enum { ISO_BDF4_PRIME_VECTORS = 2 + ISO_ROSENBROCK_VECTORS };
 
-/* Fills the kept increments before the first step. The past of a stiff plant cannot be computed, so the linearly
- * implicit method looks ahead by five steps, each in sub-steps, and the polynomial of degree four through their ends is
- * continued to the past. It does not go through the state itself, which may lie off the smooth solution, before a layer
- * that no step resolves: the formula then starts on the solution beyond the layer, and keeps its order. Local errors of
- * order four and an extrapolation exact to h^5, both made only here, keep it too. x is left as it is.
+/* Computes the increments before the first step. A stiff plant cannot be integrated backwards. So the linearly implicit
+ * method computes five steps ahead, each in sub-steps, and the polynomial of degree four through their ends is extrapolated
+ * to the past. The polynomial does not pass through the state itself: the state may be outside of the smooth solution, in
+ * front of a layer that no step resolves. The formula then starts on the solution behind the layer, and keeps its order.
+ * The local errors of order four and the extrapolation, exact to h^5, occur only here, so they keep it too. x does not
+ * change.
  * work[ISO_BDF4_PRIME_VECTORS n]. */
 static inline void iso_bdf4_prime(iso_step *const step)
 {
@@ -120,7 +121,7 @@ static inline void iso_bdf4_prime(iso_step *const step)
     ahead.work = compensation + n;
     memcpy(at, history->x, n * sizeof *at);
     for (size_t i = 0; i < AHEAD; i++) {
-        real *const increment = history->past + (i > 0 ? i - 1 : 0) * n; /* that of the first is of no use */
+        real *const increment = history->past + (i > 0 ? i - 1 : 0) * n; /* the first one is overwritten */
         memcpy(increment, at, n * sizeof *at);
         memset(compensation, 0, n * sizeof *compensation);
         for (int j = 0; j < SUBSTEPS; j++) {
@@ -131,8 +132,8 @@ static inline void iso_bdf4_prime(iso_step *const step)
             increment[s] = (at[s] - increment[s]) + compensation[s];
         }
     }
-    /* Backwards in time they stand as a method keeps them, the nearest first. So the predictor continues them to the
-     * past, and what it leaves is turned about. */
+    /* Seen backwards in time they are in the order of a history, the nearest first. So the predictor extrapolates
+     * them to the past, and the result is reversed. */
     for (size_t s = 0; s < n; s++) {
         for (size_t i = 0; i < AHEAD; i++) {
             iso_keep_increment(history, s, iso_past_increments(history, s, iso_table_bdf4.predictor, ISO_BDF4_STEPS));

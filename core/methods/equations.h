@@ -1,4 +1,4 @@
-/* The equations of motion x' = f(x, u, p) as a method needs them: the derivative, and for implicit methods what solves
+/* The equations of motion x' = f(x, u, p) as a method needs them: the derivative, and for implicit methods the solution
  * with its Jacobian. */
 #ifndef ISO_CORE_METHODS_EQUATIONS_H
 #define ISO_CORE_METHODS_EQUATIONS_H
@@ -11,7 +11,7 @@
  * (these types do not: this header is C++ as well); an empty one may be NULL. */
 typedef void iso_derivative(real *dx, const real *x, const real *u, const real *p);
 
-/* lu[factors] = what a plant keeps of 1 - hb J to solve with it, J[i][j] = df_i/dx_j at x, u, p. */
+/* lu[factors] = the factors of 1 - hb J, J[i][j] = df_i/dx_j at x, u, p. */
 typedef void iso_factor(real *lu, const real *x, const real *u, const real *p, real hb);
 
 /* d[states] = (1 - hb J)^-1 d, from the factors lu. */
@@ -25,7 +25,7 @@ typedef struct iso_equations {
     size_t factors;
     iso_derivative *rates; /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
     size_t positions;      /* how many of the states are positions, which come first, where `rates` is given */
-    const struct iso_adams_options *adams; /* for adams only; NULL where what is usual will do */
+    const struct iso_adams_options *adams; /* for adams only; NULL for the defaults */
 } iso_equations;
 
 #endif

@@ -1,7 +1,7 @@
-/* What a method keeps from step to step behind the states, and what is done with it alike for every method: advancing
- * the state, keeping the past, checking a step.
+/* The history: what a method keeps from step to step, stored behind the states. The functions here serve every method:
+ * they advance the state, keep derivatives, and check a step.
  *
- * All of it is known at compile time: a pointer that is NULL, or a count that is zero, leaves no code.
+ * Pointers and counts are known at compile time: a pointer that is NULL, or a count that is zero, leaves no code.
  */
 #ifndef ISO_CORE_METHODS_HISTORY_H
 #define ISO_CORE_METHODS_HISTORY_H
@@ -12,16 +12,16 @@
 
 typedef struct iso_history {
     size_t n;
-    real *x;     /* [n] the states */
-    real *past;  /* what the method keeps of the steps before: sums of derivatives, increments, rows of a polynomial */
-    real *check; /* [checked n] sums of the derivatives so far, the first one taken from the increment: iso_check */
-    real *compensation; /* [n] what rounding has taken from x so far; NULL where x is not compensated */
-    uint8_t checked;    /* derivatives before the end of a step that its check uses; 0 where steps are not checked */
+    real *x;            /* [n] the states */
+    real *past;         /* of the method: sums of derivatives, increments, or rows of a polynomial */
+    real *check;        /* [checked n] sums of the derivatives so far, the increment less the first one: iso_check */
+    real *compensation; /* [n] the rounding errors of x so far; NULL if x is not compensated */
+    uint8_t checked;    /* derivatives before the end of a step that its check uses; 0 if steps are not checked */
 } iso_history;
 
 /* x[s] += dx. Compensated: the rounding error of the sum, exact by Knuth (1998), The Art of Computer Programming 2,
- * 4.2.2, theorem B, is carried to the next step (Kahan 1965; Moller 1965). No branch, and right under the flags that
- * all is compiled with, which forbid a compiler to take the difference for zero. */
+ * 4.2.2, theorem B, is added in the next step (Kahan 1965; Moller 1965). No branch. The compiler must not simplify
+ * the difference to zero; the flags of the build see to that. */
 static inline void iso_advance(const iso_history *const history, const size_t s, const real dx)
 {
     if (history->checked > 0) {
@@ -39,15 +39,15 @@ static inline void iso_advance(const iso_history *const history, const size_t s,
     }
 }
 
-/* h b[j] / over, if that comes before `end`, else zero. */
+/* h b[j] / over if j is before `end`, else zero. */
 ISO_INLINE real iso_weight_before(const iso_adams *const table, const real h, const uint8_t j, const uint8_t end)
 {
     return j < end ? h * (real)table->b[j] / (real)table->over : R(0.0);
 }
 
 /* |h b[j] / over|: the weight of a derivative. In an Adams method the signs of the derivatives before the end of a step
- * alternate. The last weight is what the others leave of h: their roundings would else drive every state off, by an
- * epsilon of all its motion. */
+ * alternate. The last weight is h less the others: otherwise their rounding errors would add a drift to every state, an
+ * epsilon of its motion. */
 ISO_INLINE real iso_weight(const iso_adams *const table, const real h, const uint8_t j)
 {
     real weight = iso_weight_before(table, h, j, ISO_ADAMS_DERIVATIVES);
@@ -59,14 +59,14 @@ ISO_INLINE real iso_weight(const iso_adams *const table, const real h, const uin
     return table->b[j] < 0 ? -weight : weight;
 }
 
-/* One derivative f more in the sums that an Adams method keeps in place of derivatives:
+/* Adds a derivative f to the sums that an Adams method keeps instead of derivatives:
  *
  *     sums[0] = w[first] f - sums[1],   sums[1] = w[first + 1] f - sums[2], ...,   sums[terms - 1] = w[first + terms -
  * 1] f
  *
- * Then sums[0] is what the derivatives so far add to the next step. That takes as many products and sums as with the
- * derivatives themselves, and moves none: the transposed form of a filter, Oppenheim and Schafer (2010), Discrete-Time
- * Signal Processing, 6.4. After `terms` derivatives nothing is left of what the sums were. sums[terms n]. */
+ * Then sums[0] is the part of the next step that the derivatives so far contribute. This form has as many products and sums
+ * as the formula in the derivatives, but it moves no data: the transposed form of a filter, Oppenheim and Schafer (2010),
+ * Discrete-Time Signal Processing, 6.4. After `terms` derivatives the old sums have no influence. sums[terms n]. */
 ISO_INLINE void iso_take_derivative(const iso_adams *const table, const uint8_t first, const uint8_t terms,
                                     const real h, const size_t n, const real *const derivative, real *const sums)
 {
@@ -90,9 +90,9 @@ static inline real iso_larger(const real a, const real b)
     return iso_max(iso_abs(a), iso_abs(b));
 }
 
-/* The local error of the last step, state by state, at no evaluation: its increment against that of the implicit Adams
- * method with `checked` derivatives from before the end of that step, and with `derivative` there. Exact to h^(checked
- * + 2). error[n], or NULL to give only the largest, which is returned. */
+/* The local error of the last step, without an evaluation: the difference between its increment and that of the implicit
+ * Adams method with `derivative` at the end of that step and `checked` derivatives before it. Exact to h^(checked + 2).
+ * error[n], or NULL. Returns the largest. */
 static inline real iso_check(const iso_history *const history, const real h, const real *const derivative,
                              real *const error)
 {
@@ -111,8 +111,7 @@ static inline real iso_check(const iso_history *const history, const real h, con
     return largest;
 }
 
-/* For the next check, before the states advance: what the formula has of the derivatives so far, of which `derivative`
- * is the newest. */
+/* Prepares the next check, before the states advance: adds the newest derivative to its sums. */
 ISO_INLINE void iso_keep_derivative(const iso_history *const history, const real h, const real *const derivative)
 {
     iso_take_derivative(&iso_table_am[history->checked], 1, history->checked, h, history->n, derivative,

@@ -1,5 +1,4 @@
-/* Adams formulas, and the implicit ones by the number of their derivatives: a corrector, and what steps are checked
- * with. */
+/* Adams formulas; the implicit ones by the number of their derivatives, for correctors and for checks of steps. */
 #ifndef ISO_CORE_METHODS_IMPLICIT_ADAMS_H
 #define ISO_CORE_METHODS_IMPLICIT_ADAMS_H
 
@@ -8,7 +7,7 @@
 enum { ISO_ADAMS_DERIVATIVES = 6 };
 
 /* x += h / over (b[0] f + b[1] f[-1] + ...), where an explicit one begins with the derivative at the start of the step
- * and an implicit one with that at its end. In whole numbers, so that a test proves the order exactly. */
+ * and an implicit one with that at its end. The coefficients are whole numbers, so a test can prove the order exactly. */
 typedef struct iso_adams {
     int16_t b[ISO_ADAMS_DERIVATIVES];
     int16_t over;

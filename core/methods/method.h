@@ -1,10 +1,10 @@
-/* The methods behind one name: a plant says which, and the others leave no trace in its code.
+/* The methods behind one name: a plant chooses one, and the others add nothing to its code.
  *
  * A recipe is a method with its options: ISO_RK4, or ISO_BDF4 | ISO_COMPENSATED | ISO_ITERATIONS(3). Recipe and n are
- * constants where a plant calls these functions, so that the dispatch is gone when they are inlined. What a method must
- * remember stands behind the state: x[ISO_METHOD_STATE(recipe, n)].
+ * constants where a plant calls these functions, so that inlining removes the dispatch. The history of a method is
+ * behind the state: x[ISO_METHOD_STATE(recipe, n)].
  *
- * A method is a kernel in a file of its own and a row of the table below, from which all else follows.
+ * A method is a kernel in its own file and a row of the table below; all else follows from the row.
  */
 #ifndef ISO_CORE_METHODS_METHOD_H
 #define ISO_CORE_METHODS_METHOD_H
@@ -21,17 +21,17 @@
 
 /* How a step is made. */
 enum {
-    ISO_FROM_START, /* from the derivative at its start; a check compares with that at its end: iso_step_begin */
-    ISO_PREDICTING, /* from a predictor, the difference to which is the error, if it is checked */
-    ISO_ITERATING,  /* the same, by Newton iterations, whose residual is told */
-    ISO_VARYING,    /* in sub-steps of its own, whose error is always told in an iso_adams_state */
+    ISO_FROM_START, /* from the derivative at its start; a check also uses that at its end: iso_step_begin */
+    ISO_PREDICTING, /* from a predictor; its difference to the result gives the error */
+    ISO_ITERATING,  /* the same, by Newton iterations, whose residual is reported */
+    ISO_VARYING,    /* in sub-steps of its own, whose error is always reported in an iso_adams_state */
 };
 
-/* One row a method. `r` is the recipe, of which a column may depend. Columns: the constant; the name in a scene; order;
+/* One row for each method. `r` is the recipe: a column may depend on it. Columns: the constant; the name in a scene; order;
  * evaluations, Jacobians and solutions of a step (adams: of a sub-step); vectors of n reals kept from step to step, those
- * of work space of a step, and of priming; sums and products of a step for each state, beside the sum x + dx and what
- * the check of ISO_FROM_START takes; how a step is made; gamma of the factors that are made at its start, or 0; the
- * kernel; and what primes it. Semi-implicit Euler is of a mechanical plant: half of the states are positions, half their
+ * of work space of a step, and of priming; sums and products of a step for each state, besides the sum x + dx and those of
+ * the check of ISO_FROM_START; how a step is made; gamma of the factors at its start, or 0; the kernel; the
+ * function that primes it. Semi-implicit Euler is for mechanical plants: half of the states are positions, half their
  * rates. */
 /* clang-format off */
 #define ISO_METHOD_LIST(X, r)                                                                                          \
@@ -64,23 +64,23 @@ enum {
 #define ISO_METHOD_CONSTANT(r, constant, ...) constant,
 typedef enum iso_method { ISO_METHOD_LIST(ISO_METHOD_CONSTANT, 0) ISO_METHODS } iso_method;
 
-/* What they are called: an array of ISO_METHODS. */
+/* The names: an array of ISO_METHODS. */
 #define ISO_METHOD_NAME_OF(r, constant, name, ...) [constant] = (name),
 #define ISO_METHOD_NAMES                                                                                               \
     {                                                                                                                  \
         ISO_METHOD_LIST(ISO_METHOD_NAME_OF, 0)                                                                         \
     }
 
-/* Options, each of which costs nothing where it is not named. */
+/* Options. An option that is not chosen costs nothing. */
 enum {
     ISO_METHOD_BITS = 0xF,
-    ISO_COMPENSATED = 0x10, /* sums of increments without loss (Kahan-Babuska) */
-    ISO_CHECKED = 0x20,     /* the local error of every step is known */
+    ISO_COMPENSATED = 0x10, /* compensated sums of increments (Kahan-Babuska) */
+    ISO_CHECKED = 0x20,     /* the local error of every step is estimated */
 };
 
-#define ISO_ITERATIONS(count) ((count) << 8) /* of Newton, for bdf4; 2 where nothing is said */
+#define ISO_ITERATIONS(count) ((count) << 8) /* of Newton, for bdf4; default: 2 */
 
-/* What a recipe is made of; constant expressions. */
+/* The parts of a recipe; constant expressions. */
 #define ISO_METHOD_OF(recipe) ((recipe)&ISO_METHOD_BITS)
 #define ISO_IS(recipe, method) (ISO_METHOD_OF(recipe) == (method))
 #define ISO_ITERATIONS_OF(recipe) (((recipe) >> 8) == 0 ? 2 : (int)((recipe) >> 8))
@@ -114,34 +114,34 @@ enum {
 #define ISO_IS_ITERATING(recipe) (ISO_KIND_OF(recipe) == ISO_ITERATING)
 #define ISO_IS_VARYING(recipe) (ISO_KIND_OF(recipe) == ISO_VARYING)
 
-/* In a plant that has no Jacobian: refuses the methods that need one when the plant is compiled. */
+/* For a plant without a Jacobian: the compiler refuses the methods that need one. */
 #define ISO_HAS_NO_JACOBIAN(recipe)                                                                                    \
     _Static_assert(!ISO_IS_IMPLICIT(recipe), "bdf4 and rosenbrock need a Jacobian, and this plant has none")
 
-/* Whether a check compares with derivatives of the steps before. */
+/* Whether a check uses derivatives of the steps before. */
 #define ISO_CHECKS_DERIVATIVES(recipe) (ISO_IS_CHECKED(recipe) && ISO_KIND_OF(recipe) == ISO_FROM_START)
 
-/* Whether a jump of the motion is watched for: where steps are checked, and what is kept enters the next. */
+/* Whether discontinuities are detected: if steps are checked, and the method has a history. */
 #define ISO_IS_WATCHED(recipe) (ISO_IS_CHECKED(recipe) && !ISO_IS_VARYING(recipe) && ISO_PAST_KEPT(recipe) > 0)
 
-/* Whether a step tells how it went. */
+/* Whether a step reports its progress. */
 #define ISO_HAS_PROGRESS(recipe) (ISO_IS_CHECKED(recipe) || ISO_IS_ITERATING(recipe) || ISO_IS_VARYING(recipe))
 
 /* Derivatives before the end of a step that its check uses: one more than the order. The leading term of an error can
- * pass through zero in all states at about the same time, and then the next one decides. */
+ * pass through zero in all states at about the same time; then the next term decides. */
 #define ISO_CHECK_KEPT(recipe) (ISO_CHECKS_DERIVATIVES(recipe) ? ISO_ORDER_OF(recipe) + 1 : 0)
 
-/* Vectors of n reals that are kept behind the state: what the method keeps, its check, what rounding has taken. */
+/* Vectors of n reals behind the state: the history of the method, its check, the compensation. */
 #define ISO_HISTORY_KEPT(recipe) (ISO_PAST_KEPT(recipe) + ISO_CHECK_KEPT(recipe))
 #define ISO_VECTORS_KEPT(recipe) (ISO_HISTORY_KEPT(recipe) + (ISO_IS_COMPENSATED(recipe) ? 1 : 0))
 
 /* Whether there is a history, which must be primed before the first step. */
 #define ISO_IS_PRIMED(recipe) (ISO_HISTORY_KEPT(recipe) > 0)
 
-/* Reals of x: the n states, and behind them what the method keeps. */
+/* Reals of x: the n states, and behind them the history. */
 #define ISO_METHOD_STATE(recipe, n) ((n) * (size_t)(1 + ISO_VECTORS_KEPT(recipe)))
 
-/* Reals of work space of a step, beside the factors of an implicit method; and of priming. */
+/* Reals of work space of a step, without the factors of an implicit method; and of priming. */
 #define ISO_METHOD_WORK(recipe, n) ((n) * (size_t)ISO_COLUMN(recipe, ISO_WORK_CELL))
 #define ISO_METHOD_PRIME_WORK(recipe, n) (ISO_IS_PRIMED(recipe) ? (n) * (size_t)ISO_COLUMN(recipe, ISO_PRIME_CELL) : 1)
 
@@ -184,8 +184,8 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     }
 }
 
-/* Fills what the method keeps behind the states of x, before the first step or after a jump; the states stay as they
- * are. lu[eq->factors] only for implicit methods, work[ISO_METHOD_PRIME_WORK(recipe, n)], progress as of a step. */
+/* Computes the history behind the states of x, before the first step or after a discontinuity; the states do not
+ * change. lu[eq->factors] only for implicit methods, work[ISO_METHOD_PRIME_WORK(recipe, n)], progress as of a step. */
 ISO_INLINE void iso_method_prime(const unsigned recipe, const size_t n, const iso_equations *const eq, const real h,
                                  real *const x, const real *const u, const real *const p, real *const lu,
                                  real *const work, iso_progress *const progress)

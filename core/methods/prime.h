@@ -1,16 +1,16 @@
-/* Priming: what a method keeps of the steps before is filled before the first step, and after a jump. */
+/* Priming: computes the history of a method, before the first step and after a discontinuity. */
 #ifndef ISO_CORE_METHODS_PRIME_H
 #define ISO_CORE_METHODS_PRIME_H
 
 #include "core/methods/rk4.h"
 
-/* Vectors of work space for priming from derivatives: those, the increment and a state of walking back, and its
- * stages. */
+/* Vectors of work space for priming: the derivatives, the increment, and the state and the stages of the backward
+ * integration. */
 enum { ISO_PRIME_VECTORS = ISO_ADAMS_DERIVATIVES + 2 + ISO_EXPLICIT_VECTORS };
 
 /* The derivatives of the motion that leads to x, by integrating backwards with rk4: `count` of them, the newest first,
  * that of x itself if `from_now`, or else that at t - h. They are exact to h^5, which keeps the fourth order. Returns them
- * as [count n] in step->work[ISO_PRIME_VECTORS n], where they stand behind the increment from t - h to x. */
+ * as [count n] in step->work[ISO_PRIME_VECTORS n], behind the increment from t - h to x. */
 static inline const real *iso_walk_back(const iso_step *const step, const uint8_t count, const bool from_now)
 {
     const size_t n = step->history->n;
@@ -40,7 +40,7 @@ static inline const real *iso_walk_back(const iso_step *const step, const uint8_
     return derivatives;
 }
 
-/* What the first check compares with the derivatives kept: the increment that led to x. */
+/* Gives the first check the increment that led to x. */
 static inline void iso_keep_moved(const iso_step *const step)
 {
     const iso_history *const history = step->history;
@@ -49,7 +49,7 @@ static inline void iso_keep_moved(const iso_step *const step)
     }
 }
 
-/* For an explicit method that keeps nothing but what its check compares with. */
+/* For an explicit method without a history, whose steps may be checked. */
 static inline void iso_prime_check(iso_step *const step)
 {
     const uint8_t count = step->history->checked;
@@ -60,8 +60,8 @@ static inline void iso_prime_check(iso_step *const step)
     iso_keep_moved(step);
 }
 
-/* The same for a stiff plant, whose past cannot be computed: as if the motion had been even. The first checks tell too
- * much. work[n]. */
+/* The same for a stiff plant, which cannot be integrated backwards: assumes a constant derivative. The first checks
+ * overestimate the error. work[n]. */
 static inline void iso_prime_even(iso_step *const step)
 {
     const iso_history *const history = step->history;

@@ -1,4 +1,4 @@
-/* One step of any method: what it is given, what it begins with, and what it tells. */
+/* One step of any method: its arguments, its first evaluation, and its results. */
 #ifndef ISO_CORE_METHODS_STEP_H
 #define ISO_CORE_METHODS_STEP_H
 
@@ -7,7 +7,7 @@
 #include "core/methods/history.h"
 #include "core/methods/progress.h"
 
-/* A step, or the priming of a method, on its way through one of the functions that make it. */
+/* The arguments and results of a step, or of the priming of a method. */
 typedef struct iso_step {
     const iso_history *history; /* the states, and what the method keeps */
     const iso_equations *equations;
@@ -15,10 +15,10 @@ typedef struct iso_step {
     real h;
     const real *u; /* inputs and parameters, held over the step */
     const real *p;
-    real *lu;   /* [factors] of an implicit method: at first those of 1 - h gamma J at the start, if it asks for them */
-    real *work; /* the first [n] are at first the derivative at the start, if the method asks for it */
+    real *lu;   /* [factors] of an implicit method; on entry those of 1 - h gamma J at the start, if it needs them */
+    real *work; /* work space; on entry the first [n] are the derivative at the start, if the method needs it */
     uint8_t iterations; /* of Newton */
-    real error;         /* the local error, where the method has an estimate of its own: of this step */
+    real error;         /* the local error of this step, if the method has its own estimate */
     iso_progress *progress;
 } iso_step;
 
@@ -27,10 +27,10 @@ ISO_INLINE void iso_evaluate(const iso_step *const step, real *const derivative,
     step->f(derivative, x, step->u, step->p);
 }
 
-/* What a method begins with that asks for the derivative at the start: it, and where gamma is not zero the factors of
- * 1 - h gamma J there. With both, the local error of the step before, where steps are checked; the factors take the
- * stiff part out of it (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is
- * [n], with factors [2 n]. */
+/* Computes the derivative at the start of a step and, if gamma is not zero, the factors of 1 - h gamma J there. If steps
+ * are checked, it also computes the local error of the step before; the factors remove the stiff part of that error
+ * (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is [n], with factors [2 n].
+ */
 ISO_INLINE void iso_step_begin(iso_step *const step, const real gamma)
 {
     const iso_history *const history = step->history;
@@ -56,13 +56,13 @@ ISO_INLINE void iso_step_begin(iso_step *const step, const real gamma)
     iso_keep_derivative(history, step->h, derivative);
 }
 
-/* A local error so many times its usual size is a jump of the motion: kinks are by 1 / h or a higher power of it larger
- * than the error of a smooth motion, which grows little in a step. The usual size is the largest of late, and is
- * forgotten by a sixteenth in a step; nothing is usual before so many steps. */
+/* A local error of more than ISO_JUMP times its usual size is a discontinuity: a kink makes the error larger than that of
+ * a smooth motion by 1 / h or a higher power of it, and the error of a smooth motion grows little in a step. The usual size
+ * is the largest recent error; it decays by a sixteenth in a step. It is known after ISO_USUAL_STEPS steps. */
 #define ISO_JUMP R(64.0)
 enum { ISO_USUAL_STEPS = 16 };
 
-/* Whether the motion jumped within the step whose error this is. Without a branch on it. */
+/* Sets whether the step with this error contains a discontinuity. No branch on the error. */
 static inline void iso_watch(iso_progress *const progress, const real error)
 {
     const bool known = progress->watched == ISO_USUAL_STEPS;

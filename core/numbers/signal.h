@@ -1,10 +1,10 @@
-/* Functions of time: of the integer tick, so that they are as exact after a day as after a second. */
+/* Functions of time. They use the integer tick, so they are as exact after a day as after a second. */
 #ifndef ISO_CORE_NUMBERS_SIGNAL_H
 #define ISO_CORE_NUMBERS_SIGNAL_H
 
 #include "core/numbers/real.h"
 
-/* The angle in [-pi, pi) that has grown by `increment` a tick from `start`; 2^64 is one turn. */
+/* The angle in [-pi, pi) that starts at `start` and grows by `increment` in a tick; 2^64 is one turn. */
 static inline real iso_phase(const uint32_t tick, const uint64_t increment, const uint64_t start)
 {
     const uint64_t turns = start + tick * increment;

@@ -1,7 +1,7 @@
 /* Sine and cosine without a branch, in + - * and the bits of the result.
  *
- * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/exhaustive/sincos.c). Beyond the domain the
- * result is a number of no meaning; for an infinity or a NaN it is NaN. sin(-x) = -sin(x), cos(-x) = cos(x) exactly.
+ * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/exhaustive/sincos.c). Outside of the domain the
+ * result is meaningless; for an infinity or a NaN it is NaN. sin(-x) = -sin(x), cos(-x) = cos(x) exactly.
  *
  * Reduction: Cody and Waite (1980), Software Manual for the Elementary Functions, ch. 8: pi/2 in two parts of a double
  * or three of a float, all but the last short enough for k times them to be exact. Polynomials on [-pi/4, pi/4]: float
@@ -19,7 +19,7 @@ typedef struct iso_sine_cosine {
 
 #ifdef ISO_REAL_DOUBLE
 
-/* Adding 1.5 * 2^52 rounds to a whole number, which then stands in the low bits. */
+/* Adding 1.5 * 2^52 rounds to a whole number, which is then in the low bits. */
 #define ISO_ROUNDER R(6755399441055744.0)
 
 /* x - k pi/2 for a whole number |k| <= 6400 near x / (pi/2). */

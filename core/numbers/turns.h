@@ -1,11 +1,11 @@
-/* The angle of a free-spinning joint: kept in [-pi, pi), to rounding, with the whole turns counted beside it. */
+/* The angle of a joint that turns without limit: in [-pi, pi), to rounding, and the number of whole turns. */
 #ifndef ISO_CORE_NUMBERS_TURNS_H
 #define ISO_CORE_NUMBERS_TURNS_H
 
 #include "core/numbers/sincos.h"
 
-/* Takes the nearest whole number of turns off *angle (|*angle| <= 1e4) and returns it: its quarters, rounded to fours.
- */
+/* Subtracts the nearest whole number of turns from *angle (|*angle| <= 1e4), and returns it: quarter turns, rounded to
+ * multiples of four. */
 static inline int32_t iso_take_turns(real *const angle)
 {
     const real rounded = *angle * R(0.636619772367581343) + R(4.0) * ISO_ROUNDER;

@@ -1,6 +1,6 @@
-/* Hints for speed; they change no bit. ISO_UNROLL before a loop: unroll it as far as its count is known. ISO_INLINE
- * before a function: make it part of its callers, so that what they know at compile time is known in it. ISO_FLAT
- * before a function: make all that it calls part of it. */
+/* Hints for speed; they change no bit. ISO_UNROLL before a loop: unroll it if its count is known. ISO_INLINE before a
+ * function: inline it, so that constants of its callers are constants in it. ISO_FLAT before a function: inline all that
+ * it calls. */
 #ifndef ISO_CORE_NUMBERS_UNROLL_H
 #define ISO_CORE_NUMBERS_UNROLL_H
 

@@ -3,9 +3,9 @@
  *     arguments: PROGRAM [NANOSECONDS]
  *
  * The clock counts instructions. QEMU with -icount shift=10 lets one instruction last 2^10 ns, in which SysTick at
- * 25 MHz counts 25.6 times. Taken at its word that is a processor of one million instructions a second, too slow to
- * be any board of today; so an instruction stands for one cycle of a core of 25 MHz, and the time of the plant is
- * stretched by the same 25.6. On silicon the dilation is 1, and the clock counts cycles.
+ * 25 MHz counts 25.6 times. That would be a processor of one million instructions in a second, slower than any board.
+ * So an instruction stands for one cycle of a core of 25 MHz, and the time of the plant is stretched by the same factor
+ * of 25.6. On silicon this dilation is 1, and the clock counts cycles.
  */
 #include "port/port.h"
 

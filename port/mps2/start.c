@@ -41,7 +41,7 @@ static void put_word(const uint32_t word)
     semihosting_write(digits, sizeof digits);
 }
 
-/* Says which fault, by the register CFSR, and where. frame is what the exception pushed: r0-r3, r12, lr, pc, xpsr; or
+/* Reports the fault, by the register CFSR, and its place. frame is what the exception pushed: r0-r3, r12, lr, pc, xpsr; or
  * NULL, if that may itself have been the fault. */
 _Noreturn void fault(const uint32_t *const frame)
 {
@@ -57,7 +57,7 @@ _Noreturn void fault(const uint32_t *const frame)
     semihosting_exit(1);
 }
 
-/* Every unexpected exception comes here. A stack that has left the RAM is no place to run on, nor to read from. */
+/* Every unexpected exception comes here. A stack outside of the RAM can neither be used nor read. */
 __attribute__((naked)) void fault_entry(void)
 {
     __asm__ volatile("    mov r0, sp\n"

@@ -1,6 +1,6 @@
-/* What goes wrong in a simulated run, read from a text file:
+/* Late, lost and slow ticks of a simulated run, from a text file:
  *
- *     # tick 5 is reported 300 us after it was due, tick 7 never, and the step of tick 9 takes 1500 us
+ *     # tick 5 is reported 300 us late, tick 7 is lost, and the step of tick 9 needs 1500 us
  *     late 5 300us
  *     lose 7
  *     slow 9 1500us
@@ -13,7 +13,7 @@
 
 typedef enum sim_kind { SIM_LATE, SIM_LOSE, SIM_SLOW } sim_kind;
 
-/* Reads the script. Ends the program with a message that names file and line if something is wrong with it. */
+/* Reads the script. On an error it ends the program with a message that names file and line. */
 void sim_script_read(const char *path);
 
 /* Whether the script does this to that tick; *ns is the duration it gives, if not NULL. */

@@ -2,7 +2,7 @@
  *
  *     PROGRAM [NANOSECONDS [SCRIPT]]
  *
- * A step takes no time unless the script says so.
+ * A step needs no time, unless the script makes it slow.
  */
 #include <errno.h>
 #include <stdio.h>
@@ -14,7 +14,7 @@
 static uint64_t now;      /* ns since the start */
 static uint64_t period;   /* ns */
 static uint32_t reported; /* the last tick that a wait returned */
-static uint32_t step;     /* the tick that is being worked on */
+static uint32_t step;     /* the present tick */
 static uint32_t readings; /* of the clock, since the inputs of that tick were read */
 
 uint32_t iso_port_start(const uint32_t period_ns)
