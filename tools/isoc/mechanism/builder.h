@@ -31,11 +31,13 @@ typedef struct builder {
 vector vector_value(builder *b, const formula *f, dimension of, const char *what);
 node scalar_value(builder *b, const formula *f, dimension of, const char *what);
 
-/* joints.c: the chain of links that a joint stands for, beginning at the parent, each with its axes in the joint's frame; returns their number. And the degrees of freedom of all links. */
+/* joints.c: the chain of links that a joint stands for, beginning at the parent, each with its axes in the joint's
+ * frame; returns their number. And the degrees of freedom of all links. */
 int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT]);
 void list_dofs(builder *b);
 
-/* closures.c: loop closures and their stabilisation. The link of a joint of one coordinate, or -1 after noting a problem; and the dimension of its coordinate. */
+/* closures.c: loop closures and their stabilisation. The link of a joint of one coordinate, or -1 after noting a
+ * problem; and the dimension of its coordinate. */
 void build_closures(builder *b);
 int coordinate_of(builder *b, name n);
 dimension coordinate_dimension(const link *l);
@@ -46,7 +48,8 @@ bool build_motion(builder *b, const closure *written, cut *made);
 /* applied_forces.c: forces of inputs on bodies. */
 void build_applied_forces(builder *b);
 
-/* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame in which the axis is the coordinate axis *k times *sign (the identity for x, y, z, -x, -y, -z). */
+/* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame in which the
+ * axis is the coordinate axis *k times *sign (the identity for x, y, z, -x, -y, -z). */
 bool unit_axis(builder *b, const formula *f, double axis[3]);
 void place_joint(builder *b, const placement *p, matrix *turn_made, vector *origin);
 matrix align(graph *g, const double a[3], int *k, double *sign);

@@ -97,7 +97,9 @@ dimension coordinate_dimension(const link *l)
     return l->kind == JOINT_PRISMATIC ? metre : radian;
 }
 
-/* The factor of first - ratio second with which whole turns of the continuous joints become whole turns of the constraint. If both are continuous, it is the denominator of a ratio of small whole numbers. Zero if there is no such factor. */
+/* The factor of first - ratio second with which whole turns of the continuous joints become whole turns of the
+ * constraint. If both are continuous, it is the denominator of a ratio of small whole numbers. Zero if there is no such
+ * factor. */
 static node whole_turns(builder *b, const link *first, const link *second_link, node ratio)
 {
     enum { MOST_TEETH = 100 };
@@ -164,7 +166,9 @@ static double option(builder *b, const formula *f, dimension of, const char *wha
     return number;
 }
 
-/* Baumgarte's alpha = beta = 1 / (10 h) removes a violation in some tens of steps, and is stable with every method: its double root -1 / (10 h) is within the stability limit of ab4, 0.3 / h. The augmented Lagrangian uses the same value as Omega, with mu = 1, so that gamma is the same. */
+/* Baumgarte's alpha = beta = 1 / (10 h) removes a violation in some tens of steps, and is stable with every method: its
+ * double root -1 / (10 h) is within the stability limit of ab4, 0.3 / h. The augmented Lagrangian uses the same value
+ * as Omega, with mu = 1, so that gamma is the same. */
 static void build_stabilisation(builder *b)
 {
     static const dimension rate = {0, 0, -1, 0};

@@ -167,7 +167,8 @@ static matrix part_frame(builder *b, const joint_axes *axes, part_axis along, in
     return in_frame ? matrix_identity(b->g) : axes->turned[which];
 }
 
-/* The start of a joint with several coordinates. Place and speed are one number if it has one sliding axis, else a vector. */
+/* The start of a joint with several coordinates. Place and speed are one number if it has one sliding axis, else a
+ * vector. */
 typedef struct given {
     int sliding;
     double place[3], speed[3], spin[3];

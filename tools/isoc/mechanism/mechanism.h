@@ -64,7 +64,8 @@ typedef struct cut_end {
     vector point;
 } cut_end;
 
-/* A function of the tick that motions depend on. It is a state, set at the beginning of each tick, with a constant rate within it. */
+/* A function of the tick that motions depend on. It is a state, set at the beginning of each tick, with a constant rate
+ * within it. */
 typedef struct clock {
     node of_tick;
     double rate; /* per second */

@@ -6,7 +6,8 @@
 
 static const double two_pi = 6.28318530717958648;
 
-/* The state that stands for this function of the tick. Within a step it is integrated with the other states, so that a method keeps its order. */
+/* The state that stands for this function of the tick. Within a step it is integrated with the other states, so that a
+ * method keeps its order. */
 static node clock_of(builder *b, node of_tick)
 {
     clocks *c = &b->made.clocks;
@@ -51,7 +52,8 @@ static node rate_of(builder *b, node moving)
     return sum;
 }
 
-/* A motion at constant speed, as a phase within one turn plus the rest: it stays as exact after a day as after a second. */
+/* A motion at constant speed, as a phase within one turn plus the rest: it stays as exact after a day as after a
+ * second. */
 static node as_phase(builder *b, const closure *written, node moving)
 {
     graph *g = b->g;

@@ -18,7 +18,11 @@ static void move_to_parent(builder *b, const link *from, node mass, vector ms, t
     to->mass = add(g, to->mass, mass);
 }
 
-/* Inertial parameters that a joint's motion does not change can be moved to the parent (Gautier and Khalil 1990, "Direct calculation of minimum set of inertial parameters of serial robots", IEEE Trans. Robotics Automation 6(3)): of a revolute joint the mass, the first moment along the axis and equal moments of inertia across it; of a prismatic joint the whole inertia; of a spherical joint the mass. The equations of motion are the same, and most parameters of each link are zero. */
+/* Inertial parameters that a joint's motion does not change can be moved to the parent (Gautier and Khalil 1990,
+ * "Direct calculation of minimum set of inertial parameters of serial robots", IEEE Trans. Robotics Automation 6(3)):
+ * of a revolute joint the mass, the first moment along the axis and equal moments of inertia across it; of a prismatic
+ * joint the whole inertia; of a spherical joint the mass. The equations of motion are the same, and most parameters of
+ * each link are zero. */
 void regroup(builder *b)
 {
     graph *g = b->g;

@@ -27,7 +27,8 @@ static void build_derivatives(plant *p, graph *g, formulation chosen)
     }
 }
 
-/* Builds every formulation that fits, each in a copy of the graph, and keeps the one that is wanted, or else the cheapest one. */
+/* Builds every formulation that fits, each in a copy of the graph, and keeps the one that is wanted, or else the
+ * cheapest one. */
 static void build_cheapest(plant *p, graph *g, formulation wanted)
 {
     const graph before = *g;

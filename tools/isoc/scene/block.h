@@ -30,7 +30,8 @@ typedef struct block {
 
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
 
-/* The kind, which follows the name. An unknown one is noted as a problem; then the result is kind_count, which has all properties and needs none. */
+/* The kind, which follows the name. An unknown one is noted as a problem; then the result is kind_count, which has all
+ * properties and needs none. */
 size_t parse_kind(parser *p, const block *b);
 
 /* { property ... } of a thing called `whose`, into the struct `to`. Returns whether all could be read and nothing is

@@ -1,4 +1,5 @@
-/* The kinds of closures: one row for each, with its properties and what it constrains (tools/isoc/closure/constraints.c). */
+/* The kinds of closures: one row for each, with its properties and what it constrains
+ * (tools/isoc/closure/constraints.c). */
 #ifndef ISOC_SCENE_CLOSURE_KINDS_H
 #define ISOC_SCENE_CLOSURE_KINDS_H
 
@@ -17,7 +18,8 @@ enum {
     WITH_MOTION = 128,
 };
 
-/* What a closure between bodies constrains: the child's frame relative to the parent's, where `axis` is an axis of both. The constraints are made in this order. */
+/* What a closure between bodies constrains: the child's frame relative to the parent's, where `axis` is an axis of
+ * both. The constraints are made in this order. */
 enum {
     HOLDS_ORIGIN = 1,   /* at the parent's */
     HOLDS_ON_LINE = 2,  /* on the parent's axis */

@@ -59,7 +59,8 @@ static const joint *joint_of(const scene *written, name n)
     return whole != NULL ? whole : of_part;
 }
 
-/* A closure connects two bodies. One between joints connects the bodies that these move: a gear two children, a motion a child and its parent. */
+/* A closure connects two bodies. One between joints connects the bodies that these move: a gear two children, a motion
+ * a child and its parent. */
 static void draw_closure(const scene *written, const closure *c, text *out)
 {
     const char *from = c->parent.body.text, *to = c->child.body.text;

@@ -122,7 +122,8 @@ static formula *parse_number(parser *p)
     return f;
 }
 
-/* formula { , formula } ), after the opening parenthesis. A semicolon separates like a comma, and so does a colon between time and value. */
+/* formula { , formula } ), after the opening parenthesis. A semicolon separates like a comma, and so does a colon
+ * between time and value. */
 static void parse_parts(parser *p, formula *f, bool of_points)
 {
     do {

@@ -1,4 +1,5 @@
-/* The kinds of joints: each is a chain of elementary joints, which slide along an axis, turn about an axis, or turn freely. One row defines a kind; the properties of its joints follow from the chain. */
+/* The kinds of joints: each is a chain of elementary joints, which slide along an axis, turn about an axis, or turn
+ * freely. One row defines a kind; the properties of its joints follow from the chain. */
 #ifndef ISOC_SCENE_JOINT_KINDS_H
 #define ISOC_SCENE_JOINT_KINDS_H
 

@@ -24,7 +24,8 @@ static int by_text(const void *left, const void *right)
     return order != 0 ? order : a->at < b->at ? -1 : a->at > b->at;
 }
 
-/* Whether a problem has been noted at this place: the components of a name that is used twice need no further message. */
+/* Whether a problem has been noted at this place: the components of a name that is used twice need no further message.
+ * */
 static bool is_told(const source *s, place at)
 {
     for (size_t i = 0; i < s->problem_count; i++) {

@@ -1,6 +1,6 @@
-/* Tokens to a scene. The grammar, where JOINT, CLOSURE and OUTPUT are words of the tables joint_kinds.c, closure_kinds.h
- * and output_kinds.h; tools/isoc/README.md has examples. Which properties a kind has, and which it needs, is in the tables
- * of parse_*.c:
+/* Tokens to a scene. In the grammar, JOINT, CLOSURE and OUTPUT are words of the tables in joint_kinds.c, closure_kinds.h
+ * and output_kinds.h. Which properties a kind has, and which it needs, is in the tables of parse_*.c. README.md in
+ * tools/isoc has examples.
  *
  *   scene         = { statement }
  *   statement     = gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)

@@ -4,7 +4,8 @@
 
 #include "tools/isoc/scene/block.h"
 
-/* [at FORMULA] ({ rotate FORMULA [about AXIS] } | quaternion FORMULA), or as much of it as there is. If axis_needed, each turn must have its axis. */
+/* [at FORMULA] ({ rotate FORMULA [about AXIS] } | quaternion FORMULA), or as much of it as there is. If axis_needed,
+ * each turn must have its axis. */
 pose parse_pose(parser *p, bool axis_needed);
 
 /* A body, and a place and turns on it; the slot is a placement. */

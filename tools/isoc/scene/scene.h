@@ -74,8 +74,7 @@ typedef struct joint {
     placement parent, child;
     formula *axis, *second;
     pose start;
-    formula *speed,
-        *spin; /* speed: of what slides, or of the only coordinate; spin: of what turns in a joint of several coordinates */
+    formula *speed, *spin; /* spin: of what turns in a joint of several coordinates; speed: of all others */
     formula *damping, *spin_damping, *spring, *rest;
     name drive;
     bool continuous;

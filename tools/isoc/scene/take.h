@@ -31,7 +31,8 @@ bool take_word(parser *p, const char *word);
 /* The index of the next token among words, which is taken; or count, with a problem that lists them. */
 size_t take_one_of(parser *p, const char *const *words, size_t count);
 
-/* A name, which must be on the same line. A new name must not be a word of the language; a parameter's must not be a common unit. */
+/* A name, which must be on the same line. A new name must not be a word of the language; a parameter's must not be a
+ * common unit. */
 name take_name(parser *p, const char *expected);
 name take_new_name(parser *p, const char *expected);
 name take_parameter_name(parser *p, const char *expected);
