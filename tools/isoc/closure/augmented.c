@@ -5,7 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-/* The least neighbours first (Tinney and Walker 1967, scheme 2), with the fill that an elimination brings. */
+/* The constraint with the fewest neighbours first (Tinney and Walker 1967, scheme 2), counting the fill of each
+ * elimination. */
 static void choose_order(graph *g, const node *schur, int n, int *order)
 {
     bool *linked = arena_take(g->memory, (size_t)(n * n), sizeof *linked);
@@ -57,7 +58,7 @@ static void factorise(augmented *a, const mechanism *m)
                 at[i * n + j] = sub(g, at[i * n + j], mul(g, factor, at[j * n + k]));
             }
         }
-        /* Column k turns from what is taken off into the factors only now: its entries served the rows below. */
+        /* Column k becomes the factors only now, since the rows below needed its entries. */
         for (int t = s + 1; t < n; t++) {
             const int i = a->order[t];
             at[i * n + k] = mul(g, at[i * n + k], at[k * n + k]);

@@ -18,9 +18,9 @@
  *
  * Where A has the eigenvalue a, n iterations leave (e / (a + e))^n of what is demanded, and make up to n / e of a
  * rounding error where a is near zero. With n = 3 less than u is left as soon as a is u^(1/6) of the mean, 6 % in
- * float; more iterations reach little further and tear more where the closures lose rank. Parallelograms that pass
- * there for 20 s in float, with 16 speeds: the energy changes by a part of at most 2e-2 with n = 1, 3e-4 with 2, 2e-4
- * with 3 or 4, 4e-4 with 5, 2e-3 with 8.
+ * float; more iterations gain little, and disturb the motion more where the closures lose rank. Parallelograms that
+ * pass there for 20 s in float, with 16 speeds: the energy changes by a part of at most 2e-2 with n = 1, 3e-4 with 2,
+ * 2e-4 with 3 or 4, 4e-4 with 5, 2e-3 with 8.
  */
 #ifndef ISOC_CLOSURE_AUGMENTED_H
 #define ISOC_CLOSURE_AUGMENTED_H
@@ -48,8 +48,8 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
  * is where the double root of the others is with alpha = beta. */
 node demand_of(graph *g, const mechanism *m, const constraint *c);
 
-/* The change of the degrees of freedom that takes the least kinetic energy, and with it `gap` off the
- * constraints: -M^-1 Phi_q' (A + e)^-1 gap. */
+/* The change of the degrees of freedom with the least kinetic energy that removes `gap` from the constraints: -M^-1
+ * Phi_q' (A + e)^-1 gap. */
 void augmented_project(const augmented *a, const node *gap, node *change);
 
 #endif

@@ -33,7 +33,7 @@ static pair build_pair(const kinematics *k, const acceleration *all, int index, 
     return made;
 }
 
-/* What a multiplier of one gives to the child along `a`, in base axes. */
+/* The force of a multiplier of one on the child along `a`, in base axes. */
 static vector minus_in_base(const pair *p, vector a)
 {
     graph *g = p->k->g;
@@ -41,7 +41,7 @@ static vector minus_in_base(const pair *p, vector a)
     return vector_scale(g, constant(g, -1.0), in_base);
 }
 
-/* Puts a constraint to the others; one without an entry is dropped. */
+/* Adds a constraint; one without an entry is dropped. */
 static void put(const kinematics *k, constraints *to, constraint made, const char *called)
 {
     graph *g = k->g;
@@ -244,9 +244,8 @@ static void directions_across(graph *g, vector n, vector across[2])
     across[1] = vector_cross(g, n, across[0]);
 }
 
-/* Whether the directions across a line of the parent need not turn with it: its own direction rests, or the child has
- * no way along it. Then the two rates of the way that they ask for are those of a vector, whose parts along any two are
- * as good. */
+/* Whether the directions across a line of the parent need not turn with it: the line's direction is at rest, or the
+ * child does not move along it. Then the two rates are components of a vector, and any two directions will do. */
 static bool may_rest(const pair *p, int a)
 {
     const kinematics *k = p->k;

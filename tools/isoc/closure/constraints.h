@@ -1,9 +1,9 @@
-/* What the loop closures demand of the degrees of freedom, as nodes: of each constraint its position Phi(q),
+/* The constraints of the loop closures, as nodes: of each constraint its position Phi(q),
  * its rate Phi', its row Phi_q of the Jacobian, and its bias, what Phi'' is at q'' = 0.
  *
  * Nikravesh (1988), Computer-Aided Analysis of Mechanical Systems, ch. 7. Rows are made from the velocities of points
- * and axes, joint by joint, in axes of choice (tools/isoc/closure/side.h). A row without an entry is dropped: such a
- * constraint holds by the shape of the scene, as out of the plane of a planar mechanism.
+ * and axes, joint by joint, in axes of choice (tools/isoc/closure/side.h). A row without an entry is dropped: no joint
+ * changes such a constraint, as out of the plane of a planar mechanism.
  */
 #ifndef ISOC_CLOSURE_CONSTRAINTS_H
 #define ISOC_CLOSURE_CONSTRAINTS_H
@@ -23,8 +23,8 @@ typedef struct constraint {
 typedef struct constraints {
     constraint *all;
     int count, room;
-    int dropped;        /* constraints that hold by the shape of the scene */
-    node *dropped_gaps; /* and what they are off by: constants, and zero if the scene can close */
+    int dropped;        /* constraints that no joint changes */
+    node *dropped_gaps; /* their gaps: constants, and zero if the scene can close */
     int *dropped_cuts;
 } constraints;
 

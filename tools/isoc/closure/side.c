@@ -74,8 +74,8 @@ static void add_way(const kinematics *k, const acceleration *all, int i, bool mo
     to->acceleration = vector_add(g, to->acceleration, bias);
 }
 
-/* What the degrees of freedom of a link add to the motion of the end, which is at to->point from where the
- * link hangs. */
+/* Adds the parts of a link's degrees of freedom in the motion of the end, which is at to->point from the link's origin
+ * on its parent. */
 static void add_dofs(const kinematics *k, int i, matrix rotation, side *to)
 {
     graph *g = k->g;

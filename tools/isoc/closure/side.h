@@ -1,6 +1,6 @@
 /* How the two sides of a loop closure move, as nodes, in the axes of one link of the loop.
  *
- * Whose axes they are changes no equation, but what it takes to compute them. What is fixed in that link is constant
+ * The choice of axes changes the cost of the equations, not the motion. What is fixed in that link is constant
  * there; so where a platform is closed by six legs, or a rod by one pin, most entries of the Jacobian are constants in
  * its axes.
  */
@@ -9,13 +9,13 @@
 
 #include "tools/isoc/tree/bias.h"
 
-/* The link whose axes the closures stand in: the last one that both sides hang on, or where a side ends. */
+/* The link in whose axes a closure is written: the last common ancestor of both sides, or the last link of a side. */
 typedef enum closure_axes { AXES_OF_BASE, AXES_OF_PARENT, AXES_OF_CHILD } closure_axes;
 
 typedef struct side {
     vector point, velocity, acceleration; /* from the base's origin, and its rates at q'' = 0 */
     vector omega, alpha;
-    vector *linear, *angular; /* [degrees of freedom] what each adds to the velocity and to the angular velocity */
+    vector *linear, *angular; /* [degrees of freedom] the part of each in the velocity and in the angular velocity */
     matrix axes;              /* columns: of the closure's frame */
 } side;
 

@@ -5,7 +5,7 @@
 
 #include "tools/isoc/dynamics/closing.h"
 
-static const double closed = 1e-6; /* m, rad, and per second: what the digits of given values may leave open */
+static const double closed = 1e-6; /* m, rad, and per second: the gap that the digits of given values may leave */
 static const double exact = 1e-10; /* what rounding leaves */
 
 typedef struct assembly {
@@ -34,7 +34,7 @@ static const char *list_free(const assembly *a)
     return list;
 }
 
-/* Those that closures feel: all, or those without a start. Returns how many. */
+/* Chooses the degrees of freedom that closures depend on: all of them, or those without a start. Returns how many. */
 static int choose_free(const assembly *a, bool rates, bool all)
 {
     int count = 0;
@@ -56,7 +56,7 @@ static const cut *cut_of(const assembly *a, gap open)
     return &a->m->cuts[a->held->all[open.row].cut];
 }
 
-/* What the constraint is measured in: that of axes by an angle, that of joints as their coordinate is. */
+/* The unit of a constraint: of axes an angle, of joints that of their coordinate. */
 static const char *unit_of(const assembly *a, gap open)
 {
     const graph *g = a->c.d->g;
@@ -80,7 +80,8 @@ static void tell_open(const assembly *a, gap open, int count)
                    would_close ? "; it closes without the given starts" : "");
 }
 
-/* Moves the others as near as they come to a rough start, so that the way to close it is found that is nearest. */
+/* Moves the other coordinates to close the loops as far as possible while rough starts are kept; so the nearest
+ * solution is found. */
 static void go_near(assembly *a)
 {
     for (int i = 0; i < a->m->link_count; i++) {
@@ -140,7 +141,7 @@ static bool close_speeds(const assembly *a)
     return true;
 }
 
-/* Constraints that hold by the shape of the scene do so only if they are not off by a constant. */
+/* A constraint that no joint changes, as out of the plane of a planar mechanism, must hold as it is. */
 static bool check_dropped(const assembly *a)
 {
     for (int i = 0; i < a->held->dropped; i++) {

@@ -1,13 +1,13 @@
-/* Start values that satisfy the closures, found at compile time. */
+/* Start values that satisfy the closures, computed at compile time. */
 #ifndef ISOC_DYNAMICS_ASSEMBLY_H
 #define ISOC_DYNAMICS_ASSEMBLY_H
 
 #include "tools/isoc/dynamics/dynamics.h"
 
-/* Coordinates and speeds that the scene gives no start, or a rough one, are moved, by Newton's method, to where the
- * closures hold; those that it gives are kept, but for what is lost in their digits. Changes the links' start and
- * speed. Notes a problem with residual and rank where they cannot hold, where coordinates stay undetermined, and where
- * constraints repeat each other and the stabilisation cannot bear that. */
+/* Newton's method moves the coordinates and speeds with no start, or a rough one, until the closures hold. Given starts
+ * are kept, up to the rounding of their digits. Changes the links' start and speed. Notes a problem with residual and
+ * rank if the closures cannot hold, if coordinates stay undetermined, or if constraints are redundant and the
+ * stabilisation does not allow that. */
 void assemble(source *s, const dynamics *d);
 
 #endif

@@ -20,7 +20,7 @@ static void build_forces(const dynamics *d, node *left)
     efforts_less(d, taken, left);
 }
 
-/* The constraints' rows, and what their multipliers take of the forces. */
+/* The rows of the constraints, and the forces of their multipliers. */
 static void build_constraints(const dynamics *d, node *left, node *weights)
 {
     graph *g = d->g;

@@ -1,5 +1,5 @@
-/* The equations of motion before they are solved, as nodes: what is left of the forces over what given accelerations
- * q'' and multipliers lambda take,
+/* The equations of motion before they are solved, as nodes: the forces less those that given accelerations q'' and
+ * multipliers lambda need,
  *
  *     left = effort - bias - M q'' - Phi_q' lambda    and    -(Phi_dd + Phi_q q'' + 2 alpha Phi' + beta^2 Phi),
  *

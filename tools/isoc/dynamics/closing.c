@@ -7,7 +7,7 @@
 #include "tools/isoc/mechanism/states.h"
 
 static const double tight = 1e-13;   /* where Newton's method ends */
-static const double rounding = 1e-6; /* a gap smaller than this that no longer halves is as small as it gets */
+static const double rounding = 1e-6; /* a gap smaller than this that is no longer halved is the smallest possible */
 static const double around = 6.28318530717958648;
 static const double longest_move = 0.5; /* m or rad in an iteration */
 
@@ -75,7 +75,8 @@ static void move(const closing *c, bool rates, const double *by)
     }
 }
 
-/* The least move of the free ones that closes the gaps, to first order; what is open, and the rank of their columns. */
+/* The least change of the free coordinates that closes the gaps, to first order; returns the largest gap, and the rank
+ * of the columns. */
 static gap aim(const closing *c, bool rates, const bool *is_free, double *by)
 {
     const int n = c->m->dof_count, rows = c->held->count;
@@ -107,7 +108,7 @@ static gap aim(const closing *c, bool rates, const bool *is_free, double *by)
     return open;
 }
 
-/* Moves, and only half as far again and again until the gaps are less. */
+/* Moves by a step, which is halved until the gaps decrease. */
 static void move_closer(const closing *c, bool rates, double *by)
 {
     enum { HALVINGS = 30 };
@@ -145,9 +146,9 @@ gap closing_run(const closing *c, bool rates, const bool *is_free)
     return open;
 }
 
-/* Free coordinates somewhere else: the n-th point of a sequence that fills their space evenly, a turn wide and as far
- * as `reach`. Roberts (2018), "The unreasonable effectiveness of quasirandom sequences": multiples of the powers of 1 /
- * g, g^(count + 1) = g + 1. */
+/* Moves free coordinates to the n-th point of a sequence that fills their space evenly: a turn wide for angles, `reach`
+ * for lengths. Roberts (2018), "The unreasonable effectiveness of quasirandom sequences": multiples of the powers of 1
+ * / g, g^(count + 1) = g + 1. */
 static void move_away(const closing *c, const bool *is_free, int n, double reach)
 {
     double *by = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *by);
@@ -169,7 +170,7 @@ static void move_away(const closing *c, const bool *is_free, int n, double reach
     move(c, false, by);
 }
 
-/* Free angles within half a turn of where they were looked for; continuous ones of zero. */
+/* Brings free angles to within half a turn of their rough start, continuous ones of zero. */
 static void fold(const closing *c, const bool *is_free)
 {
     for (int i = 0; i < c->m->link_count; i++) {

@@ -13,11 +13,11 @@ typedef struct closing {
     double *jacobian;    /* [constraints][degrees of freedom] */
 } closing;
 
-/* What is left open most, by how much, and the rank of the constraints in the free ones. */
+/* The largest gap, its constraint, and the rank of the constraints in the free coordinates. */
 typedef struct gap {
     double size;   /* m or rad, or per second */
     int row;       /* which constraint */
-    int rank, all; /* of the rates all constraints count, of the positions those that are not of velocities only */
+    int rank, all; /* for rates all constraints count, for positions those that constrain positions */
 } gap;
 
 /* Whether the constraint counts. */
@@ -25,11 +25,10 @@ bool closing_counts(const closing *c, bool rates, int row);
 
 closing closing_start(arena *memory, const dynamics *d);
 
-/* Moves the positions, or the speeds, that are free to where the closures hold, as far as they can. */
+/* Moves the free positions, or the free speeds, until the closures hold, as far as possible. */
 gap closing_run(const closing *c, bool rates, const bool *is_free);
 
-/* The same for positions from where they are, and, where that does not lead to less than `enough`, from other places.
- */
+/* The same for positions, from their present values; if the gap stays above `enough`, also from other values. */
 gap closing_search(const closing *c, const bool *is_free, double enough);
 
 #endif

@@ -53,7 +53,8 @@ static void efforts_alone(dynamics *d, node *bias)
     efforts_less(d, bias, d->acceleration);
 }
 
-/* The efforts at absolute speeds w: with q_i' = w_i - (+-) w_parent that of the parent loses (+-) that of i. */
+/* The efforts for absolute speeds w: since q_i' = w_i - (+-) w_parent, the effort of i is subtracted from its parent's,
+ * with that sign. */
 static void efforts_at_absolute(const kinematics *k, node *effort)
 {
     const mechanism *m = k->m;
@@ -78,9 +79,9 @@ static void relative_of_absolute(const kinematics *k, node *x)
     }
 }
 
-/* Speeds of links that turn about one axis are absolute: then only the angle between two of them couples their
- * accelerations, and not all angles on the way as well. The mass matrix of the joints' own speeds is there all the
- * same, for the check of its pivots; what nothing else needs is not emitted. */
+/* Links that turn about parallel axes have absolute speeds: then only the angle between two of them couples their
+ * accelerations, not all angles between. The mass matrix of the joints' own speeds is made too, for the check of its
+ * pivots; nodes that nothing else needs are not emitted. */
 static void solve_tree(dynamics *d, node *bias)
 {
     graph *g = d->g;
@@ -103,8 +104,8 @@ static void solve_tree(dynamics *d, node *bias)
     d->mass = mass_matrix_build(&d->k);
 }
 
-/* Articulated bodies feel by themselves what is the bias elsewhere. The mass matrix is there all the same, for the
- * check of its pivots; what nothing else needs is not emitted. */
+/* Articulated bodies include the bias. The mass matrix is made too, for the check of its pivots; nodes that nothing
+ * else needs are not emitted. */
 static void solve_articulated(dynamics *d, node *bias)
 {
     efforts_alone(d, bias);

@@ -22,7 +22,7 @@ typedef enum formulation {
 
 extern const char *const formulation_names[FORMULATIONS];
 
-/* Whether it is one of a tree, or of loops, as the mechanism is. */
+/* Whether the formulation is possible: some are for trees, some for closed loops. */
 bool formulation_fits(const mechanism *m, formulation f);
 
 typedef struct dynamics {
@@ -35,8 +35,8 @@ typedef struct dynamics {
     augmented loops;             /* without constraints where nothing is closed */
 } dynamics;
 
-/* Makes the nodes of the accelerations; in a formulation that fits. Its parts point to one another: it stays where it
- * is. */
+/* Makes the nodes of the accelerations, in a formulation that fits. The parts have pointers to one another: the result
+ * must not be copied. */
 const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen);
 
 /* effort[degrees of freedom]: u - d q' - k (q - rest) - bias. */

@@ -49,8 +49,8 @@ static vector inward_point(const kinematics *k, int base, int i, vector point)
     return from_parent(k, i, vector_sub(k->g, on_parent, k->motions[i].p));
 }
 
-/* What a closure gives to the child, at the child's point, in the frame of a side's link; to the parent it gives the
- * opposite, at the same place. */
+/* The wrench of a closure on the child, at the child's point, in the frame of a side's link; on the parent it is the
+ * opposite, at the same point. */
 static wrench closure_on_link(const dynamics *d, int index, int i)
 {
     const cut *c = &d->m->cuts[index];
@@ -61,7 +61,7 @@ static wrench closure_on_link(const dynamics *d, int index, int i)
     return wrench_at(d->g, point, force, inward_axes(&d->k, c->base, i, in_base.moment));
 }
 
-/* What else than its joint and weight acts on a body, in its link's frame, its children aside. */
+/* The wrench on a body without that of its joint, its weight and its children, in its link's frame. */
 static wrench acting(const dynamics *d, int of)
 {
     graph *g = d->g;
@@ -87,7 +87,8 @@ static wrench acting(const dynamics *d, int of)
     return sum;
 }
 
-/* What a body takes of its joint, in its link's frame: for itself and for all that hangs on it. */
+/* The wrench that a joint transmits to its child, in the child's link's frame: for the child and all its descendants.
+ * */
 static wrench borne(const dynamics *d, const acceleration *accelerations, int of)
 {
     graph *g = d->g;

@@ -8,7 +8,7 @@ static void put(settled *made, int state, node to)
     made->values[made->count++] = to;
 }
 
-/* A quaternion, turned by small angles about the link's axes where it is moved, and of length one. */
+/* A quaternion of length one; where the projection moves it, turned by small angles about the link's axes. */
 static void put_quaternion(graph *g, settled *made, const dynamics *d, int i, const node *moved)
 {
     const link *l = &d->m->links[i];
@@ -28,7 +28,7 @@ static void put_quaternion(graph *g, settled *made, const dynamics *d, int i, co
     }
 }
 
-/* The changes that take positions and speeds back to the closures, to first order and with the least kinetic energy:
+/* The changes of positions and speeds with which the closures hold, to first order and with the least kinetic energy:
  * Eich (1993), "Convergence results for a coordinate projection method applied to mechanical systems with algebraic
  * constraints", SIAM J. Numerical Analysis 30(5). */
 static void build_changes(graph *g, const dynamics *d, node *moved, node *sped)

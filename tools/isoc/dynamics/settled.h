@@ -1,5 +1,5 @@
-/* What a step leaves the states at, from where the method leaves them, as nodes: quaternions of length one, and
- * positions and speeds that satisfy the closures, where the scene has them projected. */
+/* The states at the end of a step, from those that the method computed, as nodes: quaternions of length one, and with
+ * projection, positions and speeds that satisfy the closures. */
 #ifndef ISOC_DYNAMICS_SETTLED_H
 #define ISOC_DYNAMICS_SETTLED_H
 

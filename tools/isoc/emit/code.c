@@ -233,7 +233,7 @@ static rendering show(emitter *e, const graph_node *n)
     return (rendering){made.bytes, row->binds};
 }
 
-/* A node with a name or several uses is declared; the others stand where they are used, unless they grow long. */
+/* A node with a name or several uses is declared; the others are written where they are used, unless they grow long. */
 static void emit_node(emitter *e, node i)
 {
     const graph_node *n = &e->g->nodes[i];

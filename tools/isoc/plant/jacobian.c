@@ -4,7 +4,7 @@
 #include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/graph/operations.h"
 
-/* Where factors are put down: a constant stays one, any other node gets its place in lu[]. */
+/* Where factors are stored: a constant stays one, any other node gets its place in lu[]. */
 static node put_down(graph *g, jacobian *made, node n)
 {
     if (is_constant(g, n)) {
@@ -144,7 +144,7 @@ static void solve(graph *g, jacobian *made, const unknowns *z, const node *lu, c
     }
 }
 
-/* What the leaves of balanced equations stand for takes their place. */
+/* Replaces the leaves of the balanced equations by the quantities that they stand for. */
 static void put_solution(graph *g, const dynamics *d, const node *derivatives, node *nodes, int count)
 {
     replace_leaves(g, nodes, (size_t)count, OP_DERIVATIVE, derivatives);
@@ -187,7 +187,7 @@ static jacobian build(graph *g, const dynamics *d, const node *derivatives, cons
 }
 
 /* Operations of a step: a factorisation and two or three solutions. */
-static int price(const graph *g, const jacobian *j, int states)
+static int cost_of(const graph *g, const jacobian *j, int states)
 {
     enum { SOLUTIONS = 3 };
     const int factor = cycles_of(count_operations(g, j->factors, (size_t)j->factor_count));
@@ -206,7 +206,7 @@ jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives)
     *g = graph_copy(&before);
     const unknowns balanced = balanced_equations(g, d, derivatives);
     const jacobian of_balanced = build(g, d, derivatives, &balanced);
-    if (price(g, &of_balanced, states) < price(&with_solved, &of_solved, states)) {
+    if (cost_of(g, &of_balanced, states) < cost_of(&with_solved, &of_solved, states)) {
         return of_balanced;
     }
     *g = with_solved;

@@ -6,7 +6,7 @@
 
 typedef void show_function(plant *p, graph *g, const shown *o);
 
-/* Each quantity by its row's unit: what turns has another than what slides. */
+/* The unit of an output: a coordinate that turns has another than one that slides. */
 static const char *unit_of(const plant *p, const shown *o)
 {
     const output_row *row = &output_rows[o->kind];

@@ -8,7 +8,7 @@ void pivots_check(source *s, const graph *g, const plant *p)
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->defaults};
     graph_evaluate(g, 0, &at, numbers);
-    /* From the tips inward, as they are eliminated: what comes after a bad pivot is bad too. */
+    /* From the tips inward, in the order of the elimination: all pivots after a bad one are bad too. */
     for (int f = m->dof_count - 1; f >= 0; f--) {
         const double pivot = numbers[p->d->mass.pivots[f]], inertia = numbers[p->d->mass.diagonal[f]];
         const link *l = &m->links[m->dofs[f].link];

@@ -44,12 +44,12 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
         *g = graph_copy(&before);
         build_derivatives(&tried, g, f);
         made.of[f] = count_operations(g, tried.derivatives, (size_t)state_count(p->m));
-        const int price = cycles_of(cost_of_step(&tried, g));
-        if (f == wanted || (wanted == FORMULATIONS && (made.kept == FORMULATIONS || price < least))) {
+        const int cost = cycles_of(cost_of_step(&tried, g));
+        if (f == wanted || (wanted == FORMULATIONS && (made.kept == FORMULATIONS || cost < least))) {
             *p = tried;
             made.kept = f;
             kept = *g;
-            least = price;
+            least = cost;
         }
     }
     *g = kept;

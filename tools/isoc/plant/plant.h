@@ -24,7 +24,7 @@ typedef struct plant {
     const shown **output_shows; /* what of */
     node *outputs;
     node *derivatives;           /* the derivative of each state */
-    int rate_count;              /* of them those that semi_implicit asks for again; 0: they are the speeds */
+    int rate_count;              /* of them those that semi_implicit evaluates again; 0: they are the speeds */
     settled after;               /* of a step */
     acceleration *accelerations; /* of the links, where reactions of joints are shown */
     jacobian j;                  /* only for implicit methods */

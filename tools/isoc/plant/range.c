@@ -41,7 +41,7 @@ static const char *quantity_of(const graph *g, size_t i, const bool *needed)
     return NULL;
 }
 
-/* Where the joint or the closure stands whose name a quantity's name ends with; or else the first joint. */
+/* The place of the joint or closure whose name ends the name of the quantity; of the first joint if there is none. */
 static place place_of(const mechanism *m, const char *shown_as)
 {
     const size_t length = strlen(shown_as);

@@ -16,8 +16,8 @@ static const char *name_of_real(const plant *p)
     return p->is_double ? "a double" : "a float";
 }
 
-/* Rounding loses a closure where what is left of its pivot is less than an ulp of what it was taken off. Returns whether
- * there is one, after noting it. */
+/* A closure is lost by rounding if its pivot is less than an ulp of the number that it was subtracted from. Returns
+ * whether there is one, after noting it. */
 static bool check_closures(source *s, const graph *g, const plant *p, const evaluation *at)
 {
     const augmented *loops = &p->d->loops;

@@ -5,8 +5,8 @@
 #include "tools/isoc/plant/plant.h"
 #include "tools/isoc/scene/source.h"
 
-/* Notes what makes the derivative at the start no number in the plant's own real: a closure that its rounding loses, or
- * a joint whose derivative overflows. */
+/* Notes why the derivative at the start is not finite in the plant's own real: a closure that is lost by rounding, or a
+ * joint whose derivative overflows. */
 void start_check(source *s, const graph *g, const plant *p);
 
 #endif

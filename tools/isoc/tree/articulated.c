@@ -3,15 +3,14 @@
 /* Angular components, then linear ones: of a wrench its moment and its force. */
 enum { ANGULAR = 0, LINEAR = 3, SPATIAL = 6 };
 
-/* A link with all that hangs on it, whose joints are free: accelerated by A, it takes inertia A + bias. */
+/* A link with its descendants, whose joints are free: an acceleration A needs the wrench inertia A + bias. */
 typedef struct articulated {
     node inertia[SPATIAL][SPATIAL]; /* symmetric */
     node bias[SPATIAL];
 } articulated;
 
-/* What is kept of a degree of freedom from the way inward for the way outward: its column U of the inertia, the pivot D
- * at its own place there, and the effort u that is left. Along the degree of freedom's coordinate axis, whatever its
- * sign. */
+/* What the way inward keeps of a degree of freedom for the way outward: its column U of the inertia, the pivot D on the
+ * diagonal, and the remaining effort u. All along its coordinate axis, whatever the sign of the joint's axis. */
 typedef struct release {
     int at;                               /* its place among the six components */
     node column[SPATIAL], share[SPATIAL]; /* U, U / D */
@@ -55,7 +54,7 @@ static matrix cross_matrix(graph *g, vector a)
     return (matrix){{{zero, minus.at[2], a.at[1]}, {a.at[2], zero, minus.at[0]}, {minus.at[1], a.at[0], zero}}};
 }
 
-/* A link by itself; `still` is what it takes where its origin and its turning are not accelerated. */
+/* A link alone; `still` is the wrench that it needs when its origin and its rotation are not accelerated. */
 static articulated rigid(graph *g, const link *l, wrench still)
 {
     const node zero = constant(g, 0.0), mass = l->mass;
@@ -68,9 +67,8 @@ static articulated rigid(graph *g, const link *l, wrench still)
     return made;
 }
 
-/* Lets a degree of freedom go. What its acceleration gives way to is taken off the inertia, I - U U' / D, and its
- * effort, less what the bias takes, is felt through U / D. Along the degree of freedom itself nothing is left but the
- * effort. */
+/* Frees a degree of freedom: the inertia becomes I - U U' / D, and the bias gets U / D times the effort less its part
+ * of the bias. Along the degree of freedom itself only the effort is left. */
 static release let_go(const kinematics *k, int f, node effort, articulated *b)
 {
     graph *g = k->g;
@@ -95,7 +93,7 @@ static release let_go(const kinematics *k, int f, node effort, articulated *b)
     return made;
 }
 
-/* bias += inertia A, for accelerations that are there whatever the joints do. */
+/* bias += inertia A, for accelerations that do not depend on those of the joints. */
 static void feel(graph *g, articulated *b, acceleration given)
 {
     node a[SPATIAL];
@@ -156,8 +154,8 @@ static void name_parts(graph *g, const char *owner, const articulated *b)
     vector_name(g, vector_at(b->bias, LINEAR), "force", owner);
 }
 
-/* To what a link adds to its parent. It is accelerated whatever the joints do: by its own joint's turned rate, and at
- * its origin by omega x (omega x p) of the parent. */
+/* The part of a link in its parent. Without accelerations of the joints it has that of its own joint's rate, which is
+ * turned, and at its origin omega x (omega x p) of the parent. */
 static void COMPENSATIONTOP(const kinematics *k, int i, articulated *b)
 {
     graph *g = k->g;
@@ -183,8 +181,8 @@ static void inward(const kinematics *k, const node *effort, articulated *bodies,
     }
 }
 
-/* (u - U' A) / D over the other components of A: what the degree of freedom's own component of A becomes. By a division
- * where the inverse of the pivot serves nothing else. */
+/* (u - U' A) / D over the other components of A: the degree of freedom's own component of A. A division, if nothing
+ * else needs the inverse of the pivot. */
 static node follow(graph *g, const release *r, bool alone, const node *a)
 {
     node sum = alone ? r->effort : mul(g, r->effort, r->inverse);

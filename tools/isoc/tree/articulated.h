@@ -2,8 +2,8 @@
  *
  * Featherstone (1983), "The calculation of robot dynamics using articulated-body inertias", Int. J. Robotics Research
  * 2(1); (2008), Rigid Body Dynamics Algorithms, ch. 7. In link frames, about link origins, with accelerations of points
- * in place of spatial ones, so that no velocity of an origin is needed. What it takes grows with the number of links;
- * factorising a mass matrix (tools/isoc/tree/mass_matrix.h) takes less for few of them, and grows with a higher power.
+ * in place of spatial ones, so that no velocity of an origin is needed. The cost grows with the number of links;
+ * factorising a mass matrix (tools/isoc/tree/mass_matrix.h) costs less for few links, and grows with a higher power.
  */
 #ifndef ISOC_TREE_ARTICULATED_H
 #define ISOC_TREE_ARTICULATED_H

@@ -1,4 +1,4 @@
-/* What the tree of links would take to move with q'' = 0: recursive Newton-Euler, as nodes.
+/* The efforts that the tree of links needs to move with q'' = 0: recursive Newton-Euler, as nodes.
  *
  * Luh, Walker, Paul (1980), "On-line computational scheme for mechanical manipulators", J. Dynamic Systems,
  * Measurement, and Control 102(2), about link origins after Khalil and Kleinfinger (1987).
@@ -8,21 +8,20 @@
 
 #include "tools/isoc/tree/wrench.h"
 
-/* What a link's joint adds to its acceleration by turning its own rate. */
+/* The acceleration of a link that comes from turning its joint's own rate. */
 acceleration joint_coriolis(const kinematics *k, int link);
 
 /* The acceleration of a link at q'' = 0 from that of its parent, which stands in `all`. */
 acceleration accelerate_outward(const kinematics *k, int link, const acceleration *all);
 
-/* What each link takes by itself for its acceleration, less what forces on it give. */
+/* The wrench that each link alone needs for its acceleration, less the forces on it. */
 void inertial_wrenches(const kinematics *k, const acceleration *accelerations, wrench *wrenches);
 
-/* From the tips to the root: efforts[degrees of freedom] from what each link takes by itself; the wrenches
- * become those of all that hangs on a link. */
+/* From the tips to the root: efforts[degrees of freedom] from the wrenches of single links, which become those of links
+ * with their descendants. */
 void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts);
 
-/* Fills bias[degrees of freedom] with the efforts, less what forces on bodies give, and accelerations[links].
- */
+/* Fills bias[degrees of freedom] with the efforts, less those of forces on bodies, and accelerations[links]. */
 void bias_build(const kinematics *k, node *bias, acceleration *accelerations);
 
 /* The acceleration of a point of a link, or of the ground, in its axes. */

@@ -20,13 +20,13 @@ typedef struct kinematics {
     const mechanism *m;
     graph *g;
     motion *motions;
-    bool absolute; /* turning about an axis that links share counts from where the first of them hangs */
+    bool absolute; /* of links that turn about parallel axes: relative to the parent of the first of them */
 } kinematics;
 
 /* Places and angular velocities. */
 kinematics kinematics_build(graph *g, const mechanism *m);
 
-/* Velocities of the links' origins, which only outputs and closures ask for. */
+/* Velocities of the links' origins, which only outputs and closures need. */
 void kinematics_velocities(const kinematics *k);
 
 bool slides(const link *l);

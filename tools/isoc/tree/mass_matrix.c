@@ -26,8 +26,8 @@ static composite unturn_composite(const kinematics *k, int i, composite whole)
     return (composite){whole.mass, ms, unturn_tensor(k, i, whole.inertia)};
 }
 
-/* What is outward of a link: as one body; as the body that the link's own speed turns, where what that speed only moves
- * along is a point; and the moment that this point takes, as felt by joints about other axes. */
+/* A link with its descendants: as one body; as the body that the link's own speed turns, in which all that this speed
+ * only moves along is a point; and the moment of that point about other axes. */
 typedef struct outboard {
     composite whole, turned;
     vector swung;
@@ -59,9 +59,8 @@ composite composite_of_all(const kinematics *k)
 
 /* --- the mass matrix, row by row --- */
 
-/* Row f: the efforts that a unit acceleration of degree of freedom f takes at f and at those that it hangs on. The
- * wrench of an elementary joint is made after the joint's own turn, which its axis does not feel; of a free turn,
- * before. */
+/* Row f: the efforts at f and at its ancestors for a unit acceleration of degree of freedom f. The wrench of an
+ * elementary joint is made after the joint's own turn, which does not change its axis; that of a free turn, before. */
 static void build_row(const mass_matrix *m, int f, composite whole, vector swung)
 {
     const kinematics *k = m->k;
@@ -101,7 +100,7 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
     }
 }
 
-/* An absolute speed of the parent about an axis that the link shares moves it along and leaves it its direction. */
+/* An absolute speed of the parent about a shared axis moves the link without turning it. */
 static void hang(const kinematics *k, int i, composite unturned, outboard *parent)
 {
     graph *g = k->g;

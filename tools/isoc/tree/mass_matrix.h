@@ -13,9 +13,9 @@ typedef struct mass_matrix {
     const kinematics *k;
     int n;
     node *at;       /* [n n]: L below the diagonal, after the factorisation */
-    node *entries;  /* [n n] of M itself, where one degree of freedom hangs on the other: below the diagonal */
+    node *entries;  /* [n n] of M itself, where one degree of freedom is an ancestor of the other: below the diagonal */
     node *diagonal; /* M_ii */
-    node *pivots;   /* D_i: M_ii less what the degrees of freedom beyond i take off */
+    node *pivots;   /* D_i: M_ii less the parts of the degrees of freedom beyond i */
     node *inverse;  /* 1 / D_i */
 } mass_matrix;
 
@@ -25,7 +25,7 @@ mass_matrix mass_matrix_build(const kinematics *k);
 void mass_matrix_inward(const mass_matrix *m, node *x);
 void mass_matrix_outward(const mass_matrix *m, node *x);
 
-/* x := D^-1 x, by a division where the pivot's inverse serves nothing else. */
+/* x := D^-1 x; a division, if nothing else needs the inverse of the pivot. */
 void mass_matrix_scale(const mass_matrix *m, node *x);
 
 /* The whole mechanism as one body about the ground's origin. */

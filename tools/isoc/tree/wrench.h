@@ -20,13 +20,13 @@ wrench wrench_sub(graph *g, wrench a, wrench b);
 /* A force at a point, with a moment beside it. */
 wrench wrench_at(graph *g, vector point, vector force, vector moment);
 
-/* What a body takes to move so. */
+/* The wrench that a body needs for this motion. */
 wrench wrench_of_motion(graph *g, composite whole, vector omega, acceleration now);
 
-/* What a force of an input gives to the link that it acts on. */
+/* The wrench of an input's force on its link. */
 wrench wrench_of_applied_force(graph *g, const applied_force *t);
 
-/* From a link to what it hangs on. */
+/* From a link to its parent. */
 wrench wrench_to_parent(const kinematics *k, int link, wrench w);
 
 #endif
