@@ -78,7 +78,7 @@ static void emit_remember(emission *e)
     text_add(e->out, "}\n\n");
 }
 
-/* What starts the method anew: an input that changed by more than its jump in a tick, a parameter that changed. */
+/* What restarts the method: an input that changed by more than its jump in a tick, or a parameter that changed. */
 static void emit_jumped(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -125,10 +125,10 @@ static void emit_prime(emission *e)
     text_add(e->out, "%s}\n\n", can_jump(e->p->m) ? "    remember(memory);\n" : "");
 }
 
-/* Whether a step copies all that it calls into itself: up to so many operations in its evaluations, a sine and cosine
- * counted as 25, those of a sub-step that varies once. In float calls cost a fifth of a small plant's step on a
- * Cortex-M4F and an eighth of a chain's of three, in double on a PC less; of a large one's step little, whose copies
- * take much text. */
+/* Whether the compiler is asked to inline all calls of a step: up to so many operations in its evaluations, where a
+ * sine and cosine count as 25, and a sub-step that varies counts once. In float, calls cost a fifth of a small plant's
+ * step on a Cortex-M4F and an eighth of that of a chain of three, in double on a PC less. In a large step they cost
+ * little, and copies need much memory. */
 static bool is_flat(const emission *e)
 {
     enum { MOST_FLOAT = 600, MOST_DOUBLE = 400, OF_SINCOS = 25 };
