@@ -30,6 +30,7 @@ missing()
     have cppcheck || echo cppcheck
     have gnuplot || echo gnuplot-nox
     have dot || echo graphviz
+    have g++ || echo g++
     have patch || echo patch
     if have ${CC:-cc} && ! have_sanitizers; then
         case $(${CC:-cc} --version) in

@@ -91,7 +91,9 @@ while IFS= read -r effect; do
     result $? "commented out: the same object as without: $effect"
     case $effect in
     "damping, tunable") holds "$effect" "defaults range" 36 "$name" ;;
-    input*) holds "$effect" "drive range" 36 "$name" ;;
+    "input, "*) holds "$effect" "drive range" 36 "$name" ;;
+    # That nobody drives: it is the port's.
+    input) holds "$effect" range 36 "$name" ;;
     # An angle that is kept within a turn has no range to be guarded.
     continuous) holds "$effect" "" 36 "$name" ;;
     "continuous, output of turns") holds "$effect" "" 40 "$name" ;;

@@ -71,7 +71,7 @@ void emit_model(emission *e)
         text_add(e->out, "    .violation = violation,\n    .violation_limit = %s,\n",
                  code_literal(e->out->memory, m->violation_limit, p->is_double));
     }
-    add_if(e, driven_count(m) > 0, "    .drive = drive,\n");
+    add_if(e, is_driven(m), "    .drive = drive,\n");
     add_if(e, can_jump(m), "    .jumped = jumped,\n");
     add_if(e, is_primed(m), "    .prime = prime,\n");
     text_add(e->out, "    .step = step,\n};\n");

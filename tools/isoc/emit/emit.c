@@ -2,9 +2,13 @@
 
 #include "tools/isoc/emit/parts.h"
 
-size_t driven_count(const mechanism *m)
+bool is_driven(const mechanism *m)
 {
-    return (size_t)(m->input_count + m->clocks.count);
+    bool any = m->clocks.count > 0;
+    for (int i = 0; i < m->input_count; i++) {
+        any = any || m->driven[i];
+    }
+    return any;
 }
 
 static void emit_beginning(const emission *e)
@@ -15,7 +19,9 @@ static void emit_beginning(const emission *e)
     text_add(e->out, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
     text_add(e->out, "#include \"%s.h\"\n\n#include \"core/methods/method.h\"\n", e->names->prefix);
     text_add(e->out, "%s#include \"core/numbers/sincos.h\"\n%s\n",
-             uses_time(e->g, m->drives, driven_count(m)) ? "#include \"core/numbers/signal.h\"\n" : "",
+             uses_time(e->g, m->drives, (size_t)(m->input_count + m->clocks.count))
+                 ? "#include \"core/numbers/signal.h\"\n"
+                 : "",
              e->p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
 }
 

@@ -148,25 +148,49 @@ static void emit_solver(emission *e)
     text_add(e->out, "}\n\n");
 }
 
-static void emit_drive(emission *e)
+/* What a tick sets: inputs that are functions of time, then clocks. */
+typedef struct driving {
+    const char **targets, **quotes;
+    node *roots;
+    int count;
+} driving;
+
+static void add_driven(driving *d, const char *target, const char *quote, node root)
+{
+    d->targets[d->count] = target;
+    d->quotes[d->count] = quote;
+    d->roots[d->count++] = root;
+}
+
+static driving driving_of(const emission *e)
 {
     const mechanism *m = e->p->m;
-    const char **targets = arena_take(e->out->memory, driven_count(m), sizeof *targets);
-    const char **quotes = arena_take(e->out->memory, driven_count(m), sizeof *quotes);
+    arena *memory = e->out->memory;
+    const size_t room = (size_t)(m->input_count + m->clocks.count) + 1;
+    driving d = {arena_take(memory, room, sizeof *d.targets), arena_take(memory, room, sizeof *d.quotes),
+                 arena_take(memory, room, sizeof *d.roots), 0};
     for (int i = 0; i < m->input_count; i++) {
-        targets[i] = arena_format(e->out->memory, "memory->u[%s]", e->names->leaves.inputs[i].place);
-        quotes[i] = m->inputs[i].quote;
+        if (m->driven[i]) {
+            add_driven(&d, arena_format(memory, "memory->u[%s]", e->names->leaves.inputs[i].place), m->inputs[i].quote,
+                       m->drives[i]);
+        }
     }
     for (int i = 0; i < m->clocks.count; i++) {
         const leaf_name *leaf = &e->names->leaves.states[m->clocks.first + i];
-        targets[m->input_count + i] = arena_format(e->out->memory, "memory->x[%s]", leaf->place);
+        add_driven(&d, arena_format(memory, "memory->x[%s]", leaf->place), NULL, m->drives[m->input_count + i]);
     }
-    code made = code_of(e, targets, m->drives, (int)driven_count(m));
-    made.quotes = quotes;
-    text_add(e->out, "/* What is a function of time; other inputs are zero until a port reads them. */\n");
+    return d;
+}
+
+static void emit_drive(emission *e)
+{
+    const driving d = driving_of(e);
+    code made = code_of(e, d.targets, d.roots, d.count);
+    made.quotes = d.quotes;
+    text_add(e->out, "/* What is a function of time; other inputs stay as they are set. */\n");
     text_add(e->out, "static void drive(void *const instance, const uint32_t tick)\n{\n");
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
-    if (!uses_time(e->g, m->drives, driven_count(m))) {
+    if (!uses_time(e->g, d.roots, (size_t)d.count)) {
         text_add(e->out, "    (void)tick;\n");
     }
     if (uses(e, &made, OP_PARAMETER)) {
@@ -195,7 +219,7 @@ void emit_functions(emission *e)
     const plant *p = e->p;
     emit_derivative(e);
     emit_output(e);
-    if (driven_count(p->m) > 0) {
+    if (is_driven(p->m)) {
         emit_drive(e);
     }
     if (ISO_IS_IMPLICIT(p->m->recipe)) {

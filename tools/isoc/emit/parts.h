@@ -21,8 +21,8 @@ bool can_jump(const mechanism *m);
 /* Where a step tells how it went; NULL, as C, where it does not. */
 const char *progress_of(const mechanism *m);
 
-/* What a tick sets: inputs, then clocks. */
-size_t driven_count(const mechanism *m);
+/* Whether something is a function of time, that every tick sets. */
+bool is_driven(const mechanism *m);
 
 /* Whether the guard knows how large some state may be. */
 bool has_range(const emission *e);

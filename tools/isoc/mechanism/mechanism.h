@@ -165,6 +165,7 @@ typedef struct mechanism {
 
     int input_count;
     variable *inputs;
+    bool *driven;  /* inputs that are functions of time; the others are the port's */
     node *drives;  /* the inputs as functions of time, then the clocks */
     double *jumps; /* the change of an input that restarts the method; 0: none */
 

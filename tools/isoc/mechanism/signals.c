@@ -13,6 +13,7 @@ void build_inputs(builder *b)
     mechanism *made = &b->made;
     made->input_count = (int)b->written->input_count;
     made->inputs = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->inputs);
+    made->driven = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->driven);
     made->jumps = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->jumps);
     made->drives = arena_take(b->s->memory, b->written->input_count + (size_t)made->clocks.count + 1, sizeof(node));
     for (int i = 0; i < made->clocks.count; i++) {
@@ -48,6 +49,7 @@ void build_inputs(builder *b)
                                      .quote = source_quote(b->s, q->name.at),
                                      .least = -HUGE_VAL,
                                      .most = HUGE_VAL};
+        made->driven[i] = q->value != NULL;
         const dimension effort = torque ? newton_metre : newton;
         const char *what = torque ? "a torque" : "a force";
         made->drives[i] = scalar_value(b, force || torque ? q->value : NULL, effort, what);
