@@ -96,7 +96,7 @@ $(TEST_ONCE)/once: tests/host/once.c build/tests/plain/float/command
 	@rm -rf $(TEST_ONCE) && mkdir -p $(TEST_ONCE)/real $(TEST_ONCE)/store
 	@for compiler in $(TEST_COMPILERS); do \
 	    ln -s once $(TEST_ONCE)/$$compiler && ln -s "$$(command -v $$compiler)" $(TEST_ONCE)/real/$$compiler; done
-	@$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_XOPEN_SOURCE=700 $< -o $@
+	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
 
 .PRECIOUS: $(TEST_OBJECTS)
 .PHONY: test check test-run check-run test-times

@@ -53,6 +53,8 @@ told "has no name" run SCENE="$PWD/$out/scenes/.scene"
 runs "TOLERANCE with METHOD=adams" METHOD=adams TOLERANCE=1e-6
 runs "the environment has no effect" METHOD=rk4
 hash=$(value hash)
+runs "PORT_CC is a compiler of the port's" PORT_CC=clang METHOD=rk4 && [ "$(value hash)" = "$hash" ]
+expect $? "with the same hash"
 runs "SECONDS with a unit" METHOD=rk4 SECONDS='100 ms'
 [ "$(value hash)" = "$hash" ]
 expect $? "it is as long as SECONDS=0.1"

@@ -8,6 +8,9 @@
  * links as well is compiled for itself. What the hash does not cover goes to the compiler as it is: debug information, which names folders; output
  * that is no object; several files or languages.
  */
+#ifndef _XOPEN_SOURCE
+#define _XOPEN_SOURCE 700 /* realpath */
+#endif
 #include <errno.h>
 #include <fcntl.h>
 #include <inttypes.h>
@@ -45,14 +48,11 @@ static void hash_add(hash *const h, const void *const bytes, const size_t count)
     }
 }
 
-/* Runs the compiler; its standard output goes to `output`, unless that is -1. Returns its exit status. */
-static int run(char **const arguments, const int output)
+/* Runs the compiler. Returns its exit status. */
+static int run(char **const arguments)
 {
     const pid_t child = fork();
     if (child == 0) {
-        if (output >= 0) {
-            dup2(output, STDOUT_FILENO);
-        }
         execv(compiler, arguments);
         fail(compiler);
     }
@@ -263,7 +263,7 @@ static int compile(const command *const c, char *const source, const char *const
         flags[count++] = (char *)"-o";
         flags[count++] = (char *)object;
         flags[count] = NULL;
-        status = run(flags, -1);
+        status = run(flags);
         if (status == EXIT_SUCCESS && known && copy(object, made)) {
             (void)rename(made, kept);
         }
@@ -294,7 +294,7 @@ static int compile_and_link(const command *const c)
     words[count++] = (char *)"-o";
     words[count++] = (char *)c->output;
     words[count] = NULL;
-    status = status == EXIT_SUCCESS ? run(words, -1) : status;
+    status = status == EXIT_SUCCESS ? run(words) : status;
     for (int i = 0; i < c->source_count; i++) {
         (void)unlink(objects[i]);
     }
