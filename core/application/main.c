@@ -1,6 +1,7 @@
 /* The program of every target: runs the plant for as long as the port says, and writes the run to the console. */
 #include "core/application/hash.h"
 #include "core/application/stream.h"
+#include "core/numbers/self_check.h"
 #include "core/runtime/loop.h"
 #include "port/port.h"
 
@@ -14,6 +15,11 @@ int main(int argc, char **argv)
     uint64_t time = 0;
     bool good = true;
 
+    if (!iso_self_check()) {
+        iso_stream_bail_out("the processor or a flag of the compiler changes the bits of results; compile with "
+                            "-std=c11 -ffp-contract=off, and do not flush denormals to zero");
+        iso_port_exit(1);
+    }
     iso_stream_header(plant, duration);
     iso_loop_start(&loop, plant);
     iso_stream_row(plant->y, plant->model->outputs);

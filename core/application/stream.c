@@ -64,6 +64,12 @@ static void put_hexadecimal(const char *const key, const uint64_t value)
     put_line(key, text);
 }
 
+void iso_stream_bail_out(const char *const why)
+{
+    put_line("Bail out!", why);
+    flush();
+}
+
 void iso_stream_header(const iso_plant *const plant, const uint64_t duration)
 {
     put_text(ISO_STREAM_VERSION "\n");

@@ -4,7 +4,7 @@
  *     row      ISO_STREAM_ROW, the outputs of a tick; the first are those of tick 0, the start
  *     end      ISO_STREAM_END, the account, the hash, the guard, the state, the largest local error and violation
  *
- * All numbers are little-endian, reals as wide as the build's. A port that gives up writes a line of text that starts
+ * All numbers are little-endian, reals as wide as the build's. A program or port that gives up writes a line of text that starts
  * with ISO_STREAM_BAIL_OUT in place of a record.
  */
 #ifndef ISO_CORE_APPLICATION_STREAM_H
@@ -13,12 +13,16 @@
 #include "core/runtime/loop.h"
 
 #define iso_stream_header ISO_REAL_NAME(iso_stream_header)
+#define iso_stream_bail_out ISO_REAL_NAME(iso_stream_bail_out)
 #define iso_stream_row ISO_REAL_NAME(iso_stream_row)
 #define iso_stream_end ISO_REAL_NAME(iso_stream_end)
 
 #define ISO_STREAM_VERSION "isochron 1"
 
 enum { ISO_STREAM_ROW = 'r', ISO_STREAM_END = 'e', ISO_STREAM_BAIL_OUT = 'B' };
+
+/* In place of a run: why there is none. */
+void iso_stream_bail_out(const char *why);
 
 /* The run that follows: the plant, and the plant time to run in nanoseconds. */
 void iso_stream_header(const iso_plant *plant, uint64_t duration);

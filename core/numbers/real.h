@@ -8,8 +8,27 @@
 #define ISO_CORE_NUMBERS_REAL_H
 
 #include <float.h>
+#include <limits.h>
 #include <stdint.h>
 #include <string.h>
+
+/* What a build would pay with its bits, as far as the preprocessor sees it; core/numbers/self_check.h finds the rest. */
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ ||                            \
+    defined __NO_SIGNED_ZEROS__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)
+#error "Isochron: -ffast-math and its parts change results; compile without them and without -Ofast"
+#endif
+#if FLT_EVAL_METHOD != 0
+#error "Isochron: float is computed in a wider type, as on x87; compile with -msse2 -mfpmath=sse"
+#endif
+#if CHAR_BIT != 8 || FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128 || FLT_MIN_EXP != -125
+#error "Isochron: bytes of 8 bits and float of IEEE 754 binary32 are needed"
+#endif
+#if defined ISO_REAL_DOUBLE && (DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || DBL_MIN_EXP != -1021)
+#error "Isochron: double is not IEEE 754 binary64; compile with double of 64 bits, or for float"
+#endif
+#if defined FLT_HAS_SUBNORM && FLT_HAS_SUBNORM == 0
+#error "Isochron: numbers near zero are flushed to it; compile with denormals kept"
+#endif
 
 #ifdef ISO_REAL_DOUBLE
 
