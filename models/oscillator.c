@@ -2,6 +2,7 @@
  *
  *     m x'' = F - c x' - k x,    F = 1 N for the first second, then 0
  */
+#define ISO_HAS_JACOBIAN
 #include "core/methods/dense.h"
 #include "core/runtime/choice.h"
 

@@ -114,10 +114,6 @@ enum {
 #define ISO_IS_ITERATING(recipe) (ISO_KIND_OF(recipe) == ISO_ITERATING)
 #define ISO_IS_VARYING(recipe) (ISO_KIND_OF(recipe) == ISO_VARYING)
 
-/* For a plant without a Jacobian: the compiler refuses the methods that need one. */
-#define ISO_HAS_NO_JACOBIAN(recipe)                                                                                    \
-    _Static_assert(!ISO_IS_IMPLICIT(recipe), "bdf4 and rosenbrock need a Jacobian, and this plant has none")
-
 /* Whether a check uses derivatives of the steps before. */
 #define ISO_CHECKS_DERIVATIVES(recipe) (ISO_IS_CHECKED(recipe) && ISO_KIND_OF(recipe) == ISO_FROM_START)
 

@@ -16,6 +16,13 @@
 #define ISO_STEP 0.001
 #endif
 
+/* A plant that defines `factor` and `solve` says so before it includes this; a method without them would call nothing. */
+#ifndef ISO_HAS_JACOBIAN
+_Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
+               "this method needs a Jacobian, and this plant has none: give its equations "
+               "factor and solve, and define ISO_HAS_JACOBIAN before choice.h");
+#endif
+
 /* The step as a number, as text, and as the port's tick. */
 #define ISO_STEP_SIZE ISO_EXPAND(R, ISO_STEP)
 #define ISO_METHOD_TEXT ISO_EXPAND(ISO_STRING, ISO_METHOD_NAME)

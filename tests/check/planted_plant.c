@@ -1,4 +1,5 @@
 /* A plant whose step or output depends on data in the way that PLANTED names: what poison.c must report. */
+#define ISO_HAS_JACOBIAN
 #include "core/methods/dense.h"
 #include "core/runtime/choice.h"
 
