@@ -87,4 +87,19 @@ whole=$(state_error ralston 2ms) && half=$(state_error ralston 1ms)
 expect $? "the double pendulum with the new method"
 awk -v whole="$whole" -v half="$half" 'BEGIN { exit !(half > 0 && whole > 3.5 * half && whole < 4.5 * half) }'
 result $? "its error is of order 2: $whole at a step of 2 ms, $half at 1 ms"
+
+# families: the families of the legend of a report with these methods.
+families()
+{
+    printf 'kind\tmethod\tstep_s\tsteps\terror\torder\tper_step\tper_second\ttolerance\n' >"$out/report.tsv"
+    for method in "$@"; do
+        printf 'float\t%s\t0.001\t1000\t1e-3\t-\t100\t1e5\t-\n' "$method" >>"$out/report.tsv"
+    done
+    "$out/project/build/plot" work_precision NAME 1 "$out/report.tsv" >"$out/report.gnuplot"
+    sed -n "s/^set label [0-9]* '\(.*\):' at 85, .*/\1/p" "$out/report.gnuplot" | tr '\n' ','
+}
+call build/plot
+expect $? "build/plot is made"
+[ "$(families ralston euler)" = "one step," ] && [ "$(families ralston unheard_of)" = "one step,others," ]
+result $? "a report draws it with the methods of one step"
 finish
