@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "tools/isoc/base/real_range.h"
 #include "tools/isoc/dynamics/assembly.h"
 #include "tools/isoc/emit/emit.h"
 #include "tools/isoc/emit/standalone.h"
@@ -154,8 +155,7 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
     double culprit = 0.0;
     emit_header(p, &names, &header);
     if (!emit_source(p, g, &names, &source_text, &culprit)) {
-        fprintf(stderr, "%s: error: the equations contain the number %g, which a %s cannot hold%s\n", o->scene, culprit,
-                o->is_double ? "double" : "float", o->is_double ? "" : ": try --real double");
+        fprintf(stderr, "%s: error: the equations contain %g; %s\n", o->scene, culprit, real_advice(o->is_double));
         return false;
     }
     cost_summary(p, g, &summary);
