@@ -1,12 +1,12 @@
 /* Adams predictor-corrector (PECE) of variable order, one to four, whose step is halved and doubled.
  *
- * A tick H is walked in sub-steps h = H / 2^level. What is left of it is counted in whole sub-steps: halving doubles
- * the count, doubling halves an even one, so that every tick ends where it should without a sum of times. At most
- * `budget` sub-steps are tried in a tick, of two evaluations each; one that would be too many to repeat is kept in
- * spite of its error, and counted.
+ * A tick H consists of sub-steps h = H / 2^level. The rest of the tick is counted in whole sub-steps: halving the step
+ * doubles the count, doubling the step halves an even count. So every tick ends exactly, without a sum of times. At most
+ * `budget` sub-steps are tried in a tick, of two evaluations each. If the budget does not allow to repeat a sub-step, it
+ * is accepted in spite of its error, and counted.
  *
- * The past is kept as a polynomial at the end of the last sub-step, in rows z_j = h^j x^(j) / j!, which another step
- * scales by powers of two. Nordsieck (1962), Math. Comp. 16, 22-49; Gear (1971), Numerical Initial Value Problems in
+ * The history is a polynomial at the end of the last sub-step, in rows z_j = h^j x^(j) / j!. Another step scales them by
+ * powers of two. Nordsieck (1962), Math. Comp. 16, 22-49; Gear (1971), Numerical Initial Value Problems in
  * Ordinary Differential Equations, ch. 9; Hairer, Norsett, Wanner (1993), Solving Ordinary Differential Equations I,
  * III.6. The rows of order q are those of the polynomial whose derivatives are those at the q ends of sub-steps until
  * now; the last correction has the derivative at one end more. So the order can be exchanged without a loss, and with
@@ -22,32 +22,32 @@
 
 enum {
     ISO_ADAMS_ORDERS = 4,
-    ISO_ADAMS_ROWS = ISO_ADAMS_ORDERS + 1, /* kept behind the states: z_1 to z_4, and the last correction */
+    ISO_ADAMS_ROWS = ISO_ADAMS_ORDERS + 1, /* rows behind the states: z_1 to z_4, and the last correction */
     ISO_ADAMS_LEVELS = 30,                 /* the largest level_max */
-    ISO_ADAMS_BUDGET = 8,                  /* where nothing is said */
-    ISO_ADAMS_LEVEL_MAX = 10,              /* ... */
-    ISO_ADAMS_BUDGET_HOST = 1 << 30,       /* as good as none */
+    ISO_ADAMS_BUDGET = 8,                  /* default */
+    ISO_ADAMS_LEVEL_MAX = 10,              /* default */
+    ISO_ADAMS_BUDGET_HOST = 1 << 30,       /* practically no limit */
 };
 
-/* The local error of a sub-step may be this, and this times |x| more, where nothing is said. */
+/* Defaults of the tolerance: the local error of a sub-step may be the first plus |x| times the second. */
 #ifndef ISO_ADAMS_TOLERANCE
 #define ISO_ADAMS_TOLERANCE R(1e-6)
 #endif
 
-/* The estimate of what is not finite: infinite. */
+/* The estimate for a state that is not finite: infinity. */
 #define ISO_ADAMS_FAILED iso_real_of(ISO_EXPONENT_BITS)
 
 enum { ISO_ADAMS_VECTORS = 4 }; /* of work space */
 
 typedef struct iso_adams_options {
-    real tolerance_absolute; /* above zero; infinite: the steps are never smaller than need be */
+    real tolerance_absolute; /* above zero; infinity: the step is never reduced */
     real tolerance_relative;
     uint32_t budget; /* sub-steps that may be tried in a tick, at least 1; evaluations are at most twice that, */
     bool driven; /* and one more where inputs change from tick to tick: the derivative at its start is evaluated anew */
     uint8_t level_max; /* at most ISO_ADAMS_LEVELS */
 } iso_adams_options;
 
-/* Where the equations name none. */
+/* For equations without options. */
 static const iso_adams_options iso_adams_default = {
     .tolerance_absolute = ISO_ADAMS_TOLERANCE,
     .tolerance_relative = ISO_ADAMS_TOLERANCE,
@@ -69,20 +69,20 @@ static const real iso_table_nordsieck[ISO_ADAMS_ORDERS + 3][ISO_ADAMS_ORDERS + 1
     [6] = {R(95.0) / R(288.0)},
 };
 
-/* A tick under way. */
+/* A tick in progress. */
 typedef struct iso_adams_run {
     const iso_adams_options *options;
     iso_adams_state *state;
-    const iso_history *history; /* its past are the rows */
+    const iso_history *history; /* its `past` has the rows */
     iso_derivative *f;
     const real *u;
     const real *p;
     real h_tick;
     uint32_t remaining; /* sub-steps of the present size to the end of the tick */
     uint32_t left;      /* of the budget; never less than remaining */
-    real refused;       /* the estimate of the try before, if it was refused, else zero */
+    real refused;       /* the estimate of the last try if it was rejected, else zero */
     real *derivative;   /* [n] work space: the derivative, or the correction of row 1, */
-    real *at;           /* [n] where it was predicted, then one over what that state may err, */
+    real *at;           /* [n] the predicted state, then 1 / (its allowed error), */
     real *increment;    /* [n] the predicted increment, or how it is corrected, */
     real *error;        /* [n] the local error of the tick so far */
 } iso_adams_run;
@@ -92,14 +92,14 @@ static inline real iso_adams_step_size(const iso_adams_run *const run)
     return run->h_tick / (real)((uint32_t)1 << run->state->level);
 }
 
-/* One over what state s may err. */
+/* 1 / (the allowed error of state s). */
 static inline real iso_adams_weight(const iso_adams_run *const run, const size_t s)
 {
     const iso_adams_options *const o = run->options;
     return R(1.0) / (o->tolerance_absolute + o->tolerance_relative * iso_abs(run->history->x[s]));
 }
 
-/* |e| over what a state may err, for one over that. */
+/* |e| / (the allowed error of a state), for 1 / (the allowed error). */
 static inline real iso_adams_ratio(const real e, const real weight)
 {
     const real ratio = iso_abs(e) * weight;
@@ -129,14 +129,14 @@ static inline void iso_adams_predict(const iso_history *const history, const siz
     }
 }
 
-/* The correction of row 1 that was last. */
+/* The last correction of row 1. */
 static inline real *iso_adams_last(const iso_history *const history)
 {
     return history->past + ISO_ADAMS_ORDERS * history->n;
 }
 
-/* What the last correction makes of the rows of order q: those of order q + 1, up to row `rows`; with a sign of -1,
- * back. It is the derivative at one end of sub-steps more, less that of the polynomial there. */
+/* Adds the last correction to the rows of order q: this gives those of order q + 1, up to row `rows`; with a sign of -1 it
+ * goes back. The correction is the derivative at one more end of a sub-step, less that of the polynomial there. */
 static inline void iso_adams_extend(const iso_adams_run *const run, const size_t q, const real sign, const size_t rows)
 {
     const size_t n = run->history->n;
@@ -195,13 +195,13 @@ static inline void iso_adams_halve(iso_adams_run *const run)
     run->remaining *= 2;
 }
 
-/* Whether steps of half the size reach the end of the tick with what is left of the budget. */
+/* Whether steps of half the size reach the end of the tick within the rest of the budget. */
 static inline bool iso_adams_can_halve(const iso_adams_run *const run)
 {
     return run->state->level < run->options->level_max && 2 * run->remaining <= run->left;
 }
 
-/* The first row, for a derivative that is known anew. */
+/* Sets the first row for a new derivative. */
 static inline void iso_adams_take_derivative(const iso_adams_run *const run)
 {
     const real h = iso_adams_step_size(run);
@@ -319,7 +319,7 @@ static inline void iso_adams_raise(const iso_adams_run *const run)
     run->state->order++;
 }
 
-/* One order less, whose last correction is known from the row that goes. */
+/* One order less; its last correction follows from the row that is removed. */
 static inline void iso_adams_lower(const iso_adams_run *const run)
 {
     const size_t n = run->history->n;
@@ -363,7 +363,7 @@ static inline void iso_adams_adapt(iso_adams_run *const run, const iso_adams_est
     }
 }
 
-/* Halves a sub-step that was refused. The correction that takes the past to the new size is the one at which the
+/* Halves a sub-step that was rejected. The correction that takes the past to the new size is the one at which the
  * derivative half a step back is right to one order more: between the refused one, of derivatives 1 to 1 - q, and the
  * last one, of derivatives 0 to -q, whose polynomials err there by 3/2 to q - 1/2. */
 static inline void iso_adams_halve_refused(iso_adams_run *const run)
@@ -376,9 +376,9 @@ static inline void iso_adams_halve_refused(iso_adams_run *const run)
     iso_adams_halve(run);
 }
 
-/* What becomes of a sub-step with too large an error: true if it has to be tried again. Halving divides the estimate by
- * 2^(order + 1), at least by 4, where the motion is smooth, and by 2 where the derivative jumped: more than a third of
- * the one before, estimated at twice the step, tells a jump. */
+/* Decides about a sub-step whose error is too large: true if it must be tried again. Halving divides the estimate by
+ * 2^(order + 1), at least by 4, if the motion is smooth, and by 2 if the derivative has a discontinuity. So an estimate of
+ * more than a third of the one before, at twice the step, means a discontinuity. */
 static inline bool iso_adams_reject(iso_adams_run *const run, const real estimate)
 {
     iso_adams_state *const state = run->state;
@@ -399,7 +399,7 @@ static inline bool iso_adams_reject(iso_adams_run *const run, const real estimat
     return true;
 }
 
-/* Tries a sub-step, and keeps it if it may. What is not finite ends the tick. */
+/* Tries a sub-step, and accepts it if its error allows. A state that is not finite ends the tick. */
 static inline void iso_adams_attempt(iso_adams_run *const run)
 {
     if (run->state->overdue && iso_adams_can_halve(run)) {
@@ -446,8 +446,8 @@ ISO_INLINE iso_adams_run iso_adams_run_of(const iso_adams_options *const options
     };
 }
 
-/* Before the first tick, and after a jump: starts from the states in the history, whose past is [ISO_ADAMS_ROWS n]. One
- * evaluation. The counts go on. work[ISO_ADAMS_VECTORS n]. */
+/* Before the first tick, and after a discontinuity: starts from the states in the history, whose past is [ISO_ADAMS_ROWS n]. One
+ * evaluation. The counters go on. work[ISO_ADAMS_VECTORS n]. */
 ISO_INLINE void iso_adams_start(const iso_adams_options *const options, iso_adams_state *const state,
                                 const iso_history *const history, iso_derivative *const f, const real h_tick,
                                 const real *const u, const real *const p, real *const work)
@@ -490,7 +490,7 @@ static inline const iso_adams_options *iso_adams_options_of(const iso_step *cons
     return step->equations->adams == NULL ? &iso_adams_default : step->equations->adams;
 }
 
-/* The same as any other method; step->progress begins an iso_adams_state. */
+/* The interface of every method; step->progress is the start of an iso_adams_state. */
 ISO_INLINE void iso_adams_step(iso_step *const step)
 {
     step->error = iso_adams_tick(iso_adams_options_of(step), (iso_adams_state *)step->progress, step->history, step->f,

@@ -10,7 +10,7 @@ static int32_t elapsed(const uint32_t a, const uint32_t b)
     return (int32_t)(b - a);
 }
 
-/* The least of a few readings of the clock in a row: what a measured time contains of its own measuring. */
+/* The time between two readings of the clock, the least of a few: the part of a measured time that measuring adds. */
 static uint32_t clock_overhead(void)
 {
     enum { READINGS = 4 };
@@ -37,13 +37,13 @@ void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
     loop->overhead = clock_overhead();
 }
 
-/* Makes the last step again from where it began, with a new history. Its error stays known, so that what jumps all the
- * time does not cost a restart in every tick. */
+/* Repeats the last step from its start, with a new history. Its error is kept, so that a motion with a discontinuity in
+ * every tick does not need a restart in every tick. */
 static void step_again(const iso_plant *const plant)
 {
-    const iso_progress told = *plant->progress;
+    const iso_progress reported = *plant->progress;
     memcpy(plant->memory, plant->before, plant->model->memory_bytes);
-    *plant->progress = told;
+    *plant->progress = reported;
     plant->model->prime(plant->memory);
     plant->model->step(plant->memory);
 }
@@ -69,7 +69,7 @@ static uint16_t guard(const iso_plant *const plant)
     return first;
 }
 
-/* Books how far off the closures the plant is. */
+/* Updates the statistics of the violation. */
 static void book_violation(const iso_plant *const plant, iso_statistics *const statistics)
 {
     const real off = plant->model->violation(plant->memory);
@@ -77,7 +77,8 @@ static void book_violation(const iso_plant *const plant, iso_statistics *const s
     statistics->violation = iso_max(statistics->violation, off);
 }
 
-/* Books a tick that woke up at begin, spent counts on its step, with a restart or without, and was done at end. */
+/* Updates the statistics with a tick that began at `begin`, needed `counts` for its step, with or without a restart, and
+ * ended at `end`. */
 static void book(iso_loop *const loop, const uint32_t begin, const bool restarted, const uint32_t counts,
                  const uint32_t end)
 {
@@ -127,7 +128,7 @@ bool iso_loop_tick(iso_loop *const loop)
     }
     plant->model->step(plant->memory);
     uint32_t after = iso_port_clock();
-    /* After a restart the same step would come out again. */
+    /* After a restart a second one would give the same step. */
     if (plant->before != NULL && plant->progress->jumped && loop->statistics.restarts == restarts) {
         step_again(plant);
         loop->statistics.restarts++;

@@ -1,4 +1,4 @@
-/* The periodic loop: wait for a tick, latch the inputs, step, publish the outputs, account.
+/* The periodic loop: wait for a tick, latch the inputs, step, publish the outputs, update the statistics.
  *
  * A tick that came late or was lost is caught up, one step each, so the trajectory depends on the count of ticks only
  * and never on their timing. Step k goes from (k - 1) h to k h with the inputs of (k - 1) h.
@@ -22,21 +22,21 @@ typedef struct iso_statistics {
     uint32_t late;          /* of them, started late */
     uint32_t lost;          /* of them, reported by the port only with a later one */
     uint32_t overruns;      /* of them, ended after the next one was due */
-    uint32_t restarts;      /* of them, with a new history of the method, after a jump */
+    uint32_t restarts;      /* of them, with a new history of the method, after a discontinuity */
     real local_error;       /* the largest of all steps, where steps are checked */
-    uint32_t violated;      /* ticks that ended farther off the closures than their limit, where the plant has one */
+    uint32_t violated;      /* ticks that ended with a violation above the limit of the plant */
     real violation;         /* the largest of all ticks */
-    int32_t margin;         /* least time left when the outputs were out; positive is good */
-    uint32_t execution_min; /* of a step: the call, where there was no restart */
+    int32_t margin;         /* the least time left when the outputs were published; positive is good */
+    uint32_t execution_min; /* of a step without a restart */
     uint32_t execution_max;
     uint64_t execution_sum;
-    uint32_t restart_max; /* of a step with a restart, with all that this takes */
+    uint32_t restart_max; /* of a step with a restart, including the restart */
 } iso_statistics;
 
 typedef struct iso_loop {
     const iso_plant *plant;
     uint32_t tick;     /* steps done: the plant's time is tick times its step */
-    uint32_t reported; /* the latest tick of which the port told */
+    uint32_t reported; /* the latest tick that the port reported */
     uint32_t due;      /* when tick was due, on the port's clock */
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
@@ -48,7 +48,7 @@ typedef struct iso_loop {
 void iso_loop_start(iso_loop *loop, const iso_plant *plant);
 
 /* Does the next tick. Returns false if a state is no longer finite, or out of range: then the outputs stay as they
- * were, nothing is published or accounted, and loop->guard and loop->tick say where. */
+ * were, nothing is published or counted, and loop->guard and loop->tick name the state and the tick. */
 bool iso_loop_tick(iso_loop *loop);
 
 #endif
