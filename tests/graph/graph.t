@@ -1,6 +1,6 @@
 #!/bin/sh
 # The operators of isoc's expressions: each has its derivative, or it does not compile; and a new one is a row and the
-# function that makes its nodes.
+# function that makes its nodes. Large scenes take little memory and time.
 . tests/host/test.sh
 begin graph
 
@@ -50,4 +50,20 @@ echo 'node square(graph *g, node a) { return graph_put(g, (graph_node){.op = OP_
 sed 's/^node add(/node square(graph *g, node a);\n&/' tools/isoc/graph/graph.h >"$tree/tools/isoc/graph/graph.h"
 builds && grep -q '^ok .* SQUARE has its derivative' "$out/copied" && ! grep -q '^not ok' "$out/copied"
 result $? "a new operator is a row and a function"
+
+# within MEGABYTES SECONDS SCENE METHOD: isoc compiles it within this memory and this time of a processor.
+within()
+{
+    (ulimit -v $(($1 * 1024)) && ulimit -t "$2" && build/isoc "$3" -o "$out/large" --method "$4") >"$out/said" 2>&1
+    result $? "$3 with $4 takes at most $1 MB and $2 s"
+}
+for links in 32 200; do
+    sh tools/build/chain.sh $links planar >"$out/chain_$links.scene"
+done
+within 100 4 models/stewart.scene bdf4
+within 100 4 "$out/chain_32.scene" bdf4
+within 100 4 "$out/chain_200.scene" rk4
+! (ulimit -v 20480 && build/isoc models/stewart.scene -o "$out/large" --method bdf4) >"$out/said" 2>&1 &&
+    grep -q 'out of memory' "$out/said"
+result $? "found: what takes more"
 finish

@@ -201,9 +201,7 @@ static bool compile(arena *memory, const options *o)
                                             : "a tree has no such formulation:",
                             o->scene);
         }
-        graph resting =
-            graph_copy(&g); /* closures are assembled in the axes of their base, whatever formulation is kept */
-        assemble(&s, dynamics_build(&resting, &m, FORMULATION_COMPOSITE));
+        assemble(&s, &g, &m);
     }
     /* Constants of the equations may depend on the start: so that comes first. */
     if (s.problem_count == 0) {

@@ -194,16 +194,19 @@ static void keep_start(const assembly *a)
     }
 }
 
-void assemble(source *s, const dynamics *d)
+void assemble(source *s, const graph *g, const mechanism *m)
 {
-    const mechanism *m = d->m;
     if (m->cut_count == 0) {
         return;
     }
+    graph scratch = graph_copy(g);
+    const dynamics *d =
+        dynamics_build(&scratch, m, FORMULATION_COMPOSITE); /* in the axes of the base, whatever is kept */
     assembly a = {.s = s, .m = m, .held = &d->loops.held, .c = closing_start(s->memory, d)};
     a.is_free = arena_take(s->memory, (size_t)m->dof_count, sizeof *a.is_free);
     go_near(&a);
     if (check_distances(&a) && check_dropped(&a) && close_positions(&a) && close_speeds(&a)) {
         keep_start(&a);
     }
+    graph_free(&scratch);
 }

@@ -35,6 +35,7 @@ static void solve_loops(dynamics *d, node *bias, closure_axes axes)
     graph_section(g, "Efforts less bias: drives, damping, springs");
     efforts_less(d, bias, x);
     d->mass = mass_matrix_build(&d->k);
+    mass_matrix_factorise(&d->mass);
     graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias - Phi_q' lambda)");
     mass_matrix_inward(&d->mass, x);
     graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
@@ -80,8 +81,8 @@ static void relative_of_absolute(const kinematics *k, node *x)
 }
 
 /* Links that turn about parallel axes have absolute speeds: then only the angle between two of them couples their
- * accelerations, not all angles between. The mass matrix of the joints' own speeds is made too, for the check of its
- * pivots; nodes that nothing else needs are not emitted. */
+ * accelerations, not all angles between. The mass matrix of the joints' own speeds is made too, for the balance and for
+ * the check of its pivots; nodes that nothing else needs are not emitted. */
 static void solve_tree(dynamics *d, node *bias)
 {
     graph *g = d->g;
@@ -95,7 +96,8 @@ static void solve_tree(dynamics *d, node *bias)
     for (int f = 0; f < d->m->dof_count; f++) {
         x[f] = graph_name(g, sub(g, x[f], bias[f]), "tau_%s", d->m->dofs[f].name);
     }
-    const mass_matrix mass = mass_matrix_build(&absolute);
+    mass_matrix mass = mass_matrix_build(&absolute);
+    mass_matrix_factorise(&mass);
     graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias)");
     mass_matrix_inward(&mass, x);
     mass_matrix_scale(&mass, x);
@@ -104,8 +106,18 @@ static void solve_tree(dynamics *d, node *bias)
     d->mass = mass_matrix_build(&d->k);
 }
 
-/* Articulated bodies include the bias. The mass matrix is made too, for the check of its pivots; nodes that nothing
- * else needs are not emitted. */
+int composite_products(const graph *g, const mechanism *m)
+{
+    graph scratch = graph_copy(g);
+    kinematics absolute = kinematics_build(&scratch, m);
+    absolute.absolute = true;
+    const mass_matrix mass = mass_matrix_build(&absolute);
+    const int products = mass_matrix_products(&mass);
+    graph_free(&scratch);
+    return products;
+}
+
+/* Articulated bodies include the bias. The mass matrix is made too, as above. */
 static void solve_articulated(dynamics *d, node *bias)
 {
     efforts_alone(d, bias);

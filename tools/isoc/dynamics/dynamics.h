@@ -35,6 +35,9 @@ typedef struct dynamics {
     augmented loops;             /* without constraints where nothing is closed */
 } dynamics;
 
+/* A lower bound of the products that composite bodies cost in the accelerations of a tree. The graph stays as it is. */
+int composite_products(const graph *g, const mechanism *m);
+
 /* Makes the nodes of the accelerations, in a formulation that fits. The parts have pointers to one another: the result
  * must not be copied. */
 const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen);

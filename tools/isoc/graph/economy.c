@@ -286,5 +286,11 @@ graph economise(const graph *g, const node *roots, size_t count, node *made)
     arena_return(g->memory, e.moved, g->count, sizeof *e.moved);
     arena_return(g->memory, e.needed, g->count, sizeof *e.needed);
     arena_return(g->memory, e.uses, g->count, sizeof *e.uses);
+    arena_return(g->memory, e.multiple, g->count, sizeof *e.multiple);
+    arena_return(g->memory, e.next, g->count, sizeof *e.next);
+    for (int k = 0; k < 2; k++) {
+        arena_return(g->memory, e.term[k], g->count, sizeof *e.term[k]);
+        arena_return(g->memory, e.after[k], g->count, sizeof *e.after[k]);
+    }
     return e.to;
 }

@@ -38,7 +38,7 @@ static void count_line(text *out, const char *what, operations n)
 static void formulation_lines(const plant *p, text *out)
 {
     for (formulation f = 0; f < FORMULATIONS; f++) {
-        if (formulation_fits(p->m, f)) {
+        if (p->formulations.tried[f]) {
             const char *verdict = f == p->formulations.kept ? "kept" : "left";
             count_line(out, arena_format(out->memory, "formulation %s %s", formulation_names[f], verdict),
                        p->formulations.of[f]);

@@ -197,18 +197,18 @@ static int cost_of(const graph *g, const jacobian *j, int states)
 /* Each in a copy of the graph. */
 jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives)
 {
-    const graph before = *g;
+    graph before = *g;
     const int states = state_count(d->m);
     *g = graph_copy(&before);
     const unknowns solved = solved_equations(g, d, derivatives);
     const jacobian of_solved = build(g, d, derivatives, &solved);
-    const graph with_solved = *g;
+    graph with_solved = *g;
     *g = graph_copy(&before);
     const unknowns balanced = balanced_equations(g, d, derivatives);
     const jacobian of_balanced = build(g, d, derivatives, &balanced);
-    if (cost_of(g, &of_balanced, states) < cost_of(&with_solved, &of_solved, states)) {
-        return of_balanced;
-    }
-    *g = with_solved;
-    return of_solved;
+    graph_free(&before);
+    const bool is_balanced = cost_of(g, &of_balanced, states) < cost_of(&with_solved, &of_solved, states);
+    graph_free(is_balanced ? &with_solved : g);
+    *g = is_balanced ? *g : with_solved;
+    return is_balanced ? of_balanced : of_solved;
 }

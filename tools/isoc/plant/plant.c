@@ -27,31 +27,51 @@ static void build_derivatives(plant *p, graph *g, formulation chosen)
     }
 }
 
+/* Composite bodies of a long chain need not be tried: the cost of their factorisation, which grows with the cube of the
+ * length, is more than twice that of articulated bodies. */
+static bool is_hopeless(const choice *so_far, const graph *g, const mechanism *m)
+{
+    enum { MULTIPLE = 2 };
+    return so_far->tried[FORMULATION_ARTICULATED] &&
+           composite_products(g, m) > MULTIPLE * cycles_of(so_far->of[FORMULATION_ARTICULATED]);
+}
+
 /* Builds every formulation that fits, each in a copy of the graph, and keeps the one that is wanted, or else the
  * cheapest one. */
 static void build_cheapest(plant *p, graph *g, formulation wanted)
 {
-    const graph before = *g;
+    static const formulation order[] = {FORMULATION_ARTICULATED, FORMULATION_COMPOSITE, FORMULATION_PARENT_AXES,
+                                        FORMULATION_CHILD_AXES};
+    graph before = *g;
     const plant bare = *p;
     choice made = {.kept = FORMULATIONS};
-    graph kept = before;
+    graph kept = {.memory = g->memory};
     int least = 0;
-    for (formulation f = 0; f < FORMULATIONS; f++) {
-        if (!formulation_fits(p->m, f)) {
+    for (int i = 0; i < FORMULATIONS; i++) {
+        const formulation f = order[i];
+        const bool is_free = wanted == FORMULATIONS;
+        if (!formulation_fits(p->m, f) ||
+            (is_free && f == FORMULATION_COMPOSITE && is_hopeless(&made, &before, p->m))) {
             continue;
         }
         plant tried = bare;
         *g = graph_copy(&before);
         build_derivatives(&tried, g, f);
+        made.tried[f] = true;
         made.of[f] = count_operations(g, tried.derivatives, (size_t)state_count(p->m));
         const int cost = cycles_of(cost_of_step(&tried, g));
-        if (f == wanted || (wanted == FORMULATIONS && (made.kept == FORMULATIONS || cost < least))) {
+        const bool is_cheaper = made.kept == FORMULATIONS || cost < least || (cost == least && f < made.kept);
+        if (f == wanted || (is_free && is_cheaper)) {
+            graph_free(&kept);
             *p = tried;
             made.kept = f;
             kept = *g;
             least = cost;
+        } else {
+            graph_free(g);
         }
     }
+    graph_free(&before);
     *g = kept;
     p->formulations = made;
 }

@@ -7,9 +7,10 @@
 #include "tools/isoc/graph/operations.h"
 #include "tools/isoc/plant/jacobian.h"
 
-/* The cost of the equations in each formulation that fits, and which one is kept. */
+/* The cost of the equations in each formulation that was tried, and which one is kept. */
 typedef struct choice {
     formulation kept;
+    bool tried[FORMULATIONS];
     operations of[FORMULATIONS];
 } choice;
 

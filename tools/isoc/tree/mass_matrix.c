@@ -171,17 +171,42 @@ mass_matrix mass_matrix_build(const kinematics *k)
 {
     const size_t n = (size_t)k->m->dof_count;
     mass_matrix m = {.k = k, .n = k->m->dof_count, .at = arena_take(k->g->memory, n * n, sizeof *m.at)};
-    m.diagonal = arena_take(k->g->memory, n, sizeof *m.diagonal);
-    m.pivots = arena_take(k->g->memory, n, sizeof *m.pivots);
-    m.inverse = arena_take(k->g->memory, n, sizeof *m.inverse);
     build_rows(&m);
-    m.entries = arena_take(k->g->memory, n * n, sizeof *m.entries);
-    memcpy(m.entries, m.at, n * n * sizeof *m.entries);
-    for (size_t i = 0; i < n; i++) {
-        m.diagonal[i] = m.at[i * n + i];
-    }
-    factorise(&m);
+    m.entries = m.at;
     return m;
+}
+
+void mass_matrix_factorise(mass_matrix *m)
+{
+    const size_t n = (size_t)m->n;
+    arena *memory = m->k->g->memory;
+    m->pivots = arena_take(memory, n, sizeof *m->pivots);
+    m->inverse = arena_take(memory, n, sizeof *m->inverse);
+    m->at = arena_take(memory, n * n, sizeof *m->at);
+    memcpy(m->at, m->entries, n * n * sizeof *m->at);
+    factorise(m);
+}
+
+int mass_matrix_products(const mass_matrix *m)
+{
+    const graph *g = m->k->g;
+    const int n = m->n;
+    const dof *dofs = m->k->m->dofs;
+    bool *entry = arena_take(g->memory, (size_t)(n * n), sizeof *entry); /* other than zero and other constants */
+    int products = 0;
+    for (int i = 0; i < n * n; i++) {
+        entry[i] = !is_constant(g, m->entries[i]);
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        for (int j = dofs[i].before; j != GROUND; j = dofs[j].before) {
+            for (int k = j; k != GROUND && entry[i * n + j]; k = dofs[k].before) {
+                products += entry[i * n + k];
+                entry[j * n + k] = entry[j * n + k] || entry[i * n + k];
+            }
+        }
+    }
+    arena_return(g->memory, entry, (size_t)(n * n), sizeof *entry);
+    return products;
 }
 
 void mass_matrix_inward(const mass_matrix *m, node *x)

@@ -12,14 +12,19 @@
 typedef struct mass_matrix {
     const kinematics *k;
     int n;
-    node *at;       /* [n n]: L below the diagonal, after the factorisation */
-    node *entries;  /* [n n] of M itself, where one degree of freedom is an ancestor of the other: below the diagonal */
-    node *diagonal; /* M_ii */
-    node *pivots;   /* D_i: M_ii less the parts of the degrees of freedom beyond i */
-    node *inverse;  /* 1 / D_i */
+    node *
+        entries; /* [n n] of M, where one degree of freedom is an ancestor of the other: below the diagonal, and on it */
+    node *at;    /* [n n]: L below the diagonal, after the factorisation */
+    node *pivots;  /* D_i: M_ii less the parts of the degrees of freedom beyond i */
+    node *inverse; /* 1 / D_i */
 } mass_matrix;
 
+/* M itself; then its factors. */
 mass_matrix mass_matrix_build(const kinematics *k);
+void mass_matrix_factorise(mass_matrix *m);
+
+/* The number of products of variables in the factorisation, from the zeros of M and the fill. */
+int mass_matrix_products(const mass_matrix *m);
 
 /* x := L'^-1 x, from the tips to the root; and x := L^-1 x, from the root to the tips. [n] */
 void mass_matrix_inward(const mass_matrix *m, node *x);
