@@ -40,8 +40,7 @@ runs()
     source=$1
     duration=$2
     shift 2
-    rm -f "$out/program"
-    : >"$out/output"
+    rm -f "$out/program" "$out/output"
     $compiler "$@" -c "$source" -o "$out/plant.o" 2>"$out/errors" && $link "$base"/*.o "$out/plant.o" -o "$out/program" || return
     case $port in
     mps2)
@@ -71,6 +70,7 @@ length()
 # model SCENE METHOD: runs it.
 model()
 {
+    : >"$out/output"
     # shellcheck disable=SC2046
     set -- "$1" "$2" $(length "$2" "$1")
     case $1 in
