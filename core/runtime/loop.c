@@ -41,9 +41,9 @@ void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
  * every tick does not need a restart in every tick. */
 static void step_again(const iso_plant *const plant)
 {
-    const iso_progress reported = *plant->progress;
+    const iso_progress progress = *plant->progress;
     memcpy(plant->memory, plant->before, plant->model->memory_bytes);
-    *plant->progress = reported;
+    *plant->progress = progress;
     plant->model->prime(plant->memory);
     plant->model->step(plant->memory);
 }
