@@ -38,9 +38,11 @@ static bool needs_more(const char *source)
     return false;
 }
 
-static bool is_source(const core_file *f)
+/* Whether firmware may call what is in it, beside what the plant does: a source, or a header that runs plants. */
+static bool is_for_callers(const core_file *f)
 {
-    return f->path[strlen(f->path) - 1] == 'c';
+    static const char runtime[] = "core/runtime/";
+    return f->path[strlen(f->path) - 1] == 'c' || strncmp(f->path, runtime, strlen(runtime)) == 0;
 }
 
 /* The file with relative paths: "core/methods/equations.h" is "../methods/equations.h" for its neighbours. */
@@ -79,7 +81,7 @@ void standalone_files(file_list *files, bool is_double)
         add_includes(files, files->files[i].text.bytes, is_double);
     }
     for (const core_file *f = core_files; f->path != NULL; f++) {
-        if (is_source(f) && !needs_more(f->text) && !file_list_has(files, f->path)) {
+        if (is_for_callers(f) && !needs_more(f->text) && !file_list_has(files, f->path)) {
             add_file(files, f, is_double);
             add_includes(files, f->text, is_double);
         }

@@ -4,8 +4,8 @@
 
 #include "tools/isoc/emit/write.h"
 
-/* Adds the files of core that those in the list include, and those of its sources that need no port. They find each
- * other by relative paths, and in double they need no flag that says so. */
+/* Adds the files of core that those in the list include, and those that firmware calls and that need no port. They find
+ * each other by relative paths, and in double they need no flag that says so. */
 void standalone_files(file_list *files, bool is_double);
 
 #endif
