@@ -8,11 +8,12 @@
 static output_kind parse_output_kind(parser *p)
 {
     const char *words[OUTPUT_ROWS];
-    output_kind kinds[OUTPUT_ROWS];
+    output_kind kinds[OUTPUT_ROWS] = {0};
+    const char *last = "";
     size_t count = 0;
     for (output_kind kind = 0; kind < OUTPUT_ROWS; kind++) {
-        if (count == 0 || strcmp(words[count - 1], output_rows[kind].word) != 0) {
-            words[count] = output_rows[kind].word;
+        if (strcmp(last, output_rows[kind].word) != 0) {
+            last = words[count] = output_rows[kind].word;
             kinds[count++] = kind;
         }
     }
