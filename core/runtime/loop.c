@@ -1,5 +1,7 @@
 #include "core/runtime/loop.h"
 
+#include "core/runtime/tick.h"
+
 #include "core/methods/method.h"
 
 #include "port/port.h"
@@ -35,38 +37,6 @@ void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
     iso_port_publish(plant->y, plant->model->outputs);
     loop->period = iso_port_start(plant->model->period_ns);
     loop->overhead = clock_overhead();
-}
-
-/* Repeats the last step from its start, with a new history. Its error is kept, so that a motion with a discontinuity in
- * every tick does not need a restart in every tick. */
-static void step_again(const iso_plant *const plant)
-{
-    const iso_progress progress = *plant->progress;
-    memcpy(plant->memory, plant->before, plant->model->memory_bytes);
-    *plant->progress = progress;
-    plant->model->prime(plant->memory);
-    plant->model->step(plant->memory);
-}
-
-/* All ones if state i is not finite or out of its range, else zero; without a branch on it. */
-static iso_bits is_bad(const iso_plant *const plant, const uint16_t i)
-{
-    return iso_beyond(plant->x[i], plant->model->range == NULL ? ISO_REAL_MAX : plant->model->range[i]);
-}
-
-/* The first bad state. The test of all is without a branch; the search is for the report only. */
-static uint16_t guard(const iso_plant *const plant)
-{
-    iso_bits bad = 0;
-    for (uint16_t i = 0; i < plant->model->states; i++) {
-        bad |= is_bad(plant, i);
-    }
-    uint16_t first = plant->model->states;
-    if (bad != 0) {
-        for (first = 0; is_bad(plant, first) == 0; first++) {
-        }
-    }
-    return first;
 }
 
 /* Updates the statistics of the violation. */
@@ -110,32 +80,22 @@ bool iso_loop_tick(iso_loop *const loop)
         loop->reported = iso_port_wait();
     }
     const uint32_t begin = iso_port_clock();
-    if (plant->model->drive != NULL) {
-        plant->model->drive(plant->memory, loop->tick);
-    }
+    iso_plant_drive(plant, loop->tick);
     iso_port_read(plant->u, plant->model->inputs);
     loop->tick++;
     loop->due += loop->period;
 
-    if (plant->before != NULL) {
-        memcpy(plant->before, plant->memory, plant->model->memory_bytes);
-    }
+    iso_plant_keep(plant);
     const uint32_t restarts = loop->statistics.restarts;
     const uint32_t before = iso_port_clock();
-    if (plant->model->jumped != NULL && plant->model->jumped(plant->memory)) {
-        plant->model->prime(plant->memory);
-        loop->statistics.restarts++;
-    }
-    plant->model->step(plant->memory);
+    iso_plant_step(plant, &loop->statistics.restarts);
     uint32_t after = iso_port_clock();
-    /* After a restart a second one would give the same step. */
-    if (plant->before != NULL && plant->progress->jumped && loop->statistics.restarts == restarts) {
-        step_again(plant);
+    if (iso_plant_step_again(plant, loop->statistics.restarts != restarts)) {
         loop->statistics.restarts++;
         after = iso_port_clock();
     }
 
-    loop->guard = guard(plant);
+    loop->guard = iso_plant_guard(plant);
     if (loop->guard < plant->model->states) {
         loop->statistics.restarts = restarts;
         return false;

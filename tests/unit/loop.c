@@ -345,6 +345,18 @@ static bool watched_jumped(void *const memory)
     return steps < 2;
 }
 
+static void watched_drive(void *const memory, const uint32_t tick)
+{
+    (void)memory;
+    watched_memory.u[0] = (real)tick;
+}
+
+static void watched_output(void *const memory)
+{
+    (void)memory;
+    watched_memory.y[0] = watched_memory.x[0] + watched_memory.u[0];
+}
+
 static void test_jump(void)
 {
     static const script costs = {.cost = {0, 10, 10, 20, 30, 50, 10}};
@@ -390,6 +402,55 @@ static void test_jump(void)
            "jump: a restart of a bad tick is not");
 }
 
+/* The loop without its port: a plant that is driven by iso_plant_tick ends in the same memory. */
+static void test_plant_tick(void)
+{
+    enum { TICKS = 7 };
+    static const script quiet;
+    const iso_model watched_model = {
+        .states = 2,
+        .start = start,
+        .range = range,
+        .memory_bytes = sizeof watched_memory,
+        .output = watched_output,
+        .drive = watched_drive,
+        .jumped = watched_jumped,
+        .prime = watched_prime,
+        .step = watched_step,
+    };
+    iso_plant watched = plant;
+    watched.model = &watched_model;
+    watched.memory = &watched_memory;
+    watched.x = watched_memory.x;
+    watched.y = watched_memory.y;
+    watched.u = watched_memory.u;
+    watched.p = watched_memory.p;
+    watched.progress = &watched_memory.progress;
+    watched.before = &watched_before;
+    events = &quiet;
+    steps = primed = 0;
+    iso_loop_start(&loop, &watched);
+    for (uint32_t i = 0; i < TICKS; i++) {
+        (void)iso_loop_tick(&loop);
+    }
+    static unsigned char by_loop[sizeof watched_memory];
+    memcpy(by_loop, &watched_memory, sizeof watched_memory);
+    const uint32_t made = steps, primes = primed;
+    steps = primed = 0;
+    iso_plant_start(&watched);
+    bool good = true;
+    for (uint32_t i = 0; i < TICKS; i++) {
+        good = good && iso_plant_tick(&watched, i) == watched_model.states;
+    }
+    tap_ok(good && memcmp(by_loop, &watched_memory, sizeof watched_memory) == 0 && watched_memory.y[0] != R(0.0),
+           "plant_tick: the same memory as by the loop");
+    tap_ok(steps == made && primed == primes && made > TICKS, "plant_tick: as many steps and restarts");
+    watched_memory.x[0] = iso_real_of(ISO_EXPONENT_BITS);
+    const real kept = watched_memory.y[0];
+    tap_ok(iso_plant_tick(&watched, TICKS) == 0 && watched_memory.y[0] == kept,
+           "plant_tick: the guard names the state");
+}
+
 int main(void)
 {
     test_start();
@@ -402,5 +463,6 @@ int main(void)
     test_range();
     test_violation();
     test_jump();
+    test_plant_tick();
     tap_done();
 }

@@ -1,0 +1,87 @@
+/* A tick of a plant, without a port: iso_plant_tick, and the parts of it between which a loop reads inputs and clock. */
+#ifndef ISO_CORE_RUNTIME_TICK_H
+#define ISO_CORE_RUNTIME_TICK_H
+
+#include "core/runtime/plant.h"
+
+/* 1. Sets the inputs that are functions of time to those of a tick. */
+static inline void iso_plant_drive(const iso_plant *const plant, const uint32_t tick)
+{
+    if (plant->model->drive != NULL) {
+        plant->model->drive(plant->memory, tick);
+    }
+}
+
+/* 2. Keeps all memory, with the inputs of the tick, for a step that is made again. */
+static inline void iso_plant_keep(const iso_plant *const plant)
+{
+    if (plant->before != NULL) {
+        memcpy(plant->before, plant->memory, plant->model->memory_bytes);
+    }
+}
+
+/* 3. Makes the step; with a new history, which is counted, if an input or a parameter jumped. */
+static inline void iso_plant_step(const iso_plant *const plant, uint32_t *const restarts)
+{
+    if (plant->model->jumped != NULL && plant->model->jumped(plant->memory)) {
+        plant->model->prime(plant->memory);
+        (*restarts)++;
+    }
+    plant->model->step(plant->memory);
+}
+
+/* 4. Makes the step again from where it began, with a new history, if a discontinuity was detected within it. After a
+ * restart the same step would come out again. Its error stays known, so that a plant with a discontinuity in every step
+ * does not restart in every tick. Returns whether it did. */
+static inline bool iso_plant_step_again(const iso_plant *const plant, const bool restarted)
+{
+    const bool again = plant->before != NULL && plant->progress->jumped && !restarted;
+    if (again) {
+        const iso_progress progress = *plant->progress;
+        memcpy(plant->memory, plant->before, plant->model->memory_bytes);
+        *plant->progress = progress;
+        plant->model->prime(plant->memory);
+        plant->model->step(plant->memory);
+    }
+    return again;
+}
+
+/* All ones if state i is not finite or out of its range, else zero; without a branch on it. */
+static inline iso_bits iso_plant_is_bad(const iso_plant *const plant, const uint16_t i)
+{
+    return iso_beyond(plant->x[i], plant->model->range == NULL ? ISO_REAL_MAX : plant->model->range[i]);
+}
+
+/* 5. The first state that is not finite or out of its range; model->states if there is none. The test of all is without
+ * a branch; the search is for the report only. */
+static inline uint16_t iso_plant_guard(const iso_plant *const plant)
+{
+    iso_bits bad = 0;
+    for (uint16_t i = 0; i < plant->model->states; i++) {
+        bad |= iso_plant_is_bad(plant, i);
+    }
+    uint16_t first = plant->model->states;
+    if (bad != 0) {
+        for (first = 0; iso_plant_is_bad(plant, first) == 0; first++) {
+        }
+    }
+    return first;
+}
+
+/* All of it, from `tick` (0 after iso_plant_start) to the next; inputs that are no functions of time are those in
+ * plant->u. Returns the guard: model->states if all is well; else the outputs stay as they were. */
+static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint32_t tick)
+{
+    iso_plant_drive(plant, tick);
+    iso_plant_keep(plant);
+    uint32_t restarts = 0;
+    iso_plant_step(plant, &restarts);
+    (void)iso_plant_step_again(plant, restarts > 0);
+    const uint16_t guard = iso_plant_guard(plant);
+    if (guard == plant->model->states) {
+        plant->model->output(plant->memory);
+    }
+    return guard;
+}
+
+#endif
