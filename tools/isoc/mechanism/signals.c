@@ -92,8 +92,10 @@ void build_parameters(builder *b)
         const value *resolved = &b->values.parameters[i];
         if (q->tunable) {
             const int index = made->parameter_count++;
-            made->parameters[index] = resolved->count == 0 ? (variable){.name = q->name.text}
-                                                           : parameter_of(b, q, resolved->of, made->defaults[index]);
+            made->parameters[index] = (variable){.name = q->name.text};
+            if (resolved->count > 0) {
+                made->parameters[index] = parameter_of(b, q, resolved->of, made->defaults[index]);
+            }
         }
     }
 }
