@@ -102,25 +102,8 @@ void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
     const iso_statistics *const statistics = &loop->statistics;
     const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
 
-    const uint32_t words[] = {
-        statistics->ticks,
-        statistics->late,
-        statistics->lost,
-        statistics->overruns,
-        (uint32_t)statistics->margin,
-        statistics->execution_min,
-        statistics->execution_max,
-        loop->guard,
-        loop->tick,
-        statistics->restarts,
-        adams->restarts,
-        adams->substeps,
-        adams->rejected,
-        adams->budget_bound,
-        adams->evaluations,
-        statistics->violated,
-        statistics->restart_max,
-    };
+#define STREAM_VALUE(name, value) value,
+    const uint32_t words[] = {ISO_STREAM_WORDS(STREAM_VALUE)};
 
     put_byte(ISO_STREAM_END);
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {

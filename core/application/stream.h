@@ -21,6 +21,26 @@
 
 enum { ISO_STREAM_ROW = 'r', ISO_STREAM_END = 'e', ISO_STREAM_BAIL_OUT = 'B' };
 
+/* The words of the end record in their order: what the reader calls them, and what the writer puts there. */
+#define ISO_STREAM_WORDS(X)                                                                                            \
+    X(ticks, statistics->ticks)                                                                                        \
+    X(late, statistics->late)                                                                                          \
+    X(lost, statistics->lost)                                                                                          \
+    X(overruns, statistics->overruns)                                                                                  \
+    X(margin, (uint32_t)statistics->margin)                                                                            \
+    X(execution_min, statistics->execution_min)                                                                        \
+    X(execution_max, statistics->execution_max)                                                                        \
+    X(guard, loop->guard)                                                                                              \
+    X(tick, loop->tick)                                                                                                \
+    X(restarts, statistics->restarts)                                                                                  \
+    X(adams_restarts, adams->restarts)                                                                                 \
+    X(substeps, adams->substeps)                                                                                       \
+    X(rejected, adams->rejected)                                                                                       \
+    X(budget_bound, adams->budget_bound)                                                                               \
+    X(evaluations, adams->evaluations)                                                                                 \
+    X(violated, statistics->violated)                                                                                  \
+    X(restart_max, statistics->restart_max)
+
 /* In place of a run: why there is none. */
 void iso_stream_bail_out(const char *why);
 

@@ -182,7 +182,7 @@ static void print_execution(const stream_end *const end, const char *const unit)
         printf("restart_execution %" PRIu32 " %s\n", end->restart_max, unit);
     }
     if (end->ticks > 0) {
-        printf("margin %" PRId32 " %s\n", end->margin, unit);
+        printf("margin %" PRId32 " %s\n", (int32_t)end->margin, unit);
     }
 }
 

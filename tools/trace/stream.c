@@ -150,17 +150,8 @@ static bool read_values(stream *const run, const uint64_t count)
 static bool read_end(stream *const run)
 {
     stream_end *const end = &run->end;
-    uint32_t margin = 0;
-    uint32_t *const words[] = {
-        &end->ticks,          &end->late,          &end->lost,     &end->overruns,     &margin,
-        &end->execution_min,  &end->execution_max, &end->guard,    &end->tick,         &end->restarts,
-        &end->adams_restarts, &end->substeps,      &end->rejected, &end->budget_bound, &end->evaluations,
-        &end->violated,       &end->restart_max,
-    };
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        *words[i] = (uint32_t)read_number(run->file, sizeof *words[i]);
-    }
-    end->margin = (int32_t)margin;
+#define STREAM_READ(name, value) end->name = (uint32_t)read_number(run->file, sizeof end->name);
+    ISO_STREAM_WORDS(STREAM_READ)
     end->execution_sum = read_number(run->file, sizeof end->execution_sum);
     end->hash = read_number(run->file, sizeof end->hash);
     return read_values(run, run->header.states + 2);

@@ -7,6 +7,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
+#include "core/application/stream.h"
+
 enum { STREAM_TEXT_BYTES = 65536, STREAM_VALUES_MAX = 65535 };
 
 /* What the header says. */
@@ -27,19 +29,8 @@ typedef struct stream_header {
 
 /* What the end record says. */
 typedef struct stream_end {
-    uint32_t ticks;
-    uint32_t late;
-    uint32_t lost;
-    uint32_t overruns;
-    int32_t margin;
-    uint32_t execution_min;
-    uint32_t execution_max;
-    uint32_t
-        guard; /* the first state that is not finite or out of range; as many as there are states if there is none */
-    uint32_t tick; /* where the run stopped */
-    uint32_t restarts, restart_max;
-    uint32_t adams_restarts, substeps, rejected, budget_bound, evaluations; /* of adams; zeros for another method */
-    uint32_t violated;
+#define STREAM_FIELD(name, value) uint32_t name;
+    ISO_STREAM_WORDS(STREAM_FIELD) /* margin is signed; guard: as many as there are states if none is bad */
     uint64_t execution_sum;
     uint64_t hash;
 } stream_end;
