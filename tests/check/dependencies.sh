@@ -8,10 +8,10 @@ project
 program=build/host/float/double_pendulum/double_pendulum
 scene=$out/project/models/double_pendulum.scene
 
-# state: names, sizes and dates of everything built, but for the table, which every run writes anew.
+# state: names, sizes and dates of everything built, but for the tables, which every run writes anew.
 state()
 {
-    (cd "$out/project" && find build -type f ! -name 'trace.csv*' -exec ls --full-time {} + | awk '{ print $5, $6, $7, $9 }' | sort -k 4)
+    (cd "$out/project" && find build -type f ! -name 'trace.csv*' ! -name 'units.csv*' -exec ls --full-time {} + | awk '{ print $5, $6, $7, $9 }' | sort -k 4)
 }
 
 # built FILE...: the last call made these anew; $before is the state before it.
