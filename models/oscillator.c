@@ -59,5 +59,5 @@ static void solve(real *restrict const d, const real *restrict const lu)
 
 static const iso_equations equations = {derivative, factor, solve, .factors = STATES * STATES};
 
-ISO_PLANT(STATES, INPUTS, PARAMETERS, OUTPUTS, .name = "oscillator", .output_names = "position,speed,energy",
-          .output_units = "m,m/s,J", .defaults = defaults, .drive = drive);
+ISO_PLANT(STATES, INPUTS, PARAMETERS, OUTPUTS, .name = "oscillator", .state_names = "position,speed",
+          .output_names = "position,speed,energy", .output_units = "m,m/s,J", .defaults = defaults, .drive = drive);

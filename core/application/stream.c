@@ -81,6 +81,7 @@ void iso_stream_header(const iso_plant *const plant, const uint64_t duration)
     put_hexadecimal("duration_ns", duration);
     put_hexadecimal("states", plant->model->states);
     put_hexadecimal("outputs", plant->model->outputs);
+    put_line("state_names", plant->model->state_names == NULL ? "" : plant->model->state_names);
     put_line("names", plant->model->output_names);
     put_line("units", plant->model->output_units == NULL ? "" : plant->model->output_units);
     put_byte('\n');

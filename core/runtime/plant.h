@@ -39,7 +39,8 @@ typedef struct iso_model {
     uint16_t inputs;
     uint16_t outputs;
     uint16_t parameters;
-    const char *output_names; /* separated by commas */
+    const char *state_names;  /* separated by commas; NULL where nobody knows */
+    const char *output_names; /* likewise; always known */
     const char *output_units; /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL where nobody knows */
     const real *start;        /* the state at tick 0 */
     const real *defaults;     /* of the parameters */

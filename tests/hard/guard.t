@@ -21,14 +21,16 @@ guarded()
 # finite outputs of the tick before, and the summary counts no more.
 stops()
 {
-    found=$(sed -n "s/^trace: guard state \([0-9]*\) at tick \([0-9]*\): it is $why\$/\1 \2/p" "$out/errors")
+    found=$(sed -n "s/^trace: guard state \([0-9]*\) [a-z_]* at tick \([0-9]*\): it is $why\$/\1 \2/p" "$out/errors")
     tick=${found#* }
-    [ $status -ne 0 ] && grep -q 'run. Error 1$' "$out/errors" && echo "$found" | grep -Eqx "$1 $2" &&
+    sed -n 's/^trace: guard state \([0-9]* [a-z_]*\) at .*/\1/p' "$out/errors" | grep -Eqx "$names" &&
+        [ $status -ne 0 ] && grep -q 'run. Error 1$' "$out/errors" && echo "$found" | grep -Eqx "$1 $2" &&
         [ "$(value ticks)" -eq $((tick - 1)) ] && [ "$(awk 'END { print NR - 1 }' "$csv")" -eq "$tick" ] &&
         ! tail -n 1 "$csv" | grep -Eqi 'nan|inf'
 }
 
 why='not finite'
+names='0 free|1 bushing|2 free_speed|3 bushing_speed'
 
 # stiff METHOD REAL
 stiff()
@@ -103,6 +105,7 @@ END
 
 # 950 rad in a tick: the 10th ends at 9500, the 11th at 10450 rad, beyond the domain of the sine.
 why='out of range'
+names='0 shaft'
 for method in rk4 ab4 bdf4 adams; do
     wheel 950000 '' $method
     stops 0 11

@@ -83,5 +83,5 @@ static void solve(real *restrict const d, const real *restrict const lu)
 
 static const iso_equations equations = {derivative, factor, solve, .factors = 8};
 
-ISO_PLANT(STATES, INPUTS, 0, STATES, .name = "guarded", .output_names = "free,bushing,free_speed,bushing_speed",
-          .drive = drive);
+ISO_PLANT(STATES, INPUTS, 0, STATES, .name = "guarded", .state_names = "free,bushing,free_speed,bushing_speed",
+          .output_names = "free,bushing,free_speed,bushing_speed", .drive = drive);

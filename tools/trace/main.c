@@ -357,8 +357,11 @@ int main(int argc, char **argv)
         fail("standard output", strerror(errno));
     }
     if (run.end.guard < run.header.states) {
+        static char name[STREAM_TEXT_BYTES];
         char text[DECIMAL_BYTES];
-        fprintf(stderr, "trace: guard state %" PRIu32 " at tick %" PRIu32 ": it is %s\n", run.end.guard, run.end.tick,
+        fprintf(stderr, "trace: guard state %" PRIu32 "%s%s at tick %" PRIu32 ": it is %s\n", run.end.guard,
+                run.header.state_names[0] == '\0' ? "" : " ", stream_state_name(&run, run.end.guard, name),
+                run.end.tick,
                 isfinite(strtod(stream_value(&run, run.end.guard, text), NULL)) ? "out of range" : "not finite");
         return EXIT_FAILURE;
     }

@@ -49,9 +49,13 @@ static bool parse_field(stream_header *const header, const char *const key, cons
         char *text;
         size_t bytes;
     } texts[] = {
-        {"scene", header->scene, sizeof header->scene}, {"method", header->method, sizeof header->method},
-        {"step", header->step, sizeof header->step},    {"real", header->real, sizeof header->real},
-        {"names", header->names, sizeof header->names}, {"units", header->units, sizeof header->units},
+        {"scene", header->scene, sizeof header->scene},
+        {"method", header->method, sizeof header->method},
+        {"step", header->step, sizeof header->step},
+        {"real", header->real, sizeof header->real},
+        {"names", header->names, sizeof header->names},
+        {"units", header->units, sizeof header->units},
+        {"state_names", header->state_names, sizeof header->state_names},
     };
     const struct {
         const char *key;
@@ -93,7 +97,8 @@ static bool check_header(stream *const run)
     header->step_size = strtod(header->step, NULL);
     if (header->real_bytes == 0 || !(header->step_size > 0) || header->period_ns == 0 ||
         header->states > STREAM_VALUES_MAX || header->outputs > STREAM_VALUES_MAX ||
-        (header->units[0] != '\0' && commas(header->units) != commas(header->names))) {
+        (header->units[0] != '\0' && commas(header->units) != commas(header->names)) ||
+        (header->state_names[0] != '\0' && commas(header->state_names) + 1 != header->states)) {
         return fail(run, "the header of the run makes no sense");
     }
     return true;
@@ -201,4 +206,14 @@ const char *stream_value(const stream *const run, const size_t i, char *const te
     double value = 0;
     memcpy(&value, &bits, sizeof value);
     return decimal_of_double(value, text);
+}
+
+const char *stream_state_name(const stream *const run, const size_t i, char *const text)
+{
+    const char *name = run->header.state_names;
+    for (size_t before = 0; before < i && *name != '\0'; name++) {
+        before += *name == ',';
+    }
+    snprintf(text, STREAM_TEXT_BYTES, "%.*s", (int)strcspn(name, ","), name);
+    return text;
 }

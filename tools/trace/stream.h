@@ -17,10 +17,11 @@ typedef struct stream_header {
     char method[16];
     char step[64];
     char real[16];
-    char names[STREAM_TEXT_BYTES]; /* of the outputs, separated by commas */
-    char units[STREAM_TEXT_BYTES]; /* as many; empty where nobody knows them */
-    double step_size;              /* s */
-    size_t real_bytes;             /* 4 or 8 */
+    char state_names[STREAM_TEXT_BYTES]; /* separated by commas; empty where nobody knows them */
+    char names[STREAM_TEXT_BYTES];       /* of the outputs */
+    char units[STREAM_TEXT_BYTES];       /* as many; empty where nobody knows them */
+    double step_size;                    /* s */
+    size_t real_bytes;                   /* 4 or 8 */
     uint64_t period_ns;
     uint64_t duration_ns; /* 0: no end */
     uint64_t states;
@@ -51,6 +52,9 @@ bool stream_read_header(stream *run);
 
 /* Reads the next record: a row into values, or the end into end and values. */
 stream_record stream_read(stream *run);
+
+/* The name of state i, or an empty one; text[STREAM_TEXT_BYTES]. */
+const char *stream_state_name(const stream *run, size_t i, char *text);
 
 /* Value i of values as the shortest decimal that reads back; text[DECIMAL_BYTES]. */
 const char *stream_value(const stream *run, size_t i, char *text);

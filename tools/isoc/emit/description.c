@@ -44,12 +44,24 @@ static void add_if(emission *e, bool wanted, const char *line)
     text_add(e->out, "%s", wanted ? line : "");
 }
 
+/* The names of the states: what the guard calls them. */
+static const char *const *state_names(emission *e)
+{
+    const char **names = arena_take(e->out->memory, (size_t)state_count(e->p->m), sizeof *names);
+    for (int i = 0; i < state_count(e->p->m); i++) {
+        names[i] = e->names->states[i].about.name;
+    }
+    return names;
+}
+
 void emit_model(emission *e)
 {
     const plant *p = e->p;
     const mechanism *m = p->m;
     const char *seconds = code_literal(e->out->memory, m->step, true); /* R(0.001) */
     const char *capitals = e->names->capitals;
+    const char *const *names_of_states = state_names(e);
+    emit_long_list(e, "state_names", names_of_states, state_count(m));
     emit_long_list(e, "output_names", p->output_names, p->output_count);
     emit_long_list(e, "output_units", p->output_units, p->output_count);
     text_add(e->out, "const iso_model %s_model = {\n", e->names->prefix);
@@ -60,6 +72,7 @@ void emit_model(emission *e)
     add_if(e, m->input_count > 0, arena_format(e->out->memory, "    .inputs = %s_INPUTS,\n", capitals));
     text_add(e->out, "    .outputs = %s_OUTPUTS,\n", capitals);
     add_if(e, m->parameter_count > 0, arena_format(e->out->memory, "    .parameters = %s_PARAMETERS,\n", capitals));
+    emit_list(e, "state_names", names_of_states, state_count(m));
     emit_list(e, "output_names", p->output_names, p->output_count);
     emit_list(e, "output_units", p->output_units, p->output_count);
     text_add(e->out, "    .start = start,\n");
