@@ -174,7 +174,7 @@ found "a word of an error" tools/isoc/README.md "s/did you mean 'kg'/did you mea
 found "a command that was not run" README.md 's/^\$ make run.*/& SECONDS=3/'
 found "a link to nothing" README.md 's|(port/port.h)|(port/ports.h)|'
 found "a link to a heading that is not there" README.md 's|#the-summary-of-a-run|#the-summary|'
-sed 's/cart\.model->step/cart.model->stop/' README.md >"$out/changed.md"
+sed 's/iso_plant_tick(/iso_plant_tock(/' README.md >"$out/changed.md"
 write_code "$out/changed.md"
 ! try README.md "$(commands README.md | grep -F './a.out')"
 result $? "found: code that does not compile"
