@@ -21,8 +21,8 @@ planted()
     result $? "found in $1: $2 changed into $3"
 }
 
-mkdir -p "$out/tree/core"
-cp core/numbers/real.h core/numbers/sincos.h "$out/tree/core"
+mkdir -p "$out/tree/core/numbers"
+cp core/numbers/real.h core/numbers/sincos.h "$out/tree/core/numbers"
 measure "" 1009 && grep -qx 1..3 "$out/tap"
 result $? "the copy is good in float"
 measure -DISO_REAL_DOUBLE 1009 && grep -qx 1..3 "$out/tap"
