@@ -85,7 +85,7 @@ for method in ab4 abm4 abm4_pec abm4_pecece bdf4; do
     done
 done
 
-# noisy SIZE: the longest step of the plant that longest_step left in build/cost/adams, with noise of many sizes in its slopes;
+# noisy SIZE: the longest step of the plant that longest_step left in build/cost/adams, with noise of many sizes in its derivatives;
 # where there is any, each tick begins at the same place, since the sum would leave the domain of the sine. Marsaglia (2003),
 # Xorshift RNGs.
 noisy()

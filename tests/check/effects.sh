@@ -99,7 +99,7 @@ while IFS= read -r effect; do
     "continuous, output of turns") holds "$effect" "" 40 "$name" ;;
     "output of acceleration") holds "$effect" range 36 "$name" ;;
     "output of a point's velocity") holds "$effect" range 44 "$name" ;;
-    # What rounding took of two states; five sums of slopes of two states, and four words of progress.
+    # What rounding took of two states; five sums of derivatives of two states, and four words of progress.
     "compensated sums") holds "$effect" range 40 "$name" ;;
     "steps checked") holds "$effect" "prime range" 88 "$name" ;;
     *) holds "$effect" range 32 "$name" ;;
@@ -115,7 +115,7 @@ for method in euler heun ab4; do
 done
 holds euler range 32 euler
 holds heun range 32 heun
-# Three older slopes of two states.
+# Three older derivatives of two states.
 holds "ab4, the method with a history" "prime range" 56 ab4
 
 # lists LINE...: the verdict of the table of costs, when every program measures so.

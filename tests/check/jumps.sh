@@ -62,7 +62,7 @@ for method in ab4 abm4 abm4_pec abm4_pecece bdf4; do
     cart ""
     push "$method" REAL=double && [ -z "$(value restarts)" ] && without=$(off)
     expect $? "without either nothing is a jump"
-    # Weights 55, -59, 37, -9 over 24 on a slope that jumps in between add half a step of impulse too much, h F / 2 m =
+    # Weights 55, -59, 37, -9 over 24 on a derivative that jumps in between add half a step of impulse too much, h F / 2 m =
     # 1e-3 m/s or 1e-4 m in place.
     awk -v without="$without" 'BEGIN { exit !(without > 5e-5) }'
     expect $? "control: $method, with a history from before, is $without m off"

@@ -97,7 +97,7 @@ sed 's/^step .*/step 500 ms/' models/double_pendulum.scene >"$out/elsewhere/wild
 ! run SCENE="$PWD/$out/elsewhere/wild.scene" METHOD=euler STEP=500ms SECONDS=2000
 expect $? "status not 0 when the state leaves the finite numbers"
 
-# Ticks that go wrong: the account is exact, and the trajectory is the same.
+# Ticks that go wrong: the statistics are exact, and the trajectory is the same.
 cat >"$out/script" <<'S'
 late 5 300us
 lose 20

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The loop's account tells how far a run was off its closures, and how many ticks were farther off than the scene's
+# The loop's statistics tell how far a run was off its closures, and how many ticks were farther off than the scene's
 # limit; without a limit nothing of it is there. A four-bar linkage whose constraints drift, since nothing holds them.
 . tests/host/test.sh
 . tests/host/project.sh
@@ -60,7 +60,7 @@ expect $? "a run on the board"
 cheap=$cost
 runs limited TARGET=cortex-m4f && [ "$cost" = "$cheap" ] && [ "$hash" = "$known" ] &&
     [ "$(value violation) $(value violated)" = "$(seen 2e-5)" ]
-expect $? "on the board a limit costs the step nothing, and the account is the same"
+expect $? "on the board a limit costs the step nothing, and the statistics are the same"
 
 m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
 for name in free limited; do

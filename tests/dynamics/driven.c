@@ -120,7 +120,7 @@ static void disc(const wide t, wide y[OUTPUTS])
     y[SWING] = (1.0L + push.c[0] + 3.0L * t) / 2.0L;
 }
 
-/* How far output i is off; the mate but for whole turns. */
+/* How far output i is off; the mate up to whole turns. */
 static wide error_of(const int i, const wide wanted)
 {
     const wide turned = i == ANGLE ? 2.0L * PI * (wide)iso_the_plant.y[TURNS] : 0.0L;

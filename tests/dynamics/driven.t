@@ -55,7 +55,7 @@ whole=$("$out/rk4-whole.run" lift) && between=$("$out/between.run" lift) &&
     awk -v a="$between" -v b="$whole" 'BEGIN { exit !(a > 100 * b) }'
 result $? "control: where a ramp's points lie between the steps of 160 us, the lift is off by $between, not $whole"
 
-# A gear whose ratio is one of whole numbers holds the angles of continuous joints, but for whole turns; any other only their
+# A gear whose ratio is one of whole numbers holds the angles of continuous joints, up to whole turns; any other only their
 # speeds, so that what is pulled off stays off.
 back=$("$out/rk4-whole.run" pulled) && awk -v off="$back" 'BEGIN { exit !(off ~ /^[0-9]/ && off <= 1e-8) }'
 result $? "a geared spindle that was turned by 0.01 rad comes back to $back"

@@ -11,7 +11,7 @@ enum { STATES = 4, RATIOS_MAX = 1 << 16 };
 /* x after so many steps of h, as exact as the reference of a step is. */
 void solution(real x[STATES], real h, int steps);
 
-/* A step from x, with the carry of its sums. */
+/* A step from x, with the compensation of its sums. */
 typedef struct watch {
     real x[STATES], compensation[STATES], exact[STATES];
 } watch;

@@ -60,7 +60,7 @@ verdict()
 {
     build/isoc "$2" -o "$out/chosen" >"$out/summary" && awk -v wanted="$1" '
         $1 == "formulation" && $3 == "kept" { kept = $5 + $7 + 14 * $9; name = $2 }
-        $1 == "formulation" && $3 == "left" { price = $5 + $7 + 14 * $9; left = left == "" || price < left ? price : left }
+        $1 == "formulation" && $3 == "left" { cost = $5 + $7 + 14 * $9; left = left == "" || cost < left ? cost : left }
         $1 == "derivative" { used = $3 + $5 + 14 * $7 }
         END { exit !(name == wanted && kept <= left && kept == used) }' "$out/summary"
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The price of a generated plant: instructions of an rk4 step beside those of a plant written by hand with the same
+# The cost of a generated plant: instructions of an rk4 step beside those of a plant written by hand with the same
 # kernel, on the host in double (callgrind); operations of a derivative beside a published count; instructions of a step
 # on the Cortex-M4F.
 . tests/host/test.sh
@@ -52,7 +52,7 @@ by_method()
     EXTRA="-DISO_METHOD=ISO_$(echo "$1" | tr a-z A-Z) -DISO_METHOD_NAME=$1" program "$1.run" tests/handwritten/count.c "$2"
 }
 
-# beyond METHOD EVALUATIONS: steps of the double pendulum by hand: what isoc saves in an evaluation is no price of a method.
+# beyond METHOD EVALUATIONS: steps of the double pendulum by hand: what isoc saves in an evaluation is no cost of a method.
 beyond()
 {
     by_method "$1" tests/handwritten/double_pendulum.c

@@ -17,7 +17,7 @@ static void test_advance(void)
            "advance: for a check the sum of the derivatives is taken from the increment");
 }
 
-/* x and carry after x + dx: what rounding takes from the sum is all in the carry. */
+/* x and compensation after x + dx: what rounding takes from the sum is all in the compensation. */
 static void split(const real from, const real dx, const real sum, const real rest, const char *const name)
 {
     real x = from, compensation = R(0.0);
@@ -65,7 +65,7 @@ static void test_many(void)
     tap_same(x, R(1.0) + (real)(MANY / 8) * ISO_REAL_EPSILON, "compensated: a million small increments are all there");
     tap_same(compensation, R(0.0), "compensated: and nothing is left");
 
-    /* A carry is at most an epsilon here, and its own rounding half an epsilon of that: a million times, below an
+    /* A compensation is at most an epsilon here, and its own rounding half an epsilon of that: a million times, below an
      * eighth of an epsilon. The result and what it is compared with are rounded once each. */
     const real small = R(0.0838861) * ISO_REAL_EPSILON;
     x = R(1.0);

@@ -1,4 +1,4 @@
-/* core/runtime/loop.h over a port whose every tick is scripted: the account must be exact to the count.
+/* core/runtime/loop.h over a port whose every tick is scripted: the statistics must be exact to the count.
  *
  * The file under test is compiled into this one with the port's functions renamed, so that the same test runs beside
  * any port.
