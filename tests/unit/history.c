@@ -65,8 +65,8 @@ static void test_many(void)
     tap_same(x, R(1.0) + (real)(MANY / 8) * ISO_REAL_EPSILON, "compensated: a million small increments are all there");
     tap_same(compensation, R(0.0), "compensated: and nothing is left");
 
-    /* A compensation is at most an epsilon here, and its own rounding half an epsilon of that: a million times, below an
-     * eighth of an epsilon. The result and what it is compared with are rounded once each. */
+    /* A compensation is at most an epsilon here, and its own rounding half an epsilon of that: a million times, below
+     * an eighth of an epsilon. The result and what it is compared with are rounded once each. */
     const real small = R(0.0838861) * ISO_REAL_EPSILON;
     x = R(1.0);
     compensation = R(0.0);
