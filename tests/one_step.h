@@ -4,14 +4,14 @@
 
 #include "core/methods/explicit.h"
 
-/* Of any table; for the local error of the step before, where steps are checked. */
-ISO_INLINE real one_explicit_step(const iso_tableau *const table, const iso_history *const history,
+/* Of any tableau; for the local error of the step before, where steps are checked. */
+ISO_INLINE real one_explicit_step(const iso_tableau *const tableau, const iso_history *const history,
                                   iso_derivative *const f, const real h, const real *const u, const real *const p,
                                   real *const work)
 {
     iso_step step = {.history = history, .f = f, .h = h, .u = u, .p = p, .work = work};
     iso_step_begin(&step, R(0.0));
-    iso_explicit_step(table, &step);
+    iso_explicit_step(tableau, &step);
     return step.error;
 }
 
