@@ -1,6 +1,7 @@
 #include "core/application/stream.h"
 
 #include "core/methods/adams.h"
+#include "core/numbers/unroll.h"
 
 #include "port/port.h"
 
@@ -15,7 +16,7 @@ static void flush(void)
     used = 0;
 }
 
-static void put_byte(const uint8_t byte)
+ISO_APART static void put_byte(const uint8_t byte)
 {
     if (used == BUFFER_BYTES) {
         flush();
@@ -23,7 +24,7 @@ static void put_byte(const uint8_t byte)
     trace_buffer[used++] = byte;
 }
 
-static void put_number(uint64_t number, const size_t bytes)
+ISO_APART static void put_number(uint64_t number, const size_t bytes)
 {
     for (size_t i = 0; i < bytes; i++) {
         put_byte((uint8_t)(number & 0xFF));
@@ -45,7 +46,7 @@ static void put_text(const char *text)
     }
 }
 
-static void put_line(const char *const key, const char *const value)
+ISO_APART static void put_line(const char *const key, const char *const value)
 {
     put_text(key);
     put_byte(' ');
@@ -72,18 +73,24 @@ void iso_stream_bail_out(const char *const why)
 
 void iso_stream_header(const iso_plant *const plant, const uint64_t duration)
 {
+    const iso_model *const model = plant->model;
+#define STREAM_TEXT(key, value) {#key, value},
+    const struct {
+        const char *key, *value;
+    } texts[] = {ISO_STREAM_TEXTS(STREAM_TEXT)};
+#define STREAM_NUMBER(key, value) {#key, value},
+    const struct {
+        const char *key;
+        uint64_t value;
+    } numbers[] = {ISO_STREAM_NUMBERS(STREAM_NUMBER)};
+
     put_text(ISO_STREAM_VERSION "\n");
-    put_line("scene", plant->model->name);
-    put_line("method", plant->model->method);
-    put_line("step", plant->model->step_text);
-    put_line("real", sizeof(real) == sizeof(float) ? "float" : "double");
-    put_hexadecimal("period_ns", plant->model->period_ns);
-    put_hexadecimal("duration_ns", duration);
-    put_hexadecimal("states", plant->model->states);
-    put_hexadecimal("outputs", plant->model->outputs);
-    put_line("state_names", plant->model->state_names == NULL ? "" : plant->model->state_names);
-    put_line("names", plant->model->output_names);
-    put_line("units", plant->model->output_units == NULL ? "" : plant->model->output_units);
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        put_line(texts[i].key, texts[i].value == NULL ? "" : texts[i].value);
+    }
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        put_hexadecimal(numbers[i].key, numbers[i].value);
+    }
     put_byte('\n');
     flush();
 }

@@ -21,6 +21,22 @@
 
 enum { ISO_STREAM_ROW = 'r', ISO_STREAM_END = 'e', ISO_STREAM_BAIL_OUT = 'B' };
 
+/* The lines of the header: their keys, by which the reader knows them, and their values; a text that nobody knows is NULL.
+ */
+#define ISO_STREAM_TEXTS(X)                                                                                            \
+    X(scene, model->name)                                                                                              \
+    X(method, model->method)                                                                                           \
+    X(step, model->step_text)                                                                                          \
+    X(real, sizeof(real) == sizeof(float) ? "float" : "double")                                                        \
+    X(state_names, model->state_names)                                                                                 \
+    X(names, model->output_names)                                                                                      \
+    X(units, model->output_units)
+#define ISO_STREAM_NUMBERS(X)                                                                                          \
+    X(period_ns, model->period_ns)                                                                                     \
+    X(duration_ns, duration)                                                                                           \
+    X(states, model->states)                                                                                           \
+    X(outputs, model->outputs)
+
 /* The words of the end record in their order: what the reader calls them, and what the writer puts there. */
 #define ISO_STREAM_WORDS(X)                                                                                            \
     X(ticks, statistics->ticks)                                                                                        \

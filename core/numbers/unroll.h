@@ -1,6 +1,6 @@
 /* Hints for speed; they change no bit. ISO_UNROLL before a loop: unroll it if its count is known. ISO_INLINE before a
  * function: inline it, so that constants of its callers are constants in it. ISO_FLAT before a function: inline all that
- * it calls. */
+ * it calls. ISO_APART before a function: inline it nowhere, since its bytes count and its time does not. */
 #ifndef ISO_CORE_NUMBERS_UNROLL_H
 #define ISO_CORE_NUMBERS_UNROLL_H
 
@@ -12,5 +12,6 @@
 
 #define ISO_INLINE static inline __attribute__((always_inline))
 #define ISO_FLAT __attribute__((flatten))
+#define ISO_APART __attribute__((noinline))
 
 #endif

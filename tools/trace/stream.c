@@ -44,28 +44,17 @@ static bool parse_text(const char *const value, char *const text, const size_t b
 
 static bool parse_field(stream_header *const header, const char *const key, const char *const value)
 {
+#define STREAM_TEXT(key, value) {#key, header->key, sizeof header->key},
     const struct {
         const char *key;
         char *text;
         size_t bytes;
-    } texts[] = {
-        {"scene", header->scene, sizeof header->scene},
-        {"method", header->method, sizeof header->method},
-        {"step", header->step, sizeof header->step},
-        {"real", header->real, sizeof header->real},
-        {"names", header->names, sizeof header->names},
-        {"units", header->units, sizeof header->units},
-        {"state_names", header->state_names, sizeof header->state_names},
-    };
+    } texts[] = {ISO_STREAM_TEXTS(STREAM_TEXT)};
+#define STREAM_NUMBER(key, value) {#key, &header->key},
     const struct {
         const char *key;
         uint64_t *number;
-    } numbers[] = {
-        {"period_ns", &header->period_ns},
-        {"duration_ns", &header->duration_ns},
-        {"states", &header->states},
-        {"outputs", &header->outputs},
-    };
+    } numbers[] = {ISO_STREAM_NUMBERS(STREAM_NUMBER)};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         if (strcmp(key, texts[i].key) == 0) {
             return parse_text(value, texts[i].text, texts[i].bytes);

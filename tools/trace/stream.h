@@ -22,10 +22,8 @@ typedef struct stream_header {
     char units[STREAM_TEXT_BYTES];       /* as many; empty where nobody knows them */
     double step_size;                    /* s */
     size_t real_bytes;                   /* 4 or 8 */
-    uint64_t period_ns;
-    uint64_t duration_ns; /* 0: no end */
-    uint64_t states;
-    uint64_t outputs;
+#define STREAM_HEADER_NUMBER(key, value) uint64_t key;
+    ISO_STREAM_NUMBERS(STREAM_HEADER_NUMBER) /* duration_ns is 0 where there is no end */
 } stream_header;
 
 /* What the end record says. */
