@@ -109,7 +109,7 @@ result $? "found: a variant with another number of tests"
 
 # A machine that lacks a tool, with a package manager and a user that are made up.
 mkdir -p "$out/bin"
-for tool in sh cut tr cat uname env ln mkdir tail perl prove grep arm-none-eabi-gcc qemu-system-arm valgrind \
+for tool in sh cut tr cat uname env ln mkdir tail perl prove grep g++ patch flock arm-none-eabi-gcc qemu-system-arm valgrind \
     clang-format cppcheck gnuplot dot as ld "$CC"; do
     ln -sf "$(command -v "$tool")" "$out/bin/$tool"
 done
