@@ -50,13 +50,13 @@ watch()
         valgrind --quiet "$folder/program" 2>"$folder/errors"
 }
 
-# Every method on the models that are tried in depth, rk4 on the others; in double, and with a check and compensation, on
-# one that has all kinds of joints.
+# On the models that are tried in depth every kernel, of methods that share one each by turns, and rk4 on all; every method
+# in double, and with a check and compensation, on one that has all kinds of joints.
 batch float float
 { cat models/tree.scene && printf 'checked yes\ncompensated yes\n'; } >"$out/tree_checked.scene"
 for method in $METHODS; do
     for scene in $(models "$method"); do
-        if [ "$method" = rk4 ] || in_depth "$scene"; then
+        if [ "$method" = rk4 ] || { in_depth "$scene" && has_turn "$scene" "$method"; }; then
             generated "$scene" "$method"
         fi
     done

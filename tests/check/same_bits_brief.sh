@@ -8,19 +8,6 @@
 begin check/same_bits_brief
 . tests/host/bits.sh
 
-# has_turn SCENE METHOD: whether the method shares no kernel, or it is the scene's turn. What is tried with rk4 alone has it.
-has_turn()
-{
-    case $2 in
-    euler | heun | rk4) sharing='euler heun rk4' ;;
-    abm4 | abm4_pec | abm4_pecece) sharing='abm4 abm4_pec abm4_pecece' ;;
-    *) return 0 ;;
-    esac
-    models euler | grep -qxF "$1" || return 0
-    turn=$(models euler | grep -nxF "$1" | cut -d : -f 1)
-    [ "$(echo "$sharing" | cut -d ' ' -f $((turn % 3 + 1)))" = "$2" ]
-}
-
 for place in "host sim $CC -O0" "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
     # shellcheck disable=SC2086
     variant $place
