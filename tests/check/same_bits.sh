@@ -1,7 +1,8 @@
 #!/bin/sh
 # One hash per scene and method, on the host and on the Cortex-M4F, where every step also takes the same number of instructions:
 # the models that are tried in depth. The others: same_bits_brief.sh; other compilers, and the host with optimisation, which
-# changes no bit and compiles for longer: same_bits_compilers.sh.
+# changes no bit and compiles for longer: same_bits_compilers.sh. Three plants are tried with every method, the others with
+# rk4 and one of those that share a kernel, by turns.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/same_bits
@@ -13,9 +14,10 @@ for place in "host sim $CC -O0" "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps
     result $? "$variant: core and port compile"
     for method in $METHODS; do
         for scene in $(models "$method") models/oscillator.c; do
-            if [ $scene = models/oscillator.c ] || in_depth "$scene"; then
-                same "$scene" "$method"
-            fi
+            case $scene in
+            models/oscillator.c | models/tree.scene | models/double_pendulum.scene) same "$scene" "$method" ;;
+            *) ! in_depth "$scene" || { [ "$method" != rk4 ] && ! has_turn "$scene" "$method"; } || same "$scene" "$method" ;;
+            esac
         done
     done
 done
@@ -23,7 +25,7 @@ done
 # Of methods that differ by more than rounding: a second correction may change no bit of a float.
 told=$(ls "$out"/hash/*-euler "$out"/hash/*-heun "$out"/hash/*-rk4 "$out"/hash/*-ab4)
 # shellcheck disable=SC2086
-[ "$(echo "$told" | wc -l)" -ge 32 ] && [ "$(cat $told | sort -u | wc -l)" -eq "$(echo "$told" | wc -l)" ]
+[ "$(echo "$told" | wc -l)" -ge 22 ] && [ "$(cat $told | sort -u | wc -l)" -eq "$(echo "$told" | wc -l)" ]
 result $? "the hash tells models and methods apart"
 
 # What make runs is no other program.
