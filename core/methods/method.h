@@ -151,6 +151,15 @@ static inline iso_history iso_history_of(const unsigned recipe, const size_t n, 
     return history;
 }
 
+/* A step or its priming, as a kernel takes it. */
+ISO_INLINE iso_step iso_step_of(const unsigned recipe, const iso_history *const history, const iso_equations *const eq,
+                                const real h, const real *const u, const real *const p, real *const lu,
+                                real *const work, iso_progress *const progress)
+{
+    return (iso_step){history, eq,      eq->derivative, h, u, p, lu, work, (uint8_t)ISO_ITERATIONS_OF(recipe),
+                      R(0.0),  progress};
+}
+
 /* Advances the n states of x[ISO_METHOD_STATE(recipe, n)] by h with u and p held. lu[eq->factors] only for implicit
  * methods, work[ISO_METHOD_WORK(recipe, n)]; progress where ISO_HAS_PROGRESS(recipe), of adams an iso_adams_state. */
 ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso_equations *const eq, const real h,
@@ -158,8 +167,7 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
                                 real *const work, iso_progress *const progress)
 {
     const iso_history history = iso_history_of(recipe, n, x);
-    iso_step step = {&history, eq,      eq->derivative, h, u, p, lu, work, (uint8_t)ISO_ITERATIONS_OF(recipe),
-                     R(0.0),   progress};
+    iso_step step = iso_step_of(recipe, &history, eq, h, u, p, lu, work, progress);
     switch (ISO_METHOD_OF(recipe)) {
 #define ISO_STEP_CASE(r, m, name, order, f, j, s, past, vectors, prime, sums, products, kind, gamma, kernel, primes)   \
     case m:                                                                                                            \
@@ -187,8 +195,7 @@ ISO_INLINE void iso_method_prime(const unsigned recipe, const size_t n, const is
                                  real *const work, iso_progress *const progress)
 {
     const iso_history history = iso_history_of(recipe, n, x);
-    iso_step step = {&history, eq,      eq->derivative, h, u, p, lu, work, (uint8_t)ISO_ITERATIONS_OF(recipe),
-                     R(0.0),   progress};
+    iso_step step = iso_step_of(recipe, &history, eq, h, u, p, lu, work, progress);
     if (ISO_IS_PRIMED(recipe)) {
         switch (ISO_METHOD_OF(recipe)) {
 #define ISO_PRIME_CASE(r, m, name, order, f, j, s, past, vectors, prime, sums, products, kind, gamma, kernel, primes)  \
