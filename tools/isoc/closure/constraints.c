@@ -272,7 +272,7 @@ static void hold_on_line(const pair *p, constraints *to, int a)
 
 static void hold_ball(const pair *p, constraints *to, int a)
 {
-    const vector n = column(p->parent.axes, a);
+    const vector n = vector_scale(p->k->g, constant(p->k->g, p->c->sign), column(p->parent.axes, a));
     hold_along(p, to, n, p->c->length, false, part_name(p, "height"));
     hold_rolling(p, to, column(p->parent.axes, (a + 1) % 3), n, part_name(p, "slip_1"));
     hold_rolling(p, to, column(p->parent.axes, (a + 2) % 3), n, part_name(p, "slip_2"));

@@ -44,10 +44,10 @@ static bool build_end(builder *b, const placement *p, matrix aligned, cut_end *e
 /* Between two bodies. */
 static bool build_between(builder *b, const closure *written, cut *made)
 {
-    double axis[3], sign;
+    double axis[3];
     matrix aligned = matrix_identity(b->g);
     if (written->axis != NULL && unit_axis(b, written->axis, axis)) {
-        aligned = align(b->g, axis, &made->axis, &sign);
+        aligned = align(b->g, axis, &made->axis, &made->sign);
     }
     bool good = build_end(b, &written->parent, aligned, &made->parent);
     good = build_end(b, &written->child, aligned, &made->child) && good;
@@ -141,7 +141,7 @@ static bool build_gear(builder *b, const closure *written, cut *made)
 static void build_closure(builder *b, const closure *written)
 {
     const node zero = constant(b->g, 0.0);
-    cut made = {.name = written->name.text, .at = written->name.at, .kind = written->kind, .base = GROUND};
+    cut made = {.name = written->name.text, .at = written->name.at, .kind = written->kind, .base = GROUND, .sign = 1.0};
     made.length = made.ratio = made.motion = made.motion_rate = made.motion_bias = made.whole = zero;
     if (written->broken) {
         return;

@@ -88,6 +88,7 @@ typedef struct cut {
     cut_end parent, child; /* of a gear or a motion: only the links, first and second */
     int base;              /* the last common ancestor of both sides, or GROUND */
     int axis;              /* 0, 1, 2: of the frames */
+    double sign;           /* the closure's axis is sign * e_axis */
     node length;           /* distance; radius; what a gear or a motion starts at */
     node ratio;
     node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
