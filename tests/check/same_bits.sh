@@ -8,19 +8,15 @@
 begin check/same_bits
 . tests/host/bits.sh
 
-for place in "host sim $CC -O0" "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
-    # shellcheck disable=SC2086
-    variant $place
-    result $? "$variant: core and port compile"
-    for method in $METHODS; do
-        for scene in $(models "$method") models/oscillator.c; do
-            case $scene in
-            models/oscillator.c | models/tree.scene | models/double_pendulum.scene) same "$scene" "$method" ;;
-            *) ! in_depth "$scene" || { [ "$method" != rk4 ] && ! has_turn "$scene" "$method"; } || same "$scene" "$method" ;;
-            esac
-        done
-    done
-done
+# wanted SCENE METHOD
+wanted()
+{
+    case $1 in
+    models/oscillator.c | models/tree.scene | models/double_pendulum.scene) ;;
+    *) in_depth "$1" && { [ "$2" = rk4 ] || has_turn "$1" "$2"; } ;;
+    esac
+}
+everywhere
 
 # Of methods that differ by more than rounding: a second correction may change no bit of a float.
 told=$(ls "$out"/hash/*-euler "$out"/hash/*-heun "$out"/hash/*-rk4 "$out"/hash/*-ab4)

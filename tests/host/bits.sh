@@ -4,6 +4,7 @@
 # variant is the one that all others must have.
 
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
+[ -n "$METHODS" ] || result 1 "build/isoc lists the methods"
 mkdir -p "$out/hash" "$out/plant" "$out/run"
 
 # of_port PORT VARIABLE: its value in port.mk.
@@ -110,4 +111,19 @@ same()
         counted "$2"
         expect $? "$plant, $2: $(value instructions_per_step) instructions on every step"
     }
+}
+
+# everywhere: on the host, without optimisation, and on the Cortex-M4F, the plants and methods that the script's `wanted` says.
+everywhere()
+{
+    for place in "host sim $CC -O0" "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
+        # shellcheck disable=SC2086
+        variant $place
+        result $? "$variant: core and port compile"
+        for method in $METHODS; do
+            for scene in $(models "$method") models/oscillator.c; do
+                ! wanted "$scene" "$method" || same "$scene" "$method"
+            done
+        done
+    done
 }
