@@ -29,10 +29,13 @@ value time_of_formula(values *v, const formula *f)
     return refuses_time(v, f) ? nothing : scalar(timed(v->g, OP_TIME, 0.0, v->step), second);
 }
 
-/* sin(3 Hz), sin(3 Hz, 90 deg), sin(2 rad/s): a phase that grows with the ticks. */
-static value evaluate_wave(values *v, const formula *f)
+/* A phase that grows with the ticks. */
+value wave_of_formula(values *v, const formula *f)
 {
     static const dimension hertz = {0, 0, -1, 0}, radian = {0, 0, 0, 1}, speed = {0, 0, -1, 1};
+    if (refuses_time(v, f)) {
+        return nothing;
+    }
     if (f->count != 1 && f->count != 2) {
         source_problem(v->s, f->at, "%s needs a frequency, and may have a phase: %s(3 Hz, 90 deg)", f->name, f->name);
         return nothing;
@@ -75,11 +78,17 @@ static node smooth_part(values *v, double first, double from, double ticks)
     return add(g, constant(g, 0.5), mul(g, d, outer));
 }
 
-/* table(0 s: 0 N, 1 s: 8 N, ...): straight lines between the points, ramp(0 s: 0 N, 1 s: 8 N, ...): smooth curves; the
- * end values outside. */
-static value evaluate_points(values *v, const formula *f)
+/* A table has straight lines between the points, a ramp smooth curves; outside both have the end values. */
+value points_of_formula(values *v, const formula *f)
 {
     const bool is_smooth = strcmp(f->name, "ramp") == 0;
+    if (v->is_smooth && !is_smooth) {
+        source_problem(v->s, f->at, "a motion must be smooth, and a table has corners: use ramp");
+        return nothing;
+    }
+    if (refuses_time(v, f)) {
+        return nothing;
+    }
     if (f->count < 2 || f->count % 2 != 0) {
         source_problem(v->s, f->at, "a %s needs pairs of time and value: %s(0 s: 0 N, 1 s: 8 N)", f->name, f->name);
         return nothing;
@@ -121,27 +130,4 @@ static value evaluate_points(values *v, const formula *f)
         last_time = time;
     }
     return sum;
-}
-
-value call_of_formula(values *v, const formula *f)
-{
-    static const char *const functions[] = {"sin", "cos", "table", "ramp"};
-    const size_t count = sizeof functions / sizeof functions[0];
-    size_t which = 0;
-    while (which < count && strcmp(f->name, functions[which]) != 0) {
-        which++;
-    }
-    if (which == count) {
-        source_problem(v->s, f->at, "no function is called '%s'%s", f->name,
-                       source_suggestion(v->s, f->name, functions, count));
-        return nothing;
-    }
-    if (v->is_smooth && strcmp(f->name, "table") == 0) {
-        source_problem(v->s, f->at, "a motion must be smooth, and a table has corners: use ramp");
-        return nothing;
-    }
-    if (refuses_time(v, f)) {
-        return nothing;
-    }
-    return which < 2 ? evaluate_wave(v, f) : evaluate_points(v, f);
 }

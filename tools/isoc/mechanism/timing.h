@@ -4,8 +4,10 @@
 
 #include "tools/isoc/mechanism/value.h"
 
-/* `time`, and a call: sin(3 Hz), table(0 s: 0 N, 1 s: 8 N). Count 0 after noting a problem. */
+/* `time`; sin(3 Hz), cos(3 Hz, 90 deg), sin(2 rad/s); table(0 s: 0 N, 1 s: 8 N), ramp(0 s: 0 N, 1 s: 8 N). Count 0 after
+ * noting a problem. */
 value time_of_formula(values *v, const formula *f);
-value call_of_formula(values *v, const formula *f);
+value wave_of_formula(values *v, const formula *f);
+value points_of_formula(values *v, const formula *f);
 
 #endif

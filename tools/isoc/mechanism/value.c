@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/real_range.h"
+#include "tools/isoc/mechanism/functions.h"
 #include "tools/isoc/mechanism/timing.h"
 
 static const dimension plain = {0, 0, 0, 0};

@@ -123,10 +123,14 @@ static void list_states(source *s, listing *l, const joint *j)
     list_parts(s, l, j, "_speed");
 }
 
-/* How often a formula names the time, or a function of it. */
+/* How often a formula names the time, or a function that can be one of time. */
 static int count_times(const formula *f)
 {
-    int count = f->kind == FORMULA_CALL || (f->kind == FORMULA_NAME && strcmp(f->name, "time") == 0);
+    static const char *const timed[] = {"time", "sin", "cos", "table", "ramp"};
+    int count = 0;
+    for (size_t i = 0; i < sizeof timed / sizeof timed[0]; i++) {
+        count += f->name != NULL && strcmp(f->name, timed[i]) == 0;
+    }
     for (size_t i = 0; i < f->count; i++) {
         count += count_times(f->parts[i]);
     }

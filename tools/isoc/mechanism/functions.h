@@ -1,0 +1,10 @@
+/* Functions in formulas: sqrt(2), atan2(3 mm, 4 mm), sin(30 deg), and those of time. */
+#ifndef ISOC_MECHANISM_FUNCTIONS_H
+#define ISOC_MECHANISM_FUNCTIONS_H
+
+#include "tools/isoc/mechanism/value.h"
+
+/* The value of a call. Count 0 after noting a problem. */
+value call_of_formula(values *v, const formula *f);
+
+#endif
