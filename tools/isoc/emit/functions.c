@@ -209,7 +209,8 @@ static void emit_settle(emission *e)
         targets[i] = arena_format(e->out->memory, "x[%s]", e->names->leaves.states[after->states[i]].place);
     }
     const code made = code_of(e, targets, after->values, after->count);
-    text_add(e->out, "static void settle(real *const x)\n{\n");
+    text_add(e->out, "static void settle(real *const x%s)\n{\n",
+             settles_by_parameters(e->p, e->g) ? ", const real *const p" : "");
     emit_code(e, &made);
     text_add(e->out, "}\n\n");
 }

@@ -27,6 +27,9 @@ bool is_driven(const mechanism *m);
 /* Whether the guard knows how large some state may be. */
 bool has_range(const emission *e);
 
+/* Whether what follows a step depends on tunables: masses, or lengths of closures. */
+bool settles_by_parameters(const plant *p, const graph *g);
+
 /* data.c: what is constant. */
 void emit_data(emission *e);
 

@@ -139,14 +139,21 @@ static bool is_flat(const emission *e)
     return evaluations * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= most;
 }
 
+bool settles_by_parameters(const plant *p, const graph *g)
+{
+    return uses_operation(g, p->after.values, (size_t)p->after.count, OP_PARAMETER);
+}
+
 /* What follows the method in a step: the states are put right, and whole turns taken from angles. */
 static void emit_after(emission *e)
 {
     const mechanism *m = e->p->m;
+    const char *more = settles_by_parameters(e->p, e->g) ? ", memory->p" : "";
     if (m->projections > 1 && e->p->after.count > 0) {
-        text_add(e->out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x);\n    }\n", m->projections);
+        text_add(e->out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n", m->projections,
+                 more);
     } else if (e->p->after.count > 0) {
-        text_add(e->out, "    settle(memory->x);\n");
+        text_add(e->out, "    settle(memory->x%s);\n", more);
     }
     int counted = 0;
     for (int i = 0; i < state_count(m); i++) {

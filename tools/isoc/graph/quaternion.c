@@ -13,21 +13,40 @@ static node products(graph *g, const node a[4], const node b[4], const int signs
     return sum;
 }
 
-/* R_ii = 1 - 2 (q_j^2 + q_k^2), R_ij = 2 (q_i q_j - w q_k), R_ji = 2 (q_i q_j + w q_k), for i, j, k cyclic. */
-matrix quaternion_matrix(graph *g, const node q[4])
+/* |q|^2 */
+static node square_of(graph *g, const node q[4])
 {
-    const node one = constant(g, 1.0), two = constant(g, 2.0);
+    static const int plus[4] = {1, 1, 1, 1};
+    return graph_name(g, products(g, q, q, plus), "norm");
+}
+
+/* R_ii = 1 - s (q_j^2 + q_k^2), R_ij = s (q_i q_j - w q_k), R_ji = s (q_i q_j + w q_k), for i, j, k cyclic. */
+static matrix matrix_scaled(graph *g, const node q[4], node s)
+{
+    const node one = constant(g, 1.0);
     matrix r;
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
         const node qi = q[1 + i], qj = q[1 + j], qk = q[1 + k];
         const node square_j = mul(g, qj, qj), square_k = mul(g, qk, qk);
-        r.at[i][i] = sub(g, one, mul(g, two, add(g, square_j, square_k)));
+        r.at[i][i] = sub(g, one, mul(g, s, add(g, square_j, square_k)));
         const node across = mul(g, qi, qj), turned = mul(g, q[0], qk);
-        r.at[i][j] = mul(g, two, sub(g, across, turned));
-        r.at[j][i] = mul(g, two, add(g, across, turned));
+        r.at[i][j] = mul(g, s, sub(g, across, turned));
+        r.at[j][i] = mul(g, s, add(g, across, turned));
     }
     return r;
+}
+
+matrix quaternion_matrix(graph *g, const node q[4])
+{
+    return matrix_scaled(g, q, constant(g, 2.0));
+}
+
+/* 2 / |q|^2 = 4 - 2 |q|^2 to first order. */
+matrix quaternion_matrix_of_any(graph *g, const node q[4])
+{
+    const node doubled = mul(g, constant(g, 2.0), square_of(g, q));
+    return matrix_scaled(g, q, sub(g, constant(g, 4.0), doubled));
 }
 
 /* (ab)_w = w w - x x - y y - z z, (ab)_x = x w + w x - z y + y z, and so on, round. */
@@ -65,8 +84,7 @@ void quaternion_rates(graph *g, const node q[4], const node omega[3], node rates
 
 void quaternion_normalise(graph *g, const node q[4], node normed[4])
 {
-    static const int plus[4] = {1, 1, 1, 1};
-    const node square = graph_name(g, products(g, q, q, plus), "norm");
+    const node square = square_of(g, q);
     const node scale = sub(g, constant(g, 1.5), mul(g, constant(g, 0.5), square));
     for (int i = 0; i < 4; i++) {
         normed[i] = mul(g, q[i], scale);

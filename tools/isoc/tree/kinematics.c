@@ -80,7 +80,7 @@ static void start_motion(const kinematics *k, int i)
         now->rate = vector_add(g, now->rate, vector_scale(g, now->qd[n], axis_of(k, l->dof + n)));
     }
     if (l->kind == JOINT_SPHERICAL) {
-        now->free_turn = quaternion_matrix(g, now->q);
+        now->free_turn = ISO_IS_IMPLICIT(m->recipe) ? quaternion_matrix_of_any(g, now->q) : quaternion_matrix(g, now->q);
         for (int n = 0; n < 9; n++) {
             graph_name(g, now->free_turn.at[n / 3][n % 3], "R_%s_%d%d", l->name, n / 3 + 1, n % 3 + 1);
         }
