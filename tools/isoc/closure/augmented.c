@@ -154,9 +154,8 @@ static void build_demand(const augmented *a, const node *scaled, node *demand)
     }
 }
 
-augmented augmented_build(const mass_matrix *mass, constraints held, node *effort)
+augmented augmented_factors(const mass_matrix *mass, constraints held)
 {
-    const mechanism *m = mass->k->m;
     graph *g = mass->k->g;
     const int n = held.count;
     augmented a = {.mass = mass, .held = held};
@@ -166,16 +165,25 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
     a.schur = arena_take(g->memory, (size_t)(n * n), sizeof *a.schur);
     a.pivots = arena_take(g->memory, (size_t)n, sizeof *a.pivots);
     a.diagonal = arena_take(g->memory, (size_t)n, sizeof *a.diagonal);
-    a.multipliers = arena_take(g->memory, (size_t)n, sizeof *a.multipliers);
-    node *delta = arena_take(g->memory, (size_t)n, sizeof *delta);
-
     build_schur(&a);
     const node e = a.regularisation = constant(g, regularisation(&a));
     for (int r = 0; r < n; r++) {
         a.schur[r * n + r] = a.diagonal[r] = add(g, a.schur[r * n + r], e);
     }
     choose_order(g, a.schur, n, a.order);
-    factorise(&a, m);
+    factorise(&a, mass->k->m);
+    return a;
+}
+
+augmented augmented_build(const mass_matrix *mass, constraints held, node *effort)
+{
+    const mechanism *m = mass->k->m;
+    graph *g = mass->k->g;
+    const int n = held.count;
+    augmented a = augmented_factors(mass, held);
+    const node e = a.regularisation;
+    a.multipliers = arena_take(g->memory, (size_t)n, sizeof *a.multipliers);
+    node *delta = arena_take(g->memory, (size_t)n, sizeof *delta);
     graph_section(g, "Efforts less bias, over the pivots");
     for (int f = 0; f < mass->n; f++) {
         effort[f] = mul(g, effort[f], mass->inverse[f]);

@@ -41,6 +41,9 @@ typedef struct augmented {
     node *multipliers;   /* [constraints] lambda */
 } augmented;
 
+/* The factors of A + e alone: without multipliers. */
+augmented augmented_factors(const mass_matrix *mass, constraints held);
+
 /* From effort := L'^-1 (effort - bias) to effort := D^-1 L'^-1 (effort - bias - Phi_q' lambda). */
 augmented augmented_build(const mass_matrix *mass, constraints held, node *effort);
 
