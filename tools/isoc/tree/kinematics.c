@@ -62,6 +62,14 @@ vector from_parent(const kinematics *k, int i, vector a)
                                       : turn_in(k->g, l->axis, now->s, now->c, unturned);
 }
 
+/* Whether an implicit method differentiates products of R and R', which are one where |q| is: from the parent's axes to the
+ * link's and back. The solved equations and the balance differ in them (tools/isoc/plant/jacobian.h), and a Jacobian of
+ * the one in the place of the other's takes an order from a linearly implicit method. */
+static bool is_turned_back(const mechanism *m, const link *l)
+{
+    return ISO_IS_IMPLICIT(m->recipe) && l->parent != GROUND;
+}
+
 static void start_motion(const kinematics *k, int i)
 {
     graph *g = k->g;
@@ -80,7 +88,7 @@ static void start_motion(const kinematics *k, int i)
         now->rate = vector_add(g, now->rate, vector_scale(g, now->qd[n], axis_of(k, l->dof + n)));
     }
     if (l->kind == JOINT_SPHERICAL) {
-        now->free_turn = ISO_IS_IMPLICIT(m->recipe) ? quaternion_matrix_of_any(g, now->q) : quaternion_matrix(g, now->q);
+        now->free_turn = is_turned_back(m, l) ? quaternion_matrix_of_any(g, now->q) : quaternion_matrix(g, now->q);
         for (int n = 0; n < 9; n++) {
             graph_name(g, now->free_turn.at[n / 3][n % 3], "R_%s_%d%d", l->name, n / 3 + 1, n % 3 + 1);
         }
