@@ -4,13 +4,17 @@
 #ifndef ISO_CORE_RUNTIME_CHOICE_H
 #define ISO_CORE_RUNTIME_CHOICE_H
 
-#include "core/methods/method.h"
-#include "core/runtime/plant.h"
-
 #ifndef ISO_METHOD
 #define ISO_METHOD ISO_RK4
 #define ISO_METHOD_NAME rk4
 #endif
+
+#ifndef ISO_ONLY_METHOD
+#define ISO_ONLY_METHOD ISO_METHOD
+#endif
+
+#include "core/methods/method.h"
+#include "core/runtime/plant.h"
 
 #ifndef ISO_STEP
 #define ISO_STEP 0.001

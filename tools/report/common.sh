@@ -83,10 +83,13 @@ build()
         $COMPILE $real_flag tools/report/drive.c "$folder/plant.o" -o "$folder/drive" || exit 1
 }
 
-# variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance.
+# variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance. Step.h includes the methods
+# before the plant can say that it has one alone.
 variable()
 {
-    build "$1" "$2" "$dir/$1-$2" -include tools/report/step.h
+    one=
+    [ "$2" = adams ] || one=-DISO_ONLY_METHOD=ISO_$(echo "$2" | tr a-z A-Z)
+    build "$1" "$2" "$dir/$1-$2" $one -include tools/report/step.h
 }
 
 # take METHOD: before it is built or measured. Adams chooses its steps itself, by TOLERANCE, within STEP, its tick.

@@ -17,7 +17,13 @@ static void emit_beginning(const emission *e)
     text_add(e->out, "/* %s: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n",
              e->names->prefix, m->link_count, m->link_count == 1 ? "" : "s", m->name);
     text_add(e->out, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
-    text_add(e->out, "#include \"%s.h\"\n\n#include \"core/methods/method.h\"\n", e->names->prefix);
+    text_add(e->out, "#include \"%s.h\"\n\n", e->names->prefix);
+    /* The functions of adams gcc inlines otherwise where it sees no other kernel: as many instructions, more bytes. */
+    if (!ISO_IS_VARYING(m->recipe)) {
+        text_add(e->out, "#define ISO_ONLY_METHOD ISO_%s\n",
+                 capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->recipe)]));
+    }
+    text_add(e->out, "#include \"core/methods/method.h\"\n");
     text_add(e->out, "%s#include \"core/numbers/sincos.h\"\n%s\n",
              uses_time(e->g, m->drives, (size_t)(m->input_count + m->clocks.count))
                  ? "#include \"core/numbers/signal.h\"\n"
