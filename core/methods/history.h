@@ -8,6 +8,7 @@
 
 #include "core/methods/equations.h"
 #include "core/methods/implicit_adams.h"
+#include "core/numbers/exact.h"
 #include "core/numbers/unroll.h"
 
 typedef struct iso_history {
@@ -19,9 +20,7 @@ typedef struct iso_history {
     uint8_t checked;    /* derivatives before the end of a step that its check uses; 0 if steps are not checked */
 } iso_history;
 
-/* x[s] += dx. Compensated: the rounding error of the sum, exact by Knuth (1998), The Art of Computer Programming 2,
- * 4.2.2, theorem B, is added in the next step (Kahan 1965; Moller 1965). No branch. The compiler must not simplify
- * the difference to zero; the flags of the build see to that. */
+/* x[s] += dx. Compensated: what rounding takes from the sum is added in the next step (Kahan 1965; Moller 1965). */
 static inline void iso_advance(const iso_history *const history, const size_t s, const real dx)
 {
     if (history->checked > 0) {
@@ -33,8 +32,7 @@ static inline void iso_advance(const iso_history *const history, const size_t s,
         const real x = history->x[s];
         const real add = dx + history->compensation[s];
         const real sum = x + add;
-        const real added = sum - x;
-        history->compensation[s] = (x - (sum - added)) + (add - added);
+        history->compensation[s] = iso_rest_of_sum(x, add, sum);
         history->x[s] = sum;
     }
 }

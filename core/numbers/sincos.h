@@ -22,10 +22,14 @@ typedef struct iso_sine_cosine {
 /* Adding 1.5 * 2^52 rounds to a whole number, which is then in the low bits. */
 #define ISO_ROUNDER R(6755399441055744.0)
 
+/* The parts of pi/2. */
+#define ISO_QUARTER_1 R(1.57079632673412561417e+00)
+#define ISO_QUARTER_2 R(6.07710050650619224932e-11)
+
 /* x - k pi/2 for a whole number |k| <= 6400 near x / (pi/2). */
 static inline real iso_less_quarters(const real x, const real k)
 {
-    return (x - k * R(1.57079632673412561417e+00)) - k * R(6.07710050650619224932e-11);
+    return (x - k * ISO_QUARTER_1) - k * ISO_QUARTER_2;
 }
 
 /* (sin(r) - r) / r^3 of z = r^2. */
@@ -54,9 +58,13 @@ static inline real iso_cosine_tail(const real z)
 
 #define ISO_ROUNDER R(12582912.0)
 
+#define ISO_QUARTER_1 R(1.5703125)
+#define ISO_QUARTER_2 R(4.837512969970703125e-4)
+#define ISO_QUARTER_3 R(7.54978995489188216e-8)
+
 static inline real iso_less_quarters(const real x, const real k)
 {
-    return ((x - k * R(1.5703125)) - k * R(4.837512969970703125e-4)) - k * R(7.54978995489188216e-8);
+    return ((x - k * ISO_QUARTER_1) - k * ISO_QUARTER_2) - k * ISO_QUARTER_3;
 }
 
 static inline real iso_sine_tail(const real z)

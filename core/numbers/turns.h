@@ -1,23 +1,75 @@
-/* The angle of a joint that turns without limit: in [-pi, pi), to rounding, and the number of whole turns. */
+/* The angle of a joint that turns without limit: in [-pi, pi), to rounding, the number of whole turns, and the rest,
+ * which is what rounding has taken from the angle. So the angle is as exact after a day as after a second. */
 #ifndef ISO_CORE_NUMBERS_TURNS_H
 #define ISO_CORE_NUMBERS_TURNS_H
 
+#include "core/numbers/exact.h"
 #include "core/numbers/sincos.h"
 
-/* Subtracts the nearest whole number of turns from *angle (|*angle| <= 1e4), and returns it: quarter turns, rounded to
- * multiples of four. */
-static inline int32_t iso_take_turns(real *const angle)
+/* Four times the rounded angle / (pi/2) / 4: quarter turns, rounded to multiples of four, above ISO_TURN_ROUNDER. */
+#define ISO_TURN_ROUNDER (R(4.0) * ISO_ROUNDER)
+
+static inline real iso_round_turns(const real angle)
 {
-    const real rounded = *angle * R(0.636619772367581343) + R(4.0) * ISO_ROUNDER;
-    *angle = iso_less_quarters(*angle, rounded - R(4.0) * ISO_ROUNDER);
-    return (int32_t)(uint32_t)(iso_bits_of(rounded) - iso_bits_of(R(4.0) * ISO_ROUNDER));
+    return angle * R(0.636619772367581343) + ISO_TURN_ROUNDER;
 }
 
-/* The angle without its whole turns: within half a turn of zero. */
-static inline real iso_within_turn(real angle)
+/* The angle (within 1e4) without its whole turns: within half a turn of zero. */
+static inline real iso_within_turn(const real angle)
 {
-    (void)iso_take_turns(&angle);
-    return angle;
+    return iso_less_quarters(angle, iso_round_turns(angle) - ISO_TURN_ROUNDER);
+}
+
+/* *sum += part, with the rest. */
+static inline void iso_add_exactly(real *const sum, real *const rest, const real part)
+{
+    const real made = *sum + part;
+    *rest += iso_rest_of_sum(*sum, part, made);
+    *sum = made;
+}
+
+/* Subtracts the nearest whole number of turns from *angle (|*angle| <= 1e4), and returns it. Without loss: the rest is in
+ * the angle, as far as that can hold it. */
+static inline int32_t iso_take_turns(real *const angle, real *const rest)
+{
+    const real rounded = iso_round_turns(*angle), quarters = rounded - ISO_TURN_ROUNDER;
+    *angle -= quarters * ISO_QUARTER_1; /* exact: the two are near each other, or there is no turn */
+    iso_add_exactly(angle, rest, -quarters * ISO_QUARTER_2);
+#ifndef ISO_REAL_DOUBLE
+    *rest -= quarters * ISO_QUARTER_3;
+#endif
+    const real left = *rest;
+    *rest = R(0.0);
+    iso_add_exactly(angle, rest, left);
+    return (int32_t)(uint32_t)(iso_bits_of(rounded) - iso_bits_of(ISO_TURN_ROUNDER));
+}
+
+/* The angle and the speed of a joint at the begin of a tick. */
+typedef struct iso_turning {
+    real angle;
+    real speed;
+} iso_turning;
+
+/* So much of themselves may a method's sums and products take from a way, and the other forces of a steady motion from a
+ * speed. */
+#define ISO_TURN_ROUNDING (R(8.0) * ISO_REAL_EPSILON)
+
+/* Puts right the angle at the end of a tick of h + h_rest seconds, as a method computed it from what was `before`. Where
+ * speed and way are steady, up to their rounding, the way is the product of speed and tick, without loss. Else it is
+ * that of the method, whose h lacks h_rest. Without this, a rounding error that is the same in every tick adds up. What
+ * the angle cannot hold is added to the rest. */
+static inline void iso_turn(real *const angle, real *const rest, const iso_turning before, const real speed,
+                            const real h, const real h_rest)
+{
+    const real way = before.speed * h, change = speed - before.speed;
+    const real off = (*angle - before.angle) - way;
+    const iso_bits varies = iso_less(ISO_TURN_ROUNDING * iso_abs(before.speed), iso_abs(change)) |
+                            iso_less(ISO_TURN_ROUNDING * (iso_abs(before.angle) + iso_abs(way)), iso_abs(off)) |
+                            iso_not_finite(*angle);
+    const real lost = iso_rest_of_product(before.speed, h, way) + R(0.5) * h * change;
+    *angle = iso_select(varies, *angle, before.angle);
+    iso_add_exactly(angle, rest, iso_select(varies, R(0.0), way));
+    *rest += iso_select(varies, R(0.0), lost) + before.speed * h_rest;
 }
 
 #endif

@@ -95,8 +95,8 @@ while IFS= read -r effect; do
     # That nobody drives: it is the port's.
     input) holds "$effect" range 36 "$name" ;;
     # An angle that is kept within a turn has no range to be guarded.
-    continuous) holds "$effect" "" 36 "$name" ;;
-    "continuous, output of turns") holds "$effect" "" 40 "$name" ;;
+    continuous) holds "$effect" "" 40 "$name" ;;
+    "continuous, output of turns") holds "$effect" "" 44 "$name" ;;
     "output of acceleration") holds "$effect" range 36 "$name" ;;
     "output of a point's velocity") holds "$effect" range 44 "$name" ;;
     # What rounding took of two states; five sums of derivatives of two states, and four words of progress.

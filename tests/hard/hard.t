@@ -77,7 +77,5 @@ for number in float double; do
     hard long_run tests/hard/long_run.c
     generated mass_ratio light_tip
     generated mass_ratio heavy_tip
-    [ "$real" = double ] || generated rotor rotor
-    generated rotor rotor 'compensated yes'
 done
 finish

@@ -7,22 +7,22 @@ static const real pi = R(3.14159265358979324);
 
 static void test_known(void)
 {
-    real angle = R(0.0);
-    tap_ok(iso_take_turns(&angle) == 0 && angle == R(0.0), "no angle: no turn");
+    real angle = R(0.0), rest = R(0.0);
+    tap_ok(iso_take_turns(&angle, &rest) == 0 && angle == R(0.0), "no angle: no turn");
     angle = R(3.0);
-    tap_ok(iso_take_turns(&angle) == 0, "3 rad: no turn");
+    tap_ok(iso_take_turns(&angle, &rest) == 0, "3 rad: no turn");
     tap_same(angle, R(3.0), "3 rad stays as it is");
     angle = R(-3.0);
-    tap_ok(iso_take_turns(&angle) == 0, "-3 rad: no turn");
+    tap_ok(iso_take_turns(&angle, &rest) == 0, "-3 rad: no turn");
     tap_same(angle, R(-3.0), "-3 rad stays as it is");
     angle = R(4.0);
-    tap_ok(iso_take_turns(&angle) == 1 && angle < R(-2.0), "4 rad: one turn, and a negative angle");
+    tap_ok(iso_take_turns(&angle, &rest) == 1 && angle < R(-2.0), "4 rad: one turn, and a negative angle");
     angle = R(-4.0);
-    tap_ok(iso_take_turns(&angle) == -1 && angle > R(2.0), "-4 rad: a turn back, and a positive angle");
+    tap_ok(iso_take_turns(&angle, &rest) == -1 && angle > R(2.0), "-4 rad: a turn back, and a positive angle");
     angle = R(1e4);
-    tap_ok(iso_take_turns(&angle) == 1592, "1e4 rad: 1592 turns");
+    tap_ok(iso_take_turns(&angle, &rest) == 1592, "1e4 rad: 1592 turns");
     angle = R(-1e4);
-    tap_ok(iso_take_turns(&angle) == -1592, "-1e4 rad: -1592 turns");
+    tap_ok(iso_take_turns(&angle, &rest) == -1592, "-1e4 rad: -1592 turns");
     tap_same(iso_within_turn(R(-1e4)), angle, "and the same angle alone");
 }
 
@@ -35,8 +35,8 @@ static void test_direction(void)
     uint32_t turned = 0, outside = 0, miscounted = 0;
     for (int32_t i = -20000; i <= 20000; i++) {
         const real x = (real)i * R(0.49951171875);
-        real angle = x;
-        const real turns = (real)iso_take_turns(&angle);
+        real angle = x, rest = R(0.0);
+        const real turns = (real)iso_take_turns(&angle, &rest);
         const iso_sine_cosine before = iso_sincos(x);
         const iso_sine_cosine after = iso_sincos(angle);
         turned += iso_abs(before.sin - after.sin) > tolerance || iso_abs(before.cos - after.cos) > tolerance;

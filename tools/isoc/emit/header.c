@@ -107,6 +107,7 @@ static void emit_memory(const emission *e)
     text_add(e->out, "    real y[%s_OUTPUTS];\n", capitals);
     if (e->p->turn_count > 0) {
         text_add(e->out, "    int32_t turns[%d]; /* of the continuous joints */\n", e->p->turn_count);
+        text_add(e->out, "    real rests[%d]; /* what rounding has taken from their angles */\n", e->p->turn_count);
     }
     if (ISO_HAS_PROGRESS(m->recipe)) {
         text_add(e->out, "    %s;\n", ISO_IS_VARYING(m->recipe) ? "iso_adams_state adams" : "iso_progress progress");

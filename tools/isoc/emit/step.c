@@ -1,3 +1,5 @@
+#include <math.h>
+
 #include "tools/isoc/emit/parts.h"
 #include "tools/isoc/plant/cost.h"
 
@@ -144,24 +146,69 @@ bool settles_by_parameters(const plant *p, const graph *g)
     return uses_operation(g, p->after.values, (size_t)p->after.count, OP_PARAMETER);
 }
 
-/* What follows the method in a step: the states are put right, and whole turns taken from angles. */
+/* Calls `write` for each angle that is kept within a turn, with its number among these. */
+static void for_turns(emission *e, void (*write)(emission *e, const link *l, int number))
+{
+    int number = 0;
+    for (int i = 0; i < e->p->m->link_count; i++) {
+        if (e->p->m->links[i].continuous) {
+            write(e, &e->p->m->links[i], number++);
+        }
+    }
+}
+
+static const char *state_place(const emission *e, int index)
+{
+    return e->names->leaves.states[index].place;
+}
+
+static const char *speed_place(const emission *e, const link *l)
+{
+    return state_place(e, e->p->m->position_count + l->dof);
+}
+
+static void emit_before_turn(emission *e, const link *l, int number)
+{
+    text_add(e->out, "    const iso_turning before_%d = {memory->x[%s], memory->x[%s]};\n", number,
+             state_place(e, l->position), speed_place(e, l));
+}
+
+/* What the step in the number type of the plant lacks of the whole nanoseconds that it stands for. */
+static double step_rest(const plant *p)
+{
+    const double nanoseconds = floor(p->m->step * 1e9 + 0.5), step = p->m->step;
+    return p->is_double ? -fma(step, 1e9, -nanoseconds) / 1e9 : step - (double)(float)step;
+}
+
+static void emit_turn(emission *e, const link *l, int number)
+{
+    arena *memory = e->out->memory;
+    text_add(e->out, "    iso_turn(&memory->x[%s], &memory->rests[%d], before_%d, memory->x[%s],\n",
+             state_place(e, l->position), number, number, speed_place(e, l));
+    text_add(e->out, "             %s, %s);\n", code_literal(memory, e->p->m->step, e->p->is_double),
+             code_literal(memory, step_rest(e->p), e->p->is_double));
+}
+
+static void emit_take_turns(emission *e, const link *l, int number)
+{
+    text_add(e->out, "    memory->turns[%d] += iso_take_turns(&memory->x[%s], &memory->rests[%d]);\n", number,
+             state_place(e, l->position), number);
+}
+
+/* What follows the method in a step: angles are put right, then the closures and the norms of quaternions, and whole
+ * turns are taken from angles. */
 static void emit_after(emission *e)
 {
     const mechanism *m = e->p->m;
     const char *more = settles_by_parameters(e->p, e->g) ? ", memory->p" : "";
+    for_turns(e, emit_turn);
     if (m->projections > 1 && e->p->after.count > 0) {
         text_add(e->out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n", m->projections,
                  more);
     } else if (e->p->after.count > 0) {
         text_add(e->out, "    settle(memory->x%s);\n", more);
     }
-    int counted = 0;
-    for (int i = 0; i < state_count(m); i++) {
-        if (e->names->states[i].kind == STATE_TURN) {
-            text_add(e->out, "    memory->turns[%d] += iso_take_turns(&memory->x[%s]);\n", counted++,
-                     e->names->leaves.states[i].place);
-        }
-    }
+    for_turns(e, emit_take_turns);
 }
 
 /* That the header, which is without the methods, has room for what the method keeps. */
@@ -185,6 +232,7 @@ void emit_step(emission *e)
         emit_prime(e);
     }
     begin_function(e, is_flat(e) ? "ISO_FLAT static void step" : "static void step");
+    for_turns(e, emit_before_turn);
     emit_call(e, "iso_method_step", "ISO_METHOD_WORK");
     emit_after(e);
     text_add(e->out, "}\n\n");
