@@ -100,7 +100,7 @@ bool iso_loop_tick(iso_loop *const loop)
         loop->statistics.restarts = restarts;
         return false;
     }
-    plant->model->output(plant->memory);
+    iso_plant_output(plant);
     iso_port_publish(plant->y, plant->model->outputs);
     if (plant->model->violation != NULL) {
         book_violation(plant, &loop->statistics);

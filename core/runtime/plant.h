@@ -39,10 +39,12 @@ typedef struct iso_model {
     uint16_t inputs;
     uint16_t outputs;
     uint16_t parameters;
+    uint16_t memories; /* numbers behind the inputs in u, which `advance` sets */
     const char *state_names;  /* separated by commas; NULL where nobody knows */
     const char *output_names; /* likewise; always known */
     const char *output_units; /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL where nobody knows */
     const real *start;        /* the state at tick 0 */
+    const real *memory_start; /* of the memories */
     const real *defaults;     /* of the parameters */
     const real *range;   /* [states] each may be this large, for the guard; NULL where all may be any finite number,
                                  ISO_REAL_MAX where one may. ISO_ANGLE_RANGE for an angle whose sine is taken */
@@ -56,6 +58,8 @@ typedef struct iso_model {
     void (*drive)(void *memory, uint32_t tick); /* sets u to the scene's functions of time, and the states that are time
                                                    itself to what they are at a tick; NULL without such inputs and
                                                    states */
+    void (*advance)(void *memory); /* sets the memories at the end of a tick, from the states there and the inputs of
+                                      the tick; NULL without memories */
     bool (*jumped)(void *memory); /* whether an input or a parameter jumped, or something happened that ends the smooth
                                      motion: then the history is of no use. NULL where no history is kept */
     void (*prime)(void *memory);  /* fills the method's history from x and u; NULL for a one-step method */
@@ -84,6 +88,9 @@ static inline void iso_plant_start(const iso_plant *const plant)
         memset(plant->memory, 0, model->memory_bytes);
     }
     memcpy(plant->x, model->start, model->states * sizeof *plant->x);
+    if (model->memories > 0) {
+        memcpy(plant->u + model->inputs, model->memory_start, model->memories * sizeof *plant->u);
+    }
     if (model->parameters > 0) {
         memcpy(plant->p, model->defaults, model->parameters * sizeof *plant->p);
     }

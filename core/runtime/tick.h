@@ -68,6 +68,15 @@ static inline uint16_t iso_plant_guard(const iso_plant *const plant)
     return first;
 }
 
+/* 6. After a tick in which all is well: what the plant remembers, and its outputs. */
+static inline void iso_plant_output(const iso_plant *const plant)
+{
+    if (plant->model->advance != NULL) {
+        plant->model->advance(plant->memory);
+    }
+    plant->model->output(plant->memory);
+}
+
 /* All of it, from `tick` (0 after iso_plant_start) to the next; inputs that are no functions of time are those in
  * plant->u. Returns the guard: model->states if all is well; else the outputs stay as they were. */
 static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint32_t tick)
@@ -79,7 +88,7 @@ static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint32
     (void)iso_plant_step_again(plant, restarts > 0);
     const uint16_t guard = iso_plant_guard(plant);
     if (guard == plant->model->states) {
-        plant->model->output(plant->memory);
+        iso_plant_output(plant);
     }
     return guard;
 }

@@ -42,7 +42,7 @@ int composite_products(const graph *g, const mechanism *m);
  * must not be copied. */
 const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen);
 
-/* effort[degrees of freedom]: u - d q' - k (q - rest) - bias. */
+/* effort[degrees of freedom]: u - d q' - k (q - rest) + those of effects - bias. */
 void efforts_less(const dynamics *d, const node *bias, node *effort);
 
 /* Kinetic energy, gravitational energy (zero at the ground's origin) and energy of the springs; needs

@@ -76,6 +76,8 @@ void emit_model(emission *e)
     emit_list(e, "output_names", p->output_names, p->output_count);
     emit_list(e, "output_units", p->output_units, p->output_count);
     text_add(e->out, "    .start = start,\n");
+    add_if(e, m->memory_count > 0,
+           arena_format(e->out->memory, "    .memories = %d,\n    .memory_start = memory_start,\n", m->memory_count));
     add_if(e, m->parameter_count > 0, "    .defaults = defaults,\n");
     add_if(e, has_range(e), "    .range = range,\n");
     text_add(e->out, "    .memory_bytes = sizeof(%s_memory),\n    .derivative = derivative,\n    .output = output,\n",
@@ -85,6 +87,7 @@ void emit_model(emission *e)
                  code_literal(e->out->memory, m->violation_limit, p->is_double));
     }
     add_if(e, is_driven(m), "    .drive = drive,\n");
+    add_if(e, m->memory_count > 0, "    .advance = advance,\n");
     add_if(e, can_jump(m), "    .jumped = jumped,\n");
     add_if(e, is_primed(m), "    .prime = prime,\n");
     text_add(e->out, "    .step = step,\n};\n");
@@ -97,7 +100,7 @@ void emit_plant(emission *e)
              ISO_IS_WATCHED(m->recipe) ? ", before" : "");
     text_add(e->out, "const iso_plant iso_the_plant = {\n    .model = &%s_model,\n", e->names->prefix);
     text_add(e->out, "    .memory = &memory,\n    .x = memory.x,\n");
-    add_if(e, m->input_count > 0, "    .u = memory.u,\n");
+    add_if(e, held_count(m) > 0, "    .u = memory.u,\n");
     add_if(e, m->parameter_count > 0, "    .p = memory.p,\n");
     text_add(e->out, "    .y = memory.y,\n");
     if (ISO_IS_VARYING(m->recipe)) {

@@ -94,7 +94,7 @@ static void emit_arrays(const emission *e, const code *made)
 {
     const mechanism *m = e->p->m;
     const bool derives = uses(e, made, OP_DERIVATIVE);
-    const int sizes[] = {state_count(m), m->input_count, m->parameter_count};
+    const int sizes[] = {state_count(m), held_count(m), m->parameter_count};
     for (int i = 0; i < 3; i++) {
         if (uses(e, made, arguments[i].op) || (derives && sizes[i] > 0)) {
             text_add(e->out, "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
@@ -200,6 +200,28 @@ static void emit_drive(emission *e)
     text_add(e->out, "}\n\n");
 }
 
+/* What the memories are from the next tick on. */
+static void emit_advance(emission *e)
+{
+    const mechanism *m = e->p->m;
+    arena *memory = e->out->memory;
+    const size_t room = (size_t)m->memory_count;
+    const char **targets = arena_take(memory, room, sizeof *targets), **quotes = arena_take(memory, room, sizeof *quotes);
+    node *roots = arena_take(memory, room, sizeof *roots);
+    for (int i = 0; i < m->memory_count; i++) {
+        targets[i] = arena_format(memory, "memory->u[%s]", e->names->leaves.inputs[m->input_count + i].place);
+        quotes[i] = m->memories[i].about.quote;
+        roots[i] = m->memories[i].next;
+    }
+    code made = code_of(e, targets, roots, m->memory_count);
+    made.quotes = quotes;
+    text_add(e->out, "/* The memories at the end of a tick. */\nstatic void advance(void *const instance)\n{\n");
+    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    emit_arrays(e, &made);
+    emit_code(e, &made);
+    text_add(e->out, "}\n\n");
+}
+
 /* What is put right after a step, in place. */
 static void emit_settle(emission *e)
 {
@@ -222,6 +244,9 @@ void emit_functions(emission *e)
     emit_output(e);
     if (is_driven(p->m)) {
         emit_drive(e);
+    }
+    if (p->m->memory_count > 0) {
+        emit_advance(e);
     }
     if (ISO_IS_IMPLICIT(p->m->recipe)) {
         emit_solver(e);

@@ -63,6 +63,23 @@ static void emit_places(const emission *e, const table *t)
     text_add(e->out, "    %s_%s\n};\n\n", e->names->capitals, capitals_of(e->out->memory, t->what));
 }
 
+const char *held_size(const emission *e)
+{
+    return arena_format(e->out->memory, "%s_%s", e->names->capitals, e->p->m->memory_count > 0 ? "HELD" : "INPUTS");
+}
+
+/* What effects keep from tick to tick stands in u, behind the inputs. */
+static void emit_memory_places(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    text_add(e->out, "/* Memories of effects, behind the inputs of u. */\nenum {\n");
+    for (int i = 0; i < m->memory_count; i++) {
+        text_add(e->out, "    %s = %d, /* %s */\n", e->names->leaves.inputs[m->input_count + i].place,
+                 m->input_count + i, m->memories[i].about.unit);
+    }
+    text_add(e->out, "    %s = %d\n};\n\n", held_size(e), held_count(m));
+}
+
 /* A limit; none is the largest real. */
 static const char *limit(const emission *e, double of)
 {
@@ -98,8 +115,8 @@ static void emit_memory(const emission *e)
     } else {
         text_add(e->out, "    real x[%s_STATES];\n", capitals);
     }
-    if (m->input_count > 0) {
-        text_add(e->out, "    real u[%s_INPUTS];\n", capitals);
+    if (held_count(m) > 0) {
+        text_add(e->out, "    real u[%s];\n", held_size(e));
     }
     if (m->parameter_count > 0) {
         text_add(e->out, "    real p[%s_PARAMETERS];\n", capitals);
@@ -134,7 +151,7 @@ static void emit_instance(const emission *e)
              watched ? ", " : "", watched ? prefix : "", watched ? "_memory *const before" : "");
     text_add(e->out, "    const iso_plant plant = {\n        &%s_model,\n        memory,\n        memory->x,\n",
              prefix);
-    text_add(e->out, "        %s,\n", m->input_count > 0 ? "memory->u" : "NULL");
+    text_add(e->out, "        %s,\n", held_count(m) > 0 ? "memory->u" : "NULL");
     text_add(e->out, "        %s,\n", m->parameter_count > 0 ? "memory->p" : "NULL");
     text_add(e->out, "        memory->y,\n        %s,\n", progress_of(m));
     text_add(e->out, "        %s,\n", ISO_IS_VARYING(m->recipe) ? "&memory->adams" : "NULL");
@@ -182,6 +199,9 @@ void emit_header(const plant *p, const naming *names, text *out)
         if (tables[i].count > 0) {
             emit_places(&e, &tables[i]);
         }
+    }
+    if (m->memory_count > 0) {
+        emit_memory_places(&e);
     }
     text_add(out, "/* Name, unit, least, most and value at the start of each. */\n");
     for (size_t i = 0; i < count; i++) {

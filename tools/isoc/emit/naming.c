@@ -53,6 +53,19 @@ static const leaf_name *states_of(const naming *n, arena *memory, int count)
     return made;
 }
 
+/* What is constant within a step: inputs, then memories. */
+static const leaf_name *held_of(const naming *n, arena *memory, const mechanism *m)
+{
+    variable *all = arena_take(memory, (size_t)held_count(m) + 1, sizeof *all);
+    for (int i = 0; i < m->input_count; i++) {
+        all[i] = m->inputs[i];
+    }
+    for (int i = 0; i < m->memory_count; i++) {
+        all[m->input_count + i] = m->memories[i].about;
+    }
+    return leaves_of(n, memory, 'U', all, held_count(m));
+}
+
 naming naming_of(const plant *p, arena *memory, const char *prefix)
 {
     const mechanism *m = p->m;
@@ -60,7 +73,7 @@ naming naming_of(const plant *p, arena *memory, const char *prefix)
     made.capitals = capitals_of(memory, made.prefix);
     made.states = mechanism_states(m, memory);
     made.leaves.states = states_of(&made, memory, state_count(m));
-    made.leaves.inputs = leaves_of(&made, memory, 'U', m->inputs, m->input_count);
+    made.leaves.inputs = held_of(&made, memory, m);
     made.leaves.parameters = leaves_of(&made, memory, 'P', m->parameters, m->parameter_count);
     const char **outputs = arena_take(memory, (size_t)p->output_count + 1, sizeof *outputs);
     const char **quotes = arena_take(memory, (size_t)p->output_count + 1, sizeof *quotes);

@@ -24,6 +24,9 @@ const char *progress_of(const mechanism *m);
 /* Whether something is a function of time, that every tick sets. */
 bool is_driven(const mechanism *m);
 
+/* The size of u as C: the inputs, and the memories behind them. */
+const char *held_size(const emission *e);
+
 /* Whether the guard knows how large some state may be. */
 bool has_range(const emission *e);
 

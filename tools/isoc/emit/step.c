@@ -48,7 +48,7 @@ static void emit_adams(emission *e)
     const char *tolerance = code_literal(e->out->memory, m->tolerance, e->p->is_double);
     text_add(e->out, "static const iso_adams_options options = {\n    .tolerance_absolute = %s,\n", tolerance);
     text_add(e->out, "    .tolerance_relative = %s,\n    .budget = %.0f,\n", tolerance, m->substeps);
-    text_add(e->out, "    .driven = %s,\n", m->input_count + m->parameter_count > 0 ? "true" : "false");
+    text_add(e->out, "    .driven = %s,\n", held_count(m) + m->parameter_count > 0 ? "true" : "false");
     text_add(e->out, "    .level_max = %s,\n};\n\n", m->substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
 }
 
@@ -115,7 +115,7 @@ static void emit_call(emission *e, const char *function, const char *size)
         text_add(e->out, "    real lu[%d];\n", e->p->j.factor_count);
     }
     text_add(e->out, "    %s(%s, %s_STATES, &equations, %s, memory->x, %s, %s, %s, work,\n", function, recipe, capitals,
-             code_literal(e->out->memory, m->step, e->p->is_double), array_or_null(m->input_count, "memory->u"),
+             code_literal(e->out->memory, m->step, e->p->is_double), array_or_null(held_count(m), "memory->u"),
              array_or_null(m->parameter_count, "memory->p"), ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
     text_add(e->out, "                    %s);\n", progress_of(m));
 }

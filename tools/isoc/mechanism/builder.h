@@ -4,8 +4,8 @@
 
 #include "tools/isoc/mechanism/mechanism.h"
 
-static const dimension no_unit = {0, 0, 0, 0}, kilogram = {1, 0, 0, 0}, metre = {0, 1, 0, 0}, second = {0, 0, 1, 0},
-                       radian = {0, 0, 0, 1}, newton = {1, 1, -2, 0}, newton_metre = {1, 2, -2, 0};
+static const dimension no_unit = {0, 0, 0, 0, 0, 0}, kilogram = {1, 0, 0, 0, 0, 0}, metre = {0, 1, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0},
+                       radian = {0, 0, 0, 1, 0, 0}, newton = {1, 1, -2, 0, 0, 0}, newton_metre = {1, 2, -2, 0, 0, 0};
 
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 
@@ -24,6 +24,11 @@ typedef struct builder {
     values values;
     solid *solids;
     int *parents, *children; /* of the joints: bodies; -2 the ground, -1 unknown */
+    dimension *input_dimensions; /* of the scene's inputs */
+    bool *is_input_used;
+    variable *faults; /* of effects: tunables behind those of the scene */
+    int fault_count;
+    const surroundings *around; /* what effects, signals and outputs can name */
     mechanism made;
 } builder;
 
@@ -57,11 +62,21 @@ matrix align(graph *g, const double a[3], int *k, double *sign);
 /* regroup.c: moves to the parents what the joints' motion does not change. */
 void regroup(builder *b);
 
-/* signals.c: inputs and tunable parameters. */
+/* signals.c: inputs and tunable parameters. The inputs are checked when all that can use them is built. */
 void build_inputs(builder *b);
+void check_inputs(builder *b);
 void build_parameters(builder *b);
 
-/* outputs.c: what the outputs show. */
+/* effects.c: effects and signals. The states come first: the speeds stand behind them. */
+size_t count_faults(const scene *written);
+void count_effects(builder *b);
+void build_effects(builder *b);
+
+/* The value of a formula over all that the scene has; a signal, say. */
+value value_in_scene(builder *b, const formula *f);
+
+/* outputs.c: what the outputs show; the link of a joint of one coordinate, or of a part of a joint; -1 if there is none. */
+int link_called(const mechanism *made, name n);
 void build_outputs(builder *b);
 
 /* recipe.c: the method with its options, and the step. */

@@ -86,7 +86,7 @@ int coordinate_of(builder *b, name n)
     }
     const int found = find_joint(b->s, b->written, n);
     if (found >= 0) {
-        source_problem(b->s, n.at, "a gear or a motion needs one coordinate; the joint '%s' has none or several",
+        source_problem(b->s, n.at, "this needs one coordinate; the joint '%s' has none or several",
                        n.text);
     }
     return -1;
@@ -171,7 +171,7 @@ static double option(builder *b, const formula *f, dimension of, const char *wha
  * as Omega, with mu = 1, so that gamma is the same. */
 static void build_stabilisation(builder *b)
 {
-    static const dimension rate = {0, 0, -1, 0};
+    static const dimension rate = {0, 0, -1, 0, 0, 0};
     const stabilisation *written = &b->written->stabilisation;
     mechanism *made = &b->made;
     const char *kind = written->kind.text == NULL ? "baumgarte" : written->kind.text;

@@ -7,7 +7,7 @@
 #include "tools/isoc/base/elementary.h"
 #include "tools/isoc/mechanism/timing.h"
 
-static const dimension plain = {0, 0, 0, 0}, radian = {0, 0, 0, 1};
+static const dimension plain = {0, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0};
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 static const double half_pi = 1.57079632679489661923;
 static const value nothing = {0};
@@ -106,7 +106,7 @@ static bool is_angle(const value *given)
 
 static bool is_frequency(const value *given)
 {
-    static const dimension hertz = {0, 0, -1, 0}, speed = {0, 0, -1, 1};
+    static const dimension hertz = {0, 0, -1, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0};
     return dimension_equal(given[0].of, hertz) || dimension_equal(given[0].of, speed);
 }
 

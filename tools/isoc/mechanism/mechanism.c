@@ -9,7 +9,7 @@
 #include "tools/isoc/scene/counts.h"
 #include "tools/isoc/scene/names.h"
 
-static const dimension moment_of_inertia = {1, 2, 0, 0}, acceleration = {0, 1, -2, 0};
+static const dimension moment_of_inertia = {1, 2, 0, 0, 0, 0}, acceleration = {0, 1, -2, 0, 0, 0};
 
 vector vector_value(builder *b, const formula *f, dimension of, const char *what)
 {
@@ -232,7 +232,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     b.made.frames = arena_take(s->memory, written->body_count + 1, sizeof *b.made.frames);
     b.made.members = arena_take(s->memory, written->body_count + 1, sizeof *b.made.members);
     b.made.body_count = (int)written->body_count;
-    values_start(&b.values, s, g, written, is_double);
+    values_start(&b.values, s, g, written, count_faults(written), is_double);
 
     if (!counts_check(s, written)) {
         return b.made;
@@ -250,9 +250,12 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     list_dofs(&b);
     build_applied_forces(&b);
     build_closures(&b);
+    count_effects(&b);
     regroup(&b);
     build_inputs(&b);
+    build_effects(&b);
     build_outputs(&b);
+    check_inputs(&b);
     build_parameters(&b);
 
     if (written->broken) {

@@ -128,6 +128,8 @@ typedef struct shown {
     int body;     /* of a body; of what a joint gives to it */
     int cut;      /* of a closure; -1: of none */
     vector point; /* in the body's frame */
+    node formula; /* of OUTPUT_FORMULA, and its unit */
+    const char *unit;
 } shown;
 
 /* What the header says of a quantity of the plant. */
@@ -138,6 +140,12 @@ typedef struct variable {
     double least, most; /* infinite where there is no limit */
     double start;       /* of a parameter, its default */
 } variable;
+
+/* A state of an effect, or a memory of one: what it is called, and its rate, or what it is after the next tick. */
+typedef struct effect_quantity {
+    variable about;
+    node next;
+} effect_quantity;
 
 typedef struct mechanism {
     const char *name;
@@ -158,6 +166,11 @@ typedef struct mechanism {
     int projections;           /* iterations of the projection after a step */
     double violation_limit;    /* m or rad; 0: none */
     clocks clocks;             /* of motions: states between the links' positions and the speeds */
+    effect_quantity *effect_states; /* states behind the clocks */
+    int effect_state_count, first_effect_state;
+    effect_quantity *memories; /* of effects: numbers that a tick sets at its end, behind the inputs */
+    int memory_count;
+    node *efforts; /* [degrees of freedom] of effects */
     applied_force *applied_forces;
     int applied_force_count;
     vector gravity;
@@ -200,6 +213,12 @@ static inline int dofs_of(joint_kind kind)
 static inline int state_count(const mechanism *m)
 {
     return m->position_count + m->dof_count;
+}
+
+/* What is constant within a step: inputs and memories. */
+static inline int held_count(const mechanism *m)
+{
+    return m->input_count + m->memory_count;
 }
 
 /* Resolves names, units and places; notes problems. The result is whole only if there are none. */

@@ -4,8 +4,7 @@
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/scene/names.h"
 
-/* The link of a joint of one coordinate, or of a part of a joint; -1 if there is none. */
-static int link_called(const mechanism *made, name n)
+int link_called(const mechanism *made, name n)
 {
     for (int i = 0; i < made->link_count; i++) {
         if (made->links[i].kind != JOINT_SPHERICAL && strcmp(made->links[i].name, n.text) == 0) {
@@ -106,11 +105,25 @@ static void check_parts(builder *b, const output *o, const output_row *row)
     }
 }
 
+/* Any formula: its unit is that of its dimension, without the angle where nothing else has a name. */
+static void show_formula(builder *b, const output *o, shown *made)
+{
+    const value v = value_in_scene(b, o->formula);
+    made->formula = v.count == 0 ? constant(b->g, 0.0) : v.parts[0];
+    made->unit = dimension_equal_but_angle(v.of, no_unit) && v.of.rad == 0 ? "1" : dimension_text(b->s->memory, v.of);
+    if (v.count > 1) {
+        source_problem(b->s, o->formula->at, "an output is one number; this is %d", v.count);
+    }
+}
+
 static void build_output(builder *b, const output *o, shown *made)
 {
     const operand of = output_rows[o->kind].of;
     *made = (shown){.name = o->name, .kind = o->kind, .along = o->along, .link = -1, .body = -1, .cut = -1};
     made->point = vector_value(b, o->point, metre, "a point");
+    if (o->formula != NULL) {
+        show_formula(b, o, made);
+    }
     if (of == OF_CLOSURES && b->written->closure_count == 0) {
         source_problem(b->s, o->kind_at, "a scene without closures has no violation");
     }

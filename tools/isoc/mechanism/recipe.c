@@ -95,7 +95,7 @@ void build_step(builder *b)
 void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double)
 {
     builder b = {.s = s, .g = g, .written = written};
-    values_start(&b.values, s, g, written, is_double);
+    values_start(&b.values, s, g, written, 0, is_double);
     build_step(&b);
     build_method(&b);
 }

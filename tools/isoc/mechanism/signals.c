@@ -8,58 +8,102 @@ static bool same_name(name a, name b)
     return a.text != NULL && b.text != NULL && strcmp(a.text, b.text) == 0;
 }
 
+/* What joints and forces say of an input: whether it is a torque, or a force. */
+static void find_uses(const builder *b, name input, bool *force, bool *torque)
+{
+    *force = *torque = false;
+    for (size_t j = 0; j < b->written->joint_count; j++) {
+        const joint *user = &b->written->joints[j];
+        if (same_name(user->drive, input)) {
+            *force = *force || user->kind == JOINT_PRISMATIC;
+            *torque = *torque || user->kind == JOINT_REVOLUTE;
+        }
+    }
+    for (size_t j = 0; j < b->written->force_count; j++) {
+        *force = *force || same_name(b->written->forces[j].drive, input);
+    }
+}
+
+/* The dimension of an input: that of what it drives, or its unit, or that of its value. */
+static dimension input_dimension(builder *b, const quantity *q, bool *is_known)
+{
+    bool force, torque;
+    find_uses(b, q->name, &force, &torque);
+    *is_known = true;
+    if (force && torque) {
+        source_problem(b->s, q->name.at, "the input '%s' drives both a torque and a force: use two inputs",
+                       q->name.text);
+    }
+    const dimension driven = torque ? newton_metre : newton;
+    if ((force || torque) && q->has_unit && !dimension_equal(q->unit.of, driven)) {
+        source_problem(b->s, q->name.at, "the input '%s' drives a %s, which is not in %s", q->name.text,
+                       torque ? "torque" : "force", dimension_text(b->s->memory, q->unit.of));
+    }
+    if (force || torque) {
+        return driven;
+    }
+    const value v = q->has_unit || q->value == NULL ? (value){0} : value_any(&b->values, q->value);
+    *is_known = q->has_unit || v.count == 1;
+    return q->has_unit ? q->unit.of : v.of;
+}
+
+static void build_input(builder *b, int i)
+{
+    mechanism *made = &b->made;
+    const quantity *q = &b->written->inputs[i];
+    bool is_known;
+    const dimension of = input_dimension(b, q, &is_known);
+    const char *what = dimension_equal(of, newton_metre) ? "a torque" : dimension_equal(of, newton) ? "a force" : "this input";
+    b->input_dimensions[i] = of;
+    made->inputs[i] = (variable){.name = q->name.text,
+                                 .unit = dimension_equal(of, no_unit) ? "1" : dimension_text(b->s->memory, of),
+                                 .quote = source_quote(b->s, q->name.at),
+                                 .least = -HUGE_VAL,
+                                 .most = HUGE_VAL};
+    made->driven[i] = q->value != NULL;
+    made->drives[i] = scalar_value(b, is_known ? q->value : NULL, of, what);
+    made->jumps[i] = value_constant(&b->values, is_known ? q->jump : NULL, of, what, q->jump != NULL ? 1.0 : 0.0);
+    if (q->jump != NULL && !(made->jumps[i] > 0.0)) {
+        source_problem(b->s, q->jump->at, "a jump must be larger than zero");
+    }
+}
+
 void build_inputs(builder *b)
 {
     mechanism *made = &b->made;
+    const size_t room = b->written->input_count + 1;
     made->input_count = (int)b->written->input_count;
-    made->inputs = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->inputs);
-    made->driven = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->driven);
-    made->jumps = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->jumps);
-    made->drives = arena_take(b->s->memory, b->written->input_count + (size_t)made->clocks.count + 1, sizeof(node));
+    made->inputs = arena_take(b->s->memory, room, sizeof *made->inputs);
+    made->driven = arena_take(b->s->memory, room, sizeof *made->driven);
+    made->jumps = arena_take(b->s->memory, room, sizeof *made->jumps);
+    made->drives = arena_take(b->s->memory, room + (size_t)made->clocks.count, sizeof *made->drives);
+    b->input_dimensions = arena_take(b->s->memory, room, sizeof *b->input_dimensions);
+    b->is_input_used = arena_take(b->s->memory, room, sizeof *b->is_input_used);
     for (int i = 0; i < made->clocks.count; i++) {
         made->drives[made->input_count + i] = made->clocks.all[i].of_tick;
     }
     b->values.time_allowed = true;
     graph_section(b->g, "Inputs as functions of time");
     for (int i = 0; i < made->input_count; i++) {
-        const quantity *q = &b->written->inputs[i];
-        bool force = false, torque = false;
-        for (size_t j = 0; j < b->written->joint_count; j++) {
-            const joint *user = &b->written->joints[j];
-            if (same_name(user->drive, q->name)) {
-                force = force || user->kind == JOINT_PRISMATIC;
-                torque = torque || user->kind == JOINT_REVOLUTE;
-            }
-        }
-        for (size_t j = 0; j < b->written->force_count; j++) {
-            force = force || same_name(b->written->forces[j].drive, q->name);
-        }
-        if (q->name.text == NULL || (!force && !torque && b->written->broken)) {
-            continue;
-        }
-        if (!force && !torque) {
-            source_problem(b->s, q->name.at, "the input '%s' is not used: write 'drive %s' in a joint or a force",
-                           q->name.text, q->name.text);
-        } else if (force && torque) {
-            source_problem(b->s, q->name.at, "the input '%s' drives both a torque and a force: use two inputs",
-                           q->name.text);
-        }
-        made->inputs[i] = (variable){.name = q->name.text,
-                                     .unit = torque ? "N*m" : "N",
-                                     .quote = source_quote(b->s, q->name.at),
-                                     .least = -HUGE_VAL,
-                                     .most = HUGE_VAL};
-        made->driven[i] = q->value != NULL;
-        const dimension effort = torque ? newton_metre : newton;
-        const char *what = torque ? "a torque" : "a force";
-        made->drives[i] = scalar_value(b, force || torque ? q->value : NULL, effort, what);
-        made->jumps[i] =
-            value_constant(&b->values, force || torque ? q->jump : NULL, effort, what, q->jump != NULL ? 1.0 : 0.0);
-        if (q->jump != NULL && !(made->jumps[i] > 0.0)) {
-            source_problem(b->s, q->jump->at, "a jump must be larger than zero");
+        if (b->written->inputs[i].name.text != NULL) {
+            build_input(b, i);
         }
     }
     b->values.time_allowed = false;
+}
+
+void check_inputs(builder *b)
+{
+    for (size_t i = 0; i < b->written->input_count; i++) {
+        const name input = b->written->inputs[i].name;
+        bool force, torque;
+        find_uses(b, input, &force, &torque);
+        if (input.text != NULL && !b->written->broken && !force && !torque && !b->is_input_used[i]) {
+            source_problem(b->s, input.at,
+                           "the input '%s' is not used: write 'drive %s' in a joint or a force, or give it to an effect",
+                           input.text, input.text);
+        }
+    }
 }
 
 /* A tunable parameter: its default must lie within its limits. */
@@ -85,7 +129,7 @@ void build_parameters(builder *b)
 {
     const scene *written = b->written;
     mechanism *made = &b->made;
-    made->parameters = arena_take(b->s->memory, written->parameter_count + 1, sizeof *made->parameters);
+    made->parameters = arena_take(b->s->memory, written->parameter_count + (size_t)b->fault_count + 1, sizeof *made->parameters);
     made->defaults = b->values.defaults;
     for (size_t i = 0; i < written->parameter_count; i++) {
         const quantity *q = &written->parameters[i];
@@ -97,5 +141,8 @@ void build_parameters(builder *b)
                 made->parameters[index] = parameter_of(b, q, resolved->of, made->defaults[index]);
             }
         }
+    }
+    for (int i = 0; i < b->fault_count; i++) {
+        made->parameters[made->parameter_count++] = b->faults[i];
     }
 }

@@ -60,6 +60,11 @@ const state *mechanism_states(const mechanism *m, arena *memory)
         made->about.start = m->clocks.all[i].start;
         made->symbol = arena_format(memory, "q_%s", made->about.name);
     }
+    for (int i = 0; i < m->effect_state_count; i++) {
+        state *made = &all[m->first_effect_state + i];
+        *made = (state){.about = m->effect_states[i].about, .kind = STATE_OF_EFFECT};
+        made->symbol = arena_format(memory, "z_%s", made->about.name);
+    }
     return all;
 }
 

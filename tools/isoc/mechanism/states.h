@@ -9,6 +9,7 @@ typedef enum state_kind {
     STATE_TURN,       /* an angle that is kept within a turn, its whole turns beside it */
     STATE_QUATERNION, /* a part of one: w, x, y, z */
     STATE_CLOCK,      /* that a motion is a function of; every tick sets it */
+    STATE_OF_EFFECT,
     STATE_SPEED,
 } state_kind;
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-static const dimension plain = {0, 0, 0, 0}, second = {0, 0, 1, 0};
+static const dimension plain = {0, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0};
 static const double pi = 3.14159265358979323846;
 
 static const double most_ticks = 4e9; /* of 2^32 */
@@ -32,7 +32,7 @@ value time_of_formula(values *v, const formula *f)
 /* A phase that grows with the ticks. */
 value wave_of_formula(values *v, const formula *f)
 {
-    static const dimension hertz = {0, 0, -1, 0}, radian = {0, 0, 0, 1}, speed = {0, 0, -1, 1};
+    static const dimension hertz = {0, 0, -1, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0}, speed = {0, 0, -1, 1, 0, 0};
     if (refuses_time(v, f)) {
         return nothing;
     }

@@ -7,16 +7,16 @@
 #include "tools/isoc/mechanism/functions.h"
 #include "tools/isoc/mechanism/timing.h"
 
-static const dimension plain = {0, 0, 0, 0};
+static const dimension plain = {0, 0, 0, 0, 0, 0};
 static const double pi = 3.14159265358979323846;
 
-void values_start(values *v, source *s, graph *g, const scene *written, bool is_double)
+void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double)
 {
     *v = (values){.s = s, .g = g, .scene = written, .is_double = is_double};
     const size_t room = written->parameter_count + 1;
     v->parameters = arena_take(s->memory, room, sizeof *v->parameters);
     v->progress = arena_take(s->memory, room, sizeof *v->progress);
-    v->defaults = arena_take(s->memory, room, sizeof *v->defaults);
+    v->defaults = arena_take(s->memory, room + more, sizeof *v->defaults);
     v->tunable_index = arena_take(s->memory, room, sizeof *v->tunable_index);
     v->names = (dictionary){.memory = s->memory};
     for (size_t i = 0; i < written->parameter_count; i++) {
@@ -164,8 +164,23 @@ static value refuse_name(values *v, const formula *f)
     return nothing();
 }
 
+/* 1024 / rev: a unit, where nothing has its name. */
+static bool is_unit(const values *v, const formula *f, value *found)
+{
+    unit u;
+    if (!unit_find(f->name, &u)) {
+        return false;
+    }
+    *found = scalar(constant(v->g, u.numerator / u.denominator), u.of);
+    return true;
+}
+
 static value evaluate_name(values *v, const formula *f)
 {
+    value found;
+    if (v->around != NULL && v->around->find(v->around->of, f, &found)) {
+        return found;
+    }
     if (strcmp(f->name, "pi") == 0) {
         return scalar(constant(v->g, pi), plain);
     }
@@ -173,6 +188,9 @@ static value evaluate_name(values *v, const formula *f)
         return time_of_formula(v, f);
     }
     const int *i = dictionary_find(&v->names, f->name);
+    if (i == NULL && is_unit(v, f, &found)) {
+        return found;
+    }
     if (i == NULL) {
         return refuse_name(v, f);
     }
@@ -244,13 +262,19 @@ static value evaluate_scale(values *v, const formula *f)
     return r;
 }
 
+/* Whether two dimensions are the same. */
+static bool agree(const values *v, dimension a, dimension b)
+{
+    return v->around == NULL ? dimension_equal(a, b) : dimension_equal_but_angle(a, b);
+}
+
 static value evaluate_sum(values *v, const formula *f, value a, value b)
 {
     if (a.count != b.count) {
         source_problem(v->s, f->at, "a vector and a number cannot be added");
         return nothing();
     }
-    if (!a.any && !b.any && !dimension_equal(a.of, b.of)) {
+    if (!a.any && !b.any && !agree(v, a.of, b.of)) {
         source_problem(v->s, f->at, "%s and %s cannot be added", dimension_text(v->s->memory, a.of),
                        dimension_text(v->s->memory, b.of));
         return nothing();
@@ -268,7 +292,8 @@ static value evaluate_product(values *v, const formula *f, value a, value b)
         source_problem(v->s, f->at, "a vector cannot be multiplied by a vector, nor divide");
         return nothing();
     }
-    if (f->sign == '/' && value_now(v, b.parts[0]) == 0.0) {
+    const bool is_known = v->around == NULL || is_constant(v->g, b.parts[0]);
+    if (f->sign == '/' && is_known && value_now(v, b.parts[0]) == 0.0) {
         source_problem(v->s, f->at, "division by zero");
         return nothing();
     }
@@ -322,6 +347,16 @@ static value evaluate_power(values *v, const formula *f)
     return r;
 }
 
+static value quantity_of_formula(values *v, const formula *f)
+{
+    if (v->around == NULL) {
+        source_problem(v->s, f->at, "'%s of %s' changes with time: only an effect, a signal or an output can use it",
+                       f->name, f->parts[0]->name);
+        return nothing();
+    }
+    return v->around->quantity(v->around->of, f);
+}
+
 value value_any(values *v, const formula *f)
 {
     value r;
@@ -340,6 +375,8 @@ value value_any(values *v, const formula *f)
         return evaluate_power(v, f);
     case FORMULA_CALL:
         return call_of_formula(v, f);
+    case FORMULA_OF:
+        return quantity_of_formula(v, f);
     case FORMULA_STEP:
     case FORMULA_NEGATE:
         break;
@@ -379,13 +416,13 @@ value value_of(values *v, const formula *f, dimension of, int parts, const char 
         source_problem(v->s, f->at, "%s is %s; this is %s", what, form_of(parts), found);
         return nothing();
     }
-    if (!r.any && !dimension_equal(r.of, of)) {
+    if (!r.any && !agree(v, r.of, of)) {
         source_problem(v->s, f->at, "%s %s; this %s", what, dimension_phrase(v->s->memory, of),
                        dimension_phrase(v->s->memory, r.of));
         return nothing();
     }
     for (int i = 0; i < r.count; i++) {
-        if (!isfinite(value_now(v, r.parts[i]))) {
+        if (v->around == NULL && !isfinite(value_now(v, r.parts[i]))) {
             source_problem(v->s, f->at, "%s is not finite", what);
             return nothing();
         }
@@ -415,7 +452,7 @@ double value_constant(values *v, const formula *f, dimension of, const char *wha
 
 double value_displacement(values *v, const formula *f, const char *what, double fallback)
 {
-    static const dimension metre = {0, 1, 0, 0}, radian = {0, 0, 0, 1};
+    static const dimension metre = {0, 1, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0};
     const value found = f == NULL ? nothing() : value_any(v, f);
     const dimension of = dimension_equal(found.of, radian) ? radian : metre;
     return found.count == 0 ? fallback : value_constant(v, f, of, what, fallback);

@@ -18,6 +18,14 @@ typedef struct value {
 /* How far the value of a parameter is. */
 typedef enum progress { NOT_YET, STARTED, DONE } progress;
 
+/* What effects and signals can name besides parameters. There numbers change with the states, and a radian is the number
+ * one. */
+typedef struct surroundings {
+    void *of;
+    bool (*find)(void *of, const formula *f, value *found); /* false: there is no such name */
+    value (*quantity)(void *of, const formula *f);          /* position of JOINT */
+} surroundings;
+
 /* The scene's parameters and the graph that formulas become nodes of. */
 typedef struct values {
     source *s;
@@ -29,6 +37,7 @@ typedef struct values {
     double step;       /* s; functions of time need it */
     bool time_allowed; /* in the formula of an input or a motion */
     bool is_smooth;    /* of a motion */
+    const surroundings *around; /* NULL: nothing else */
     value *parameters; /* of the scene's, where resolved */
     progress *progress;
     dictionary names;   /* of the parameters */
@@ -39,7 +48,8 @@ typedef struct values {
     size_t number_count, number_room;
 } values;
 
-void values_start(values *v, source *s, graph *g, const scene *written, bool is_double);
+/* With room for so many tunables besides those that are written. */
+void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double);
 
 /* All parameters, in the order of the scene; notes what is wrong with them. */
 void values_resolve(values *v);

@@ -44,7 +44,7 @@ typedef struct unknowns {
     node *weights; /* [count count] */
 } unknowns;
 
-static unknowns unknowns_of(graph *g, const node *derivatives, int states, int most)
+static unknowns unknowns_of(graph *g, const node *derivatives, int states, int dofs, int most)
 {
     const size_t room = (size_t)most;
     unknowns z = {.states = states, .of = arena_take(g->memory, room, sizeof *z.of)};
@@ -54,7 +54,8 @@ static unknowns unknowns_of(graph *g, const node *derivatives, int states, int m
     z.weights = arena_take(g->memory, room * room, sizeof *z.weights);
     /* From the tips to the root, where M has its zeros. */
     for (int i = states - 1; i >= 0; i--) {
-        z.follows[i] = g->nodes[derivatives[i]].op == OP_STATE;
+        const graph_node *rate = &g->nodes[derivatives[i]];
+        z.follows[i] = rate->op == OP_STATE && rate->index >= states - dofs;
         if (!z.follows[i]) {
             z.partner[i] = z.count;
             z.of[z.count++] = i;
@@ -70,7 +71,7 @@ static unknowns unknowns_of(graph *g, const node *derivatives, int states, int m
 static unknowns solved_equations(graph *g, const dynamics *d, const node *derivatives)
 {
     const int states = state_count(d->m);
-    unknowns z = unknowns_of(g, derivatives, states, states);
+    unknowns z = unknowns_of(g, derivatives, states, d->m->dof_count, states);
     for (int i = 0; i < z.count; i++) {
         z.left[i] = derivatives[z.of[i]];
         for (int j = 0; j < z.count; j++) {
@@ -85,7 +86,7 @@ static unknowns balanced_equations(graph *g, const dynamics *d, const node *deri
 {
     const mechanism *m = d->m;
     const int states = state_count(m), rows = balance_rows(d), n = m->dof_count;
-    unknowns z = unknowns_of(g, derivatives, states, states + rows - n);
+    unknowns z = unknowns_of(g, derivatives, states, n, states + rows - n);
     node *left = arena_take(g->memory, (size_t)rows, sizeof *left);
     node *weights = arena_take(g->memory, (size_t)(rows * rows), sizeof *weights);
     int *row = arena_take(g->memory, (size_t)(states + rows), sizeof *row); /* of the balance; -1: an explicit rate */

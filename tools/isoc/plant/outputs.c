@@ -10,6 +10,9 @@ typedef void show_function(plant *p, graph *g, const shown *o);
 static const char *unit_of(const plant *p, const shown *o)
 {
     const output_row *row = &output_rows[o->kind];
+    if (o->kind == OUTPUT_FORMULA) {
+        return o->unit;
+    }
     const int of = o->cut >= 0 ? p->m->cuts[o->cut].parent.link : o->link;
     return of >= 0 && slides(&p->m->links[of]) ? row->unit : row->turning_unit;
 }
@@ -156,6 +159,12 @@ static void show_violation_rate(plant *p, graph *g, const shown *o)
     show(p, o, largest_violation(&p->d->k, &p->d->loops.held, true));
 }
 
+static void show_formula(plant *p, graph *g, const shown *o)
+{
+    (void)g;
+    show(p, o, o->formula);
+}
+
 static show_function *const functions[OUTPUT_ROWS] = {
     [OUTPUT_POSITION] = show_position,
     [OUTPUT_POINT] = show_point,
@@ -173,6 +182,7 @@ static show_function *const functions[OUTPUT_ROWS] = {
     [OUTPUT_RESIDUAL] = show_residual,
     [OUTPUT_VIOLATION] = show_violation,
     [OUTPUT_VIOLATION_RATE] = show_violation_rate,
+    [OUTPUT_FORMULA] = show_formula,
 };
 
 /* --- all of them --- */

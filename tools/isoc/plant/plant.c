@@ -16,6 +16,9 @@ static void build_derivatives(plant *p, graph *g, formulation chosen)
     for (int i = 0; i < m->clocks.count; i++) {
         p->derivatives[m->clocks.first + i] = constant(g, m->clocks.all[i].rate);
     }
+    for (int i = 0; i < m->effect_state_count; i++) {
+        p->derivatives[m->first_effect_state + i] = m->effect_states[i].next;
+    }
     for (int f = 0; f < m->dof_count; f++) {
         p->derivatives[m->position_count + f] = p->d->acceleration[f];
     }

@@ -24,7 +24,8 @@ static void add_part(parser *p, formula *f, formula *part)
 static bool next_is_connective(const parser *p)
 {
     static const char *const words[] = {"at",    "about", "rotate", "quaternion", "rest",
-                                        "along", "of",    "jump",   "in",         "to"};
+                                        "along", "of",    "jump",   "in",         "to",
+                                        "and",   "like"};
     for (size_t i = 0; i < COUNT_OF(words); i++) {
         if (next_is_word(p, words[i])) {
             return true;
@@ -84,7 +85,7 @@ static bool parse_unit_factor(parser *p, unit *product, bool divide)
 /* unit { (* | /) unit } */
 static unit parse_unit(parser *p)
 {
-    unit product = {1, 1, {0, 0, 0, 0}};
+    unit product = {1, 1, {0, 0, 0, 0, 0, 0}};
     bool going = parse_unit_factor(p, &product, false);
     while (going && unit_goes_on(p)) {
         const bool divide = next_is_sign(p, '/');
@@ -94,6 +95,15 @@ static unit parse_unit(parser *p)
         going = parse_unit_factor(p, &product, divide);
     }
     return product;
+}
+
+bool take_unit(parser *p, unit *taken)
+{
+    const bool is = next_is_unit(p);
+    if (is) {
+        *taken = parse_unit(p);
+    }
+    return is;
 }
 
 /* Reports a word that stands where only a unit can. */
@@ -113,7 +123,7 @@ static formula *parse_number(parser *p)
 {
     formula *f = formula_new(p, FORMULA_NUMBER, p->next->at);
     f->number = p->next->number;
-    f->unit = (unit){1, 1, {0, 0, 0, 0}};
+    f->unit = (unit){1, 1, {0, 0, 0, 0, 0, 0}};
     p->next++;
     if (next_is_unit(p)) {
         f->unit = parse_unit(p);
@@ -158,8 +168,30 @@ static formula *parse_parenthesis(parser *p)
     return f;
 }
 
+/* position of JOINT */
+static formula *parse_quantity(parser *p)
+{
+    formula *f = formula_new(p, FORMULA_OF, p->next->at);
+    f->name = p->next->text;
+    p->next += 2;
+    formula *of = formula_new(p, FORMULA_NAME, p->next->at);
+    of->name = p->next->text;
+    p->next++;
+    add_part(p, f, of);
+    return f;
+}
+
+static bool next_is_quantity(const parser *p)
+{
+    return (next_is_word(p, "position") || next_is_word(p, "speed") || next_is_word(p, "turns")) &&
+           p->next[1].kind == TOKEN_NAME && strcmp(p->next[1].text, "of") == 0 && p->next[2].kind == TOKEN_NAME;
+}
+
 static formula *parse_name_or_call(parser *p)
 {
+    if (next_is_quantity(p)) {
+        return parse_quantity(p);
+    }
     const bool call = p->next[1].sign == '(';
     formula *f = formula_new(p, call ? FORMULA_CALL : FORMULA_NAME, p->next->at);
     f->name = p->next->text;
@@ -258,7 +290,7 @@ formula *parse_axis(parser *p)
     formula *f = formula_new(p, FORMULA_VECTOR, p->next->at);
     for (char letter = 'x'; letter <= 'z'; letter++) {
         formula *part = formula_new(p, FORMULA_NUMBER, p->next->at);
-        part->unit = (unit){1, 1, {0, 0, 0, 0}};
+        part->unit = (unit){1, 1, {0, 0, 0, 0, 0, 0}};
         part->number = letter != t->text[0] ? 0 : next_is_sign(p, '-') ? -1 : 1;
         add_part(p, f, part);
     }

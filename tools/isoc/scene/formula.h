@@ -11,4 +11,7 @@ formula *parse_formula(parser *p);
 /* x, y, z, -x, -y, -z or a vector. */
 formula *parse_axis(parser *p);
 
+/* Takes a unit, such as N*m/A, where the next token begins one. Returns whether it does. */
+bool take_unit(parser *p, unit *taken);
+
 #endif

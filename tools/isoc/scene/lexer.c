@@ -24,7 +24,7 @@ static bool is_letter(char c)
 
 static bool is_sign(char c)
 {
-    return c != '\0' && strchr("(){},;:=+-*/^", c) != NULL;
+    return c != '\0' && strchr("(){},;:=+-*/^<>", c) != NULL;
 }
 
 static bool is_space(char c)
@@ -92,10 +92,11 @@ static void lex_number(lexer *l)
     }
 }
 
+/* A dot joins the name of an effect and what it has: drive.current. */
 static void lex_name(lexer *l)
 {
     const place from = l->at;
-    while (is_letter(look(l, 0)) || is_digit(look(l, 0))) {
+    while (is_letter(look(l, 0)) || is_digit(look(l, 0)) || (look(l, 0) == '.' && is_letter(look(l, 1)))) {
         l->at++;
     }
     token *t = add(l, TOKEN_NAME, from);

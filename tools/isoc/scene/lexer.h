@@ -10,7 +10,7 @@ typedef enum token_kind {
     TOKEN_END,
     TOKEN_NAME,
     TOKEN_NUMBER,
-    TOKEN_SIGN, /* one of ( ) { } , ; : = + - * / ^ */
+    TOKEN_SIGN, /* one of ( ) { } , ; : = + - * / ^ < > */
 } token_kind;
 
 typedef struct token {

@@ -4,6 +4,20 @@
 #include "tools/isoc/scene/formula.h"
 #include "tools/isoc/scene/statements.h"
 
+/* Whether the next word is a row's, and not the name of something, or the beginning of a formula. */
+static bool next_is_output_kind(const parser *p)
+{
+    bool is = p->next->kind == TOKEN_NAME;
+    for (output_kind kind = 0; kind < OUTPUT_ROWS; kind++) {
+        if (next_is_word(p, output_rows[kind].word)) {
+            return p->next[1].first_on_line || p->next[1].kind == TOKEN_END || p->next[1].sign == ';' ||
+                   p->next[1].kind == TOKEN_NAME;
+        }
+        is = is && p->next[1].sign == '\0';
+    }
+    return is && strchr(p->next->text, '.') == NULL;
+}
+
 /* The first row of the next word, which is taken. */
 static output_kind parse_output_kind(parser *p)
 {
@@ -65,7 +79,10 @@ void read_output(parser *p, const token *word, void *slot)
         parse_problem(p, "expected =, as in: output angle = position of joint");
     }
     o.kind_at = p->next->at;
-    if (!p->failed) {
+    if (!p->failed && !next_is_output_kind(p)) {
+        o.kind = OUTPUT_FORMULA;
+        o.formula = parse_formula(p);
+    } else if (!p->failed) {
         o.kind = parse_output_kind(p);
     }
     if (!p->failed && output_rows[o.kind].of >= OF_COORDINATE) {

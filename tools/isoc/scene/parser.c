@@ -58,6 +58,7 @@ static void read_input_statement(parser *p, const token *word, void *slot)
     (void)word;
     scene *made = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the input")};
+    q.has_unit = !p->failed && take_unit(p, &q.unit);
     if (!p->failed && take_word(p, "jump")) {
         q.jump = parse_formula(p);
     }
@@ -101,6 +102,8 @@ static const property statements[] = {
     {"tunable", read_parameter, 0, EVERY_KIND | MANY, NULL},
     {"input", read_input_statement, 0, EVERY_KIND | MANY, NULL},
     {"output", read_output, 0, EVERY_KIND | MANY, NULL},
+    {"effect", read_effect, 0, EVERY_KIND | MANY, NULL},
+    {"signal", read_signal, 0, EVERY_KIND | MANY, NULL},
 };
 #undef IN
 

@@ -18,6 +18,7 @@ typedef enum formula_kind {
     FORMULA_STEP,   /* sign parts[0] */
     FORMULA_POWER,  /* parts[0] to the number */
     FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value */
+    FORMULA_OF,     /* name, position or speed, of the joint that parts[0] names */
 } formula_kind;
 
 typedef struct formula {
@@ -115,13 +116,60 @@ typedef struct quantity {
     name name;
     formula *value;        /* of an input: NULL when nothing drives it */
     formula *jump;         /* of an input: the change that restarts a method, or NULL */
+    unit unit;             /* of an input that has_unit */
+    bool has_unit;
     formula *least, *most; /* of a tunable: in LEAST to MOST, or NULL */
     bool tunable;
 } quantity;
 
+/* What a line of an effect says. The operands come first. */
+typedef enum effect_line_kind {
+    EFFECT_JOINT,
+    EFFECT_SIGNAL, /* a number that may change at any time */
+    EFFECT_VALUE,  /* a constant or a tunable */
+    EFFECT_FAULT,  /* a tunable of its own: 0 or 1 */
+    EFFECT_LET,
+    EFFECT_STATE,  /* value: at the start */
+    EFFECT_RATE,   /* of the state that it names */
+    EFFECT_MEMORY, /* value: at the start */
+    EFFECT_NEXT,   /* of the memory that it names */
+    EFFECT_EFFORT, /* on the joint that it names */
+    EFFECT_OUTPUT,
+    EFFECT_REQUIRE, /* value and most: the second is not less than the first */
+    EFFECT_LINE_KINDS
+} effect_line_kind;
+
+typedef struct effect_line {
+    effect_line_kind kind;
+    name name;
+    place at;
+    name like, like_of; /* effort, speed or position, of a joint: its unit */
+    bool has_unit;
+    unit unit;
+    formula *value, *most; /* NULL where none is given */
+} effect_line;
+
+/* effect KIND { ... }: the equations of one effect. */
+typedef struct effect_kind {
+    name name;
+    effect_line *lines;
+    size_t line_count, line_room;
+    bool broken;
+} effect_kind;
+
+/* effect NAME KIND { operand value ... } */
+typedef struct effect_use {
+    name name;
+    name kind;
+    quantity *operands; /* each with its name and value */
+    size_t operand_count, operand_room;
+    bool broken;
+} effect_use;
+
 typedef struct output {
     name name;
     output_kind kind; /* the first row of its word; mechanism/outputs.c finds the right one */
+    formula *formula; /* in its place, where it begins with no such word */
     place kind_at;
     name of;        /* a joint, a body or a closure */
     formula *point; /* in the body's frame; NULL: its origin */
@@ -140,10 +188,14 @@ typedef struct scene {
     joint *joints;
     closure *closures;
     body_force *forces;
-    quantity *parameters, *inputs;
+    quantity *parameters, *inputs, *signals;
+    effect_kind *effect_kinds;
+    effect_use *effects;
     output *outputs;
-    size_t body_count, joint_count, closure_count, force_count, parameter_count, input_count, output_count;
-    size_t body_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room;
+    size_t body_count, joint_count, closure_count, force_count, parameter_count, input_count, output_count,
+        signal_count, effect_kind_count, effect_count;
+    size_t body_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room,
+        signal_room, effect_kind_room, effect_room;
 } scene;
 
 #endif

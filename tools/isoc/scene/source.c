@@ -80,6 +80,10 @@ void source_problem(source *s, place at, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
+    if (s->used_by != NULL) {
+        const size_t length = strlen(message);
+        snprintf(message + length, sizeof message - length, "; %s", s->used_by);
+    }
 
     s->problems = arena_grow(s->memory, s->problems, s->problem_count, &s->problem_room, sizeof *s->problems);
     s->problems[s->problem_count++] = (problem){at, arena_copy(s->memory, message, strlen(message))};

@@ -22,6 +22,7 @@ typedef struct source {
     size_t length;
     problem *problems;
     size_t problem_count, problem_room;
+    const char *used_by; /* what problems are of, besides their place: the use of an effect; or NULL */
 } source;
 
 /* What the scene is called: its file's name without folder and ending, as an identifier. */

@@ -78,6 +78,9 @@ name take_new_name(parser *p, const char *expected)
     if (n.text != NULL && is_own_word(n.text)) {
         source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
     }
+    if (n.text != NULL && strchr(n.text, '.') != NULL) {
+        source_problem(p->s, n.at, "'%s': a name that is given has no dot", n.text);
+    }
     return n;
 }
 

@@ -1,4 +1,4 @@
-/* Units: what a name like mm, kg or rpm means in m, kg, s and rad. */
+/* Units: what a name like mm, kg, rpm or V means in m, kg, s, rad, A and K. */
 #ifndef ISOC_SCENE_UNIT_H
 #define ISOC_SCENE_UNIT_H
 
@@ -9,7 +9,7 @@
 
 /* Exponents. The angle is a dimension, so that N*m and N*m/rad are different. */
 typedef struct dimension {
-    int8_t kg, m, s, rad;
+    int8_t kg, m, s, rad, A, K;
 } dimension;
 
 /* A unit is numerator / denominator times the SI unit of its dimension: mm is 1/1000 m, deg is pi/180 rad; two numbers
@@ -20,6 +20,9 @@ typedef struct unit {
 } unit;
 
 bool dimension_equal(dimension a, dimension b);
+
+/* The same, where a radian is the number one, as in the SI: N*m/A is V*s/rad. */
+bool dimension_equal_but_angle(dimension a, dimension b);
 
 /* a times b to the power n. Returns false where an exponent leaves -9 .. 9. */
 bool dimension_times(dimension *a, dimension b, int n);

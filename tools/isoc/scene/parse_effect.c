@@ -1,0 +1,211 @@
+/* effect KIND { line ... }: what an effect is. effect NAME KIND { operand value ... }: one in the scene. */
+#include <string.h>
+
+#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/statements.h"
+
+/* --- lines of a definition --- */
+
+/* like speed of JOINT, or a unit. */
+static void parse_unit_or_like(parser *p, effect_line *line)
+{
+    static const char *const words[] = {"effort", "speed", "position"};
+    if (!take_word(p, "like")) {
+        line->has_unit = take_unit(p, &line->unit);
+        return;
+    }
+    line->like = (name){p->next->text, p->next->at};
+    take_one_of(p, words, COUNT_OF(words));
+    if (!p->failed && !take_word(p, "of")) {
+        parse_problem(p, "expected 'of' and the name of a joint");
+    }
+    if (!p->failed) {
+        line->like_of = take_name(p, "expected the name of a joint");
+    }
+}
+
+static void parse_equals(parser *p, effect_line *line, const char *example)
+{
+    if (!p->failed && !take_sign(p, '=')) {
+        parse_problem(p, arena_format(p->s->memory, "expected =, as in: %s", example));
+    }
+    line->value = p->failed ? NULL : parse_formula(p);
+}
+
+static void parse_optional_value(parser *p, effect_line *line)
+{
+    if (!p->failed && take_sign(p, '=')) {
+        line->value = parse_formula(p);
+    }
+}
+
+/* What a line has besides its name. */
+static void parse_rest(parser *p, effect_line *line)
+{
+    switch (line->kind) {
+    case EFFECT_JOINT:
+    case EFFECT_FAULT:
+        break;
+    case EFFECT_SIGNAL:
+    case EFFECT_VALUE:
+        parse_unit_or_like(p, line);
+        parse_optional_value(p, line);
+        break;
+    case EFFECT_STATE:
+    case EFFECT_MEMORY:
+        line->has_unit = take_unit(p, &line->unit);
+        parse_equals(p, line, "state current A = 0 A");
+        break;
+    case EFFECT_OUTPUT:
+        parse_optional_value(p, line);
+        break;
+    default:
+        parse_equals(p, line, "let v = speed of along");
+        break;
+    }
+}
+
+static void add_line(parser *p, effect_kind *made, effect_line line)
+{
+    made->lines = arena_grow(p->s->memory, made->lines, made->line_count, &made->line_room, sizeof line);
+    made->lines[made->line_count++] = line;
+}
+
+/* A line that begins with its word and a name: what is called so, or what the line is about. */
+static void read_line(parser *p, effect_kind *made, effect_line_kind kind, bool is_new)
+{
+    effect_line line = {.kind = kind, .at = p->next->at};
+    line.name = is_new ? take_new_name(p, "expected a name") : take_name(p, "expected the name of what this is about");
+    if (!p->failed) {
+        parse_rest(p, &line);
+    }
+    add_line(p, made, line);
+}
+
+#define READ_LINE(word, kind, is_new)                                                                                  \
+    static void read_##word(parser *p, const token *at, void *slot)                                                    \
+    {                                                                                                                  \
+        (void)at;                                                                                                      \
+        read_line(p, slot, kind, is_new);                                                                              \
+    }
+READ_LINE(along_joint, EFFECT_JOINT, true)
+READ_LINE(given_signal, EFFECT_SIGNAL, true)
+READ_LINE(value, EFFECT_VALUE, true)
+READ_LINE(fault, EFFECT_FAULT, true)
+READ_LINE(let, EFFECT_LET, true)
+READ_LINE(state, EFFECT_STATE, true)
+READ_LINE(rate, EFFECT_RATE, false)
+READ_LINE(memory, EFFECT_MEMORY, true)
+READ_LINE(next, EFFECT_NEXT, false)
+READ_LINE(shown, EFFECT_OUTPUT, false)
+
+/* effort on JOINT = FORMULA */
+static void read_effort(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    if (!take_word(p, "on")) {
+        parse_problem(p, "expected 'on' and the name of a joint");
+        return;
+    }
+    read_line(p, slot, EFFECT_EFFORT, false);
+}
+
+/* require A <= B { and C <= D } */
+static void read_require(parser *p, const token *word, void *slot)
+{
+    do {
+        effect_line line = {.kind = EFFECT_REQUIRE, .at = word->at};
+        formula *left = parse_formula(p);
+        const bool rises = next_is_sign(p, '<');
+        if (!p->failed && ((!rises && !next_is_sign(p, '>')) || p->next[1].sign != '=')) {
+            parse_problem(p, "expected <= or >=");
+        }
+        if (p->failed) {
+            return;
+        }
+        p->next += 2;
+        formula *right = parse_formula(p);
+        line.value = rises ? left : right;
+        line.most = rises ? right : left;
+        add_line(p, slot, line);
+    } while (!p->failed && take_word(p, "and"));
+}
+
+static const property lines[] = {
+    {"joint", read_along_joint, 0, EVERY_KIND | MANY, NULL},  {"signal", read_given_signal, 0, EVERY_KIND | MANY, NULL},
+    {"value", read_value, 0, EVERY_KIND | MANY, NULL},        {"fault", read_fault, 0, EVERY_KIND | MANY, NULL},
+    {"let", read_let, 0, EVERY_KIND | MANY, NULL},            {"state", read_state, 0, EVERY_KIND | MANY, NULL},
+    {"rate", read_rate, 0, EVERY_KIND | MANY, NULL},          {"memory", read_memory, 0, EVERY_KIND | MANY, NULL},
+    {"next", read_next, 0, EVERY_KIND | MANY, NULL},          {"effort", read_effort, 0, EVERY_KIND | MANY, NULL},
+    {"output", read_shown, 0, EVERY_KIND | MANY, NULL},       {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+};
+
+static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};
+
+static void parse_definition(parser *p, scene *made, name called)
+{
+    effect_kind kind = {.name = called};
+    kind.broken = !parse_block(p, &definition, 0, called, &kind);
+    made->effect_kinds =
+        arena_grow(p->s->memory, made->effect_kinds, made->effect_kind_count, &made->effect_kind_room, sizeof kind);
+    made->effect_kinds[made->effect_kind_count++] = kind;
+}
+
+/* --- uses --- */
+
+/* { operand value; ... }: which operands there are, only the definition knows, and that may come later. */
+static void parse_operands(parser *p, effect_use *use)
+{
+    if (!take_sign(p, '{')) {
+        parse_problem(p, "expected {");
+    }
+    while (!p->failed && !take_sign(p, '}')) {
+        if (take_sign(p, ';')) {
+            continue;
+        }
+        quantity given = {.name = {p->next->text, p->next->at}};
+        if (p->next->kind != TOKEN_NAME) {
+            parse_problem(p, "expected an operand of the effect, or }");
+            return;
+        }
+        p->next++;
+        given.value = parse_formula(p);
+        use->operands =
+            arena_grow(p->s->memory, use->operands, use->operand_count, &use->operand_room, sizeof given);
+        use->operands[use->operand_count++] = given;
+    }
+}
+
+void read_effect(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    effect_use use = {.name = take_new_name(p, "expected a name for the effect")};
+    if (p->failed) {
+        return;
+    }
+    if (next_is_sign(p, '{')) {
+        parse_definition(p, made, use.name);
+        return;
+    }
+    use.kind = take_name(p, "expected a kind of effect, or { and what it is");
+    if (!p->failed) {
+        parse_operands(p, &use);
+    }
+    use.broken = p->failed;
+    made->effects = arena_grow(p->s->memory, made->effects, made->effect_count, &made->effect_room, sizeof use);
+    made->effects[made->effect_count++] = use;
+}
+
+void read_signal(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    quantity q = {.name = take_new_name(p, "expected a name for the signal")};
+    if (!p->failed && !take_sign(p, '=')) {
+        parse_problem(p, "expected = and a formula");
+    }
+    q.value = p->failed ? NULL : parse_formula(p);
+    made->signals = arena_grow(p->s->memory, made->signals, made->signal_count, &made->signal_room, sizeof q);
+    made->signals[made->signal_count++] = q;
+}
