@@ -39,7 +39,7 @@ typedef struct iso_model {
     uint16_t inputs;
     uint16_t outputs;
     uint16_t parameters;
-    uint16_t memories; /* numbers behind the inputs in u, which `advance` sets */
+    uint16_t memories;        /* numbers behind the inputs in u, which `advance` sets */
     const char *state_names;  /* separated by commas; NULL where nobody knows */
     const char *output_names; /* likewise; always known */
     const char *output_units; /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL where nobody knows */
@@ -60,10 +60,10 @@ typedef struct iso_model {
                                                    states */
     void (*advance)(void *memory); /* sets the memories at the end of a tick, from the states there and the inputs of
                                       the tick; NULL without memories */
-    bool (*jumped)(void *memory); /* whether an input or a parameter jumped, or something happened that ends the smooth
+    bool (*jumped)(void *memory);  /* whether an input or a parameter jumped, or something happened that ends the smooth
                                      motion: then the history is of no use. NULL where no history is kept */
-    void (*prime)(void *memory);  /* fills the method's history from x and u; NULL for a one-step method */
-    void (*step)(void *memory);   /* advances x by one step with u held: the real-time part */
+    void (*prime)(void *memory);   /* fills the method's history from x and u; NULL for a one-step method */
+    void (*step)(void *memory);    /* advances x by one step with u held: the real-time part */
 } iso_model;
 
 /* A plant: a model, and where its memory is. */

@@ -97,7 +97,7 @@ sub accepted {
     check($status eq '0' && !@$lines && slurp("$dir/plant.c") ne 'as before', "$name: accepted", @$lines);
 }
 
-my %base = map { $_ => slurp("tests/scenes/$_.scene") } 'good', 'closed', 'loop';
+my %base = map { $_ => slurp("tests/scenes/$_.scene") } 'good', 'closed', 'effect', 'loop';
 for my $case (grep { /\S/ } split /^== /m, slurp('tests/scenes/bad.txt')) {
     my ($name, @lines) = split /\n/, $case;
     my @expected = map { /^> (.*)/ ? $1 : () } @lines;

@@ -206,7 +206,8 @@ static void emit_advance(emission *e)
     const mechanism *m = e->p->m;
     arena *memory = e->out->memory;
     const size_t room = (size_t)m->memory_count;
-    const char **targets = arena_take(memory, room, sizeof *targets), **quotes = arena_take(memory, room, sizeof *quotes);
+    const char **targets = arena_take(memory, room, sizeof *targets),
+               **quotes = arena_take(memory, room, sizeof *quotes);
     node *roots = arena_take(memory, room, sizeof *roots);
     for (int i = 0; i < m->memory_count; i++) {
         targets[i] = arena_format(memory, "memory->u[%s]", e->names->leaves.inputs[m->input_count + i].place);

@@ -11,7 +11,7 @@ typedef struct naming {
     const char *capitals; /* of constants: CART */
     bool is_program;      /* the plant is iso_the_plant, that of the program */
     const state *states;
-    leaf_names leaves;                /* states, inputs with memories behind them, parameters: CART_X_RAIL, CART_U_PUSH, CART_P_MASS */
+    leaf_names leaves; /* states, inputs with memories behind them, parameters: CART_X_RAIL, CART_U_PUSH, CART_P_MASS */
     const char *const *outputs;       /* CART_Y_ANGLE */
     const char *const *output_quotes; /* the scene's line of each */
 } naming;

@@ -4,8 +4,9 @@
 
 #include "tools/isoc/mechanism/mechanism.h"
 
-static const dimension no_unit = {0, 0, 0, 0, 0, 0}, kilogram = {1, 0, 0, 0, 0, 0}, metre = {0, 1, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0},
-                       radian = {0, 0, 0, 1, 0, 0}, newton = {1, 1, -2, 0, 0, 0}, newton_metre = {1, 2, -2, 0, 0, 0};
+static const dimension no_unit = {0, 0, 0, 0, 0, 0}, kilogram = {1, 0, 0, 0, 0, 0}, metre = {0, 1, 0, 0, 0, 0},
+                       second = {0, 0, 1, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0}, newton = {1, 1, -2, 0, 0, 0},
+                       newton_metre = {1, 2, -2, 0, 0, 0};
 
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 
@@ -23,10 +24,10 @@ typedef struct builder {
     const scene *written;
     values values;
     solid *solids;
-    int *parents, *children; /* of the joints: bodies; -2 the ground, -1 unknown */
-    dimension *input_dimensions; /* of the scene's inputs */
-    bool *is_input_used;
-    variable *faults; /* of effects: tunables behind those of the scene */
+    int *parents, *children;              /* of the joints: bodies; -2 the ground, -1 unknown */
+    dimension *input_dimensions;          /* of the scene's inputs */
+    bool *is_input_used, *is_input_known; /* and whether their dimension is */
+    variable *faults;                     /* of effects: tunables behind those of the scene */
     int fault_count;
     const surroundings *around; /* what effects, signals and outputs can name */
     mechanism made;

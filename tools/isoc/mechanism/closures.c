@@ -86,8 +86,7 @@ int coordinate_of(builder *b, name n)
     }
     const int found = find_joint(b->s, b->written, n);
     if (found >= 0) {
-        source_problem(b->s, n.at, "this needs one coordinate; the joint '%s' has none or several",
-                       n.text);
+        source_problem(b->s, n.at, "this needs one coordinate; the joint '%s' has none or several", n.text);
     }
     return -1;
 }

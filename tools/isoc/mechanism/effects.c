@@ -26,20 +26,11 @@ typedef struct world {
     value *signals;
     progress *signal_progress;
     const instance *within;
+    const char *path[DEEPEST]; /* what is being evaluated, each for the one before */
     int depth;
 } world;
 
 static const value nothing = {0};
-
-static const effect_kind *kind_called(const scene *written, name n)
-{
-    for (size_t i = 0; i < written->effect_kind_count; i++) {
-        if (n.text != NULL && strcmp(written->effect_kinds[i].name.text, n.text) == 0) {
-            return &written->effect_kinds[i];
-        }
-    }
-    return NULL;
-}
 
 static int count_lines(const effect_kind *kind, effect_line_kind of)
 {
@@ -54,7 +45,7 @@ static int count_all(const scene *written, effect_line_kind of)
 {
     int count = 0;
     for (size_t i = 0; i < written->effect_count; i++) {
-        count += count_lines(kind_called(written, written->effects[i].kind), of);
+        count += count_lines(find_effect_kind(written, written->effects[i].kind), of);
     }
     return count;
 }
@@ -95,6 +86,21 @@ static const effect_line *line_called(const effect_kind *kind, const char *calle
     return NULL;
 }
 
+/* The nearest name among the lines of these kinds. */
+static const char *suggestion(source *s, const effect_kind *kind, const char *typed, effect_line_kind from,
+                              effect_line_kind to)
+{
+    const char **names = arena_take(s->memory, kind->line_count + 1, sizeof *names);
+    size_t count = 0;
+    for (size_t i = 0; i < kind->line_count; i++) {
+        const effect_line *line = &kind->lines[i];
+        if (line->kind >= from && line->kind <= to && line->name.text != NULL) {
+            names[count++] = line->name.text;
+        }
+    }
+    return source_suggestion(s, typed, names, count);
+}
+
 static const quantity *operand_called(const instance *in, const char *called)
 {
     for (size_t i = 0; i < in->use->operand_count; i++) {
@@ -107,26 +113,31 @@ static const quantity *operand_called(const instance *in, const char *called)
 
 static value line_value(world *w, const instance *in, const effect_line *line);
 
-/* Evaluates with the names of an instance, or of the scene where it is NULL. */
-static value evaluate(world *w, const instance *in, const formula *f)
+/* From here on names are those of an instance, or of the scene where it is NULL, and problems are of it. Returns what it
+ * was before. */
+static const instance *enter(world *w, const instance *in)
 {
     source *s = w->b->s;
-    const instance *outside = w->within;
-    const char *used_by = s->used_by;
+    const instance *before = w->within;
     w->within = in;
     s->used_by = in == NULL ? NULL
                             : arena_format(s->memory, "in the effect '%s', line %zu", in->use->name.text,
                                            source_line(s, in->use->name.at));
-    value found = nothing;
+    return before;
+}
+
+/* The value of a formula that is called so. */
+static value evaluate(world *w, const instance *in, const formula *f, const char *called)
+{
     if (w->depth >= DEEPEST) {
-        source_problem(s, f->at, "more than %d formulas that need one another", DEEPEST);
-    } else {
-        w->depth++;
-        found = value_any(&w->b->values, f);
-        w->depth--;
+        source_problem(w->b->s, f->at, "more than %d formulas that need one another", DEEPEST);
+        return nothing;
     }
-    w->within = outside;
-    s->used_by = used_by;
+    const instance *before = enter(w, in);
+    w->path[w->depth++] = called;
+    const value found = value_any(&w->b->values, f);
+    w->depth--;
+    enter(w, before);
     return found;
 }
 
@@ -176,11 +187,18 @@ static value quantity_value(void *of, const formula *f)
     return found;
 }
 
-/* Notes a formula that needs its own value. */
+/* Notes a formula that needs its own value, with the path to it. */
 static value refuse_loop(world *w, place at, const char *called)
 {
-    source_problem(w->b->s, at,
-                   "'%s' needs its own value, an algebraic loop: a state or a memory between breaks it", called);
+    int from = w->depth - 1;
+    while (from > 0 && strcmp(w->path[from], called) != 0) {
+        from--;
+    }
+    const char *path = called;
+    for (int i = from + 1; i < w->depth; i++) {
+        path = arena_format(w->b->s->memory, "%s, %s", path, w->path[i]);
+    }
+    source_problem(w->b->s, at, "an algebraic loop: %s, %s; a state or a memory breaks it", path, called);
     return nothing;
 }
 
@@ -192,16 +210,16 @@ static bool find_in_instance(world *w, const formula *f, value *found)
         if (unit_find(f->name, &u)) {
             return false;
         }
-        source_problem(w->b->s, f->at, "this effect has no '%s': no operand, let, state or memory is called so",
-                       f->name);
+        source_problem(w->b->s, f->at, "this effect has no '%s': no operand, let, state or memory is called so%s",
+                       f->name, suggestion(w->b->s, w->within->kind, f->name, EFFECT_JOINT, EFFECT_MEMORY));
         *found = nothing;
         return true;
     }
     if (line != NULL) {
         *found = line->kind == EFFECT_JOINT ? nothing : line_value(w, w->within, line);
         if (line->kind == EFFECT_JOINT) {
-            source_problem(w->b->s, f->at, "'%s' is a joint: write 'speed of %s' or 'position of %s'", f->name,
-                           f->name, f->name);
+            source_problem(w->b->s, f->at, "'%s' is a joint: write 'speed of %s' or 'position of %s'", f->name, f->name,
+                           f->name);
         }
     }
     return line != NULL;
@@ -223,7 +241,8 @@ static value output_of_effect(world *w, const formula *f, const char *dot)
         }
         const effect_line *line = line_called(in->kind, dot + 1, true);
         if (line == NULL) {
-            source_problem(s, f->at, "the effect '%s' has no output '%s'", called, dot + 1);
+            source_problem(s, f->at, "the effect '%s' has no output '%s'%s", called, dot + 1,
+                           suggestion(s, in->kind, dot + 1, EFFECT_OUTPUT, EFFECT_OUTPUT));
             return nothing;
         }
         return line_value(w, in, line);
@@ -232,9 +251,14 @@ static value output_of_effect(world *w, const formula *f, const char *dot)
     return nothing;
 }
 
-static value input_value(world *w, int i)
+static value input_value(world *w, const formula *f, int i)
 {
     w->b->is_input_used[i] = true;
+    if (!w->b->is_input_known[i]) {
+        source_problem(w->b->s, w->b->written->inputs[i].name.at, "the input '%s' has no unit: input %s V", f->name,
+                       f->name);
+        return nothing;
+    }
     return (value){.count = 1, .parts = {leaf(w->b->g, OP_INPUT, i)}, .of = w->b->input_dimensions[i]};
 }
 
@@ -246,7 +270,7 @@ static value signal_value(world *w, size_t i)
     }
     if (w->signal_progress[i] == NOT_YET) {
         w->signal_progress[i] = STARTED;
-        w->signals[i] = q->value == NULL ? nothing : evaluate(w, NULL, q->value);
+        w->signals[i] = q->value == NULL ? nothing : evaluate(w, NULL, q->value, q->name.text);
         w->signal_progress[i] = DONE;
     }
     return w->signals[i];
@@ -262,7 +286,7 @@ static bool find_in_scene(world *w, const formula *f, value *found)
     }
     for (size_t i = 0; i < written->input_count; i++) {
         if (written->inputs[i].name.text != NULL && strcmp(written->inputs[i].name.text, f->name) == 0) {
-            *found = input_value(w, (int)i);
+            *found = input_value(w, f, (int)i);
             return true;
         }
     }
@@ -289,10 +313,9 @@ static bool declared_dimension(world *w, const instance *in, const effect_line *
     if (line->has_unit) {
         *of = line->unit.of;
     } else if (line->like.text != NULL && line->like_of.text != NULL) {
-        const instance *outside = w->within;
-        w->within = in;
+        const instance *before = enter(w, in);
         const int l = link_of(w, line->like_of);
-        w->within = outside;
+        enter(w, before);
         *of = l < 0 ? no_unit : dimension_of_quantity(line->like.text, &w->b->made.links[l]);
     }
     return line->has_unit || line->like.text != NULL;
@@ -333,18 +356,20 @@ static value operand_value(world *w, const instance *in, const effect_line *line
     if (f == NULL) {
         return nothing;
     }
-    const value found = checked(w, in, line, f, evaluate(w, given != NULL ? NULL : in, f));
+    const instance *of = given != NULL ? NULL : in, *before = enter(w, of);
+    value found = checked(w, in, line, f, evaluate(w, of, f, line->name.text));
     if (found.count == 1 && line->kind == EFFECT_VALUE && changes(w->b->g, found.parts[0])) {
         source_problem(w->b->s, f->at, "'%s' is a constant or a tunable: it cannot change with time", line->name.text);
-        return nothing;
+        found = nothing;
     }
+    enter(w, before);
     return found;
 }
 
 /* What a state or a memory has at the start gives its dimension. */
 static value start_value(world *w, const instance *in, const effect_line *line, variable *about)
 {
-    value found = checked(w, in, line, line->value, evaluate(w, in, line->value));
+    value found = checked(w, in, line, line->value, evaluate(w, in, line->value, line->name.text));
     source *s = w->b->s;
     if (found.count == 1 && !is_constant(w->b->g, found.parts[0])) {
         source_problem(s, line->value->at, "the start of '%s' must be a constant", line->name.text);
@@ -379,7 +404,7 @@ static value new_value(world *w, const instance *in, const effect_line *line)
         found.parts[0] = leaf(g, OP_INPUT, made->input_count + at);
         return found;
     default:
-        return line->value == NULL ? nothing : evaluate(w, in, line->value);
+        return line->value == NULL ? nothing : evaluate(w, in, line->value, line->name.text);
     }
 }
 
@@ -423,7 +448,7 @@ static const effect_line *subject(world *w, const instance *in, const effect_lin
 static node node_of(world *w, const instance *in, const effect_line *line, dimension of, const char *what)
 {
     source *s = w->b->s;
-    const value found = evaluate(w, in, line->value);
+    const value found = evaluate(w, in, line->value, line->name.text);
     if (found.count > 1 || (found.count == 1 && !found.any && !dimension_equal_but_angle(found.of, of))) {
         source_problem(s, line->value->at, "%s '%s' %s; this %s", what, line->name.text,
                        dimension_phrase(s->memory, of),
@@ -460,7 +485,8 @@ static void do_effort(world *w, const instance *in, const effect_line *line)
     if (l >= 0 && line->value != NULL) {
         graph *g = w->b->g;
         const dimension effort = dimension_of_quantity("effort", &w->b->made.links[l]);
-        const node added = graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
+        const node added =
+            graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
         node *sum = &w->b->made.efforts[w->b->made.links[l].dof];
         *sum = add(g, *sum, added);
     }
@@ -470,7 +496,7 @@ static void do_effort(world *w, const instance *in, const effect_line *line)
 static void do_require(world *w, const instance *in, const effect_line *line)
 {
     source *s = w->b->s;
-    const value least = evaluate(w, in, line->value), most = evaluate(w, in, line->most);
+    const value least = evaluate(w, in, line->value, "require"), most = evaluate(w, in, line->most, "require");
     if (least.count != 1 || most.count != 1) {
         return;
     }
@@ -480,6 +506,7 @@ static void do_require(world *w, const instance *in, const effect_line *line)
         source_problem(s, line->at, "%s and %s cannot be compared", dimension_text(s->memory, least.of),
                        dimension_text(s->memory, most.of));
     } else if (value_now(&w->b->values, least.parts[0]) > value_now(&w->b->values, most.parts[0])) {
+        enter(w, NULL);
         source_problem(s, in->use->name.at, "'%s' breaks what its effect requires in line %zu: %s", in->use->name.text,
                        source_line(s, line->at), source_quote(s, line->at));
     }
@@ -508,6 +535,7 @@ static void check_subjects(world *w, const instance *in)
 
 static void do_line(world *w, const instance *in, const effect_line *line)
 {
+    enter(w, in);
     if (line->kind == EFFECT_RATE) {
         do_rate(w, in, line);
     } else if (line->kind == EFFECT_NEXT) {
@@ -519,6 +547,7 @@ static void do_line(world *w, const instance *in, const effect_line *line)
     } else if (line->kind != EFFECT_JOINT) {
         (void)line_value(w, in, line);
     }
+    enter(w, NULL);
 }
 
 /* --- uses --- */
@@ -546,8 +575,8 @@ static bool check_operands(builder *b, const instance *in)
         const quantity *given = &in->use->operands[i];
         const effect_line *line = line_called(in->kind, given->name.text, false);
         if (line == NULL || line->kind >= EFFECT_FAULT) {
-            source_problem(s, given->name.at, "the effect %s has no operand '%s'", in->kind->name.text,
-                           given->name.text);
+            source_problem(s, given->name.at, "the effect %s has no operand '%s'%s", in->kind->name.text,
+                           given->name.text, suggestion(s, in->kind, given->name.text, EFFECT_JOINT, EFFECT_VALUE));
         } else if (operand_called(in, given->name.text) != given) {
             source_problem(s, given->name.at, "a second '%s'", given->name.text);
         }
@@ -575,7 +604,7 @@ static int add_fault(builder *b, const effect_use *use, const effect_line *line)
 static void build_instance(world *w, instance *in, int *states, int *memories)
 {
     builder *b = w->b;
-    in->kind = kind_called(b->written, in->use->kind);
+    in->kind = find_effect_kind(b->written, in->use->kind);
     if (in->kind == NULL && in->use->kind.text != NULL) {
         source_problem(b->s, in->use->kind.at, "no effect of the kind '%s' is defined", in->use->kind.text);
     }
@@ -631,7 +660,9 @@ void build_effects(builder *b)
             do_line(w, in, &in->kind->lines[j]);
         }
         if (in->kind != NULL) {
+            enter(w, in);
             check_subjects(w, in);
+            enter(w, NULL);
         }
     }
     for (size_t i = 0; i < b->written->signal_count; i++) {

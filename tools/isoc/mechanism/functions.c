@@ -176,7 +176,7 @@ static value call_root(values *v, const formula *f, const value *given)
     if (!number_of(v, f, 0, given, &x)) {
         return nothing;
     }
-    if (of.kg % 2 != 0 || of.m % 2 != 0 || of.s % 2 != 0 || of.rad % 2 != 0) {
+    if (of.kg % 2 != 0 || of.m % 2 != 0 || of.s % 2 != 0 || of.rad % 2 != 0 || of.A % 2 != 0 || of.K % 2 != 0) {
         source_problem(v->s, f->parts[0]->at, "the root of %s has no unit: each power must be even",
                        dimension_text(v->s->memory, of));
         return nothing;
@@ -187,7 +187,7 @@ static value call_root(values *v, const formula *f, const value *given)
     }
     value made = given[0];
     made.parts[0] = constant(v->g, sqrt(x));
-    made.of = (dimension){of.kg / 2, of.m / 2, of.s / 2, of.rad / 2};
+    made.of = (dimension){of.kg / 2, of.m / 2, of.s / 2, of.rad / 2, of.A / 2, of.K / 2};
     return made;
 }
 

@@ -162,10 +162,10 @@ typedef struct mechanism {
     bool is_redundant;  /* the Schur complement may be singular: augmented Lagrangian */
     double penalty;     /* kg, of the augmented Lagrangian; 0: from the rounding (tools/isoc/closure/augmented.h) */
     bool is_double;     /* the number type of the plant */
-    int multiplier_iterations; /* of the augmented Lagrangian; else 1 */
-    int projections;           /* iterations of the projection after a step */
-    double violation_limit;    /* m or rad; 0: none */
-    clocks clocks;             /* of motions: states between the links' positions and the speeds */
+    int multiplier_iterations;      /* of the augmented Lagrangian; else 1 */
+    int projections;                /* iterations of the projection after a step */
+    double violation_limit;         /* m or rad; 0: none */
+    clocks clocks;                  /* of motions: states between the links' positions and the speeds */
     effect_quantity *effect_states; /* states behind the clocks */
     int effect_state_count, first_effect_state;
     effect_quantity *memories; /* of effects: numbers that a tick sets at its end, behind the inputs */

@@ -51,9 +51,11 @@ static void build_input(builder *b, int i)
 {
     mechanism *made = &b->made;
     const quantity *q = &b->written->inputs[i];
-    bool is_known;
-    const dimension of = input_dimension(b, q, &is_known);
-    const char *what = dimension_equal(of, newton_metre) ? "a torque" : dimension_equal(of, newton) ? "a force" : "this input";
+    const dimension of = input_dimension(b, q, &b->is_input_known[i]);
+    const bool is_known = b->is_input_known[i];
+    const char *what = dimension_equal(of, newton_metre) ? "a torque"
+                       : dimension_equal(of, newton)     ? "a force"
+                                                         : "this input";
     b->input_dimensions[i] = of;
     made->inputs[i] = (variable){.name = q->name.text,
                                  .unit = dimension_equal(of, no_unit) ? "1" : dimension_text(b->s->memory, of),
@@ -78,6 +80,7 @@ void build_inputs(builder *b)
     made->jumps = arena_take(b->s->memory, room, sizeof *made->jumps);
     made->drives = arena_take(b->s->memory, room + (size_t)made->clocks.count, sizeof *made->drives);
     b->input_dimensions = arena_take(b->s->memory, room, sizeof *b->input_dimensions);
+    b->is_input_known = arena_take(b->s->memory, room, sizeof *b->is_input_known);
     b->is_input_used = arena_take(b->s->memory, room, sizeof *b->is_input_used);
     for (int i = 0; i < made->clocks.count; i++) {
         made->drives[made->input_count + i] = made->clocks.all[i].of_tick;
@@ -99,9 +102,10 @@ void check_inputs(builder *b)
         bool force, torque;
         find_uses(b, input, &force, &torque);
         if (input.text != NULL && !b->written->broken && !force && !torque && !b->is_input_used[i]) {
-            source_problem(b->s, input.at,
-                           "the input '%s' is not used: write 'drive %s' in a joint or a force, or give it to an effect",
-                           input.text, input.text);
+            source_problem(
+                b->s, input.at,
+                "the input '%s' is not used: write 'drive %s' in a joint or a force, or give it to an effect",
+                input.text, input.text);
         }
     }
 }
@@ -129,7 +133,8 @@ void build_parameters(builder *b)
 {
     const scene *written = b->written;
     mechanism *made = &b->made;
-    made->parameters = arena_take(b->s->memory, written->parameter_count + (size_t)b->fault_count + 1, sizeof *made->parameters);
+    made->parameters =
+        arena_take(b->s->memory, written->parameter_count + (size_t)b->fault_count + 1, sizeof *made->parameters);
     made->defaults = b->values.defaults;
     for (size_t i = 0; i < written->parameter_count; i++) {
         const quantity *q = &written->parameters[i];

@@ -159,7 +159,8 @@ static value refuse_name(values *v, const formula *f)
         const char *text = v->scene->parameters[i].name.text;
         names[i] = text == NULL ? "" : text;
     }
-    source_problem(v->s, f->at, "no constant or tunable is called '%s'%s", f->name,
+    source_problem(v->s, f->at, "no constant%s is called '%s'%s",
+                   v->around == NULL ? " or tunable" : ", tunable, input or signal", f->name,
                    source_suggestion(v->s, f->name, names, count));
     return nothing();
 }

@@ -31,14 +31,14 @@ typedef struct values {
     source *s;
     graph *g;
     const scene *scene;
-    bool is_double;    /* the number type of the plant */
-    size_t scanned;    /* nodes that were looked at for constants out of its range */
-    bool is_foreign;   /* one of them is */
-    double step;       /* s; functions of time need it */
-    bool time_allowed; /* in the formula of an input or a motion */
-    bool is_smooth;    /* of a motion */
+    bool is_double;             /* the number type of the plant */
+    size_t scanned;             /* nodes that were looked at for constants out of its range */
+    bool is_foreign;            /* one of them is */
+    double step;                /* s; functions of time need it */
+    bool time_allowed;          /* in the formula of an input or a motion */
+    bool is_smooth;             /* of a motion */
     const surroundings *around; /* NULL: nothing else */
-    value *parameters; /* of the scene's, where resolved */
+    value *parameters;          /* of the scene's, where resolved */
     progress *progress;
     dictionary names;   /* of the parameters */
     int *tunable_index; /* of a parameter: how many tunables are before it */

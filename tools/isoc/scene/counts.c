@@ -29,7 +29,7 @@ static size_t states_of(const joint *j)
 
 bool counts_check(source *s, const scene *written)
 {
-    counter states = {.what = "states"}, inputs = {.what = "inputs"};
+    counter states = {.what = "states"}, inputs = {.what = "inputs and memories"};
     counter tunables = {.what = "tunable parameters"}, outputs = {.what = "outputs"};
     for (size_t i = 0; i < written->joint_count; i++) {
         count(s, &states, states_of(&written->joints[i]), written->joints[i].name.at);
@@ -42,6 +42,15 @@ bool counts_check(source *s, const scene *written)
     }
     for (size_t i = 0; i < written->parameter_count; i++) {
         count(s, &tunables, written->parameters[i].tunable, written->parameters[i].name.at);
+    }
+    for (size_t i = 0; i < written->effect_count; i++) {
+        const effect_kind *kind = find_effect_kind(written, written->effects[i].kind);
+        for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
+            const place at = written->effects[i].name.at;
+            count(s, &states, kind->lines[n].kind == EFFECT_STATE, at);
+            count(s, &inputs, kind->lines[n].kind == EFFECT_MEMORY, at);
+            count(s, &tunables, kind->lines[n].kind == EFFECT_FAULT, at);
+        }
     }
     for (size_t i = 0; i < written->output_count; i++) {
         const size_t letters = strlen(output_components(written, &written->outputs[i]));

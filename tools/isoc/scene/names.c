@@ -154,6 +154,29 @@ static void list_clocks(source *s, listing *l, const scene *written)
     }
 }
 
+const effect_kind *find_effect_kind(const scene *written, name n)
+{
+    const int found = n.text == NULL ? -1 : find_among(GROUP(written, effect_kinds, effect_kind_count), n);
+    return found < 0 ? NULL : &written->effect_kinds[found];
+}
+
+/* What an effect has stands in plant.h as EFFECT_NAME. */
+static void list_effect(source *s, const scene *written, const effect_use *use, listing *states, listing *held,
+                        listing *parameters)
+{
+    const effect_kind *kind = find_effect_kind(written, use->kind);
+    for (size_t i = 0; kind != NULL && use->name.text != NULL && i < kind->line_count; i++) {
+        const effect_line *line = &kind->lines[i];
+        listing *of = line->kind == EFFECT_STATE    ? states
+                      : line->kind == EFFECT_MEMORY ? held
+                      : line->kind == EFFECT_FAULT  ? parameters
+                                                    : NULL;
+        if (of != NULL && line->name.text != NULL) {
+            list_one(s, of, (name){arena_format(s->memory, "%s_%s", use->name.text, line->name.text), use->name.at});
+        }
+    }
+}
+
 const char *output_components(const scene *written, const output *o)
 {
     const bool is_body = o->of.text != NULL && find_among(GROUP(written, bodies, body_count), o->of) >= 0;
@@ -173,13 +196,18 @@ static void list_components(source *s, listing *l, const scene *written, const o
 /* Outputs have a name space of their own: an output may have the name of what it shows. */
 void names_check(source *s, const scene *written)
 {
-    listing things = {0}, states = {0}, outputs = {0};
+    listing things = {0}, states = {0}, outputs = {0}, kinds = {0}, held = {0}, parameters = {0};
     list_group(s, &things, GROUP(written, bodies, body_count));
     list_group(s, &things, GROUP(written, joints, joint_count));
     list_group(s, &things, GROUP(written, closures, closure_count));
     list_group(s, &things, GROUP(written, forces, force_count));
     list_group(s, &things, GROUP(written, parameters, parameter_count));
     list_group(s, &things, GROUP(written, inputs, input_count));
+    list_group(s, &things, GROUP(written, signals, signal_count));
+    list_group(s, &things, GROUP(written, effects, effect_count));
+    list_group(s, &kinds, GROUP(written, effect_kinds, effect_kind_count));
+    list_group(s, &held, GROUP(written, inputs, input_count));
+    list_group(s, &parameters, GROUP(written, parameters, parameter_count));
     list_group(s, &outputs, GROUP(written, outputs, output_count));
     for (size_t i = 0; i < written->output_count; i++) {
         list_components(s, &outputs, written, &written->outputs[i]);
@@ -189,7 +217,13 @@ void names_check(source *s, const scene *written)
         list_states(s, &states, &written->joints[i]);
     }
     list_clocks(s, &states, written);
+    for (size_t i = 0; i < written->effect_count; i++) {
+        list_effect(s, written, &written->effects[i], &states, &held, &parameters);
+    }
     check_list(s, &things);
+    check_list(s, &kinds);
+    check_list(s, &held);
+    check_list(s, &parameters);
     check_list(s, &states);
     check_list(s, &outputs);
 }

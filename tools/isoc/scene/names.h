@@ -10,6 +10,9 @@ void names_check(source *s, const scene *written);
 /* The letters of an output's components; none where it has but one. */
 const char *output_components(const scene *written, const output *o);
 
+/* The definition of a kind of effect; NULL if there is none. */
+const effect_kind *find_effect_kind(const scene *written, name n);
+
 /* The largest number of clocks that a motion can have: one for each use of the time in its formula. */
 int closure_clocks(const closure *c);
 

@@ -75,7 +75,8 @@ static void add_line(parser *p, effect_kind *made, effect_line line)
 static void read_line(parser *p, effect_kind *made, effect_line_kind kind, bool is_new)
 {
     effect_line line = {.kind = kind, .at = p->next->at};
-    line.name = is_new ? take_new_name(p, "expected a name") : take_name(p, "expected the name of what this is about");
+    line.name =
+        is_new ? take_inner_name(p, "expected a name") : take_name(p, "expected the name of what this is about");
     if (!p->failed) {
         parse_rest(p, &line);
     }
@@ -132,12 +133,12 @@ static void read_require(parser *p, const token *word, void *slot)
 }
 
 static const property lines[] = {
-    {"joint", read_along_joint, 0, EVERY_KIND | MANY, NULL},  {"signal", read_given_signal, 0, EVERY_KIND | MANY, NULL},
-    {"value", read_value, 0, EVERY_KIND | MANY, NULL},        {"fault", read_fault, 0, EVERY_KIND | MANY, NULL},
-    {"let", read_let, 0, EVERY_KIND | MANY, NULL},            {"state", read_state, 0, EVERY_KIND | MANY, NULL},
-    {"rate", read_rate, 0, EVERY_KIND | MANY, NULL},          {"memory", read_memory, 0, EVERY_KIND | MANY, NULL},
-    {"next", read_next, 0, EVERY_KIND | MANY, NULL},          {"effort", read_effort, 0, EVERY_KIND | MANY, NULL},
-    {"output", read_shown, 0, EVERY_KIND | MANY, NULL},       {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"joint", read_along_joint, 0, EVERY_KIND | MANY, NULL}, {"signal", read_given_signal, 0, EVERY_KIND | MANY, NULL},
+    {"value", read_value, 0, EVERY_KIND | MANY, NULL},       {"fault", read_fault, 0, EVERY_KIND | MANY, NULL},
+    {"let", read_let, 0, EVERY_KIND | MANY, NULL},           {"state", read_state, 0, EVERY_KIND | MANY, NULL},
+    {"rate", read_rate, 0, EVERY_KIND | MANY, NULL},         {"memory", read_memory, 0, EVERY_KIND | MANY, NULL},
+    {"next", read_next, 0, EVERY_KIND | MANY, NULL},         {"effort", read_effort, 0, EVERY_KIND | MANY, NULL},
+    {"output", read_shown, 0, EVERY_KIND | MANY, NULL},      {"require", read_require, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};
@@ -170,8 +171,7 @@ static void parse_operands(parser *p, effect_use *use)
         }
         p->next++;
         given.value = parse_formula(p);
-        use->operands =
-            arena_grow(p->s->memory, use->operands, use->operand_count, &use->operand_room, sizeof given);
+        use->operands = arena_grow(p->s->memory, use->operands, use->operand_count, &use->operand_room, sizeof given);
         use->operands[use->operand_count++] = given;
     }
 }

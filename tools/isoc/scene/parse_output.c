@@ -4,18 +4,23 @@
 #include "tools/isoc/scene/formula.h"
 #include "tools/isoc/scene/statements.h"
 
-/* Whether the next word is a row's, and not the name of something, or the beginning of a formula. */
+/* Whether the next words are those of a row: position of hinge; and not those of a formula: 2 * position of hinge, or
+ * position of hinge / 2. */
 static bool next_is_output_kind(const parser *p)
 {
-    bool is = p->next->kind == TOKEN_NAME;
-    for (output_kind kind = 0; kind < OUTPUT_ROWS; kind++) {
-        if (next_is_word(p, output_rows[kind].word)) {
-            return p->next[1].first_on_line || p->next[1].kind == TOKEN_END || p->next[1].sign == ';' ||
-                   p->next[1].kind == TOKEN_NAME;
+    const token *last = p->next;
+    bool is = last->kind == TOKEN_NAME;
+    if (is && strcmp(last[1].text, "of") == 0 && last[1].kind == TOKEN_NAME) {
+        last += last[2].kind == TOKEN_NAME ? 2 : 1;
+    } else {
+        bool known = false;
+        for (output_kind kind = 0; kind < OUTPUT_FORMULA; kind++) {
+            known = known || next_is_word(p, output_rows[kind].word);
         }
-        is = is && p->next[1].sign == '\0';
+        is = is && known;
     }
-    return is && strchr(p->next->text, '.') == NULL;
+    const char sign = last[1].first_on_line ? '\0' : last[1].sign;
+    return is && (sign == '\0' || strchr("+-*/^(", sign) == NULL);
 }
 
 /* The first row of the next word, which is taken. */
@@ -25,7 +30,7 @@ static output_kind parse_output_kind(parser *p)
     output_kind kinds[OUTPUT_ROWS] = {0};
     const char *last = "";
     size_t count = 0;
-    for (output_kind kind = 0; kind < OUTPUT_ROWS; kind++) {
+    for (output_kind kind = 0; kind < OUTPUT_FORMULA; kind++) {
         if (strcmp(last, output_rows[kind].word) != 0) {
             last = words[count] = output_rows[kind].word;
             kinds[count++] = kind;

@@ -114,9 +114,9 @@ typedef struct stabilisation {
 
 typedef struct quantity {
     name name;
-    formula *value;        /* of an input: NULL when nothing drives it */
-    formula *jump;         /* of an input: the change that restarts a method, or NULL */
-    unit unit;             /* of an input that has_unit */
+    formula *value; /* of an input: NULL when nothing drives it */
+    formula *jump;  /* of an input: the change that restarts a method, or NULL */
+    unit unit;      /* of an input that has_unit */
     bool has_unit;
     formula *least, *most; /* of a tunable: in LEAST to MOST, or NULL */
     bool tunable;
@@ -194,8 +194,8 @@ typedef struct scene {
     output *outputs;
     size_t body_count, joint_count, closure_count, force_count, parameter_count, input_count, output_count,
         signal_count, effect_kind_count, effect_count;
-    size_t body_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room,
-        signal_room, effect_kind_room, effect_room;
+    size_t body_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room, signal_room,
+        effect_kind_room, effect_room;
 } scene;
 
 #endif

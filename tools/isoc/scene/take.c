@@ -72,15 +72,30 @@ static bool is_own_word(const char *word)
     return is;
 }
 
+static void refuse_dot(parser *p, name n)
+{
+    if (n.text != NULL && strchr(n.text, '.') != NULL) {
+        source_problem(p->s, n.at, "'%s': a new name has no dot", n.text);
+    }
+}
+
+name take_inner_name(parser *p, const char *expected)
+{
+    const name n = take_name(p, expected);
+    if (n.text != NULL && (strcmp(n.text, "pi") == 0 || strcmp(n.text, "time") == 0)) {
+        source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
+    }
+    refuse_dot(p, n);
+    return n;
+}
+
 name take_new_name(parser *p, const char *expected)
 {
     const name n = take_name(p, expected);
     if (n.text != NULL && is_own_word(n.text)) {
         source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
     }
-    if (n.text != NULL && strchr(n.text, '.') != NULL) {
-        source_problem(p->s, n.at, "'%s': a name that is given has no dot", n.text);
-    }
+    refuse_dot(p, n);
     return n;
 }
 

@@ -37,4 +37,7 @@ name take_name(parser *p, const char *expected);
 name take_new_name(parser *p, const char *expected);
 name take_parameter_name(parser *p, const char *expected);
 
+/* A new name within an effect, where few words stand for something. */
+name take_inner_name(parser *p, const char *expected);
+
 #endif

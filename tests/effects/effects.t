@@ -1,0 +1,73 @@
+#!/bin/sh
+# Effects: what they compute, against a closed form and against the same in other words; and that what is not used costs
+# nothing.
+. tests/host/test.sh
+begin effects
+
+for number in float double; do
+    real $number
+    build/isoc tests/effects/motor.scene -o "$out/$number" --real $number >"$out/$number.summary" &&
+        EXTRA="-DPLANT=\"$out/$number/plant.c\"" program motor.$number tests/effects/motor.c tests/host/report.c
+    joined $number "$out/motor.$number"
+done
+valgrind --quiet --error-exitcode=99 "$out/motor.float" >"$out/tap" 2>&1
+result $? 'memcheck finds nothing in the motor'
+
+# plant NAME: compiles the scene on stdin.
+plant()
+{
+    cat >"$out/$1.scene"
+    build/isoc "$out/$1.scene" -o "$out" --name "$1" --real double >"$out/$1.summary"
+}
+
+# same NAME: whether the plants `old` and `new` end every tick with the same bits.
+same()
+{
+    program same tests/effects/same.c "$out/old.c" "$out/new.c" && "$out/same"
+    result $? "$1"
+}
+EXTRA="-I$out"
+
+pendulum='gravity (0, -9.81, 0) m/s^2
+step 1 ms
+body bob { mass 1 kg; com (0, -1, 0) m }
+output angle = position of pivot'
+joint='joint pivot revolute { parent ground; child bob; axis z; start 1 rad'
+viscous='effect viscous { joint along; value factor N*m*s/rad; effort on along = -factor * speed of along }'
+
+for method in rk4 semi_implicit bdf4; do
+    plant old <<END
+$pendulum
+method $method
+$joint; damping 0.1 N*m*s/rad }
+END
+    plant new <<END
+$pendulum
+method $method
+$joint }
+$viscous
+effect bearing viscous { along pivot; factor 0.1 N*m*s/rad }
+END
+    same "$method: damping as an effect is the damping of the joint"
+done
+
+plant new <<END
+$pendulum
+method bdf4
+$joint }
+$viscous
+effect bearing viscous { along pivot; factor 0.11 N*m*s/rad }
+END
+! "$out/same" || program same tests/effects/same.c "$out/old.c" "$out/new.c" && ! "$out/same"
+result $? 'found: a tenth more damping'
+
+cp "$out/old.c" "$out/kept.c"
+plant old <<END
+$pendulum
+method bdf4
+$joint; damping 0.1 N*m*s/rad }
+$viscous
+END
+cmp "$out/old.c" "$out/kept.c"
+result $? 'an effect that is defined and not used leaves the plant as it is'
+finish
