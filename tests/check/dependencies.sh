@@ -84,6 +84,18 @@ change "the scene" "$program build/host/float/double_pendulum/plant.c"
 cp models/double_pendulum.scene "$scene"
 call run SECONDS=1
 
+printf 'include "weight.scene"\n' >>"$scene"
+echo 'constant unused = 1' >"$out/project/models/weight.scene"
+call run SECONDS=1
+state >"$out/before"
+echo 'tunable unused = 1' >"$out/project/models/weight.scene"
+change "a file that the scene includes" "$program build/host/float/double_pendulum/plant.c"
+rm "$out/project/models/weight.scene"
+! call run SECONDS=1 && grep -q "cannot include 'weight.scene': No such file" "$out/errors"
+expect $? "an included file that is gone: told"
+cp models/double_pendulum.scene "$scene"
+call run SECONDS=1
+
 state >"$out/before"
 change "METHOD" "$program build/host/float/double_pendulum/plant.o" METHOD=heun
 [ "$(value method)" = heun ]

@@ -18,7 +18,7 @@ plant()
 same()
 {
     for of in new old; do
-        sed 's|/\*.*\*/||' "$out/$of/plant.c" >"$out/$of.c"
+        sed 's|/\*.*\*/||; /^ *$/d' "$out/$of/plant.c" >"$out/$of.c"
         rm -f "$out/$of/plant.c"
     done
     [ -s "$out/new.c" ] && cmp "$out/new.c" "$out/old.c"
@@ -52,4 +52,72 @@ input push = 1 N*m * sin(3 Hz) + 0.52359877559829887308 N*m
 output angle = position of pivot
 END
 same 'functions in values give the plant that their numbers give'
+
+# A repeat is what it stands for.
+sh tests/language/n_four_bar.sh 3 | plant old
+sed 's/^constant windows = 2/constant windows = 3/' models/n_four_bar.scene | plant new
+same 'models/n_four_bar.scene with three windows is what n_four_bar.sh writes out'
+
+# Two loops in one another, names with a rest, an index after a digit, and a file for each turn.
+mkdir -p "$out/new/parts"
+cat >"$out/new/parts/arm.scene" <<'END'
+include "../mass.scene"
+joint arm[i] universal { parent ground at (i, 0, 0) m; child bob2[i]; axis x; second y; start rotate 10 deg rotate (i) deg }
+output a[i]_rate = speed of arm[i]_first
+END
+echo 'body bob2[i] { mass i * weight; com (0, 0, -1) m; inertia (1, 1, 1) g*m^2 }' >"$out/new/mass.scene"
+plant new <<'END'
+step 1 ms
+gravity (0, 0, -9.81) m/s^2
+constant weight = 100 g; constant most = 1 + 1
+repeat i from 1 to most { include "parts/arm.scene" }
+repeat i from 1 to 0 { step 2 ms }
+repeat i from 0 to 1 { repeat j from 2 * i to 2 {
+    output p[i][j] = position of bob2[i + 1] at (j, 0, 0) m along z } }
+END
+plant old <<'END'
+step 1 ms
+gravity (0, 0, -9.81) m/s^2
+body bob2_1 { mass 100 g; com (0, 0, -1) m; inertia (1, 1, 1) g*m^2 }
+joint arm1 universal { parent ground at (1, 0, 0) m; child bob2_1; axis x; second y; start rotate 10 deg rotate 1 deg }
+output a1_rate = speed of arm1_first
+body bob2_2 { mass 200 g; com (0, 0, -1) m; inertia (1, 1, 1) g*m^2 }
+joint arm2 universal { parent ground at (2, 0, 0) m; child bob2_2; axis x; second y; start rotate 10 deg rotate 2 deg }
+output a2_rate = speed of arm2_first
+output p0_0 = position of bob2_1 at (0, 0, 0) m along z
+output p0_1 = position of bob2_1 at (1, 0, 0) m along z
+output p0_2 = position of bob2_1 at (2, 0, 0) m along z
+output p1_2 = position of bob2_2 at (2, 0, 0) m along z
+END
+same 'repeats in one another, and files that are included in them'
+build/isoc "$out/new/same.scene" --files | sed "s|$out/||" | tr '\n' ' ' >"$out/files"
+[ "$(cat "$out/files")" = 'new/same.scene new/parts/arm.scene new/parts/../mass.scene new/parts/arm.scene new/parts/../mass.scene ' ]
+result $? "--files lists them: $(cat "$out/files")"
+
+# told NAME SCENE LINE...: what isoc says of the scene, without the lines that it shows.
+told()
+{
+    name=$1
+    scene=$2
+    shift 2
+    printf '%s\n' "$@" >"$out/expected"
+    ! build/isoc "$scene" -o "$out/bad" 2>"$out/said" && grep ': error: ' "$out/said" | sed "s|$out/||g" | cmp - "$out/expected"
+    result $? "$name"
+}
+
+mkdir -p "$out/circle"
+echo 'include "b.scene"' >"$out/circle/a.scene"
+printf 'step 1 ms\ngravity (0, 0, 1) m; include "c.scene"\nbody one { mass 1 kg }\n' >"$out/circle/b.scene"
+printf 'include "a.scene"\ninclude "none.scene"\ninclude "."\nbody one { mass 1 kg }\nstep 1 ms\n' >"$out/circle/c.scene"
+told 'a circle, a missing file, and errors by the file they are in' "$out/circle/a.scene" \
+    "circle/b.scene:2:9: error: gravity is in m/s^2; this is in m" \
+    "circle/c.scene:1:9: error: an include in a circle: circle/a.scene includes circle/b.scene, which includes circle/c.scene, which includes circle/a.scene" \
+    "circle/c.scene:2:9: error: cannot include 'none.scene': No such file or directory" \
+    "circle/c.scene:3:9: error: cannot include '.': a directory, not a scene: name a .scene file in it" \
+    "circle/c.scene:4:6: error: the name 'one' is already used in line 3 of circle/b.scene" \
+    "circle/c.scene:5:1: error: a second 'step'; the first is in line 1 of circle/b.scene"
+for n in $(seq 20); do
+    echo "include \"$((n + 1)).scene\"" >"$out/circle/$n.scene"
+done
+told 'files 20 deep' "$out/circle/1.scene" 'circle/17.scene:1:1: error: repeats and includes in one another, more than 16 deep'
 finish

@@ -29,11 +29,15 @@ endif
 
 PROGRAM := $(OUT)/$(NAME)$(PORT_SUFFIX)
 
+# What a scene says, with the files that it includes, or a plant in C.
+says = $(if $(filter %.c,$(SCENE_FILE)),cksum <$(call quote,$(SCENE)),build/isoc $(call quote,$(SCENE)) --files | while \
+    IFS= read -r file; do cksum <"$$file" 2>&1; done)
+
 # The scene by its path and by what it says; not by its date, since its path may hold what make cannot.
 $(OUT)/choice: always
 	@test -e $(call quote,$(SCENE)) || { printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; \
 	    ls models >&2; exit 1; }
-	$(call remember,$(call quote,$(SCENE) $(CHOICE)) "$$(cksum <$(call quote,$(SCENE)))")
+	$(call remember,$(call quote,$(SCENE) $(CHOICE)) "$$($(says))")
 
 $(OUT)/plant.c: $(OUT)/choice build/isoc
 	$(call say,ISOC,$(SCENE))

@@ -47,7 +47,7 @@ longest_step()
 {
     folder=build/cost/$1
     mkdir -p "$folder"
-    cp "$2" "$folder/forced.scene"
+    sh tools/build/elsewhere.sh "$2" >"$folder/forced.scene"
     method=$3
     discontinuity=$4
     firmware=$1/firmware

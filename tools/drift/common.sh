@@ -13,9 +13,9 @@ fail()
 # stabilised WORDS: the scene with this in the place of its own stabilisation, and with the outputs that drift.c asks for.
 stabilised()
 {
-    awk '/^ *stabilisation / { on = 1 }
+    sh tools/build/elsewhere.sh "$SCENE" | awk '/^ *stabilisation / { on = 1 }
         !on
-        on && (/}/ || !/{/) { on = 0 }' "$SCENE"
+        on && (/}/ || !/{/) { on = 0 }'
     printf '\nstabilisation %s\noutput drift_violation = violation\n' "$1"
     echo "output drift_rate = violation_rate"
     echo "output drift_energy = energy"

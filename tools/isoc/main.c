@@ -21,6 +21,7 @@ static const char help[] =
     "  isoc SCENE -o DIR [--name NAME] [--standalone] [--method M] [--step H] [--tolerance T] [--real float|double]\n"
     "       [--formulation F]\n"
     "  isoc SCENE --dot\n"
+    "  isoc SCENE --files\n"
     "\n"
     "  SCENE          the scene, a text file\n"
     "  -o DIR         where plant.h and plant.c go; made if it is not there\n"
@@ -35,6 +36,7 @@ static const char help[] =
     "bodies\n"
     "                 with the closures in the axes of their base, composite, or of a side, parent_axes or child_axes\n"
     "  --dot          nothing but a graph of bodies, joints and closures, for graphviz: isoc SCENE --dot | dot -Tsvg\n"
+    "  --files        nothing but the files that the scene is read from, one on a line, also those that are not there\n"
     "  --methods      what each method costs, as a table\n"
     "  --help         this text\n"
     "  --version      the version\n"
@@ -44,7 +46,7 @@ static const char help[] =
 
 typedef struct options {
     const char *scene, *directory, *name, *method, *step, *tolerance;
-    bool is_double, draws, is_standalone;
+    bool is_double, draws, lists, is_standalone;
     formulation wanted; /* FORMULATIONS: the cheapest one */
 } options;
 
@@ -87,6 +89,8 @@ static bool read_options(char **arguments, options *o)
             a++;
         } else if (strcmp(*a, "--dot") == 0) {
             o->draws = true;
+        } else if (strcmp(*a, "--files") == 0) {
+            o->lists = true;
         } else if (strcmp(*a, "--standalone") == 0) {
             o->is_standalone = true;
         } else if ((*a)[0] == '-' && (*a)[1] != '\0') {
@@ -103,11 +107,12 @@ static bool read_options(char **arguments, options *o)
             break;
         }
     }
-    if (o->scene == NULL || (o->directory == NULL && !o->draws)) {
+    if (o->scene == NULL || (o->directory == NULL && !o->draws && !o->lists)) {
         return complain(o->scene == NULL ? "no scene is given" : "no folder for the plant: -o DIR", NULL);
     }
-    if (o->directory != NULL && o->draws) {
-        return complain("--dot makes no plant: leave out -o", o->directory);
+    if (o->directory != NULL && (o->draws || o->lists)) {
+        return complain(o->draws ? "--dot makes no plant: leave out -o" : "--files makes no plant: leave out -o",
+                        o->directory);
     }
     if (o->name != NULL && !naming_allows(o->name)) {
         return complain("--name is a word of a-z, 0-9 and _, at most 40, that does not begin with iso; not", o->name);
@@ -133,8 +138,8 @@ static bool override(arena *memory, const options *o, scene *s)
     const char *words = o->tolerance == NULL
                             ? method
                             : arena_format(memory, "%stolerance %s\nsubsteps 1000000\n", method, o->tolerance);
-    source given = {.memory = memory, .path = "command line", .text = words, .length = strlen(words)};
-    const scene read = parse_scene(&given, lex(&given));
+    source given = source_of_text(memory, "command line", words);
+    const scene read = parse_scene(&given);
     graph g;
     graph_start(&g, memory);
     graph_section(&g, "");
@@ -174,6 +179,15 @@ static bool write_graph(arena *memory, const scene *written)
     return write_out(drawing.bytes, drawing.length);
 }
 
+static bool write_files_read(arena *memory, const source *s)
+{
+    text list = {.memory = memory};
+    for (size_t i = 0; i < s->path_count; i++) {
+        text_add(&list, "%s\n", s->paths[i]);
+    }
+    return write_out(list.bytes, list.length);
+}
+
 static bool compile(arena *memory, const options *o)
 {
     source s;
@@ -181,8 +195,11 @@ static bool compile(arena *memory, const options *o)
     if (!source_read(&s, memory, o->scene)) {
         return false;
     }
-    scene written = parse_scene(&s, lex(&s));
+    scene written = parse_scene(&s);
     written.name = source_name(&s);
+    if (o->lists) {
+        return write_files_read(memory, &s);
+    }
     if (!override(memory, o, &written)) {
         return false;
     }

@@ -39,7 +39,7 @@ prepare()
                 }' "$SCENE" >"$dir/$kind/$NAME.c"
             ;;
         *)
-            { sed '/^ *compensated /d' "$SCENE" && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
+            { sh tools/build/elsewhere.sh "$SCENE" | sed '/^ *compensated /d' && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
             ;;
         esac || exit 1
     done

@@ -121,7 +121,7 @@ static const instance *enter(world *w, const instance *in)
     const instance *before = w->within;
     w->within = in;
     s->used_by = in == NULL ? NULL
-                            : arena_format(s->memory, "in the effect '%s', line %zu", in->use->name.text,
+                            : arena_format(s->memory, "in the effect '%s', %s", in->use->name.text,
                                            source_line(s, in->use->name.at));
     return before;
 }
@@ -507,7 +507,7 @@ static void do_require(world *w, const instance *in, const effect_line *line)
                        dimension_text(s->memory, most.of));
     } else if (value_now(&w->b->values, least.parts[0]) > value_now(&w->b->values, most.parts[0])) {
         enter(w, NULL);
-        source_problem(s, in->use->name.at, "'%s' breaks what its effect requires in line %zu: %s", in->use->name.text,
+        source_problem(s, in->use->name.at, "'%s' breaks what its effect requires in %s: %s", in->use->name.text,
                        source_line(s, line->at), source_quote(s, line->at));
     }
 }

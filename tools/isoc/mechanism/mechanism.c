@@ -103,7 +103,7 @@ static void connect(builder *b, size_t i)
     } else if (child >= 0 && b->solids[child].joint >= 0) {
         const name *first = &b->written->joints[b->solids[child].joint].name;
         source_problem(b->s, j->child.body.at,
-                       "'%s' is already the child of the joint '%s' in line %zu: a loop is closed by 'close'",
+                       "'%s' is already the child of the joint '%s' in %s: a loop is closed by 'close'",
                        j->child.body.text, first->text, source_line(b->s, first->at));
         b->children[i] = -1;
     } else if (child >= 0) {
@@ -266,13 +266,13 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
         moves = moves || written->joints[i].kind != JOINT_FIXED;
     }
     if (written->step == NULL) {
-        source_problem(s, s->length, "the scene has no step: step 1 ms");
+        source_problem(s, s->main_end, "the scene has no step: step 1 ms");
     }
     if (!moves) {
-        source_problem(s, s->length, "nothing moves: the scene has no joint that is not fixed");
+        source_problem(s, s->main_end, "nothing moves: the scene has no joint that is not fixed");
     }
     if (written->output_count == 0) {
-        source_problem(s, s->length, "the scene has no output: output angle = position of a joint");
+        source_problem(s, s->main_end, "the scene has no output: output angle = position of a joint");
     }
     return b.made;
 }

@@ -7,9 +7,9 @@
 /* A block as far as it is read. */
 typedef struct reading {
     const block *b;
-    const char *kind;                    /* its name; NULL: there is but one, or it is none */
-    unsigned traits;                     /* of its kind; of all kinds where it is none */
-    const token *first[MOST_PROPERTIES]; /* where each property stands; NULL: not yet */
+    const char *kind;    /* its name; NULL: there is but one, or it is none */
+    unsigned traits;     /* of its kind; of all kinds where it is none */
+    const token **first; /* [MOST_PROPERTIES] where each property stands; NULL: not yet */
     char *to;
 } reading;
 
@@ -60,7 +60,7 @@ static void read_property(parser *p, reading *r)
     }
     const property *found = &r->b->properties[i];
     if (r->first[i] != NULL && !(found->kinds & MANY)) {
-        source_problem(p->s, word->at, "a second '%s'; the first is in line %zu", word->text,
+        source_problem(p->s, word->at, "a second '%s'; the first is in %s", word->text,
                        source_line(p->s, r->first[i]->at));
     }
     r->first[i] = word;
@@ -127,7 +127,8 @@ static bool read_properties(parser *p, reading *r)
 bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to)
 {
     const bool known = kind < b->kind_count;
-    reading r = {.b = b, .kind = known ? word_of(b, kind) : NULL, .to = to};
+    const token *first[MOST_PROPERTIES] = {NULL};
+    reading r = {.b = b, .kind = known ? word_of(b, kind) : NULL, .first = first, .to = to};
     r.traits = !known ? EVERY_KIND : b->traits == NULL ? 1U << kind : b->traits(kind);
     if (!take_sign(p, '{')) {
         parse_problem(p, "expected {");
@@ -153,7 +154,7 @@ bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to)
 
 bool parse_statements(parser *p, const block *statements, void *to)
 {
-    reading r = {.b = statements, .traits = EVERY_KIND, .to = to};
+    reading r = {.b = statements, .traits = EVERY_KIND, .first = p->first, .to = to};
     p->statements = p->within = statements;
     bool whole = true;
     while (p->next->kind != TOKEN_END) {
@@ -162,7 +163,7 @@ bool parse_statements(parser *p, const block *statements, void *to)
         }
         const token *before = p->next;
         read_property(p, &r);
-        if (!p->failed && !p->next->first_on_line && !next_is_sign(p, ';')) {
+        if (!p->failed && !p->next->first_on_line && !next_is_sign(p, ';') && p->next->kind != TOKEN_END) {
             parse_problem(p, "expected the end of the line");
         }
         if (p->failed) {

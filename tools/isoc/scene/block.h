@@ -16,7 +16,7 @@ typedef struct property {
     const char *needed; /* where none of them can be without it: an example */
 } property;
 
-enum { EVERY_KIND = 0xFFFF, MANY = 0x10000, MOST_PROPERTIES = 24, MOST_KINDS = 16 };
+enum { EVERY_KIND = 0xFFFF, MANY = 0x10000, MOST_KINDS = 16 };
 
 typedef struct block {
     const char *what;  /* joint */

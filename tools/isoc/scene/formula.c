@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "tools/isoc/scene/block.h"
+#include "tools/isoc/scene/repeat.h"
 
 enum { DEEPEST = 100 };
 
@@ -176,6 +177,7 @@ static formula *parse_quantity(parser *p)
     formula *of = formula_new(p, FORMULA_NAME, p->next->at);
     of->name = p->next->text;
     p->next++;
+    of->name = take_indices(p, of->name);
     add_part(p, f, of);
     return f;
 }
@@ -195,6 +197,14 @@ static formula *parse_name_or_call(parser *p)
     formula *f = formula_new(p, call ? FORMULA_CALL : FORMULA_NAME, p->next->at);
     f->name = p->next->text;
     p->next++;
+    const int *index = call ? NULL : find_index(p, f->name);
+    if (index != NULL) {
+        f->kind = FORMULA_NUMBER;
+        f->number = *index;
+        f->unit = (unit){1, 1, {0, 0, 0, 0, 0, 0}};
+    } else if (!call) {
+        f->name = take_indices(p, f->name);
+    }
     if (call) {
         p->next++;
         parse_parts(p, f, strcmp(f->name, "table") == 0 || strcmp(f->name, "ramp") == 0);

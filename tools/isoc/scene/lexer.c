@@ -6,7 +6,9 @@
 
 typedef struct lexer {
     source *s;
-    place at;
+    const script *of;
+    place from; /* of its first byte */
+    size_t at;
     bool line_is_new;
     token *tokens;
     size_t count, room;
@@ -24,7 +26,12 @@ static bool is_letter(char c)
 
 static bool is_sign(char c)
 {
-    return c != '\0' && strchr("(){},;:=+-*/^<>", c) != NULL;
+    return c != '\0' && strchr("(){}[],;:=+-*/^<>", c) != NULL;
+}
+
+static void note(lexer *l, size_t at, const char *message)
+{
+    source_problem(l->s, l->from + at, "%s", message);
 }
 
 static bool is_space(char c)
@@ -35,18 +42,18 @@ static bool is_space(char c)
 /* The text ends with a zero, so looking one character ahead is always allowed. */
 static char look(const lexer *l, size_t ahead)
 {
-    return l->at + ahead < l->s->length ? l->s->text[l->at + ahead] : '\0';
+    return l->at + ahead < l->of->length ? l->of->text[l->at + ahead] : '\0';
 }
 
-static token *add(lexer *l, token_kind kind, place from)
+static token *add(lexer *l, token_kind kind, size_t from)
 {
     l->tokens = arena_grow(l->s->memory, l->tokens, l->count, &l->room, sizeof *l->tokens);
     token *t = &l->tokens[l->count++];
     *t = (token){
         .kind = kind,
-        .at = from,
+        .at = l->from + from,
         .first_on_line = l->line_is_new,
-        .text = arena_copy(l->s->memory, l->s->text + from, l->at - from),
+        .text = arena_copy(l->s->memory, l->of->text + from, l->at - from),
     };
     l->line_is_new = false;
     return t;
@@ -62,7 +69,7 @@ static void skip_digits(lexer *l)
 /* digits [. digits] [e [+-] digits], or . digits */
 static void lex_number(lexer *l)
 {
-    const place from = l->at;
+    const size_t from = l->at;
     skip_digits(l);
     if (look(l, 0) == '.') {
         l->at++;
@@ -75,7 +82,7 @@ static void lex_number(lexer *l)
         skip_digits(l);
     }
     if (look(l, 0) == '.') {
-        source_problem(l->s, l->at, "a number has one decimal point: 1.5e-3");
+        note(l, l->at, "a number has one decimal point: 1.5e-3");
         while (is_digit(look(l, 0)) || look(l, 0) == '.') {
             l->at++;
         }
@@ -84,41 +91,42 @@ static void lex_number(lexer *l)
     t->number = strtod(t->text, NULL);
     const bool zero = strpbrk(t->text, "123456789") == NULL || t->text[strcspn(t->text, "123456789eE")] == 'e';
     if (isinf(t->number)) {
-        source_problem(l->s, from, "the number is too large: a double ends at 1.8e308");
+        note(l, from, "the number is too large: a double ends at 1.8e308");
         t->number = 1;
     } else if (fabs(t->number) < 2.2250738585072014e-308 && !zero) {
-        source_problem(l->s, from, "the number is too small: a double begins at 2.2e-308");
+        note(l, from, "the number is too small: a double begins at 2.2e-308");
         t->number = 1;
     }
 }
 
-/* A dot joins the name of an effect and what it has: drive.current. */
+/* A dot joins the name of an effect and what it has: drive.current, drive[2].current. */
 static void lex_name(lexer *l)
 {
-    const place from = l->at;
+    const size_t from = l->at;
     while (is_letter(look(l, 0)) || is_digit(look(l, 0)) || (look(l, 0) == '.' && is_letter(look(l, 1)))) {
         l->at++;
     }
     token *t = add(l, TOKEN_NAME, from);
     if (l->at - from > 64) {
-        source_problem(l->s, from, "a name of %zu characters: at most 64 are allowed", l->at - from);
-        t->text = arena_copy(l->s->memory, l->s->text + from, 64);
+        source_problem(l->s, l->from + from, "a name of %zu characters: at most 64 are allowed", l->at - from);
+        t->text = arena_copy(l->s->memory, l->of->text + from, 64);
     }
 }
 
 /* One message for a sequence of bytes that begin no token. */
 static void lex_garbage(lexer *l)
 {
-    const unsigned char c = (unsigned char)l->s->text[l->at];
+    const unsigned char c = (unsigned char)l->of->text[l->at];
     if (c == '\0') {
-        source_problem(l->s, l->at, "a NUL byte: a scene is plain text");
+        note(l, l->at, "a NUL byte: a scene is plain text");
     } else if (c < ' ' || c > '~') {
-        source_problem(l->s, l->at, "a byte 0x%02X outside a comment: a scene is plain ASCII text", (unsigned)c);
+        source_problem(l->s, l->from + l->at, "a byte 0x%02X outside a comment: a scene is plain ASCII text",
+                       (unsigned)c);
     } else {
-        source_problem(l->s, l->at, "unexpected character '%c'", c);
+        source_problem(l->s, l->from + l->at, "unexpected character '%c'", c);
     }
-    while (l->at < l->s->length) {
-        const char next = l->s->text[l->at];
+    while (l->at < l->of->length) {
+        const char next = l->of->text[l->at];
         if (is_space(next) || is_letter(next) || is_digit(next) || is_sign(next) || next == '#') {
             return;
         }
@@ -128,19 +136,35 @@ static void lex_garbage(lexer *l)
 
 static void skip_comment(lexer *l)
 {
-    while (l->at < l->s->length && l->s->text[l->at] != '\n') {
-        if (l->s->text[l->at] == '\0') {
-            source_problem(l->s, l->at, "a NUL byte: a scene is plain text");
+    while (l->at < l->of->length && l->of->text[l->at] != '\n') {
+        if (l->of->text[l->at] == '\0') {
+            note(l, l->at, "a NUL byte: a scene is plain text");
         }
         l->at++;
     }
 }
 
-token *lex(source *s)
+/* "legs.scene": what stands between the quotation marks. */
+static void lex_text(lexer *l)
 {
-    lexer l = {.s = s, .line_is_new = true};
-    while (l.at < s->length) {
-        const char c = s->text[l.at];
+    const size_t from = l->at++;
+    while (look(l, 0) >= ' ' && look(l, 0) != '"') {
+        l->at++;
+    }
+    const bool closed = look(l, 0) == '"';
+    if (!closed) {
+        note(l, from, "the closing \" is missing on this line");
+    }
+    token *t = add(l, TOKEN_TEXT, from);
+    t->text = arena_copy(l->s->memory, l->of->text + from + 1, l->at - from - 1);
+    l->at += closed;
+}
+
+token *lex(source *s, const script *of, place from)
+{
+    lexer l = {.s = s, .of = of, .from = from, .line_is_new = true};
+    while (l.at < of->length) {
+        const char c = of->text[l.at];
         if (is_space(c)) {
             l.line_is_new = l.line_is_new || c == '\n';
             l.at++;
@@ -148,8 +172,10 @@ token *lex(source *s)
             skip_comment(&l);
         } else if (is_digit(c) || (c == '.' && is_digit(look(&l, 1)))) {
             lex_number(&l);
-        } else if (is_letter(c)) {
+        } else if (is_letter(c) || (c == '.' && l.at > 0 && of->text[l.at - 1] == ']')) {
             lex_name(&l);
+        } else if (c == '"') {
+            lex_text(&l);
         } else if (is_sign(c)) {
             l.at++;
             add(&l, TOKEN_SIGN, l.at - 1)->sign = c;
@@ -158,7 +184,7 @@ token *lex(source *s)
         }
     }
     l.line_is_new = true;
-    l.at = s->length;
-    add(&l, TOKEN_END, s->length);
+    l.at = of->length;
+    add(&l, TOKEN_END, of->length);
     return l.tokens;
 }

@@ -10,7 +10,8 @@ typedef enum token_kind {
     TOKEN_END,
     TOKEN_NAME,
     TOKEN_NUMBER,
-    TOKEN_SIGN, /* one of ( ) { } , ; : = + - * / ^ < > */
+    TOKEN_SIGN, /* one of ( ) { } [ ] , ; : = + - * / ^ < > */
+    TOKEN_TEXT, /* between quotation marks */
 } token_kind;
 
 typedef struct token {
@@ -22,7 +23,8 @@ typedef struct token {
     const char *text; /* as written */
 } token;
 
-/* All tokens of the source, the last one TOKEN_END. Bytes that are no token are noted as a problem and left out. */
-token *lex(source *s);
+/* All tokens of a script whose first byte is at this place, the last one TOKEN_END. Bytes that are no token are noted as
+ * a problem and left out. */
+token *lex(source *s, const script *of, place from);
 
 #endif

@@ -47,11 +47,10 @@ static void check_list(source *s, listing *l)
             continue;
         }
         if (strcmp(first->text, again->text) == 0) {
-            source_problem(s, again->at, "the name '%s' is already used in line %zu", again->text,
-                           source_line(s, first->at));
+            source_problem(s, again->at, "the name '%s' is already used in %s", again->text, source_line(s, first->at));
         } else if (strcasecmp(first->text, again->text) == 0) {
-            source_problem(s, again->at, "the name '%s' differs from '%s' in line %zu only in case", again->text,
-                           first->text, source_line(s, first->at));
+            source_problem(s, again->at, "the name '%s' differs from '%s' in %s only in case", again->text, first->text,
+                           source_line(s, first->at));
         }
     }
 }

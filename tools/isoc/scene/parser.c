@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/repeat.h"
 #include "tools/isoc/scene/statements.h"
 
 static const property body_properties[] = {
@@ -51,6 +52,7 @@ static void read_parameter(parser *p, const token *word, void *slot)
     made->parameters =
         arena_grow(p->s->memory, made->parameters, made->parameter_count, &made->parameter_room, sizeof q);
     made->parameters[made->parameter_count++] = q;
+    note_constant(p, &q);
 }
 
 static void read_input_statement(parser *p, const token *word, void *slot)
@@ -104,6 +106,8 @@ static const property statements[] = {
     {"output", read_output, 0, EVERY_KIND | MANY, NULL},
     {"effect", read_effect, 0, EVERY_KIND | MANY, NULL},
     {"signal", read_signal, 0, EVERY_KIND | MANY, NULL},
+    {"repeat", read_repeat, 0, EVERY_KIND | MANY, NULL},
+    {"include", read_include, 0, EVERY_KIND | MANY, NULL},
 };
 #undef IN
 
@@ -123,13 +127,16 @@ static void check_factors(const parser *p, const scene *made)
     }
 }
 
-scene parse_scene(source *s, const token *tokens)
+scene parse_scene(source *s)
 {
     static const block whole = {.what = "scene", .properties = statements, .property_count = COUNT_OF(statements)};
-    parser p = {.s = s, .next = tokens};
+    const inclusion opened = {.of = s->scripts[0]};
     scene made = {0};
+    parser p = {.s = s, .made = &made, .next = lex(s, opened.of, 0), .included = &opened};
+    p.known = (dictionary){.memory = s->memory};
     const bool read = parse_statements(&p, &whole, &made);
     made.broken |= !read;
     check_factors(&p, &made);
+    check_indices(&p);
     return made;
 }

@@ -1,11 +1,11 @@
-/* Tokens to a scene. In the grammar, JOINT, CLOSURE and OUTPUT are words of the tables in joint_kinds.c, closure_kinds.h
+/* A source to a scene. In the grammar, JOINT, CLOSURE and OUTPUT are words of the tables in joint_kinds.c, closure_kinds.h
  * and output_kinds.h. Which properties a kind has, and which it needs, is in the tables of parse_*.c. README.md in
  * tools/isoc has examples.
  *
  *   scene         = { statement }
  *   statement     = gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
  *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | joint | closure
- *                 | force | parameter | input | output
+ *                 | force | parameter | input | output | repeat | include
  *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA }
  *   joint         = joint NAME JOINT { parent placement | child placement | axis AXIS | second AXIS
  *                 | start ([about] FORMULA | pose) | speed FORMULA | spin FORMULA | continuous | damping FORMULA
@@ -20,6 +20,10 @@
  *   parameter     = constant NAME = FORMULA | tunable NAME = FORMULA [in FORMULA to FORMULA]
  *   input         = input NAME [jump FORMULA] [= FORMULA]
  *   output        = output NAME = OUTPUT [of NAME [at FORMULA] [along (x | y | z)]]
+ *   repeat        = repeat WORD from FORMULA to FORMULA { { statement } }
+ *   include       = include "FILE"
+ *
+ * A NAME is a word, which indices may follow: WORD { [ FORMULA ] [WORD] }.
  */
 #ifndef ISOC_SCENE_PARSER_H
 #define ISOC_SCENE_PARSER_H
@@ -28,6 +32,6 @@
 #include "tools/isoc/scene/scene.h"
 
 /* What the source says, as far as it can be understood; the rest is noted as problems. */
-scene parse_scene(source *s, const token *tokens);
+scene parse_scene(source *s);
 
 #endif

@@ -7,7 +7,7 @@
 static void parse_place(parser *p, pose *to, const token *word)
 {
     if (to->position != NULL) {
-        source_problem(p->s, word->at, "a second 'at'; the first is in line %zu", source_line(p->s, to->position->at));
+        source_problem(p->s, word->at, "a second 'at'; the first is in %s", source_line(p->s, to->position->at));
     }
     if (to->turn_count != 0 || to->quaternion != NULL) {
         source_problem(p->s, word->at, "'at' comes before '%s': first move, then turn",
@@ -31,7 +31,7 @@ static void parse_turn(parser *p, pose *to, const token *word, bool axis_needed)
 static void parse_quaternion(parser *p, pose *to, const token *word)
 {
     if (to->quaternion != NULL) {
-        source_problem(p->s, word->at, "a second 'quaternion'; the first is in line %zu",
+        source_problem(p->s, word->at, "a second 'quaternion'; the first is in %s",
                        source_line(p->s, to->quaternion->at));
     }
     to->quaternion = parse_formula(p);

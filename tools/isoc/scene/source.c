@@ -2,20 +2,12 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tools/isoc/base/nearest.h"
-
-enum {
-    LARGEST_FILE = 64 << 20, /* bytes; a scene is some kilobytes */
-    PROBLEMS_SHOWN = 20,
-    COLUMNS_SHOWN = 100, /* of a long line, around the caret */
-};
+enum { LARGEST_FILE = 64 << 20 }; /* bytes; a scene is some kilobytes */
 
 const char *source_name(const source *s)
 {
@@ -39,7 +31,7 @@ static const char *file_fault(const struct stat *status)
 }
 
 /* All bytes of an open file, or what is wrong with it. */
-static const char *read_all(source *s, int file)
+static const char *read_all(arena *memory, int file, script *made)
 {
     struct stat status;
     if (fstat(file, &status) != 0) {
@@ -49,67 +41,111 @@ static const char *read_all(source *s, int file)
     if (fault != NULL) {
         return fault;
     }
-    char *bytes = arena_take(s->memory, (size_t)status.st_size + 1, 1);
+    made->device = (uint64_t)status.st_dev;
+    made->number = (uint64_t)status.st_ino;
+    char *bytes = arena_take(memory, (size_t)status.st_size + 1, 1);
     ssize_t got = 1;
-    while (s->length < (size_t)status.st_size && got > 0) {
-        got = read(file, bytes + s->length, (size_t)status.st_size - s->length);
-        s->length += got > 0 ? (size_t)got : 0;
+    while (made->length < (size_t)status.st_size && got > 0) {
+        got = read(file, bytes + made->length, (size_t)status.st_size - made->length);
+        made->length += got > 0 ? (size_t)got : 0;
     }
-    s->text = bytes;
+    made->text = bytes;
     return got < 0 ? strerror(errno) : NULL;
+}
+
+static const script *keep(source *s, script read)
+{
+    script *made = arena_take(s->memory, 1, sizeof *made);
+    *made = read;
+    made->order = s->script_count;
+    s->scripts = arena_grow(s->memory, s->scripts, s->script_count, &s->script_room, sizeof *s->scripts);
+    s->scripts[s->script_count++] = made;
+    return made;
+}
+
+const script *source_open(source *s, const char *path, const char **fault)
+{
+    script read = {.path = path};
+    s->paths = arena_grow(s->memory, s->paths, s->path_count, &s->path_room, sizeof *s->paths);
+    s->paths[s->path_count++] = path;
+    const int file = open(path, O_RDONLY | O_NONBLOCK); /* which does not wait for the other end of a FIFO */
+    *fault = file < 0 ? strerror(errno) : read_all(s->memory, file, &read);
+    if (file >= 0) {
+        close(file);
+    }
+    for (size_t i = 0; i < s->script_count && *fault == NULL; i++) {
+        if (s->scripts[i]->device == read.device && s->scripts[i]->number == read.number) {
+            return s->scripts[i];
+        }
+    }
+    return *fault == NULL ? keep(s, read) : NULL;
+}
+
+source source_of_text(arena *memory, const char *path, const char *text)
+{
+    source s = {.memory = memory, .path = path};
+    const script *only = keep(&s, (script){.path = path, .text = text, .length = strlen(text)});
+    source_passage(&s, only, 0, only->length, NULL);
+    s.main_end = only->length;
+    return s;
 }
 
 bool source_read(source *s, arena *memory, const char *path)
 {
+    const char *fault;
     *s = (source){.memory = memory, .path = path};
-    const int file = open(path, O_RDONLY | O_NONBLOCK); /* which does not wait for the other end of a FIFO */
-    const char *fault = file < 0 ? strerror(errno) : read_all(s, file);
-    if (fault != NULL) {
+    const script *main_script = source_open(s, path, &fault);
+    if (main_script == NULL) {
         fprintf(stderr, "%s: error: %s\n", path, fault);
+        return false;
     }
-    if (file >= 0) {
-        close(file);
-    }
-    return fault == NULL;
+    source_passage(s, main_script, 0, main_script->length, NULL);
+    s->main_end = main_script->length;
+    return true;
 }
 
-void source_problem(source *s, place at, const char *format, ...)
+place source_passage(source *s, const script *of, size_t offset, size_t length, const char *note)
 {
-    char message[512];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    if (s->used_by != NULL) {
-        const size_t length = strlen(message);
-        snprintf(message + length, sizeof message - length, "; %s", s->used_by);
-    }
-
-    s->problems = arena_grow(s->memory, s->problems, s->problem_count, &s->problem_room, sizeof *s->problems);
-    s->problems[s->problem_count++] = (problem){at, arena_copy(s->memory, message, strlen(message))};
+    s->passages = arena_grow(s->memory, s->passages, s->passage_count, &s->passage_room, sizeof *s->passages);
+    const place from = s->end;
+    s->passages[s->passage_count++] = (passage){from, of, offset, note};
+    s->end += length + 1; /* with a place for its end */
+    return from;
 }
 
-static place line_start(const source *s, place at)
+/* The last one that begins at the place or before. */
+const passage *source_find(const source *s, place at)
 {
-    while (at > 0 && s->text[at - 1] != '\n') {
-        at--;
+    size_t low = 0, high = s->passage_count;
+    while (high - low > 1) {
+        const size_t middle = low + (high - low) / 2;
+        *(s->passages[middle].from <= at ? &low : &high) = middle;
     }
-    return at;
+    return &s->passages[low];
 }
 
-size_t source_line(const source *s, place at)
+const char *source_line(const source *s, place at)
 {
+    const passage *in = source_find(s, at);
+    const size_t offset = in->offset + (at - in->from);
     size_t line = 1;
-    for (place i = 0; i < at; i++) {
-        line += s->text[i] == '\n';
+    for (size_t i = 0; i < offset; i++) {
+        line += in->of->text[i] == '\n';
     }
-    return line;
+    const char *of_file = in->of == s->scripts[0] ? "" : arena_format(s->memory, " of %s", in->of->path);
+    const char *note = in->note == NULL ? "" : arena_format(s->memory, " (%s)", in->note);
+    return arena_format(s->memory, "line %zu%s%s", line, of_file, note);
 }
 
 const char *source_quote(const source *s, place at)
 {
     enum { MOST = 100 };
-    const char *from = s->text + line_start(s, at);
+    const passage *in = source_find(s, at);
+    size_t start = in->offset + (at - in->from);
+    while (start > 0 && in->of->text[start - 1] != '\n') {
+        start--;
+    }
+    const char *from = in->of->text + start;
     from += strspn(from, " \t");
     size_t length = strcspn(from, "#\r\n");
     while (length > 0 && strchr(" \t{", from[length - 1]) != NULL) {
@@ -122,81 +158,4 @@ const char *source_quote(const source *s, place at)
         *c = ends_comment || *c == '\\' || *c == '?' || (unsigned char)*c < ' ' ? ' ' : *c;
     }
     return words;
-}
-
-static bool starts_character(char c)
-{
-    return ((unsigned char)c & 0xC0) != 0x80; /* not a continuation byte of UTF-8 */
-}
-
-/* The characters from `from` to `to`, each as one column: control characters as spaces. */
-static size_t print_part(const source *s, place from, place to, bool visible)
-{
-    size_t columns = 0;
-    for (place i = from; i < to; i++) {
-        columns += starts_character(s->text[i]);
-        if (visible) {
-            unsigned char c = (unsigned char)s->text[i];
-            fputc(c < ' ' || c == 0x7F ? ' ' : c, stderr);
-        }
-    }
-    return columns;
-}
-
-static void report_one(const source *s, const problem *p)
-{
-    const place start = line_start(s, p->at);
-    place end = p->at;
-    while (end < s->length && s->text[end] != '\n' && s->text[end] != '\r') {
-        end++;
-    }
-    fprintf(stderr, "%s:%zu:%zu: error: %s\n", s->path, source_line(s, p->at), 1 + print_part(s, start, p->at, false),
-            p->message);
-
-    /* Of a very long line, only what stands near the caret; both cuts at the start of a character. */
-    place from = p->at - start > COLUMNS_SHOWN ? p->at - COLUMNS_SHOWN : start;
-    while (from < p->at && !starts_character(s->text[from])) {
-        from++;
-    }
-    place to = end - p->at > COLUMNS_SHOWN ? p->at + COLUMNS_SHOWN : end;
-    while (to < end && !starts_character(s->text[to])) {
-        to++;
-    }
-    fputs("    ", stderr);
-    const size_t before = print_part(s, from, p->at, true);
-    print_part(s, p->at, to, true);
-    fprintf(stderr, "\n    %*s^\n", (int)before, "");
-}
-
-static int by_place(const void *left, const void *right)
-{
-    const problem *a = left, *b = right;
-    if (a->at != b->at) {
-        return a->at < b->at ? -1 : 1;
-    }
-    return strcmp(a->message, b->message);
-}
-
-void source_report(source *s)
-{
-    if (s->problem_count == 0) {
-        return;
-    }
-    qsort(s->problems, s->problem_count, sizeof *s->problems, by_place);
-    size_t shown = 0;
-    for (size_t i = 0; i < s->problem_count && shown < PROBLEMS_SHOWN; i++) {
-        if (i == 0 || by_place(&s->problems[i - 1], &s->problems[i]) != 0) {
-            report_one(s, &s->problems[i]);
-            shown++;
-        }
-    }
-    if (s->problem_count > shown && shown == PROBLEMS_SHOWN) {
-        fprintf(stderr, "%s: %zu more errors\n", s->path, s->problem_count - shown);
-    }
-}
-
-const char *source_suggestion(source *s, const char *typed, const char *const *names, size_t count)
-{
-    const char *name = nearest(typed, names, count);
-    return name == NULL ? "" : arena_format(s->memory, " (did you mean '%s'?)", name);
 }

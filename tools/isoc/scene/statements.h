@@ -1,11 +1,11 @@
 /* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` that of a scene.
- */
+ * `repeat` and `include` add what the statements in them are. */
 #ifndef ISOC_SCENE_STATEMENTS_H
 #define ISOC_SCENE_STATEMENTS_H
 
 #include "tools/isoc/scene/block.h"
 
-property_reader read_joint_statement, read_closure, read_force, read_stabilisation, read_output, read_effect,
-    read_signal;
+property_reader read_joint_statement, read_closure, read_force, read_stabilisation, read_output, read_repeat,
+    read_include;
 
 #endif

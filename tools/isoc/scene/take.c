@@ -2,11 +2,13 @@
 
 #include <string.h>
 
+#include "tools/isoc/scene/repeat.h"
+
 void parse_problem(parser *p, const char *message)
 {
     if (!p->failed) {
-        const char *found = p->next->kind == TOKEN_END ? "the end of the file" : p->next->text;
-        const char *quote = p->next->kind == TOKEN_END ? "" : "'";
+        const bool ended = p->next->text[0] == '\0';
+        const char *found = ended ? "the end of the file" : p->next->text, *quote = ended ? "" : "'";
         source_problem(p->s, p->next->at, "%s; found %s%s%s", message, quote, found, quote);
         p->failed = true;
     }
@@ -57,6 +59,7 @@ name take_name(parser *p, const char *expected)
     }
     n.text = p->next->text;
     p->next++;
+    n.text = take_indices(p, n.text);
     return n;
 }
 

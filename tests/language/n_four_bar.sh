@@ -1,5 +1,5 @@
 #!/bin/sh
-# Writes the scene of the N-four-bar mechanism, benchmark A02 of the IFToMM library, for N = $1.
+# Writes the scene of the N-four-bar mechanism for N = $1 without a repeat: what models/n_four_bar.scene is in the short.
 set -u
 case ${1-} in
 [1-9] | 10) ;;

@@ -1,0 +1,154 @@
+/* Problems of a scene: noted as they are found, then told in the order of the text. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/isoc/base/nearest.h"
+#include "tools/isoc/scene/source.h"
+
+enum {
+    PROBLEMS_SHOWN = 20,
+    COLUMNS_SHOWN = 100, /* of a long line, around the caret */
+};
+
+/* A problem with the byte of the text that it is at. */
+typedef struct located {
+    const script *of;
+    size_t offset, first; /* first: the place of the problem */
+    const char *message, *note;
+    size_t again; /* in how many further repetitions it is the same */
+} located;
+
+void source_problem(source *s, place at, const char *format, ...)
+{
+    char message[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    if (s->used_by != NULL) {
+        const size_t length = strlen(message);
+        snprintf(message + length, sizeof message - length, "; %s", s->used_by);
+    }
+
+    s->problems = arena_grow(s->memory, s->problems, s->problem_count, &s->problem_room, sizeof *s->problems);
+    s->problems[s->problem_count++] = (problem){at, arena_copy(s->memory, message, strlen(message))};
+}
+
+static bool starts_character(char c)
+{
+    return ((unsigned char)c & 0xC0) != 0x80; /* not a continuation byte of UTF-8 */
+}
+
+/* The characters from `from` to `to`, each as one column: control characters as spaces. */
+static size_t print_part(const script *of, size_t from, size_t to, bool visible)
+{
+    size_t columns = 0;
+    for (size_t i = from; i < to; i++) {
+        columns += starts_character(of->text[i]);
+        if (visible) {
+            unsigned char c = (unsigned char)of->text[i];
+            fputc(c < ' ' || c == 0x7F ? ' ' : c, stderr);
+        }
+    }
+    return columns;
+}
+
+/* (i = 3, and 2 more) */
+static void print_note(const located *p)
+{
+    if (p->note != NULL && p->again > 0) {
+        fprintf(stderr, " (%s, and %zu more)", p->note, p->again);
+    } else if (p->note != NULL) {
+        fprintf(stderr, " (%s)", p->note);
+    }
+}
+
+static void report_one(const located *p)
+{
+    const char *text = p->of->text;
+    size_t start = p->offset, end = p->offset, line = 1;
+    while (start > 0 && text[start - 1] != '\n') {
+        start--;
+    }
+    while (end < p->of->length && text[end] != '\n' && text[end] != '\r') {
+        end++;
+    }
+    for (size_t i = 0; i < start; i++) {
+        line += text[i] == '\n';
+    }
+    fprintf(stderr, "%s:%zu:%zu: error: %s", p->of->path, line, 1 + print_part(p->of, start, p->offset, false),
+            p->message);
+    print_note(p);
+
+    /* Of a very long line, only what stands near the caret; both cuts at the start of a character. */
+    size_t from = p->offset - start > COLUMNS_SHOWN ? p->offset - COLUMNS_SHOWN : start;
+    while (from < p->offset && !starts_character(text[from])) {
+        from++;
+    }
+    size_t to = end - p->offset > COLUMNS_SHOWN ? p->offset + COLUMNS_SHOWN : end;
+    while (to < end && !starts_character(text[to])) {
+        to++;
+    }
+    fputs("\n    ", stderr);
+    const size_t before = print_part(p->of, from, p->offset, true);
+    print_part(p->of, p->offset, to, true);
+    fprintf(stderr, "\n    %*s^\n", (int)before, "");
+}
+
+static int by_text(const void *left, const void *right)
+{
+    const located *a = left, *b = right;
+    if (a->of != b->of) {
+        return a->of->order < b->of->order ? -1 : 1;
+    }
+    return a->offset != b->offset ? (a->offset < b->offset ? -1 : 1) : strcmp(a->message, b->message);
+}
+
+static int by_text_and_reading(const void *left, const void *right)
+{
+    const located *a = left, *b = right;
+    const int order = by_text(left, right);
+    return order != 0 ? order : a->first < b->first ? -1 : a->first > b->first;
+}
+
+/* The problems in the order of the text, each once: returns their number. */
+static size_t locate(const source *s, located *all)
+{
+    for (size_t i = 0; i < s->problem_count; i++) {
+        const problem *p = &s->problems[i];
+        const passage *in = source_find(s, p->at);
+        all[i] = (located){in->of, in->offset + (p->at - in->from), p->at, p->message, in->note, 0};
+    }
+    qsort(all, s->problem_count, sizeof *all, by_text_and_reading);
+    size_t kept = 0;
+    for (size_t i = 0; i < s->problem_count; i++) {
+        located *last = kept == 0 ? NULL : &all[kept - 1];
+        if (last == NULL || by_text(last, &all[i]) != 0) {
+            all[kept++] = all[i];
+        } else if (last->first != all[i].first) {
+            last->again++;
+            last->first = all[i].first;
+        }
+    }
+    return kept;
+}
+
+void source_report(source *s)
+{
+    located *all = arena_take(s->memory, s->problem_count + 1, sizeof *all);
+    const size_t count = s->problem_count == 0 ? 0 : locate(s, all);
+    for (size_t i = 0; i < count && i < PROBLEMS_SHOWN; i++) {
+        report_one(&all[i]);
+    }
+    if (count > PROBLEMS_SHOWN) {
+        fprintf(stderr, "%s: %zu more errors\n", s->path, count - PROBLEMS_SHOWN);
+    }
+}
+
+const char *source_suggestion(source *s, const char *typed, const char *const *names, size_t count)
+{
+    const char *name = nearest(typed, names, count);
+    return name == NULL ? "" : arena_format(s->memory, " (did you mean '%s'?)", name);
+}
