@@ -94,6 +94,51 @@ build/isoc "$out/new/same.scene" --files | sed "s|$out/||" | tr '\n' ' ' >"$out/
 [ "$(cat "$out/files")" = 'new/same.scene new/parts/arm.scene new/parts/../mass.scene new/parts/arm.scene new/parts/../mass.scene ' ]
 result $? "--files lists them: $(cat "$out/files")"
 
+# Frames on frames wherever a body can stand, and a body without mass: two hinges in series are a universal joint.
+body='gravity (0, -9.81, 0) m/s^2; step 1 ms; tunable reach = 1 m; input push
+body arm { mass 1 kg; com (0, -0.5, 0) m; inertia (1, 1, 1) g*m^2 }
+body fore { mass 1 kg; com (0, -0.5, 0) m; inertia (1, 1, 2) g*m^2 }'
+plant new <<END
+$body
+body cross { mass 0 }
+frame last { on tip at (0, -10, 0) mm rotate 10 deg about x }
+frame tip { on fore at (0, -reach, 0) }
+frame base { on ground at (0, 1, 0) m rotate 90 deg about x }
+frame end { on arm at (0, -1, 0) m rotate 30 deg about z }
+joint shoulder revolute { parent base; child arm; axis z }
+joint wrist_first revolute { parent end; child cross; axis x; start 20 deg; speed 1 rad/s }
+joint wrist_second revolute { parent cross; child fore; axis y; start 30 deg; speed 2 rad/s }
+close pin distance { parent base at (1, 0, 0) m; child last }
+force kick { body last; axis y; drive push }
+output place = position of last
+output velocity = velocity of tip
+output orientation = orientation of last
+output spin = spin of last along y
+output rest = position of base along y
+output force = force of shoulder
+END
+plant old <<END
+$body
+body hand { mass 0 }
+body peg { mass 0 }
+joint shoulder revolute { parent ground at (0, 1, 0) m rotate 90 deg about x; child arm; axis z }
+joint wrist universal {
+    parent arm at (0, -1, 0) m rotate 30 deg about z; child fore; axis x; second y
+    start rotate 20 deg rotate 30 deg; spin (1, 2) rad/s
+}
+joint glue fixed { parent fore at (0, -reach - 10 mm, 0) rotate 10 deg about x; child hand }
+joint nail fixed { parent ground at (0, 1, 0) m rotate 90 deg about x; child peg }
+close pin distance { parent peg at (1, 0, 0) m; child hand }
+force kick { body hand; axis y; drive push }
+output place = position of hand
+output velocity = velocity of fore at (0, -reach, 0)
+output orientation = orientation of hand
+output spin = spin of hand along y
+output rest = position of peg along y
+output force = force of shoulder
+END
+same 'frames, and a body without mass'
+
 # told NAME SCENE LINE...: what isoc says of the scene, without the lines that it shows.
 told()
 {

@@ -9,12 +9,13 @@ static void build_applied_force(builder *b, const body_force *written)
     if (written->broken) {
         return;
     }
-    const int pushed = find_body(b->s, b->written, written->body);
+    matrix turned;
+    vector point;
+    const int pushed = stand_on(b, &written->at, &turned, &point);
     const int drive = find_input(b->s, b->written, written->drive);
-    const vector point = vector_value(b, written->point, metre, "a point");
     const node lever = scalar_value(b, written->moment, metre, "the moment of a force for each newton");
     if (pushed == -2) {
-        source_problem(b->s, written->body.at, "a force on the ground has no effect");
+        source_problem(b->s, written->at.body.at, "a force on the ground has no effect");
     }
     if (pushed < 0 || drive < 0 || written->axis == NULL || !unit_axis(b, written->axis, axis)) {
         return;
@@ -22,14 +23,14 @@ static void build_applied_force(builder *b, const body_force *written)
     const body_frame *frame = &b->made.frames[pushed];
     if (!frame->placed || frame->link == GROUND) {
         if (frame->placed) {
-            source_problem(b->s, written->body.at, "'%s' is fixed to the ground: a force on it has no effect",
-                           written->body.text);
+            source_problem(b->s, written->at.body.at, "'%s' is fixed to the ground: a force on it has no effect",
+                           written->at.body.text);
         }
         return;
     }
     applied_force made = {.body = pushed, .link = frame->link, .drive = drive, .lever = lever};
     made.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
-    made.axis = matrix_apply(g, frame->turn, vector_of(g, axis[0], axis[1], axis[2]));
+    made.axis = matrix_apply(g, frame->turn, matrix_apply(g, turned, vector_of(g, axis[0], axis[1], axis[2])));
     b->made.applied_forces[b->made.applied_force_count++] = made;
 }
 

@@ -58,6 +58,12 @@ void build_applied_forces(builder *b);
  * axis is the coordinate axis *k times *sign (the identity for x, y, z, -x, -y, -z). */
 bool unit_axis(builder *b, const formula *f, double axis[3]);
 void place_joint(builder *b, const placement *p, matrix *turn_made, vector *origin);
+
+/* The same on the body that a placement's frames stand on, and that body: -2 the ground, -1 unknown. Then, when all bodies
+ * are placed, the frames as the bodies are. */
+int stand_on(builder *b, const placement *p, matrix *turn_made, vector *origin);
+void build_frames(builder *b);
+
 matrix align(graph *g, const double a[3], int *k, double *sign);
 
 /* regroup.c: moves to the parents what the joints' motion does not change. */

@@ -24,11 +24,7 @@ static bool build_end(builder *b, const placement *p, matrix aligned, cut_end *e
     graph *g = b->g;
     matrix turned;
     vector origin;
-    if (p->body.text == NULL) {
-        return false;
-    }
-    const int on = find_body(b->s, b->written, p->body);
-    place_joint(b, p, &turned, &origin);
+    const int on = stand_on(b, p, &turned, &origin);
     if (on == -1 || (on >= 0 && !b->made.frames[on].placed)) {
         return false;
     }

@@ -73,8 +73,13 @@ static void build_bodies(builder *b)
         made->joint = -1;
         const size_t problems = b->s->problem_count;
         made->mass = scalar_value(b, written->mass, kilogram, "a mass");
-        if (written->mass != NULL && b->s->problem_count == problems && !(value_now(&b->values, made->mass) > 0.0)) {
-            source_problem(b->s, written->mass->at, "a mass must be larger than zero");
+        const bool massless = is_zero(b->g, made->mass);
+        if (written->mass != NULL && b->s->problem_count == problems && !massless &&
+            !(value_now(&b->values, made->mass) > 0.0)) {
+            source_problem(b->s, written->mass->at, "a mass must be larger than zero, or 0 where a body has none");
+        }
+        if (massless && written->mass != NULL && written->inertia != NULL && b->s->problem_count == problems) {
+            source_problem(b->s, written->inertia->at, "a body without mass has no inertia");
         }
         made->com = vector_value(b, written->com, metre, "a centre of mass");
         made->inertia = inertia_value(b, written);
@@ -85,7 +90,9 @@ static void build_bodies(builder *b)
 
 static int resolve_end(builder *b, const placement *end)
 {
-    return end->body.text == NULL ? -1 : find_body(b->s, b->written, end->body);
+    matrix turned;
+    vector origin;
+    return stand_on(b, end, &turned, &origin);
 }
 
 /* Which bodies a joint connects; a body is the child of one joint. */
@@ -144,8 +151,8 @@ static void hang(builder *b, size_t i)
 
     matrix on_parent, on_child;
     vector at_parent, at_child;
-    place_joint(b, &j->parent, &on_parent, &at_parent);
-    place_joint(b, &j->child, &on_child, &at_child);
+    stand_on(b, &j->parent, &on_parent, &at_parent);
+    stand_on(b, &j->child, &on_child, &at_child);
 
     /* From the axes of the last link to those of the joint: the axis of a link is one of its own coordinate axes. */
     body_frame last = {parent.link, matrix_product(g, parent.turn, on_parent), vector_zero(g), true};
@@ -229,7 +236,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     b.made.ground_mass = constant(g, 0.0);
     b.made.ground_moment = vector_zero(g);
     b.made.links = arena_take(s->memory, PARTS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.links);
-    b.made.frames = arena_take(s->memory, written->body_count + 1, sizeof *b.made.frames);
+    b.made.frames = arena_take(s->memory, written->body_count + written->frame_count + 1, sizeof *b.made.frames);
     b.made.members = arena_take(s->memory, written->body_count + 1, sizeof *b.made.members);
     b.made.body_count = (int)written->body_count;
     values_start(&b.values, s, g, written, count_faults(written), is_double);
@@ -247,6 +254,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
         connect(&b, i);
     }
     build_tree(&b);
+    build_frames(&b);
     list_dofs(&b);
     build_applied_forces(&b);
     build_closures(&b);

@@ -153,8 +153,8 @@ typedef struct mechanism {
     link *links;
     dof *dofs;
     int link_count, position_count, dof_count;
-    body_frame *frames; /* of the scene's bodies */
-    member *members;    /* likewise */
+    body_frame *frames; /* of the scene's bodies, then of its frames */
+    member *members;    /* of the bodies */
     int body_count;
     cut *cuts;
     int cut_count;

@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/scene/names.h"
 
 /* The unit vector of an axis; false if there is none. */
 bool unit_axis(builder *b, const formula *f, double axis[3])
@@ -60,6 +61,47 @@ void place_joint(builder *b, const placement *p, matrix *turn_made, vector *orig
             angle = 0.0;
         }
         *turn_made = matrix_snap(b->g, matrix_product(b->g, *turn_made, rodrigues(b->g, axis, angle)));
+    }
+}
+
+/* Frames that stand on one another, from the last to the first: p on its frame is o + R p on what that stands on. */
+int stand_on(builder *b, const placement *p, matrix *turn_made, vector *origin)
+{
+    const scene *written = b->written;
+    place_joint(b, p, turn_made, origin);
+    int on = p->body.text == NULL ? -1 : find_body(b->s, written, p->body);
+    for (size_t steps = 0; on >= (int)written->body_count; steps++) {
+        const named_frame *under = &written->frames[(size_t)on - written->body_count];
+        if (steps >= written->frame_count) {
+            source_problem(b->s, under->name.at, "the frame '%s' stands on itself", under->name.text);
+            return -1;
+        }
+        matrix turned;
+        vector from;
+        place_joint(b, &under->on, &turned, &from);
+        *origin = vector_add(b->g, matrix_apply(b->g, turned, *origin), from);
+        *turn_made = matrix_snap(b->g, matrix_product(b->g, turned, *turn_made));
+        on = under->on.body.text == NULL ? -1 : find_body(b->s, written, under->on.body);
+    }
+    return on;
+}
+
+void build_frames(builder *b)
+{
+    graph *g = b->g;
+    const size_t bodies = b->written->body_count;
+    for (size_t i = 0; i < b->written->frame_count; i++) {
+        matrix turned;
+        vector origin;
+        const int on = stand_on(b, &b->written->frames[i].on, &turned, &origin);
+        const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
+        if (on >= 0 || on == -2) {
+            const body_frame under = on == -2 ? ground : b->made.frames[on];
+            body_frame *made = &b->made.frames[bodies + i];
+            *made = under;
+            made->turn = matrix_snap(g, matrix_product(g, under.turn, turned));
+            made->offset = vector_add(g, matrix_apply(g, under.turn, origin), under.offset);
+        }
     }
 }
 

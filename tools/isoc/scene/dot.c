@@ -9,20 +9,30 @@ static bool same(name a, name b)
     return strcmp(a.text, b.text) == 0;
 }
 
-/* The ground, and each body with the forces that inputs put on it. */
+/* A body or a frame, with the forces that inputs put on it. */
+static void draw_node(const scene *written, name called, const char *shape, text *out)
+{
+    text_add(out, "    \"%s\" [%slabel=\"%s", called.text, shape, called.text);
+    for (size_t j = 0; j < written->force_count; j++) {
+        const body_force *f = &written->forces[j];
+        if (same(f->at.body, called)) {
+            text_add(out, "\\nforce %s: %s", f->name.text, f->drive.text);
+        }
+    }
+    text_add(out, "\"];\n");
+}
+
+/* The ground, bodies, and frames on what they stand on. */
 static void draw_bodies(const scene *written, text *out)
 {
     text_add(out, "    \"ground\" [shape=plain];\n");
     for (size_t i = 0; i < written->body_count; i++) {
-        const name body_name = written->bodies[i].name;
-        text_add(out, "    \"%s\" [label=\"%s", body_name.text, body_name.text);
-        for (size_t j = 0; j < written->force_count; j++) {
-            const body_force *f = &written->forces[j];
-            if (same(f->body, body_name)) {
-                text_add(out, "\\nforce %s: %s", f->name.text, f->drive.text);
-            }
-        }
-        text_add(out, "\"];\n");
+        draw_node(written, written->bodies[i].name, "", out);
+    }
+    for (size_t i = 0; i < written->frame_count; i++) {
+        const named_frame *f = &written->frames[i];
+        draw_node(written, f->name, "shape=ellipse, ", out);
+        text_add(out, "    \"%s\" -> \"%s\" [style=dotted, arrowhead=none];\n", f->on.body.text, f->name.text);
     }
 }
 

@@ -178,7 +178,8 @@ static void list_effect(source *s, const scene *written, const effect_use *use, 
 
 const char *output_components(const scene *written, const output *o)
 {
-    const bool is_body = o->of.text != NULL && find_among(GROUP(written, bodies, body_count), o->of) >= 0;
+    const bool is_body = o->of.text != NULL && (find_among(GROUP(written, bodies, body_count), o->of) >= 0 ||
+                                                find_among(GROUP(written, frames, frame_count), o->of) >= 0);
     const output_kind of_body = is_body ? output_of(o->kind, OF_BODY) : OUTPUT_ROWS;
     const output_row *row = &output_rows[of_body < OUTPUT_ROWS ? of_body : o->kind];
     return o->along < 0 ? row->components : "";
@@ -197,6 +198,7 @@ void names_check(source *s, const scene *written)
 {
     listing things = {0}, states = {0}, outputs = {0}, kinds = {0}, held = {0}, parameters = {0};
     list_group(s, &things, GROUP(written, bodies, body_count));
+    list_group(s, &things, GROUP(written, frames, frame_count));
     list_group(s, &things, GROUP(written, joints, joint_count));
     list_group(s, &things, GROUP(written, closures, closure_count));
     list_group(s, &things, GROUP(written, forces, force_count));
@@ -239,60 +241,72 @@ static size_t collect(const char **names, group g)
     return found;
 }
 
-/* The index in the first of two groups (*in_first is true) or in the second; `more` is a further name to suggest. */
-static int find_in(source *s, group first, group second, const char *more, name n, const char *what, bool *in_first)
+/* The index in these groups, one after the other; `more` is a further name to suggest. */
+static int find_in(source *s, const group *groups, size_t count, const char *more, name n, const char *what)
 {
-    int found = find_among(first, n);
-    *in_first = found >= 0;
-    found = found < 0 ? find_among(second, n) : found;
-    if (found < 0) {
-        const char **names = arena_take(s->memory, first.count + second.count + 1, sizeof *names);
-        size_t listed = collect(names, first);
-        listed += collect(names + listed, second);
-        if (more != NULL) {
-            names[listed++] = more;
+    size_t before = 0;
+    for (size_t i = 0; i < count; i++) {
+        const int found = find_among(groups[i], n);
+        if (found >= 0) {
+            return (int)before + found;
         }
-        source_problem(s, n.at, "no %s is called '%s'%s", what, n.text, source_suggestion(s, n.text, names, listed));
+        before += groups[i].count;
     }
-    return found;
+    const char **names = arena_take(s->memory, before + 1, sizeof *names);
+    size_t listed = 0;
+    for (size_t i = 0; i < count; i++) {
+        listed += collect(names + listed, groups[i]);
+    }
+    if (more != NULL) {
+        names[listed++] = more;
+    }
+    source_problem(s, n.at, "no %s is called '%s'%s", what, n.text, source_suggestion(s, n.text, names, listed));
+    return -1;
 }
-
-static const group none = {NULL, 0, 0};
 
 int find_body(source *s, const scene *written, name n)
 {
-    bool in_first;
-    return strcmp(n.text, "ground") == 0
-               ? -2
-               : find_in(s, GROUP(written, bodies, body_count), none, "ground", n, "body", &in_first);
+    const group groups[] = {GROUP(written, bodies, body_count), GROUP(written, frames, frame_count)};
+    return strcmp(n.text, "ground") == 0 ? -2 : find_in(s, groups, 2, "ground", n, "body");
 }
 
 int find_joint(source *s, const scene *written, name n)
 {
-    bool in_first;
-    return find_in(s, GROUP(written, joints, joint_count), none, NULL, n, "joint", &in_first);
+    const group joints = GROUP(written, joints, joint_count);
+    return find_in(s, &joints, 1, NULL, n, "joint");
 }
 
 int find_input(source *s, const scene *written, name n)
 {
-    bool in_first;
-    return find_in(s, GROUP(written, inputs, input_count), none, NULL, n, "input", &in_first);
+    const group inputs = GROUP(written, inputs, input_count);
+    return find_in(s, &inputs, 1, NULL, n, "input");
 }
 
 int find_closure(source *s, const scene *written, name n)
 {
-    bool in_first;
-    return find_in(s, GROUP(written, closures, closure_count), none, NULL, n, "closure", &in_first);
+    const group closures = GROUP(written, closures, closure_count);
+    return find_in(s, &closures, 1, NULL, n, "closure");
+}
+
+/* The index among the joints, or behind them. */
+static int find_joint_or(source *s, const scene *written, const group *others, size_t count, name n, const char *what,
+                         bool *is_joint)
+{
+    group groups[3] = {GROUP(written, joints, joint_count)};
+    memcpy(groups + 1, others, count * sizeof *others);
+    const int found = find_in(s, groups, 1 + count, NULL, n, what), joints = (int)written->joint_count;
+    *is_joint = found >= 0 && found < joints;
+    return found < joints ? found : found - joints;
 }
 
 int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint)
 {
-    return find_in(s, GROUP(written, joints, joint_count), GROUP(written, bodies, body_count), NULL, n, "joint or body",
-                   is_joint);
+    const group others[] = {GROUP(written, bodies, body_count), GROUP(written, frames, frame_count)};
+    return find_joint_or(s, written, others, 2, n, "joint or body", is_joint);
 }
 
 int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint)
 {
-    return find_in(s, GROUP(written, joints, joint_count), GROUP(written, closures, closure_count), NULL, n,
-                   "joint or closure", is_joint);
+    const group closures = GROUP(written, closures, closure_count);
+    return find_joint_or(s, written, &closures, 1, n, "joint or closure", is_joint);
 }

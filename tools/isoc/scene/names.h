@@ -17,7 +17,8 @@ const effect_kind *find_effect_kind(const scene *written, name n);
 int closure_clocks(const closure *c);
 
 /* The index of the body, joint, input or closure that is called n; -1, with a problem that suggests the nearest, if
- * none is. find_body gives -2 for `ground`. */
+ * none is. Where a body can stand, a frame can: its index comes after those of the bodies. find_body gives -2 for
+ * `ground`. */
 int find_body(source *s, const scene *written, name n);
 int find_joint(source *s, const scene *written, name n);
 int find_input(source *s, const scene *written, name n);

@@ -42,12 +42,9 @@ void read_closure(parser *p, const token *word, void *slot)
 static void read_point(parser *p, const token *word, void *slot)
 {
     body_force *f = slot;
-    placement at = {0};
-    read_placement(p, word, &at);
-    f->body = at.body;
-    f->point = at.position;
-    if (at.turn_count != 0) {
-        source_problem(p->s, at.turns[0].at, "a point cannot be turned: turn the axis of the force");
+    read_placement(p, word, &f->at);
+    if (f->at.turn_count != 0) {
+        source_problem(p->s, f->at.turns[0].at, "a point cannot be turned: turn the axis of the force");
     }
 }
 

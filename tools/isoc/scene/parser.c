@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/repeat.h"
 #include "tools/isoc/scene/statements.h"
 
@@ -24,6 +25,23 @@ static void read_body(parser *p, const token *word, void *slot)
     b.broken = p->failed || !parse_block(p, &body_block, 0, b.name, &b);
     made->bodies = arena_grow(p->s->memory, made->bodies, made->body_count, &made->body_room, sizeof b);
     made->bodies[made->body_count++] = b;
+}
+
+static const property frame_properties[] = {
+    {"on", read_placement, offsetof(named_frame, on), EVERY_KIND, "on BODY at (0, 0, 1) m"},
+};
+
+static const block frame_block = {
+    .what = "frame", .properties = frame_properties, .property_count = COUNT_OF(frame_properties)};
+
+static void read_frame(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    named_frame f = {.name = take_new_name(p, "expected a name for the frame")};
+    f.broken = p->failed || !parse_block(p, &frame_block, 0, f.name, &f);
+    made->frames = arena_grow(p->s->memory, made->frames, made->frame_count, &made->frame_room, sizeof f);
+    made->frames[made->frame_count++] = f;
 }
 
 /* LEAST to MOST */
@@ -97,6 +115,7 @@ static const property statements[] = {
     {"substeps", read_formula, IN(substeps), EVERY_KIND, NULL},
     {"stabilisation", read_stabilisation, IN(stabilisation), EVERY_KIND, NULL},
     {"body", read_body, 0, EVERY_KIND | MANY, NULL},
+    {"frame", read_frame, 0, EVERY_KIND | MANY, NULL},
     {"joint", read_joint_statement, 0, EVERY_KIND | MANY, NULL},
     {"close", read_closure, 0, EVERY_KIND | MANY, NULL},
     {"force", read_force, 0, EVERY_KIND | MANY, NULL},

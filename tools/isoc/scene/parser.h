@@ -4,9 +4,10 @@
  *
  *   scene         = { statement }
  *   statement     = gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
- *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | joint | closure
+ *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | frame | joint | closure
  *                 | force | parameter | input | output | repeat | include
  *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA }
+ *   frame         = frame NAME { on placement }
  *   joint         = joint NAME JOINT { parent placement | child placement | axis AXIS | second AXIS
  *                 | start ([about] FORMULA | pose) | speed FORMULA | spin FORMULA | continuous | damping FORMULA
  *                 | spin_damping FORMULA | spring FORMULA [rest FORMULA] | drive NAME }

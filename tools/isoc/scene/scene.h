@@ -59,6 +59,13 @@ typedef struct body {
     bool broken; /* a property could not be read */
 } body;
 
+/* A place on a body, with axes of its own, that can stand wherever a body can. */
+typedef struct named_frame {
+    name name;
+    placement on; /* a body, the ground, or another frame */
+    bool broken;
+} named_frame;
+
 /* Where a joint starts: a coordinate alone, or a place and turns, or a place and a quaternion (w, x, y, z). */
 typedef struct pose {
     formula *coordinate;
@@ -97,8 +104,8 @@ typedef struct closure {
  */
 typedef struct body_force {
     name name;
-    name body;
-    formula *point, *axis, *moment;
+    placement at;
+    formula *axis, *moment;
     name drive;
     bool broken;
 } body_force;
@@ -185,6 +192,7 @@ typedef struct scene {
     formula *iterations, *tolerance, *substeps;
     stabilisation stabilisation;
     body *bodies;
+    named_frame *frames;
     joint *joints;
     closure *closures;
     body_force *forces;
@@ -192,8 +200,8 @@ typedef struct scene {
     effect_kind *effect_kinds;
     effect_use *effects;
     output *outputs;
-    size_t body_count, joint_count, closure_count, force_count, parameter_count, input_count, output_count,
-        signal_count, effect_kind_count, effect_count;
+    size_t body_count, frame_count, frame_room, joint_count, closure_count, force_count, parameter_count, input_count,
+        output_count, signal_count, effect_kind_count, effect_count;
     size_t body_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room, signal_room,
         effect_kind_room, effect_room;
 } scene;
