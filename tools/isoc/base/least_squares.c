@@ -41,17 +41,18 @@ static bool orthogonalise(double *u, double *v, int rows, int columns, int p, in
     return true;
 }
 
-int least_squares(arena *memory, const double *a, int rows, int columns, const double *b, double *x)
+decomposition decompose(arena *memory, const double *a, int rows, int columns)
 {
     enum { SWEEPS = 60 };
-    double *u = arena_take(memory, (size_t)(rows * columns) + 1, sizeof *u);
-    double *v = arena_take(memory, (size_t)(columns * columns) + 1, sizeof *v);
+    decomposition made = {.rows = rows, .columns = columns};
+    double *u = made.u = arena_take(memory, (size_t)(rows * columns) + 1, sizeof *u);
+    double *v = made.v = arena_take(memory, (size_t)(columns * columns) + 1, sizeof *v);
+    made.value = arena_take(memory, (size_t)columns + 1, sizeof *made.value);
     for (int i = 0; i < rows * columns; i++) {
         u[i] = a[i];
     }
     for (int i = 0; i < columns; i++) {
         v[i * columns + i] = 1.0;
-        x[i] = 0.0;
     }
     bool turned = true;
     for (int sweep = 0; turned && sweep < SWEEPS; sweep++) {
@@ -62,21 +63,30 @@ int least_squares(arena *memory, const double *a, int rows, int columns, const d
             }
         }
     }
-    /* a = u v' with orthogonal columns u_j of length sigma_j: x = sum of v_j (u_j . b) / sigma_j^2. */
-    double largest = 0.0;
     for (int j = 0; j < columns; j++) {
-        largest = fmax(largest, dot(u + j, u + j, rows, columns));
+        made.value[j] = sqrt(dot(u + j, u + j, rows, columns));
+        made.largest = fmax(made.largest, made.value[j]);
     }
+    return made;
+}
+
+/* With columns u_j of length sigma_j: x = sum of v_j (u_j . b) / sigma_j^2. */
+int least_squares(arena *memory, const double *a, int rows, int columns, const double *b, double *x)
+{
+    const decomposition made = decompose(memory, a, rows, columns);
     int rank = 0;
+    for (int i = 0; i < columns; i++) {
+        x[i] = 0.0;
+    }
     for (int j = 0; j < columns; j++) {
-        const double square = dot(u + j, u + j, rows, columns);
-        if (square > rank_limit * rank_limit * largest) {
+        const double *u = made.u + j, square = dot(u, u, rows, columns);
+        if (square > rank_limit * rank_limit * made.largest * made.largest) {
             double along = 0.0;
             for (int i = 0; i < rows; i++) {
-                along += u[i * columns + j] * b[i];
+                along += u[i * columns] * b[i];
             }
             for (int i = 0; i < columns; i++) {
-                x[i] += v[i * columns + j] * along / square;
+                x[i] += made.v[i * columns + j] * along / square;
             }
             rank++;
         }

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/dynamics/closing.h"
+#include "tools/isoc/dynamics/branches.h"
 
 static const double closed = 1e-6; /* m, rad, and per second: the gap that the digits of given values may leave */
 static const double exact = 1e-10; /* what rounding leaves */
@@ -14,6 +14,7 @@ typedef struct assembly {
     const constraints *held;
     closing c;
     bool *is_free;    /* [degrees of freedom] */
+    bool *meets;      /* likewise: takes part in a multiple root */
     bool keeps_rough; /* coordinates with a rough start are not free */
 } assembly;
 
@@ -101,10 +102,11 @@ static bool close_positions(const assembly *a)
         tell_open(a, open, count);
         return false;
     }
-    if (open.rank < count) {
+    const int undetermined = branches_look(&a->c, a->is_free, a->meets);
+    if (undetermined > 0) {
         source_problem(a->s, cut_of(a, open)->at,
                        "the closures leave %d of %d coordinates undetermined (rank %d): give a start to %d of %s",
-                       count - open.rank, count, open.rank, count - open.rank, list_free(a));
+                       undetermined, count, open.rank, undetermined, list_free(a));
         return false;
     }
     choose_free(a, false, true);
@@ -131,14 +133,23 @@ static bool close_speeds(const assembly *a)
     }
     choose_free(a, true, true);
     const gap left = closing_run(&a->c, true, a->is_free);
-    if (left.rank < left.all && !a->m->is_redundant) {
-        source_problem(a->s, a->m->cuts[a->held->all[a->held->count - 1].cut].at,
+    if (left.rank == left.all || a->m->is_redundant) {
+        return true;
+    }
+    const place at = a->m->cuts[a->held->all[a->held->count - 1].cut].at;
+    const int nearby = branches_rank_nearby(&a->c);
+    if (nearby == left.all) {
+        source_problem(a->s, at,
+                       "the closures do not determine how the loops move on: ways to move meet at the start, where the "
+                       "constraints have rank %d, and %d beside it; start beside it, or write stabilisation lagrangian",
+                       left.rank, nearby);
+    } else {
+        source_problem(a->s, at,
                        "the closures are redundant: their constraints have rank %d of %d at the start; leave out the "
                        "redundant ones, or write stabilisation lagrangian",
                        left.rank, left.all);
-        return false;
     }
-    return true;
+    return false;
 }
 
 /* A constraint that no joint changes, as out of the plane of a planar mechanism, must hold as it is. */
@@ -187,6 +198,9 @@ static void keep_start(const assembly *a)
         link *l = &a->m->links[i];
         const double *x = a->c.x + l->position;
         const double *speed = a->c.x + a->m->position_count + l->dof;
+        for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
+            l->start_meets = l->start_meets || a->meets[f];
+        }
         l->start_found = largest_change(l->start, x, positions_of(l->kind)) > closed;
         l->speed_found = largest_change(l->speed, speed, dofs_of(l->kind)) > closed;
         memcpy(l->start, x, (size_t)positions_of(l->kind) * sizeof *x);
@@ -204,6 +218,7 @@ void assemble(source *s, const graph *g, const mechanism *m)
         dynamics_build(&scratch, m, FORMULATION_COMPOSITE); /* in the axes of the base, whatever is kept */
     assembly a = {.s = s, .m = m, .held = &d->loops.held, .c = closing_start(s->memory, d)};
     a.is_free = arena_take(s->memory, (size_t)m->dof_count, sizeof *a.is_free);
+    a.meets = arena_take(s->memory, (size_t)m->dof_count, sizeof *a.meets);
     go_near(&a);
     if (check_distances(&a) && check_dropped(&a) && close_positions(&a) && close_speeds(&a)) {
         keep_start(&a);

@@ -11,7 +11,7 @@ static const double rounding = 1e-6; /* a gap smaller than this that is no longe
 static const double around = 6.28318530717958648;
 static const double longest_move = 0.5; /* m or rad in an iteration */
 
-static void evaluate(const closing *c)
+void closing_evaluate(const closing *c)
 {
     const int n = c->m->dof_count;
     const evaluation at = {.x = c->x, .p = c->m->defaults};
@@ -28,7 +28,7 @@ bool closing_counts(const closing *c, bool rates, int row)
     return rates || !is_zero(c->d->g, c->held->all[row].position);
 }
 
-static double gap_of(const closing *c, bool rates, int row)
+double closing_gap(const closing *c, bool rates, int row)
 {
     return c->numbers[rates ? c->held->all[row].rate : c->held->all[row].position];
 }
@@ -37,7 +37,7 @@ static double square_gaps(const closing *c, bool rates)
 {
     double sum = 0.0;
     for (int r = 0; r < c->held->count; r++) {
-        sum += gap_of(c, rates, r) * gap_of(c, rates, r);
+        sum += closing_gap(c, rates, r) * closing_gap(c, rates, r);
     }
     return sum;
 }
@@ -61,7 +61,7 @@ static void move_link(const closing *c, const link *l, const double *by)
     }
 }
 
-static void move(const closing *c, bool rates, const double *by)
+void closing_move(const closing *c, bool rates, const double *by)
 {
     for (int i = 0; i < c->m->link_count; i++) {
         const link *l = &c->m->links[i];
@@ -89,7 +89,7 @@ static gap aim(const closing *c, bool rates, const bool *is_free, double *by)
             continue;
         }
         open.all++;
-        wanted[r] = -gap_of(c, rates, r);
+        wanted[r] = -closing_gap(c, rates, r);
         if (!(fabs(wanted[r]) <= open.size)) {
             open.size = fabs(wanted[r]);
             open.row = r;
@@ -118,8 +118,8 @@ static void move_closer(const closing *c, bool rates, double *by)
     memcpy(from, c->x, states * sizeof *from);
     for (int i = 0; i < HALVINGS; i++) {
         memcpy(c->x, from, states * sizeof *from);
-        move(c, rates, by);
-        evaluate(c);
+        closing_move(c, rates, by);
+        closing_evaluate(c);
         if (square_gaps(c, rates) < before) {
             return;
         }
@@ -133,7 +133,7 @@ gap closing_run(const closing *c, bool rates, const bool *is_free)
 {
     enum { ITERATIONS = 100 };
     double *by = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *by);
-    evaluate(c);
+    closing_evaluate(c);
     gap open = aim(c, rates, is_free, by);
     for (int i = 0; i < ITERATIONS && open.size > tight; i++) {
         const double size = open.size, square = square_gaps(c, rates);
@@ -167,7 +167,7 @@ static void move_away(const closing *c, const bool *is_free, int n, double reach
             by[f] = part * (slides(&c->m->links[c->m->dofs[f].link]) ? reach : around);
         }
     }
-    move(c, false, by);
+    closing_move(c, false, by);
 }
 
 /* Brings free angles to within half a turn of their rough start, continuous ones of zero. */
@@ -191,7 +191,7 @@ gap closing_search(const closing *c, const bool *is_free, double enough)
     double *by = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *by);
     memcpy(start, c->x, states * sizeof *start);
     memcpy(best, c->x, states * sizeof *best);
-    evaluate(c);
+    closing_evaluate(c);
     const double reach = aim(c, false, is_free, by).size;
     double least = HUGE_VAL;
     for (int n = 0; n < TRIES && !(least <= enough); n++) {
@@ -217,6 +217,6 @@ closing closing_start(arena *memory, const dynamics *d)
     closing c = {.d = d, .m = m, .held = &d->loops.held, .memory = memory, .x = mechanism_start(m, memory)};
     c.numbers = arena_take(memory, d->g->count, sizeof *c.numbers);
     c.jacobian = arena_take(memory, n * (size_t)c.held->count + 1, sizeof *c.jacobian);
-    evaluate(&c);
+    closing_evaluate(&c);
     return c;
 }

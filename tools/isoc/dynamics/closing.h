@@ -25,6 +25,15 @@ bool closing_counts(const closing *c, bool rates, int row);
 
 closing closing_start(arena *memory, const dynamics *d);
 
+/* Evaluates all nodes and the Jacobian at c->x. */
+void closing_evaluate(const closing *c);
+
+/* Moves the positions, or the speeds, by a change of each degree of freedom. */
+void closing_move(const closing *c, bool rates, const double *by);
+
+/* The gap of a constraint, or its rate. */
+double closing_gap(const closing *c, bool rates, int row);
+
 /* Moves the free positions, or the free speeds, until the closures hold, as far as possible. */
 gap closing_run(const closing *c, bool rates, const bool *is_free);
 

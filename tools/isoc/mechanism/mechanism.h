@@ -41,6 +41,7 @@ typedef struct link {
     bool start_given, speed_given;
     bool start_is_rough;           /* not given: the assembly searches from there */
     bool start_found, speed_found; /* moved by the assembly */
+    bool start_meets;              /* two ways to assemble it meet at the start */
 } link;
 
 /* A degree of freedom: one way in which a link moves relative to its parent. */

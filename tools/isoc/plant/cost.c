@@ -46,9 +46,10 @@ static void formulation_lines(const plant *p, text *out)
     }
 }
 
-/* Where the closures put what the scene gives no start. */
+/* Where the closures put what the scene gives no start, and what could go on in two ways from there. */
 static void assembled_lines(const mechanism *m, text *out)
 {
+    const char *meeting = "";
     for (int i = 0; i < m->link_count; i++) {
         const link *l = &m->links[i];
         const char *of = slides(l) ? "m" : "rad";
@@ -64,7 +65,9 @@ static void assembled_lines(const mechanism *m, text *out)
         } else if (l->speed_found) {
             text_add(out, "assembled %s_speed %.9g %s/s\n", l->name, l->speed[0], of);
         }
+        meeting = l->start_meets ? arena_format(out->memory, "%s %s", meeting, l->name) : meeting;
     }
+    text_add(out, meeting[0] == '\0' ? "%s" : "dead_position%s\n", meeting);
 }
 
 static implicit_cost cost_of_solving(const plant *p, const graph *g)
