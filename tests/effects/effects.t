@@ -13,6 +13,11 @@ done
 valgrind --quiet --error-exitcode=99 "$out/motor.float" >"$out/tap" 2>&1
 result $? 'memcheck finds nothing in the motor'
 
+real double
+build/isoc tests/effects/pair.scene -o "$out/pair" --real double >"$out/pair.summary" &&
+    EXTRA="-DPLANT=\"$out/pair/plant.c\"" program pair.run tests/effects/pair.c tests/host/report.c
+joined pair "$out/pair.run"
+
 # plant NAME: compiles the scene on stdin.
 plant()
 {
@@ -70,4 +75,34 @@ $viscous
 END
 cmp "$out/old.c" "$out/kept.c"
 result $? 'an effect that is defined and not used leaves the plant as it is'
+
+# A force along an axis of its body, with a moment about it, is that of the statement `force`.
+drone='gravity (0, 0, -9.81) m/s^2
+step 1 ms
+input thrust N = 10 N + 4 N * sin(1 Hz)
+body frame { mass 1 kg; com (0.01, 0.02, 0) m; inertia (10, 12, 14) g*m^2 }
+joint air free { parent ground; child frame; start rotate 20 deg about x; spin (1, 2, 3) rad/s }
+output place = position of frame'
+plant old <<END
+$drone
+force rotor { body frame at (0.2, 0.1, 0) m; axis z; drive thrust; moment 16 mm }
+END
+plant new <<END
+$drone
+effect rotor {
+    body on; signal thrust N; value lever m
+    force on on in body = (0, 0, thrust); moment on on in body = (0, 0, lever * thrust)
+}
+effect first rotor { on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }
+END
+same 'a force of an effect in the axes of its body is that of the statement force'
+plant new <<END
+$drone
+effect rotor {
+    body on; signal thrust N; value lever m
+    force on on = thrust * z_axis of on; moment on on in ground = lever * thrust * z_axis of on
+}
+effect first rotor { on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }
+END
+program near tests/effects/near.c tests/host/report.c "$out/old.c" "$out/new.c" && joined 'in the axes of the ground' "$out/near"
 finish

@@ -12,6 +12,7 @@
 #include "tools/isoc/plant/start.h"
 #include "tools/isoc/scene/dot.h"
 #include "tools/isoc/scene/parser.h"
+#include "tools/isoc/tree/asked.h"
 
 static const char version[] = "isoc 0.1\n";
 
@@ -219,6 +220,7 @@ static bool compile(arena *memory, const options *o)
                             o->scene);
         }
         assemble(&s, &g, &m);
+        asked_resolve(&g, &m);
     }
     /* Constants of the equations may depend on the start: so that comes first. */
     if (s.problem_count == 0) {

@@ -36,7 +36,8 @@ static void build_applied_force(builder *b, const body_force *written)
 
 void build_applied_forces(builder *b)
 {
-    b->made.applied_forces = arena_take(b->s->memory, b->written->force_count + 1, sizeof *b->made.applied_forces);
+    b->made.applied_forces = arena_take(b->s->memory, b->written->force_count + count_forces(b->written) + 1,
+                                        sizeof *b->made.applied_forces);
     for (size_t i = 0; i < b->written->force_count; i++) {
         build_applied_force(b, &b->written->forces[i]);
     }

@@ -76,6 +76,7 @@ void build_parameters(builder *b);
 
 /* effects.c: effects and signals. The states come first: the speeds stand behind them. */
 size_t count_faults(const scene *written);
+size_t count_forces(const scene *written);
 void count_effects(builder *b);
 void build_effects(builder *b);
 

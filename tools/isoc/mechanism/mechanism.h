@@ -51,12 +51,33 @@ typedef struct dof {
     const char *name;
 } dof;
 
-/* A force of an input on a link. */
+/* A force on a link: of an input along an axis, or of an effect. */
 typedef struct applied_force {
-    int body, link, drive;
-    vector point, axis; /* constant, in the link's frame */
-    node lever;         /* the moment about the force's own line, per newton */
+    int body, link;
+    int drive;            /* the input, or -1 */
+    vector point, axis;   /* constant, in the link's frame */
+    node lever;           /* the moment about the force's own line, per newton */
+    vector force, moment; /* of an effect; when its motion is known, in the axes of the link */
+    bool in_ground;       /* until then in those of the ground */
 } applied_force;
+
+/* What formulas ask of a point of a body: three components. A leaf OP_ASKED stands for each,
+ * until tools/isoc/tree/asked.h puts what it is in its place. */
+typedef enum asked_kind {
+    ASKED_POSITION,
+    ASKED_VELOCITY,
+    ASKED_SPIN,
+    ASKED_X_AXIS,
+    ASKED_Y_AXIS,
+    ASKED_Z_AXIS
+} asked_kind;
+
+typedef struct asked {
+    asked_kind kind;
+    int body;
+    vector point; /* in the body's frame */
+    bool in_body; /* in its axes, not those of the ground */
+} asked;
 
 /* One side of a closure: its frame on a link. */
 typedef struct cut_end {
@@ -172,6 +193,9 @@ typedef struct mechanism {
     effect_quantity *memories; /* of effects: numbers that a tick sets at its end, behind the inputs */
     int memory_count;
     node *efforts; /* [degrees of freedom] of effects */
+    asked *asked;
+    int asked_count;
+    size_t asked_room;
     applied_force *applied_forces;
     int applied_force_count;
     vector gravity;

@@ -168,7 +168,7 @@ static formula *parse_parenthesis(parser *p)
     return f;
 }
 
-/* position of JOINT */
+/* speed of JOINT, velocity of BODY [in body], spin of BODY [in ground] */
 static formula *parse_quantity(parser *p)
 {
     formula *f = formula_new(p, FORMULA_OF, p->next->at);
@@ -179,13 +179,21 @@ static formula *parse_quantity(parser *p)
     p->next++;
     of->name = take_indices(p, of->name);
     add_part(p, f, of);
+    if (next_is_word(p, "in") && p->next[1].kind == TOKEN_NAME) {
+        f->axes = (name){p->next[1].text, p->next[1].at};
+        p->next += 2;
+    }
     return f;
 }
 
 static bool next_is_quantity(const parser *p)
 {
-    return (next_is_word(p, "position") || next_is_word(p, "speed") || next_is_word(p, "turns")) &&
-           p->next[1].kind == TOKEN_NAME && strcmp(p->next[1].text, "of") == 0 && p->next[2].kind == TOKEN_NAME;
+    static const char *const words[] = {"position", "speed", "velocity", "spin", "x_axis", "y_axis", "z_axis"};
+    bool is = false;
+    for (size_t i = 0; i < COUNT_OF(words); i++) {
+        is = is || next_is_word(p, words[i]);
+    }
+    return is && p->next[1].kind == TOKEN_NAME && strcmp(p->next[1].text, "of") == 0 && p->next[2].kind == TOKEN_NAME;
 }
 
 static formula *parse_name_or_call(parser *p)

@@ -44,6 +44,7 @@ static void parse_rest(parser *p, effect_line *line)
 {
     switch (line->kind) {
     case EFFECT_JOINT:
+    case EFFECT_BODY:
     case EFFECT_FAULT:
         break;
     case EFFECT_SIGNAL:
@@ -55,6 +56,17 @@ static void parse_rest(parser *p, effect_line *line)
     case EFFECT_MEMORY:
         line->has_unit = take_unit(p, &line->unit);
         parse_equals(p, line, "state current A = 0 A");
+        break;
+    case EFFECT_FORCE:
+    case EFFECT_MOMENT:
+        if (take_word(p, "in")) {
+            static const char *const words[] = {"body", "ground"};
+            line->in_body = take_one_of(p, words, COUNT_OF(words)) == 0;
+        }
+        if (!p->failed && take_word(p, "against")) {
+            line->against = take_name(p, "expected the name of the other body");
+        }
+        parse_equals(p, line, "force on wheel = (0, 0, 1 N)");
         break;
     case EFFECT_OUTPUT:
         parse_optional_value(p, line);
@@ -90,6 +102,7 @@ static void read_line(parser *p, effect_kind *made, effect_line_kind kind, bool 
         read_line(p, slot, kind, is_new);                                                                              \
     }
 READ_LINE(along_joint, EFFECT_JOINT, true)
+READ_LINE(given_body, EFFECT_BODY, true)
 READ_LINE(given_signal, EFFECT_SIGNAL, true)
 READ_LINE(value, EFFECT_VALUE, true)
 READ_LINE(fault, EFFECT_FAULT, true)
@@ -100,15 +113,19 @@ READ_LINE(memory, EFFECT_MEMORY, true)
 READ_LINE(next, EFFECT_NEXT, false)
 READ_LINE(shown, EFFECT_OUTPUT, false)
 
-/* effort on JOINT = FORMULA */
-static void read_effort(parser *p, const token *word, void *slot)
+/* effort on JOINT = FORMULA; force on BODY [in body] [against BODY] = VECTOR, and likewise a moment. */
+static void read_action(parser *p, const token *word, void *slot)
 {
-    (void)word;
+    const bool is_effort = strcmp(word->text, "effort") == 0;
     if (!take_word(p, "on")) {
-        parse_problem(p, "expected 'on' and the name of a joint");
+        parse_problem(p, is_effort ? "expected 'on' and the name of a joint" : "expected 'on' and the name of a body");
         return;
     }
-    read_line(p, slot, EFFECT_EFFORT, false);
+    read_line(p, slot,
+              is_effort                          ? EFFECT_EFFORT
+              : strcmp(word->text, "force") == 0 ? EFFECT_FORCE
+                                                 : EFFECT_MOMENT,
+              false);
 }
 
 /* require A <= B { and C <= D } */
@@ -137,8 +154,10 @@ static const property lines[] = {
     {"value", read_value, 0, EVERY_KIND | MANY, NULL},       {"fault", read_fault, 0, EVERY_KIND | MANY, NULL},
     {"let", read_let, 0, EVERY_KIND | MANY, NULL},           {"state", read_state, 0, EVERY_KIND | MANY, NULL},
     {"rate", read_rate, 0, EVERY_KIND | MANY, NULL},         {"memory", read_memory, 0, EVERY_KIND | MANY, NULL},
-    {"next", read_next, 0, EVERY_KIND | MANY, NULL},         {"effort", read_effort, 0, EVERY_KIND | MANY, NULL},
-    {"output", read_shown, 0, EVERY_KIND | MANY, NULL},      {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"next", read_next, 0, EVERY_KIND | MANY, NULL},         {"effort", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"force", read_action, 0, EVERY_KIND | MANY, NULL},      {"moment", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"body", read_given_body, 0, EVERY_KIND | MANY, NULL},   {"output", read_shown, 0, EVERY_KIND | MANY, NULL},
+    {"require", read_require, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};
@@ -171,6 +190,9 @@ static void parse_operands(parser *p, effect_use *use)
         }
         p->next++;
         given.value = parse_formula(p);
+        if (!p->failed && take_word(p, "at")) {
+            given.point = parse_formula(p);
+        }
         use->operands = arena_grow(p->s->memory, use->operands, use->operand_count, &use->operand_room, sizeof given);
         use->operands[use->operand_count++] = given;
     }

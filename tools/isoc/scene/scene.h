@@ -18,8 +18,14 @@ typedef enum formula_kind {
     FORMULA_STEP,   /* sign parts[0] */
     FORMULA_POWER,  /* parts[0] to the number */
     FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value */
-    FORMULA_OF,     /* name, position or speed, of the joint that parts[0] names */
+    FORMULA_OF,     /* name, a word such as speed, of the joint or body that parts[0] names */
 } formula_kind;
+
+/* A name as used or declared. */
+typedef struct name {
+    const char *text; /* NULL when it is absent */
+    place at;
+} name;
 
 typedef struct formula {
     formula_kind kind;
@@ -28,15 +34,10 @@ typedef struct formula {
     unit unit;
     const char *name;
     char sign;
+    name axes; /* of FORMULA_OF: body or ground; NULL where none are given */
     struct formula **parts;
     size_t count, room;
 } formula;
-
-/* A name as used or declared. */
-typedef struct name {
-    const char *text; /* NULL when it is absent */
-    place at;
-} name;
 
 /* Rotations one after the other, each about an axis of the frame that the last one gave. */
 typedef struct turn {
@@ -127,11 +128,13 @@ typedef struct quantity {
     bool has_unit;
     formula *least, *most; /* of a tunable: in LEAST to MOST, or NULL */
     bool tunable;
+    formula *point; /* of an operand that is a body: NAME at POINT */
 } quantity;
 
 /* What a line of an effect says. The operands come first. */
 typedef enum effect_line_kind {
     EFFECT_JOINT,
+    EFFECT_BODY,   /* a point of it */
     EFFECT_SIGNAL, /* a number that may change at any time */
     EFFECT_VALUE,  /* a constant or a tunable */
     EFFECT_FAULT,  /* a tunable of its own: 0 or 1 */
@@ -141,6 +144,8 @@ typedef enum effect_line_kind {
     EFFECT_MEMORY, /* value: at the start */
     EFFECT_NEXT,   /* of the memory that it names */
     EFFECT_EFFORT, /* on the joint that it names */
+    EFFECT_FORCE,  /* on the body that it names, a vector in the axes of the ground */
+    EFFECT_MOMENT,
     EFFECT_OUTPUT,
     EFFECT_REQUIRE, /* value and most: the second is not less than the first */
     EFFECT_LINE_KINDS
@@ -151,6 +156,8 @@ typedef struct effect_line {
     name name;
     place at;
     name like, like_of; /* effort, speed or position, of a joint: its unit */
+    bool in_body;       /* of a force or a moment: in the axes of the body, not of the ground */
+    name against;       /* of a force or a moment: the body that it pushes the other way; or NULL */
     bool has_unit;
     unit unit;
     formula *value, *most; /* NULL where none is given */

@@ -48,9 +48,12 @@ wrench wrench_of_motion(graph *g, composite whole, vector w, acceleration now)
     return made;
 }
 
-/* u e at its point, with a moment about its own line. */
+/* u e at its point, with a moment about its own line; of an effect, its force there and its moment. */
 wrench wrench_of_applied_force(graph *g, const applied_force *t)
 {
+    if (t->drive < 0) {
+        return wrench_at(g, t->point, t->force, t->moment);
+    }
     const vector force = vector_scale(g, leaf(g, OP_INPUT, t->drive), t->axis);
     return wrench_at(g, t->point, force, vector_scale(g, t->lever, force));
 }

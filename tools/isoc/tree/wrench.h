@@ -23,7 +23,7 @@ wrench wrench_at(graph *g, vector point, vector force, vector moment);
 /* The wrench that a body needs for this motion. */
 wrench wrench_of_motion(graph *g, composite whole, vector omega, acceleration now);
 
-/* The wrench of an input's force on its link. */
+/* The wrench of a force on its link. */
 wrench wrench_of_applied_force(graph *g, const applied_force *t);
 
 /* From a link to its parent. */

@@ -1,0 +1,187 @@
+/* What the lines of an effect do to the mechanism. */
+#include "tools/isoc/mechanism/effects.h"
+
+#include <string.h>
+
+static const value nothing = {0};
+
+/* The line of this kind that a rate or a next is of. */
+static const effect_line *subject(world *w, const instance *in, const effect_line *line, effect_line_kind of,
+                                  const char *word)
+{
+    const effect_line *found = line->name.text == NULL ? NULL : line_called(in->kind, line->name.text, false);
+    if (found == NULL || found->kind != of) {
+        source_problem(w->b->s, line->name.at, "this effect has no %s '%s'", word, line->name.text);
+        return NULL;
+    }
+    return found;
+}
+
+/* A formula of this dimension. */
+static node node_of(world *w, const instance *in, const effect_line *line, dimension of, const char *what)
+{
+    source *s = w->b->s;
+    const value found = evaluate(w, in, line->value, line->name.text);
+    if (found.count > 1 || (found.count == 1 && !found.any && !dimension_equal_but_angle(found.of, of))) {
+        source_problem(s, line->value->at, "%s '%s' %s; this %s", what, line->name.text,
+                       dimension_phrase(s->memory, of),
+                       found.count > 1 ? "is a vector" : dimension_phrase(s->memory, found.of));
+        return constant(w->b->g, 0.0);
+    }
+    return found.count == 1 ? found.parts[0] : constant(w->b->g, 0.0);
+}
+
+static void do_rate(world *w, const instance *in, const effect_line *line)
+{
+    const effect_line *of = subject(w, in, line, EFFECT_STATE, "state");
+    if (of != NULL && line->value != NULL) {
+        dimension rate = line_value(w, in, of).of;
+        dimension_times(&rate, second, -1);
+        effect_quantity *made = &w->b->made.effect_states[in->places[of - in->kind->lines]];
+        made->next = graph_name(w->b->g, node_of(w, in, line, rate, "the rate of"), "rate_%s", made->about.name);
+    }
+}
+
+static void do_next(world *w, const instance *in, const effect_line *line)
+{
+    const effect_line *of = subject(w, in, line, EFFECT_MEMORY, "memory");
+    if (of != NULL && line->value != NULL) {
+        const dimension same = line_value(w, in, of).of;
+        w->b->made.memories[in->places[of - in->kind->lines]].next = node_of(w, in, line, same, "the next");
+    }
+}
+
+static void do_effort(world *w, const instance *in, const effect_line *line)
+{
+    const effect_line *of = subject(w, in, line, EFFECT_JOINT, "joint");
+    const int l = of == NULL ? -1 : in->links[of - in->kind->lines];
+    if (l >= 0 && line->value != NULL) {
+        graph *g = w->b->g;
+        const dimension effort = dimension_of_quantity("effort", &w->b->made.links[l]);
+        const node added =
+            graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
+        node *sum = &w->b->made.efforts[w->b->made.links[l].dof];
+        *sum = add(g, *sum, added);
+    }
+}
+
+/* The body that a line names, and its point; -1 where there is none. */
+static int body_of(world *w, name n, vector *point)
+{
+    int which;
+    if (!find_point(w, n.text, &which, point)) {
+        source_problem(w->b->s, n.at, "this effect has no body '%s'", n.text);
+    }
+    return which >= 0 && w->b->made.frames[which].placed ? which : -1;
+}
+
+/* Adds a force, or a moment, on a body that moves. */
+static void push(world *w, int which, vector point, const effect_line *line, const value *along, double sign)
+{
+    graph *g = w->b->g;
+    mechanism *made = &w->b->made;
+    const body_frame *frame = &made->frames[which];
+    if (frame->link == GROUND) {
+        return;
+    }
+    applied_force f = {.body = which, .link = frame->link, .drive = -1, .in_ground = !line->in_body};
+    f.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
+    f.force = f.moment = vector_zero(g);
+    vector *to = line->kind == EFFECT_FORCE ? &f.force : &f.moment;
+    for (int i = 0; i < 3; i++) {
+        to->at[i] = sign < 0.0 ? neg(g, along->parts[i]) : along->parts[i];
+    }
+    if (!f.in_ground) {
+        *to = matrix_apply(g, frame->turn, *to);
+    }
+    made->applied_forces[made->applied_force_count++] = f;
+}
+
+/* A force or a moment on a body, and the opposite one on another. */
+static void do_push(world *w, const instance *in, const effect_line *line)
+{
+    source *s = w->b->s;
+    const dimension of = line->kind == EFFECT_FORCE ? newton : newton_metre;
+    const char *what = line->kind == EFFECT_FORCE ? "force" : "moment";
+    vector point = vector_zero(w->b->g), other_point = point;
+    const int which = line->name.text == NULL ? -1 : body_of(w, line->name, &point);
+    const int other = line->against.text == NULL ? -1 : body_of(w, line->against, &other_point);
+    const value found = line->value == NULL ? nothing : evaluate(w, in, line->value, line->name.text);
+    if (found.count == 0 || which < 0) {
+        return;
+    }
+    if (line->in_body && other >= 0) {
+        source_problem(s, line->at, "a %s against another body is in the axes of the ground: leave out 'in body'",
+                       what);
+    } else if (found.count != 3) {
+        source_problem(s, line->value->at, "the %s on '%s' is a vector (x, y, z); this is one number", what,
+                       line->name.text);
+    } else if (!found.any && !dimension_equal_but_angle(found.of, of)) {
+        source_problem(s, line->value->at, "the %s on '%s' %s; this %s", what, line->name.text,
+                       dimension_phrase(s->memory, of), dimension_phrase(s->memory, found.of));
+    } else {
+        push(w, which, point, line, &found, 1.0);
+        if (other >= 0) {
+            push(w, other, other_point, line, &found, -1.0);
+        }
+    }
+}
+
+/* At the defaults of the tunables. */
+static void do_require(world *w, const instance *in, const effect_line *line)
+{
+    source *s = w->b->s;
+    const value least = evaluate(w, in, line->value, "require"), most = evaluate(w, in, line->most, "require");
+    if (least.count != 1 || most.count != 1) {
+        return;
+    }
+    if (changes(w->b->g, least.parts[0]) || changes(w->b->g, most.parts[0])) {
+        source_problem(s, line->at, "only values can be required, which do not change with time");
+    } else if (!least.any && !most.any && !dimension_equal_but_angle(least.of, most.of)) {
+        source_problem(s, line->at, "%s and %s cannot be compared", dimension_text(s->memory, least.of),
+                       dimension_text(s->memory, most.of));
+    } else if (value_now(&w->b->values, least.parts[0]) > value_now(&w->b->values, most.parts[0])) {
+        enter(w, NULL);
+        source_problem(s, in->use->name.at, "'%s' breaks what its effect requires in %s: %s", in->use->name.text,
+                       source_line(s, line->at), source_quote(s, line->at));
+    }
+}
+
+void check_subjects(world *w, const instance *in)
+{
+    for (size_t i = 0; i < in->kind->line_count; i++) {
+        const effect_line *line = &in->kind->lines[i];
+        const bool is_state = line->kind == EFFECT_STATE;
+        const effect_line_kind wanted = is_state ? EFFECT_RATE : EFFECT_NEXT;
+        int found = 0;
+        for (size_t j = 0; j < in->kind->line_count; j++) {
+            const effect_line *other = &in->kind->lines[j];
+            found += other->kind == wanted && other->name.text != NULL && line->name.text != NULL &&
+                     strcmp(other->name.text, line->name.text) == 0;
+        }
+        if ((is_state || line->kind == EFFECT_MEMORY) && found != 1) {
+            source_problem(w->b->s, line->name.at, "the %s '%s' needs one %s, and has %d: %s %s = ...",
+                           is_state ? "state" : "memory", line->name.text, is_state ? "rate" : "next", found,
+                           is_state ? "rate" : "next", line->name.text);
+        }
+    }
+}
+
+void do_line(world *w, const instance *in, const effect_line *line)
+{
+    enter(w, in);
+    if (line->kind == EFFECT_RATE) {
+        do_rate(w, in, line);
+    } else if (line->kind == EFFECT_NEXT) {
+        do_next(w, in, line);
+    } else if (line->kind == EFFECT_EFFORT) {
+        do_effort(w, in, line);
+    } else if (line->kind == EFFECT_FORCE || line->kind == EFFECT_MOMENT) {
+        do_push(w, in, line);
+    } else if (line->kind == EFFECT_REQUIRE) {
+        do_require(w, in, line);
+    } else if (line->kind > EFFECT_BODY) {
+        (void)line_value(w, in, line);
+    }
+    enter(w, NULL);
+}

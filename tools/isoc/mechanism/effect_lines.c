@@ -1,0 +1,132 @@
+/* The values of the lines of an effect. */
+#include "tools/isoc/mechanism/effects.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/graph/operations.h"
+
+static const value nothing = {0};
+
+/* The dimension that a line declares, or false. */
+static bool declared_dimension(world *w, const instance *in, const effect_line *line, dimension *of)
+{
+    if (line->has_unit) {
+        *of = line->unit.of;
+    } else if (line->like.text != NULL && line->like_of.text != NULL) {
+        const instance *before = enter(w, in);
+        const int l = link_of(w, line->like_of);
+        enter(w, before);
+        *of = l < 0 ? no_unit : dimension_of_quantity(line->like.text, &w->b->made.links[l]);
+    }
+    return line->has_unit || line->like.text != NULL;
+}
+
+/* One number of the dimension that the line declares, if it does. */
+static value checked(world *w, const instance *in, const effect_line *line, const formula *f, value found)
+{
+    dimension of;
+    source *s = w->b->s;
+    if (found.count > 1) {
+        source_problem(s, f->at, "'%s' is one number; this is %d", line->name.text, found.count);
+        return nothing;
+    }
+    if (found.count == 0 || !declared_dimension(w, in, line, &of)) {
+        return found;
+    }
+    if (!found.any && !dimension_equal_but_angle(found.of, of)) {
+        source_problem(s, f->at, "'%s' %s; this %s", line->name.text, dimension_phrase(s->memory, of),
+                       dimension_phrase(s->memory, found.of));
+        return nothing;
+    }
+    found.of = of;
+    found.any = false;
+    return found;
+}
+
+bool changes(const graph *g, node n)
+{
+    return uses_operation(g, &n, 1, OP_STATE) || uses_operation(g, &n, 1, OP_INPUT);
+}
+
+/* A signal or a value: what the use gives, in the words of the scene, or the default, in those of the effect. */
+static value operand_value(world *w, const instance *in, const effect_line *line)
+{
+    const quantity *given = operand_called(in, line->name.text);
+    const formula *f = given != NULL ? given->value : line->value;
+    if (f == NULL) {
+        return nothing;
+    }
+    const instance *of = given != NULL ? NULL : in, *before = enter(w, of);
+    value found = checked(w, in, line, f, evaluate(w, of, f, line->name.text));
+    if (found.count == 1 && line->kind == EFFECT_VALUE && changes(w->b->g, found.parts[0])) {
+        source_problem(w->b->s, f->at, "'%s' is a constant or a tunable: it cannot change with time", line->name.text);
+        found = nothing;
+    }
+    enter(w, before);
+    return found;
+}
+
+/* What a state or a memory has at the start gives its dimension. */
+static value start_value(world *w, const instance *in, const effect_line *line, variable *about)
+{
+    value found = checked(w, in, line, line->value, evaluate(w, in, line->value, line->name.text));
+    source *s = w->b->s;
+    if (found.count == 1 && !is_constant(w->b->g, found.parts[0])) {
+        source_problem(s, line->value->at, "the start of '%s' must be a constant", line->name.text);
+        return nothing;
+    }
+    const char *called = arena_format(s->memory, "%s_%s", in->use->name.text, line->name.text);
+    *about = (variable){.name = called, .quote = source_quote(s, line->name.at), .least = -HUGE_VAL, .most = HUGE_VAL};
+    about->unit = found.count == 0 || dimension_equal(found.of, no_unit) ? "1" : dimension_text(s->memory, found.of);
+    about->start = found.count == 0 ? 0.0 : constant_value(w->b->g, found.parts[0]);
+    return found;
+}
+
+static value new_value(world *w, const instance *in, const effect_line *line)
+{
+    graph *g = w->b->g;
+    mechanism *made = &w->b->made;
+    const size_t i = (size_t)(line - in->kind->lines);
+    const int at = in->places[i];
+    value found;
+    switch (line->kind) {
+    case EFFECT_SIGNAL:
+    case EFFECT_VALUE:
+        return operand_value(w, in, line);
+    case EFFECT_FAULT:
+        return (value){.count = 1, .parts = {leaf(g, OP_PARAMETER, at)}};
+    case EFFECT_STATE:
+        found = start_value(w, in, line, &made->effect_states[at].about);
+        found.parts[0] = leaf(g, OP_STATE, made->first_effect_state + at);
+        return found;
+    case EFFECT_MEMORY:
+        found = start_value(w, in, line, &made->memories[at].about);
+        found.parts[0] = leaf(g, OP_INPUT, made->input_count + at);
+        return found;
+    default:
+        return line->value == NULL ? nothing : evaluate(w, in, line->value, line->name.text);
+    }
+}
+
+value line_value(world *w, const instance *in, const effect_line *line)
+{
+    const effect_line *meant = line;
+    if (line->kind == EFFECT_OUTPUT && line->value == NULL) {
+        meant = line_called(in->kind, line->name.text, false);
+        if (meant == NULL || meant->kind <= EFFECT_BODY) {
+            source_problem(w->b->s, line->name.at, "this effect has no '%s' to show", line->name.text);
+            return nothing;
+        }
+    }
+    const size_t i = (size_t)(meant - in->kind->lines);
+    if (in->progress[i] == STARTED) {
+        return refuse_loop(w, meant->name.at, meant->name.text);
+    }
+    if (in->progress[i] == NOT_YET) {
+        in->progress[i] = STARTED;
+        in->values[i] = new_value(w, in, meant);
+        in->progress[i] = DONE;
+    }
+    return in->values[i];
+}

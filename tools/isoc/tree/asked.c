@@ -1,0 +1,78 @@
+#include "tools/isoc/tree/asked.h"
+
+#include "tools/isoc/graph/differentiate.h"
+
+static vector answer(const kinematics *k, const asked *of)
+{
+    graph *g = k->g;
+    const body_frame *frame = &k->m->frames[of->body];
+    const int at = frame->link;
+    const vector point = vector_add(g, matrix_apply(g, frame->turn, of->point), frame->offset);
+    if (of->kind == ASKED_POSITION && !of->in_body) {
+        return outward_point(k, at, GROUND, point);
+    }
+    vector in_link = vector_zero(g);
+    if (of->kind == ASKED_VELOCITY) {
+        in_link = point_velocity(k, at, point);
+    } else if (of->kind == ASKED_SPIN) {
+        in_link = at == GROUND ? in_link : k->motions[at].omega;
+    } else {
+        for (int i = 0; i < 3; i++) {
+            in_link.at[i] = frame->turn.at[i][of->kind - ASKED_X_AXIS];
+        }
+    }
+    return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_link) : outward_axes(k, at, GROUND, in_link);
+}
+
+static vector inward_axes(const kinematics *k, int to, vector a)
+{
+    return to == GROUND ? a : from_parent(k, to, inward_axes(k, k->m->links[to].parent, a));
+}
+
+static void replace(graph *g, node *roots, int count, const node *answers)
+{
+    replace_leaves(g, roots, (size_t)count, OP_ASKED, answers);
+}
+
+void asked_resolve(graph *g, mechanism *m)
+{
+    bool any = m->asked_count > 0;
+    for (int i = 0; i < m->applied_force_count; i++) {
+        any = any || m->applied_forces[i].drive < 0;
+    }
+    if (!any) {
+        return;
+    }
+    const kinematics k = kinematics_build(g, m);
+    kinematics_velocities(&k);
+    graph_section(g, "Points of effects, in the ground's frame");
+    node *answers = arena_take(g->memory, 3 * (size_t)m->asked_count + 1, sizeof *answers);
+    for (int i = 0; i < m->asked_count; i++) {
+        const vector a = answer(&k, &m->asked[i]);
+        for (int n = 0; n < 3; n++) {
+            answers[3 * i + n] = a.at[n];
+        }
+    }
+    graph_section(g, "Effects");
+    replace(g, m->efforts, m->dof_count, answers);
+    for (int i = 0; i < m->effect_state_count; i++) {
+        replace(g, &m->effect_states[i].next, 1, answers);
+    }
+    for (int i = 0; i < m->memory_count; i++) {
+        replace(g, &m->memories[i].next, 1, answers);
+    }
+    for (size_t i = 0; i < m->output_count; i++) {
+        if (m->outputs[i].kind == OUTPUT_FORMULA) {
+            replace(g, &m->outputs[i].formula, 1, answers);
+        }
+    }
+    for (int i = 0; i < m->applied_force_count; i++) {
+        applied_force *f = &m->applied_forces[i];
+        if (f->drive < 0) {
+            replace(g, f->force.at, 3, answers);
+            replace(g, f->moment.at, 3, answers);
+            f->force = f->in_ground ? inward_axes(&k, f->link, f->force) : f->force;
+            f->moment = f->in_ground ? inward_axes(&k, f->link, f->moment) : f->moment;
+        }
+    }
+}
