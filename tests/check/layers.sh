@@ -27,6 +27,7 @@ own()
     build/obj/tools/*) echo '"tools/isoc/emit/[a-z0-9_]+\.h"' ;;
     build/*) echo '"(core/(numbers|methods|runtime)/[a-z0-9_]+\.h|plant\.h)"' ;;
     tools/isoc/*) echo "\"(tools/isoc/($(downto "${folder#tools/isoc/}" "$ISOC"))|core/(numbers|methods))/[a-z0-9_]+\.h\"|<[a-z0-9_/]+\.h>" ;;
+    tools/drift/order.c) echo '"(tools/[a-z0-9_/]+|core/[a-z0-9_/]+|coarse|middle|fine)\.h"|<[a-z0-9_/]+\.h>' ;; # generated plants
     tools/*) echo '"(tools|core)/[a-z0-9_/]+\.h"|<[a-z0-9_/]+\.h>' ;;
     esac
 }

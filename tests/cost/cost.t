@@ -28,8 +28,7 @@ for n in 2 3 8 16 32; do
     sh tools/build/chain.sh $n planar >"$out/planar_$n.scene"
 done
 cp models/four_bar.scene "$out"
-# The gains that it has by itself follow the step; those that a scene gives leave rk4 its order (tests/order).
-sed 's/^stabilisation baumgarte$/& { alpha 5 Hz; beta 5 Hz }/' models/four_bar.scene >"$out/smooth_four_bar.scene"
+{ cat models/four_bar.scene && echo 'stabilisation baumgarte'; } >"$out/fed_back_four_bar.scene"
 sed 's/^step/gravity (0, 0, -9.81) m\/s^2\nstep/' models/rigid_body.scene >"$out/free_body.scene"
 
 within planar_8 6000
@@ -37,9 +36,10 @@ eight=$count
 within planar_32 40000
 [ "$count" -le $((5 * eight)) ]
 result $? "four times the joints: less than five times the instructions, $eight to $count"
-within four_bar 2000
-within smooth_four_bar "$count"
-! cmp -s "$out/four_bar/plant.c" "$out/smooth_four_bar/plant.c"
+within fed_back_four_bar 2000
+# The projection evaluates the closures once more than the four evaluations do; the feedback is in each of these.
+within four_bar $((115 * count / 100))
+! cmp -s "$out/four_bar/plant.c" "$out/fed_back_four_bar/plant.c"
 result $? "and it is not the same plant"
 within free_body 500
 ! { build/isoc "$out/planar_32.scene" -o "$out/planar_32" --real double --formulation composite >"$out/summary" &&

@@ -14,7 +14,8 @@
  * derivative v = sum |Phi'_i| s_i   in the speed p = sum |Phi_i| 4 u max(1, |x_i|)   in what it sees of Phi: a sine
  * has 1.6 u, products and sums the rest
  *
- * Projection leaves p where it looks and q where it rounds, and the output sees p again: q + 2 p. Baumgarte's
+ * Projection, that of the augmented Lagrangian too, leaves p where it looks and q where it rounds, and the output sees p
+ * again: q + 2 p. Baumgarte's
  * e'' + 2 b e' + b^2 e = 0 answers to q with q (1 + b t) exp(-b t), and to v with v t exp(-b t): summed over all steps
  * 2 q / (b h) and v / (b^2 h), at b = 0.1 / h 20 q and 100 h v; it follows p as well. This is the worst case, all
  * errors of one sign; random ones give about a tenth. To it comes TRUNCATION, which is the method's: the violation of
@@ -83,7 +84,7 @@ static double bound(const sizes *const s, const char *const stabilisation, const
     if (strcmp(stabilisation, "none") == 0) {
         return (double)INFINITY;
     }
-    if (strcmp(stabilisation, "projection") == 0) {
+    if (strcmp(stabilisation, "baumgarte") != 0) {
         return truncation + s->position + 2.0 * s->look;
     }
     return truncation + 20.0 * s->position + 100.0 * (double)plant->model->step_size * s->speed + 2.0 * s->look;

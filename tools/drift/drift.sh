@@ -17,21 +17,38 @@ cost()
         fail "$dir/$1.run has not one count"
 }
 
-echo "| stabilisation | largest violation | bound | change of energy | instructions of a step |"
-echo "|---|--:|--:|--:|--:|"
+# order STABILISATION: of the scene's method in the first second, with its step, a half and a quarter of it; - where these are
+# too short.
+order()
+{
+    awk '$1 == "step" && NF == 3 { ns = $2 * 1e9; for (part = 1; part <= 4; part *= 2) printf "%.0fns\n", ns / part
+            exit !(int(ns / 4 + 0.5) * 4 == int(ns + 0.5) && ns >= 4000) }' "$dir/$1.said" >"$dir/steps" ||
+        { echo - && return 0; }
+    for name in coarse middle fine; do
+        read -r step && build/isoc "$dir/$1.scene" -o "$dir/order" --real double --name $name --step "$step" >/dev/null ||
+            fail "$1 cannot be compiled with $step"
+    done <"$dir/steps"
+    # shellcheck disable=SC2086
+    $COMPILE -DISO_REAL_DOUBLE -I"$dir/order" tools/drift/order.c "$dir/order/coarse.c" "$dir/order/middle.c" \
+        "$dir/order/fine.c" -o "$dir/order/order" -lm || fail "$dir/order/order cannot be built"
+    "$dir/order/order" 1 | awk '$1 == "order" { print $2 }'
+}
+
+echo "| stabilisation | order | largest violation | bound | change of energy | instructions of a step |"
+echo "|---|--:|--:|--:|--:|--:|"
 for stabilisation in $STABILISATIONS; do
     if measure "$stabilisation" "$seconds" $parts; then
-        instructions=$(cost "$stabilisation") || exit 1
-        awk -v name="$stabilisation" -v seconds="$seconds" -v instructions="$instructions" '
+        instructions=$(cost "$stabilisation") && order=$(order "$stabilisation") || exit 1
+        awk -v name="$stabilisation" -v order="$order" -v seconds="$seconds" -v instructions="$instructions" '
             { value[$1] = $2 }
             END {
                 torn = value["end"] < seconds
-                print "| " name " | " (torn ? "torn after " value["end"] " s" : value["violation"]) \
+                print "| " name " | " order " | " (torn ? "torn after " value["end"] " s" : value["violation"]) \
                     " | " (torn || value["bound"] == "inf" ? "-" : value["bound"]) \
                     " | " (torn ? "-" : value["energy"]) " | " instructions " |"
             }' "$dir/$stabilisation.measured"
     else
-        echo "| $stabilisation | refused | - | - | - |"
+        echo "| $stabilisation | - | refused | - | - | - |"
         head -n 1 "$dir/$stabilisation.said" >&2
     fi
 done

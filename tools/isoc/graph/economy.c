@@ -189,6 +189,17 @@ static int terms_of(const economy *e, node x, double c)
 
 static void move(economy *e, node i);
 
+/* The node x itself, or a multiple of it that may stand further down, as may its constant: x is there already. */
+static node move_multiple(economy *e, node of)
+{
+    const graph_node n = e->from->nodes[of];
+    if (n.op == OP_MUL && is_constant(e->from, n.a)) {
+        move(e, n.a);
+    }
+    move(e, of);
+    return e->moved[of];
+}
+
 /* c (x y) is (a x) (b y) with a b = c, where a x and b y are needed anyway: one product in place of two. */
 static bool share_multiples(economy *e, graph_node *n)
 {
@@ -205,10 +216,7 @@ static bool share_multiples(economy *e, graph_node *n)
     if (right < 0) {
         return false;
     }
-    /* A multiple may stand further down: what it is a multiple of is there already. */
-    move(e, left);
-    move(e, right);
-    const node a = e->moved[left], b = e->moved[right];
+    const node a = move_multiple(e, left), b = move_multiple(e, right);
     n->a = a < b ? a : b;
     n->b = a < b ? b : a;
     return true;

@@ -162,16 +162,20 @@ static double option(builder *b, const formula *f, dimension of, const char *wha
 }
 
 /* Baumgarte's alpha = beta = 1 / (10 h) removes a violation in some tens of steps, and is stable with every method: its
- * double root -1 / (10 h) is within the stability limit of ab4, 0.3 / h. The augmented Lagrangian uses the same value
- * as Omega, with mu = 1, so that gamma is the same. */
+ * double root -1 / (10 h) is within the stability limit of ab4, 0.3 / h. The augmented Lagrangian has no feedback, but
+ * where the scene asks for it; then it uses the same value as Omega, with mu = 1, so that gamma is the same.
+ *
+ * Gains that follow the step take the order from a method with stages inside of it: these are off the constraints by
+ * c h^2, and beta^2 makes c / 100 of it, an acceleration that does not vanish with h. So the default is a projection,
+ * which moves the end of the step alone, by its local error at most. */
 static void build_stabilisation(builder *b)
 {
     static const dimension rate = {0, 0, -1, 0, 0, 0};
     const stabilisation *written = &b->written->stabilisation;
     mechanism *made = &b->made;
-    const char *kind = written->kind.text == NULL ? "baumgarte" : written->kind.text;
-    const bool is_lagrangian = strcmp(kind, "lagrangian") == 0, is_projection = strcmp(kind, "projection") == 0;
-    const bool draws = is_lagrangian || strcmp(kind, "baumgarte") == 0;
+    const char *kind = written->kind.text == NULL ? "projection" : written->kind.text;
+    const bool is_lagrangian = strcmp(kind, "lagrangian") == 0, is_baumgarte = strcmp(kind, "baumgarte") == 0;
+    const bool draws = is_baumgarte || (is_lagrangian && (written->omega != NULL || written->mu != NULL));
     const double usual = draws ? 0.1 / made->step : 0.0;
     made->alpha = option(b, written->alpha, rate, "alpha", usual, 0.0);
     made->beta = option(b, written->beta, rate, "beta", written->alpha != NULL ? made->alpha : usual, 0.0);
@@ -184,7 +188,8 @@ static void build_stabilisation(builder *b)
         made->penalty = option(b, written->penalty, kilogram, "the penalty", 0.0, 1e-9);
         made->multiplier_iterations =
             (int)option(b, written->iterations, no_unit, "the number of iterations", 3.0, 1.0);
-    } else if (is_projection) {
+        made->projections = draws ? 0 : 1;
+    } else if (strcmp(kind, "projection") == 0) {
         made->projections = (int)option(b, written->iterations, no_unit, "the number of iterations", 1.0, 1.0);
     }
     made->violation_limit = value_displacement(&b->values, written->limit, "the limit", 0.0);

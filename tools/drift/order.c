@@ -1,0 +1,69 @@
+/* The order that the method of a scene has with a stabilisation: three plants of it in double, with steps of 4 h, 2 h and
+ * h, from their start through SECONDS.
+ *
+ *     order SECONDS
+ *
+ * An error C h^p differs by C h^p (4^p - 2^p) between the first two and by C h^p (2^p - 1) between the last two: 2^p
+ * times less. Prints `order`, of the root of the sums of squares over all states and all ticks that the three have in
+ * common.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "coarse.h"
+#include "fine.h"
+#include "middle.h"
+
+static void advance(const iso_plant *const plant, uint32_t *const tick, const int steps)
+{
+    for (int i = 0; i < steps; i++) {
+        if (plant->model->drive != NULL) {
+            plant->model->drive(plant->memory, *tick);
+        }
+        plant->model->step(plant->memory);
+        ++*tick;
+    }
+}
+
+/* The square of the distance of two states; angles that were counted down to a turn may be a turn apart. */
+static double square(const iso_plant *const a, const iso_plant *const b)
+{
+    double sum = 0.0;
+    for (int i = 0; i < a->model->states; i++) {
+        const double apart = (double)a->x[i] - (double)b->x[i];
+        const double off = fabs(apart) > 6.0 ? remainder(apart, 8.0 * atan(1.0)) : apart;
+        sum += off * off;
+    }
+    return sum;
+}
+
+int main(const int argc, char **const argv)
+{
+    static coarse_memory of_coarse;
+    static middle_memory of_middle;
+    static fine_memory of_fine;
+    const iso_plant coarse = coarse_plant(&of_coarse);
+    const iso_plant middle = middle_plant(&of_middle);
+    const iso_plant fine = fine_plant(&of_fine);
+    uint32_t ticks[3] = {0};
+    double first = 0.0;
+    double second = 0.0;
+    if (argc != 2) {
+        fputs("usage: order SECONDS\n", stderr);
+        return EXIT_FAILURE;
+    }
+    iso_plant_start(&coarse);
+    iso_plant_start(&middle);
+    iso_plant_start(&fine);
+    const long steps = lround(strtod(argv[1], NULL) / ((double)coarse.model->period_ns * 1e-9));
+    for (long i = 0; i < steps; i++) {
+        advance(&coarse, &ticks[0], 1);
+        advance(&middle, &ticks[1], 2);
+        advance(&fine, &ticks[2], 4);
+        first += square(&coarse, &middle);
+        second += square(&middle, &fine);
+    }
+    printf("order %.2f\n", 0.5 * log2(first / second));
+    return EXIT_SUCCESS;
+}
