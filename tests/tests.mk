@@ -44,6 +44,7 @@ TEST_LINK_m4f := $(TEST_M4F_CPU) -nostartfiles --specs=nano.specs -T port/mps2/m
 
 TEST_OBJECTS :=
 
+# -lm has the root of a double for the board, which has no instruction for it.
 # Objects and programs of one variant $(1) in one real $(2). A change of a command rebuilds: it is kept in a file.
 define TEST_VARIANT
 TEST_DIR := build/tests/$(1)/$(2)
@@ -61,7 +62,7 @@ build/tests/$(1)/$(2)/%.o: %.c build/tests/$(1)/$(2)/command
 
 build/tests/$(1)/$(2)/%: private TEST_PORT_OBJECTS := $$(TEST_PORT_OBJECTS)
 build/tests/$(1)/$(2)/%: build/tests/$(1)/$(2)/tests/unit/%.o $$(TEST_PORT_OBJECTS) $$(wildcard port/mps2/*.ld)
-	@$$(TEST_CC_$(1)) $$(TEST_LINK_$(1)) $$(filter %.o,$$^) -o $$@
+	@$$(TEST_CC_$(1)) $$(TEST_LINK_$(1)) $$(filter %.o,$$^) -lm -o $$@
 
 TEST_OBJECTS += $$(TEST_PORT_OBJECTS) $$(TEST_UNITS:%=$$(TEST_DIR)/tests/unit/%.o)
 TEST_PROGRAMS_$(1) += $$(TEST_UNITS:%=build/tests/$(1)/$(2)/%)
@@ -79,10 +80,10 @@ build/tests/memcheck/%: build/tests/plain/%
 
 # In the fast part of the tests every 11th float is tried, in the whole every one.
 TEST_PROGRAMS_exhaustive := $(foreach real,$(TEST_REALS),$(TEST_EXHAUSTIVE:%=build/tests/exhaustive/$(real)/%))
-build/tests/exhaustive/float/%: tests/exhaustive/%.c $(wildcard core/*/*.h) build/tests/plain/float/command
+build/tests/exhaustive/float/%: tests/exhaustive/%.c $(wildcard core/*/*.h tests/exhaustive/*.h) build/tests/plain/float/command
 	@mkdir -p $(@D)
 	@$(CC) $(TEST_FLAGS) $< -o $@ -lm
-build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h) build/tests/plain/double/command
+build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h tests/exhaustive/*.h) build/tests/plain/double/command
 	@mkdir -p $(@D)
 	@$(CC) $(TEST_FLAGS) -DISO_REAL_DOUBLE $< -o $@ -lm
 

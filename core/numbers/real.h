@@ -37,10 +37,12 @@ typedef uint64_t iso_bits; /* as wide as a real */
 #define R(literal) literal
 #define ISO_REAL_NAME(name) name##_double /* objects of different real do not link */
 
-enum { ISO_SIGN_SHIFT = 63 };
+enum { ISO_SIGN_SHIFT = 63, ISO_EXPONENT_SHIFT = 52 };
 #define ISO_EXPONENT_BITS UINT64_C(0x7FF0000000000000)
 #define ISO_REAL_MAX DBL_MAX
-#define ISO_REAL_EPSILON DBL_EPSILON /* distance from 1 to the next real: one ulp of 1.0 */
+#define ISO_REAL_LEAST DBL_MIN
+#define ISO_REAL_EPSILON DBL_EPSILON      /* distance from 1 to the next real: one ulp of 1.0 */
+#define ISO_ROUNDER R(6755399441055744.0) /* 1.5 * 2^52: adding it rounds to a whole number, then in the low bits */
 
 #else
 
@@ -49,10 +51,12 @@ typedef uint32_t iso_bits;
 #define R(literal) literal##f
 #define ISO_REAL_NAME(name) name##_float
 
-enum { ISO_SIGN_SHIFT = 31 };
+enum { ISO_SIGN_SHIFT = 31, ISO_EXPONENT_SHIFT = 23 };
 #define ISO_EXPONENT_BITS UINT32_C(0x7F800000)
 #define ISO_REAL_MAX FLT_MAX
+#define ISO_REAL_LEAST FLT_MIN
 #define ISO_REAL_EPSILON FLT_EPSILON
+#define ISO_ROUNDER R(12582912.0)
 
 #endif
 
@@ -100,16 +104,26 @@ static inline real iso_max(const real a, const real b)
     return iso_select(iso_less(a, b), b, a);
 }
 
-/* 1 if a > b, else 0. */
+/* 1 if a > b, else 0; for a and b that are not NaN and not the same infinity. The zeros are equal: d & (d - 1) has the
+ * sign of d, but for -0. */
 static inline real iso_above(const real a, const real b)
 {
-    return iso_real_of(iso_less(b, a) & iso_bits_of(R(1.0)));
+    const iso_bits d = iso_bits_of(b - a);
+    return iso_real_of(((iso_bits)0 - ((d & (d - 1)) >> ISO_SIGN_SHIFT)) & iso_bits_of(R(1.0)));
 }
 
 /* x limited to [low, high], for low <= high. */
 static inline real iso_clamp(const real x, const real low, const real high)
 {
     return iso_min(iso_max(x, low), high);
+}
+
+/* x with its size limited to most > 0; a NaN counts as an infinity. The bits of reals are in the order of their sizes:
+ * what those of x are above those of `most` is taken off. */
+static inline real iso_limited(const real x, const real most)
+{
+    const iso_bits excess = (iso_bits_of(x) & ~ISO_SIGN_BIT) - iso_bits_of(most);
+    return iso_real_of(iso_bits_of(x) - (excess & ~((iso_bits)0 - (excess >> ISO_SIGN_SHIFT))));
 }
 
 static inline real iso_abs(const real x)

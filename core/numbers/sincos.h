@@ -19,9 +19,6 @@ typedef struct iso_sine_cosine {
 
 #ifdef ISO_REAL_DOUBLE
 
-/* Adding 1.5 * 2^52 rounds to a whole number, which is then in the low bits. */
-#define ISO_ROUNDER R(6755399441055744.0)
-
 /* The parts of pi/2. */
 #define ISO_QUARTER_1 R(1.57079632673412561417e+00)
 #define ISO_QUARTER_2 R(6.07710050650619224932e-11)
@@ -55,8 +52,6 @@ static inline real iso_cosine_tail(const real z)
 }
 
 #else
-
-#define ISO_ROUNDER R(12582912.0)
 
 #define ISO_QUARTER_1 R(1.5703125)
 #define ISO_QUARTER_2 R(4.837512969970703125e-4)

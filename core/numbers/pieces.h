@@ -1,0 +1,33 @@
+/* What cuts a function into pieces: sign, floor, and a value where a condition holds. Without a branch, exact. */
+#ifndef ISO_CORE_NUMBERS_PIECES_H
+#define ISO_CORE_NUMBERS_PIECES_H
+
+#include "core/numbers/real.h"
+
+/* 1, 0 or -1; 0 for both zeros, with their sign. The negative of a size that is not 0 has the sign bit. */
+static inline real iso_sign(const real x)
+{
+    const iso_bits sign = iso_bits_of(x) & ISO_SIGN_BIT, size = iso_bits_of(x) ^ sign;
+    const iso_bits any = (iso_bits)0 - (((iso_bits)0 - size) >> ISO_SIGN_SHIFT);
+    return iso_real_of(sign | (any & iso_bits_of(R(1.0))));
+}
+
+/* The largest whole number that is not above x; x itself for infinities, a NaN for a NaN. Adding 2^23 (in double 2^52)
+ * to a size below that rounds it to a whole number; one above that is whole. */
+static inline real iso_floor(const real x)
+{
+    const real whole = R(1.0) / ISO_REAL_EPSILON;
+    const real size = iso_abs(x);
+    const real rounded = iso_select(iso_beyond(x, whole), size, (size + whole) - whole);
+    const real nearest = iso_real_of(iso_bits_of(rounded) | (iso_bits_of(x) & ISO_SIGN_BIT));
+    return nearest - iso_above(nearest, x);
+}
+
+/* x where the condition is 1, +0 where it is 0. */
+static inline real iso_where(const real condition, const real x)
+{
+    const iso_bits holds = (iso_bits)0 - (iso_bits_of(condition) >> (ISO_SIGN_SHIFT - 2));
+    return iso_real_of(iso_bits_of(x) & holds);
+}
+
+#endif
