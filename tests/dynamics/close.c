@@ -7,7 +7,7 @@
 #include "tests/dynamics/mechanism.h"
 #include "tests/dynamics/wide3.h"
 
-enum { ROWS_MAX = HELD_MAX * CLOSURES_MAX, DOFS_MAX = SPEEDS_MAX * BODIES_MAX, ITERATIONS = 25 };
+enum { ROWS_MAX = HELD_MAX * CLOSURES_MAX + COUPLINGS_MAX, DOFS_MAX = SPEEDS_MAX * BODIES_MAX, ITERATIONS = 25 };
 
 /* m or rad: some 2^-64 of the size of mechanisms. */
 #define CLOSED 1e-17L
@@ -35,6 +35,31 @@ static wide swept(const body_motion moved[BODIES_MAX], const int body, const int
     return dot(factor, velocity) + dot(factor + 3, moved[j].turn[k]);
 }
 
+/* The number of speeds before those of joint j. */
+static int first_speed(const mechanism *const m, const int j)
+{
+    int before = 0;
+    for (int i = 0; i < j; i++) {
+        before += joint_speeds(m->joint[i].kind);
+    }
+    return before;
+}
+
+static void add_coupling(const mechanism *const m, const coupling *const c, const joint_motion *const motion,
+                         linear_closures *const out)
+{
+    const int row = out->rows++;
+    const wide phase = c->omega * m->time + c->phase;
+    out->value[row] = motion->q[c->first][0] - c->offset - c->swing * sinl(phase);
+    out->rate[row] = motion->v[c->first][0] - c->swing * c->omega * cosl(phase);
+    out->jacobian[row][first_speed(m, c->first)] = 1.0L;
+    if (c->second != GROUND) {
+        out->value[row] -= c->ratio * motion->q[c->second][0];
+        out->rate[row] -= c->ratio * motion->v[c->second][0];
+        out->jacobian[row][first_speed(m, c->second)] = -c->ratio;
+    }
+}
+
 static void linearise(const mechanism *const m, const joint_motion *const motion, linear_closures *const out)
 {
     body_motion moved[BODIES_MAX];
@@ -58,6 +83,18 @@ static void linearise(const mechanism *const m, const joint_motion *const motion
             out->rows++;
         }
     }
+    for (int n = 0; n < m->couplings; n++) {
+        add_coupling(m, &m->coupling[n], motion, out);
+    }
+}
+
+static wide row_product(const linear_closures *const l, const int a, const int b)
+{
+    wide sum = 0.0L;
+    for (int k = 0; k < l->columns; k++) {
+        sum += l->jacobian[a][k] * l->jacobian[b][k];
+    }
+    return sum;
 }
 
 /* The least d with J d = right: J' (J J' + mu)^-1 right, with mu = off |J|: damped by how far off the closures are. */
@@ -70,9 +107,7 @@ static void least_change(const linear_closures *const l, const wide *const right
     s.n = l->rows;
     for (int r = 0; r < l->rows; r++) {
         for (int c = 0; c < l->rows; c++) {
-            for (int k = 0; k < l->columns; k++) {
-                s.a[r][c] += l->jacobian[r][k] * l->jacobian[c][k];
-            }
+            s.a[r][c] = row_product(l, r, c);
         }
         s.a[r][s.n] = right[r];
         size = fmaxl(size, s.a[r][r]);
@@ -146,4 +181,38 @@ bool mechanism_close(const mechanism *const m, joint_motion *const motion)
         }
     }
     return closed;
+}
+
+wide mechanism_independence(const mechanism *const m, const joint_motion *const motion)
+{
+    static linear_closures l;
+    wide least = 1.0L;
+    linearise(m, motion, &l);
+    /* Gram and Schmidt, the longest row that is left first. */
+    for (int r = 0; r < l.rows; r++) {
+        const wide length = sqrtl(row_product(&l, r, r));
+        for (int k = 0; k < l.columns; k++) {
+            l.jacobian[r][k] /= length;
+        }
+    }
+    for (int done = 0; done < l.rows; done++) {
+        int longest = done;
+        for (int r = done + 1; r < l.rows; r++) {
+            longest = row_product(&l, r, r) > row_product(&l, longest, longest) ? r : longest;
+        }
+        const wide length = sqrtl(row_product(&l, longest, longest));
+        least = fminl(least, length);
+        for (int k = 0; k < l.columns; k++) {
+            const wide kept = l.jacobian[done][k];
+            l.jacobian[done][k] = l.jacobian[longest][k] / length;
+            l.jacobian[longest][k] = longest == done ? l.jacobian[done][k] : kept;
+        }
+        for (int r = done + 1; r < l.rows; r++) {
+            const wide along = row_product(&l, r, done);
+            for (int k = 0; k < l.columns; k++) {
+                l.jacobian[r][k] -= along * l.jacobian[done][k];
+            }
+        }
+    }
+    return least;
 }

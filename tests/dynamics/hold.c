@@ -6,7 +6,10 @@
 
 /* What is asked of the place of the child's origin, and of its axes. */
 typedef enum place_held { ANYWHERE, AT_POINT, ON_LINE, IN_PLANE, AT_DISTANCE } place_held;
-typedef enum axes_held { ANY_AXES, SAME_AXES, SAME_AXIS, SQUARE_AXES } axes_held;
+typedef enum axes_held { ANY_AXES, SAME_AXES, SAME_AXIS, SQUARE_AXES, TURNED } axes_held;
+
+/* Holds of a coordinate. */
+enum { ANGLE = MOTION + 1, DISPLACEMENT };
 
 /* Two unit vectors square to the axis and to each other. */
 typedef struct square_axes {
@@ -20,13 +23,14 @@ static const struct {
     [FIXED] = {AT_POINT, SAME_AXES},       [REVOLUTE] = {AT_POINT, SAME_AXIS},   [PRISMATIC] = {ON_LINE, SAME_AXES},
     [UNIVERSAL] = {AT_POINT, SQUARE_AXES}, [CYLINDRICAL] = {ON_LINE, SAME_AXIS}, [PLANAR] = {IN_PLANE, SAME_AXIS},
     [SPHERICAL] = {AT_POINT, ANY_AXES},    [FREE] = {ANYWHERE, ANY_AXES},        [LINE] = {ON_LINE, ANY_AXES},
-    [DISTANCE] = {AT_DISTANCE, ANY_AXES},
+    [DISTANCE] = {AT_DISTANCE, ANY_AXES},  [ROLLING] = {IN_PLANE, ANY_AXES},     [ANGLE] = {ANYWHERE, TURNED},
+    [DISPLACEMENT] = {IN_PLANE, ANY_AXES},
 };
 
 hold hold_of_joint(const mechanism *const m, const int j)
 {
     const tree_joint *const of = &m->joint[j];
-    hold h = {of->kind, of->parent, j, of->on_parent, of->on_child, {0.0L}, {0.0L}, 0.0L};
+    hold h = {(int)of->kind, of->parent, j, of->on_parent, of->on_child, {0.0L}, {0.0L}, 0.0L};
     memcpy(h.axis, of->axis, sizeof h.axis);
     memcpy(h.second, of->second, sizeof h.second);
     return h;
@@ -35,8 +39,17 @@ hold hold_of_joint(const mechanism *const m, const int j)
 hold hold_of_closure(const mechanism *const m, const int n)
 {
     const loop_closure *const of = &m->closure[n];
-    hold h = {of->kind, of->parent, of->child, of->on_parent, of->on_child, {0.0L}, {0.0L}, of->length};
+    hold h = {(int)of->kind, of->parent, of->child, of->on_parent, of->on_child, {0.0L}, {0.0L}, of->length};
     memcpy(h.axis, of->axis, sizeof h.axis);
+    return h;
+}
+
+hold hold_of_coordinate(const mechanism *const m, const int j, const wide q)
+{
+    hold h = hold_of_joint(m, j);
+    h.kind = h.kind == REVOLUTE ? ANGLE : DISPLACEMENT;
+    h.length = q;
+    unit(m->joint[j].axis, h.axis);
     return h;
 }
 
@@ -62,7 +75,7 @@ static int place_rows(const hold *const h, const pose *const p, const pose *cons
         row[1] = jet3_dot(direction(p, square->second), from);
         return 2;
     case IN_PLANE:
-        row[0] = jet3_dot(direction(p, h->axis), from);
+        row[0] = jet_add(jet3_dot(direction(p, h->axis), from), jet_constant(-h->length));
         return 1;
     case AT_DISTANCE:
         row[0] = jet_add(jet3_dot(from, from), jet_constant(-h->length * h->length));
@@ -89,6 +102,14 @@ static int axes_rows(const hold *const h, const pose *const p, const pose *const
     case SQUARE_AXES:
         row[0] = jet3_dot(direction(p, h->axis), direction(c, h->second));
         return 1;
+    case TURNED: {
+        /* The sine of the angle less h->length, where it is zero. */
+        wide turned[3] = {0.0L, 0.0L, 0.0L};
+        accumulate(turned, -cosl(h->length), square->first);
+        accumulate(turned, -sinl(h->length), square->second);
+        row[0] = jet3_dot(direction(p, turned), direction(c, square->second));
+        return 1;
+    }
     default:
         return 0;
     }
@@ -151,6 +172,34 @@ static pose at_rest(const pose *const moving)
     return b;
 }
 
+/* The point of the child that touches the plane, -length n from its frame's origin o, has no velocity along t: t.v(o) +
+ * omega.(length t x n) is zero for two directions t of the plane. n and t rest. */
+static void add_rolling(const hold *const h, const body_motion *const child, held *const made)
+{
+    wide n[3], directions[2][3], o[3], com[3], arm[3], omega[3], velocity[3], turned[3], swung[3];
+    const pose plane = frame_on(NULL, &h->on_parent);
+    part(direction(&plane, h->axis), 0, n);
+    across(n, directions[0], directions[1]);
+    part(frame_on(&child->body, &h->on_child).origin, 0, o);
+    part(child->com, 0, com);
+    part(child->velocity, 0, velocity);
+    part(child->omega, 0, omega);
+    difference(o, com, arm);
+    cross(omega, arm, turned);
+    cross(omega, turned, swung);
+    for (int i = 0; i < 2; i++) {
+        wide *const factor = made->of_child[made->rows];
+        wide lever[3];
+        memcpy(factor, directions[i], sizeof directions[i]);
+        cross(arm, directions[i], factor + 3);
+        cross(directions[i], n, lever);
+        accumulate(factor + 3, h->length, lever);
+        made->value[made->rows] = 0.0L;
+        made->rate[made->rows] = dot(factor, velocity) + dot(factor + 3, omega);
+        made->bias[made->rows++] = dot(directions[i], swung);
+    }
+}
+
 held hold_linearise(const hold *const h, const body_motion moved[BODIES_MAX])
 {
     static const wide zero[3] = {0.0L, 0.0L, 0.0L};
@@ -186,6 +235,9 @@ held hold_linearise(const hold *const h, const body_motion moved[BODIES_MAX])
                 (side == 0 ? made.of_parent : made.of_child)[r][k] = 2.0L * row[r].c[2];
             }
         }
+    }
+    if (h->kind == ROLLING) {
+        add_rolling(h, &moved[h->child], &made);
     }
     return made;
 }

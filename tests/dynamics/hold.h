@@ -7,7 +7,7 @@
 enum { HELD_MAX = 6 };
 
 typedef struct hold {
-    joint_kind kind;
+    int kind; /* a joint_kind, or a coordinate */
     int parent, child;
     placement on_parent, on_child;
     wide axis[3];
@@ -28,6 +28,9 @@ typedef struct held {
 
 hold hold_of_joint(const mechanism *m, int j);
 hold hold_of_closure(const mechanism *m, int n);
+
+/* The coordinate of a revolute or prismatic joint that is at q: its one equation has the coordinate's rates. */
+hold hold_of_coordinate(const mechanism *m, int j, wide q);
 
 held hold_linearise(const hold *h, const body_motion moved[BODIES_MAX]);
 

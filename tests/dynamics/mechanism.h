@@ -16,6 +16,7 @@
 enum {
     BODIES_MAX = 13,
     CLOSURES_MAX = 6,
+    COUPLINGS_MAX = 2,
     APPLIED_FORCES_MAX = 4,
     OUTPUTS_MAX = 12,
     GROUND = -1,
@@ -36,7 +37,7 @@ typedef struct placement {
     wide axis[3];
 } placement;
 
-/* The last two are closures only. */
+/* The last five are closures only; gear and motion hold coordinates of joints. */
 typedef enum joint_kind {
     FIXED,
     REVOLUTE,
@@ -48,6 +49,9 @@ typedef enum joint_kind {
     FREE,
     LINE,
     DISTANCE,
+    ROLLING,
+    GEAR,
+    MOTION,
 } joint_kind;
 
 /* Joint i carries body i. The axis is x, y or z where the joint is planar; `second` is square to it.
@@ -76,8 +80,16 @@ typedef struct loop_closure {
     placement on_parent;
     placement on_child;
     wide axis[3];
-    wide length; /* of DISTANCE, m */
+    wide length; /* of DISTANCE; the radius of ROLLING, whose plane across the axis rests; m */
 } loop_closure;
+
+/* What holds between the coordinates of two joints, or of one and time: q_first = ratio q_second + offset, or, where
+ * second is GROUND, q_first = swing sin(omega time + phase). Revolute or prismatic ones. */
+typedef struct coupling {
+    int first, second;
+    wide ratio, offset;
+    wide swing, omega, phase;
+} coupling;
 
 /* The force u[input - 1] on a point of a body, along an axis of the body; and that times `lever` as a moment about it.
  */
@@ -117,6 +129,9 @@ typedef struct mechanism {
     tree_joint joint[BODIES_MAX];
     int closures;
     loop_closure closure[CLOSURES_MAX];
+    int couplings;
+    coupling coupling[COUPLINGS_MAX];
+    wide time; /* s */
     int applied_forces;
     applied_force applied_force[APPLIED_FORCES_MAX];
     int outputs;
@@ -149,7 +164,7 @@ typedef struct body_motion {
 } body_motion;
 
 /* Force and moment that a joint or closure puts on its child, at the origin of its frame on the child; of a joint with
- * those of drive, damping and spring. */
+ * those of drive, damping, spring and coupling. */
 typedef struct reaction {
     wide force[3];
     wide moment[3];
@@ -160,6 +175,7 @@ typedef struct solution {
     wide acceleration[BODIES_MAX][3]; /* of the centres of mass */
     reaction joint[BODIES_MAX];
     reaction closure[CLOSURES_MAX];
+    wide coupling[COUPLINGS_MAX]; /* effort on the first joint; on the second it is -ratio times that */
 } solution;
 
 /* Linear momentum, and angular momentum about the world's origin; to first order in time. */
@@ -194,6 +210,10 @@ static inline const pose *pose_of(const body_motion moved[BODIES_MAX], const int
 /* Moves coordinates and speeds to where the closures hold, by least changes. False if Newton's method does not get
  * there. */
 bool mechanism_close(const mechanism *m, joint_motion *motion);
+
+/* How far from dependent the equations of the closures are: the sine of the least angle between a row of their Jacobian and
+ * those that were eliminated before it; 1 where there are none. */
+wide mechanism_independence(const mechanism *m, const joint_motion *motion);
 
 /* Generalised force of speed k of joint j without its spring, for the inputs u; and the spring's. */
 wide mechanism_effort(const mechanism *m, int j, int k, const joint_motion *motion, const wide *u);

@@ -116,19 +116,35 @@ static void add_bodies(linear_system *const s, const mechanism *const m, const b
     }
 }
 
-/* The rows of one hold from `row` on, and their transpose as forces. */
-static void add_hold(linear_system *const s, const hold *const h, const held *const made, const int row)
+/* The rows of one hold from `row` on, times `part`, and their transpose as forces. */
+static void add_hold(linear_system *const s, const hold *const h, const held *const made, const int row,
+                     const wide part)
 {
     for (int r = 0; r < made->rows; r++) {
-        s->a[row + r][s->n] = -made->bias[r];
+        s->a[row + r][s->n] -= part * made->bias[r];
         for (int side = 0; side < 2; side++) {
             const int body = side == 0 ? h->parent : h->child;
             const wide *const factor = side == 0 ? made->of_parent[r] : made->of_child[r];
             for (int k = 0; k < PER_BODY && body != GROUND; k++) {
-                s->a[row + r][PER_BODY * body + k] += factor[k];
-                s->a[PER_BODY * body + k][row + r] -= factor[k];
+                s->a[row + r][PER_BODY * body + k] += part * factor[k];
+                s->a[PER_BODY * body + k][row + r] -= part * factor[k];
             }
         }
+    }
+}
+
+/* The second derivatives of two coordinates, or of one and the motion that it has. */
+static void add_coupling(linear_system *const s, const mechanism *const m, const coupling *const c,
+                         const joint_motion *const motion, const body_motion moved[BODIES_MAX], const int row)
+{
+    const hold first = hold_of_coordinate(m, c->first, motion->q[c->first][0]);
+    const held made = hold_linearise(&first, moved);
+    s->a[row][s->n] = -c->swing * c->omega * c->omega * sinl(c->omega * m->time + c->phase);
+    add_hold(s, &first, &made, row, 1.0L);
+    if (c->second != GROUND) {
+        const hold second = hold_of_coordinate(m, c->second, motion->q[c->second][0]);
+        const held other = hold_linearise(&second, moved);
+        add_hold(s, &second, &other, row, -c->ratio);
     }
 }
 
@@ -221,6 +237,15 @@ static void find_reactions(const mechanism *const m, const all_holds *const all,
         accumulate(out->joint[j].force, 1.0L, effort.force);
         accumulate(out->joint[j].moment, 1.0L, effort.moment);
     }
+    for (int n = 0; n < m->couplings; n++) {
+        const int of[2] = {m->coupling[n].first, m->coupling[n].second};
+        out->coupling[n] = lambda[n];
+        for (int i = 0; i < 2 && of[i] != GROUND; i++) {
+            const wide effort = i == 0 ? lambda[n] : -m->coupling[n].ratio * lambda[n];
+            accumulate(out->joint[of[i]].force, effort, moved[of[i]].slide[0]);
+            accumulate(out->joint[of[i]].moment, effort, moved[of[i]].turn[0]);
+        }
+    }
 }
 
 bool mechanism_solve(const mechanism *const m, const joint_motion *const motion, const wide *const u,
@@ -234,7 +259,7 @@ bool mechanism_solve(const mechanism *const m, const joint_motion *const motion,
     mechanism_move(m, motion, moved);
     linearise(m, moved, &all);
     memset(&s, 0, sizeof s);
-    s.n = PER_BODY * m->bodies + all.rows;
+    s.n = PER_BODY * m->bodies + all.rows + m->couplings;
     if (s.n > UNKNOWNS_MAX) {
         return false;
     }
@@ -242,8 +267,11 @@ bool mechanism_solve(const mechanism *const m, const joint_motion *const motion,
     add_bodies(&s, m, moved, load);
     int row = PER_BODY * m->bodies;
     for (int n = 0; n < all.count; n++) {
-        add_hold(&s, &all.hold[n], &all.made[n], row);
+        add_hold(&s, &all.hold[n], &all.made[n], row, 1.0L);
         row += all.made[n].rows;
+    }
+    for (int n = 0; n < m->couplings; n++) {
+        add_coupling(&s, m, &m->coupling[n], motion, moved, row + n);
     }
     if (!linear_solve(&s, LEAST_PIVOT, x)) {
         return false;

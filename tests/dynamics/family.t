@@ -1,0 +1,94 @@
+#!/bin/sh
+# Random mechanisms, 40 trees and 40 closed loops, of all kinds of joints and closures and in every formulation, in double:
+# reactions, Jacobian and orders. By itself a fifth of them; with an argument, all:
+#
+#     tests/dynamics/family.t all
+. tests/host/test.sh
+begin dynamics/family
+FLAGS=$(echo "$FLAGS" | sed 's/-O2/-O1/')
+seeds=40
+step=5
+[ "${1-}" != all ] || step=1
+
+parts="hold motion linear close generate"
+for part in $parts solve; do
+    # shellcheck disable=SC2086
+    "$CC" $FLAGS -c "tests/dynamics/$part.c" -o "$out/$part.o" || exit
+done
+# shellcheck disable=SC2086,SC2046
+program write_scene tests/dynamics/write_scene.c $(for part in $parts; do echo "$out/$part.o"; done) || exit
+
+# formulation_of KIND SEED: by turns, each with every kind of joint.
+formulation_of()
+{
+    case $1 in
+    tree) set -- "$2" composite articulated ;;
+    loop) set -- "$2" composite parent_axes child_axes ;;
+    esac
+    turn=$((($1 - 1) / 8 + 1))
+    shift
+    shift $((turn % $#))
+    echo "$1"
+}
+
+# member KIND SEED: its plant, with its equations in reach.
+member()
+{
+    name=$1_$2
+    method=$([ $(($2 / 2 % 2)) -eq 0 ] && echo bdf4 || echo rosenbrock)
+    "$out/write_scene" "$1" "$2" >"$out/$name.scene" &&
+        build/isoc "$out/$name.scene" -o "$out" --name "$name" --real double --method "$method" \
+            --formulation "$(formulation_of "$1" "$2")" >"$out/$name.summary" || return
+    settle=
+    if grep -q '^static void settle' "$out/$name.c"; then
+        settle="settle(x$(grep -q '^static void settle.*\bp)' "$out/$name.c" && echo ', p'));"
+        ! grep -q 'iterations 2' "$out/$name.scene" || settle="$settle $settle"
+    fi
+    cat >"$out/$name.member.c" <<EOF
+#include "$out/$name.c"
+#include "tests/dynamics/family.h"
+static iso_plant plant_of(void)
+{
+    static ${name}_memory memory;
+    return ${name}_plant(&memory);
+}
+static void settle_after(real *const x, const real *const p)
+{
+    (void)x;
+    (void)p;
+    $settle
+}
+extern const family_member $name;
+const family_member $name = {"$1 $2", $([ "$1" = loop ] && echo true || echo false), $2, plant_of, &equations, settle_after};
+EOF
+    # shellcheck disable=SC2086
+    "$CC" $FLAGS $REAL_FLAG -O0 -c "$out/$name.member.c" -o "$out/$name.o"
+}
+
+echo '#include "tests/dynamics/family.h"' >"$out/family.c"
+list=
+for kind in tree loop; do
+    built=0
+    for seed in $(seq 1 "$step" $seeds); do
+        if member $kind "$seed"; then
+            built=$((built + 1))
+            list="$list ${kind}_$seed"
+            echo "extern const family_member ${kind}_$seed;" >>"$out/family.c"
+        fi
+    done
+    [ "$built" -eq $((seeds / step)) ]
+    result $? "$built of $((seeds / step)) seeds of a $kind are compiled: every ${step}th from 1 to $seeds"
+done
+{
+    echo 'const family_member *const family[] = {'
+    for name in $list; do
+        echo "    &$name,"
+    done
+    echo '    0};'
+} >>"$out/family.c"
+# shellcheck disable=SC2046
+program family.run tests/dynamics/family.c "$out/family.c" tests/host/report.c \
+    $(for part in $parts solve $list; do echo "$out/$part.o"; done)
+result $? "they link into one program"
+joined family "$out/family.run"
+finish
