@@ -77,6 +77,11 @@ static constraint blank(const kinematics *k, int index)
     return made;
 }
 
+static const char *part_name(const pair *p, const char *part)
+{
+    return arena_format(p->k->g->memory, "%s_%s", p->c->name, part);
+}
+
 /* Phi = d . r - length for the way r between the points and a direction d that moves with the parent, which turns with
  * omega_A: Phi' = d . r' + omega_A . (d x r), Phi'' = d . r'' + 2 (omega_A x d) . r' + (alpha_A x d + omega_A x
  * (omega_A x d)) . r. With the points together, or d resting, only the first terms stay. */
@@ -155,20 +160,82 @@ static void hold_distance(const pair *p, constraints *to, const char *called)
     put(k, to, made, called);
 }
 
-/* The point of the child that touches the resting plane, -radius n from its centre, has no velocity along t. */
-static void hold_rolling(const pair *p, constraints *to, vector t, vector n, const char *called)
+/* Where what rolls touches the resting plane across n: the way there from its centre, and the rate of that way. */
+typedef struct contact {
+    vector way, rate;
+} contact;
+
+/* A disc that rolls: its axle w, gamma = n . w, the height z of its centre, and their rates; with s = |n x w| the height
+ * is radius s. */
+typedef struct disc {
+    vector w, w_rate;
+    node radius, gamma, gamma_rate, z, z_rate;
+} disc;
+
+static disc disc_of(const pair *p, vector n)
+{
+    graph *g = p->k->g;
+    disc made = {.w = matrix_apply(g, p->turns[p->c->child.link + 1], p->c->wheel), .radius = p->c->length};
+    made.w_rate = vector_cross(g, p->child.omega, made.w);
+    made.gamma = vector_dot(g, n, made.w);
+    made.gamma_rate = vector_dot(g, n, made.w_rate);
+    made.z = vector_dot(g, n, p->apart);
+    made.z_rate = vector_dot(g, n, p->apart_rate);
+    return made;
+}
+
+/* Phi = (z^2 - radius^2 (1 - gamma^2)) / (2 radius), without a root: Phi' = (z z' + radius^2 gamma gamma') / radius with
+ * gamma' = omega . (w x n). */
+static void hold_disc_height(const pair *p, constraints *to, const disc *d, vector n)
 {
     const kinematics *k = p->k;
     graph *g = k->g;
     constraint made = blank(k, p->index);
-    const vector lever = vector_scale(g, neg(g, p->c->length), n);
-    const vector arm = vector_cross(g, lever, t);
+    const node slope = divide(g, d->z, d->radius), tilt = mul(g, d->radius, d->gamma);
+    const vector push = vector_scale(g, slope, n), across = vector_cross(g, d->w, n);
+    const vector twist = vector_scale(g, tilt, across);
+    const node lying = sub(g, constant(g, 1.0), mul(g, d->gamma, d->gamma));
+    made.position = mul(g, constant(g, 0.5), sub(g, mul(g, slope, d->z), mul(g, d->radius, lying)));
+    made.length = d->z;
+    for (int f = 0; f < k->m->dof_count; f++) {
+        made.row[f] = add(g, vector_dot(g, push, p->child.linear[f]), vector_dot(g, twist, p->child.angular[f]));
+    }
+    const node carried = add(g, vector_dot(g, push, p->apart_bias), vector_dot(g, twist, p->child.alpha));
+    const node swung = mul(g, tilt, vector_dot(g, p->child.omega, vector_cross(g, d->w_rate, n)));
+    const node squares = add(g, divide(g, mul(g, d->z_rate, d->z_rate), d->radius),
+                             mul(g, d->radius, mul(g, d->gamma_rate, d->gamma_rate)));
+    made.bias = add(g, add(g, carried, swung), squares);
+    made.force = minus_in_base(p, push);
+    made.moment = minus_in_base(p, twist);
+    put(k, to, made, part_name(p, "height"));
+}
+
+/* The lowest point of a disc, at radius / s (gamma w - n) from its centre; with the height of the centre for radius s. */
+static contact disc_contact(const pair *p, const disc *d, vector n)
+{
+    graph *g = p->k->g;
+    const node over = divide(g, mul(g, d->radius, d->radius), d->z);
+    const node over_rate = neg(g, mul(g, over, divide(g, d->z_rate, d->z)));
+    const vector down = vector_sub(g, vector_scale(g, d->gamma, d->w), n);
+    const vector down_rate = vector_add(g, vector_scale(g, d->gamma_rate, d->w), vector_scale(g, d->gamma, d->w_rate));
+    const vector rate = vector_add(g, vector_scale(g, over_rate, down), vector_scale(g, over, down_rate));
+    return (contact){vector_scale(g, over, down), rate};
+}
+
+/* The point of the child that touches the resting plane has no velocity along t. */
+static void hold_rolling(const pair *p, constraints *to, vector t, contact at, const char *called)
+{
+    const kinematics *k = p->k;
+    graph *g = k->g;
+    constraint made = blank(k, p->index);
+    const vector arm = vector_cross(g, at.way, t);
     for (int f = 0; f < k->m->dof_count; f++) {
         const node linear = vector_dot(g, t, p->child.linear[f]);
         made.row[f] = add(g, linear, vector_dot(g, arm, p->child.angular[f]));
     }
     const node carried = vector_dot(g, t, p->apart_bias);
-    made.bias = add(g, carried, vector_dot(g, arm, p->child.alpha));
+    const node moved = vector_dot(g, p->child.omega, vector_cross(g, at.rate, t));
+    made.bias = add(g, add(g, carried, vector_dot(g, arm, p->child.alpha)), moved);
     made.force = minus_in_base(p, t);
     made.moment = minus_in_base(p, arm);
     put(k, to, made, called);
@@ -198,11 +265,6 @@ static void hold_joints(const kinematics *k, constraints *to, int index)
     }
     made.position = c->in_speed ? constant(g, 0.0) : made.position;
     put(k, to, made, c->name);
-}
-
-static const char *part_name(const pair *p, const char *part)
-{
-    return arena_format(p->k->g->memory, "%s_%s", p->c->name, part);
 }
 
 static void hold_together(const pair *p, constraints *to)
@@ -270,12 +332,20 @@ static void hold_on_line(const pair *p, constraints *to, int a)
     hold_along(p, to, across[1], zero, turns, part_name(p, "off_2"));
 }
 
-static void hold_ball(const pair *p, constraints *to, int a)
+static void hold_on_plane(const pair *p, constraints *to, int a)
 {
-    const vector n = vector_scale(p->k->g, constant(p->k->g, p->c->sign), column(p->parent.axes, a));
-    hold_along(p, to, n, p->c->length, false, part_name(p, "height"));
-    hold_rolling(p, to, column(p->parent.axes, (a + 1) % 3), n, part_name(p, "slip_1"));
-    hold_rolling(p, to, column(p->parent.axes, (a + 2) % 3), n, part_name(p, "slip_2"));
+    graph *g = p->k->g;
+    const vector n = vector_scale(g, constant(g, p->c->sign), column(p->parent.axes, a));
+    contact at = {vector_scale(g, neg(g, p->c->length), n), vector_zero(g)};
+    if (p->c->is_disc) {
+        const disc d = disc_of(p, n);
+        hold_disc_height(p, to, &d, n);
+        at = disc_contact(p, &d, n);
+    } else {
+        hold_along(p, to, n, p->c->length, false, part_name(p, "height"));
+    }
+    hold_rolling(p, to, column(p->parent.axes, (a + 1) % 3), at, part_name(p, "slip_1"));
+    hold_rolling(p, to, column(p->parent.axes, (a + 2) % 3), at, part_name(p, "slip_2"));
 }
 
 static void close_pair(const pair *p, constraints *to)
@@ -292,7 +362,7 @@ static void close_pair(const pair *p, constraints *to)
         hold_distance(p, to, p->c->name);
     }
     if (holds & HOLDS_ROLLING) {
-        hold_ball(p, to, a);
+        hold_on_plane(p, to, a);
     }
     if (holds & HOLDS_AXIS) {
         hold_parallel(p, to, a);

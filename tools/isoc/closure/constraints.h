@@ -15,7 +15,7 @@ typedef struct constraint {
     node position; /* m or rad; zero of a constraint of velocities only */
     node rate;
     node bias;
-    node length;          /* of a distance */
+    node length;          /* of a distance; of a disc, the height of its centre */
     node *row;            /* [degrees of freedom] */
     vector force, moment; /* on the child, in base axes, about its point, of a multiplier of one; both zero of joints */
 } constraint;

@@ -183,6 +183,21 @@ static bool check_distances(const assembly *a)
     return true;
 }
 
+/* A disc stands on its plane, above it. */
+static bool check_discs(const assembly *a)
+{
+    for (int r = 0; r < a->held->count; r++) {
+        const constraint *c = &a->held->all[r];
+        const cut *at = &a->m->cuts[c->cut];
+        if (at->is_disc && !is_zero(a->c.d->g, c->position) && !(a->c.numbers[c->length] > closed)) {
+            source_problem(a->s, at->at, "the disc of '%s' lies flat on its plane at the start, or is below it",
+                           at->name);
+            return false;
+        }
+    }
+    return true;
+}
+
 static double largest_change(const double *from, const double *to, int count)
 {
     double largest = 0.0;
@@ -220,7 +235,7 @@ void assemble(source *s, const graph *g, const mechanism *m)
     a.is_free = arena_take(s->memory, (size_t)m->dof_count, sizeof *a.is_free);
     a.meets = arena_take(s->memory, (size_t)m->dof_count, sizeof *a.meets);
     go_near(&a);
-    if (check_distances(&a) && check_dropped(&a) && close_positions(&a) && close_speeds(&a)) {
+    if (check_distances(&a) && check_dropped(&a) && close_positions(&a) && check_discs(&a) && close_speeds(&a)) {
         keep_start(&a);
     }
     graph_free(&scratch);

@@ -56,6 +56,11 @@ static bool build_between(builder *b, const closure *written, cut *made)
         return false;
     }
     made->base = common_link(&b->made, made->parent.link, made->child.link);
+    if (written->wheel != NULL && unit_axis(b, written->wheel, axis)) {
+        const vector axle = {{constant(b->g, axis[0]), constant(b->g, axis[1]), constant(b->g, axis[2])}};
+        made->wheel = matrix_apply(b->g, made->child.turn, matrix_apply(b->g, matrix_transpose(aligned), axle));
+        made->is_disc = true;
+    }
     const bool rolls = written->kind == CLOSE_ROLLING;
     made->length = scalar_value(b, rolls ? written->radius : written->length, metre, rolls ? "a radius" : "a length");
     if (rolls && made->parent.link != GROUND) {

@@ -112,6 +112,8 @@ typedef struct cut {
     int axis;              /* 0, 1, 2: of the frames */
     double sign;           /* the closure's axis is sign * e_axis */
     node length;           /* distance; radius; what a gear or a motion starts at */
+    bool is_disc;          /* of what rolls: a thin disc, not a ball; */
+    vector wheel;          /* its axle, a unit vector in the child's link */
     node ratio;
     node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
     node whole;    /* with continuous joints: Phi times this is zero up to whole turns; zero: Phi itself is zero */

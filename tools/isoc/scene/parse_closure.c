@@ -13,6 +13,7 @@ static const property properties[] = {
     {"axis", read_axis, IN(axis), WITH_AXIS, "axis z"},
     {"length", read_formula, IN(length), WITH_LENGTH, NULL},
     {"radius", read_formula, IN(radius), WITH_RADIUS, "radius 5 cm"},
+    {"wheel", read_axis, IN(wheel), WITH_RADIUS, NULL},
     {"first", read_joint, IN(first), ALONG_JOINTS, "first JOINT"},
     {"second", read_joint, IN(second), WITH_RATIO, "second JOINT"},
     {"ratio", read_formula, IN(ratio), WITH_RATIO, "ratio -2"},

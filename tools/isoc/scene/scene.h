@@ -96,7 +96,7 @@ typedef struct closure {
     name name;
     closure_kind kind;
     placement parent, child;
-    formula *axis, *length, *radius, *ratio, *motion, *speed;
+    formula *axis, *length, *radius, *wheel, *ratio, *motion, *speed;
     name first, second; /* joints */
     bool broken;
 } closure;
