@@ -195,14 +195,19 @@ build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 
 # Isoc has the text of core in it, for plants that stand alone; they need no loop.
 PLANT_CORE := $(filter-out core/runtime/loop.%,$(wildcard core/numbers/*.[ch] core/methods/*.[ch] core/runtime/*.[ch]))
-build/obj/tools/isoc/core_files.c: tools/build/embed.sh $(PLANT_CORE)
+EMBEDDED_core := $(PLANT_CORE)
+EMBEDDED_effect := $(sort $(wildcard models/effects/*.scene))
+EMBEDDED := $(addprefix build/obj/tools/isoc/,core_files.o effect_files.o)
+build/obj/tools/isoc/core_files.c: $(EMBEDDED_core)
+build/obj/tools/isoc/effect_files.c: $(EMBEDDED_effect)
+build/obj/tools/isoc/%_files.c: tools/build/embed.sh
 	@mkdir -p $(@D)
-	$(Q)sh $^ >$@
+	$(Q)sh $< $*_files $(EMBEDDED_$*) >$@
 
-build/obj/tools/isoc/core_files.o: build/obj/tools/isoc/core_files.c build/obj/tools/flags
+$(EMBEDDED): %.o: %.c build/obj/tools/flags
 	$(Q)$(TOOL_COMPILE) -c $< -o $@
 
-build/isoc: $(filter build/obj/tools/isoc/%,$(TOOL_OBJECTS)) build/obj/tools/isoc/core_files.o build/obj/tools/flags
+build/isoc: $(filter build/obj/tools/isoc/%,$(TOOL_OBJECTS)) $(EMBEDDED) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/accuracy: $(filter build/obj/tools/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags

@@ -36,7 +36,7 @@ same()
     bytes build/isoc "$@" >"$out/expected" && bytes "$out/$isoc" "$@" >"$out/bytes" && cmp -s "$out/expected" "$out/bytes"
 }
 
-compiled tools/isoc/*.c tools/isoc/*/*.c build/obj/tools/isoc/core_files.c && linked "$out/isoc"
+compiled tools/isoc/*.c tools/isoc/*/*.c build/obj/tools/isoc/*_files.c && linked "$out/isoc"
 result $? "clang builds isoc"
 for scene in models/*.scene tests/scenes/*.scene; do
     same isoc "$scene" "$(grep -q residual "$scene" && echo bdf4 || echo rosenbrock)"

@@ -33,6 +33,19 @@ same()
 }
 EXTRA="-I$out"
 
+# The library: an effect that comes with isoc is what the same definition in the scene is; its errors have its path.
+sed '/^effect dc_motor {/,/^}/d' tests/effects/motor.scene >"$out/library.scene"
+cat models/effects/dc_motor.scene "$out/library.scene" >"$out/own_text.scene"
+for of in library own_text; do
+    build/isoc "$out/$of.scene" -o "$out" --name $of >"$out/summary" && sed "s/$of/x/gI; s|/\\*.*\\*/||" "$out/$of.c" >"$out/$of.text"
+done
+cmp "$out/library.text" "$out/own_text.text"
+result $? 'an effect of the library is its definition in the scene'
+sed 's/2 Ohm/0 Ohm - 2 Ohm/' "$out/library.scene" >"$out/wrong.scene"
+! build/isoc "$out/wrong.scene" -o "$out" 2>"$out/errors" &&
+    grep -q 'requires in line [0-9]* of models/effects/dc_motor.scene: require resistance >= 0' "$out/errors"
+result $? 'what an effect of the library requires is told with its line'
+
 pendulum='gravity (0, -9.81, 0) m/s^2
 step 1 ms
 body bob { mass 1 kg; com (0, -1, 0) m }

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "tools/isoc/emit/core_files.h"
+#include "tools/isoc/base/embedded.h"
 
 static const char include[] = "#include \"";
 
@@ -15,9 +15,9 @@ static size_t next_include(const char **at)
 }
 
 /* A file of core, by its path. */
-static const core_file *find(const char *path, size_t length)
+static const embedded_file *find(const char *path, size_t length)
 {
-    for (const core_file *f = core_files; f->path != NULL; f++) {
+    for (const embedded_file *f = core_files; f->path != NULL; f++) {
         if (strlen(f->path) == length && strncmp(f->path, path, length) == 0) {
             return f;
         }
@@ -30,7 +30,7 @@ static bool needs_more(const char *source)
 {
     const char *at = source;
     for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
-        const core_file *f = find(at, length);
+        const embedded_file *f = find(at, length);
         if (f == NULL || needs_more(f->text)) {
             return true;
         }
@@ -39,14 +39,14 @@ static bool needs_more(const char *source)
 }
 
 /* Whether firmware may call what is in it, beside what the plant does: a source, or a header that runs plants. */
-static bool is_for_callers(const core_file *f)
+static bool is_for_callers(const embedded_file *f)
 {
     static const char runtime[] = "core/runtime/";
     return f->path[strlen(f->path) - 1] == 'c' || strncmp(f->path, runtime, strlen(runtime)) == 0;
 }
 
 /* The file with relative paths: "core/methods/equations.h" is "../methods/equations.h" for its neighbours. */
-static void add_file(file_list *files, const core_file *f, bool is_double)
+static void add_file(file_list *files, const embedded_file *f, bool is_double)
 {
     text copy = {.memory = files->memory};
     if (is_double) {
@@ -66,7 +66,7 @@ static void add_includes(file_list *files, const char *source, bool is_double)
 {
     const char *at = source;
     for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
-        const core_file *f = find(at, length);
+        const embedded_file *f = find(at, length);
         if (f != NULL && !file_list_has(files, f->path)) {
             add_file(files, f, is_double);
             add_includes(files, f->text, is_double);
@@ -80,7 +80,7 @@ void standalone_files(file_list *files, bool is_double)
     for (size_t i = 0; i < given; i++) {
         add_includes(files, files->files[i].text.bytes, is_double);
     }
-    for (const core_file *f = core_files; f->path != NULL; f++) {
+    for (const embedded_file *f = core_files; f->path != NULL; f++) {
         if (is_for_callers(f) && !needs_more(f->text) && !file_list_has(files, f->path)) {
             add_file(files, f, is_double);
             add_includes(files, f->text, is_double);

@@ -75,6 +75,15 @@ static int body_of(world *w, name n, vector *point)
     return which >= 0 && w->b->made.frames[which].placed ? which : -1;
 }
 
+/* The body that a frame stands on, or the body itself. */
+static int body_under(builder *b, int which)
+{
+    matrix turned;
+    vector origin;
+    const int frame = which - (int)b->written->body_count;
+    return frame < 0 ? which : stand_on(b, &b->written->frames[frame].on, &turned, &origin);
+}
+
 /* Adds a force, or a moment, on a body that moves. */
 static void push(world *w, int which, vector point, const effect_line *line, const value *along, double sign)
 {
@@ -84,7 +93,7 @@ static void push(world *w, int which, vector point, const effect_line *line, con
     if (frame->link == GROUND) {
         return;
     }
-    applied_force f = {.body = which, .link = frame->link, .drive = -1, .in_ground = !line->in_body};
+    applied_force f = {.body = body_under(w->b, which), .link = frame->link, .drive = -1, .in_ground = !line->in_body};
     f.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
     f.force = f.moment = vector_zero(g);
     vector *to = line->kind == EFFECT_FORCE ? &f.force : &f.moment;

@@ -105,10 +105,10 @@ bool find_point(world *w, const char *called, int *which, vector *point)
         }
         return is;
     }
-    for (size_t i = 0; i < written->body_count; i++) {
-        if (written->bodies[i].name.text != NULL && strcmp(written->bodies[i].name.text, called) == 0) {
-            *which = (int)i;
-        }
+    for (size_t i = 0; i < written->body_count + written->frame_count; i++) {
+        const char *other =
+            i < written->body_count ? written->bodies[i].name.text : written->frames[i - written->body_count].name.text;
+        *which = other != NULL && strcmp(other, called) == 0 ? (int)i : *which;
     }
     return *which >= 0;
 }

@@ -128,6 +128,7 @@ static void build_instance(world *w, instance *in, int *states, int *memories)
     }
     if (in->kind == NULL || in->kind->broken || in->use->broken || !check_operands(b, in)) {
         in->kind = NULL;
+        b->is_effect_broken = true;
         return;
     }
     const size_t room = in->kind->line_count + 1;

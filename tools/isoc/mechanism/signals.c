@@ -97,7 +97,7 @@ void build_inputs(builder *b)
 
 void check_inputs(builder *b)
 {
-    for (size_t i = 0; i < b->written->input_count; i++) {
+    for (size_t i = 0; i < b->written->input_count && !b->is_effect_broken; i++) {
         const name input = b->written->inputs[i].name;
         bool force, torque;
         find_uses(b, input, &force, &torque);

@@ -3,7 +3,9 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "tools/isoc/base/embedded.h"
 #include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/repeat.h"
 #include "tools/isoc/scene/statements.h"
@@ -146,6 +148,23 @@ static void check_factors(const parser *p, const scene *made)
     }
 }
 
+/* The definitions of the kinds of effects that the scene uses and does not define, from those that come with isoc. */
+static void read_library(parser *p, scene *made)
+{
+    for (size_t i = 0; i < made->effect_count; i++) {
+        const name kind = made->effects[i].kind;
+        const char *path = kind.text == NULL ? "" : arena_format(p->s->memory, "models/effects/%s.scene", kind.text);
+        const embedded_file *file = effect_files;
+        while (file->path != NULL && strcmp(file->path, path) != 0) {
+            file++;
+        }
+        if (file->path != NULL && find_effect_kind(made, kind) == NULL) {
+            const script *of = source_add(p->s, file->path, file->text);
+            parse_nested(p, lex(p->s, of, source_passage(p->s, of, 0, of->length, NULL)), made);
+        }
+    }
+}
+
 scene parse_scene(source *s)
 {
     static const block whole = {.what = "scene", .properties = statements, .property_count = COUNT_OF(statements)};
@@ -155,6 +174,7 @@ scene parse_scene(source *s)
     p.known = (dictionary){.memory = s->memory};
     const bool read = parse_statements(&p, &whole, &made);
     made.broken |= !read;
+    read_library(&p, &made);
     check_factors(&p, &made);
     check_indices(&p);
     return made;

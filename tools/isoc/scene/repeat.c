@@ -160,8 +160,7 @@ static bool has_room(parser *p, const token *word, size_t words)
     return !p->is_full;
 }
 
-/* Reads these tokens as statements. */
-static void parse_nested(parser *p, const token *tokens, void *to)
+void parse_nested(parser *p, const token *tokens, void *to)
 {
     scene *made = to;
     const token *next = p->next;

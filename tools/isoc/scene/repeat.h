@@ -10,6 +10,9 @@ const int *find_index(const parser *p, const char *called);
 /* { [ index ] } after a name: leg[3] is leg3, and wheel2[3] is wheel2_3. Returns the whole name. */
 const char *take_indices(parser *p, const char *called);
 
+/* Reads these tokens as statements. */
+void parse_nested(parser *p, const token *tokens, void *to);
+
 /* A constant that is a plain number can be used in indices below it. */
 void note_constant(parser *p, const quantity *q);
 

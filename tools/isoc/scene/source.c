@@ -81,10 +81,15 @@ const script *source_open(source *s, const char *path, const char **fault)
     return *fault == NULL ? keep(s, read) : NULL;
 }
 
+const script *source_add(source *s, const char *path, const char *text)
+{
+    return keep(s, (script){.path = path, .text = text, .length = strlen(text)});
+}
+
 source source_of_text(arena *memory, const char *path, const char *text)
 {
     source s = {.memory = memory, .path = path};
-    const script *only = keep(&s, (script){.path = path, .text = text, .length = strlen(text)});
+    const script *only = source_add(&s, path, text);
     source_passage(&s, only, 0, only->length, NULL);
     s.main_end = only->length;
     return s;

@@ -57,6 +57,9 @@ bool source_read(source *s, arena *memory, const char *path);
 /* A further file, read once; NULL with the reason in *fault if it cannot be. */
 const script *source_open(source *s, const char *path, const char **fault);
 
+/* A further script with this text. */
+const script *source_add(source *s, const char *path, const char *text);
+
 /* The places of a reading of `length` bytes of a script from this offset on: returns the first. */
 place source_passage(source *s, const script *of, size_t offset, size_t length, const char *note);
 
