@@ -81,8 +81,8 @@ enum {
 #define ISO_ITERATIONS(count) ((count) << 8) /* of Newton, for bdf4; default: 2 */
 
 /* A file in which all steps are of one method (not adams) may say so before it includes this: #define ISO_ONLY_METHOD ISO_RK4. The
- * compiler then sees no other kernel, which saves it up to two thirds of its time; the code is the same. A step of another
- * method there stops the program. */
+ * compiler then sees no other kernel, which saves it up to two thirds of its time; no bit changes. A step of another method
+ * there stops the program. */
 #ifdef ISO_ONLY_METHOD
 #define ISO_IS_SEEN(method) ISO_IS(ISO_ONLY_METHOD, method)
 #else

@@ -1,13 +1,20 @@
-/* Hints for speed; they change no bit. ISO_UNROLL before a loop: unroll it if its count is known. ISO_INLINE before a
- * function: inline it, so that constants of its callers are constants in it. ISO_FLAT before a function: inline all that
- * it calls. ISO_APART before a function: inline it nowhere, since its bytes count and its time does not. */
+/* Hints for speed; they change no bit. ISO_UNROLL before a loop: unroll it if its count is known; clang would warn where it
+ * is not, and a build for which speed does not matter may define it as nothing. ISO_INLINE before a function: inline it, so
+ * that constants of its callers are constants in it. ISO_FLAT before a function: inline all that it calls. ISO_APART before
+ * a function: inline it nowhere, since its bytes count and its time does not. */
 #ifndef ISO_CORE_NUMBERS_UNROLL_H
 #define ISO_CORE_NUMBERS_UNROLL_H
 
 #ifdef __clang__
-#define ISO_UNROLL _Pragma("clang loop unroll_count(16)")
+#pragma clang diagnostic ignored "-Wpass-failed"
+#endif
+
+#ifndef ISO_UNROLL
+#ifdef __clang__
+#define ISO_UNROLL _Pragma("clang loop unroll(full)")
 #else
 #define ISO_UNROLL _Pragma("GCC unroll 16")
+#endif
 #endif
 
 #define ISO_INLINE static inline __attribute__((always_inline))

@@ -2,6 +2,7 @@
 # The local error that a method tells, beside the true one, on the double pendulum.
 . tests/host/test.sh
 begin estimate
+rolled
 ours="tests/estimate/local_error.c tests/order/plant.c tests/order/double_pendulum.c tests/host/report.c"
 
 # A plant of an implicit method has a Jacobian for all. Articulated bodies round less: more errors are more than rounding.

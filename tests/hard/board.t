@@ -3,6 +3,7 @@
 # every error and every hash of the states at the end of a run is the one that the host prints.
 . tests/host/test.sh
 begin m4f/hard
+rolled
 real float
 
 m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)

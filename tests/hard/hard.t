@@ -2,6 +2,7 @@
 # The hard cases, each in float and in double: what must hold for which method and step is said in the file of the case.
 . tests/host/test.sh
 begin hard
+rolled
 
 # share: what all cases share, in the real of now, compiled once. Their list is then $common.
 share()

@@ -40,6 +40,13 @@ real()
     esac
 }
 
+# rolled: the programs that follow run kernels of which the compiler knows neither recipe nor n. To unroll their loops would
+# take it most of its time, and changes no bit; plants are compiled with it, and compared without it, by check/same_bits*.sh.
+rolled()
+{
+    FLAGS="$FLAGS -DISO_UNROLL="
+}
+
 # models METHOD: the scenes that are tried with it, one on a line; stewart, whose code takes a compiler several seconds and
 # with an implicit method half a minute, with rk4 alone.
 models()

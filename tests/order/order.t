@@ -3,6 +3,7 @@
 # Euler on bodies that turn freely too.
 . tests/host/test.sh
 begin order
+rolled
 ours="tests/order/order.c tests/order/plant.c tests/host/report.c"
 
 # A plant of an implicit method has a Jacobian for all.

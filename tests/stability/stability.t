@@ -2,6 +2,7 @@
 # Where every method is stable, in float and in double.
 . tests/host/test.sh
 begin stability
+rolled
 
 for type in float double; do
     real $type
