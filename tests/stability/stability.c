@@ -221,7 +221,7 @@ static void test_imaginary_axis(void)
 static double oscillator_growth(const unsigned recipe, const double h)
 {
     const real p[2] = {R(0.0), R(1.0)};
-    real x[STATE_MAX] = {R(0.6), R(0.8)}, work[WORK_MAX], lu[N * N];
+    real x[STATE_MAX] = {R(0.6), R(0.8)}, work[WORK_MAX] = {R(0.0)}, lu[N * N];
     iso_any_progress progress = {{.local_error = R(0.0)}};
     const double before = hypot((double)x[0], (double)x[1]);
     iso_method_step(recipe, N, &linear, (real)h, x, NULL, p, lu, work, &progress.progress);
