@@ -165,4 +165,19 @@ for n in $(seq 20); do
     echo "include \"$((n + 1)).scene\"" >"$out/circle/$n.scene"
 done
 told 'files 20 deep' "$out/circle/1.scene" 'circle/17.scene:1:1: error: repeats and includes in one another, more than 16 deep'
+# A spin in the axes of the ground. The frame and the start turn x, y, z of the child to -x, z, y of the ground.
+spinning()
+{
+    cat <<END
+step 1 ms
+body top { mass 1 kg; inertia (1, 2, 3) g*m^2 }
+body base { mass 1 kg }
+joint weld fixed { parent ground rotate 90 deg about z; child base }
+joint air free { parent base; child top; start quaternion (0.5, 0.5, 0.5, 0.5); spin $1 }
+output spin = spin of top
+END
+}
+spinning '(1, 2, 3) rad/s in ground' | plant new
+spinning '(-1, 3, 2) rad/s' | plant old
+same "a spin in the ground's axes is that in the child's"
 finish

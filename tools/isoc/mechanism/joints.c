@@ -233,12 +233,60 @@ static void start_turning(builder *b, const joint *j, const given *from, int n, 
     part_made->speed_given = j->spin != NULL;
 }
 
+/* The spin in the axes of the joint's frame on the ground; false, after noting a problem, where it is on none. */
+static bool spin_from_ground(builder *b, const joint *j, double spin[3])
+{
+    matrix turned;
+    vector origin;
+    const int on = stand_on(b, &j->parent, &turned, &origin);
+    if (on >= 0 && b->made.frames[on].link != GROUND) {
+        source_problem(b->s, j->spin_axes_at, "the joint '%s' is not on the ground: give its spin in the child's axes",
+                       j->name.text);
+        return false;
+    }
+    if (on >= 0) {
+        turned = matrix_product(b->g, b->made.frames[on].turn, turned);
+    }
+    const double given_spin[3] = {spin[0], spin[1], spin[2]};
+    for (int i = 0; i < 3; i++) {
+        spin[i] = 0.0;
+        for (int n = 0; n < 3; n++) {
+            spin[i] += constant_value(b->g, turned.at[n][i]) * given_spin[n];
+        }
+    }
+    return true;
+}
+
+/* From the joint's frame to the child's axes, which are turned by the unit quaternion: w' = w - 2 (q0 t - q x t), t = q x w
+ * for the vector part q. */
+static void spin_to_child(const double q[4], double w[3])
+{
+    double t[3];
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        t[i] = q[1 + j] * w[k] - q[1 + k] * w[j];
+    }
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        w[i] -= 2.0 * (q[0] * t[i] - (q[1 + j] * t[k] - q[1 + k] * t[j]));
+    }
+}
+
 static void start_ball(builder *b, const joint *j, const given *from, link *part_made)
 {
     start_quaternion(b, j, part_made->start);
     part_made->start_given = j->start.quaternion != NULL || j->start.turn_count > 0;
     memcpy(part_made->speed, from->spin, sizeof part_made->speed);
     part_made->speed_given = j->spin != NULL;
+    if (!j->spin_in_ground) {
+        return;
+    }
+    if (!part_made->start_given && b->written->closure_count > 0) {
+        source_problem(b->s, j->spin_axes_at, "a spin in the axes of the ground needs the start of the joint '%s'",
+                       j->name.text);
+    } else if (spin_from_ground(b, j, part_made->speed)) {
+        spin_to_child(part_made->start, part_made->speed);
+    }
 }
 
 int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT])
@@ -261,6 +309,10 @@ int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix
         if (parts[n].kind == JOINT_PRISMATIC) {
             start_sliding(b, j, &from, aligned[n], &links[n]);
         } else if (parts[n].kind == JOINT_REVOLUTE) {
+            if (j->spin_in_ground) {
+                source_problem(b->s, j->spin_axes_at, "a %s joint turns about its own axes: give its spin about these",
+                               joint_rows[j->kind].word);
+            }
             start_turning(b, j, &from, turning++, &links[n]);
         } else {
             start_ball(b, j, &from, &links[n]);

@@ -84,6 +84,18 @@ static void read_spring(parser *p, const token *word, void *slot)
     }
 }
 
+/* spin (0, 0, 10) rad/s in ground */
+static void read_spin(parser *p, const token *word, void *slot)
+{
+    joint *j = slot;
+    read_formula(p, word, &j->spin);
+    if (!p->failed && take_word(p, "in")) {
+        static const char *const axes[] = {"ground"};
+        j->spin_axes_at = p->next->at;
+        j->spin_in_ground = take_one_of(p, axes, COUNT_OF(axes)) == 0;
+    }
+}
+
 static void read_continuous(parser *p, const token *word, void *slot)
 {
     (void)p;
@@ -100,7 +112,7 @@ static const property properties[] = {
     {"second", read_axis, IN(second), HAS_SECOND, "second y"},
     {"start", read_start, 0, MOVES, NULL},
     {"speed", read_formula, IN(speed), HAS_SPEED, NULL},
-    {"spin", read_formula, IN(spin), HAS_SPIN, NULL},
+    {"spin", read_spin, 0, HAS_SPIN, NULL},
     {"continuous", read_continuous, 0, TURNS_ROUND, NULL},
     {"damping", read_formula, IN(damping), HAS_SPEED, NULL},
     {"spin_damping", read_formula, IN(spin_damping), HAS_SPIN, NULL},

@@ -84,6 +84,8 @@ typedef struct joint {
     formula *axis, *second;
     pose start;
     formula *speed, *spin; /* spin: of what turns in a joint of several coordinates; speed: of all others */
+    bool spin_in_ground;   /* in the axes of the ground, not of the child */
+    place spin_axes_at;
     formula *damping, *spin_damping, *spring, *rest;
     name drive;
     bool continuous;
