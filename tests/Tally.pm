@@ -3,8 +3,8 @@
 #
 # tests/times has the seconds of processor time that each test took when they were measured last, longest first. In that
 # order they begin, so that every core has work to the end; what is not in it begins first of all. Of what took longer than
-# $TALLY_MOST nothing is run. What they take this time goes to
-# $TEST_TIMES.txt.
+# $TALLY_MOST nothing is run. What they take this time goes to $TEST_TIMES.txt. What passes is marked with $TEST_STATE, and with
+# the same state tests/exec.sh does not run it again.
 package Tally;
 
 use strict;
@@ -93,6 +93,22 @@ sub write_times {
     close $file or die "$folder.txt: $!\n";
 }
 
+# Marks a test that passed with the state of all that it follows from, beside what tests/exec.sh kept of it.
+sub mark_passed {
+    my ($name) = @_;
+    (my $folder = $name) =~ tr{/}{:};
+    $folder = ($ENV{TEST_KEPT} || 'build/tests/passed') . "/$folder";
+    return if !$ENV{TEST_STATE} || !-e "$folder/output";
+    open my $file, '>', "$folder/state" or die "$folder/state: $!\n";
+    print $file "$ENV{TEST_STATE}\n";
+    close $file or die "$folder/state: $!\n";
+}
+
+# How many tests exec.sh did not run again.
+sub count_kept {
+    return scalar grep { ($lines{$_}[0] // '') =~ /^# not run again: / } keys %lines;
+}
+
 # Every variant of the unit tests must have run the same number of tests. Returns the numbers of passes and failures.
 sub compare_variants {
     my ($parsers) = @_;
@@ -125,13 +141,15 @@ sub runtests {
     for my $name (sort keys %parsers) {
         my @one = count($parsers{$name});
         $sum[$_] += $one[$_] for 0 .. 2;
-        show_failure($name, $parsers{$name}) if $one[1];
+        $one[1] ? show_failure($name, $parsers{$name}) : mark_passed($name);
     }
     write_log();
     write_times();
     my @compared = compare_variants(\%parsers);
     $sum[0] += $compared[0];
     $sum[1] += $compared[1];
+    my ($kept, $all) = (count_kept(), scalar keys %parsers);
+    print "$kept of $all tests were not run again: they passed, and nothing has changed since\n" if $kept;
     print "$sum[0] passed, $sum[1] failed", $sum[2] ? ", $sum[2] skipped" : '', "\n";
     exit($sum[1] || !$sum[0] ? 1 : 0);
 }

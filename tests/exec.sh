@@ -2,7 +2,11 @@
 # Runs a test where its folder says: exec.sh build/tests/VARIANT/REAL/PROGRAM, or a script.
 # Whatever runs for more than ten minutes is killed, has no plan, and counts as failed. What it takes of the processor, as
 # `times` prints it, goes to $TEST_TIMES/NAME, if that is set.
+#
+# What it prints is kept then as well, under build/tests/passed/. If the harness found that it passed, with the hash $TEST_STATE
+# of all that a test follows from (tests/host/state.sh), it is printed again and the test is not run.
 name=$1
+kept=${TEST_KEPT:-build/tests/passed}/$(echo "$name" | tr / :)
 case $1 in
 build/tests/memcheck/*)
     set -- valgrind --quiet --error-exitcode=99 --leak-check=full --show-leak-kinds=all \
@@ -20,7 +24,17 @@ build/tests/exhaustive/*)
     ;;
 esac
 [ -n "${TEST_TIMES-}" ] || exec timeout 600 "$@"
-timeout 600 "$@"
+
+if [ -n "${TEST_STATE-}" ] && [ "$(cat "$kept/state" 2>/dev/null)" = "$TEST_STATE" ]; then
+    cp "$kept/times" "$TEST_TIMES/${kept##*/}"
+    echo "# not run again: it passed, and nothing that it follows from has changed since"
+    exec cat "$kept/output"
+fi
+rm -rf "$kept"
+mkdir -p "$kept"
+timeout 600 "$@" >"$kept/output" 2>&1
 status=$?
-times >"$TEST_TIMES/$(echo "$name" | tr / :)"
+times >"$kept/times"
+cp "$kept/times" "$TEST_TIMES/${kept##*/}"
+cat "$kept/output"
 exit $status

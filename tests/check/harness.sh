@@ -4,7 +4,7 @@
 begin check/harness
 mkdir -p "$out/tests"
 # What the harness that runs this test was told is no concern of the one that is tried.
-unset TEST_TIMES TALLY_MOST
+unset TEST_TIMES TEST_STATE TALLY_MOST
 
 # one NAME TEXT: a test script of that name in the small set that the harness is tried on.
 one()
@@ -88,6 +88,64 @@ result $? "what takes longer than it may is left out: $(order)"
 result $? "what each took is written down, the longest first"
 unset TALLY_TIMES TEST_TIMES
 
+# What passed is not run again as long as nothing has changed; what failed is.
+export TEST_TIMES="$PWD/$out/times" TEST_KEPT="$PWD/$out/kept" TEST_STATE=first
+one good "echo run >>$out/runs; echo 'ok 1 - a'; echo 1..1"
+one bad "echo run >>$out/bad_runs; echo 'ok 1 - a'; echo 'not ok 2 - b'; echo 1..2; exit 1"
+one short "echo run >>$out/short_runs; echo 'ok 1 - a'; echo 1..2"
+# ran GOOD BAD SHORT: how often they were run since the start.
+ran()
+{
+    ran=$(for file in runs bad_runs short_runs; do grep -c run "$out/$file"; done | paste -sd ' ')
+    [ "$ran" = "$1 $2 $3" ]
+}
+tally good bad short
+ran 1 1 1 && ! grep -q 'not run again' "$out/output"
+result $? "the first time all are run: $ran"
+counts "3 passed, 2 failed" "again they count the same" good bad short
+ran 1 2 2 && grep -q '^1 of 3 tests were not run again' "$out/output"
+result $? "what passed was not run again, what failed or was incomplete was, and that is told: $ran"
+TEST_STATE=second tally good
+ran 2 2 2
+result $? "found: a change, after which it is run again: $ran"
+grep -q 'tests/good.t$' "$out/times.txt"
+result $? "its time is written down each time"
+unset TEST_TIMES TEST_STATE TEST_KEPT
+
+# state: the hash of a small folder, with a compiler of its own.
+mkdir -p "$out/state/core" "$out/state/build" "$out/compiler"
+printf '#!/bin/sh\n' >"$out/compiler/gcc" && chmod +x "$out/compiler/gcc"
+state()
+{
+    (cd "$out/state" && PATH="$root/$out/compiler:$PATH" sh "$root/tests/host/state.sh")
+}
+root=$PWD
+echo a >"$out/state/core/a"
+before=$(state)
+touch "$out/state/core/a" "$out/state/build/made"
+[ "$(state)" = "$before" ] && [ ${#before} -eq 64 ]
+result $? "the state of a folder does not change with a date, or what is built"
+# changes NAME: it is another one than before.
+changes()
+{
+    after=$(state)
+    [ "$after" != "$before" ]
+    result $? "found: $1"
+    before=$after
+}
+echo b >"$out/state/core/a"
+changes "a changed file"
+mv "$out/state/core/a" "$out/state/core/b"
+changes "another name"
+chmod +x "$out/state/core/b"
+changes "another mode"
+echo >>"$out/compiler/gcc"
+changes "another compiler"
+CFLAGS=-O1
+export CFLAGS
+changes "another flag"
+unset CFLAGS
+
 # Two variants of the unit tests that differ in number. The files stand where the harness knows them by their place.
 for variant in plain asan; do
     mkdir -p "$out/variants/build/tests/$variant/float"
@@ -100,7 +158,6 @@ variants()
     (cd "$out/variants" && TALLY_LOG=log PERL5LIB="$root/tests" prove --harness Tally --exec "$root/tests/exec.sh" \
         build/tests/*/float/one >"$root/$out/output" 2>&1)
 }
-root=$PWD
 variants && [ "$(tail -n 1 "$out/output")" = "3 passed, 0 failed" ]
 result $? "equal numbers of tests in two variants are one more test that passes"
 printf '#!/bin/sh\necho "ok 1 - a"; echo "ok 2 - b"; echo 1..2\n' >"$out/variants/build/tests/asan/float/one"
