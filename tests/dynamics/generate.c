@@ -322,7 +322,7 @@ static int all_rows(const mechanism *const m)
 
 static bool draw(sequence *const random, const bool closed, const int seed, generated *const out)
 {
-    static const char *const stabilisations[] = {"projection", "projection { iterations 2 }",
+    static const char *const stabilisations[] = {NULL, "projection { iterations 2 }",
                                                  "baumgarte { alpha 5 Hz; beta 5 Hz }", "none"};
     const joint_kind closing = closure_kinds[(seed - 1) % GENERATED_CLOSURES];
     const bool couples = closed && closing > ROLLING;

@@ -12,7 +12,7 @@ typedef struct generated {
     joint_motion start; /* where the closures hold */
     int inputs;
     wide input[GENERATED_INPUTS]; /* held */
-    const char *stabilisation;    /* of loops */
+    const char *stabilisation;    /* of loops; NULL: the default */
     bool has_load;                /* the mass of the last body is a tunable */
     bool has_reach;               /* the length of the first closure, a distance, is one */
 } generated;
