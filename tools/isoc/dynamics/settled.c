@@ -1,7 +1,6 @@
 #include "tools/isoc/dynamics/settled.h"
 
-#include <string.h>
-
+#include "tools/isoc/dynamics/resistance.h"
 #include "tools/isoc/graph/quaternion.h"
 
 static void put(settled *made, int state, node to)
@@ -30,54 +29,17 @@ static void put_quaternion(graph *g, settled *made, const dynamics *d, int i, co
     }
 }
 
-/* b of the h b J that an implicit method solves with; 0 of any other method. */
-static double implicit_part(unsigned recipe)
-{
-    const double bdf4 = (double)iso_table_bdf4.derivative / iso_table_bdf4.over;
-    return ISO_IS(recipe, ISO_ROSENBROCK) ? iso_table_ros3.gamma : ISO_IS(recipe, ISO_BDF4) ? bdf4 : 0.0;
-}
-
-/* What a degree of freedom has beside its inertia against a push within a step: h b D + (h b)^2 K, of damping and spring.
- */
-static node resistance(graph *g, const mechanism *m, const link *l)
-{
-    const double hb = m->step * implicit_part(m->recipe);
-    const node of_damping = mul(g, constant(g, hb), l->damping);
-    return add(g, of_damping, mul(g, constant(g, hb * hb), magnitude(g, l->spring)));
-}
-
-/* The factors of the closures over M; with an implicit method, over what it solves with, M + h b D + (h b)^2 K. There M
- * alone would close a gap by a strain of any spring that has a light body at its end, however stiff the spring is. Such a
- * strain after every step is a force that the next one must take back, and grows. */
-static augmented factors_of_step(graph *g, const dynamics *d)
-{
-    const mechanism *m = d->m;
-    const size_t n = (size_t)m->dof_count;
-    mass_matrix *resisting = arena_take(g->memory, 1, sizeof *resisting);
-    *resisting = d->mass;
-    resisting->entries = arena_take(g->memory, n * n, sizeof *resisting->entries);
-    memcpy(resisting->entries, d->mass.entries, n * n * sizeof *resisting->entries);
-    bool resists = false;
-    for (size_t f = 0; f < n; f++) {
-        const node more = resistance(g, m, &m->links[m->dofs[f].link]);
-        resisting->entries[f * n + f] = add(g, resisting->entries[f * n + f], more);
-        resists = resists || !is_zero(g, more);
-    }
-    if (!resists) {
-        return d->loops;
-    }
-    mass_matrix_factorise(resisting);
-    return augmented_factors(resisting, d->loops.held);
-}
-
 /* The changes of positions and speeds with which the closures hold, to first order and with the least kinetic energy:
  * Eich (1993), "Convergence results for a coordinate projection method applied to mechanical systems with algebraic
- * constraints", SIAM J. Numerical Analysis 30(5). */
+ * constraints", SIAM J. Numerical Analysis 30(5). With an implicit method stiffness counts as well as inertia. There
+ * inertia alone would close a gap by a strain of any spring that has a light body at its end, however stiff the spring
+ * is; such a strain after every step is a force that the next one must take back, and it grows. */
 static void build_changes(graph *g, const dynamics *d, node *moved, node *sped)
 {
     const constraints *held = &d->loops.held;
     node *gap = arena_take(g->memory, (size_t)held->count, sizeof *gap);
-    const augmented over = factors_of_step(g, d);
+    const mass_matrix *resistance = resistance_build(g, d);
+    const augmented over = resistance == &d->mass ? d->loops : augmented_factors(resistance, *held);
     graph_section(g, "Projection of the positions");
     for (int r = 0; r < held->count; r++) {
         gap[r] = held->all[r].position;

@@ -1,0 +1,120 @@
+#include "tools/isoc/dynamics/resistance.h"
+
+#include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/graph/operations.h"
+#include "tools/isoc/graph/quaternion.h"
+
+/* b of the h b J that an implicit method solves with; 0 of any other method. */
+static double implicit_part(unsigned recipe)
+{
+    const double bdf4 = (double)iso_table_bdf4.derivative / iso_table_bdf4.over;
+    return ISO_IS(recipe, ISO_ROSENBROCK) ? iso_table_ros3.gamma : ISO_IS(recipe, ISO_BDF4) ? bdf4 : 0.0;
+}
+
+/* The efforts of dampers, springs and effects, and of the forces of effects on bodies; those of inputs do not count. */
+static node *build_efforts(graph *g, const dynamics *d)
+{
+    const mechanism *m = d->m;
+    const size_t n = (size_t)m->dof_count;
+    const wrench none = {vector_zero(g), vector_zero(g)};
+    node *effort = arena_take(g->memory, n, sizeof *effort), *pull = arena_take(g->memory, n, sizeof *pull);
+    wrench *wrenches = arena_take(g->memory, (size_t)m->link_count, sizeof *wrenches);
+    for (int i = 0; i < m->link_count; i++) {
+        wrenches[i] = none;
+    }
+    for (int i = 0; i < m->applied_force_count; i++) {
+        const applied_force *f = &m->applied_forces[i];
+        if (f->drive < 0) {
+            wrenches[f->link] = wrench_sub(g, wrenches[f->link], wrench_of_applied_force(g, f));
+        }
+    }
+    efforts_of_wrenches(&d->k, wrenches, pull);
+    efforts_less(d, pull, effort);
+    return effort;
+}
+
+/* Adds -part times the derivatives by a state, times `factor`, to column `of` of sum[n n]. */
+static void add_column(graph *g, const node *efforts, int n, int state, node factor, int of, node *sum)
+{
+    node *column = arena_take(g->memory, (size_t)n, sizeof *column);
+    differentiate(g, efforts, (size_t)n, leaf(g, OP_STATE, state), column);
+    for (int i = 0; i < n; i++) {
+        sum[i * n + of] = sub(g, sum[i * n + of], mul(g, factor, column[i]));
+    }
+}
+
+/* What is added to the mass matrix, [n n], before its symmetric part is taken. A turn about axis c of a spherical joint
+ * changes its quaternion by q (0, e_c) / 2. */
+static node *build_addition(graph *g, const dynamics *d, const node *efforts, double hb)
+{
+    const mechanism *m = d->m;
+    const int n = m->dof_count;
+    const node once = constant(g, hb), twice = constant(g, hb * hb), zero = constant(g, 0.0);
+    node *sum = arena_take(g->memory, (size_t)(n * n), sizeof *sum);
+    for (int i = 0; i < n * n; i++) {
+        sum[i] = zero;
+    }
+    for (int f = 0; f < n; f++) {
+        const link *l = &m->links[m->dofs[f].link];
+        add_column(g, efforts, n, m->position_count + f, once, f, sum);
+        if (l->kind != JOINT_SPHERICAL) {
+            add_column(g, efforts, n, l->position, twice, f, sum);
+            continue;
+        }
+        node rate[3] = {zero, zero, zero}, moved[4];
+        rate[f - l->dof] = constant(g, 1.0);
+        quaternion_rates(g, d->k.motions[m->dofs[f].link].q, rate, moved);
+        for (int i = 0; i < 4; i++) {
+            add_column(g, efforts, n, l->position + i, mul(g, twice, moved[i]), f, sum);
+        }
+    }
+    return sum;
+}
+
+/* A mass matrix whose degrees of freedom are all ancestors of those after them, since efforts may couple any two: zeros
+ * vanish from its factors. */
+static mass_matrix *blank_chain(graph *g, const dynamics *d)
+{
+    const size_t n = (size_t)d->m->dof_count;
+    mechanism *m = arena_take(g->memory, 1, sizeof *m);
+    kinematics *k = arena_take(g->memory, 1, sizeof *k);
+    mass_matrix *made = arena_take(g->memory, 1, sizeof *made);
+    *m = *d->m;
+    *k = d->k;
+    k->m = m;
+    m->dofs = arena_take(g->memory, n, sizeof *m->dofs);
+    for (int f = 0; f < d->m->dof_count; f++) {
+        m->dofs[f] = d->m->dofs[f];
+        m->dofs[f].before = f > 0 ? f - 1 : GROUND;
+    }
+    *made = (mass_matrix){.k = k, .n = d->m->dof_count, .entries = arena_take(g->memory, n * n, sizeof *made->entries)};
+    return made;
+}
+
+const mass_matrix *resistance_build(graph *g, const dynamics *d)
+{
+    const mechanism *m = d->m;
+    const int n = m->dof_count;
+    const double hb = m->step * implicit_part(m->recipe);
+    if (hb == 0.0) {
+        return &d->mass;
+    }
+    graph_section(g, "What a push meets within a step: inertia, dampers, springs, effects");
+    const node *efforts = build_efforts(g, d);
+    if (!uses_operation(g, efforts, (size_t)n, OP_STATE)) {
+        return &d->mass;
+    }
+    const node *addition = build_addition(g, d, efforts, hb), half = constant(g, 0.5);
+    mass_matrix *made = blank_chain(g, d);
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j <= i; j++) {
+            const node both = add(g, addition[i * n + j], addition[j * n + i]);
+            made->entries[i * n + j] = mul(g, half, both);
+        }
+        for (int j = i; j != GROUND; j = m->dofs[j].before) {
+            made->entries[i * n + j] = add(g, d->mass.entries[i * n + j], made->entries[i * n + j]);
+        }
+    }
+    mass_matrix_factorise(made);
+    return made;
+}
