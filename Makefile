@@ -15,6 +15,7 @@
 ##     METHOD=rk4                          the method, instead of that of the scene
 ##     STEP=1ms                            the step, instead of that of the scene
 ##     TOLERANCE=1e-9                      largest local error of METHOD=adams, which then uses as many sub-steps as it needs
+##     SET='rod_mass = 0.3 kg; drag = 2'   values of constants and tunables, instead of those of the scene
 ##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600
 ##     TARGET=host|cortex-m4f              where to run: on this machine, or on the board in QEMU
 ##     REAL=float|double                   the type of the numbers
@@ -24,6 +25,7 @@ SCENE = models/$(if $(filter drift,$(MAKECMDGOALS)),four_bar,double_pendulum).sc
 METHOD =
 STEP =
 TOLERANCE =
+SET =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,10))
 TARGET = $(if $(filter size cost chains,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
@@ -79,7 +81,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := SCENE METHOD STEP TOLERANCE SECONDS SCRIPT
+TEXTS := SCENE METHOD STEP TOLERANCE SET SECONDS SCRIPT
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -89,7 +91,7 @@ $(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
     $(error $(name) has a line break, which make cannot pass on)))
 
 # What has an effect on which goal. A goal that is a file, and a make that another make calls, may be given anything.
-EFFECTS_run := SCENE METHOD STEP TOLERANCE SECONDS TARGET REAL SCRIPT OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
+EFFECTS_run := SCENE METHOD STEP TOLERANCE SET SECONDS TARGET REAL SCRIPT OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
 EFFECTS_plot := $(EFFECTS_run)
 EFFECTS_size := $(filter-out SECONDS SCRIPT,$(EFFECTS_run))
 EFFECTS_stack := $(EFFECTS_size)

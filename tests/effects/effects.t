@@ -89,6 +89,32 @@ END
 cmp "$out/old.c" "$out/kept.c"
 result $? 'an effect that is defined and not used leaves the plant as it is'
 
+# Faults and tunables that are set at ticks, with a method that restarts then; and values from the command line.
+motor='step 1 ms
+input volts V = 6 V
+tunable load = 10 mN*m*s/rad
+body rotor { mass 1 kg; inertia (1, 1, 1) g*m^2 }
+joint shaft revolute { parent ground; child rotor; axis z; damping load }
+effect drive dc_motor { shaft shaft; supply volts; resistance 2 Ohm; inductance 20 mH; constant 50 mN*m/A }
+output current = drive.current'
+for method in rk4 ab4; do
+    printf '%s\nmethod %s\n' "$motor" $method | plant old
+    printf '%s\nmethod %s\nat 0.1 s set drive.open = 1; at 0.2 s set drive.open = 0\nat 300 ms set load = 20 mN*m*s/rad\n' \
+        "$motor" $method | plant new
+    program switched tests/effects/switched.c "$out/old.c" "$out/new.c" && "$out/switched"
+    result $? "$method: what the scene sets at a tick is what the program sets before it"
+done
+printf '%s\n' "$motor" | sed 's/load = 10/load = 12/' | plant old
+cp "$out/old.c" "$out/kept.c"
+printf '%s\n' "$motor" >"$out/old.scene"
+build/isoc "$out/old.scene" -o "$out" --name old --real double --set 'load = 6 mN*m*s/rad * 2' >"$out/summary"
+sed 's|/\*.*\*/||' "$out/old.c" >"$out/old.text"
+sed 's|/\*.*\*/||' "$out/kept.c" | cmp - "$out/old.text"
+result $? '--set is another value in the scene'
+! build/isoc "$out/old.scene" -o "$out" --set 'lod = 1' 2>"$out/errors" &&
+    grep -q "^--set:1:1: error: no constant or tunable is called 'lod' (did you mean 'load'?)" "$out/errors"
+result $? '--set of an unknown name is told'
+
 # A force along an axis of its body, with a moment about it, is that of the statement `force`.
 drone='gravity (0, 0, -9.81) m/s^2
 step 1 ms

@@ -10,6 +10,9 @@ $(error SECONDS=$(SECONDS) is no time to run; it could be 10 or 0.5)
 endif
 
 ifeq ($(suffix $(SCENE_FILE)),.c)
+ifneq ($(SET),)
+$(error SET has no effect on a plant in C, which has no scene)
+endif
 ifneq ($(STEP),)
 STEP_SECONDS := $(call duration,s,$(STEP),1000,1e9)
 ifeq ($(STEP_SECONDS),)
@@ -21,7 +24,7 @@ CHOICE := $(METHOD:%=-DISO_METHOD=ISO_$(METHOD_MACRO) -DISO_METHOD_NAME=%) $(STE
 PLANT := $(SCENE)
 else
 CHOICE := $(METHOD:%=--method %) $(if $(STEP),--step $(call quote,$(STEP))) \
-    $(if $(TOLERANCE),--tolerance $(call quote,$(TOLERANCE))) --real $(REAL)
+    $(if $(TOLERANCE),--tolerance $(call quote,$(TOLERANCE))) $(if $(SET),--set $(call quote,$(SET))) --real $(REAL)
 PLANT := $(OUT)/plant.c
 endif
 

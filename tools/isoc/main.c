@@ -20,7 +20,7 @@ static const char help[] =
     "isoc: compiles a scene to a plant in straight-line C\n"
     "\n"
     "  isoc SCENE -o DIR [--name NAME] [--standalone] [--method M] [--step H] [--tolerance T] [--real float|double]\n"
-    "       [--formulation F]\n"
+    "       [--set 'NAME = VALUE'] [--formulation F]\n"
     "  isoc SCENE --dot\n"
     "  isoc SCENE --files\n"
     "\n"
@@ -33,6 +33,7 @@ static const char help[] =
     "  --step H       the step with its unit, e.g. 1ms, instead of the scene's\n"
     "  --tolerance T  of adams, which then takes as many sub-steps as it needs\n"
     "  --real R       the number type of the plant: float (default) or double\n"
+    "  --set 'NAME = VALUE; ...'  constants and tunables, instead of the scene's values\n"
     "  --formulation F  instead of the cheapest; of a tree composite or articulated bodies, of closed loops composite "
     "bodies\n"
     "                 with the closures in the axes of their base, composite, or of a side, parent_axes or child_axes\n"
@@ -46,7 +47,7 @@ static const char help[] =
     "A mistake in the scene is told as file:line:column; the exit status is then 1 and no file is touched.\n";
 
 typedef struct options {
-    const char *scene, *directory, *name, *method, *step, *tolerance;
+    const char *scene, *directory, *name, *method, *step, *tolerance, *set;
     bool is_double, draws, lists, is_standalone;
     formulation wanted; /* FORMULATIONS: the cheapest one */
 } options;
@@ -80,6 +81,7 @@ static bool read_options(char **arguments, options *o)
                             : strcmp(*a, "--method") == 0      ? &o->method
                             : strcmp(*a, "--step") == 0        ? &o->step
                             : strcmp(*a, "--tolerance") == 0   ? &o->tolerance
+                            : strcmp(*a, "--set") == 0         ? &o->set
                             : strcmp(*a, "--real") == 0        ? &real_name
                             : strcmp(*a, "--formulation") == 0 ? &formulation_name
                                                                : NULL;
@@ -203,6 +205,9 @@ static bool compile(arena *memory, const options *o)
     }
     if (!override(memory, o, &written)) {
         return false;
+    }
+    if (o->set != NULL) {
+        scene_set(&s, &written, source_add(&s, "--set", o->set));
     }
     graph_start(&g, memory);
     graph_section(&g, "Constants of the scene");

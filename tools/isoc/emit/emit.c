@@ -4,7 +4,7 @@
 
 bool is_driven(const mechanism *m)
 {
-    bool any = m->clocks.count > 0;
+    bool any = m->clocks.count + m->change_count > 0;
     for (int i = 0; i < m->input_count; i++) {
         any = any || m->driven[i];
     }

@@ -184,19 +184,28 @@ static driving driving_of(const emission *e)
 
 static void emit_drive(emission *e)
 {
+    const mechanism *m = e->p->m;
     const driving d = driving_of(e);
     code made = code_of(e, d.targets, d.roots, d.count);
     made.quotes = d.quotes;
     text_add(e->out, "/* What is a function of time; other inputs stay as they are set. */\n");
     text_add(e->out, "static void drive(void *const instance, const uint32_t tick)\n{\n");
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
-    if (!uses_time(e->g, d.roots, (size_t)d.count)) {
+    if (!uses_time(e->g, d.roots, (size_t)d.count) && m->change_count == 0) {
         text_add(e->out, "    (void)tick;\n");
     }
     if (uses(e, &made, OP_PARAMETER)) {
         text_add(e->out, "    const real *const p = memory->p;\n");
     }
     emit_code(e, &made);
+    for (int i = 0; i < m->change_count; i++) {
+        const switching *c = &m->changes[i];
+        const char *at = e->names->leaves.parameters[c->parameter].place;
+        text_add(
+            e->out,
+            "    memory->p[%s] =\n        iso_select((iso_bits)0 - (tick == UINT32_C(%.0f)), %s, memory->p[%s]);\n", at,
+            c->tick, code_literal(e->out->memory, c->value, e->p->is_double), at);
+    }
     text_add(e->out, "}\n\n");
 }
 

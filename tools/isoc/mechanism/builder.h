@@ -73,6 +73,7 @@ void regroup(builder *b);
 /* signals.c: inputs and tunable parameters. The inputs are checked when all that can use them is built. */
 void build_inputs(builder *b);
 void check_inputs(builder *b);
+void build_changes(builder *b);
 void build_parameters(builder *b);
 
 /* effects.c: effects and signals. The states come first: the speeds stand behind them. */

@@ -115,7 +115,11 @@ static int add_fault(builder *b, const effect_use *use, const effect_line *line)
 {
     const char *called = arena_format(b->s->memory, "%s_%s", use->name.text, line->name.text);
     b->faults[b->fault_count++] =
-        (variable){.name = called, .unit = "1", .quote = source_quote(b->s, line->name.at), .most = 1.0};
+        (variable){.name = called,
+                   .unit = "1",
+                   .spoken = arena_format(b->s->memory, "%s.%s", use->name.text, line->name.text),
+                   .quote = source_quote(b->s, line->name.at),
+                   .most = 1.0};
     return b->values.tunables++;
 }
 

@@ -265,6 +265,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_outputs(&b);
     check_inputs(&b);
     build_parameters(&b);
+    build_changes(&b);
 
     if (written->broken) {
         return b.made;

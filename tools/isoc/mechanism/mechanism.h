@@ -158,11 +158,13 @@ typedef struct shown {
 
 /* What the header says of a quantity of the plant. */
 typedef struct variable {
-    const char *name;   /* in the header in capitals */
-    const char *unit;   /* SI */
-    const char *quote;  /* the scene's line that declares it; NULL where none does */
-    double least, most; /* infinite where there is no limit */
-    double start;       /* of a parameter, its default */
+    const char *name;    /* in the header in capitals */
+    const char *unit;    /* SI */
+    const char *quote;   /* the scene's line that declares it; NULL where none does */
+    double least, most;  /* infinite where there is no limit */
+    double start;        /* of a parameter, its default */
+    dimension dimension; /* of a parameter */
+    const char *spoken;  /* of a fault: EFFECT.FAULT */
 } variable;
 
 /* A state of an effect, or a memory of one: what it is called, and its rate, or what it is after the next tick. */
@@ -170,6 +172,13 @@ typedef struct effect_quantity {
     variable about;
     node next;
 } effect_quantity;
+
+/* What a parameter is from a tick on. */
+typedef struct switching {
+    double tick;
+    int parameter;
+    double value;
+} switching;
 
 typedef struct mechanism {
     const char *name;
@@ -216,6 +225,8 @@ typedef struct mechanism {
     int parameter_count;
     variable *parameters;
     const double *defaults;
+    switching *changes; /* of parameters, at given ticks */
+    int change_count;
 
     unsigned recipe;  /* method and options: core/methods/method.h */
     double tolerance; /* of adams */

@@ -118,6 +118,7 @@ static variable parameter_of(builder *b, const quantity *q, dimension of, double
     variable made = {.name = q->name.text,
                      .unit = is_plain ? "1" : dimension_text(b->s->memory, of),
                      .quote = source_quote(b->s, q->name.at),
+                     .dimension = of,
                      .least = value_constant(&b->values, q->least, of, what, -HUGE_VAL),
                      .most = value_constant(&b->values, q->most, of, what, HUGE_VAL),
                      .start = start};
@@ -149,5 +150,48 @@ void build_parameters(builder *b)
     }
     for (int i = 0; i < b->fault_count; i++) {
         made->parameters[made->parameter_count++] = b->faults[i];
+    }
+}
+
+/* The index of a tunable, or of a fault by its EFFECT.FAULT; -1 after noting a problem. */
+static int parameter_called(builder *b, name n)
+{
+    const mechanism *made = &b->made;
+    const char **names = arena_take(b->s->memory, (size_t)made->parameter_count + 1, sizeof *names);
+    for (int i = 0; i < made->parameter_count; i++) {
+        names[i] = made->parameters[i].name == NULL ? "" : made->parameters[i].name;
+        const bool is_fault = made->parameters[i].spoken != NULL;
+        names[i] = is_fault ? made->parameters[i].spoken : names[i];
+        if (strcmp(names[i], n.text) == 0) {
+            return i;
+        }
+    }
+    source_problem(b->s, n.at, "no tunable and no fault is called '%s'%s", n.text,
+                   source_suggestion(b->s, n.text, names, (size_t)made->parameter_count));
+    return -1;
+}
+
+void build_changes(builder *b)
+{
+    static const double most_ticks = 4294967295.0;
+    mechanism *made = &b->made;
+    made->changes = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *made->changes);
+    for (size_t i = 0; i < b->written->setting_count; i++) {
+        const setting *set = &b->written->settings[i];
+        const int parameter = set->value == NULL ? -1 : parameter_called(b, set->what);
+        if (parameter < 0) {
+            continue;
+        }
+        const variable *of = &made->parameters[parameter];
+        const double ticks = round(value_constant(&b->values, set->time, second, "the time", 0.0) / made->step);
+        const double to = value_constant(&b->values, set->value, of->dimension, of->name, of->start);
+        if (ticks < 0.0 || ticks > most_ticks) {
+            source_problem(b->s, set->time->at, "the time is from 0 to %g s with this step", most_ticks * made->step);
+        }
+        if (to < of->least || to > of->most) {
+            source_problem(b->s, set->value->at, "'%s' is from %g to %g, in SI units", set->what.text, of->least,
+                           of->most);
+        }
+        made->changes[made->change_count++] = (switching){ticks, parameter, to};
     }
 }

@@ -1,4 +1,5 @@
-/* effect KIND { line ... }: what an effect is. effect NAME KIND { operand value ... }: one in the scene. */
+/* effect KIND { line ... }: what an effect is. effect NAME KIND { operand value ... }: one in the scene. And what effects
+ * read, and who switches them: signal NAME = FORMULA, at TIME set NAME = VALUE. */
 #include <string.h>
 
 #include "tools/isoc/scene/formula.h"
@@ -230,4 +231,23 @@ void read_signal(parser *p, const token *word, void *slot)
     q.value = p->failed ? NULL : parse_formula(p);
     made->signals = arena_grow(p->s->memory, made->signals, made->signal_count, &made->signal_room, sizeof q);
     made->signals[made->signal_count++] = q;
+}
+
+void read_setting(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    setting set = {.time = parse_formula(p)};
+    if (!p->failed && !take_word(p, "set")) {
+        parse_problem(p, "expected set, as in: at 2 s set drive.open = 1");
+    }
+    if (!p->failed) {
+        set.what = take_name(p, "expected the name of a tunable, or of a fault: drive.open");
+    }
+    if (!p->failed && !take_sign(p, '=')) {
+        parse_problem(p, "expected = and a value");
+    }
+    set.value = p->failed ? NULL : parse_formula(p);
+    made->settings = arena_grow(p->s->memory, made->settings, made->setting_count, &made->setting_room, sizeof set);
+    made->settings[made->setting_count++] = set;
 }

@@ -127,6 +127,7 @@ static const property statements[] = {
     {"output", read_output, 0, EVERY_KIND | MANY, NULL},
     {"effect", read_effect, 0, EVERY_KIND | MANY, NULL},
     {"signal", read_signal, 0, EVERY_KIND | MANY, NULL},
+    {"at", read_setting, 0, EVERY_KIND | MANY, NULL},
     {"repeat", read_repeat, 0, EVERY_KIND | MANY, NULL},
     {"include", read_include, 0, EVERY_KIND | MANY, NULL},
 };
@@ -178,4 +179,41 @@ scene parse_scene(source *s)
     check_factors(&p, &made);
     check_indices(&p);
     return made;
+}
+
+/* Takes the place of the value of a parameter. */
+static void set_parameter(parser *p, scene *made, const token *called, formula *value)
+{
+    const char **names = arena_take(p->s->memory, made->parameter_count + 1, sizeof *names);
+    for (size_t i = 0; i < made->parameter_count; i++) {
+        names[i] = made->parameters[i].name.text == NULL ? "" : made->parameters[i].name.text;
+        if (strcmp(names[i], called->text) == 0) {
+            made->parameters[i].value = value;
+            return;
+        }
+    }
+    source_problem(p->s, called->at, "no constant or tunable is called '%s'%s", called->text,
+                   source_suggestion(p->s, called->text, names, made->parameter_count));
+}
+
+void scene_set(source *s, scene *made, const script *of)
+{
+    static const block none = {.what = "value"};
+    parser p = {.s = s, .made = made, .statements = &none, .within = &none};
+    p.known = (dictionary){.memory = s->memory};
+    p.next = lex(s, of, source_passage(s, of, 0, of->length, NULL));
+    while (p.next->kind != TOKEN_END && !p.failed) {
+        const token *called = p.next;
+        p.next += called->kind == TOKEN_NAME;
+        if (called->kind != TOKEN_NAME || !take_sign(&p, '=')) {
+            parse_problem(&p, "expected NAME = VALUE");
+        }
+        formula *value = p.failed ? NULL : parse_formula(&p);
+        if (!p.failed) {
+            set_parameter(&p, made, called, value);
+        }
+        if (!p.failed && p.next->kind != TOKEN_END && !take_sign(&p, ';')) {
+            parse_problem(&p, "expected ; and a further NAME = VALUE");
+        }
+    }
 }

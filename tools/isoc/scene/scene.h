@@ -182,6 +182,12 @@ typedef struct effect_use {
     bool broken;
 } effect_use;
 
+/* at TIME set NAME = VALUE: what a tunable, or a fault, is from then on. */
+typedef struct setting {
+    name what; /* begins a struct with a name: EFFECT.FAULT, or a tunable */
+    formula *time, *value;
+} setting;
+
 typedef struct output {
     name name;
     output_kind kind; /* the first row of its word; mechanism/outputs.c finds the right one */
@@ -208,11 +214,12 @@ typedef struct scene {
     quantity *parameters, *inputs, *signals;
     effect_kind *effect_kinds;
     effect_use *effects;
+    setting *settings;
     output *outputs;
     size_t body_count, frame_count, frame_room, joint_count, closure_count, force_count, parameter_count, input_count,
-        output_count, signal_count, effect_kind_count, effect_count;
+        output_count, signal_count, effect_kind_count, effect_count, setting_count;
     size_t body_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room, signal_room,
-        effect_kind_room, effect_room;
+        effect_kind_room, effect_room, setting_room;
 } scene;
 
 #endif
