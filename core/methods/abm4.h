@@ -23,9 +23,37 @@ ISO_INLINE void iso_abm4_take_derivative(const iso_history *const history, const
                         history->past + ISO_ABM4_PREDICTOR * n);
 }
 
+/* (1 - 19/270) w, see below. */
+ISO_INLINE real iso_abm4_late_weight(const real h)
+{
+    const real share = R(1.0) - (real)iso_table_milne.b[0] / (real)iso_table_milne.over;
+    return share * iso_weight(&iso_table_am[3], h, 0);
+}
+
+/* With smooth inputs the last evaluation of a step is made at the start of the next one, with the sample that has come by
+ * then. Where steps are checked, it also shows what the extrapolated inputs of the corrector were off by: the corrector
+ * errs by 19/270 (corrector - predictor) + (1 - 19/270) w (f extrapolated - f), w its weight of that derivative. The
+ * first two of these terms are kept for the next step, behind the sums. */
+ISO_INLINE void iso_abm4_begin(iso_step *const step)
+{
+    const iso_history *const history = step->history;
+    const real weight = iso_abm4_late_weight(step->h);
+    const real *const kept = history->past + ISO_ABM4_SUMS * history->n;
+    real *const derivative = step->work;
+    iso_evaluate(step, derivative, history->x);
+    step->error = R(0.0);
+    if (step->checked) {
+        ISO_UNROLL
+        for (size_t s = 0; s < history->n; s++) {
+            step->error = iso_larger(step->error, kept[s] - weight * derivative[s]);
+        }
+    }
+    iso_abm4_take_derivative(history, step->h, derivative);
+}
+
 /* Predict, then evaluate and correct `corrections` times, then evaluate once more if `evaluate_last`. Local error
  * -19/720 h^5 x^(5), estimated by Milne: 19/270 of the largest difference between predictor and corrector.
- * history->past[ISO_ABM4_SUMS n], work[2 n]. */
+ * history->past[ISO_ABM4_SUMS n], n more where `late` steps are checked, work[2 n]. */
 ISO_INLINE void iso_abm4_correct(iso_step *const step, const uint8_t corrections, const bool evaluate_last)
 {
     const iso_history *const history = step->history;
@@ -33,9 +61,16 @@ ISO_INLINE void iso_abm4_correct(iso_step *const step, const uint8_t corrections
     const real *const predicted = history->past;
     const real *const corrector = history->past + ISO_ABM4_PREDICTOR * n;
     const real weight = iso_weight(&iso_table_am[3], step->h, 0);
+    const real milne = (real)iso_table_milne.b[0] / (real)iso_table_milne.over;
+    const bool late = evaluate_last && step->degree > 0;
     real *const derivative = step->work;
     real *const at = step->work + n;
     real error = R(0.0);
+
+    if (late) {
+        iso_abm4_begin(step);
+    }
+    const real *const u = iso_inputs_at(step, R(1.0));
 
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
@@ -43,24 +78,31 @@ ISO_INLINE void iso_abm4_correct(iso_step *const step, const uint8_t corrections
     }
     ISO_UNROLL
     for (uint8_t i = 1; i < corrections; i++) {
-        iso_evaluate(step, derivative, at);
+        step->f(derivative, at, u, step->p);
         ISO_UNROLL
         for (size_t s = 0; s < n; s++) {
             at[s] = history->x[s] + (weight * derivative[s] + corrector[s]);
         }
     }
-    iso_evaluate(step, derivative, at);
+    step->f(derivative, at, u, step->p);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         const real corrected = weight * derivative[s] + corrector[s];
         error = iso_larger(error, corrected - predicted[s]);
+        if (late && step->checked) {
+            history->past[ISO_ABM4_SUMS * n + s] =
+                milne * (corrected - predicted[s]) + iso_abm4_late_weight(step->h) * derivative[s];
+        }
         iso_advance(history, s, corrected);
+    }
+    if (late) {
+        return;
     }
     if (evaluate_last) {
         iso_evaluate(step, derivative, history->x);
     }
     iso_abm4_take_derivative(history, step->h, derivative);
-    step->error = (real)iso_table_milne.b[0] / (real)iso_table_milne.over * error;
+    step->error = milne * error;
 }
 
 ISO_INLINE void iso_abm4_step(iso_step *const step)
@@ -78,12 +120,30 @@ ISO_INLINE void iso_abm4_pecece_step(iso_step *const step)
     iso_abm4_correct(step, 2, true);
 }
 
+/* The derivatives until now; or where a step begins with that of now, those before it, and an error of zero. */
+static inline void iso_abm4_fill(const iso_step *const step, const bool late)
+{
+    const iso_history *const history = step->history;
+    const real *const derivatives = iso_walk_back(step, ISO_AB4_STEPS, !late);
+    for (uint8_t past = ISO_AB4_STEPS; past-- > 0;) {
+        iso_abm4_take_derivative(history, step->h, derivatives + past * history->n);
+    }
+    if (late && step->checked) {
+        iso_evaluate(step, step->work, history->x);
+        for (size_t s = 0; s < history->n; s++) {
+            history->past[ISO_ABM4_SUMS * history->n + s] = iso_abm4_late_weight(step->h) * step->work[s];
+        }
+    }
+}
+
 static inline void iso_abm4_prime(iso_step *const step)
 {
-    const real *const derivatives = iso_walk_back(step, ISO_AB4_STEPS, true);
-    for (uint8_t past = ISO_AB4_STEPS; past-- > 0;) {
-        iso_abm4_take_derivative(step->history, step->h, derivatives + past * step->history->n);
-    }
+    iso_abm4_fill(step, step->degree > 0);
+}
+
+static inline void iso_abm4_pec_prime(iso_step *const step)
+{
+    iso_abm4_fill(step, false);
 }
 
 #endif

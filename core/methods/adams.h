@@ -399,13 +399,19 @@ static inline bool iso_adams_reject(iso_adams_run *const run, const real estimat
     return true;
 }
 
-/* Tries a sub-step, and accepts it if its error allows. A state that is not finite ends the tick. */
-static inline void iso_adams_attempt(iso_adams_run *const run)
+/* Halves a sub-step whose error was accepted for want of a budget. */
+ISO_INLINE void iso_adams_catch_up(iso_adams_run *const run)
 {
     if (run->state->overdue && iso_adams_can_halve(run)) {
         iso_adams_forget(run);
         iso_adams_halve(run);
     }
+}
+
+/* Tries a sub-step, and accepts it if its error allows. A state that is not finite ends the tick. */
+static inline void iso_adams_attempt(iso_adams_run *const run)
+{
+    iso_adams_catch_up(run);
     run->left--;
     const real estimate = iso_adams_try(run);
     if (estimate > R(1.0) && iso_adams_reject(run, estimate)) {
@@ -458,11 +464,13 @@ ISO_INLINE void iso_adams_start(const iso_adams_options *const options, iso_adam
     iso_adams_begin(&run);
 }
 
-/* Advances the states by one tick with u and p held. work[ISO_ADAMS_VECTORS n]. Returns the largest part of its local
- * error, absolute: the estimates of its sub-steps, added up state by state. */
-ISO_INLINE real iso_adams_tick(const iso_adams_options *const options, iso_adams_state *const state,
-                               const iso_history *const history, iso_derivative *const f, const real h_tick,
-                               const real *const u, const real *const p, real *const work)
+/* Advances the states by one tick with u and p held; smooth inputs are those at the end of each sub-step, of the step
+ * `smooth`, which is NULL where all are held. work[ISO_ADAMS_VECTORS n]. Returns the largest part of its local error,
+ * absolute: the estimates of its sub-steps, added up state by state. */
+ISO_INLINE real iso_adams_advance(const iso_adams_options *const options, iso_adams_state *const state,
+                                  const iso_history *const history, iso_derivative *const f, const real h_tick,
+                                  const real *const u, const real *const p, real *const work,
+                                  const iso_step *const smooth)
 {
     iso_adams_run run = iso_adams_run_of(options, state, history, f, h_tick, u, p, work);
     real largest = R(0.0);
@@ -477,12 +485,24 @@ ISO_INLINE real iso_adams_tick(const iso_adams_options *const options, iso_adams
         iso_adams_take_derivative(&run);
     }
     while (run.remaining > 0) {
+        if (smooth != NULL) {
+            iso_adams_catch_up(&run);
+            run.u = iso_inputs_at(smooth, R(1.0) - (real)(run.remaining - 1) / (real)((uint32_t)1 << state->level));
+        }
         iso_adams_attempt(&run);
     }
     for (size_t s = 0; s < history->n; s++) {
         largest = iso_larger(largest, run.error[s]);
     }
     return largest;
+}
+
+/* The same where all inputs are held. */
+ISO_INLINE real iso_adams_tick(const iso_adams_options *const options, iso_adams_state *const state,
+                               const iso_history *const history, iso_derivative *const f, const real h_tick,
+                               const real *const u, const real *const p, real *const work)
+{
+    return iso_adams_advance(options, state, history, f, h_tick, u, p, work, NULL);
 }
 
 static inline const iso_adams_options *iso_adams_options_of(const iso_step *const step)
@@ -493,8 +513,8 @@ static inline const iso_adams_options *iso_adams_options_of(const iso_step *cons
 /* The interface of every method; step->progress is the start of an iso_adams_state. */
 ISO_INLINE void iso_adams_step(iso_step *const step)
 {
-    step->error = iso_adams_tick(iso_adams_options_of(step), (iso_adams_state *)step->progress, step->history, step->f,
-                                 step->h, step->u, step->p, step->work);
+    step->error = iso_adams_advance(iso_adams_options_of(step), (iso_adams_state *)step->progress, step->history,
+                                    step->f, step->h, step->u, step->p, step->work, step->degree > 0 ? step : NULL);
 }
 
 ISO_INLINE void iso_adams_prime(iso_step *const step)

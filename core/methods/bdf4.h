@@ -69,13 +69,14 @@ ISO_INLINE void iso_bdf4_step(iso_step *const step)
         at[s] = history->x[s] + dx[s];
         past[s] = R(1.0) / (real)table->over * iso_past_increments(history, s, table->b, ISO_BDF4_STEPS - 1);
     }
-    eq->factor(step->lu, at, step->u, step->p, hb);
+    const real *const u = iso_inputs_at(step, R(1.0));
+    eq->factor(step->lu, at, u, step->p, hb);
 
     /* (1 - hb J) correction = past + hb f(x + dx) - dx; the increment is summed separately, since
      * corrections below half an ulp of x would be lost in x. */
     for (uint8_t i = 0; i < step->iterations; i++) {
         *residual = R(0.0);
-        iso_evaluate(step, g, at);
+        step->f(g, at, u, step->p);
         ISO_UNROLL
         for (size_t s = 0; s < n; s++) {
             g[s] = (past[s] + hb * g[s]) - dx[s];
@@ -117,6 +118,7 @@ static inline void iso_bdf4_prime(iso_step *const step)
     const iso_history moving = {.n = n, .x = at, .compensation = compensation};
     iso_step ahead = *step;
     ahead.history = &moving;
+    ahead.degree = 0;
     ahead.h = step->h / (real)SUBSTEPS;
     ahead.work = compensation + n;
     memcpy(at, history->x, n * sizeof *at);

@@ -41,7 +41,14 @@ static inline real iso_combine(const real h_over, const int8_t *const c, const u
     return h_over * sum;
 }
 
-/* k_i = f(x + h sum_j a_ij k_j), x += h sum_i b_i k_i, from k_0 = f(x) on. work[(stages + 1) n], without the last for one
+/* c_i = sum_j a_ij: where in the step stage i is. */
+ISO_INLINE real iso_stage_at(const iso_tableau *const table, const uint8_t i)
+{
+    const int8_t *const a = table->a[i];
+    return (real)(a[0] + a[1] + a[2]) / (real)table->a_over[i];
+}
+
+/* k_i = f(t + c_i h, x + h sum_j a_ij k_j), x += h sum_i b_i k_i, from k_0 = f(x) on. work[(stages + 1) n], without the last for one
  * stage. Local error of order h^(order + 1). Butcher (2016), Numerical Methods for Ordinary Differential Equations, eqs.
  * 221a-d. */
 ISO_INLINE void iso_explicit_step(const iso_tableau *const table, iso_step *const step)
@@ -58,7 +65,7 @@ ISO_INLINE void iso_explicit_step(const iso_tableau *const table, iso_step *cons
         for (size_t s = 0; s < n; s++) {
             at[s] = history->x[s] + iso_combine(h_over, table->a[i], i, k + s, n);
         }
-        iso_evaluate(step, k + i * n, at);
+        iso_evaluate_at(step, iso_stage_at(table, i), k + i * n, at);
     }
 
     const real h_over = step->h / (real)table->b_over;

@@ -45,17 +45,22 @@ enum {
       ISO_FROM_START, R(0.0), iso_ab4_step, iso_ab4_prime)                                                             \
     X(r, ISO_SEMI_IMPLICIT, "semi_implicit", 1,  1, 0, 0,  0, 1, ISO_PRIME_VECTORS,  0, 1,                             \
       ISO_FROM_START, R(0.0), iso_semi_implicit_step, iso_prime_check)                                                 \
-    X(r, ISO_ABM4, "abm4", 4,  2, 0, 0,  ISO_ABM4_SUMS, 2, ISO_PRIME_VECTORS,  7 + ISO_IS_CHECKED(r), 8,               \
+    X(r, ISO_ABM4, "abm4", 4,  2, 0, 0,                                                                                \
+      ISO_ABM4_SUMS + ISO_IS_LATE(r), 2, ISO_PRIME_VECTORS,  7 + ISO_IS_CHECKED(r) + ISO_IS_LATE(r),                   \
+      8 + 2 * ISO_IS_LATE(r),                                                                                          \
       ISO_PREDICTING, R(0.0), iso_abm4_step, iso_abm4_prime)                                                           \
     X(r, ISO_ABM4_PEC, "abm4_pec", 4,  1, 0, 0,  ISO_ABM4_SUMS, 2, ISO_PRIME_VECTORS,  7 + ISO_IS_CHECKED(r), 8,       \
-      ISO_PREDICTING, R(0.0), iso_abm4_pec_step, iso_abm4_prime)                                                       \
-    X(r, ISO_ABM4_PECECE, "abm4_pecece", 4,  3, 0, 0,  ISO_ABM4_SUMS, 2, ISO_PRIME_VECTORS,  9 + ISO_IS_CHECKED(r), 9, \
+      ISO_PREDICTING, R(0.0), iso_abm4_pec_step, iso_abm4_pec_prime)                                                   \
+    X(r, ISO_ABM4_PECECE, "abm4_pecece", 4,  3, 0, 0,                                                                  \
+      ISO_ABM4_SUMS + ISO_IS_LATE(r), 2, ISO_PRIME_VECTORS,  9 + ISO_IS_CHECKED(r) + ISO_IS_LATE(r),                   \
+      9 + 2 * ISO_IS_LATE(r),                                                                                          \
       ISO_PREDICTING, R(0.0), iso_abm4_pecece_step, iso_abm4_prime)                                                    \
     X(r, ISO_BDF4, "bdf4", 4,  ISO_ITERATIONS_OF(r), 1, ISO_ITERATIONS_OF(r),                                          \
       ISO_BDF4_STEPS, 5, ISO_BDF4_PRIME_VECTORS,                                                                       \
       7 + 5 * ISO_ITERATIONS_OF(r) + 5 * ISO_IS_CHECKED(r), 7 + ISO_ITERATIONS_OF(r) + 3 * ISO_IS_CHECKED(r),          \
       ISO_ITERATING, R(0.0), iso_bdf4_step, iso_bdf4_prime)                                                            \
-    X(r, ISO_ROSENBROCK, "rosenbrock", 3,  2, 1, 3 + ISO_IS_CHECKED(r),  0, ISO_ROSENBROCK_VECTORS, 1,  6, 8,          \
+    X(r, ISO_ROSENBROCK, "rosenbrock", 3,  2 + ISO_IS_SMOOTH(r), 1, 3 + ISO_IS_CHECKED(r),                             \
+      0, ISO_ROSENBROCK_VECTORS + ISO_IS_SMOOTH(r), 1,  6 + 4 * ISO_IS_SMOOTH(r), 8 + 3 * ISO_IS_SMOOTH(r),            \
       ISO_FROM_START, iso_table_ros3.gamma, iso_rosenbrock_step, iso_prime_even)                                       \
     X(r, ISO_ADAMS, "adams", 4,  2, 0, 0,  ISO_ADAMS_ROWS, ISO_ADAMS_VECTORS, ISO_ADAMS_VECTORS,  0, 0,                \
       ISO_VARYING, R(0.0), iso_adams_step, iso_adams_prime)
@@ -76,6 +81,7 @@ enum {
     ISO_METHOD_BITS = 0xF,
     ISO_COMPENSATED = 0x10, /* compensated sums of increments (Kahan-Babuska) */
     ISO_CHECKED = 0x20,     /* the local error of every step is estimated */
+    ISO_SMOOTH = 0x40,      /* inputs are samples of continuous signals: core/methods/inputs.h */
 };
 
 #define ISO_ITERATIONS(count) ((count) << 8) /* of Newton, for bdf4; default: 2 */
@@ -95,6 +101,10 @@ enum {
 #define ISO_ITERATIONS_OF(recipe) (((recipe) >> 8) == 0 ? 2 : (int)((recipe) >> 8))
 #define ISO_IS_COMPENSATED(recipe) (((recipe)&ISO_COMPENSATED) != 0)
 #define ISO_IS_CHECKED(recipe) (((recipe)&ISO_CHECKED) != 0)
+#define ISO_IS_SMOOTH(recipe) (((recipe)&ISO_SMOOTH) != 0)
+
+/* Whether the error of a step is known only at the start of the next one, by a predictor and a corrector. */
+#define ISO_IS_LATE(recipe) (ISO_IS_CHECKED(recipe) && ISO_IS_SMOOTH(recipe))
 
 /* A column of its row; constant expressions of type int. */
 #define ISO_COLUMN(recipe, column) (0 ISO_METHOD_LIST(column, recipe))
@@ -136,6 +146,17 @@ enum {
  * pass through zero in all states at about the same time; then the next term decides. */
 #define ISO_CHECK_KEPT(recipe) (ISO_CHECKS_DERIVATIVES(recipe) ? ISO_ORDER_OF(recipe) + 1 : 0)
 
+/* The degree of the polynomial of smooth inputs: one less than the order, so that the order is kept; none where all
+ * evaluations are at the start of a step. */
+#define ISO_AT_STARTS(recipe) (ISO_KIND_OF(recipe) == ISO_FROM_START && ISO_PAST_KEPT(recipe) > 0)
+#define ISO_DEGREE(recipe) (ISO_IS_SMOOTH(recipe) && !ISO_AT_STARTS(recipe) ? ISO_ORDER_OF(recipe) - 1 : 0)
+
+/* Whether its estimate of the local error is without that of the extrapolation, which shows at the next sample only. */
+#define ISO_TELLS_NO_INPUTS(recipe) (ISO_IS(recipe, ISO_ABM4_PEC) || ISO_IS_ITERATING(recipe) || ISO_IS_VARYING(recipe))
+
+/* Reals behind u: samples of the inputs. */
+#define ISO_METHOD_SAMPLES(recipe, inputs) ISO_SAMPLE_REALS(ISO_DEGREE(recipe), inputs)
+
 /* Vectors of n reals behind the state: the history of the method, its check, the compensation. */
 #define ISO_HISTORY_KEPT(recipe) (ISO_PAST_KEPT(recipe) + ISO_CHECK_KEPT(recipe))
 #define ISO_VECTORS_KEPT(recipe) (ISO_HISTORY_KEPT(recipe) + (ISO_IS_COMPENSATED(recipe) ? 1 : 0))
@@ -146,7 +167,8 @@ enum {
 /* Reals of x: the n states, and behind them the history. */
 #define ISO_METHOD_STATE(recipe, n) ((n) * (size_t)(1 + ISO_VECTORS_KEPT(recipe)))
 
-/* Reals of work space of a step, without the factors of an implicit method; and of priming. */
+/* Reals of work space of a step, without the factors of an implicit method; and of priming. Where the degree is above
+ * zero, there is room for the inputs before it. */
 #define ISO_METHOD_WORK(recipe, n) ((n) * (size_t)ISO_COLUMN(recipe, ISO_WORK_CELL))
 #define ISO_METHOD_PRIME_WORK(recipe, n) (ISO_IS_PRIMED(recipe) ? (n) * (size_t)ISO_COLUMN(recipe, ISO_PRIME_CELL) : 1)
 
@@ -165,11 +187,38 @@ ISO_INLINE iso_step iso_step_of(const unsigned recipe, const iso_history *const 
                                 const real h, const real *const u, const real *const p, real *const lu,
                                 real *const work, iso_progress *const progress)
 {
-    return (iso_step){history, eq,      eq->derivative, h, u, p, lu, work, (uint8_t)ISO_ITERATIONS_OF(recipe),
-                      R(0.0),  progress};
+    return (iso_step){history,
+                      eq,
+                      eq->derivative,
+                      h,
+                      u,
+                      p,
+                      lu,
+                      ISO_DEGREE(recipe) > 0 ? work + eq->held : work,
+                      (uint8_t)ISO_ITERATIONS_OF(recipe),
+                      R(0.0),
+                      progress,
+                      (uint8_t)ISO_DEGREE(recipe),
+                      ISO_IS_CHECKED(recipe)};
 }
 
-/* Advances the n states of x[ISO_METHOD_STATE(recipe, n)] by h with u and p held. lu[eq->factors] only for implicit
+/* Before a step: takes the samples of its inputs, which are behind u: ISO_METHOD_SAMPLES(recipe, inputs). */
+ISO_INLINE void iso_method_sample(const unsigned recipe, const iso_equations *const eq, real *const u)
+{
+    if (ISO_DEGREE(recipe) > 0) {
+        iso_take_samples(eq, (uint8_t)ISO_DEGREE(recipe), u);
+    }
+}
+
+/* After a discontinuity, before iso_method_prime: forgets the samples. */
+ISO_INLINE void iso_method_forget(const unsigned recipe, const iso_equations *const eq, real *const u)
+{
+    if (ISO_DEGREE(recipe) > 0) {
+        iso_forget_samples(eq, (uint8_t)ISO_DEGREE(recipe), u);
+    }
+}
+
+/* Advances the n states of x[ISO_METHOD_STATE(recipe, n)] by h with p held, and u but for smooth inputs. lu[eq->factors] only for implicit
  * methods, work[ISO_METHOD_WORK(recipe, n)]; progress where ISO_HAS_PROGRESS(recipe), of adams an iso_adams_state. */
 ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso_equations *const eq, const real h,
                                 real *const x, const real *const u, const real *const p, real *const lu,

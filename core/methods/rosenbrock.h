@@ -9,12 +9,14 @@
 
 #include "core/methods/step.h"
 
-/* A linearly implicit method: (1 - h gamma J) k_i = h gamma (f(x + sum_j a_ij k_j) + sum_j c_ij k_j / h), x += sum_i
- * m_i k_i. Hairer and Wanner (1996), Solving Ordinary Differential Equations II, eq. IV.7.25. */
+/* A linearly implicit method: (1 - h gamma J) k_i = h gamma (f(t + alpha_i h, x + sum_j a_ij k_j) + gamma_i h f_t + sum_j
+ * c_ij k_j / h), x += sum_i m_i k_i, where f_t is df/dt at the start. Hairer and Wanner (1996), Solving Ordinary
+ * Differential Equations II, eq. IV.7.25. */
 enum { ISO_ROSENBROCK_STAGES = 3 };
 
 typedef struct iso_rosenbrock {
     real gamma;
+    real gammas[ISO_ROSENBROCK_STAGES]; /* gamma_i; alpha_i is 0, then gamma */
     real a21; /* also a31; a32 is zero, so that the second and third stage share an evaluation */
     real c21, c31, c32;
     real m[ISO_ROSENBROCK_STAGES];
@@ -24,6 +26,7 @@ typedef struct iso_rosenbrock {
  * 3459-3472. */
 static const iso_rosenbrock iso_table_ros3 = {
     .gamma = R(0.43586652150845899942),
+    .gammas = {R(0.43586652150845899942), R(0.24291996454816804366), R(2.1851380027664058512)},
     .a21 = R(1.0),
     .c21 = R(-1.0156171083877702092),
     .c31 = R(4.0759956452537699825),
@@ -31,9 +34,30 @@ static const iso_rosenbrock iso_table_ros3 = {
     .m = {R(1.0), R(6.1697947043828245593), R(-0.42772256543218573326)},
 };
 
-/* One step of iso_table_ros3, from the derivative and the factors at the start. work[ISO_ROSENBROCK_VECTORS n]. Local
- * error of order h^4. */
+/* h f_t = f(x, u + h u') - f(x, u), u' the rate of the inputs: exact where f is affine in its inputs, as the equations of
+ * a scene are, since an input is an effort. One evaluation. */
+ISO_INLINE void iso_input_drift(const iso_step *const step, const real *const derivative, real *const drift)
+{
+    real *const at = iso_inputs_room(step);
+    iso_input_ahead(step->equations, step->degree, step->u, at);
+    step->f(drift, step->history->x, at, step->p);
+    ISO_UNROLL
+    for (size_t s = 0; s < step->history->n; s++) {
+        drift[s] -= derivative[s];
+    }
+}
+
+/* One step of iso_table_ros3, from the derivative and the factors at the start. work[ISO_ROSENBROCK_VECTORS n], and one
+ * more where inputs are smooth. Local error of order h^4. */
 enum { ISO_ROSENBROCK_VECTORS = 5 };
+
+/* h gamma (f + gamma_i h f_t) of a stage. */
+ISO_INLINE real iso_rosenbrock_slope(const iso_step *const step, const size_t stage, const real derivative,
+                                     const real *const drift)
+{
+    const real h_gamma = step->h * iso_table_ros3.gamma;
+    return step->degree == 0 ? h_gamma * derivative : h_gamma * (derivative + iso_table_ros3.gammas[stage] * *drift);
+}
 
 ISO_INLINE void iso_rosenbrock_step(iso_step *const step)
 {
@@ -41,31 +65,35 @@ ISO_INLINE void iso_rosenbrock_step(iso_step *const step)
     const iso_history *const history = step->history;
     const iso_equations *const eq = step->equations;
     const size_t n = history->n;
-    const real h_gamma = step->h * table->gamma;
     real *const derivative = step->work;
     real *const k1 = step->work + n;
     real *const k2 = step->work + 2 * n;
     real *const k3 = step->work + 3 * n;
     real *const at = step->work + 4 * n;
+    real *const drift = step->work + 5 * n;
 
+    if (step->degree > 0) {
+        iso_input_drift(step, derivative, drift);
+    }
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        k1[s] = h_gamma * derivative[s];
+        k1[s] = iso_rosenbrock_slope(step, 0, derivative[s], drift + s);
     }
     eq->solve(k1, step->lu);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         at[s] = history->x[s] + table->a21 * k1[s];
     }
-    iso_evaluate(step, derivative, at);
+    iso_evaluate_at(step, table->gamma, derivative, at);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        k2[s] = h_gamma * derivative[s] + table->gamma * table->c21 * k1[s];
+        k2[s] = iso_rosenbrock_slope(step, 1, derivative[s], drift + s) + table->gamma * table->c21 * k1[s];
     }
     eq->solve(k2, step->lu);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        k3[s] = h_gamma * derivative[s] + (table->gamma * table->c31 * k1[s] + table->gamma * table->c32 * k2[s]);
+        k3[s] = iso_rosenbrock_slope(step, 2, derivative[s], drift + s) +
+                (table->gamma * table->c31 * k1[s] + table->gamma * table->c32 * k2[s]);
     }
     eq->solve(k3, step->lu);
     ISO_UNROLL

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 
 #include "core/methods/history.h"
+#include "core/methods/inputs.h"
 #include "core/methods/progress.h"
 
 /* The arguments and results of a step, or of the priming of a method. */
@@ -13,18 +14,45 @@ typedef struct iso_step {
     const iso_equations *equations;
     iso_derivative *f; /* of the equations */
     real h;
-    const real *u; /* inputs and parameters, held over the step */
+    const real *u; /* inputs and parameters, held over the step but for smooth inputs, */
     const real *p;
     real *lu;   /* [factors] of an implicit method; on entry those of 1 - h gamma J at the start, if it needs them */
     real *work; /* work space; on entry the first [n] are the derivative at the start, if the method needs it */
     uint8_t iterations; /* of Newton */
     real error;         /* the local error of this step, if the method has its own estimate */
     iso_progress *progress;
+    uint8_t degree; /* of the polynomial of smooth inputs; 0 where none is. Their samples are behind u, and room for the
+                       inputs is before `work` */
+    bool checked;   /* then whether the local error is asked for */
 } iso_step;
 
+/* With the inputs at the start of the step. */
 ISO_INLINE void iso_evaluate(const iso_step *const step, real *const derivative, const real *const x)
 {
     step->f(derivative, x, step->u, step->p);
+}
+
+/* [held] of work space. */
+ISO_INLINE real *iso_inputs_room(const iso_step *const step)
+{
+    return step->work - step->equations->held;
+}
+
+/* The inputs at a part c of the step, until the next call. */
+ISO_INLINE const real *iso_inputs_at(const iso_step *const step, const real c)
+{
+    if (step->degree == 0) {
+        return step->u;
+    }
+    real *const at = iso_inputs_room(step);
+    iso_extrapolate(step->equations, step->degree, step->u, c, at);
+    return at;
+}
+
+/* With those. */
+ISO_INLINE void iso_evaluate_at(const iso_step *const step, const real c, real *const derivative, const real *const x)
+{
+    step->f(derivative, x, iso_inputs_at(step, c), step->p);
 }
 
 /* Computes the derivative at the start of a step and, if gamma is not zero, the factors of 1 - h gamma J there. If steps

@@ -175,6 +175,29 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
     return write_files(&files) && write_out(summary.bytes, summary.length);
 }
 
+/* What the reading of the inputs and the method make of each other. */
+static void warn_of_inputs(const source *s, const scene *written, unsigned recipe)
+{
+    const char *method = method_names[ISO_METHOD_OF(recipe)];
+    for (size_t i = 0; i < written->input_count; i++) {
+        const quantity *q = &written->inputs[i];
+        if (!q->smooth && ISO_PAST_KEPT(recipe) > 0) {
+            source_warn(s, q->name.at,
+                        "the input '%s' is held, and %s has a history: where the input changes at every tick, %s is of "
+                        "order %s; take %s, or 'input %s smooth' for samples of a continuous signal",
+                        q->name.text, method, method, ISO_IS_VARYING(recipe) ? "two" : "one",
+                        ISO_IS_IMPLICIT(recipe) ? "rosenbrock" : "rk4", q->name.text);
+            return;
+        }
+        if (q->smooth && ISO_IS_CHECKED(recipe) && ISO_TELLS_NO_INPUTS(recipe)) {
+            source_warn(s, q->name.at,
+                        "the local error that %s tells is without that of the extrapolated input '%s'; take %s", method,
+                        q->name.text, ISO_IS_IMPLICIT(recipe) ? "rosenbrock" : "abm4");
+            return;
+        }
+    }
+}
+
 static bool write_graph(arena *memory, const scene *written)
 {
     text drawing = {.memory = memory};
@@ -238,6 +261,7 @@ static bool compile(arena *memory, const options *o)
             start_check(&s, &g, &p);
         }
         if (s.problem_count == 0) {
+            warn_of_inputs(&s, &written, m.recipe);
             return write_plant(memory, o, &p, &g);
         }
     }

@@ -115,7 +115,10 @@ static void emit_memory(const emission *e)
     } else {
         text_add(e->out, "    real x[%s_STATES];\n", capitals);
     }
-    if (held_count(m) > 0) {
+    if (ISO_IS_SMOOTH(m->recipe)) {
+        text_add(e->out, "    real u[%s + %s_INPUTS * %d + 1]; /* behind the inputs their samples */\n", held_size(e),
+                 capitals, ISO_DEGREE(m->recipe) + 1);
+    } else if (held_count(m) > 0) {
         text_add(e->out, "    real u[%s];\n", held_size(e));
     }
     if (m->parameter_count > 0) {
@@ -132,7 +135,7 @@ static void emit_memory(const emission *e)
     if (can_jump(m) && m->input_count > 0) {
         text_add(e->out, "    real last_u[%s_INPUTS];\n", capitals);
     }
-    if (can_jump(m) && m->parameter_count > 0) {
+    if (watches_parameters(m)) {
         text_add(e->out, "    real last_p[%s_PARAMETERS];\n", capitals);
     }
     text_add(e->out, "} %s_memory;\n\n", e->names->prefix);

@@ -12,11 +12,12 @@ typedef struct emission {
     double culprit; /* a constant that leaves the range of real; else 0 */
 } emission;
 
-/* Whether the method keeps something that must be filled before the first step. */
+/* Whether the plant keeps something that a start or a restart sets: the method's history, samples of smooth inputs. */
 bool is_primed(const mechanism *m);
 
-/* Whether it is a history that a jump of an input or a change of a parameter makes useless. */
+/* Whether a jump of an input, or a change of a parameter, makes that useless; and whether the latter can. */
 bool can_jump(const mechanism *m);
+bool watches_parameters(const mechanism *m);
 
 /* Where a step tells how it went; NULL, as C, where it does not. */
 const char *progress_of(const mechanism *m);

@@ -5,12 +5,17 @@
 
 bool is_primed(const mechanism *m)
 {
-    return ISO_IS_PRIMED(m->recipe);
+    return ISO_IS_PRIMED(m->recipe) || ISO_DEGREE(m->recipe) > 0;
+}
+
+bool watches_parameters(const mechanism *m)
+{
+    return m->parameter_count > 0 && ISO_IS_PRIMED(m->recipe);
 }
 
 bool can_jump(const mechanism *m)
 {
-    bool jumps = m->parameter_count > 0;
+    bool jumps = watches_parameters(m);
     for (int i = 0; i < m->input_count; i++) {
         jumps = jumps || m->jumps[i] > 0.0;
     }
@@ -29,6 +34,7 @@ static const char *recipe_symbol(arena *memory, unsigned recipe)
 {
     const char *options = ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "";
     options = arena_format(memory, "%s%s", options, ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "");
+    options = arena_format(memory, "%s%s", options, ISO_IS_SMOOTH(recipe) ? " | ISO_SMOOTH" : "");
     if (recipe >> 8 != 0) {
         options = arena_format(memory, "%s | ISO_ITERATIONS(%u)", options, recipe >> 8);
     }
@@ -52,10 +58,26 @@ static void emit_adams(emission *e)
     text_add(e->out, "    .level_max = %s,\n};\n\n", m->substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
 }
 
+/* Which inputs a method extrapolates. */
+static void emit_smooth(emission *e)
+{
+    const mechanism *m = e->p->m;
+    text_add(e->out, "static const bool smooth[%s_INPUTS] = {\n", e->names->capitals);
+    for (int i = 0; i < m->input_count; i++) {
+        if (m->smooth[i]) {
+            text_add(e->out, "    [%s] = true,\n", e->names->leaves.inputs[i].place);
+        }
+    }
+    text_add(e->out, "};\n\n");
+}
+
 /* The functions of the plant as a method takes them. */
 static void emit_equations(emission *e)
 {
     const plant *p = e->p;
+    if (ISO_IS_SMOOTH(p->m->recipe)) {
+        emit_smooth(e);
+    }
     if (ISO_IS_VARYING(p->m->recipe)) {
         emit_adams(e);
     }
@@ -65,6 +87,10 @@ static void emit_equations(emission *e)
     }
     if (p->rate_count > 0) {
         text_add(e->out, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
+    }
+    if (ISO_IS_SMOOTH(p->m->recipe)) {
+        text_add(e->out, "    .held = %s,\n    .inputs = %s_INPUTS,\n    .smooth = smooth,\n", held_size(e),
+                 e->names->capitals);
     }
     text_add(e->out, "%s};\n\n", ISO_IS_VARYING(p->m->recipe) ? "    .adams = &options,\n" : "");
 }
@@ -76,7 +102,7 @@ static void emit_remember(emission *e)
     text_add(e->out, "static void remember(%s_memory *const memory)\n{\n", e->names->prefix);
     text_add(e->out, "%s", m->input_count > 0 ? "    memcpy(memory->last_u, memory->u, sizeof memory->last_u);\n" : "");
     text_add(e->out, "%s",
-             m->parameter_count > 0 ? "    memcpy(memory->last_p, memory->p, sizeof memory->last_p);\n" : "");
+             watches_parameters(m) ? "    memcpy(memory->last_p, memory->p, sizeof memory->last_p);\n" : "");
     text_add(e->out, "}\n\n");
 }
 
@@ -93,7 +119,7 @@ static void emit_jumped(emission *e)
                      code_literal(e->out->memory, m->jumps[i], e->p->is_double));
         }
     }
-    for (int i = 0; i < m->parameter_count; i++) {
+    for (int i = 0; i < m->parameter_count && watches_parameters(m); i++) {
         const char *at = e->names->leaves.parameters[i].place;
         text_add(e->out, "    jump |= memory->p[%s] != memory->last_p[%s];\n", at, at);
     }
@@ -110,7 +136,8 @@ static void emit_call(emission *e, const char *function, const char *size)
 {
     const mechanism *m = e->p->m;
     const char *recipe = recipe_symbol(e->out->memory, m->recipe), *capitals = e->names->capitals;
-    text_add(e->out, "    real work[%s(%s, %s_STATES)];\n", size, recipe, capitals);
+    text_add(e->out, "    real work[%s(%s, %s_STATES)%s];\n", size, recipe, capitals,
+             ISO_IS_SMOOTH(m->recipe) ? arena_format(e->out->memory, " + %s", held_size(e)) : "");
     if (ISO_IS_IMPLICIT(m->recipe)) {
         text_add(e->out, "    real lu[%d];\n", e->p->j.factor_count);
     }
@@ -120,10 +147,22 @@ static void emit_call(emission *e, const char *function, const char *size)
     text_add(e->out, "                    %s);\n", progress_of(m));
 }
 
+/* What is done about the samples of smooth inputs before a step or a restart. */
+static void emit_samples(emission *e, const char *function)
+{
+    const unsigned recipe = e->p->m->recipe;
+    if (ISO_IS_SMOOTH(recipe)) {
+        text_add(e->out, "    %s(%s, &equations, memory->u);\n", function, recipe_symbol(e->out->memory, recipe));
+    }
+}
+
 static void emit_prime(emission *e)
 {
     begin_function(e, "static void prime");
-    emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
+    emit_samples(e, "iso_method_forget");
+    if (ISO_IS_PRIMED(e->p->m->recipe)) {
+        emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
+    }
     text_add(e->out, "%s}\n\n", can_jump(e->p->m) ? "    remember(memory);\n" : "");
 }
 
@@ -217,6 +256,14 @@ static void emit_check(emission *e)
     text_add(e->out, "_Static_assert(sizeof((%s_memory *)0)->x == ISO_METHOD_STATE(%s, %s_STATES) * sizeof(real),\n",
              e->names->prefix, recipe_symbol(e->out->memory, e->p->m->recipe), e->names->capitals);
     text_add(e->out, "    \"made for another version of core/methods/method.h\");\n\n");
+    if (ISO_IS_SMOOTH(e->p->m->recipe)) {
+        const char *capitals = e->names->capitals;
+        text_add(
+            e->out,
+            "_Static_assert(sizeof((%s_memory *)0)->u == (%s + ISO_METHOD_SAMPLES(%s, %s_INPUTS)) * sizeof(real),\n",
+            e->names->prefix, held_size(e), recipe_symbol(e->out->memory, e->p->m->recipe), capitals);
+        text_add(e->out, "    \"made for another version of core/methods/inputs.h\");\n\n");
+    }
 }
 
 void emit_step(emission *e)
@@ -233,6 +280,7 @@ void emit_step(emission *e)
     }
     begin_function(e, is_flat(e) ? "ISO_FLAT static void step" : "static void step");
     for_turns(e, emit_before_turn);
+    emit_samples(e, "iso_method_sample");
     emit_call(e, "iso_method_step", "ISO_METHOD_WORK");
     emit_after(e);
     text_add(e->out, "}\n\n");

@@ -218,6 +218,7 @@ typedef struct mechanism {
     bool *driven;  /* inputs that are functions of time; the others are the port's */
     node *drives;  /* the inputs as functions of time, then the clocks */
     double *jumps; /* the change of an input that restarts the method; 0: none */
+    bool *smooth;  /* inputs that are samples of continuous signals */
 
     shown *outputs;
     size_t output_count;

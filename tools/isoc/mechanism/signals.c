@@ -8,6 +8,20 @@ static bool same_name(name a, name b)
     return a.text != NULL && b.text != NULL && strcmp(a.text, b.text) == 0;
 }
 
+/* Which inputs are smooth; the recipe says so if the method extrapolates them. */
+static void build_smooth(builder *b)
+{
+    mechanism *made = &b->made;
+    bool any = false;
+    made->smooth = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->smooth);
+    for (size_t i = 0; i < b->written->input_count; i++) {
+        made->smooth[i] = b->written->inputs[i].smooth;
+        any = any || made->smooth[i];
+    }
+    const unsigned smooth = made->recipe | ISO_SMOOTH;
+    made->recipe = any && ISO_DEGREE(smooth) > 0 ? smooth : made->recipe;
+}
+
 /* What joints and forces say of an input: whether it is a torque, or a force. */
 static void find_uses(const builder *b, name input, bool *force, bool *torque)
 {
@@ -85,6 +99,7 @@ void build_inputs(builder *b)
     for (int i = 0; i < made->clocks.count; i++) {
         made->drives[made->input_count + i] = made->clocks.all[i].of_tick;
     }
+    build_smooth(b);
     b->values.time_allowed = true;
     graph_section(b->g, "Inputs as functions of time");
     for (int i = 0; i < made->input_count; i++) {

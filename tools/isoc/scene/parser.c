@@ -81,6 +81,7 @@ static void read_input_statement(parser *p, const token *word, void *slot)
     scene *made = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the input")};
     q.has_unit = !p->failed && take_unit(p, &q.unit);
+    q.smooth = !p->failed && !take_word(p, "held") && take_word(p, "smooth");
     if (!p->failed && take_word(p, "jump")) {
         q.jump = parse_formula(p);
     }

@@ -65,7 +65,7 @@ static void print_note(const located *p)
     }
 }
 
-static void report_one(const located *p)
+static void report_one(const located *p, const char *kind)
 {
     const char *text = p->of->text;
     size_t start = p->offset, end = p->offset, line = 1;
@@ -78,7 +78,7 @@ static void report_one(const located *p)
     for (size_t i = 0; i < start; i++) {
         line += text[i] == '\n';
     }
-    fprintf(stderr, "%s:%zu:%zu: error: %s", p->of->path, line, 1 + print_part(p->of, start, p->offset, false),
+    fprintf(stderr, "%s:%zu:%zu: %s: %s", p->of->path, line, 1 + print_part(p->of, start, p->offset, false), kind,
             p->message);
     print_note(p);
 
@@ -113,13 +113,17 @@ static int by_text_and_reading(const void *left, const void *right)
     return order != 0 ? order : a->first < b->first ? -1 : a->first > b->first;
 }
 
+static located locate_one(const source *s, const problem *p)
+{
+    const passage *in = source_find(s, p->at);
+    return (located){in->of, in->offset + (p->at - in->from), p->at, p->message, in->note, 0};
+}
+
 /* The problems in the order of the text, each once: returns their number. */
 static size_t locate(const source *s, located *all)
 {
     for (size_t i = 0; i < s->problem_count; i++) {
-        const problem *p = &s->problems[i];
-        const passage *in = source_find(s, p->at);
-        all[i] = (located){in->of, in->offset + (p->at - in->from), p->at, p->message, in->note, 0};
+        all[i] = locate_one(s, &s->problems[i]);
     }
     qsort(all, s->problem_count, sizeof *all, by_text_and_reading);
     size_t kept = 0;
@@ -140,11 +144,22 @@ void source_report(source *s)
     located *all = arena_take(s->memory, s->problem_count + 1, sizeof *all);
     const size_t count = s->problem_count == 0 ? 0 : locate(s, all);
     for (size_t i = 0; i < count && i < PROBLEMS_SHOWN; i++) {
-        report_one(&all[i]);
+        report_one(&all[i], "error");
     }
     if (count > PROBLEMS_SHOWN) {
         fprintf(stderr, "%s: %zu more errors\n", s->path, count - PROBLEMS_SHOWN);
     }
+}
+
+void source_warn(const source *s, place at, const char *format, ...)
+{
+    char message[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    const located found = locate_one(s, &(problem){at, message});
+    report_one(&found, "warning");
 }
 
 const char *source_suggestion(source *s, const char *typed, const char *const *names, size_t count)

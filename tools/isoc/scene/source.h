@@ -72,6 +72,9 @@ const char *source_name(const source *s);
 /* "line 3", "line 3 of legs.scene", "line 3 (i = 2)". */
 const char *source_line(const source *s, place at);
 
+/* Prints what works, but hardly as it is meant, in the form of a problem: path:line:column: warning: message. */
+void source_warn(const source *s, place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
 /* The line of a place, without indentation, comment and opening brace, as words for a comment in C. */
 const char *source_quote(const source *s, place at);
 

@@ -1,0 +1,70 @@
+#!/bin/sh
+# Inputs that change at every tick, held and smooth: the order of every method, the samples in the plant's memory, what isoc
+# warns of, the same bits and one count on host and board.
+. tests/host/test.sh
+. tests/host/project.sh
+. tests/host/bits.sh
+begin inputs
+mkdir -p "$out/hash" "$out/plant" "$out/run"
+scene=tests/inputs/loop.scene
+
+build/isoc $scene -o "$out/order" --real double >/dev/null &&
+    EXTRA="-DPLANT=\"$out/order/plant.c\"" program order.run tests/inputs/order.c tests/order/plant.c tests/host/report.c
+result $? "the plant builds"
+joined order "$out/order.run"
+
+# Three plants in one program: with inputs that are held, smooth, and smooth with a jump.
+sed 's/ smooth$//' $scene >"$out/held.scene"
+sed 's/ smooth$/ smooth jump 1 N*m/; s/force smooth jump 1 N.m/force smooth jump 1 N/' $scene >"$out/jump.scene"
+for method in heun rk4 rosenbrock; do
+    rm -rf "$out/three" && build/isoc "$out/held.scene" --name held --method $method -o "$out/three" --real double >/dev/null &&
+        build/isoc $scene --name smooth --method $method -o "$out/three" --real double >/dev/null &&
+        build/isoc "$out/jump.scene" --name jump --method $method -o "$out/three" --real double >/dev/null &&
+        EXTRA="-I$out/three" program "three_$method.run" tests/inputs/three.c "$out/three"/*.c tests/host/report.c
+    result $? "three plants with $method build"
+    joined "$method" "$out/three_$method.run"
+done
+
+# warned METHOD SCENE PATTERN: isoc accepts the scene, and says this; nothing, if there is no pattern.
+warned()
+{
+    build/isoc "$2" --method "$1" -o "$out/warned" >/dev/null 2>"$out/errors" &&
+        if [ -n "$3" ]; then grep -q "^$2:[0-9]*:7: warning: .*$3" "$out/errors"; else [ ! -s "$out/errors" ]; fi
+    expect $? "$1, $(basename "$2" .scene): ${3:-no warning}"
+}
+
+for method in euler heun rk4 semi_implicit rosenbrock; do
+    warned $method "$out/held.scene" ''
+done
+for method in ab4 abm4 abm4_pec abm4_pecece; do
+    warned $method "$out/held.scene" "'force' is held, and $method has a history: .* order one; take rk4, or 'input force smooth'"
+    warned $method $scene ''
+done
+warned bdf4 "$out/held.scene" "order one; take rosenbrock"
+warned adams "$out/held.scene" "order two; take rk4"
+{ cat $scene && echo 'checked yes'; } >"$out/checked.scene"
+warned bdf4 "$out/checked.scene" "without that of the extrapolated input 'force'; take rosenbrock"
+warned abm4_pec "$out/checked.scene" "without that of the extrapolated input 'force'; take abm4"
+for method in rk4 ab4 abm4 abm4_pecece rosenbrock; do
+    warned $method "$out/checked.scene" ''
+done
+
+# The word held is the default.
+mkdir -p "$out/said" && sed 's/ smooth$/ held/' $scene >"$out/said/loop.scene"
+build/isoc "$out/said/loop.scene" --method rk4 -o "$out/one" >/dev/null && sed 's/ held / /; s/ held$//' "$out/one/plant.c" >"$out/said.c" &&
+    build/isoc "$out/held.scene" --method rk4 -o "$out/two" >/dev/null && sed 's/held[.]scene/loop.scene/; s/"held"/"loop"/' "$out/two/plant.c" |
+    cmp -s - "$out/said.c"
+result $? "held is what an input is by itself"
+
+# The same bits, and one count: functions of time as samples.
+sed 's/^input force smooth/& = 8 N * sin(5 Hz)/; s/^input torque smooth/input torque = 1 N*m * sin(2 Hz)/' $scene >"$out/waves.scene"
+real float
+for where in 'host sim cc' 'board mps2 arm-none-eabi-gcc'; do
+    # shellcheck disable=SC2086
+    set -- $where
+    variant "$1" "$2" "$3" -O2
+    for method in rk4 abm4 bdf4 rosenbrock adams; do
+        same "$out/waves.scene" $method
+    done
+done
+finish
