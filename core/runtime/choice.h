@@ -27,6 +27,13 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                "factor and solve, and define ISO_HAS_JACOBIAN before choice.h");
 #endif
 
+/* A plant whose inputs are smooth says so before it includes this; its equations then have held, inputs and smooth. */
+#ifdef ISO_HAS_SMOOTH_INPUTS
+#define ISO_RECIPE (ISO_METHOD | ISO_SMOOTH)
+#else
+#define ISO_RECIPE ISO_METHOD
+#endif
+
 /* The step as a number, as text, and as the port's tick. */
 #define ISO_STEP_SIZE ISO_EXPAND(R, ISO_STEP)
 #define ISO_METHOD_TEXT ISO_EXPAND(ISO_STRING, ISO_METHOD_NAME)
@@ -38,7 +45,7 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
 #define ISO_PLANT_MEMORY(state_count, input_count, parameter_count, output_count)                                      \
     typedef struct plant_memory {                                                                                      \
         real x[ISO_METHOD_STATE(ISO_METHOD, state_count)];                                                             \
-        real u[(input_count) > 0 ? (input_count) : 1];                                                                 \
+        real u[((input_count) > 0 ? (input_count) : 1) + ISO_METHOD_SAMPLES(ISO_RECIPE, input_count)];                 \
         real p[(parameter_count) > 0 ? (parameter_count) : 1];                                                         \
         real y[(output_count) > 0 ? (output_count) : 1];                                                               \
         iso_any_progress progress;                                                                                     \
@@ -56,16 +63,20 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
     static void prime(void *const instance)                                                                            \
     {                                                                                                                  \
         plant_memory *const memory = instance;                                                                         \
-        real work[ISO_METHOD_PRIME_WORK(ISO_METHOD, state_count)], lu[(state_count) * (state_count)];                  \
-        iso_method_prime(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory->x, memory->u, memory->p, lu,      \
+        real work[ISO_METHOD_PRIME_WORK(ISO_RECIPE, state_count) + ISO_ROOM(input_count)];                             \
+        real lu[(state_count) * (state_count)];                                                                        \
+        iso_method_forget(ISO_RECIPE, &equations, memory->u);                                                          \
+        iso_method_prime(ISO_RECIPE, state_count, &equations, ISO_STEP_SIZE, memory->x, memory->u, memory->p, lu,      \
                          work, &memory->progress.progress);                                                            \
     }                                                                                                                  \
                                                                                                                        \
     ISO_FLAT static void step(void *const instance)                                                                    \
     {                                                                                                                  \
         plant_memory *const memory = instance;                                                                         \
-        real work[ISO_METHOD_WORK(ISO_METHOD, state_count)], lu[(state_count) * (state_count)];                        \
-        iso_method_step(ISO_METHOD, state_count, &equations, ISO_STEP_SIZE, memory->x, memory->u, memory->p, lu, work, \
+        real work[ISO_METHOD_WORK(ISO_RECIPE, state_count) + ISO_ROOM(input_count)];                                   \
+        real lu[(state_count) * (state_count)];                                                                        \
+        iso_method_sample(ISO_RECIPE, &equations, memory->u);                                                          \
+        iso_method_step(ISO_RECIPE, state_count, &equations, ISO_STEP_SIZE, memory->x, memory->u, memory->p, lu, work, \
                         &memory->progress.progress);                                                                   \
     }                                                                                                                  \
                                                                                                                        \
@@ -94,6 +105,9 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                                      .y = the_memory.y,                                                                \
                                      .progress = &the_memory.progress.progress,                                        \
                                      .adams = ISO_IS_VARYING(ISO_METHOD) ? &the_memory.progress.adams : NULL}
+
+/* Reals of work space for the inputs of a stage. */
+#define ISO_ROOM(input_count) (ISO_IS_SMOOTH(ISO_RECIPE) ? (size_t)(input_count) : 0)
 
 #define ISO_EXPAND(macro, argument) macro(argument)
 #define ISO_STRING(text) #text

@@ -91,6 +91,8 @@ while IFS= read -r effect; do
     result $? "commented out: the same object as without: $effect"
     case $effect in
     "damping, tunable") holds "$effect" "defaults range" 36 "$name" ;;
+    # The last sample, three differences, and whether there is one.
+    "input, smooth") holds "$effect" "prime range" 56 "$name" ;;
     "input, "*) holds "$effect" "drive range" 36 "$name" ;;
     # That nobody drives: it is the port's.
     input) holds "$effect" range 36 "$name" ;;

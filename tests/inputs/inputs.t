@@ -6,6 +6,7 @@
 . tests/host/bits.sh
 begin inputs
 mkdir -p "$out/hash" "$out/plant" "$out/run"
+rm -f "$out/hand"
 scene=tests/inputs/loop.scene
 
 build/isoc $scene -o "$out/order" --real double >/dev/null &&
@@ -24,6 +25,14 @@ for method in heun rk4 rosenbrock; do
     result $? "three plants with $method build"
     joined "$method" "$out/three_$method.run"
 done
+
+# A plant by hand: half the step divides the error by 16, to a tenth of that.
+for step in 0.01 0.005; do
+    EXTRA="-DISO_STEP=$step" program hand.run tests/inputs/hand.c && "$out/hand.run" >>"$out/hand"
+done
+awk '{ error[NR] = $1 } END { print error[1], error[2]; exit !(NR == 2 && error[1] > 14.4 * error[2] && error[1] < 17.6 * error[2]) }' \
+    "$out/hand" >"$out/errors"
+expect $? "by hand, rk4: half the step makes $(cat "$out/errors")"
 
 # warned METHOD SCENE PATTERN: isoc accepts the scene, and says this; nothing, if there is no pattern.
 warned()

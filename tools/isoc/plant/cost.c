@@ -12,6 +12,25 @@ typedef struct implicit_cost {
     operations factor, solve;
 } implicit_cost;
 
+/* What smooth inputs add: their differences in a tick, and polynomials in Horner's form at the places where the method
+ * evaluates; at the end of a step all weights are one. */
+static operations smooth_operations(const mechanism *m)
+{
+    const int degree = ISO_DEGREE(m->recipe);
+    operations one = {.add = degree, .mul = 1};
+    if (ISO_IS(m->recipe, ISO_ROSENBROCK)) {
+        one = plus(one, 1, (operations){.add = 2 * degree, .mul = degree + 1});
+    } else {
+        one = plus(one, ISO_IS(m->recipe, ISO_RK4) ? 2 : 1, (operations){.add = degree});
+        one.mul += ISO_IS(m->recipe, ISO_RK4) ? degree : 0;
+    }
+    operations all = {0};
+    for (int i = 0; i < m->input_count && degree > 0; i++) {
+        all = plus(all, m->smooth[i], one);
+    }
+    return all;
+}
+
 /* A step of n states with its options, by the row of its method. */
 static operations step_operations(unsigned recipe, int n, operations derivative, implicit_cost cost)
 {
@@ -85,7 +104,8 @@ operations cost_of_step(const plant *p, const graph *g)
     const int n = state_count(p->m);
     const operations derivative = count_operations(g, p->derivatives, (size_t)n);
     const operations rates = count_operations(g, p->derivatives, (size_t)p->rate_count);
-    return plus(step_operations(p->m->recipe, n, derivative, cost_of_solving(p, g)), 1, rates);
+    const operations step = step_operations(p->m->recipe, n, derivative, cost_of_solving(p, g));
+    return plus(plus(step, 1, rates), 1, smooth_operations(p->m));
 }
 
 void cost_summary(const plant *p, const graph *g, text *out)
