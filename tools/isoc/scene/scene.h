@@ -131,7 +131,7 @@ typedef struct quantity {
     formula *least, *most; /* of a tunable: in LEAST to MOST, or NULL */
     bool tunable;
     formula *point; /* of an operand that is a body: NAME at POINT */
-    bool smooth; /* an input that is a sample of a continuous signal; otherwise it is held over a step */
+    bool smooth;    /* an input that is a sample of a continuous signal; otherwise it is held over a step */
 } quantity;
 
 /* What a line of an effect says. The operands come first. */
