@@ -1,5 +1,5 @@
 #!/bin/sh
-# isoc --dot: graphviz draws every body, joint and closure of a scene, closures dashed, with their effects.
+# isoc --dot: graphviz draws every body, joint and closure of a scene, closures dashed, frames dotted, with their effects.
 . tests/host/test.sh
 begin check/dot
 
@@ -28,15 +28,17 @@ for scene in models/*.scene tests/scenes/*.scene; do
     build/isoc --dot "$scene" >"$out/graph.dot" && dot -Tsvg "$out/graph.dot" >"$out/drawing.svg" 2>"$out/errors" &&
         [ ! -s "$out/errors" ]
     result $? "$scene is drawn, and nothing is said against it"
-    [ "$(drawn 'class="node"')" -eq $(($(statements body) + 1)) ]
-    result $? "$scene: a node for each of $(statements body) bodies, and the ground"
-    [ "$(drawn 'class="edge"')" -eq "$(statements joint close)" ] && [ "$(drawn stroke-dasharray)" -eq "$(statements close)" ]
-    result $? "$scene: an edge for each of $(statements joint) joints, a dashed one for each of $(statements close) closures"
+    [ "$(drawn 'class="node"')" -eq $(($(statements body frame) + 1)) ]
+    result $? "$scene: a node for each of $(statements body frame) bodies and frames, and the ground"
+    [ "$(drawn 'class="edge"')" -eq "$(statements joint close frame spring)" ] &&
+        [ "$(drawn 'stroke-dasharray="5,2"')" -eq "$(statements close)" ] &&
+        [ "$(drawn 'stroke-dasharray="1,5"')" -eq "$(statements frame)" ]
+    result $? "$scene: an edge for each of $(statements joint) joints, $(statements spring) springs and $(statements frame) frames, a dashed one for each of $(statements close) closures"
 done
 
 # Effects; the last drawing is that of good.scene.
 for told in closed:'force jet: thrust' closed:chain closed:distance closed:gear closed:universal closed:damping \
-    good:'drive: push' good:revolute; do
+    frames:finger 'frames:spring, damping' good:'drive: push' good:revolute; do
     build/isoc --dot "tests/scenes/${told%%:*}.scene" | dot -Tsvg >"$out/drawing.svg" && grep -qF ">${told#*:}</text>" \
         "$out/drawing.svg"
     result $? "${told%%:*}: ${told#*:}"

@@ -24,6 +24,9 @@ void efforts_less(const dynamics *d, const node *bias, node *effort)
         effort[f] = sub(g, effort[f], mul(g, l->damping, now->qd[f - l->dof]));
         effort[f] = sub(g, effort[f], mul(g, l->spring, sub(g, now->q[0], l->rest)));
         effort[f] = add(g, effort[f], d->m->efforts[f]);
+        for (int i = 0; i < d->m->strut_count; i++) {
+            effort[f] = sub(g, effort[f], mul(g, d->springs[i].by_length, d->springs[i].row[f]));
+        }
         effort[f] = graph_name(g, sub(g, effort[f], bias[f]), "tau_%s", d->m->dofs[f].name);
     }
 }
@@ -132,6 +135,8 @@ const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
     const size_t n = (size_t)m->dof_count;
     dynamics *d = arena_take(g->memory, 1, sizeof *d);
     *d = (dynamics){.m = m, .g = g, .k = kinematics_build(g, m)};
+    graph_section(g, "Springs between points");
+    d->springs = springs_build(&d->k);
     d->acceleration = arena_take(g->memory, n, sizeof *d->acceleration);
     d->accelerations = arena_take(g->memory, (size_t)m->link_count, sizeof *d->accelerations);
     node *bias = arena_take(g->memory, n, sizeof *bias);
@@ -167,6 +172,10 @@ node dynamics_energy(const dynamics *d)
         const node stretch = sub(g, now->q[0], l->rest);
         const node half_spring = mul(g, half, l->spring);
         sum = add(g, sum, mul(g, half_spring, mul(g, stretch, stretch)));
+    }
+
+    for (int i = 0; i < d->m->strut_count; i++) {
+        sum = add(g, sum, spring_energy(g, &d->m->struts[i], &d->springs[i]));
     }
 
     /* V = -g . (the first moment of everything about the ground's origin) */

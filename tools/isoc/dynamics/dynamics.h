@@ -7,6 +7,7 @@
 #define ISOC_DYNAMICS_DYNAMICS_H
 
 #include "tools/isoc/closure/augmented.h"
+#include "tools/isoc/dynamics/springs.h"
 
 /* How the accelerations are found: from the factors of the mass matrix of composite bodies
  * (tools/isoc/tree/mass_matrix.h), or, of a tree, by articulated bodies (tools/isoc/tree/articulated.h). The closures
@@ -32,6 +33,7 @@ typedef struct dynamics {
     mass_matrix mass;
     acceleration *accelerations; /* of the links, at q'' = 0 */
     node *acceleration;          /* [degrees of freedom] q'' */
+    const stretched *springs;    /* between points */
     augmented loops;             /* without constraints where nothing is closed */
 } dynamics;
 
@@ -42,7 +44,7 @@ int composite_products(const graph *g, const mechanism *m);
  * must not be copied. */
 const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen);
 
-/* effort[degrees of freedom]: u - d q' - k (q - rest) + those of effects - bias. */
+/* effort[degrees of freedom]: u - d q' - k (q - rest) + those of effects and of springs between points - bias. */
 void efforts_less(const dynamics *d, const node *bias, node *effort);
 
 /* Kinetic energy, gravitational energy (zero at the ground's origin) and energy of the springs; needs

@@ -61,6 +61,18 @@ static wrench closure_on_link(const dynamics *d, int index, int i)
     return wrench_at(d->g, point, force, inward_axes(&d->k, c->base, i, in_base.moment));
 }
 
+/* The wrench of a spring on a body at an end of it, in the frame of the body's link. */
+static wrench spring_on_body(const dynamics *d, int index, int of)
+{
+    graph *g = d->g;
+    const strut *s = &d->m->struts[index];
+    const bool is_second = s->second.body == of;
+    const cut_end *end = is_second ? &s->second : &s->first;
+    const vector on_second = spring_force(g, &d->springs[index]);
+    const vector force = is_second ? on_second : vector_sub(g, vector_zero(g), on_second);
+    return wrench_at(g, end->point, inward_axes(&d->k, s->base, end->link, force), vector_zero(g));
+}
+
 /* The wrench on a body without that of its joint, its weight and its children, in its link's frame. */
 static wrench acting(const dynamics *d, int of)
 {
@@ -70,6 +82,11 @@ static wrench acting(const dynamics *d, int of)
     for (int i = 0; i < m->applied_force_count; i++) {
         if (m->applied_forces[i].body == of) {
             sum = wrench_add(g, sum, wrench_of_applied_force(g, &m->applied_forces[i]));
+        }
+    }
+    for (int i = 0; i < m->strut_count; i++) {
+        if (m->struts[i].second.body == of || m->struts[i].first.body == of) {
+            sum = wrench_add(g, sum, spring_on_body(d, i, of));
         }
     }
     for (int i = 0; i < m->cut_count; i++) {

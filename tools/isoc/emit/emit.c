@@ -24,7 +24,8 @@ static void emit_beginning(const emission *e)
                  capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->recipe)]));
     }
     text_add(e->out, "#include \"core/methods/method.h\"\n");
-    text_add(e->out, "%s#include \"core/numbers/sincos.h\"\n%s\n",
+    text_add(e->out, "%s%s#include \"core/numbers/sincos.h\"\n%s\n",
+             m->strut_count > 0 ? "#include \"core/numbers/root.h\"\n" : "",
              uses_time(e->g, m->drives, (size_t)(m->input_count + m->clocks.count))
                  ? "#include \"core/numbers/signal.h\"\n"
                  : "",

@@ -397,6 +397,12 @@ node magnitude(graph *g, node a)
     return intern(g, (graph_node){.op = OP_ABS, .a = is(g, a, OP_NEG) ? g->nodes[a].a : a});
 }
 
+node inverse_root(graph *g, node a)
+{
+    return is_constant(g, a) ? folded(g, OP_INVERSE_ROOT, a, a)
+                             : intern(g, (graph_node){.op = OP_INVERSE_ROOT, .a = a});
+}
+
 node sine(graph *g, node a)
 {
     if (is_constant(g, a)) {

@@ -68,6 +68,7 @@ node larger(graph *g, node a, node b);
 node above(graph *g, node a, node b);
 node magnitude(graph *g, node a);
 node wrap(graph *g, node a);
+node inverse_root(graph *g, node a); /* 1 / sqrt(a), a > 0 */
 node sine(graph *g, node a);
 node cosine(graph *g, node a);
 node power(graph *g, node a, int n); /* n >= 0 */

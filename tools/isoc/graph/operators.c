@@ -5,6 +5,7 @@
 #include "tools/isoc/graph/graph.h"
 
 /* The trigonometry of constants is the target's own (in double), so that every host folds them to the same bits. */
+#include "core/numbers/root.h"
 #include "core/numbers/turns.h"
 
 _Static_assert(sizeof(real) == sizeof(double), "isoc folds constants in double: -DISO_REAL_DOUBLE");
@@ -33,6 +34,13 @@ static node derivative_of_larger(graph *g, node a, node b, node da, node db)
     }
     const node rest = sub(g, da, db), chosen = mul(g, above(g, a, b), rest);
     return add(g, db, chosen);
+}
+
+/* -w^3 a' / 2, with one factor after the other: where a is zero, so is a', and no product on the way overflows. */
+static node derivative_of_inverse_root(graph *g, node w, node da)
+{
+    const node half = mul(g, constant(g, -0.5), da);
+    return mul(g, mul(g, mul(g, half, w), w), w);
 }
 
 #define VALUE_OF_LEAF(NAME, ARRAY, TEXT, VALUE)                                                                        \

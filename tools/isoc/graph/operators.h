@@ -125,6 +125,12 @@ typedef struct evaluation {
               wrap(g, a),                                                                                              \
               "iso_within_turn(@a)", WHOLE, SUM, SUM, DECLARED,                                                        \
               5, 5, 0, 0)                                                                                              \
+    OPERATION(INVERSE_ROOT, 1, /* 1 / sqrt(a) */                                                                       \
+              iso_inverse_root(a),                                                                                     \
+              derivative_of_inverse_root(g, i, da),                                                                    \
+              inverse_root(g, a),                                                                                      \
+              "iso_inverse_root(@a)", WHOLE, SUM, SUM, DECLARED,                                                       \
+              4, 10, 0, 0)                                                                                             \
     OPERATION(SIN, 1,                                                                                                  \
               iso_sincos(a).sin,                                                                                       \
               mul(g, cosine(g, a), da),                                                                                \

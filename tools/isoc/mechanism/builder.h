@@ -49,6 +49,14 @@ void build_closures(builder *b);
 int coordinate_of(builder *b, name n);
 dimension coordinate_dimension(const link *l);
 
+/* The frame of a placement, turned by `aligned`, on its link; false if there is none. The last common ancestor of two
+ * links. */
+bool place_end(builder *b, const placement *p, matrix aligned, cut_end *end);
+int common_link(const mechanism *m, int a, int b);
+
+/* springs.c: springs and dampers between points. */
+void build_springs(builder *b);
+
 /* motions.c: a joint whose coordinate is a function of time; returns false after noting a problem. */
 bool build_motion(builder *b, const closure *written, cut *made);
 

@@ -6,7 +6,7 @@
 #include "tools/isoc/scene/names.h"
 
 /* The last common ancestor of two links. */
-static int common_link(const mechanism *m, int a, int b)
+int common_link(const mechanism *m, int a, int b)
 {
     while (a != b) {
         /* A parent stands before its children. */
@@ -19,7 +19,7 @@ static int common_link(const mechanism *m, int a, int b)
     return a;
 }
 
-static bool build_end(builder *b, const placement *p, matrix aligned, cut_end *end)
+bool place_end(builder *b, const placement *p, matrix aligned, cut_end *end)
 {
     graph *g = b->g;
     matrix turned;
@@ -45,8 +45,8 @@ static bool build_between(builder *b, const closure *written, cut *made)
     if (written->axis != NULL && unit_axis(b, written->axis, axis)) {
         aligned = align(b->g, axis, &made->axis, &made->sign);
     }
-    bool good = build_end(b, &written->parent, aligned, &made->parent);
-    good = build_end(b, &written->child, aligned, &made->child) && good;
+    bool good = place_end(b, &written->parent, aligned, &made->parent);
+    good = place_end(b, &written->child, aligned, &made->child) && good;
     if (!good) {
         return false;
     }

@@ -257,6 +257,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_frames(&b);
     list_dofs(&b);
     build_applied_forces(&b);
+    build_springs(&b);
     build_closures(&b);
     count_effects(&b);
     regroup(&b);

@@ -86,6 +86,15 @@ typedef struct cut_end {
     vector point;
 } cut_end;
 
+/* A spring and damper between two points. */
+typedef struct strut {
+    const char *name;
+    place at;
+    cut_end first, second;
+    int base; /* the last common ancestor of both ends, or GROUND */
+    node stiffness, damping, length;
+} strut;
+
 /* A function of the tick that motions depend on. It is a state, set at the beginning of each tick, with a constant rate
  * within it. */
 typedef struct clock {
@@ -151,6 +160,7 @@ typedef struct shown {
     int link;     /* of a coordinate */
     int body;     /* of a body; of what a joint gives to it */
     int cut;      /* of a closure; -1: of none */
+    int strut;    /* of a spring; -1: of none */
     vector point; /* in the body's frame */
     node formula; /* of OUTPUT_FORMULA, and its unit */
     const char *unit;
@@ -207,6 +217,8 @@ typedef struct mechanism {
     asked *asked;
     int asked_count;
     size_t asked_room;
+    strut *struts;
+    int strut_count;
     applied_force *applied_forces;
     int applied_force_count;
     vector gravity;

@@ -80,12 +80,15 @@ static bool find_connection(builder *b, const output *o, shown *made)
 
 static bool find_transmission(builder *b, const output *o, shown *made)
 {
-    made->cut = find_closure(b->s, b->written, o->of);
+    bool is_closure;
+    const int of = find_closure_or_spring(b->s, b->written, o->of, &is_closure);
+    made->cut = is_closure ? of : -1;
+    made->strut = is_closure ? -1 : of;
     if (made->cut >= 0 && !acts_along_joints(b->written->closures[made->cut].kind)) {
         source_problem(b->s, o->of.at, "'%s' has no effort: show force of %s, or moment of %s", o->of.text, o->of.text,
                        o->of.text);
     }
-    return made->cut >= 0;
+    return of >= 0;
 }
 
 static bool has_point(const output_row *row)
@@ -119,7 +122,8 @@ static void show_formula(builder *b, const output *o, shown *made)
 static void build_output(builder *b, const output *o, shown *made)
 {
     const operand of = output_rows[o->kind].of;
-    *made = (shown){.name = o->name, .kind = o->kind, .along = o->along, .link = -1, .body = -1, .cut = -1};
+    *made =
+        (shown){.name = o->name, .kind = o->kind, .along = o->along, .link = -1, .body = -1, .cut = -1, .strut = -1};
     made->point = vector_value(b, o->point, metre, "a point");
     if (o->formula != NULL) {
         show_formula(b, o, made);

@@ -13,6 +13,9 @@ static const char *unit_of(const plant *p, const shown *o)
     if (o->kind == OUTPUT_FORMULA) {
         return o->unit;
     }
+    if (o->strut >= 0) {
+        return row->unit;
+    }
     const int of = o->cut >= 0 ? p->m->cuts[o->cut].parent.link : o->link;
     return of >= 0 && slides(&p->m->links[of]) ? row->unit : row->turning_unit;
 }
@@ -127,8 +130,9 @@ static void show_moment(plant *p, graph *g, const shown *o)
 
 static void show_effort(plant *p, graph *g, const shown *o)
 {
-    (void)g;
-    show(p, o, closure_effort(p->d, o->cut));
+    show(p, o,
+         o->strut >= 0 ? spring_tension(g, &p->m->struts[o->strut], &p->d->springs[o->strut])
+                       : closure_effort(p->d, o->cut));
 }
 
 static void show_energy(plant *p, graph *g, const shown *o)

@@ -39,6 +39,25 @@ static bool check_closures(source *s, const graph *g, const plant *p, const eval
     return lost >= 0;
 }
 
+/* The force of a spring along its ends needs a distance, whose square a float holds. Returns whether one has none, after
+ * noting it. */
+static bool check_springs(source *s, const graph *g, const plant *p, const evaluation *at)
+{
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    bool met = false;
+    graph_evaluate(g, 0, at, numbers);
+    for (int i = 0; i < p->m->strut_count; i++) {
+        const strut *of = &p->m->struts[i];
+        const bool is_direct = is_zero(g, of->length) && is_zero(g, of->damping);
+        if (!is_direct && numbers[p->d->springs[i].square] < (double)FLT_MIN) {
+            source_problem(s, of->at, "the ends of '%s' meet at the start, where it has no direction", of->name);
+            met = true;
+        }
+    }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
+    return met;
+}
+
 /* The derivative, in the order in which it is emitted. */
 static void check_derivative(source *s, const graph *of, const plant *p, const evaluation *at)
 {
@@ -65,7 +84,7 @@ void start_check(source *s, const graph *g, const plant *p)
 {
     const evaluation at = {
         .x = mechanism_start(p->m, g->memory), .p = p->m->defaults, .rounds_to_float = !p->is_double};
-    if (!check_closures(s, g, p, &at)) {
+    if (!check_springs(s, g, p, &at) && !check_closures(s, g, p, &at)) {
         check_derivative(s, g, p, &at);
     }
 }

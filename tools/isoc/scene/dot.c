@@ -83,6 +83,13 @@ static void draw_closure(const scene *written, const closure *c, text *out)
              to, c->name.text, closure_rows[c->kind].word);
 }
 
+/* A spring leads from one end to the other. */
+static void draw_spring(const point_spring *s, text *out)
+{
+    text_add(out, "    \"%s\" -> \"%s\" [arrowhead=none, constraint=false, label=\"%s\\nspring%s\"];\n",
+             s->first.body.text, s->second.body.text, s->name.text, s->damping != NULL ? ", damping" : "");
+}
+
 void dot_write(const scene *written, text *out)
 {
     text_add(out, "digraph \"%s\" {\n    nodesep=0.7;\n    node [shape=box, fontname=\"sans-serif\"];\n",
@@ -94,6 +101,9 @@ void dot_write(const scene *written, text *out)
     }
     for (size_t i = 0; i < written->closure_count; i++) {
         draw_closure(written, &written->closures[i], out);
+    }
+    for (size_t i = 0; i < written->spring_count; i++) {
+        draw_spring(&written->springs[i], out);
     }
     text_add(out, "}\n");
 }

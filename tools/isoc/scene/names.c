@@ -201,6 +201,7 @@ void names_check(source *s, const scene *written)
     list_group(s, &things, GROUP(written, frames, frame_count));
     list_group(s, &things, GROUP(written, joints, joint_count));
     list_group(s, &things, GROUP(written, closures, closure_count));
+    list_group(s, &things, GROUP(written, springs, spring_count));
     list_group(s, &things, GROUP(written, forces, force_count));
     list_group(s, &things, GROUP(written, parameters, parameter_count));
     list_group(s, &things, GROUP(written, inputs, input_count));
@@ -282,10 +283,12 @@ int find_input(source *s, const scene *written, name n)
     return find_in(s, &inputs, 1, NULL, n, "input");
 }
 
-int find_closure(source *s, const scene *written, name n)
+int find_closure_or_spring(source *s, const scene *written, name n, bool *is_closure)
 {
-    const group closures = GROUP(written, closures, closure_count);
-    return find_in(s, &closures, 1, NULL, n, "closure");
+    const group groups[] = {GROUP(written, closures, closure_count), GROUP(written, springs, spring_count)};
+    const int found = find_in(s, groups, 2, NULL, n, "closure or spring"), closures = (int)written->closure_count;
+    *is_closure = found >= 0 && found < closures;
+    return found < closures ? found : found - closures;
 }
 
 /* The index among the joints, or behind them. */

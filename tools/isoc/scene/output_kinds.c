@@ -13,7 +13,7 @@ const char *const operand_phrases[OPERANDS] = {
     [OF_COORDINATE] = "a joint",
     [OF_BODY] = "a body",
     [OF_CONNECTION] = "a joint or a closure",
-    [OF_TRANSMISSION] = "a gear or a motion",
+    [OF_TRANSMISSION] = "a gear, a motion or a spring",
 };
 
 output_kind output_of(output_kind kind, operand of)

@@ -121,6 +121,7 @@ static const property statements[] = {
     {"frame", read_frame, 0, EVERY_KIND | MANY, NULL},
     {"joint", read_joint_statement, 0, EVERY_KIND | MANY, NULL},
     {"close", read_closure, 0, EVERY_KIND | MANY, NULL},
+    {"spring", read_spring_statement, 0, EVERY_KIND | MANY, NULL},
     {"force", read_force, 0, EVERY_KIND | MANY, NULL},
     {"constant", read_parameter, 0, EVERY_KIND | MANY, NULL},
     {"tunable", read_parameter, 0, EVERY_KIND | MANY, NULL},

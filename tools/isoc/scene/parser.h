@@ -5,7 +5,7 @@
  *   scene         = { statement }
  *   statement     = gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
  *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | frame | joint | closure
- *                 | force | parameter | input | output | repeat | include
+ *                 | spring | force | parameter | input | output | repeat | include
  *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA }
  *   frame         = frame NAME { on placement }
  *   joint         = joint NAME JOINT { parent placement | child placement | axis AXIS | second AXIS
@@ -13,6 +13,8 @@
  *                 | spin_damping FORMULA | spring FORMULA [rest FORMULA] | drive NAME }
  *   closure       = close NAME CLOSURE { parent placement | child placement | axis AXIS | length FORMULA
  *                 | radius FORMULA | first NAME | second NAME | ratio FORMULA | motion FORMULA | speed FORMULA }
+ *   spring        = spring NAME { between NAME [at FORMULA] and NAME [at FORMULA] | stiffness FORMULA | damping FORMULA
+ *                 | length FORMULA }
  *   force         = force NAME { body NAME [at FORMULA] | axis AXIS | drive NAME | moment FORMULA }
  *   stabilisation = stabilisation (baumgarte | projection | lagrangian | none) [{ alpha FORMULA | beta FORMULA
  *                 | penalty FORMULA | omega FORMULA | mu FORMULA | iterations FORMULA | limit FORMULA }]

@@ -103,6 +103,14 @@ typedef struct closure {
     bool broken;
 } closure;
 
+/* A spring and damper between two points. */
+typedef struct point_spring {
+    name name;
+    placement first, second;
+    formula *stiffness, *damping, *length;
+    bool broken;
+} point_spring;
+
 /* A force of an input on a point of a body, along an axis of the body; with `moment` metres of lever about that axis.
  */
 typedef struct body_force {
@@ -209,6 +217,7 @@ typedef struct scene {
     stabilisation stabilisation;
     body *bodies;
     named_frame *frames;
+    point_spring *springs;
     joint *joints;
     closure *closures;
     body_force *forces;
@@ -217,9 +226,9 @@ typedef struct scene {
     effect_use *effects;
     setting *settings;
     output *outputs;
-    size_t body_count, frame_count, frame_room, joint_count, closure_count, force_count, parameter_count, input_count,
+    size_t body_count, frame_count, spring_count, joint_count, closure_count, force_count, parameter_count, input_count,
         output_count, signal_count, effect_kind_count, effect_count, setting_count;
-    size_t body_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room, signal_room,
+    size_t body_room, frame_room, spring_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room, signal_room,
         effect_kind_room, effect_room, setting_room;
 } scene;
 

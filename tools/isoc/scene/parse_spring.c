@@ -1,0 +1,47 @@
+/* spring NAME { between A at ... and B at ...; stiffness ...; damping ...; length ... } */
+#include <stddef.h>
+
+#include "tools/isoc/scene/pose.h"
+#include "tools/isoc/scene/statements.h"
+
+static void read_point(parser *p, const token *word, placement *to)
+{
+    read_placement(p, word, to);
+    if (to->turn_count != 0) {
+        source_problem(p->s, to->turns[0].at, "a spring ends at a point, which cannot be turned");
+    }
+}
+
+/* The slot is the spring. */
+static void read_between(parser *p, const token *word, void *slot)
+{
+    point_spring *to = slot;
+    read_point(p, word, &to->first);
+    if (!p->failed && !take_word(p, "and")) {
+        parse_problem(p, "expected 'and' and the other end: between BODY at (1, 0, 0) m and BODY");
+    }
+    if (!p->failed) {
+        read_point(p, word, &to->second);
+    }
+}
+
+#define IN(member) offsetof(point_spring, member)
+static const property properties[] = {
+    {"between", read_between, 0, EVERY_KIND, "between ground at (1, 0, 0) m and BODY"},
+    {"stiffness", read_formula, IN(stiffness), EVERY_KIND, NULL},
+    {"damping", read_formula, IN(damping), EVERY_KIND, NULL},
+    {"length", read_formula, IN(length), EVERY_KIND, NULL},
+};
+#undef IN
+
+static const block spring_block = {.what = "spring", .properties = properties, .property_count = COUNT_OF(properties)};
+
+void read_spring_statement(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    point_spring s = {.name = take_new_name(p, "expected a name for the spring")};
+    s.broken = p->failed || !parse_block(p, &spring_block, 0, s.name, &s);
+    made->springs = arena_grow(p->s->memory, made->springs, made->spring_count, &made->spring_room, sizeof s);
+    made->springs[made->spring_count++] = s;
+}
