@@ -97,6 +97,24 @@ int main(void)
     report_ok(off <= rounding && fabs((double)plant->y[PLANT_Y_CURRENT]) < 1e-6, "a fault opens the circuit: %.2Lg off",
               off);
 
+    /* The energy of the rotor is what the motor gives less what the damping takes, by the rule of the trapezoid: of a power
+     * that changes with 2.5 ms it leaves out (h / 2.5 ms)^2 / 12 of the energy that has passed. */
+    long double given = 0.0L, passed = 0.0L, before = 0.0L;
+    iso_plant_start(plant);
+    plant->u[PLANT_U_VOLTS] = (real)volts;
+    for (uint32_t tick = 0; tick < TICKS; tick++) {
+        (void)iso_plant_tick(plant, tick);
+        const long double speed = (long double)plant->y[PLANT_Y_SPEED];
+        const long double now = (long double)plant->y[PLANT_Y_POWER] - damping * speed * speed;
+        given += 0.5L * h * (before + now);
+        passed += h * fabsl((long double)plant->y[PLANT_Y_POWER]);
+        before = now;
+    }
+    const long double missing = (long double)plant->y[PLANT_Y_ENERGY] - given;
+    const long double bound = (powl(h / 2.5e-3L, 2.0L) / 12.0L + (long double)ULP * TICKS) * passed;
+    report_ok(fabsl(missing) <= bound && passed > 0.1L,
+              "the account of energy: %.2Lg J of %.2Lg J are missing, at most %.2Lg", missing, passed, bound);
+
     /* The control: a motor of another constant is found. */
     iso_plant_start(plant);
     plant->u[PLANT_U_VOLTS] = (real)(volts * 1.05L);

@@ -180,5 +180,5 @@ node dynamics_energy(const dynamics *d)
 
     /* V = -g . (the first moment of everything about the ground's origin) */
     const composite all = composite_of_all(&d->k);
-    return sub(g, sum, vector_dot(g, d->m->gravity, all.ms));
+    return add(g, sub(g, sum, vector_dot(g, d->m->gravity, all.ms)), d->m->stored);
 }

@@ -62,6 +62,17 @@ static void do_effort(world *w, const instance *in, const effect_line *line)
             graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
         node *sum = &w->b->made.efforts[w->b->made.links[l].dof];
         *sum = add(g, *sum, added);
+        const node speed = leaf(g, OP_STATE, w->b->made.position_count + w->b->made.links[l].dof);
+        *in->power = add(g, *in->power, mul(g, added, speed));
+    }
+}
+
+static void do_energy(world *w, const instance *in, const effect_line *line)
+{
+    static const dimension joule = {1, 2, -2, 0, 0, 0};
+    if (line->value != NULL) {
+        const node more = node_of(w, in, line, joule, "the stored");
+        w->b->made.stored = add(w->b->g, w->b->made.stored, more);
     }
 }
 
@@ -85,7 +96,8 @@ static int body_under(builder *b, int which)
 }
 
 /* Adds a force, or a moment, on a body that moves. */
-static void push(world *w, int which, vector point, const effect_line *line, const value *along, double sign)
+static void push(world *w, const instance *in, int which, vector point, const effect_line *line, const value *along,
+                 double sign)
 {
     graph *g = w->b->g;
     mechanism *made = &w->b->made;
@@ -100,6 +112,8 @@ static void push(world *w, int which, vector point, const effect_line *line, con
     for (int i = 0; i < 3; i++) {
         to->at[i] = sign < 0.0 ? neg(g, along->parts[i]) : along->parts[i];
     }
+    const asked_kind moves = line->kind == EFFECT_FORCE ? ASKED_VELOCITY : ASKED_SPIN;
+    *in->power = add(g, *in->power, vector_dot(g, *to, asked_of(w, moves, which, point, line->in_body)));
     if (!f.in_ground) {
         *to = matrix_apply(g, frame->turn, *to);
     }
@@ -129,9 +143,9 @@ static void do_push(world *w, const instance *in, const effect_line *line)
         source_problem(s, line->value->at, "the %s on '%s' %s; this %s", what, line->name.text,
                        dimension_phrase(s->memory, of), dimension_phrase(s->memory, found.of));
     } else {
-        push(w, which, point, line, &found, 1.0);
+        push(w, in, which, point, line, &found, 1.0);
         if (other >= 0) {
-            push(w, other, other_point, line, &found, -1.0);
+            push(w, in, other, other_point, line, &found, -1.0);
         }
     }
 }
@@ -187,6 +201,8 @@ void do_line(world *w, const instance *in, const effect_line *line)
         do_effort(w, in, line);
     } else if (line->kind == EFFECT_FORCE || line->kind == EFFECT_MOMENT) {
         do_push(w, in, line);
+    } else if (line->kind == EFFECT_ENERGY) {
+        do_energy(w, in, line);
     } else if (line->kind == EFFECT_REQUIRE) {
         do_require(w, in, line);
     } else if (line->kind > EFFECT_BODY) {

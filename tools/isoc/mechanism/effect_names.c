@@ -123,10 +123,24 @@ static const struct {
     {"y_axis", ASKED_Y_AXIS, {0, 0, 0, 0, 0, 0}},     {"z_axis", ASKED_Z_AXIS, {0, 0, 0, 0, 0, 0}},
 };
 
-/* A quantity of a point, as three leaves. */
-static value point_value(world *w, const formula *f, int which, vector point)
+vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body)
 {
     mechanism *made = &w->b->made;
+    vector leaves;
+    made->asked =
+        arena_grow(w->b->s->memory, made->asked, (size_t)made->asked_count, &made->asked_room, sizeof *made->asked);
+    made->asked[made->asked_count] = (asked){kind, which, point, in_body};
+    for (int i = 0; i < 3; i++) {
+        leaves.at[i] = leaf(w->b->g, OP_ASKED, 3 * made->asked_count + i);
+    }
+    made->asked_count++;
+    return leaves;
+}
+
+/* position of BODY, and the like */
+static value point_value(world *w, const formula *f, int which, vector point)
+{
+    const mechanism *made = &w->b->made;
     const size_t count = sizeof of_bodies / sizeof of_bodies[0];
     size_t row = 0;
     while (row < count && strcmp(f->name, of_bodies[row].word) != 0) {
@@ -148,20 +162,33 @@ static value point_value(world *w, const formula *f, int which, vector point)
     if (row == count || which < 0 || !made->frames[which].placed) {
         return nothing;
     }
-    made->asked =
-        arena_grow(w->b->s->memory, made->asked, (size_t)made->asked_count, &made->asked_room, sizeof *made->asked);
-    made->asked[made->asked_count] = (asked){of_bodies[row].kind, which, point, in_body};
+    const vector leaves = asked_of(w, of_bodies[row].kind, which, point, in_body);
     value found = {.count = 3, .of = of_bodies[row].of};
-    for (int i = 0; i < 3; i++) {
-        found.parts[i] = leaf(w->b->g, OP_ASKED, 3 * made->asked_count + i);
-    }
-    made->asked_count++;
+    memcpy(found.parts, leaves.at, sizeof leaves.at);
     return found;
+}
+
+/* power of EFFECT, in the scene alone: there all that it does is known. */
+static value power_value(world *w, const formula *f)
+{
+    const char *called = f->parts[0]->name;
+    for (size_t i = 0; i < w->b->written->effect_count && w->is_done; i++) {
+        const instance *in = &w->all[i];
+        if (in->use->name.text != NULL && strcmp(in->use->name.text, called) == 0) {
+            return in->kind == NULL ? nothing : (value){.count = 1, .parts = {*in->power}, .of = {1, 2, -3, 0, 0, 0}};
+        }
+    }
+    source_problem(w->b->s, f->at, w->is_done ? "no effect is called '%s'" : "the power of '%s' is for outputs only",
+                   called);
+    return nothing;
 }
 
 value quantity_value(void *of, const formula *f)
 {
     world *w = of;
+    if (strcmp(f->name, "power") == 0) {
+        return power_value(w, f);
+    }
     graph *g = w->b->g;
     const mechanism *made = &w->b->made;
     int which;

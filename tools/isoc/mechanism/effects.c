@@ -45,6 +45,7 @@ void count_effects(builder *b)
     made->effect_states = arena_take(memory, (size_t)made->effect_state_count + 1, sizeof *made->effect_states);
     made->memories = arena_take(memory, (size_t)made->memory_count + 1, sizeof *made->memories);
     made->efforts = arena_take(memory, (size_t)made->dof_count + 1, sizeof *made->efforts);
+    made->stored = constant(b->g, 0.0);
     for (int f = 0; f < made->dof_count; f++) {
         made->efforts[f] = constant(b->g, 0.0);
     }
@@ -141,6 +142,8 @@ static void build_instance(world *w, instance *in, int *states, int *memories)
     in->links = arena_take(b->s->memory, room, sizeof *in->links);
     in->bodies = arena_take(b->s->memory, room, sizeof *in->bodies);
     in->points = arena_take(b->s->memory, room, sizeof *in->points);
+    in->power = arena_take(b->s->memory, 1, sizeof *in->power);
+    *in->power = constant(b->g, 0.0);
     in->places = arena_take(b->s->memory, room, sizeof *in->places);
     for (size_t i = 0; i < in->kind->line_count; i++) {
         const effect_line *line = &in->kind->lines[i];
@@ -194,6 +197,7 @@ void build_effects(builder *b)
     for (size_t i = 0; i < b->written->signal_count; i++) {
         (void)signal_value(w, i);
     }
+    w->is_done = true;
     b->values.around = NULL;
 }
 

@@ -19,6 +19,7 @@ typedef struct instance {
     int *links;  /* of joints; -1: none */
     int *bodies; /* likewise; and of each its point */
     vector *points;
+    node *power; /* that it gives to the mechanism, when all its lines are done */
     int *places; /* of a state, a memory or a fault, among all of its sort */
 } instance;
 
@@ -31,6 +32,7 @@ typedef struct world {
     const instance *within;
     const char *path[DEEPEST_EFFECT]; /* what is being evaluated, each for the one before */
     int depth;
+    bool is_done; /* all lines: what is built next are outputs */
 } world;
 
 /* --- effect_names.c --- */
@@ -60,6 +62,9 @@ int link_of(world *w, name n);
 
 /* A body as an operand of the instance, or of the scene, and its point. False: it is none. */
 bool find_point(world *w, const char *called, int *which, vector *point);
+
+/* A quantity of a point of a body, as three leaves. */
+vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body);
 
 /* The values of a name and of `speed of NAME`, as value.h asks for them. */
 bool find_name(void *of, const formula *f, value *found);

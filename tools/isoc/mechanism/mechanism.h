@@ -214,6 +214,7 @@ typedef struct mechanism {
     effect_quantity *memories; /* of effects: numbers that a tick sets at its end, behind the inputs */
     int memory_count;
     node *efforts; /* [degrees of freedom] of effects */
+    node stored;   /* the energy that they store */
     asked *asked;
     int asked_count;
     size_t asked_room;

@@ -186,9 +186,9 @@ static formula *parse_quantity(parser *p)
     return f;
 }
 
-static bool next_is_quantity(const parser *p)
+bool next_is_quantity(const parser *p)
 {
-    static const char *const words[] = {"position", "speed", "velocity", "spin", "x_axis", "y_axis", "z_axis"};
+    static const char *const words[] = {"position", "speed", "velocity", "spin", "x_axis", "y_axis", "z_axis", "power"};
     bool is = false;
     for (size_t i = 0; i < COUNT_OF(words); i++) {
         is = is || next_is_word(p, words[i]);

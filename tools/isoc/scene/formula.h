@@ -11,6 +11,9 @@ formula *parse_formula(parser *p);
 /* x, y, z, -x, -y, -z or a vector. */
 formula *parse_axis(parser *p);
 
+/* Whether the next words are those of a quantity: speed of NAME. */
+bool next_is_quantity(const parser *p);
+
 /* Takes a unit, such as N*m/A, where the next token begins one. Returns whether it does. */
 bool take_unit(parser *p, unit *taken);
 

@@ -129,6 +129,14 @@ static void read_action(parser *p, const token *word, void *slot)
               false);
 }
 
+/* energy = FORMULA */
+static void read_energy(parser *p, const token *word, void *slot)
+{
+    effect_line line = {.kind = EFFECT_ENERGY, .name = {word->text, word->at}, .at = word->at};
+    parse_equals(p, &line, "energy = stiffness * stretch^2 / 2");
+    add_line(p, slot, line);
+}
+
 /* require A <= B { and C <= D } */
 static void read_require(parser *p, const token *word, void *slot)
 {
@@ -158,7 +166,7 @@ static const property lines[] = {
     {"next", read_next, 0, EVERY_KIND | MANY, NULL},         {"effort", read_action, 0, EVERY_KIND | MANY, NULL},
     {"force", read_action, 0, EVERY_KIND | MANY, NULL},      {"moment", read_action, 0, EVERY_KIND | MANY, NULL},
     {"body", read_given_body, 0, EVERY_KIND | MANY, NULL},   {"output", read_shown, 0, EVERY_KIND | MANY, NULL},
-    {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"energy", read_energy, 0, EVERY_KIND | MANY, NULL},     {"require", read_require, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};

@@ -5,22 +5,21 @@
 #include "tools/isoc/scene/statements.h"
 
 /* Whether the next words are those of a row: position of hinge; and not those of a formula: 2 * position of hinge, or
- * position of hinge / 2. */
+ * position of hinge / 2, or power of drive. */
 static bool next_is_output_kind(const parser *p)
 {
     const token *last = p->next;
-    bool is = last->kind == TOKEN_NAME;
-    if (is && strcmp(last[1].text, "of") == 0 && last[1].kind == TOKEN_NAME) {
-        last += last[2].kind == TOKEN_NAME ? 2 : 1;
-    } else {
-        bool known = false;
-        for (output_kind kind = 0; kind < OUTPUT_FORMULA; kind++) {
-            known = known || next_is_word(p, output_rows[kind].word);
-        }
-        is = is && known;
+    bool is_known = false;
+    for (output_kind kind = 0; kind < OUTPUT_FORMULA; kind++) {
+        is_known = is_known || next_is_word(p, output_rows[kind].word);
     }
+    const bool has_owner = last[1].kind == TOKEN_NAME && strcmp(last[1].text, "of") == 0;
+    if (last->kind != TOKEN_NAME || (!is_known && (!has_owner || next_is_quantity(p)))) {
+        return false;
+    }
+    last += !has_owner ? 0 : last[2].kind == TOKEN_NAME ? 2 : 1;
     const char sign = last[1].first_on_line ? '\0' : last[1].sign;
-    return is && (sign == '\0' || strchr("+-*/^(", sign) == NULL);
+    return sign == '\0' || strchr("+-*/^(", sign) == NULL;
 }
 
 /* The first row of the next word, which is taken. */

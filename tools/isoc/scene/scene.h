@@ -157,6 +157,7 @@ typedef enum effect_line_kind {
     EFFECT_EFFORT, /* on the joint that it names */
     EFFECT_FORCE,  /* on the body that it names, a vector in the axes of the ground */
     EFFECT_MOMENT,
+    EFFECT_ENERGY, /* that it stores */
     EFFECT_OUTPUT,
     EFFECT_REQUIRE, /* value and most: the second is not less than the first */
     EFFECT_LINE_KINDS

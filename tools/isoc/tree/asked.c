@@ -55,6 +55,7 @@ void asked_resolve(graph *g, mechanism *m)
     }
     graph_section(g, "Effects");
     replace(g, m->efforts, m->dof_count, answers);
+    replace(g, &m->stored, 1, answers);
     for (int i = 0; i < m->effect_state_count; i++) {
         replace(g, &m->effect_states[i].next, 1, answers);
     }
