@@ -229,8 +229,8 @@ typedef struct scene {
     output *outputs;
     size_t body_count, frame_count, spring_count, joint_count, closure_count, force_count, parameter_count, input_count,
         output_count, signal_count, effect_kind_count, effect_count, setting_count;
-    size_t body_room, frame_room, spring_room, joint_room, closure_room, force_room, parameter_room, input_room, output_room, signal_room,
-        effect_kind_room, effect_room, setting_room;
+    size_t body_room, frame_room, spring_room, joint_room, closure_room, force_room, parameter_room, input_room,
+        output_room, signal_room, effect_kind_room, effect_room, setting_room;
 } scene;
 
 #endif
