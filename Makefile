@@ -16,6 +16,7 @@
 ##     STEP=1ms                            the step, instead of that of the scene
 ##     TOLERANCE=1e-9                      largest local error of METHOD=adams, which then uses as many sub-steps as it needs
 ##     SET='rod_mass = 0.3 kg; drag = 2'   values of constants and tunables, instead of those of the scene
+##     CHECKED=yes  COMPENSATED=yes        options of the method of a plant in C; a scene has a statement for each
 ##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600
 ##     TARGET=host|cortex-m4f              where to run: on this machine, or on the board in QEMU
 ##     REAL=float|double                   the type of the numbers
@@ -26,6 +27,8 @@ METHOD =
 STEP =
 TOLERANCE =
 SET =
+CHECKED =
+COMPENSATED =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,10))
 TARGET = $(if $(filter size cost chains,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
@@ -91,7 +94,7 @@ $(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
     $(error $(name) has a line break, which make cannot pass on)))
 
 # What has an effect on which goal. A goal that is a file, and a make that another make calls, may be given anything.
-EFFECTS_run := SCENE METHOD STEP TOLERANCE SET SECONDS TARGET REAL SCRIPT OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
+EFFECTS_run := SCENE METHOD STEP TOLERANCE SET CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
 EFFECTS_plot := $(EFFECTS_run)
 EFFECTS_size := $(filter-out SECONDS SCRIPT,$(EFFECTS_run))
 EFFECTS_stack := $(EFFECTS_size)
@@ -145,14 +148,15 @@ ifneq ($(TARGET),host)
 $(error SCRIPT has no effect on TARGET=$(TARGET), which has ticks of its own; it is for TARGET=host)
 endif
 endif
+IS_IN_C := $(filter .c,$(suffix $(subst $(space),_,$(SCENE))))
 ifneq ($(TOLERANCE),)
-ifeq ($(suffix $(subst $(space),_,$(SCENE))),.c)
-$(error TOLERANCE has no effect on a plant in C; it is of METHOD=adams, which is for scenes)
-endif
-ifneq ($(filter-out adams,$(METHOD)),)
-$(error TOLERANCE has no effect on METHOD=$(METHOD); it is of METHOD=adams)
+ifneq ($(filter-out adams,$(METHOD))$(if $(METHOD),,$(IS_IN_C)),)
+$(error TOLERANCE has no effect on METHOD=$(or $(METHOD),rk4); it is of METHOD=adams)
 endif
 endif
+$(foreach name,CHECKED COMPENSATED,$(if $($(name)),$(if $(filter yes no,$($(name))),,$(error $(name)=$($(name)) is \
+    unknown; it can be yes or no))$(if $(IS_IN_C),,$(error $(name) is of a plant in C; a scene says it itself: $(if \
+    $(filter CHECKED,$(name)),checked,compensated) yes))))
 ifneq ($(METHOD),)
 ifeq ($(filter $(FIXED_METHODS) adams,$(METHOD)),)
 $(error METHOD=$(METHOD) is unknown; it can be one of: $(FIXED_METHODS) adams)

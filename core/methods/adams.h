@@ -34,6 +34,12 @@ enum {
 #define ISO_ADAMS_TOLERANCE R(1e-6)
 #endif
 
+/* Defaults of the sub-steps of a tick, and of how often a sub-step may be half of the one before. */
+#ifndef ISO_ADAMS_SUBSTEPS
+#define ISO_ADAMS_SUBSTEPS ISO_ADAMS_BUDGET
+#define ISO_ADAMS_HALVINGS ISO_ADAMS_LEVEL_MAX
+#endif
+
 /* The estimate for a state that is not finite: infinity. */
 #define ISO_ADAMS_FAILED iso_real_of(ISO_EXPONENT_BITS)
 
@@ -51,9 +57,9 @@ typedef struct iso_adams_options {
 static const iso_adams_options iso_adams_default = {
     .tolerance_absolute = ISO_ADAMS_TOLERANCE,
     .tolerance_relative = ISO_ADAMS_TOLERANCE,
-    .budget = ISO_ADAMS_BUDGET,
+    .budget = ISO_ADAMS_SUBSTEPS,
     .driven = true,
-    .level_max = ISO_ADAMS_LEVEL_MAX,
+    .level_max = ISO_ADAMS_HALVINGS,
 };
 
 /* Row j of the correction of order q, by that of row 1: its polynomial vanishes one step before, and its derivative at

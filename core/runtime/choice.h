@@ -1,6 +1,7 @@
 /* What every plant written by hand has in common. Its method and its step, where the build says nothing else:
- * -DISO_METHOD=ISO_HEUN -DISO_METHOD_NAME=heun -DISO_STEP=0.0005 (seconds, with a decimal point). Its memory; and how
- * that and its equations make an iso_plant. A generated plant has its own. */
+ * -DISO_METHOD=ISO_HEUN -DISO_METHOD_NAME=heun -DISO_STEP=0.0005 (seconds, with a decimal point). The options of the
+ * method: -DISO_CHECK -DISO_COMPENSATE, and -DISO_TOLERANCE=1e-9 of adams, which then makes as many sub-steps as it needs.
+ * Its memory; and how that and its equations make an iso_plant. A generated plant has its own. */
 #ifndef ISO_CORE_RUNTIME_CHOICE_H
 #define ISO_CORE_RUNTIME_CHOICE_H
 
@@ -11,6 +12,15 @@
 
 #ifndef ISO_ONLY_METHOD
 #define ISO_ONLY_METHOD ISO_METHOD
+#endif
+
+#define ISO_EXPAND(macro, argument) macro(argument)
+#define ISO_STRING(text) #text
+
+#ifdef ISO_TOLERANCE
+#define ISO_ADAMS_TOLERANCE ISO_EXPAND(R, ISO_TOLERANCE)
+#define ISO_ADAMS_SUBSTEPS 1000000
+#define ISO_ADAMS_HALVINGS ISO_ADAMS_LEVELS
 #endif
 
 #include "core/methods/method.h"
@@ -27,12 +37,26 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                "factor and solve, and define ISO_HAS_JACOBIAN before choice.h");
 #endif
 
+#ifdef ISO_CHECK
+#define ISO_CHOSEN_CHECK ISO_CHECKED
+#else
+#define ISO_CHOSEN_CHECK 0
+#endif
+
+#ifdef ISO_COMPENSATE
+#define ISO_CHOSEN_SUM ISO_COMPENSATED
+#else
+#define ISO_CHOSEN_SUM 0
+#endif
+
 /* A plant whose inputs are smooth says so before it includes this; its equations then have held, inputs and smooth. */
 #ifdef ISO_HAS_SMOOTH_INPUTS
-#define ISO_RECIPE (ISO_METHOD | ISO_SMOOTH)
+#define ISO_CHOSEN_INPUTS ISO_SMOOTH
 #else
-#define ISO_RECIPE ISO_METHOD
+#define ISO_CHOSEN_INPUTS 0
 #endif
+
+#define ISO_RECIPE (ISO_METHOD | ISO_CHOSEN_CHECK | ISO_CHOSEN_SUM | ISO_CHOSEN_INPUTS)
 
 /* The step as a number, as text, and as the port's tick. */
 #define ISO_STEP_SIZE ISO_EXPAND(R, ISO_STEP)
@@ -44,7 +68,7 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
  * what a plant has none of is one number that nothing uses. */
 #define ISO_PLANT_MEMORY(state_count, input_count, parameter_count, output_count)                                      \
     typedef struct plant_memory {                                                                                      \
-        real x[ISO_METHOD_STATE(ISO_METHOD, state_count)];                                                             \
+        real x[ISO_METHOD_STATE(ISO_RECIPE, state_count)];                                                             \
         real u[((input_count) > 0 ? (input_count) : 1) + ISO_METHOD_SAMPLES(ISO_RECIPE, input_count)];                 \
         real p[(parameter_count) > 0 ? (parameter_count) : 1];                                                         \
         real y[(output_count) > 0 ? (output_count) : 1];                                                               \
@@ -96,7 +120,7 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                                     .step = step,                                                                      \
                                     __VA_ARGS__};                                                                      \
                                                                                                                        \
-    static plant_memory the_memory;                                                                                    \
+    static plant_memory the_memory, the_memory_before;                                                                 \
     const iso_plant iso_the_plant = {.model = &model,                                                                  \
                                      .memory = &the_memory,                                                            \
                                      .x = the_memory.x,                                                                \
@@ -104,12 +128,10 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                                      .p = the_memory.p,                                                                \
                                      .y = the_memory.y,                                                                \
                                      .progress = &the_memory.progress.progress,                                        \
-                                     .adams = ISO_IS_VARYING(ISO_METHOD) ? &the_memory.progress.adams : NULL}
+                                     .adams = ISO_IS_VARYING(ISO_RECIPE) ? &the_memory.progress.adams : NULL,          \
+                                     .before = ISO_IS_WATCHED(ISO_RECIPE) ? &the_memory_before : NULL}
 
 /* Reals of work space for the inputs of a stage. */
 #define ISO_ROOM(input_count) (ISO_IS_SMOOTH(ISO_RECIPE) ? (size_t)(input_count) : 0)
-
-#define ISO_EXPAND(macro, argument) macro(argument)
-#define ISO_STRING(text) #text
 
 #endif

@@ -36,7 +36,12 @@ told "make chains is of the cortex-m4f" chains REAL=double
 told "METHOD has no effect on .make report." report METHOD=heun
 told "TOLERANCE has no effect on METHOD=rk4" run METHOD=rk4 TOLERANCE=1e-6
 told "has no effect on rk4" run SCENE=models/pendulum.scene TOLERANCE=1e-6
-told "TOLERANCE has no effect on a plant in C" run SCENE=models/oscillator.c TOLERANCE=1e-6
+told "TOLERANCE has no effect on METHOD=rk4" run SCENE=models/oscillator.c TOLERANCE=1e-6
+for tolerance in 0 -1e-6 fine 1e; do
+    told "TOLERANCE=$tolerance is no tolerance" run SCENE=models/oscillator.c METHOD=adams TOLERANCE=$tolerance
+done
+told "CHECKED is of a plant in C" run SCENE=models/pendulum.scene CHECKED=yes
+told "COMPENSATED=some is unknown" run SCENE=models/oscillator.c COMPENSATED=some
 told "SCRIPT has no effect on TARGET=cortex-m4f" run TARGET=cortex-m4f SCRIPT=script
 for seconds in 0 0.0 -1 1e-10 0x10 inf nan 1e300 '1 h' ''; do
     told "SECONDS=$seconds is no time to run" run SECONDS="$seconds"

@@ -128,6 +128,17 @@ refuses 'STEP|step' STEP=fast
 refuses 'SECONDS|seconds' SECONDS=soon
 
 # A plant by hand with no more than a derivative is not compiled for a method that needs a Jacobian.
+run SCENE=models/oscillator.c SECONDS=1 && hash=$(value hash) && [ -z "$(value local_error)" ]
+expect $? "a plant in C is not checked"
+run SCENE=models/oscillator.c SECONDS=1 CHECKED=yes && [ "$(value hash)" = "$hash" ] && [ -n "$(value local_error)" ]
+expect $? "CHECKED=yes: it is, with the same motion"
+run SCENE=models/oscillator.c SECONDS=1 COMPENSATED=yes && [ "$(value hash)" != "$hash" ]
+expect $? "COMPENSATED=yes: its sums are compensated"
+run SCENE=models/oscillator.c METHOD=ab4 SECONDS=2 CHECKED=yes && [ "$(value restarts)" = 1 ]
+expect $? "a check with a history finds the step of its force, and begins anew"
+run SCENE=models/oscillator.c METHOD=adams TOLERANCE=1e-9 REAL=double SECONDS=1 &&
+    awk -v error="$(value local_error)" 'BEGIN { exit !(error > 0 && error <= 1e-9) }'
+expect $? "TOLERANCE of a plant in C: a local error of at most 1e-9"
 run SCENE=models/oscillator.c METHOD=adams SECONDS=1 && [ "$(value substeps)" -ge 1000 ]
 expect $? "a plant by hand runs with adams"
 sed '/^#define ISO_HAS_JACOBIAN/d; /^static void factor/,/^}/d; /^static void solve/,/^}/d

@@ -20,7 +20,16 @@ $(error STEP=$(STEP) is no step; it could be 1ms, 500us or 0.001, from 1us to 1s
 endif
 endif
 METHOD_MACRO := $(shell printf %s '$(METHOD)' | tr a-z A-Z)
-CHOICE := $(METHOD:%=-DISO_METHOD=ISO_$(METHOD_MACRO) -DISO_METHOD_NAME=%) $(STEP_SECONDS:%=-DISO_STEP=%)
+ifneq ($(TOLERANCE),)
+TOLERANCE_NUMBER := $(shell printf '%s\n' $(call quote,$(TOLERANCE)) | \
+    awk '/^([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?$$/ && $$1 > 1e-30 && $$1 < 1e30 { printf "%.16e", $$1 }')
+ifeq ($(TOLERANCE_NUMBER),)
+$(error TOLERANCE=$(TOLERANCE) is no tolerance; it could be 1e-6)
+endif
+endif
+CHOICE := $(METHOD:%=-DISO_METHOD=ISO_$(METHOD_MACRO) -DISO_METHOD_NAME=%) $(STEP_SECONDS:%=-DISO_STEP=%) \
+    $(TOLERANCE_NUMBER:%=-DISO_TOLERANCE=%) $(if $(filter yes,$(CHECKED)),-DISO_CHECK) \
+    $(if $(filter yes,$(COMPENSATED)),-DISO_COMPENSATE)
 PLANT := $(SCENE)
 else
 CHOICE := $(METHOD:%=--method %) $(if $(STEP),--step $(call quote,$(STEP))) \

@@ -31,12 +31,7 @@ prepare()
         esac
         case $SCENE in
         *.c)
-            awk -v compensated=$compensated '
-                { print }
-                compensated == "yes" && /^#include "core\/runtime\/choice.h"/ {
-                    print "enum { REPORT_METHOD = ISO_METHOD | ISO_COMPENSATED };"
-                    print "#undef ISO_METHOD\n#define ISO_METHOD REPORT_METHOD"
-                }' "$SCENE" >"$dir/$kind/$NAME.c"
+            cp "$SCENE" "$dir/$kind/$NAME.c"
             ;;
         *)
             { sh tools/build/elsewhere.sh "$SCENE" | sed '/^ *compensated /d' && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
@@ -71,6 +66,9 @@ build()
     *.c)
         macro=ISO_$(echo "$build_method" | tr a-z A-Z)
         set -- "$@" "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$build_method" ${STEP:+-DISO_STEP="$STEP"}
+        case $build_kind in
+        compensated | reference) set -- "$@" -DISO_COMPENSATE ;;
+        esac
         ;;
     *)
         build/isoc "$source" -o "$folder" --method "$build_method" --real $real ${STEP:+--step "$STEP"} \
