@@ -46,10 +46,15 @@ static bool make_folders(arena *memory, const char *path)
     return true;
 }
 
-/* What a file is called until all are written; another isoc has other names. */
-static const char *beside(arena *memory, const char *path)
+/* What a new file is called until all are written, and an old one until all are replaced; another isoc has other names. */
+static const char *new_name(arena *memory, const char *path)
 {
     return arena_format(memory, "%s.%ld.new", path, (long)getpid());
+}
+
+static const char *old_name(arena *memory, const char *path)
+{
+    return arena_format(memory, "%s.%ld.old", path, (long)getpid());
 }
 
 /* Writes a file to the disk. What it will replace must be no folder. */
@@ -63,7 +68,7 @@ static bool write_beside(arena *memory, const file_text *f)
         errno = EISDIR;
         return complain(f->path);
     }
-    FILE *file = fopen(beside(memory, f->path), "wb");
+    FILE *file = fopen(new_name(memory, f->path), "wb");
     if (file == NULL) {
         return complain(f->path);
     }
@@ -75,21 +80,41 @@ static bool write_beside(arena *memory, const file_text *f)
     return (whole && closed) || complain(f->path);
 }
 
+/* Gives a new file its name; what had the name is kept by another one. */
+static bool replace(arena *memory, const char *path)
+{
+    const char *old = old_name(memory, path);
+    const bool kept = link(path, old) == 0 || errno == ENOENT || rename(path, old) == 0; /* not all have links */
+    return (kept && rename(new_name(memory, path), path) == 0) || complain(path);
+}
+
+/* Takes back what replace has done of a file, or has begun. */
+static void take_back(arena *memory, const char *path, bool was_replaced)
+{
+    if (rename(old_name(memory, path), path) != 0 && was_replaced) {
+        remove(path);
+    }
+}
+
 bool write_files(const file_list *files)
 {
+    arena *memory = files->memory;
+    size_t written = 0, replaced = 0;
     signal(SIGXFSZ, SIG_IGN); /* a file that grows too large is told like a full disk */
-    bool good = true;
-    for (size_t i = 0; i < files->count && good; i++) {
-        good = write_beside(files->memory, &files->files[i]);
+    while (written < files->count && write_beside(memory, &files->files[written])) {
+        written++;
     }
+    while (written == files->count && replaced < files->count && replace(memory, files->files[replaced].path)) {
+        replaced++;
+    }
+    const bool good = replaced == files->count;
     for (size_t i = 0; i < files->count; i++) {
-        const char *path = files->files[i].path, *made = beside(files->memory, path);
-        if (good && rename(made, path) != 0) {
-            good = complain(path);
-        }
+        const char *path = files->files[i].path;
         if (!good) {
-            remove(made);
+            take_back(memory, path, i < replaced);
+            remove(new_name(memory, path));
         }
+        remove(old_name(memory, path));
     }
     return good;
 }
