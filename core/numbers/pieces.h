@@ -23,11 +23,15 @@ static inline real iso_floor(const real x)
     return nearest - iso_above(nearest, x);
 }
 
-/* x where the condition is 1, +0 where it is 0. */
+/* A condition is 1 or 0, as iso_above gives it. x where it holds, else +0; and x where it does not, else +0. */
 static inline real iso_where(const real condition, const real x)
 {
-    const iso_bits holds = (iso_bits)0 - (iso_bits_of(condition) >> (ISO_SIGN_SHIFT - 2));
-    return iso_real_of(iso_bits_of(x) & holds);
+    return iso_real_of(iso_bits_of(x) & iso_less(R(0.5), condition));
+}
+
+static inline real iso_unless(const real condition, const real x)
+{
+    return iso_real_of(iso_bits_of(x) & ~iso_less(R(0.5), condition));
 }
 
 #endif

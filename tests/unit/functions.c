@@ -53,6 +53,8 @@ static void test_where(void)
 {
     tap_same(iso_where(R(1.0), R(-2.5)), R(-2.5), "where 1");
     tap_same(iso_where(R(0.0), iso_real_of(ISO_EXPONENT_BITS)), R(0.0), "where 0, of an infinity");
+    tap_same(iso_unless(R(0.0), R(-2.5)), R(-2.5), "unless 0");
+    tap_same(iso_unless(R(1.0), iso_real_of(ISO_EXPONENT_BITS)), R(0.0), "unless 1, of an infinity");
     tap_same(iso_above(R(0.0), R(-0.0)), R(0.0), "0 is not above -0");
     tap_same(iso_above(R(-0.0), R(0.0)), R(0.0), "-0 is not above 0");
     tap_same(iso_above(iso_real_of(1), R(0.0)), R(1.0), "the smallest denormal is above 0");

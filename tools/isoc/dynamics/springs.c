@@ -15,7 +15,7 @@ static stretched build_one(const kinematics *k, const strut *of, const accelerat
     const side second = side_build(k, still, &of->second, of->base, turns);
     stretched made = {.apart = vector_sub(g, second.point, first.point)};
     made.square = graph_name(g, vector_dot(g, made.apart, made.apart), "square_%s", of->name);
-    made.inverse = graph_name(g, inverse_root(g, made.square), "inverse_%s", of->name);
+    made.inverse = graph_name(g, function(g, OP_INVERSE_ROOT, made.square, 0), "inverse_%s", of->name);
     made.distance = graph_name(g, mul(g, made.square, made.inverse), "distance_%s", of->name);
     made.row = arena_take(g->memory, (size_t)m->dof_count, sizeof *made.row);
     node product = constant(g, 0.0); /* r . r' */

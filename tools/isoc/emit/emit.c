@@ -1,5 +1,7 @@
 #include "tools/isoc/emit/emit.h"
 
+#include <string.h>
+
 #include "tools/isoc/emit/parts.h"
 
 bool is_driven(const mechanism *m)
@@ -11,7 +13,21 @@ bool is_driven(const mechanism *m)
     return any;
 }
 
-static void emit_beginning(const emission *e)
+/* The files of core that have the functions which the rest of the source calls, each once. */
+static void emit_calls_included(const text *rest, text *out)
+{
+    const char *last = "core/numbers/real.h"; /* which every other includes */
+    for (operation op = 0; op < OPERATIONS; op++) {
+        const operator_row *row = &operators[op];
+        if (row->call != NULL && strcmp(row->header, "core/numbers/real.h") != 0 && strcmp(row->header, last) != 0 &&
+            strstr(rest->bytes, row->call) != NULL) {
+            text_add(out, "#include \"%s\"\n", row->header);
+            last = row->header;
+        }
+    }
+}
+
+static void emit_beginning(const emission *e, const text *rest)
 {
     const mechanism *m = e->p->m;
     text_add(e->out, "/* %s: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n",
@@ -24,8 +40,8 @@ static void emit_beginning(const emission *e)
                  capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->recipe)]));
     }
     text_add(e->out, "#include \"core/methods/method.h\"\n");
-    text_add(e->out, "%s%s#include \"core/numbers/sincos.h\"\n%s\n",
-             m->strut_count > 0 ? "#include \"core/numbers/root.h\"\n" : "",
+    emit_calls_included(rest, e->out);
+    text_add(e->out, "%s#include \"core/numbers/sincos.h\"\n%s\n",
              uses_time(e->g, m->drives, (size_t)(m->input_count + m->clocks.count))
                  ? "#include \"core/numbers/signal.h\"\n"
                  : "",
@@ -34,8 +50,8 @@ static void emit_beginning(const emission *e)
 
 bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *culprit)
 {
-    emission e = {.p = p, .g = g, .names = names, .out = out};
-    emit_beginning(&e);
+    text rest = {.memory = out->memory};
+    emission e = {.p = p, .g = g, .names = names, .out = &rest};
     emit_data(&e);
     emit_functions(&e);
     emit_step(&e);
@@ -43,6 +59,9 @@ bool emit_source(const plant *p, graph *g, const naming *names, text *out, doubl
     if (names->is_program) {
         emit_plant(&e);
     }
+    e.out = out;
+    emit_beginning(&e, &rest);
+    text_add(out, "%s", rest.bytes);
     *culprit = e.culprit;
     return e.culprit == 0.0;
 }

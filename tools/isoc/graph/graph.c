@@ -397,12 +397,6 @@ node magnitude(graph *g, node a)
     return intern(g, (graph_node){.op = OP_ABS, .a = is(g, a, OP_NEG) ? g->nodes[a].a : a});
 }
 
-node inverse_root(graph *g, node a)
-{
-    return is_constant(g, a) ? folded(g, OP_INVERSE_ROOT, a, a)
-                             : intern(g, (graph_node){.op = OP_INVERSE_ROOT, .a = a});
-}
-
 node sine(graph *g, node a)
 {
     if (is_constant(g, a)) {
@@ -417,6 +411,24 @@ node cosine(graph *g, node a)
         return folded(g, OP_COS, a, a);
     }
     return is(g, a, OP_NEG) ? cosine(g, g->nodes[a].a) : intern(g, (graph_node){.op = OP_COS, .a = a});
+}
+
+node function(graph *g, operation op, node a, node b)
+{
+    if (operators[op].operands == 1) {
+        return is_constant(g, a) ? folded(g, op, a, a) : intern(g, (graph_node){.op = op, .a = a});
+    }
+    const bool chooses = op == OP_WHERE || op == OP_UNLESS;
+    if (is_constant(g, a) && is_constant(g, b)) {
+        return folded(g, op, a, b);
+    }
+    if (chooses && is_zero(g, b)) {
+        return b;
+    }
+    if (chooses && is_constant(g, a)) {
+        return (constant_value(g, a) > 0.5) == (op == OP_WHERE) ? b : constant(g, 0.0);
+    }
+    return op == OP_MIN && a == b ? a : binary(g, op, a, b);
 }
 
 node power(graph *g, node a, int n)

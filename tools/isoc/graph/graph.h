@@ -68,10 +68,12 @@ node larger(graph *g, node a, node b);
 node above(graph *g, node a, node b);
 node magnitude(graph *g, node a);
 node wrap(graph *g, node a);
-node inverse_root(graph *g, node a); /* 1 / sqrt(a), a > 0 */
 node sine(graph *g, node a);
 node cosine(graph *g, node a);
 node power(graph *g, node a, int n); /* n >= 0 */
+
+/* One of ISOC_FUNCTIONS; where it has one operand, b counts for nothing. */
+node function(graph *g, operation op, node a, node b);
 
 /* a b + c d, and a b - c d. */
 node sum_of_products(graph *g, node a, node b, node c, node d);

@@ -109,7 +109,7 @@ typedef struct evaluation {
               1, 0, 0, 0)                                                                                              \
     OPERATION(MAX, 2, /* the larger */                                                                                 \
               fmax(a, b),                                                                                              \
-              derivative_of_larger(g, a, b, da, db),                                                                   \
+              derivative_of_chosen(g, a, b, da, db),                                                                   \
               larger(g, a, b),                                                                                         \
               "iso_max(@a, @b)", WHOLE, SUM, SUM, DECLARED,                                                            \
               1, 0, 0, 0)                                                                                              \
@@ -125,12 +125,6 @@ typedef struct evaluation {
               wrap(g, a),                                                                                              \
               "iso_within_turn(@a)", WHOLE, SUM, SUM, DECLARED,                                                        \
               5, 5, 0, 0)                                                                                              \
-    OPERATION(INVERSE_ROOT, 1, /* 1 / sqrt(a) */                                                                       \
-              iso_inverse_root(a),                                                                                     \
-              derivative_of_inverse_root(g, i, da),                                                                    \
-              inverse_root(g, a),                                                                                      \
-              "iso_inverse_root(@a)", WHOLE, SUM, SUM, DECLARED,                                                       \
-              4, 10, 0, 0)                                                                                             \
     OPERATION(SIN, 1,                                                                                                  \
               iso_sincos(a).sin,                                                                                       \
               mul(g, cosine(g, a), da),                                                                                \
@@ -143,11 +137,65 @@ typedef struct evaluation {
               cosine(g, a),                                                                                            \
               "@t.cos", WHOLE, SUM, SUM, IN_PLACE,                                                                     \
               0, 0, 0, 1)
+
+/* Functions of core/numbers/HEADER.h; the code calls iso_WORD of the operands. In a corner the derivative is that of one
+ * side: of min and max that of either, of sign, floor and a comparison 0. A root counts as a division.
+ * Those of one header stand together.
+ * FUNCTION(name, word, header, operands,
+ *          value,
+ *          derivative,
+ *          operations in float: add, mul, div) */
+#define ISOC_FUNCTIONS(FUNCTION)                                                                                       \
+    FUNCTION(MIN, min, real, 2,                                                                                        \
+             iso_min(a, b),                                                                                            \
+             derivative_of_chosen(g, b, a, da, db),                                                                    \
+             1, 0, 0)                                                                                                  \
+    FUNCTION(SQRT, sqrt, sqrt, 1,                                                                                      \
+             iso_sqrt(a),                                                                                              \
+             divide(g, mul(g, constant(g, 0.5), da), i),                                                               \
+             0, 0, 1)                                                                                                  \
+    FUNCTION(INVERSE_ROOT, inverse_root, root, 1, /* 1 / sqrt(a) */                                                    \
+             iso_inverse_root(a),                                                                                      \
+             derivative_of_inverse_root(g, i, da),                                                                     \
+             4, 10, 0)                                                                                                 \
+    FUNCTION(EXP, exp, exp, 1,                                                                                         \
+             value_of_exponential(a),                                                                                  \
+             mul(g, i, da),                                                                                            \
+             15, 9, 0)                                                                                                 \
+    FUNCTION(LOG, log, log, 1,                                                                                         \
+             value_of_logarithm(a),                                                                                    \
+             divide(g, da, a),                                                                                         \
+             23, 8, 1)                                                                                                 \
+    FUNCTION(TANH, tanh, tanh, 1,                                                                                      \
+             iso_tanh(a),                                                                                              \
+             mul(g, sub(g, constant(g, 1.0), mul(g, i, i)), da),                                                       \
+             10, 8, 2)                                                                                                 \
+    FUNCTION(ATAN2, atan2, angle, 2,                                                                                   \
+             value_of_angle(a, b),                                                                                     \
+             derivative_of_angle(g, a, b, da, db),                                                                     \
+             41, 7, 1)                                                                                                 \
+    FUNCTION(SIGN, sign, pieces, 1,                                                                                    \
+             iso_sign(a),                                                                                              \
+             constant(g, 0.0),                                                                                         \
+             5, 0, 0)                                                                                                  \
+    FUNCTION(FLOOR, floor, pieces, 1,                                                                                  \
+             iso_floor(a),                                                                                             \
+             constant(g, 0.0),                                                                                         \
+             17, 0, 0)                                                                                                 \
+    FUNCTION(WHERE, where, pieces, 2, /* b where a is 1, 0 where a is 0 */                                             \
+             iso_where(a, b),                                                                                          \
+             function(g, OP_WHERE, a, db),                                                                             \
+             3, 0, 0)                                                                                                  \
+    FUNCTION(UNLESS, unless, pieces, 2, /* b where a is 0, 0 where a is 1 */                                           \
+             iso_unless(a, b),                                                                                         \
+             function(g, OP_UNLESS, a, db),                                                                            \
+             3, 0, 0)
 /* clang-format on */
 
 #define ISOC_ENUMERATOR(NAME, ...) OP_##NAME,
 typedef enum operation {
-    ISOC_LEAVES(ISOC_ENUMERATOR) ISOC_TIMED(ISOC_ENUMERATOR) ISOC_OPERATIONS(ISOC_ENUMERATOR) OPERATIONS
+    ISOC_LEAVES(ISOC_ENUMERATOR) ISOC_TIMED(ISOC_ENUMERATOR) ISOC_OPERATIONS(ISOC_ENUMERATOR)
+        ISOC_FUNCTIONS(ISOC_ENUMERATOR) OPERATIONS
 } operation;
 #undef ISOC_ENUMERATOR
 
@@ -158,6 +206,7 @@ typedef struct operator_row {
     operator_kind kind;
     int operands;
     const char *name, *array, *text;
+    const char *call, *header; /* of a function of core: iso_exp( and the file that has it */
     binding binds, least_a, least_b;
     place_in_code place;
     operations cost;

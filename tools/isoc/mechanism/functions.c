@@ -19,27 +19,20 @@ typedef struct function_row {
     value (*call)(values *v, const formula *f, const value *given);
 } function_row;
 
+/* A comparison has no name. */
+static const char *name_of(const formula *f)
+{
+    return f->kind == FORMULA_ORDER ? "a comparison" : f->name;
+}
+
 static value scalar(node n, dimension of)
 {
     return (value){.count = 1, .parts = {n}, .of = of};
 }
 
-/* The number of an argument, where the function is of constants only. False after noting a problem. */
-static bool number_of(values *v, const formula *f, size_t i, const value *given, double *number)
-{
-    const node n = given[i].parts[0];
-    if (!is_constant(v->g, n)) {
-        source_problem(v->s, f->parts[i]->at, "%s is of constants only: this depends on a tunable parameter or on time",
-                       f->name);
-        return false;
-    }
-    *number = constant_value(v->g, n);
-    return true;
-}
-
 static bool has_dimension(values *v, const formula *f, size_t i, const value *given, dimension of)
 {
-    if (!given[i].any && !dimension_equal(given[i].of, of)) {
+    if (!given[i].any && !agree(v, given[i].of, of)) {
         source_problem(v->s, f->parts[i]->at, "%s %s; this %s", arena_format(v->s->memory, "what %s is of", f->name),
                        dimension_phrase(v->s->memory, of), dimension_phrase(v->s->memory, given[i].of));
         return false;
@@ -47,13 +40,13 @@ static bool has_dimension(values *v, const formula *f, size_t i, const value *gi
     return true;
 }
 
-/* All arguments have one dimension, but for plain zeros. */
-static bool share_dimension(values *v, const formula *f, const value *given, value *made)
+/* All arguments from this one on have one dimension, but for plain zeros. */
+static bool share_dimension(values *v, const formula *f, size_t first, const value *given, value *made)
 {
-    *made = given[0];
-    for (size_t i = 1; i < f->count; i++) {
-        if (!given[i].any && !made->any && !dimension_equal(given[i].of, made->of)) {
-            source_problem(v->s, f->parts[i]->at, "%s of %s and of %s: they must have the same unit", f->name,
+    *made = given[first];
+    for (size_t i = first + 1; i < f->count; i++) {
+        if (!given[i].any && !made->any && !agree(v, given[i].of, made->of)) {
+            source_problem(v->s, f->parts[i]->at, "%s of %s and of %s: they must have the same unit", name_of(f),
                            dimension_text(v->s->memory, made->of), dimension_text(v->s->memory, given[i].of));
             return false;
         }
@@ -62,8 +55,6 @@ static bool share_dimension(values *v, const formula *f, const value *given, val
     }
     return true;
 }
-
-/* --- of angles --- */
 
 static bool depends_on_time(values *v, node n)
 {
@@ -75,6 +66,14 @@ static bool depends_on_time(values *v, node n)
     arena_return(v->s->memory, needed, v->g->count, sizeof *needed);
     return found;
 }
+
+/* Whether a number is known before the plant runs, with the tunables at their defaults. */
+static bool is_known(values *v, node n)
+{
+    return is_constant(v->g, n) || (v->around == NULL && !depends_on_time(v, n));
+}
+
+/* --- of angles --- */
 
 /* The sine and the cosine of an angle. One that is a whole number of quarter turns, to the rounding of its unit and of
  * pi (2 ulp), counts as exactly that. */
@@ -138,55 +137,58 @@ static value call_tangent(values *v, const formula *f, const value *given)
     return scalar(divide(v->g, s, c), plain);
 }
 
-/* asin and acos: beyond 1 only by the rounding of what gave the argument. */
+/* asin and acos: beyond 1 only by the rounding of what gave the argument. asin x is the angle of (sqrt(1 - x^2), x). */
 static value call_inverse(values *v, const formula *f, const value *given)
 {
-    double x;
-    if (!has_dimension(v, f, 0, given, plain) || !number_of(v, f, 0, given, &x)) {
+    const node x = given[0].parts[0], one = constant(v->g, 1.0);
+    const bool is_sine = f->name[1] == 's';
+    if (!has_dimension(v, f, 0, given, plain)) {
         return nothing;
     }
-    if (!(fabs(x) <= 1.0 + 4 * DBL_EPSILON)) {
-        source_problem(v->s, f->parts[0]->at, "%s is of a number from -1 to 1; this is %g", f->name, x);
+    if (is_known(v, x) && !(fabs(value_now(v, x)) <= 1.0 + 4 * DBL_EPSILON)) {
+        source_problem(v->s, f->parts[0]->at, "%s is of a number from -1 to 1; this is %g", f->name, value_now(v, x));
         return nothing;
     }
-    x = fmax(-1.0, fmin(x, 1.0));
-    return scalar(constant(v->g, f->name[1] == 's' ? elementary_asin(x) : elementary_acos(x)), radian);
+    if (is_constant(v->g, x)) {
+        const double limited = fmax(-1.0, fmin(constant_value(v->g, x), 1.0));
+        return scalar(constant(v->g, is_sine ? elementary_asin(limited) : elementary_acos(limited)), radian);
+    }
+    const node less = sub(v->g, one, x), more = add(v->g, one, x);
+    const node other = function(v->g, OP_SQRT, mul(v->g, less, more), 0);
+    return scalar(is_sine ? function(v->g, OP_ATAN2, x, other) : function(v->g, OP_ATAN2, other, x), radian);
 }
 
 static value call_direction(values *v, const formula *f, const value *given)
 {
-    double y, x;
+    const node y = given[0].parts[0], x = given[1].parts[0];
     value both;
-    if (!share_dimension(v, f, given, &both) || !number_of(v, f, 0, given, &y) || !number_of(v, f, 1, given, &x)) {
+    if (!share_dimension(v, f, 0, given, &both)) {
         return nothing;
     }
-    if (y == 0.0 && x == 0.0) {
+    if (is_known(v, y) && is_known(v, x) && value_now(v, y) == 0.0 && value_now(v, x) == 0.0) {
         source_problem(v->s, f->at, "atan2 of 0 and 0: that point has no direction");
         return nothing;
     }
-    return scalar(constant(v->g, elementary_atan2(y, x)), radian);
+    return scalar(function(v->g, OP_ATAN2, y, x), radian);
 }
 
 /* --- of plain numbers, and of any --- */
 
 static value call_root(values *v, const formula *f, const value *given)
 {
-    double x;
     const dimension of = given[0].of;
-    if (!number_of(v, f, 0, given, &x)) {
-        return nothing;
-    }
+    const node x = given[0].parts[0];
     if (of.kg % 2 != 0 || of.m % 2 != 0 || of.s % 2 != 0 || of.rad % 2 != 0 || of.A % 2 != 0 || of.K % 2 != 0) {
         source_problem(v->s, f->parts[0]->at, "the root of %s has no unit: each power must be even",
                        dimension_text(v->s->memory, of));
         return nothing;
     }
-    if (!(x >= 0.0)) {
-        source_problem(v->s, f->parts[0]->at, "the root of a negative number: %g", x);
+    if (is_known(v, x) && !(value_now(v, x) >= 0.0)) {
+        source_problem(v->s, f->parts[0]->at, "the root of a negative number: %g", value_now(v, x));
         return nothing;
     }
     value made = given[0];
-    made.parts[0] = constant(v->g, sqrt(x));
+    made.parts[0] = function(v->g, OP_SQRT, x, 0);
     made.of = (dimension){of.kg / 2, of.m / 2, of.s / 2, of.rad / 2, of.A / 2, of.K / 2};
     return made;
 }
@@ -194,28 +196,35 @@ static value call_root(values *v, const formula *f, const value *given)
 static value call_exp(values *v, const formula *f, const value *given)
 {
     static const double largest = 700.0; /* e^709.8 is the largest double */
-    double x;
-    if (!has_dimension(v, f, 0, given, plain) || !number_of(v, f, 0, given, &x)) {
+    const node x = given[0].parts[0];
+    if (!has_dimension(v, f, 0, given, plain)) {
         return nothing;
     }
-    if (!(fabs(x) <= largest)) {
-        source_problem(v->s, f->parts[0]->at, "exp is of a number from -%g to %g; this is %g", largest, largest, x);
+    if (is_known(v, x) && !(fabs(value_now(v, x)) <= largest)) {
+        source_problem(v->s, f->parts[0]->at, "exp is of a number from -%g to %g; this is %g", largest, largest,
+                       value_now(v, x));
         return nothing;
     }
-    return scalar(constant(v->g, elementary_exp(x)), plain);
+    return scalar(function(v->g, OP_EXP, x, 0), plain);
 }
 
 static value call_log(values *v, const formula *f, const value *given)
 {
-    double x;
-    if (!has_dimension(v, f, 0, given, plain) || !number_of(v, f, 0, given, &x)) {
+    const node x = given[0].parts[0];
+    if (!has_dimension(v, f, 0, given, plain)) {
         return nothing;
     }
-    if (!(x >= DBL_MIN)) {
-        source_problem(v->s, f->parts[0]->at, "log is of a number larger than zero; this is %g", x);
+    if (is_known(v, x) && !(value_now(v, x) >= DBL_MIN)) {
+        source_problem(v->s, f->parts[0]->at, "log is of a number larger than zero; this is %g", value_now(v, x));
         return nothing;
     }
-    return scalar(constant(v->g, elementary_log(x)), plain);
+    return scalar(function(v->g, OP_LOG, x, 0), plain);
+}
+
+static value call_tanh(values *v, const formula *f, const value *given)
+{
+    return has_dimension(v, f, 0, given, plain) ? scalar(function(v->g, OP_TANH, given[0].parts[0], 0), plain)
+                                                : nothing;
 }
 
 /* What has a corner is no function of time in a motion. */
@@ -223,7 +232,7 @@ static bool refuses_corner(values *v, const formula *f, const value *given)
 {
     for (size_t i = 0; i < f->count; i++) {
         if (v->is_smooth && depends_on_time(v, given[i].parts[0])) {
-            source_problem(v->s, f->at, "a motion must be smooth, and %s has a corner", f->name);
+            source_problem(v->s, f->at, "a motion must be smooth, and %s has a corner", name_of(f));
             return true;
         }
     }
@@ -240,20 +249,81 @@ static value call_abs(values *v, const formula *f, const value *given)
     return made;
 }
 
-/* min(a, b) is -max(-a, -b). */
 static value call_extreme(values *v, const formula *f, const value *given)
 {
     const bool largest = f->name[1] == 'a';
     value made;
-    if (!share_dimension(v, f, given, &made) || refuses_corner(v, f, given)) {
+    if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given)) {
         return nothing;
     }
-    for (size_t i = 0; i < f->count; i++) {
-        const node next = largest ? given[i].parts[0] : neg(v->g, given[i].parts[0]);
-        made.parts[0] = i == 0 ? next : larger(v->g, made.parts[0], next);
+    for (size_t i = 1; i < f->count; i++) {
+        const node next = given[i].parts[0];
+        made.parts[0] = largest ? larger(v->g, made.parts[0], next) : function(v->g, OP_MIN, made.parts[0], next);
     }
-    made.parts[0] = largest ? made.parts[0] : neg(v->g, made.parts[0]);
     return made;
+}
+
+static value call_clamp(values *v, const formula *f, const value *given)
+{
+    value made;
+    const node least = given[1].parts[0], most = given[2].parts[0];
+    if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given)) {
+        return nothing;
+    }
+    if (is_known(v, least) && is_known(v, most) && value_now(v, least) > value_now(v, most)) {
+        source_problem(v->s, f->parts[1]->at, "the limits are in the wrong order: clamp(x, LEAST, MOST)");
+        return nothing;
+    }
+    made.parts[0] = function(v->g, OP_MIN, larger(v->g, made.parts[0], least), most);
+    return made;
+}
+
+static value call_sign(values *v, const formula *f, const value *given)
+{
+    return refuses_corner(v, f, given) ? nothing : scalar(function(v->g, OP_SIGN, given[0].parts[0], 0), plain);
+}
+
+static value call_floor(values *v, const formula *f, const value *given)
+{
+    if (!has_dimension(v, f, 0, given, plain) || refuses_corner(v, f, given)) {
+        return nothing;
+    }
+    return scalar(function(v->g, OP_FLOOR, given[0].parts[0], 0), plain);
+}
+
+/* if(condition, a, b): a where the condition is 1, b where it is 0. Exactly one of both is added to zero. */
+static value call_if(values *v, const formula *f, const value *given)
+{
+    value made;
+    if (!has_dimension(v, f, 0, given, plain) || !share_dimension(v, f, 1, given, &made) ||
+        refuses_corner(v, f, given)) {
+        return nothing;
+    }
+    const node holds = function(v->g, OP_WHERE, given[0].parts[0], given[1].parts[0]);
+    const node fails = function(v->g, OP_UNLESS, given[0].parts[0], given[2].parts[0]);
+    made.parts[0] = add(v->g, holds, fails);
+    return made;
+}
+
+value order_of_formula(values *v, const formula *f)
+{
+    const value given[] = {value_any(v, f->parts[0]), value_any(v, f->parts[1])};
+    value both;
+    if (given[0].count == 0 || given[1].count == 0) {
+        return nothing;
+    }
+    if (given[0].count != 1 || given[1].count != 1) {
+        source_problem(v->s, f->at, "a comparison is of numbers; this is a vector");
+        return nothing;
+    }
+    if (!share_dimension(v, f, 0, given, &both) || refuses_corner(v, f, given)) {
+        return nothing;
+    }
+    const node a = given[0].parts[0], b = given[1].parts[0];
+    const bool or_equal = f->number > 0.0;
+    /* a <= b where a is not above b. */
+    const node is_above = (f->sign == '>') != or_equal ? above(v->g, a, b) : above(v->g, b, a);
+    return scalar(or_equal ? sub(v->g, constant(v->g, 1.0), is_above) : is_above, plain);
 }
 
 /* --- all of them --- */
@@ -273,6 +343,11 @@ static const function_row functions[] = {
     {"min", "min(1 m, 2 m)", 2, ANY_NUMBER, call_extreme},
     {"max", "max(1 m, 2 m)", 2, ANY_NUMBER, call_extreme},
     {"abs", "abs(-1 m)", 1, 1, call_abs},
+    {"tanh", "tanh(0.5)", 1, 1, call_tanh},
+    {"sign", "sign(-1 m)", 1, 1, call_sign},
+    {"floor", "floor(2.5)", 1, 1, call_floor},
+    {"clamp", "clamp(x, -1 m, 1 m)", 3, 3, call_clamp},
+    {"if", "if(x > 0, 1 m, 2 m)", 3, 3, call_if},
     {"table", NULL, 0, 0, NULL},
     {"ramp", NULL, 0, 0, NULL},
 };

@@ -7,4 +7,7 @@
 /* The value of a call. Count 0 after noting a problem. */
 value call_of_formula(values *v, const formula *f);
 
+/* Of a comparison: 1 or 0. */
+value order_of_formula(values *v, const formula *f);
+
 #endif

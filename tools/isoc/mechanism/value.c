@@ -263,8 +263,7 @@ static value evaluate_scale(values *v, const formula *f)
     return r;
 }
 
-/* Whether two dimensions are the same. */
-static bool agree(const values *v, dimension a, dimension b)
+bool agree(const values *v, dimension a, dimension b)
 {
     return v->around == NULL ? dimension_equal(a, b) : dimension_equal_but_angle(a, b);
 }
@@ -378,6 +377,8 @@ value value_any(values *v, const formula *f)
         return call_of_formula(v, f);
     case FORMULA_OF:
         return quantity_of_formula(v, f);
+    case FORMULA_ORDER:
+        return order_of_formula(v, f);
     case FORMULA_STEP:
     case FORMULA_NEGATE:
         break;

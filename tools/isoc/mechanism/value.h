@@ -57,6 +57,9 @@ void values_resolve(values *v);
 /* The value of f, whatever it is. Count 0 after noting a problem. */
 value value_any(values *v, const formula *f);
 
+/* Whether two dimensions are the same, in these surroundings. */
+bool agree(const values *v, dimension a, dimension b);
+
 /* The value of f, which must have this dimension and number of parts (1 to 4; 0 for an inertia, which has 3
  * or 6).
  * `what` names the quantity in messages. Returns count 0 after noting a problem. */

@@ -132,12 +132,32 @@ static formula *parse_number(parser *p)
     return f;
 }
 
+/* formula [ (< | > | <= | >=) formula ]. It stands in parentheses only: elsewhere these signs are a statement's own. */
+static formula *parse_order(parser *p)
+{
+    formula *left = parse_formula(p);
+    if (left == NULL || (!next_is_sign(p, '<') && !next_is_sign(p, '>'))) {
+        return left;
+    }
+    formula *f = formula_new(p, FORMULA_ORDER, p->next->at);
+    f->sign = p->next->sign;
+    p->next++;
+    f->number = take_sign(p, '=') ? 1.0 : 0.0;
+    formula *right = parse_formula(p);
+    if (right == NULL) {
+        return NULL;
+    }
+    add_part(p, f, left);
+    add_part(p, f, right);
+    return f;
+}
+
 /* formula { , formula } ), after the opening parenthesis. A semicolon separates like a comma, and so does a colon
  * between time and value. */
 static void parse_parts(parser *p, formula *f, bool of_points)
 {
     do {
-        formula *part = parse_formula(p);
+        formula *part = parse_order(p);
         if (part == NULL) {
             return;
         }

@@ -1,0 +1,85 @@
+/* The outputs of all.scene, a row of its trace for each tick on the input, against the host's libm in double.
+ *
+ * The arguments are computed in real, as the plant does: angle and rate read back exactly. The tolerance is the bound of the
+ * functions (core/numbers), 4 ulp of the result, and for sums of two of them one more.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/tap.h"
+
+enum { OUTPUTS = 21, LINE = 4096 };
+
+static double sign(const double x)
+{
+    return (x > 0.0) - (x < 0.0);
+}
+
+/* What each output is; q and v are those that the plant had. */
+static void expect(const real q, const real v, double want[OUTPUTS])
+{
+    const real width = R(0.4), shifted = q * q + width, half = R(0.5) * q, low = R(-0.2), third = R(0.3);
+    const real rest = (R(1.0) - half) * (R(1.0) + half), root = (real)sqrt((double)rest);
+    const double all[OUTPUTS] = {
+        (double)q,
+        (double)v,
+        sqrt((double)shifted),
+        exp((double)v),
+        log((double)shifted),
+        tanh((double)(R(3.0) * v)),
+        atan2((double)q, (double)v),
+        atan2((double)half, (double)root),
+        atan2((double)root, (double)-half),
+        sign((double)v),
+        floor((double)(R(10.0) * q)),
+        (double)(q < low     ? low
+                 : q > width ? width
+                             : q),
+        (double)(q < v && q < third ? q
+                 : v < third        ? v
+                                    : third),
+        (double)(q > v && q > -third ? q
+                 : v > -third        ? v
+                                     : -third),
+        fabs((double)v),
+        q<v, q <= v, q>
+            v,
+        q >= v,
+        (double)(q * v > 0 ? q : R(2.0) * v),
+        sin((double)q) + tan((double)q),
+    };
+    memcpy(want, all, sizeof all);
+}
+
+int main(void)
+{
+    static char line[LINE];
+    double worst[OUTPUTS] = {0};
+    uint32_t rows = 0, moved = 0;
+    (void)!fgets(line, sizeof line, stdin); /* the names */
+    while (fgets(line, sizeof line, stdin) != NULL) {
+        double got[OUTPUTS + 1], want[OUTPUTS];
+        char *at = line;
+        for (int i = 0; i <= OUTPUTS; i++) {
+            got[i] = strtod(at, &at);
+            at += *at == ',';
+        }
+        expect((real)got[1], (real)got[2], want);
+        for (int i = 0; i < OUTPUTS; i++) {
+            const double scale = i == OUTPUTS - 1 ? 1.0 + fabs(want[i]) : fabs(want[i]);
+            const double error = fabs(got[i + 1] - want[i]) / ((double)ISO_REAL_EPSILON * (scale + 1e-30));
+            worst[i] = fmax(worst[i], error);
+        }
+        rows++;
+        moved += got[2] < 0.0;
+    }
+    tap_ok(rows > 1000 && moved > 100 && moved < rows - 100, "the pendulum swings both ways");
+    for (int i = 0; i < OUTPUTS; i++) {
+        char name[80];
+        snprintf(name, sizeof name, "output %d: %.2f ulp", i + 1, worst[i]);
+        tap_ok(worst[i] <= 4.0, name);
+    }
+    tap_done();
+}

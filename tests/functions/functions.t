@@ -1,0 +1,44 @@
+#!/bin/sh
+# Functions in the formulas of a scene: their values, their bits on the board, and that they are not there where nobody
+# calls them.
+. tests/host/test.sh
+begin functions
+
+# run TARGET REAL: all.scene for 5 s; the trace in $trace, the hash in $hash.
+run()
+{
+    make --no-print-directory run SCENE=tests/functions/all.scene SECONDS=5 TARGET="$1" REAL="$2" >"$out/run" 2>&1
+    trace=$(sed -n 's/^trace //p' "$out/run")
+    hash=$(sed -n 's/^hash //p' "$out/run")
+}
+
+for number in float double; do
+    real $number
+    program all tests/functions/all.c tests/tap.c port/sim/*.c
+    run host $number
+    joined "$number" sh -c "'$out/all' <'$trace'"
+done
+run host float
+host=$hash
+run cortex-m4f float
+[ -n "$host" ] && [ "$host" = "$hash" ]
+result $? 'the same bits on the board'
+grep -q '^instructions_per_step [0-9]*$' "$out/run"
+result $? 'each step takes one number of instructions there'
+
+# The planted error: the minimum in place of the maximum.
+sed 's/max(q, v, -0.3)/min(q, v, -0.3)/' tests/functions/all.scene >"$out/planted.scene"
+make --no-print-directory run SCENE="$out/planted.scene" SECONDS=2 REAL=double >"$out/run" 2>&1
+! "$out/all" <"$(sed -n 's/^trace //p' "$out/run")" >"$out/tap" && grep -q '^not ok 15 - output 14' "$out/tap"
+result $? 'found: a wrong function'
+
+# A plant includes the files of the functions that it calls.
+build/isoc models/pendulum.scene -o "$out/plain" >"$out/summary" && ! grep -E 'exp|log|tanh|angle|pieces|sqrt' "$out/plain/plant.c"
+result $? 'a scene without functions includes none'
+for word in exp log tanh sqrt; do
+    sed "s/^output rate.*/output rate = $word(2 + speed of pivot \/ (1 rad\/s))/" models/pendulum.scene >"$out/one.scene"
+    build/isoc "$out/one.scene" -o "$out/one" >"$out/summary" &&
+        [ "$(grep -oE 'numbers/(exp|log|tanh|angle|pieces|sqrt)' "$out/one/plant.c")" = "numbers/$word" ]
+    result $? "with $word that file alone"
+done
+finish
