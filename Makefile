@@ -30,14 +30,14 @@ SET =
 CHECKED =
 COMPENSATED =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,10))
-TARGET = $(if $(filter size cost chains,$(MAKECMDGOALS)),cortex-m4f,host)
+TARGET = $(if $(filter size cost chains functions,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
 SCRIPT =
 MODELS = $(wildcard models/*.scene)
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 PARTS = models methods restarts effects
 LENGTHS = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
-TABLES = models/costs.md models/chains.md models/drift.md core/methods.md tests/digits.md
+TABLES = models/costs.md models/chains.md models/drift.md core/methods.md core/README.md tests/digits.md
 V =
 
 .DEFAULT_GOAL := help
@@ -48,7 +48,7 @@ MAKEFLAGS += --no-builtin-rules
 # The goals that build and run plants; each works in one folder.
 GOALS := run plot size stack cost chains flags report bench drift
 
-.PHONY: help shared digits tables pictures clean $(GOALS)
+.PHONY: help shared digits functions tables pictures clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
@@ -116,7 +116,7 @@ no_effect = $(error $(1) has no effect on `make $(2)`; it has one on: $(strip $(
     check tables,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
 ifeq ($(MAKELEVEL),0)
 $(foreach name,$(filter-out $(EFFECTS) MAKEFLAGS SHELL,$(GIVEN)),$(call unknown,$(name),$(call nearest,$(name))))
-ifeq ($(filter-out $(GOALS) test check tables pictures help clean digits,$(or $(MAKECMDGOALS),help)),)
+ifeq ($(filter-out $(GOALS) test check tables pictures help clean digits functions,$(or $(MAKECMDGOALS),help)),)
 $(foreach name,$(filter $(GIVEN),$(filter-out V CC CFLAGS,$(EFFECTS))),$(if $($(name)),$(if $(filter $(name),$(foreach \
     goal,$(MAKECMDGOALS),$(EFFECTS_$(goal)))),,$(call no_effect,$(name),$(or $(MAKECMDGOALS),help)))))
 endif
@@ -278,6 +278,10 @@ endif
 
 digits: build/isoc ## print a table of errors against reference solutions
 	@sh tests/reference/table.sh
+
+functions: ## print a table of the functions of core: domain, error, instructions; on the Cortex-M4F in float
+	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
+	@COMPILE=$(call quote,$(COMPILE)) OBJDUMP=$(PORT_SIZE:size=objdump) sh tools/build/functions.sh
 
 # What they call makes the tools first, so that a table has no line of the compiler.
 tables: $(TOOLS) ## write the generated tables again, in the Markdown files TABLES
