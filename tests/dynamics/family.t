@@ -38,7 +38,10 @@ member()
     method=$([ $(($2 / 2 % 2)) -eq 0 ] && echo bdf4 || echo rosenbrock)
     "$out/write_scene" "$1" "$2" >"$out/$name.scene" &&
         build/isoc "$out/$name.scene" -o "$out" --name "$name" --real double --method "$method" \
-            --formulation "$(formulation_of "$1" "$2")" >"$out/$name.summary" || return
+            --formulation "$(formulation_of "$1" "$2")" >"$out/$name.summary" 2>"$out/$name.messages" || {
+        cat "$out/$name.messages"
+        return 1
+    }
     settle=
     if grep -q '^static void settle' "$out/$name.c"; then
         settle="settle(x$(grep -q '^static void settle.*\bp)' "$out/$name.c" && echo ', p'));"
