@@ -389,8 +389,8 @@ static inline bool iso_adams_reject(iso_adams_run *const run, const real estimat
 {
     iso_adams_state *const state = run->state;
     const bool fresh = state->starting && state->order == 1;
-    const bool jump = run->refused > R(0.0) && estimate > run->refused / R(3.0) && !fresh;
-    if (jump && run->remaining <= run->left) {
+    const bool discontinuity = run->refused > R(0.0) && estimate > run->refused / R(3.0) && !fresh;
+    if (discontinuity && run->remaining <= run->left) {
         state->restarts++;
         iso_adams_begin(run);
     } else if (iso_adams_can_halve(run)) {

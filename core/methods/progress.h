@@ -8,11 +8,11 @@
 
 /* Of a run, besides its state. */
 typedef struct iso_progress {
-    real local_error; /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
-    real residual;    /* of the last Newton iteration */
-    real usual;       /* local error, if discontinuities are detected: iso_watch */
-    uint8_t watched;  /* steps, up to ISO_USUAL_STEPS */
-    bool jumped;      /* a discontinuity in this step: the history and the step are invalid */
+    real local_error;   /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
+    real residual;      /* of the last Newton iteration */
+    real usual;         /* local error, if discontinuities are detected: iso_watch */
+    uint8_t watched;    /* steps, up to ISO_USUAL_STEPS */
+    bool discontinuity; /* a discontinuity in this step: the history and the step are invalid */
 } iso_progress;
 
 /* The progress of adams: that of any method, then its own. Zeros before the first start. */

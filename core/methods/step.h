@@ -84,18 +84,19 @@ ISO_INLINE void iso_step_begin(iso_step *const step, const real gamma)
     iso_keep_derivative(history, step->h, derivative);
 }
 
-/* A local error of more than ISO_JUMP times its usual size is a discontinuity: a kink makes the error larger than that of
- * a smooth motion by 1 / h or a higher power of it, and the error of a smooth motion grows little in a step. The usual size
- * is the largest recent error; it decays by a sixteenth in a step. It is known after ISO_USUAL_STEPS steps. */
-#define ISO_JUMP R(64.0)
+/* A local error of more than ISO_DISCONTINUITY_RATIO times its usual size is a discontinuity: a kink makes the error
+ * larger than that of a smooth motion by 1 / h or a higher power of it, and the error of a smooth motion grows little in
+ * a step. The usual size is the largest recent error; it decays by a sixteenth in a step. It is known after
+ * ISO_USUAL_STEPS steps. */
+#define ISO_DISCONTINUITY_RATIO R(64.0)
 enum { ISO_USUAL_STEPS = 16 };
 
 /* Sets whether the step with this error contains a discontinuity. No branch on the error. */
 static inline void iso_watch(iso_progress *const progress, const real error)
 {
     const bool known = progress->watched == ISO_USUAL_STEPS;
-    const iso_bits leap = iso_less(ISO_JUMP * progress->usual, error) & ~iso_not_finite(error);
-    progress->jumped = known & (leap != 0);
+    const iso_bits leap = iso_less(ISO_DISCONTINUITY_RATIO * progress->usual, error) & ~iso_not_finite(error);
+    progress->discontinuity = known & (leap != 0);
     progress->usual = iso_max(error, progress->usual - progress->usual / (real)ISO_USUAL_STEPS);
     progress->watched = (uint8_t)(progress->watched + !known);
 }

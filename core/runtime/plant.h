@@ -60,10 +60,11 @@ typedef struct iso_model {
                                                    states */
     void (*advance)(void *memory); /* sets the memories at the end of a tick, from the states there and the inputs of
                                       the tick; NULL without memories */
-    bool (*jumped)(void *memory);  /* whether an input or a parameter jumped, or something happened that ends the smooth
-                                     motion: then the history is of no use. NULL where no history is kept */
-    void (*prime)(void *memory);   /* fills the method's history from x and u; NULL for a one-step method */
-    void (*step)(void *memory);    /* advances x by one step with u held: the real-time part */
+    bool (*discontinuity)(void *memory); /* whether an input or a parameter has one, or something happened that ends
+                                            the smooth motion: then the history is of no use. NULL where no history is
+                                            kept */
+    void (*prime)(void *memory);         /* fills the method's history from x and u; NULL for a one-step method */
+    void (*step)(void *memory);          /* advances x by one step with u held: the real-time part */
 } iso_model;
 
 /* A plant: a model, and where its memory is. */
@@ -76,8 +77,8 @@ typedef struct iso_plant {
     real *y;                      /* outputs, */
     iso_progress *progress;       /* how the last step went; NULL where nothing asks, */
     const iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/methods/adams.h) */
-    void *before; /* [memory_bytes] for a snapshot from before a step that is made again after a jump, where the method
-                     watches for one; NULL where no step is */
+    void *before; /* [memory_bytes] for a snapshot from before a step that is made again after a discontinuity, where
+                     the method watches for one; NULL where no step is */
 } iso_plant;
 
 /* Puts everything to tick 0: state, parameters, inputs, and what the method keeps. */

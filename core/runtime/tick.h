@@ -20,10 +20,10 @@ static inline void iso_plant_keep(const iso_plant *const plant)
     }
 }
 
-/* 3. Makes the step; with a new history, which is counted, if an input or a parameter jumped. */
+/* 3. Makes the step; with a new history, which is counted, if an input or a parameter has a discontinuity. */
 static inline void iso_plant_step(const iso_plant *const plant, uint32_t *const restarts)
 {
-    if (plant->model->jumped != NULL && plant->model->jumped(plant->memory)) {
+    if (plant->model->discontinuity != NULL && plant->model->discontinuity(plant->memory)) {
         plant->model->prime(plant->memory);
         (*restarts)++;
     }
@@ -35,7 +35,7 @@ static inline void iso_plant_step(const iso_plant *const plant, uint32_t *const 
  * does not restart in every tick. Returns whether it did. */
 static inline bool iso_plant_step_again(const iso_plant *const plant, const bool restarted)
 {
-    const bool again = plant->before != NULL && plant->progress->jumped && !restarted;
+    const bool again = plant->before != NULL && plant->progress->discontinuity && !restarted;
     if (again) {
         const iso_progress progress = *plant->progress;
         memcpy(plant->memory, plant->before, plant->model->memory_bytes);

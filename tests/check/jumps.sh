@@ -110,6 +110,6 @@ expect $? "a force that turns about in every tick is no jump"
 # Where nothing is kept there is nothing to start anew, and no code for it.
 cart "jump 0.5 N"
 push rk4 && [ -z "$(value restarts)" ] && [ -z "$(value restart_execution)" ] &&
-    ! grep -q jumped "$out/project/$(dirname "$(value trace)")/plant.c"
+    ! grep -q discontinuity "$out/project/$(dirname "$(value trace)")/plant.c"
 expect $? "rk4 without a check has no history"
 finish

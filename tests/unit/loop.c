@@ -326,7 +326,7 @@ static void watched_step(void *const memory)
     watched_memory.x[0] += primed > 1 ? R(1.0) : R(100.0);
     watched_memory.x[1] = R(3.0);
     watched_memory.progress.usual += R(1.0);
-    watched_memory.progress.jumped = steps == 1 || steps == 4 || steps == 5;
+    watched_memory.progress.discontinuity = steps == 1 || steps == 4 || steps == 5;
     now += events->cost[steps];
 }
 
@@ -339,7 +339,7 @@ static void watched_prime(void *const memory)
     state_when_primed = watched_memory.x[0] + watched_memory.x[1];
 }
 
-static bool watched_jumped(void *const memory)
+static bool watched_discontinuity(void *const memory)
 {
     (void)memory;
     return steps < 2;
@@ -392,7 +392,7 @@ static void test_jump(void)
     tap_count(loop.statistics.restart_max, 30 + 40 + 50 + READING, "jump: the dearest with one is all that it took");
     tap_count(loop.statistics.ticks, 4, "jump: all are ticks");
 
-    watching.jumped = watched_jumped;
+    watching.discontinuity = watched_discontinuity;
     steps = primed = 0;
     iso_loop_start(&loop, &watched);
     tap_ok(iso_loop_tick(&loop) && steps == 1 && primed == 2, "jump: after a new history a step is not made again");
@@ -414,7 +414,7 @@ static void test_plant_tick(void)
         .memory_bytes = sizeof watched_memory,
         .output = watched_output,
         .drive = watched_drive,
-        .jumped = watched_jumped,
+        .discontinuity = watched_discontinuity,
         .prime = watched_prime,
         .step = watched_step,
     };

@@ -269,7 +269,7 @@ static bool leaps(const real error)
         iso_watch(&progress, R(1.0));
     }
     iso_watch(&progress, error);
-    return progress.jumped;
+    return progress.discontinuity;
 }
 
 static void test_watch(void)
@@ -278,26 +278,27 @@ static void test_watch(void)
     bool never = true;
     for (int i = 0; i < ISO_USUAL_STEPS; i++) {
         iso_watch(&progress, i % 2 == 0 ? R(0.0) : R(1e6));
-        never = never && !progress.jumped;
+        never = never && !progress.discontinuity;
     }
     tap_ok(never, "watch: nothing is usual at the start");
-    tap_ok(!leaps(ISO_JUMP) && leaps(ISO_JUMP + R(1.0)) && !leaps(R(0.0)), "watch: a jump is a leap of the error");
+    tap_ok(!leaps(ISO_DISCONTINUITY_RATIO) && leaps(ISO_DISCONTINUITY_RATIO + R(1.0)) && !leaps(R(0.0)),
+           "watch: a jump is a leap of the error");
     tap_ok(!leaps(iso_real_of(ISO_EXPONENT_BITS | 1)), "watch: what is not a number is left to the guard");
 
     for (int i = 0; i < 2 * ISO_USUAL_STEPS; i++) {
         iso_watch(&progress, R(1.0));
     }
     iso_watch(&progress, R(1e4));
-    const bool first = progress.jumped;
+    const bool first = progress.discontinuity;
     iso_watch(&progress, R(1e4));
-    tap_ok(!first && !progress.jumped, "watch: what was usual of late is so yet");
+    tap_ok(!first && !progress.discontinuity, "watch: what was usual of late is so yet");
     for (int i = 0; i < 16 * ISO_USUAL_STEPS; i++) {
         iso_watch(&progress, R(1.0));
     }
     iso_watch(&progress, R(1e4));
-    tap_ok(progress.jumped, "watch: but not for ever");
+    tap_ok(progress.discontinuity, "watch: but not for ever");
     iso_watch(&progress, R(1e4));
-    tap_ok(!progress.jumped, "watch: a second leap to the same size is none");
+    tap_ok(!progress.discontinuity, "watch: a second leap to the same size is none");
 }
 
 int main(void)

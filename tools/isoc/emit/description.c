@@ -88,7 +88,7 @@ void emit_model(emission *e)
     }
     add_if(e, is_driven(m), "    .drive = drive,\n");
     add_if(e, m->memory_count > 0, "    .advance = advance,\n");
-    add_if(e, can_jump(m), "    .jumped = jumped,\n");
+    add_if(e, can_restart(m), "    .discontinuity = discontinuity,\n");
     add_if(e, is_primed(m), "    .prime = prime,\n");
     text_add(e->out, "    .step = step,\n};\n");
 }

@@ -132,7 +132,7 @@ static void emit_memory(const emission *e)
     if (ISO_HAS_PROGRESS(m->recipe)) {
         text_add(e->out, "    %s;\n", ISO_IS_VARYING(m->recipe) ? "iso_adams_state adams" : "iso_progress progress");
     }
-    if (can_jump(m) && m->input_count > 0) {
+    if (can_restart(m) && m->input_count > 0) {
         text_add(e->out, "    real last_u[%s_INPUTS];\n", capitals);
     }
     if (watches_parameters(m)) {

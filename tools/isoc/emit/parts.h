@@ -15,8 +15,8 @@ typedef struct emission {
 /* Whether the plant keeps something that a start or a restart sets: the method's history, samples of smooth inputs. */
 bool is_primed(const mechanism *m);
 
-/* Whether a jump of an input, or a change of a parameter, makes that useless; and whether the latter can. */
-bool can_jump(const mechanism *m);
+/* Whether a discontinuity, of an input or of a parameter, makes that useless; and whether the latter can. */
+bool can_restart(const mechanism *m);
 bool watches_parameters(const mechanism *m);
 
 /* Where a step tells how it went; NULL, as C, where it does not. */

@@ -13,7 +13,7 @@ bool watches_parameters(const mechanism *m)
     return m->parameter_count > 0 && ISO_IS_PRIMED(m->recipe);
 }
 
-bool can_jump(const mechanism *m)
+bool can_restart(const mechanism *m)
 {
     bool jumps = watches_parameters(m);
     for (int i = 0; i < m->input_count; i++) {
@@ -95,7 +95,7 @@ static void emit_equations(emission *e)
     text_add(e->out, "%s};\n\n", ISO_IS_VARYING(p->m->recipe) ? "    .adams = &options,\n" : "");
 }
 
-/* The inputs and parameters that jumped() compares with. */
+/* The inputs and parameters that discontinuity() compares with. */
 static void emit_remember(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -107,23 +107,23 @@ static void emit_remember(emission *e)
 }
 
 /* What restarts the method: an input that changed by more than its jump in a tick, or a parameter that changed. */
-static void emit_jumped(emission *e)
+static void emit_discontinuity(emission *e)
 {
     const mechanism *m = e->p->m;
-    begin_function(e, "static bool jumped");
-    text_add(e->out, "    bool jump = false;\n");
+    begin_function(e, "static bool discontinuity");
+    text_add(e->out, "    bool found = false;\n");
     for (int i = 0; i < m->input_count; i++) {
         if (m->jumps[i] > 0.0) {
             const char *at = e->names->leaves.inputs[i].place;
-            text_add(e->out, "    jump |= iso_abs(memory->u[%s] - memory->last_u[%s]) > %s;\n", at, at,
+            text_add(e->out, "    found |= iso_abs(memory->u[%s] - memory->last_u[%s]) > %s;\n", at, at,
                      code_literal(e->out->memory, m->jumps[i], e->p->is_double));
         }
     }
     for (int i = 0; i < m->parameter_count && watches_parameters(m); i++) {
         const char *at = e->names->leaves.parameters[i].place;
-        text_add(e->out, "    jump |= memory->p[%s] != memory->last_p[%s];\n", at, at);
+        text_add(e->out, "    found |= memory->p[%s] != memory->last_p[%s];\n", at, at);
     }
-    text_add(e->out, "    remember(memory);\n    return jump;\n}\n\n");
+    text_add(e->out, "    remember(memory);\n    return found;\n}\n\n");
 }
 
 static const char *array_or_null(int count, const char *array)
@@ -163,7 +163,7 @@ static void emit_prime(emission *e)
     if (ISO_IS_PRIMED(e->p->m->recipe)) {
         emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
     }
-    text_add(e->out, "%s}\n\n", can_jump(e->p->m) ? "    remember(memory);\n" : "");
+    text_add(e->out, "%s}\n\n", can_restart(e->p->m) ? "    remember(memory);\n" : "");
 }
 
 /* Whether the compiler is asked to inline all calls of a step: up to so many operations in its evaluations, where a
@@ -271,9 +271,9 @@ void emit_step(emission *e)
     const mechanism *m = e->p->m;
     emit_check(e);
     emit_equations(e);
-    if (can_jump(m)) {
+    if (can_restart(m)) {
         emit_remember(e);
-        emit_jumped(e);
+        emit_discontinuity(e);
     }
     if (is_primed(m)) {
         emit_prime(e);
