@@ -139,6 +139,76 @@ output force = force of shoulder
 END
 same 'frames, and a body without mass'
 
+# Solids: a turn about an axis through the centre takes one over the moment of inertia, which is computed by hand here.
+{
+    cat <<'END'
+step 1 ms
+input torque = 1 N*m
+END
+    number=0
+    while read -r axis want words; do
+        number=$((number + 1))
+        echo "$want" >>"$out/moments"
+        echo "body b$number { $words }"
+        echo "joint j$number revolute { parent ground; child b$number; axis $axis; drive torque }"
+        echo "output a$number = acceleration of j$number"
+    done <<'END'
+x 13/12*3 box (1, 2, 3) m of 3 kg
+y 10/12*3 box (1, 2, 3) m of 3 kg
+z 5/12*3 box (1, 2, 3) m of 3 kg
+z 5/12*3+3*(0.25+4) box (1, 2, 3) m of 3 kg at (0.5, 2, 1) m
+x 2*(3*0.04+0.25)/12 cylinder (0.2, 0.5) m of 2 kg
+z 2*0.04/2 cylinder (0.2, 0.5) m of 2 kg
+x 2*0.04/2 cylinder (0.2, 0.5) m of 2 kg rotate 90 deg about y
+y 0.4*2*0.09 sphere 0.3 m of 2 kg
+x 4/12*5 rod 2 m of 5 kg
+x 4/12*5+5 rod 2 m of 5 kg at (0, 0, 1) m
+x 4/12*5*0.75 rod 2 m of 5 kg rotate 30 deg about y rotate 0 deg about x; sphere 0 m of 1 kg
+z 2*(0.09+0.04)/2 tube (0.3, 0.2, 1) m of 2 kg
+y 2*(3*(0.09+0.04)+1)/12 tube (0.3, 0.2, 1) m of 2 kg
+x 1*0.75+2*0.25 lump (1, 2, 2) kg*m^2 of 1 kg rotate 30 deg about z
+z 2 lump (1, 2, 2) kg*m^2 of 1 kg rotate 30 deg about z
+x 1*0.75+2*0.25 mass 1 kg; inertia (1, 2, 2) kg*m^2 rotate 30 deg about z
+x 2*0.4*2*0.01+2*2*0.25+1/12 sphere 0.1 m of 2 kg at (0, 0, 0.5) m; sphere 10 cm of 2 kg at (0, 0, -0.5) m; rod 1 m of 1 kg
+z 2*0.4*2*0.01 sphere 0.1 m of 2 kg at (0, 0, 0.5) m; sphere 10 cm of 2 kg at (0, 0, -0.5) m; rod 1 m of 1 kg
+END
+} >"$out/solids.scene"
+count=$(wc -l <"$out/moments")
+build/isoc "$out/solids.scene" -o "$out/solids" --real double >"$out/solids.txt" &&
+    EXTRA=-O0 program solids.run tests/language/last.c "$out/solids/plant.c"
+"$out/solids.run" 1 $(seq -f 'a%.0f' "$count") | tr ' ' '\n' | paste - "$out/moments" >"$out/pairs"
+# Some ten roundings of 1.1e-16 each.
+told=$(perl -lane '$off = abs $F[0] * eval($F[1]) - 1; $worst = $off unless $off <= $worst;
+    END { printf "%.1e", $worst; exit !($. == 18 && $worst < 2e-15) }' "$out/pairs")
+result $? "moments of inertia of solids are those by hand: off by $told"
+
+# Lumps of one body are bodies that fixed joints weld to it.
+plant new <<'END'
+gravity (0, -9.81, 0) m/s^2; step 1 ms; tunable load = 2 kg
+body arm {
+    box (10, 20, 30) mm of load at (0, -0.3, 0) m rotate 30 deg about x rotate 10 deg about y
+    cylinder (1, 30) cm of 1 kg at (0.1, 0, 0) m rotate 90 deg about y
+    lump (3, 4, 5; 0.1, 0.2, 0.3) g*m^2 of 300 g at (0, 0, 5) mm
+}
+joint pivot spherical { parent ground; child arm; spin (1, 2, 3) rad/s }
+output place = position of arm at (0, 1, 0) m
+output energy = energy
+END
+plant old <<'END'
+gravity (0, -9.81, 0) m/s^2; step 1 ms; tunable load = 2 kg
+body arm { mass 0 }
+body a1 { mass load; inertia (load * ((0.02 m)^2 / 12 + (0.03 m)^2 / 12), load * ((0.01 m)^2 / 12 + (0.03 m)^2 / 12), load * ((0.01 m)^2 / 12 + (0.02 m)^2 / 12)) }
+body a2 { mass 1 kg; inertia ((0.01 m)^2 / 4 + (0.3 m)^2 / 12, (0.01 m)^2 / 4 + (0.3 m)^2 / 12, (0.01 m)^2 / 2) * (1 kg) }
+body a3 { mass 300 g; inertia (3, 4, 5; 0.1, 0.2, 0.3) g*m^2 }
+joint pivot spherical { parent ground; child arm; spin (1, 2, 3) rad/s }
+joint f1 fixed { parent arm at (0, -0.3, 0) m rotate 30 deg about x rotate 10 deg about y; child a1 }
+joint f2 fixed { parent arm at (0.1, 0, 0) m rotate 90 deg about y; child a2 }
+joint f3 fixed { parent arm at (0, 0, 5) mm; child a3 }
+output place = position of arm at (0, 1, 0) m
+output energy = energy
+END
+same 'a body of several solids is that of bodies welded together'
+
 # told NAME SCENE LINE...: what isoc says of the scene, without the lines that it shows.
 told()
 {

@@ -10,20 +10,26 @@ static const dimension no_unit = {0, 0, 0, 0, 0, 0}, kilogram = {1, 0, 0, 0, 0, 
 
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 
-/* What a body adds to its link. */
-typedef struct solid {
+/* A part of a body. */
+typedef struct lump {
     node mass;
     vector com;
-    tensor inertia; /* about the centre of mass */
-    int joint;      /* whose child it is, or -1 */
-} solid;
+    tensor inertia; /* about the centre of mass, in the body's axes */
+} lump;
+
+/* What a body adds to its link. */
+typedef struct weight {
+    lump *lumps;
+    size_t lump_count;
+    int joint; /* whose child it is, or -1 */
+} weight;
 
 typedef struct builder {
     source *s;
     graph *g;
     const scene *written;
     values values;
-    solid *solids;
+    weight *weights;
     int *parents, *children;              /* of the joints: bodies; -2 the ground, -1 unknown */
     dimension *input_dimensions;          /* of the scene's inputs */
     bool *is_input_used, *is_input_known; /* and whether their dimension is */
@@ -62,6 +68,9 @@ bool build_motion(builder *b, const closure *written, cut *made);
 
 /* applied_forces.c: forces of inputs on bodies. */
 void build_applied_forces(builder *b);
+
+/* bodies.c: what the bodies weigh. */
+void build_bodies(builder *b);
 
 /* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame in which the
  * axis is the coordinate axis *k times *sign (the identity for x, y, z, -x, -y, -z). */

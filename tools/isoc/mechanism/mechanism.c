@@ -5,11 +5,10 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/mechanism/inertia.h"
 #include "tools/isoc/scene/counts.h"
 #include "tools/isoc/scene/names.h"
 
-static const dimension moment_of_inertia = {1, 2, 0, 0, 0, 0}, acceleration = {0, 1, -2, 0, 0, 0};
+static const dimension acceleration = {0, 1, -2, 0, 0, 0};
 
 vector vector_value(builder *b, const formula *f, dimension of, const char *what)
 {
@@ -33,59 +32,6 @@ node scalar_value(builder *b, const formula *f, dimension of, const char *what)
     return r;
 }
 
-/* --- bodies --- */
-
-static tensor inertia_value(builder *b, const body *written)
-{
-    const node zero = constant(b->g, 0.0);
-    tensor t = tensor_zero(b->g);
-    if (written->inertia == NULL) {
-        return t;
-    }
-    const value v = value_of(&b->values, written->inertia, moment_of_inertia, 0, "an inertia");
-    if (v.count == 0) {
-        return t;
-    }
-    const bool full = v.count == 6;
-    t = (tensor){v.parts[0],
-                 v.parts[1],
-                 v.parts[2],
-                 full ? v.parts[3] : zero,
-                 full ? v.parts[4] : zero,
-                 full ? v.parts[5] : zero};
-    const node parts[6] = {t.xx, t.yy, t.zz, t.xy, t.xz, t.yz};
-    double numbers[6];
-    for (int i = 0; i < 6; i++) {
-        numbers[i] = value_now(&b->values, parts[i]);
-    }
-    const char *fault = inertia_fault(numbers);
-    if (fault != NULL) {
-        source_problem(b->s, written->inertia->at, "the inertia of '%s' %s", written->name.text, fault);
-    }
-    return t;
-}
-
-static void build_bodies(builder *b)
-{
-    for (size_t i = 0; i < b->written->body_count; i++) {
-        const body *written = &b->written->bodies[i];
-        solid *made = &b->solids[i];
-        made->joint = -1;
-        const size_t problems = b->s->problem_count;
-        made->mass = scalar_value(b, written->mass, kilogram, "a mass");
-        const bool massless = is_zero(b->g, made->mass);
-        if (written->mass != NULL && b->s->problem_count == problems && !massless &&
-            !(value_now(&b->values, made->mass) > 0.0)) {
-            source_problem(b->s, written->mass->at, "a mass must be larger than zero, or 0 where a body has none");
-        }
-        if (massless && written->mass != NULL && written->inertia != NULL && b->s->problem_count == problems) {
-            source_problem(b->s, written->inertia->at, "a body without mass has no inertia");
-        }
-        made->com = vector_value(b, written->com, metre, "a centre of mass");
-        made->inertia = inertia_value(b, written);
-    }
-}
-
 /* --- joints, one by one --- */
 
 static int resolve_end(builder *b, const placement *end)
@@ -107,21 +53,21 @@ static void connect(builder *b, size_t i)
     } else if (child >= 0 && child == b->parents[i]) {
         source_problem(b->s, j->child.body.at, "a joint needs two bodies; both are '%s'", j->child.body.text);
         b->children[i] = -1;
-    } else if (child >= 0 && b->solids[child].joint >= 0) {
-        const name *first = &b->written->joints[b->solids[child].joint].name;
+    } else if (child >= 0 && b->weights[child].joint >= 0) {
+        const name *first = &b->written->joints[b->weights[child].joint].name;
         source_problem(b->s, j->child.body.at,
                        "'%s' is already the child of the joint '%s' in %s: a loop is closed by 'close'",
                        j->child.body.text, first->text, source_line(b->s, first->at));
         b->children[i] = -1;
     } else if (child >= 0) {
-        b->solids[child].joint = (int)i;
+        b->weights[child].joint = (int)i;
     }
 }
 
 /* --- the tree --- */
 
-/* Adds a body to its link, or to the ground, and returns it in that frame. */
-static composite weld(builder *b, const solid *part, const body_frame *frame)
+/* Adds a part of a body to its link, or to the ground, and returns it in that frame. */
+static composite weld_lump(builder *b, const lump *part, const body_frame *frame)
 {
     graph *g = b->g;
     const vector com = vector_add(g, matrix_apply(g, frame->turn, part->com), frame->offset);
@@ -138,6 +84,19 @@ static composite weld(builder *b, const solid *part, const body_frame *frame)
     l->first_moment = vector_add(g, l->first_moment, own.ms);
     l->mass = add(g, l->mass, own.mass);
     return own;
+}
+
+static composite weld(builder *b, const weight *whole, const body_frame *frame)
+{
+    graph *g = b->g;
+    composite sum = {constant(g, 0.0), vector_zero(g), tensor_zero(g)};
+    for (size_t i = 0; i < whole->lump_count; i++) {
+        const composite part = weld_lump(b, &whole->lumps[i], frame);
+        sum.mass = add(g, sum.mass, part.mass);
+        sum.ms = vector_add(g, sum.ms, part.ms);
+        sum.inertia = tensor_add(g, sum.inertia, part.inertia);
+    }
+    return sum;
 }
 
 /* Connects the child of a joint to its parent, whose frame is known, by a chain of links. */
@@ -181,7 +140,7 @@ static void hang(builder *b, size_t i)
     member *made = &b->made.members[b->children[i]];
     *made = (member){.joint = j->name.text, .parent = b->parents[i] == -2 ? GROUND : b->parents[i]};
     made->hinge = last.offset;
-    made->own = weld(b, &b->solids[b->children[i]], child);
+    made->own = weld(b, &b->weights[b->children[i]], child);
 }
 
 /* Connects joints whose parent is placed, in the order of the scene, until there are no more. */
@@ -205,7 +164,7 @@ static void build_tree(builder *b)
         int above = (int)i;
         size_t steps = 0;
         while (above >= 0 && b->parents[above] >= 0 && steps++ <= joints) {
-            above = b->solids[b->parents[above]].joint;
+            above = b->weights[b->parents[above]].joint;
         }
         if (!hung[i] && b->children[i] >= 0 && steps > joints) {
             source_problem(b->s, b->written->joints[i].name.at,
@@ -218,7 +177,7 @@ static void build_tree(builder *b)
         known = known && b->children[i] >= 0 && !b->written->joints[i].broken;
     }
     for (size_t i = 0; i < b->written->body_count && known; i++) {
-        if (b->solids[i].joint < 0) {
+        if (b->weights[i].joint < 0) {
             source_problem(b->s, b->written->bodies[i].name.at,
                            "the body '%s' is not the child of a joint: one that floats needs a free joint",
                            b->written->bodies[i].name.text);
@@ -229,7 +188,7 @@ static void build_tree(builder *b)
 mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double)
 {
     builder b = {.s = s, .g = g, .written = written};
-    b.solids = arena_take(s->memory, written->body_count + 1, sizeof *b.solids);
+    b.weights = arena_take(s->memory, written->body_count + 1, sizeof *b.weights);
     b.parents = arena_take(s->memory, written->joint_count + 1, sizeof *b.parents);
     b.children = arena_take(s->memory, written->joint_count + 1, sizeof *b.children);
     b.made = (mechanism){.name = written->name, .source = s, .is_double = is_double};

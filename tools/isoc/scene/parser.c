@@ -6,45 +6,8 @@
 #include "tools/isoc/base/embedded.h"
 #include "tools/isoc/scene/formula.h"
 #include "tools/isoc/scene/names.h"
-#include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/repeat.h"
 #include "tools/isoc/scene/statements.h"
-
-static const property body_properties[] = {
-    {"mass", read_formula, offsetof(body, mass), EVERY_KIND, "mass 1 kg"},
-    {"com", read_formula, offsetof(body, com), EVERY_KIND, NULL},
-    {"inertia", read_formula, offsetof(body, inertia), EVERY_KIND, NULL},
-};
-
-static const block body_block = {
-    .what = "body", .properties = body_properties, .property_count = COUNT_OF(body_properties)};
-
-static void read_body(parser *p, const token *word, void *slot)
-{
-    (void)word;
-    scene *made = slot;
-    body b = {.name = take_new_name(p, "expected a name for the body")};
-    b.broken = p->failed || !parse_block(p, &body_block, 0, b.name, &b);
-    made->bodies = arena_grow(p->s->memory, made->bodies, made->body_count, &made->body_room, sizeof b);
-    made->bodies[made->body_count++] = b;
-}
-
-static const property frame_properties[] = {
-    {"on", read_placement, offsetof(named_frame, on), EVERY_KIND, "on BODY at (0, 0, 1) m"},
-};
-
-static const block frame_block = {
-    .what = "frame", .properties = frame_properties, .property_count = COUNT_OF(frame_properties)};
-
-static void read_frame(parser *p, const token *word, void *slot)
-{
-    (void)word;
-    scene *made = slot;
-    named_frame f = {.name = take_new_name(p, "expected a name for the frame")};
-    f.broken = p->failed || !parse_block(p, &frame_block, 0, f.name, &f);
-    made->frames = arena_grow(p->s->memory, made->frames, made->frame_count, &made->frame_room, sizeof f);
-    made->frames[made->frame_count++] = f;
-}
 
 /* LEAST to MOST */
 static void read_limits(parser *p, quantity *q)

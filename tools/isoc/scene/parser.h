@@ -1,4 +1,4 @@
-/* A source to a scene. In the grammar, JOINT, CLOSURE and OUTPUT are words of the tables in joint_kinds.c, closure_kinds.h
+/* A source to a scene. In the grammar, JOINT, CLOSURE, SOLID and OUTPUT are words of the tables in joint_kinds.c, closure_kinds.h
  * and output_kinds.h. Which properties a kind has, and which it needs, is in the tables of parse_*.c. README.md in
  * tools/isoc has examples.
  *
@@ -6,7 +6,8 @@
  *   statement     = gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
  *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | frame | joint | closure
  *                 | spring | force | parameter | input | output | repeat | include
- *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA }
+ *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA { rotate FORMULA about AXIS }
+ *                 | SOLID FORMULA of FORMULA [at FORMULA] { rotate FORMULA about AXIS } }
  *   frame         = frame NAME { on placement }
  *   joint         = joint NAME JOINT { parent placement | child placement | axis AXIS | second AXIS
  *                 | start ([about] FORMULA | pose) | speed FORMULA | spin FORMULA | continuous | damping FORMULA

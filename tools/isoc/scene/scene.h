@@ -5,6 +5,7 @@
 #include "tools/isoc/scene/closure_kinds.h"
 #include "tools/isoc/scene/joint_kinds.h"
 #include "tools/isoc/scene/output_kinds.h"
+#include "tools/isoc/scene/solid_kinds.h"
 #include "tools/isoc/scene/source.h"
 #include "tools/isoc/scene/unit.h"
 
@@ -55,9 +56,20 @@ typedef struct placement {
     size_t turn_count, turn_room;
 } placement;
 
+/* A part of a body: a homogeneous solid of the kind that its word names, or a lump with an inertia of its own. */
+typedef struct solid {
+    const struct solid_row *kind;
+    place at_word;
+    formula *size, *mass;
+    placement at; /* of its centre, on no body by name */
+} solid;
+
 typedef struct body {
     name name;
     formula *mass, *com, *inertia;
+    placement inertia_axes; /* turns only */
+    solid *solids;          /* instead of the three */
+    size_t solid_count, solid_room;
     bool broken; /* a property could not be read */
 } body;
 

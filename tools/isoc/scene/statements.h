@@ -5,7 +5,7 @@
 
 #include "tools/isoc/scene/block.h"
 
-property_reader read_joint_statement, read_closure, read_force, read_spring_statement, read_stabilisation, read_output,
-    read_effect, read_signal, read_setting, read_repeat, read_include;
+property_reader read_body, read_frame, read_joint_statement, read_closure, read_force, read_spring_statement,
+    read_stabilisation, read_output, read_effect, read_signal, read_setting, read_repeat, read_include;
 
 #endif

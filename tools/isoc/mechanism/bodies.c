@@ -1,0 +1,124 @@
+/* What bodies weigh: a mass with its centre and inertia, or solids. */
+#include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/mechanism/inertia.h"
+
+static const dimension moment_of_inertia = {1, 2, 0, 0, 0, 0};
+
+/* A tensor that must be possible; zero where nothing is written. */
+static tensor inertia_value(builder *b, const formula *f, const char *whose)
+{
+    const node zero = constant(b->g, 0.0);
+    tensor t = tensor_zero(b->g);
+    if (f == NULL) {
+        return t;
+    }
+    const value v = value_of(&b->values, f, moment_of_inertia, 0, "an inertia");
+    if (v.count == 0) {
+        return t;
+    }
+    const bool full = v.count == 6;
+    t = (tensor){v.parts[0],
+                 v.parts[1],
+                 v.parts[2],
+                 full ? v.parts[3] : zero,
+                 full ? v.parts[4] : zero,
+                 full ? v.parts[5] : zero};
+    const node parts[6] = {t.xx, t.yy, t.zz, t.xy, t.xz, t.yz};
+    double numbers[6];
+    for (int i = 0; i < 6; i++) {
+        numbers[i] = value_now(&b->values, parts[i]);
+    }
+    const char *fault = inertia_fault(numbers);
+    if (fault != NULL) {
+        source_problem(b->s, f->at, "the inertia of '%s' %s", whose, fault);
+    }
+    return t;
+}
+
+/* In the axes that the turns make, to the axes of the body; the place of their origin. */
+static tensor place_inertia(builder *b, const placement *at, tensor t, vector *origin)
+{
+    matrix turned;
+    place_joint(b, at, &turned, origin);
+    return at->turn_count == 0 ? t : tensor_rotate(b->g, turned, t);
+}
+
+/* The tensor of a homogeneous solid. */
+static tensor tensor_of_size(builder *b, const solid *written, node mass)
+{
+    graph *g = b->g;
+    const solid_row *kind = written->kind;
+    node moments[3] = {constant(g, 0.0), constant(g, 0.0), constant(g, 0.0)};
+    const value size = value_of(&b->values, written->size, metre, kind->numbers,
+                                arena_format(b->s->memory, "the size of a %s", kind->word));
+    for (int n = 0; n < size.count; n++) {
+        const node square = mul(g, size.parts[n], size.parts[n]);
+        if (value_now(&b->values, size.parts[n]) < 0.0) {
+            source_problem(b->s, written->size->at, "a size must not be negative");
+            break;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            moments[axis] = add(g, moments[axis], mul(g, constant(g, kind->moments[axis][n]), square));
+        }
+    }
+    if (kind->hollow && size.count == 3 &&
+        value_now(&b->values, size.parts[1]) > value_now(&b->values, size.parts[0])) {
+        source_problem(b->s, written->size->at, "a %s is (outer radius, inner radius, length): the first is the larger",
+                       kind->word);
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        moments[axis] = mul(g, mass, moments[axis]);
+    }
+    const node zero = constant(g, 0.0);
+    return (tensor){moments[0], moments[1], moments[2], zero, zero, zero};
+}
+
+static lump lump_of_solid(builder *b, const solid *written, const char *whose)
+{
+    const size_t problems = b->s->problem_count;
+    lump made = {.mass = scalar_value(b, written->mass, kilogram, "a mass")};
+    if (b->s->problem_count == problems && !(value_now(&b->values, made.mass) > 0.0)) {
+        source_problem(b->s, written->mass->at, "the mass of a solid must be larger than zero");
+    }
+    const tensor own =
+        written->kind->numbers == 0 ? inertia_value(b, written->size, whose) : tensor_of_size(b, written, made.mass);
+    made.inertia = place_inertia(b, &written->at, own, &made.com);
+    return made;
+}
+
+/* The mass of a body, with its centre and its inertia. */
+static lump lump_of_body(builder *b, const body *written)
+{
+    vector none;
+    const size_t problems = b->s->problem_count;
+    lump made = {.mass = scalar_value(b, written->mass, kilogram, "a mass")};
+    const bool massless = is_zero(b->g, made.mass);
+    if (written->mass != NULL && b->s->problem_count == problems && !massless &&
+        !(value_now(&b->values, made.mass) > 0.0)) {
+        source_problem(b->s, written->mass->at, "a mass must be larger than zero, or 0 where a body has none");
+    }
+    if (massless && written->mass != NULL && written->inertia != NULL && b->s->problem_count == problems) {
+        source_problem(b->s, written->inertia->at, "a body without mass has no inertia");
+    }
+    made.com = vector_value(b, written->com, metre, "a centre of mass");
+    made.inertia =
+        place_inertia(b, &written->inertia_axes, inertia_value(b, written->inertia, written->name.text), &none);
+    return made;
+}
+
+void build_bodies(builder *b)
+{
+    for (size_t i = 0; i < b->written->body_count; i++) {
+        const body *written = &b->written->bodies[i];
+        weight *made = &b->weights[i];
+        made->joint = -1;
+        made->lump_count = written->solid_count == 0 ? 1 : written->solid_count;
+        made->lumps = arena_take(b->s->memory, made->lump_count, sizeof *made->lumps);
+        for (size_t n = 0; n < written->solid_count; n++) {
+            made->lumps[n] = lump_of_solid(b, &written->solids[n], written->name.text);
+        }
+        if (written->solid_count == 0) {
+            made->lumps[0] = lump_of_body(b, written);
+        }
+    }
+}

@@ -1,0 +1,109 @@
+/* body NAME { ... } and frame NAME { ... } */
+#include <stddef.h>
+
+#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/pose.h"
+#include "tools/isoc/scene/statements.h"
+
+/* [at FORMULA] { rotate FORMULA about AXIS } */
+static placement parse_place_and_turns(parser *p, const char *what)
+{
+    const pose read = parse_pose(p, true);
+    if (read.quaternion != NULL) {
+        source_problem(p->s, read.quaternion->at,
+                       "a quaternion is only for a start; turn %s like this: rotate 90 deg about x", what);
+    }
+    return (placement){.position = read.position, .turns = read.turns, .turn_count = read.turn_count};
+}
+
+/* SIZE of MASS [at FORMULA] { rotate FORMULA about AXIS }; the slot is the body. */
+static void read_solid(parser *p, const token *word, void *slot)
+{
+    body *to = slot;
+    solid made = {.kind = find_solid(word->text), .at_word = word->at, .size = parse_formula(p)};
+    if (!p->failed && !take_word(p, "of")) {
+        parse_problem(p, arena_format(p->s->memory, "expected 'of' and a mass: %s", made.kind->example));
+    }
+    made.mass = p->failed ? NULL : parse_formula(p);
+    if (p->failed) {
+        return;
+    }
+    made.at = parse_place_and_turns(p, "a solid");
+    to->solids = arena_grow(p->s->memory, to->solids, to->solid_count, &to->solid_room, sizeof made);
+    to->solids[to->solid_count++] = made;
+}
+
+/* The slot is the body. */
+static void read_inertia(parser *p, const token *word, void *slot)
+{
+    body *to = slot;
+    read_formula(p, word, &to->inertia);
+    if (!p->failed) {
+        to->inertia_axes = parse_place_and_turns(p, "an inertia");
+    }
+    if (to->inertia_axes.position != NULL) {
+        source_problem(p->s, to->inertia_axes.position->at,
+                       "an inertia is about the centre of mass: leave out 'at', or write a lump");
+    }
+}
+
+#define IN(member) offsetof(body, member)
+static const property body_properties[] = {
+    {"mass", read_formula, IN(mass), EVERY_KIND, NULL},   {"com", read_formula, IN(com), EVERY_KIND, NULL},
+    {"inertia", read_inertia, 0, EVERY_KIND, NULL},       {"box", read_solid, 0, EVERY_KIND | MANY, NULL},
+    {"cylinder", read_solid, 0, EVERY_KIND | MANY, NULL}, {"sphere", read_solid, 0, EVERY_KIND | MANY, NULL},
+    {"rod", read_solid, 0, EVERY_KIND | MANY, NULL},      {"tube", read_solid, 0, EVERY_KIND | MANY, NULL},
+    {"lump", read_solid, 0, EVERY_KIND | MANY, NULL},
+};
+#undef IN
+
+static const block body_block = {
+    .what = "body", .properties = body_properties, .property_count = COUNT_OF(body_properties)};
+
+/* A body has a mass of its own, or solids that give it. */
+static void check_mass(parser *p, body *b)
+{
+    const formula *const own[] = {b->mass, b->com, b->inertia};
+    static const char *const words[] = {"mass", "com", "inertia"};
+    if (b->solid_count == 0 && b->mass == NULL) {
+        source_problem(p->s, b->name.at, "the body '%s' has no mass: mass 1 kg", b->name.text);
+        b->broken = true;
+    }
+    for (int i = 0; i < 3 && b->solid_count > 0; i++) {
+        if (own[i] != NULL) {
+            source_problem(p->s, own[i]->at, "the %s of '%s' follows from its solids: leave it out, or write a lump",
+                           words[i], b->name.text);
+            b->broken = true;
+        }
+    }
+}
+
+void read_body(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    body b = {.name = take_new_name(p, "expected a name for the body")};
+    b.broken = p->failed || !parse_block(p, &body_block, 0, b.name, &b);
+    if (!b.broken) {
+        check_mass(p, &b);
+    }
+    made->bodies = arena_grow(p->s->memory, made->bodies, made->body_count, &made->body_room, sizeof b);
+    made->bodies[made->body_count++] = b;
+}
+
+static const property frame_properties[] = {
+    {"on", read_placement, offsetof(named_frame, on), EVERY_KIND, "on BODY at (0, 0, 1) m"},
+};
+
+static const block frame_block = {
+    .what = "frame", .properties = frame_properties, .property_count = COUNT_OF(frame_properties)};
+
+void read_frame(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    scene *made = slot;
+    named_frame f = {.name = take_new_name(p, "expected a name for the frame")};
+    f.broken = p->failed || !parse_block(p, &frame_block, 0, f.name, &f);
+    made->frames = arena_grow(p->s->memory, made->frames, made->frame_count, &made->frame_room, sizeof f);
+    made->frames[made->frame_count++] = f;
+}
