@@ -195,6 +195,13 @@ static int cost_of(const graph *g, const jacobian *j, int states)
     return factor + SOLUTIONS * cycles_of(count_operations(g, j->solution, (size_t)states));
 }
 
+/* Whether the balance is that of the accelerations: it has the multipliers of one iteration of the augmented Lagrangian.
+ * Those of more differ from them by e over an eigenvalue of A, which a stiff element makes a multiple of itself. */
+static bool is_balance_exact(const mechanism *m)
+{
+    return !m->is_redundant || m->multiplier_iterations == 1;
+}
+
 /* Each in a copy of the graph. */
 jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives)
 {
@@ -208,7 +215,8 @@ jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives)
     const unknowns balanced = balanced_equations(g, d, derivatives);
     const jacobian of_balanced = build(g, d, derivatives, &balanced);
     graph_free(&before);
-    const bool is_balanced = cost_of(g, &of_balanced, states) < cost_of(&with_solved, &of_solved, states);
+    const bool is_cheaper = cost_of(g, &of_balanced, states) < cost_of(&with_solved, &of_solved, states);
+    const bool is_balanced = is_cheaper && is_balance_exact(d->m);
     graph_free(is_balanced ? &with_solved : g);
     *g = is_balanced ? *g : with_solved;
     return is_balanced ? of_balanced : of_solved;

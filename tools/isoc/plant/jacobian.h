@@ -2,7 +2,8 @@
  * without a pivot search and unrolled for its zeros.
  *
  * Either of the solved equations z' = f, or of those before (tools/isoc/dynamics/balance.h): W z' = left(z') where only
- * what does not depend on z' is differentiated, so that W (d - r) = hb (d left / dx) d. The cheaper is kept.
+ * what does not depend on z' is differentiated, so that W (d - r) = hb (d left / dx) d. The cheaper is kept, if
+ * both are exact.
  */
 #ifndef ISOC_PLANT_JACOBIAN_H
 #define ISOC_PLANT_JACOBIAN_H
