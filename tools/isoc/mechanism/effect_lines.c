@@ -97,6 +97,7 @@ static value new_value(world *w, const instance *in, const effect_line *line)
     case EFFECT_FAULT:
         return (value){.count = 1, .parts = {leaf(g, OP_PARAMETER, at)}};
     case EFFECT_STATE:
+        made->effect_states[at].at = in->use->name.at;
         found = start_value(w, in, line, &made->effect_states[at].about);
         found.parts[0] = leaf(g, OP_STATE, made->first_effect_state + at);
         return found;

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/mechanism/states.h"
 #include "tools/isoc/scene/counts.h"
 #include "tools/isoc/scene/names.h"
 
@@ -226,6 +227,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     check_inputs(&b);
     build_parameters(&b);
     build_changes(&b);
+    states_check(s, &b.made);
 
     if (written->broken) {
         return b.made;

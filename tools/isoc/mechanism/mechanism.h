@@ -102,6 +102,7 @@ typedef struct clock {
     double rate; /* per second */
     double start;
     const char *unit; /* rad or s */
+    place at;         /* of the motion that needs it first */
 } clock;
 
 typedef struct clocks {
@@ -180,6 +181,7 @@ typedef struct variable {
 /* A state of an effect, or a memory of one: what it is called, and its rate, or what it is after the next tick. */
 typedef struct effect_quantity {
     variable about;
+    place at; /* of the effect */
     node next;
 } effect_quantity;
 

@@ -8,7 +8,7 @@ static const double two_pi = 6.28318530717958648;
 
 /* The state that stands for this function of the tick. Within a step it is integrated with the other states, so that a
  * method keeps its order. */
-static node clock_of(builder *b, node of_tick)
+static node clock_of(builder *b, node of_tick, place at)
 {
     clocks *c = &b->made.clocks;
     int i = 0;
@@ -18,8 +18,8 @@ static node clock_of(builder *b, node of_tick)
     if (i == c->count) {
         const graph_node n = b->g->nodes[of_tick];
         const double step = b->made.step, turns = n.second - floor(n.second + 0.5);
-        const clock made = n.op == OP_PHASE ? (clock){of_tick, two_pi * n.value / step, two_pi * turns, "rad"}
-                                            : (clock){of_tick, 1.0, -n.value * step, "s"};
+        const clock made = n.op == OP_PHASE ? (clock){of_tick, two_pi * n.value / step, two_pi * turns, "rad", at}
+                                            : (clock){of_tick, 1.0, -n.value * step, "s", at};
         c->all = arena_grow(b->s->memory, c->all, (size_t)c->count, &c->room, sizeof *c->all);
         c->all[c->count++] = made;
     }
@@ -27,14 +27,14 @@ static node clock_of(builder *b, node of_tick)
 }
 
 /* Puts states in the place of functions of the tick. */
-static node with_clocks(builder *b, node moving)
+static node with_clocks(builder *b, node moving, place at)
 {
     const size_t count = b->g->count;
     bool *needed = arena_take(b->s->memory, count, sizeof *needed);
     graph_reach(b->g, &moving, 1, needed);
     for (size_t i = 0; i < count; i++) {
         if (needed[i] && is_timed(b->g, (node)i)) {
-            moving = replace_leaf(b->g, moving, (node)i, clock_of(b, (node)i));
+            moving = replace_leaf(b->g, moving, (node)i, clock_of(b, (node)i, at));
         }
     }
     return moving;
@@ -104,10 +104,12 @@ bool build_motion(builder *b, const closure *written, cut *made)
     if (written->speed != NULL) {
         dimension_times(&of, second, -1);
         made->in_speed = true;
-        made->motion_rate = with_clocks(b, function_of_time(b, written->speed, of, "the speed of this joint"));
+        made->motion_rate =
+            with_clocks(b, function_of_time(b, written->speed, of, "the speed of this joint"), written->name.at);
     } else {
         made->motion = function_of_time(b, written->motion, of, "the motion of this joint");
-        made->motion = with_clocks(b, first->continuous ? as_phase(b, written, made->motion) : made->motion);
+        made->motion = first->continuous ? as_phase(b, written, made->motion) : made->motion;
+        made->motion = with_clocks(b, made->motion, written->name.at);
         made->whole = constant(b->g, first->continuous ? 1.0 : 0.0);
         made->motion_rate = rate_of(b, made->motion);
     }

@@ -3,11 +3,13 @@
 #include <math.h>
 
 #include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/scene/names.h"
 
-static state state_of(state_kind kind, const char *called, const char *in, const char *quote)
+static state state_of(state_kind kind, const char *called, const char *in, const char *quote, place at)
 {
     return (state){.about = {.name = called, .unit = in, .quote = quote, .least = -HUGE_VAL, .most = HUGE_VAL},
-                   .kind = kind};
+                   .kind = kind,
+                   .at = at};
 }
 
 /* A position is called as its link, the parts of a quaternion with an ending. */
@@ -18,10 +20,10 @@ static void add_positions(const mechanism *m, const link *l, arena *memory, stat
     for (int n = 0; n < positions_of(l->kind); n++) {
         state *made = &all[l->position + n];
         if (l->kind == JOINT_SPHERICAL) {
-            *made = state_of(STATE_QUATERNION, arena_format(memory, "%s_%s", l->name, parts[n]), "1", quote);
+            *made = state_of(STATE_QUATERNION, arena_format(memory, "%s_%s", l->name, parts[n]), "1", quote, l->at);
         } else {
             *made = state_of(l->continuous ? STATE_TURN : STATE_COORDINATE, l->name,
-                             l->kind == JOINT_REVOLUTE ? "rad" : "m", quote);
+                             l->kind == JOINT_REVOLUTE ? "rad" : "m", quote, l->at);
         }
         /* The sine of an angle is taken, which has a domain. */
         if (made->kind == STATE_COORDINATE && l->kind == JOINT_REVOLUTE) {
@@ -41,7 +43,7 @@ static void add_speeds(const mechanism *m, const link *l, arena *memory, state *
         const char *called = m->dofs[l->dof + n].name;
         state *made = &all[m->position_count + l->dof + n];
         *made = state_of(STATE_SPEED, arena_format(memory, "%s_speed", called),
-                         l->kind == JOINT_PRISMATIC ? "m/s" : "rad/s", quote);
+                         l->kind == JOINT_PRISMATIC ? "m/s" : "rad/s", quote, l->at);
         made->about.start = l->speed[n];
         made->symbol = arena_format(memory, "qd_%s", called);
     }
@@ -56,16 +58,27 @@ const state *mechanism_states(const mechanism *m, arena *memory)
     }
     for (int i = 0; i < m->clocks.count; i++) {
         state *made = &all[m->clocks.first + i];
-        *made = state_of(STATE_CLOCK, arena_format(memory, "clock_%d", i + 1), m->clocks.all[i].unit, NULL);
+        *made = state_of(STATE_CLOCK, arena_format(memory, "clock_%d", i + 1), m->clocks.all[i].unit, NULL,
+                         m->clocks.all[i].at);
         made->about.start = m->clocks.all[i].start;
         made->symbol = arena_format(memory, "q_%s", made->about.name);
     }
     for (int i = 0; i < m->effect_state_count; i++) {
         state *made = &all[m->first_effect_state + i];
-        *made = (state){.about = m->effect_states[i].about, .kind = STATE_OF_EFFECT};
+        *made = (state){.about = m->effect_states[i].about, .kind = STATE_OF_EFFECT, .at = m->effect_states[i].at};
         made->symbol = arena_format(memory, "z_%s", made->about.name);
     }
     return all;
+}
+
+void states_check(source *s, const mechanism *m)
+{
+    const state *all = mechanism_states(m, s->memory);
+    listing names = {0};
+    for (int i = 0; i < state_count(m); i++) {
+        listing_add(s, &names, (name){all[i].about.name, all[i].at});
+    }
+    listing_check(s, &names);
 }
 
 double *mechanism_start(const mechanism *m, arena *memory)

@@ -17,10 +17,14 @@ typedef struct state {
     variable about; /* within its limits, or the guard stops the plant */
     state_kind kind;
     const char *symbol; /* in the equations */
+    place at;           /* of the joint, the motion or the effect that has it */
 } state;
 
 /* All of them: state_count(m). Their starts are those of now: the assembly of closed loops moves them. */
 const state *mechanism_states(const mechanism *m, arena *memory);
+
+/* Notes names that two states have, or that differ only in case. */
+void states_check(source *s, const mechanism *m);
 
 /* The states at the start. */
 double *mechanism_start(const mechanism *m, arena *memory);

@@ -4,12 +4,7 @@
 #include <string.h>
 #include <strings.h>
 
-typedef struct listing {
-    name *names;
-    size_t count, room;
-} listing;
-
-static void list_one(source *s, listing *l, name n)
+void listing_add(source *s, listing *l, name n)
 {
     if (n.text != NULL) {
         l->names = arena_grow(s->memory, l->names, l->count, &l->room, sizeof *l->names);
@@ -36,7 +31,7 @@ static bool is_told(const source *s, place at)
     return false;
 }
 
-static void check_list(source *s, listing *l)
+void listing_check(source *s, listing *l)
 {
     if (l->count > 1) {
         qsort(l->names, l->count, sizeof *l->names, by_text);
@@ -84,42 +79,31 @@ static int find_among(group g, name n)
 static void list_group(source *s, listing *l, group g)
 {
     for (size_t i = 0; i < g.count; i++) {
-        list_one(s, l, name_at(g, i));
+        listing_add(s, l, name_at(g, i));
     }
 }
 
-static void list_part(source *s, listing *l, const joint *j, const char *part, const char *ending, const char *after)
+static void list_part(source *s, listing *l, const joint *j, const char *part, const char *ending)
 {
-    list_one(s, l, (name){arena_format(s->memory, "%s%s%s%s", j->name.text, part, ending, after), j->name.at});
+    listing_add(s, l, (name){arena_format(s->memory, "%s%s%s", j->name.text, part, ending), j->name.at});
 }
 
-/* A joint of several parts declares NAME_first and so on, in upper case and with _SPEED in plant.h. */
-static void list_parts(source *s, listing *l, const joint *j, const char *after)
+/* A joint of several parts declares NAME_first and so on. */
+static void list_parts(source *s, listing *l, const joint *j)
 {
     static const char *const of_ball[] = {"_w", "_x", "_y", "_z"}, *const of_frame[] = {"_x", "_y", "_z"};
     const joint_part *parts = joint_rows[j->kind].parts;
     for (int i = 0; i < joint_parts_count(j->kind) && j->name.text != NULL; i++) {
         if (parts[i].ending != NULL && parts[i].ending[0] != '\0') {
-            list_part(s, l, j, parts[i].ending, "", after);
+            list_part(s, l, j, parts[i].ending, "");
         }
         for (int n = 0; n < 3 && parts[i].ending == NULL; n++) {
-            list_part(s, l, j, of_frame[n], "", after);
+            list_part(s, l, j, of_frame[n], "");
         }
         for (int n = 0; n < 4 && parts[i].kind == JOINT_SPHERICAL; n++) {
-            list_part(s, l, j, parts[i].ending, of_ball[n], after);
+            list_part(s, l, j, parts[i].ending, of_ball[n]);
         }
     }
-}
-
-/* The names of the states in plant.h: a joint's coordinates, and their speeds. */
-static void list_states(source *s, listing *l, const joint *j)
-{
-    list_one(s, l, j->name);
-    list_parts(s, l, j, "");
-    if (j->name.text != NULL) {
-        list_one(s, l, (name){arena_format(s->memory, "%s_speed", j->name.text), j->name.at});
-    }
-    list_parts(s, l, j, "_speed");
 }
 
 /* How often a formula names the time, or a function that can be one of time. */
@@ -142,17 +126,6 @@ int closure_clocks(const closure *c)
     return f == NULL ? 0 : count_times(f);
 }
 
-/* The clocks of all motions are states too. */
-static void list_clocks(source *s, listing *l, const scene *written)
-{
-    int clocks = 0;
-    for (size_t i = 0; i < written->closure_count; i++) {
-        for (int n = closure_clocks(&written->closures[i]); n > 0; n--) {
-            list_one(s, l, (name){arena_format(s->memory, "clock_%d", ++clocks), written->closures[i].name.at});
-        }
-    }
-}
-
 const effect_kind *find_effect_kind(const scene *written, name n)
 {
     const int found = n.text == NULL ? -1 : find_among(GROUP(written, effect_kinds, effect_kind_count), n);
@@ -160,18 +133,14 @@ const effect_kind *find_effect_kind(const scene *written, name n)
 }
 
 /* What an effect has stands in plant.h as EFFECT_NAME. */
-static void list_effect(source *s, const scene *written, const effect_use *use, listing *states, listing *held,
-                        listing *parameters)
+static void list_effect(source *s, const scene *written, const effect_use *use, listing *held, listing *parameters)
 {
     const effect_kind *kind = find_effect_kind(written, use->kind);
     for (size_t i = 0; kind != NULL && use->name.text != NULL && i < kind->line_count; i++) {
         const effect_line *line = &kind->lines[i];
-        listing *of = line->kind == EFFECT_STATE    ? states
-                      : line->kind == EFFECT_MEMORY ? held
-                      : line->kind == EFFECT_FAULT  ? parameters
-                                                    : NULL;
+        listing *of = line->kind == EFFECT_MEMORY ? held : line->kind == EFFECT_FAULT ? parameters : NULL;
         if (of != NULL && line->name.text != NULL) {
-            list_one(s, of, (name){arena_format(s->memory, "%s_%s", use->name.text, line->name.text), use->name.at});
+            listing_add(s, of, (name){arena_format(s->memory, "%s_%s", use->name.text, line->name.text), use->name.at});
         }
     }
 }
@@ -189,14 +158,14 @@ const char *output_components(const scene *written, const output *o)
 static void list_components(source *s, listing *l, const scene *written, const output *o)
 {
     for (const char *c = output_components(written, o); *c != '\0' && o->name.text != NULL; c++) {
-        list_one(s, l, (name){arena_format(s->memory, "%s_%c", o->name.text, *c), o->name.at});
+        listing_add(s, l, (name){arena_format(s->memory, "%s_%c", o->name.text, *c), o->name.at});
     }
 }
 
 /* Outputs have a name space of their own: an output may have the name of what it shows. */
 void names_check(source *s, const scene *written)
 {
-    listing things = {0}, states = {0}, outputs = {0}, kinds = {0}, held = {0}, parameters = {0};
+    listing things = {0}, outputs = {0}, kinds = {0}, held = {0}, parameters = {0};
     list_group(s, &things, GROUP(written, bodies, body_count));
     list_group(s, &things, GROUP(written, frames, frame_count));
     list_group(s, &things, GROUP(written, joints, joint_count));
@@ -215,19 +184,16 @@ void names_check(source *s, const scene *written)
         list_components(s, &outputs, written, &written->outputs[i]);
     }
     for (size_t i = 0; i < written->joint_count; i++) {
-        list_parts(s, &things, &written->joints[i], "");
-        list_states(s, &states, &written->joints[i]);
+        list_parts(s, &things, &written->joints[i]);
     }
-    list_clocks(s, &states, written);
     for (size_t i = 0; i < written->effect_count; i++) {
-        list_effect(s, written, &written->effects[i], &states, &held, &parameters);
+        list_effect(s, written, &written->effects[i], &held, &parameters);
     }
-    check_list(s, &things);
-    check_list(s, &kinds);
-    check_list(s, &held);
-    check_list(s, &parameters);
-    check_list(s, &states);
-    check_list(s, &outputs);
+    listing_check(s, &things);
+    listing_check(s, &kinds);
+    listing_check(s, &held);
+    listing_check(s, &parameters);
+    listing_check(s, &outputs);
 }
 
 static size_t collect(const char **names, group g)

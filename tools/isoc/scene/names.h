@@ -4,7 +4,18 @@
 
 #include "tools/isoc/scene/scene.h"
 
-/* Notes names that are declared twice, or that differ only in case (the generated enumerators are upper case). */
+/* Names that must be different, also in upper case, as the generated enumerators are. */
+typedef struct listing {
+    name *names;
+    size_t count, room;
+} listing;
+
+void listing_add(source *s, listing *l, name n);
+
+/* Notes those that are in it twice, or that differ only in case. */
+void listing_check(source *s, listing *l);
+
+/* The same for the names that are declared; the states, which have names that follow from them, are not among these. */
 void names_check(source *s, const scene *written);
 
 /* The letters of an output's components; none where it has but one. */
