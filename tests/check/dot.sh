@@ -38,7 +38,7 @@ done
 
 # Effects; the last drawing is that of good.scene.
 for told in closed:'force jet: thrust' closed:chain closed:distance closed:gear closed:universal closed:damping \
-    frames:finger 'frames:spring, damping' good:'drive: push' good:revolute; do
+    'closed:states: tube_slide, tube_turn, tube_slide_speed,' closed:tube_turn_speed closures:'states: clock_1' frames:finger 'frames:spring, damping' good:'drive: push' good:revolute; do
     build/isoc --dot "tests/scenes/${told%%:*}.scene" | dot -Tsvg >"$out/drawing.svg" && grep -qF ">${told#*:}</text>" \
         "$out/drawing.svg"
     result $? "${told%%:*}: ${told#*:}"

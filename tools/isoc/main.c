@@ -198,10 +198,15 @@ static void warn_of_inputs(const source *s, const scene *written, unsigned recip
     }
 }
 
-static bool write_graph(arena *memory, const scene *written)
+static bool write_graph(arena *memory, const scene *written, const mechanism *m)
 {
     text drawing = {.memory = memory};
-    dot_write(written, &drawing);
+    const state *all = mechanism_states(m, memory);
+    name *names = arena_take(memory, (size_t)state_count(m) + 1, sizeof *names);
+    for (int i = 0; i < state_count(m); i++) {
+        names[i] = (name){all[i].about.name, all[i].at};
+    }
+    dot_write(written, &(drawn_states){names, (size_t)state_count(m)}, &drawing);
     return write_out(drawing.bytes, drawing.length);
 }
 
@@ -239,7 +244,7 @@ static bool compile(arena *memory, const options *o)
         return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m.recipe)]);
     }
     if (s.problem_count == 0 && o->draws) {
-        return write_graph(memory, &written);
+        return write_graph(memory, &written, &m);
     }
     if (s.problem_count == 0) {
         if (o->wanted != FORMULATIONS && !formulation_fits(&m, o->wanted)) {

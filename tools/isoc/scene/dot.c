@@ -36,11 +36,24 @@ static void draw_bodies(const scene *written, text *out)
     }
 }
 
+/* The states of what is declared there, three in a line. */
+static void draw_states(const drawn_states *states, place at, text *out)
+{
+    int drawn = 0;
+    for (size_t i = 0; i < states->count; i++) {
+        if (states->names[i].at == at) {
+            text_add(out, "%s%s", drawn == 0 ? "\\nstates: " : drawn % 3 == 0 ? ",\\n" : ", ", states->names[i].text);
+            drawn++;
+        }
+    }
+}
+
 /* A joint leads from the parent to the child. */
-static void draw_joint(const joint *j, text *out)
+static void draw_joint(const joint *j, const drawn_states *states, text *out)
 {
     text_add(out, "    \"%s\" -> \"%s\" [label=\"%s\\n%s%s", j->parent.body.text, j->child.body.text, j->name.text,
              joint_rows[j->kind].word, j->continuous ? ", continuous" : "");
+    draw_states(states, j->name.at, out);
     if (j->damping != NULL || j->spin_damping != NULL) {
         text_add(out, "\\ndamping");
     }
@@ -71,7 +84,7 @@ static const joint *joint_of(const scene *written, name n)
 
 /* A closure connects two bodies. One between joints connects the bodies that these move: a gear two children, a motion
  * a child and its parent. */
-static void draw_closure(const scene *written, const closure *c, text *out)
+static void draw_closure(const scene *written, const closure *c, const drawn_states *states, text *out)
 {
     const char *from = c->parent.body.text, *to = c->child.body.text;
     if (acts_along_joints(c->kind)) {
@@ -79,8 +92,10 @@ static void draw_closure(const scene *written, const closure *c, text *out)
         to = first->child.body.text;
         from = c->kind == CLOSE_GEAR ? joint_of(written, c->second)->child.body.text : first->parent.body.text;
     }
-    text_add(out, "    \"%s\" -> \"%s\" [style=dashed, arrowhead=none, constraint=false, label=\"%s\\n%s\"];\n", from,
-             to, c->name.text, closure_rows[c->kind].word);
+    text_add(out, "    \"%s\" -> \"%s\" [style=dashed, arrowhead=none, constraint=false, label=\"%s\\n%s", from, to,
+             c->name.text, closure_rows[c->kind].word);
+    draw_states(states, c->name.at, out);
+    text_add(out, "\"];\n");
 }
 
 /* A spring leads from one end to the other. */
@@ -90,17 +105,17 @@ static void draw_spring(const point_spring *s, text *out)
              s->first.body.text, s->second.body.text, s->name.text, s->damping != NULL ? ", damping" : "");
 }
 
-void dot_write(const scene *written, text *out)
+void dot_write(const scene *written, const drawn_states *states, text *out)
 {
     text_add(out, "digraph \"%s\" {\n    nodesep=0.7;\n    node [shape=box, fontname=\"sans-serif\"];\n",
              written->name);
     text_add(out, "    edge [fontname=\"sans-serif\", fontsize=10];\n");
     draw_bodies(written, out);
     for (size_t i = 0; i < written->joint_count; i++) {
-        draw_joint(&written->joints[i], out);
+        draw_joint(&written->joints[i], states, out);
     }
     for (size_t i = 0; i < written->closure_count; i++) {
-        draw_closure(written, &written->closures[i], out);
+        draw_closure(written, &written->closures[i], states, out);
     }
     for (size_t i = 0; i < written->spring_count; i++) {
         draw_spring(&written->springs[i], out);
