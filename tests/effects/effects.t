@@ -18,6 +18,23 @@ build/isoc tests/effects/pair.scene -o "$out/pair" --real double >"$out/pair.sum
     EXTRA="-DPLANT=\"$out/pair/plant.c\"" program pair.run tests/effects/pair.c tests/host/report.c
 joined pair "$out/pair.run"
 
+# friction METHOD: a block with friction as steep as the method allows.
+friction()
+{
+    build/isoc tests/effects/friction.scene -o "$out/friction" --method "$1" --real "$real" >"$out/friction.summary" 2>"$out/told" &&
+        creep=$(sed -n 's|^stable drag.creep \(.*\) m/s$|\1|p' "$out/friction.summary") &&
+        EXTRA="-DPLANT=\"$out/friction/plant.c\" -DCREEP=$creep" program friction.run tests/effects/friction.c \
+            tests/host/report.c
+    joined "$1, $real" "$out/friction.run"
+}
+for method in euler heun rk4 semi_implicit ab4 abm4 bdf4 rosenbrock; do
+    real float
+    friction $method
+done
+real double
+friction rk4
+friction bdf4
+
 # plant NAME: compiles the scene on stdin.
 plant()
 {

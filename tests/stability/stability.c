@@ -12,6 +12,7 @@
 #include "core/methods/method.h"
 #include "tests/host/report.h"
 #include "tests/stability/theory.h"
+#include "tools/isoc/mechanism/limits.h"
 
 enum { STEPS = 8000, N = 2, STATE_MAX = 9 * N, WORK_MAX = ISO_PRIME_VECTORS * N };
 
@@ -178,6 +179,24 @@ static void test_limit(const unsigned recipe, const double complex ray, const ch
               "%s: limit on the %s axis %.5f, root locus %.5f", names[recipe], axis, measured, theory);
 }
 
+/* What isoc knows of the limits (tools/isoc/mechanism/limits.c) of the explicit methods, to four digits, is what the root
+ * locus says, with which the kernels agree: of a rate, and of an oscillation with a tenth of critical damping. */
+static void test_table(void)
+{
+    const double complex damped = -0.1 + sqrt(0.99) * THEORY_I;
+    for (unsigned recipe = 0; recipe < ISO_ADAMS; recipe++) {
+        const stability_limits known = limits_of(recipe);
+        const bool splits = recipe == ISO_SEMI_IMPLICIT; /* 4 - 4 zeta z - z^2 = 0 */
+        if (!ISO_IS_IMPLICIT(recipe)) {
+            const double rate = limit_of(theory_log_growth, recipe, -1.0, ROUNDING);
+            const double frequency = splits ? sqrt(4.04) - 0.2 : limit_of(theory_log_growth, recipe, damped, ROUNDING);
+            report_ok(fabs(known.rate - rate) <= 1e-4 * rate && fabs(known.frequency - frequency) <= 1e-4 * frequency,
+                      "%s: isoc's limits are %.4f and %.4f: %.5f, %.5f", names[recipe], known.rate, known.frequency,
+                      rate, frequency);
+        }
+    }
+}
+
 /* Published: Hairer and Wanner (1996), IV.2 and V.1. */
 static void test_limits(void)
 {
@@ -323,6 +342,7 @@ int main(void)
         }
     }
     test_limits();
+    test_table();
     test_imaginary_axis();
     test_oscillator();
     test_wedge();

@@ -50,6 +50,7 @@ typedef struct evaluation {
     LEAF(LOCAL_ERROR, NULL, "memory->progress.local_error", 0.0) /* of the step, where it is checked */                 \
     LEAF(RESIDUAL, NULL, "memory->progress.residual", 0.0)       /* of the last Newton iteration */                     \
     LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until what computes it takes its place */   \
+    LEAF(INERTIA, NULL, "", 0.0)                                /* of a degree of freedom at the start, likewise */    \
     LEAF(ASKED, NULL, "", 0.0)                                  /* a component of a point's motion, likewise */       \
     LEAF(DERIVATIVE, NULL, "dx[@X]", 0.0)                       /* where a derivative has been evaluated before */
 

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "tools/isoc/graph/operations.h"
+
 static const value nothing = {0};
 
 /* The line of this kind that a rate or a next is of. */
@@ -150,6 +152,12 @@ static void do_push(world *w, const instance *in, const effect_line *line)
     }
 }
 
+/* Whether it follows from an inertia, which is not known yet. */
+static bool by_inertia(world *w, value of)
+{
+    return uses_operation(w->b->g, of.parts, 1, OP_INERTIA);
+}
+
 /* At the defaults of the tunables. */
 static void do_require(world *w, const instance *in, const effect_line *line)
 {
@@ -163,7 +171,8 @@ static void do_require(world *w, const instance *in, const effect_line *line)
     } else if (!least.any && !most.any && !dimension_equal_but_angle(least.of, most.of)) {
         source_problem(s, line->at, "%s and %s cannot be compared", dimension_text(s->memory, least.of),
                        dimension_text(s->memory, most.of));
-    } else if (value_now(&w->b->values, least.parts[0]) > value_now(&w->b->values, most.parts[0])) {
+    } else if (!by_inertia(w, least) && !by_inertia(w, most) &&
+               value_now(&w->b->values, least.parts[0]) > value_now(&w->b->values, most.parts[0])) {
         enter(w, NULL);
         source_problem(s, in->use->name.at, "'%s' breaks what its effect requires in %s: %s", in->use->name.text,
                        source_line(s, line->at), source_quote(s, line->at));

@@ -46,7 +46,31 @@ static value checked(world *w, const instance *in, const effect_line *line, cons
 
 bool changes(const graph *g, node n)
 {
-    return uses_operation(g, &n, 1, OP_STATE) || uses_operation(g, &n, 1, OP_INPUT);
+    return uses_operation(g, &n, 1, OP_STATE) || uses_operation(g, &n, 1, OP_INPUT) ||
+           uses_operation(g, &n, 1, OP_ASKED);
+}
+
+/* Whether a formula has a word of what step and method allow. */
+static bool names_limit(const formula *f)
+{
+    bool is = f->kind == FORMULA_NAME && strncmp(f->name, "stable_", strlen("stable_")) == 0;
+    for (size_t i = 0; i < f->count; i++) {
+        is = is || names_limit(f->parts[i]);
+    }
+    return is;
+}
+
+/* What isoc chose is told. */
+static void note_derived(world *w, const instance *in, const effect_line *line, value found)
+{
+    mechanism *made = &w->b->made;
+    arena *memory = w->b->s->memory;
+    made->derived =
+        arena_grow(memory, made->derived, (size_t)made->derived_count, &made->derived_room, sizeof *made->derived);
+    effect_quantity *next = &made->derived[made->derived_count++];
+    *next = (effect_quantity){.next = found.parts[0]};
+    next->about.name = arena_format(memory, "%s.%s", in->use->name.text, line->name.text);
+    next->about.unit = dimension_equal(found.of, no_unit) ? "1" : dimension_text(memory, found.of);
 }
 
 /* A signal or a value: what the use gives, in the words of the scene, or the default, in those of the effect. */
@@ -62,6 +86,9 @@ static value operand_value(world *w, const instance *in, const effect_line *line
     if (found.count == 1 && line->kind == EFFECT_VALUE && changes(w->b->g, found.parts[0])) {
         source_problem(w->b->s, f->at, "'%s' is a constant or a tunable: it cannot change with time", line->name.text);
         found = nothing;
+    }
+    if (found.count == 1 && given == NULL && (uses_operation(w->b->g, found.parts, 1, OP_INERTIA) || names_limit(f))) {
+        note_derived(w, in, line, found);
     }
     enter(w, before);
     return found;

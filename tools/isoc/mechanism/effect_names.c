@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "tools/isoc/mechanism/limits.h"
+
 static const value nothing = {0};
 
 const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output)
@@ -201,8 +203,13 @@ value quantity_value(void *of, const formula *f)
         return nothing;
     }
     const link *l = &made->links[i];
+    if (strcmp(f->name, "inertia") == 0) {
+        static const dimension turning = {1, 2, 0, 0, 0, 0};
+        return (value){
+            .count = 1, .parts = {leaf(g, OP_INERTIA, l->dof)}, .of = l->kind == JOINT_REVOLUTE ? turning : kilogram};
+    }
     if (strcmp(f->name, "position") != 0 && strcmp(f->name, "speed") != 0) {
-        source_problem(w->b->s, f->at, "a joint has no %s: its position or speed", f->name);
+        source_problem(w->b->s, f->at, "a joint has no %s: its position, speed or inertia", f->name);
         return nothing;
     }
     const bool is_speed = strcmp(f->name, "speed") == 0;
@@ -225,9 +232,29 @@ value refuse_loop(world *w, place at, const char *called)
     return nothing;
 }
 
+/* What the step and the method allow: step, stable_rate, stable_frequency. */
+static bool find_limit(world *w, const char *called, value *found)
+{
+    static const dimension hertz = {0, 0, -1, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0};
+    static const double margin = 0.5; /* of the limit: what is linear here turns over elsewhere */
+    const mechanism *made = &w->b->made;
+    const stability_limits of = limits_of(made->recipe);
+    const bool is_step = strcmp(called, "step") == 0, is_rate = strcmp(called, "stable_rate") == 0;
+    if (!is_step && !is_rate && strcmp(called, "stable_frequency") != 0) {
+        return false;
+    }
+    const double limit = margin * (is_rate ? of.rate : of.frequency) / made->step;
+    *found = (value){.count = 1, .of = is_step ? second : is_rate ? hertz : speed};
+    found->parts[0] = constant(w->b->g, is_step ? made->step : limit);
+    return true;
+}
+
 static bool find_in_instance(world *w, const formula *f, value *found)
 {
     const effect_line *line = line_called(w->within->kind, f->name, false);
+    if (line == NULL && find_limit(w, f->name, found)) {
+        return true;
+    }
     if (line == NULL && strcmp(f->name, "pi") != 0) {
         unit u;
         if (unit_find(f->name, &u)) {

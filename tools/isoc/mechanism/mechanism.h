@@ -215,8 +215,11 @@ typedef struct mechanism {
     int effect_state_count, first_effect_state;
     effect_quantity *memories; /* of effects: numbers that a tick sets at its end, behind the inputs */
     int memory_count;
-    node *efforts; /* [degrees of freedom] of effects */
-    node stored;   /* the energy that they store */
+    node *efforts;            /* [degrees of freedom] of effects */
+    node stored;              /* the energy that they store */
+    effect_quantity *derived; /* values of effects that follow from step, method and inertia */
+    int derived_count;
+    size_t derived_room;
     asked *asked;
     int asked_count;
     size_t asked_room;

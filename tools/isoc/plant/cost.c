@@ -89,6 +89,21 @@ static void assembled_lines(const mechanism *m, text *out)
     text_add(out, meeting[0] == '\0' ? "%s" : "dead_position%s\n", meeting);
 }
 
+/* What effects have by the step, the method and the inertia at the start. */
+static void derived_lines(const mechanism *m, const graph *g, text *out)
+{
+    if (m->derived_count == 0) {
+        return;
+    }
+    const evaluation at = {.p = m->defaults};
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    graph_evaluate(g, 0, &at, numbers);
+    for (int i = 0; i < m->derived_count; i++) {
+        text_add(out, "stable %s %.9g %s\n", m->derived[i].about.name, numbers[m->derived[i].next],
+                 m->derived[i].about.unit);
+    }
+}
+
 static implicit_cost cost_of_solving(const plant *p, const graph *g)
 {
     implicit_cost cost = {{0}, {0}};
@@ -117,6 +132,7 @@ void cost_summary(const plant *p, const graph *g, text *out)
     text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
              p->output_count);
     assembled_lines(m, out);
+    derived_lines(m, g, out);
     formulation_lines(p, out);
     count_line(out, "derivative", count_operations(g, p->derivatives, (size_t)n));
     if (ISO_IS_IMPLICIT(m->recipe)) {

@@ -208,7 +208,8 @@ static formula *parse_quantity(parser *p)
 
 bool next_is_quantity(const parser *p)
 {
-    static const char *const words[] = {"position", "speed", "velocity", "spin", "x_axis", "y_axis", "z_axis", "power"};
+    static const char *const words[] = {"position", "speed",  "velocity", "spin",   "x_axis",
+                                        "y_axis",   "z_axis", "power",    "inertia"};
     bool is = false;
     for (size_t i = 0; i < COUNT_OF(words); i++) {
         is = is || next_is_word(p, words[i]);

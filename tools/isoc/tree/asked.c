@@ -1,6 +1,8 @@
 #include "tools/isoc/tree/asked.h"
 
 #include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/mechanism/states.h"
+#include "tools/isoc/tree/mass_matrix.h"
 
 static vector answer(const kinematics *k, const asked *of)
 {
@@ -29,14 +31,75 @@ static vector inward_axes(const kinematics *k, int to, vector a)
     return to == GROUND ? a : from_parent(k, to, inward_axes(k, k->m->links[to].parent, a));
 }
 
-static void replace(graph *g, node *roots, int count, const node *answers)
+/* What stands in the place of the leaves. */
+typedef struct answers {
+    const node *points;   /* three of each question */
+    const node *inertias; /* of the degrees of freedom; NULL where none is asked for */
+} answers;
+
+static void replace(graph *g, node *roots, int count, const answers *by)
 {
-    replace_leaves(g, roots, (size_t)count, OP_ASKED, answers);
+    replace_leaves(g, roots, (size_t)count, OP_ASKED, by->points);
+    if (by->inertias != NULL) {
+        replace_leaves(g, roots, (size_t)count, OP_INERTIA, by->inertias);
+    }
+}
+
+/* The inverse of a symmetric positive matrix, by Gauss and Jordan without a search for pivots; [n n]. */
+static void invert(double *a, size_t n)
+{
+    for (size_t k = 0; k < n; k++) {
+        const double pivot = 1.0 / a[k * n + k];
+        a[k * n + k] = 1.0;
+        for (size_t j = 0; j < n; j++) {
+            a[k * n + j] *= pivot;
+        }
+        for (size_t i = 0; i < n; i++) {
+            const double factor = i == k ? 0.0 : a[i * n + k];
+            a[i * n + k] = i == k ? a[i * n + k] : 0.0;
+            for (size_t j = 0; j < n && i != k; j++) {
+                a[i * n + j] -= factor * a[k * n + j];
+            }
+        }
+    }
+}
+
+/* The inertia that an effort on one degree of freedom alone finds at the start, 1 / (M^-1)_ii, as constants. Closures would
+ * make it larger. */
+static const node *inertias(graph *g, const mechanism *m, const kinematics *k)
+{
+    const size_t n = (size_t)m->dof_count;
+    const mass_matrix mass = mass_matrix_build(k);
+    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->defaults};
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    double *inverse = arena_take(g->memory, n * n, sizeof *inverse);
+    node *made = arena_take(g->memory, n, sizeof *made);
+    graph_evaluate(g, 0, &at, numbers);
+    for (int i = 0; i < m->dof_count; i++) {
+        for (int j = i; j != GROUND; j = m->dofs[j].before) {
+            inverse[i * m->dof_count + j] = inverse[j * m->dof_count + i] = numbers[mass.entries[i * m->dof_count + j]];
+        }
+    }
+    invert(inverse, n);
+    for (size_t i = 0; i < n; i++) {
+        made[i] = constant(g, 1.0 / inverse[i * n + i]);
+    }
+    return made;
+}
+
+static bool asks_for_inertia(const graph *g)
+{
+    bool any = false;
+    for (size_t i = 0; i < g->count; i++) {
+        any = any || g->nodes[i].op == OP_INERTIA;
+    }
+    return any;
 }
 
 void asked_resolve(graph *g, mechanism *m)
 {
-    bool any = m->asked_count > 0;
+    const bool by_inertia = asks_for_inertia(g);
+    bool any = m->asked_count > 0 || by_inertia;
     for (int i = 0; i < m->applied_force_count; i++) {
         any = any || m->applied_forces[i].drive < 0;
     }
@@ -46,32 +109,36 @@ void asked_resolve(graph *g, mechanism *m)
     const kinematics k = kinematics_build(g, m);
     kinematics_velocities(&k);
     graph_section(g, "Points of effects, in the ground's frame");
-    node *answers = arena_take(g->memory, 3 * (size_t)m->asked_count + 1, sizeof *answers);
+    node *points = arena_take(g->memory, 3 * (size_t)m->asked_count + 1, sizeof *points);
     for (int i = 0; i < m->asked_count; i++) {
         const vector a = answer(&k, &m->asked[i]);
         for (int n = 0; n < 3; n++) {
-            answers[3 * i + n] = a.at[n];
+            points[3 * i + n] = a.at[n];
         }
     }
+    const answers all = {points, by_inertia ? inertias(g, m, &k) : NULL};
     graph_section(g, "Effects");
-    replace(g, m->efforts, m->dof_count, answers);
-    replace(g, &m->stored, 1, answers);
+    replace(g, m->efforts, m->dof_count, &all);
+    replace(g, &m->stored, 1, &all);
+    for (int i = 0; i < m->derived_count; i++) {
+        replace(g, &m->derived[i].next, 1, &all);
+    }
     for (int i = 0; i < m->effect_state_count; i++) {
-        replace(g, &m->effect_states[i].next, 1, answers);
+        replace(g, &m->effect_states[i].next, 1, &all);
     }
     for (int i = 0; i < m->memory_count; i++) {
-        replace(g, &m->memories[i].next, 1, answers);
+        replace(g, &m->memories[i].next, 1, &all);
     }
     for (size_t i = 0; i < m->output_count; i++) {
         if (m->outputs[i].kind == OUTPUT_FORMULA) {
-            replace(g, &m->outputs[i].formula, 1, answers);
+            replace(g, &m->outputs[i].formula, 1, &all);
         }
     }
     for (int i = 0; i < m->applied_force_count; i++) {
         applied_force *f = &m->applied_forces[i];
         if (f->drive < 0) {
-            replace(g, f->force.at, 3, answers);
-            replace(g, f->moment.at, 3, answers);
+            replace(g, f->force.at, 3, &all);
+            replace(g, f->moment.at, 3, &all);
             f->force = f->in_ground ? inward_axes(&k, f->link, f->force) : f->force;
             f->moment = f->in_ground ? inward_axes(&k, f->link, f->moment) : f->moment;
         }
