@@ -17,6 +17,8 @@
 ##     TOLERANCE=1e-9                      largest local error of METHOD=adams, which then uses as many sub-steps as it needs
 ##     SET='rod_mass = 0.3 kg; drag = 2'   values of constants and tunables, instead of those of the scene
 ##     CHECKED=yes  COMPENSATED=yes        options of the method of a plant in C; a scene has a statement for each
+##     INPUTS=held|smooth                  the reading of all inputs, instead of that of the scene
+##     RECORDED=FILE                       for report and bench: inputs of a controller, a line for each tick
 ##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600
 ##     TARGET=host|cortex-m4f              where to run: on this machine, or on the board in QEMU
 ##     REAL=float|double                   the type of the numbers
@@ -26,6 +28,8 @@ SCENE = models/$(if $(filter drift,$(MAKECMDGOALS)),four_bar,double_pendulum).sc
 METHOD =
 STEP =
 TOLERANCE =
+INPUTS =
+RECORDED =
 SET =
 CHECKED =
 COMPENSATED =
@@ -84,7 +88,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := SCENE METHOD STEP TOLERANCE SET SECONDS SCRIPT
+TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET SECONDS SCRIPT
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -94,14 +98,14 @@ $(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
     $(error $(name) has a line break, which make cannot pass on)))
 
 # What has an effect on which goal. A goal that is a file, and a make that another make calls, may be given anything.
-EFFECTS_run := SCENE METHOD STEP TOLERANCE SET CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
+EFFECTS_run := SCENE METHOD STEP TOLERANCE INPUTS SET CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
 EFFECTS_plot := $(EFFECTS_run)
 EFFECTS_size := $(filter-out SECONDS SCRIPT,$(EFFECTS_run))
 EFFECTS_stack := $(EFFECTS_size)
 EFFECTS_cost := PARTS METHODS TARGET REAL
 EFFECTS_chains := LENGTHS TARGET REAL
 EFFECTS_flags := TARGET REAL MODELS
-EFFECTS_report := SCENE METHODS STEP SECONDS
+EFFECTS_report := SCENE METHODS STEP SECONDS RECORDED
 EFFECTS_bench := $(EFFECTS_report)
 EFFECTS_drift := SCENE STEP SECONDS
 EFFECTS_test := TEST_JOBS
@@ -149,6 +153,14 @@ $(error SCRIPT has no effect on TARGET=$(TARGET), which has ticks of its own; it
 endif
 endif
 IS_IN_C := $(filter .c,$(suffix $(subst $(space),_,$(SCENE))))
+ifneq ($(INPUTS),)
+ifeq ($(filter held smooth,$(INPUTS)),)
+$(error INPUTS=$(INPUTS) is unknown; it can be held or smooth)
+endif
+ifneq ($(IS_IN_C),)
+$(error INPUTS has no effect on a plant in C; it is for scenes)
+endif
+endif
 ifneq ($(TOLERANCE),)
 ifneq ($(filter-out adams,$(METHOD))$(if $(METHOD),,$(IS_IN_C)),)
 $(error TOLERANCE has no effect on METHOD=$(or $(METHOD),rk4); it is of METHOD=adams)

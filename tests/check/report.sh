@@ -192,8 +192,26 @@ expect $? "found: adams of a plant in C"
 # A plant in C, another step, and inputs.
 call report SCENE=models/oscillator.c METHODS="ab4 bdf4" STEP=2ms SECONDS=2
 expect $? "make report of a plant in C"
-call report SCENE=models/cart_pole.scene METHODS=rk4 SECONDS=1
+call report SCENE=models/cart_pole.scene METHODS="rk4 ab4" SECONDS=1
 expect $? "make report of a scene with an input"
+
+# In a loop: the last order observed of each method and reading, to the nearest number; a history makes it one where
+# inputs are held.
+of_loop=$out/project/build/report/cart_pole
+awk -F '\t' 'NR > 1 && $6 != "-" { order[$1 " " $2] = $6 } END { for (key in order) printf "%s %.0f\n", key, order[key] }' \
+    "$of_loop/loop.tsv" | sort >"$out/loop"
+printf '%s\n' 'held ab4 1' 'held rk4 4' 'smooth ab4 4' 'smooth rk4 4' | cmp -s - "$out/loop" && [ -s "$of_loop/loop.svg" ]
+expect $? "make report of a scene with an input: orders in a loop, and a picture"
+# Recorded inputs: those at the start are those of no loop; what is no record is refused.
+printf '0\n0,\n' >"$out/zeros"
+RECORDED=$out/zeros "$of_loop/double-rk4/drive" held 1 1000 >"$out/recorded" && "$of_loop/double-rk4/drive" 1 1000 | cmp -s - "$out/recorded"
+result $? "recorded inputs that do not change are frozen ones"
+printf '0.5\n-0.5\n' >"$out/zeros"
+RECORDED=$out/zeros "$of_loop/double-rk4/drive" held 1 1000 >"$out/changed" && ! cmp -s "$out/changed" "$out/recorded"
+result $? "control: others are not"
+echo 'force 1' >"$out/zeros"
+! RECORDED=$out/zeros "$of_loop/double-rk4/drive" held 1 1000 >"$out/changed" 2>"$out/errors" && grep -q '0 numbers are no lines of 1 inputs' "$out/errors"
+result $? "found: a file without numbers"
 
 # The bench: its largest step is the largest.
 cost=$(row 1e-8 | cut -f 7)

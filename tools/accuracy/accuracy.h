@@ -31,4 +31,8 @@ int loosest(const char *drive, const char *time, const char *error, const char *
  * steps vary, its evaluations. */
 int bench(const char *methods_path, const char *measured_path, const char *time, const char *step, const char *error);
 
+/* The table of make bench of a loop, and what wins. A line of MEASURED is a method, what `fewest` found with held inputs and
+ * with smooth ones, `-` where there are none, and the instructions of a step with either. */
+int loop(const char *measured_path, const char *time, const char *step, const char *error);
+
 #endif

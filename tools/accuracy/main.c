@@ -7,6 +7,7 @@
  *     accuracy fewest DRIVE TIME COARSEST ERROR REFERENCE
  *     accuracy loosest DRIVE TIME ERROR REFERENCE
  *     accuracy bench METHODS MEASURED TIME STEP ERROR
+ *     accuracy loop MEASURED TIME STEP ERROR
  *
  * POINTS and MEASURED may be -, the standard input.
  */
@@ -39,7 +40,10 @@ static int run(const char *const command, const int arguments, char **const a)
     if (strcmp(command, "bench") == 0 && arguments == 5) {
         return bench(a[0], a[1], a[2], a[3], a[4]);
     }
-    fputs("usage: accuracy plan|agree|errors|text|fewest|loosest|bench ...; see tools/accuracy/main.c\n", stderr);
+    if (strcmp(command, "loop") == 0 && arguments == 4) {
+        return loop(a[0], a[1], a[2], a[3]);
+    }
+    fputs("usage: accuracy plan|agree|errors|text|fewest|loosest|bench|loop ...; see tools/accuracy/main.c\n", stderr);
     return EXIT_FAILURE;
 }
 

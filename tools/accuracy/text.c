@@ -111,6 +111,8 @@ static void put_row(const table *const rows, const size_t first, const widths *c
 static const char *title_of(const char *const kind)
 {
     return strcmp(kind, "float") == 0         ? "float, instructions of the Cortex-M4F"
+           : strcmp(kind, "held") == 0        ? "held inputs, double, instructions of this machine"
+           : strcmp(kind, "smooth") == 0      ? "smooth inputs, double, instructions of this machine"
            : strcmp(kind, "compensated") == 0 ? "float with compensated sums, instructions of the Cortex-M4F"
                                               : "double, instructions of this machine";
 }

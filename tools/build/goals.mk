@@ -32,7 +32,7 @@ CHOICE := $(METHOD:%=-DISO_METHOD=ISO_$(METHOD_MACRO) -DISO_METHOD_NAME=%) $(STE
     $(if $(filter yes,$(COMPENSATED)),-DISO_COMPENSATE)
 PLANT := $(SCENE)
 else
-CHOICE := $(METHOD:%=--method %) $(if $(STEP),--step $(call quote,$(STEP))) \
+CHOICE := $(METHOD:%=--method %) $(INPUTS:%=--inputs %) $(if $(STEP),--step $(call quote,$(STEP))) \
     $(if $(TOLERANCE),--tolerance $(call quote,$(TOLERANCE))) $(if $(SET),--set $(call quote,$(SET))) --real $(REAL)
 PLANT := $(OUT)/plant.c
 endif
@@ -118,7 +118,7 @@ flags: build/isoc build/cycles
 
 # Both measure the methods of METHODS; default: all.
 REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) NANOSECONDS=$(NANOSECONDS) \
-    METHODS=$(call quote,$(METHODS)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \
+    METHODS=$(call quote,$(METHODS)) RECORDED=$(call quote,$(RECORDED)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \
     COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS))
 REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
 REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm

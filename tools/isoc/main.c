@@ -20,7 +20,7 @@ static const char help[] =
     "isoc: compiles a scene to a plant in straight-line C\n"
     "\n"
     "  isoc SCENE -o DIR [--name NAME] [--standalone] [--method M] [--step H] [--tolerance T] [--real float|double]\n"
-    "       [--set 'NAME = VALUE'] [--formulation F]\n"
+    "       [--inputs held|smooth] [--set 'NAME = VALUE'] [--formulation F]\n"
     "  isoc SCENE --dot\n"
     "  isoc SCENE --files\n"
     "\n"
@@ -33,6 +33,7 @@ static const char help[] =
     "  --step H       the step with its unit, e.g. 1ms, instead of the scene's\n"
     "  --tolerance T  of adams, which then takes as many sub-steps as it needs\n"
     "  --real R       the number type of the plant: float (default) or double\n"
+    "  --inputs R     all inputs held, or all smooth, instead of the scene's reading\n"
     "  --set 'NAME = VALUE; ...'  constants and tunables, instead of the scene's values\n"
     "  --formulation F  instead of the cheapest; of a tree composite or articulated bodies, of closed loops composite "
     "bodies\n"
@@ -47,7 +48,7 @@ static const char help[] =
     "A mistake in the scene is told as file:line:column; the exit status is then 1 and no file is touched.\n";
 
 typedef struct options {
-    const char *scene, *directory, *name, *method, *step, *tolerance, *set;
+    const char *scene, *directory, *name, *method, *step, *tolerance, *set, *inputs;
     bool is_double, draws, lists, is_standalone;
     formulation wanted; /* FORMULATIONS: the cheapest one */
 } options;
@@ -82,6 +83,7 @@ static bool read_options(char **arguments, options *o)
                             : strcmp(*a, "--step") == 0        ? &o->step
                             : strcmp(*a, "--tolerance") == 0   ? &o->tolerance
                             : strcmp(*a, "--set") == 0         ? &o->set
+                            : strcmp(*a, "--inputs") == 0      ? &o->inputs
                             : strcmp(*a, "--real") == 0        ? &real_name
                             : strcmp(*a, "--formulation") == 0 ? &formulation_name
                                                                : NULL;
@@ -122,6 +124,9 @@ static bool read_options(char **arguments, options *o)
     }
     if (real_name != NULL && !o->is_double && strcmp(real_name, "float") != 0) {
         return complain("--real must be float or double, not", real_name);
+    }
+    if (o->inputs != NULL && strcmp(o->inputs, "held") != 0 && strcmp(o->inputs, "smooth") != 0) {
+        return complain("--inputs must be held or smooth, not", o->inputs);
     }
     if (formulation_name != NULL && o->wanted == FORMULATIONS) {
         return complain("--formulation must be composite, articulated, parent_axes or child_axes, not",
@@ -237,6 +242,9 @@ static bool compile(arena *memory, const options *o)
     if (o->set != NULL) {
         scene_set(&s, &written, source_add(&s, "--set", o->set));
     }
+    for (size_t i = 0; i < written.input_count && o->inputs != NULL; i++) {
+        written.inputs[i].smooth = strcmp(o->inputs, "smooth") == 0;
+    }
     graph_start(&g, memory);
     graph_section(&g, "Constants of the scene");
     mechanism m = mechanism_build(&s, &g, &written, o->is_double);
@@ -266,7 +274,9 @@ static bool compile(arena *memory, const options *o)
             start_check(&s, &g, &p);
         }
         if (s.problem_count == 0) {
-            warn_of_inputs(&s, &written, m.recipe);
+            if (o->inputs == NULL) {
+                warn_of_inputs(&s, &written, m.recipe);
+            }
             return write_plant(memory, o, &p, &g);
         }
     }

@@ -6,7 +6,7 @@
 #include "tools/plot/measured.h"
 #include "tools/plot/pictures.h"
 
-enum { KINDS = 3 };
+enum { KINDS = 5 };
 enum { WIDTH = 960, HEIGHT = 760 };
 
 /* The legend, in pixels: it has room for so many rows of methods, and a picture with more of them is as much higher. */
@@ -18,7 +18,9 @@ static const struct {
     const char *machine;
 } kinds[KINDS] = {{"float", "float", "Cortex-M4F"},
                   {"compensated", "float, compensated sums", "Cortex-M4F"},
-                  {"double", "double", "host"}};
+                  {"double", "double", "host"},
+                  {"held", "held inputs, double", "host"},
+                  {"smooth", "smooth inputs, double", "host"}};
 
 #define FRONT_COLOUR "#f0d060"
 

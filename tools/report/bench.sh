@@ -1,6 +1,7 @@
 #!/bin/sh
-# The methods at equal step and at equal error, as a Markdown table, and what it answers. Called by `make bench`; what
-# is made stands in build/bench/NAME/.
+# The methods at equal step and at equal error, as a Markdown table, and what it answers; with inputs that keep their values,
+# and of a scene with inputs in a loop, where they change at every tick. Called by `make bench`; what is made stands in
+# build/bench/NAME/.
 WHAT="make bench"
 dir=build/bench/$FOLDER
 . tools/report/common.sh
@@ -21,3 +22,14 @@ build/isoc --methods >"$dir/methods.md"
 for method in $METHODS; do
     echo "$method $(cat "$dir/double-$method/bench" "$dir/float-$method/instructions" | tr '\n' ' ')"
 done | build/accuracy bench "$dir/methods.md" - "$time" "$step" "$error"
+
+[ "$inputs" -gt 0 ] || exit 0
+fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
+loop_references
+for method in $fixed; do
+    echo double "$method"
+done | each tools/report/loop.sh
+echo
+for method in $fixed; do
+    echo "$method $(cat "$dir/double-$method/loop" "$dir/float-$method/instructions" "$dir/smooth_float-$method/instructions" | tr '\n' ' ')"
+done | build/accuracy loop - "$time" "$step" "$error"

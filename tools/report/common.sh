@@ -9,7 +9,8 @@
 # and from the first of them WHAT, what they are called, and `dir`, the folder of all that they make.
 #
 # Every method is built in four kinds: float; compensated, in float with compensated sums; double; and reference, in
-# double with compensated sums. A program of a kind and method stands in $dir/KIND-METHOD/.
+# double with compensated sums. There the inputs are held. For a loop of a scene with inputs they are smooth in smooth_float, smooth
+# and smooth_reference. A program of a kind and method stands in $dir/KIND-METHOD/.
 set -u
 TOLERANCE= # of adams; empty for the methods of a fixed step
 
@@ -23,10 +24,10 @@ fail()
 prepare()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"
-    for kind in float compensated double reference; do
+    for kind in float compensated double reference smooth_float smooth smooth_reference; do
         mkdir -p "$dir/$kind" || exit 1
         case $kind in
-        compensated | reference) compensated=yes ;;
+        compensated | *reference) compensated=yes ;;
         *) compensated=no ;;
         esac
         case $SCENE in
@@ -49,6 +50,15 @@ source_of()
     esac
 }
 
+# reading KIND: of the inputs of a scene.
+reading()
+{
+    case $1 in
+    smooth*) echo smooth ;;
+    *) echo held ;;
+    esac
+}
+
 # build KIND METHOD FOLDER [FLAG...]: the program FOLDER/drive, its plant compiled with these flags as well.
 build()
 {
@@ -59,7 +69,7 @@ build()
     source=$(source_of "$build_kind")
     mkdir -p "$folder" || exit 1
     case $build_kind in
-    float | compensated) real=float && real_flag= ;;
+    *float | compensated) real=float && real_flag= ;;
     *) real=double && real_flag=-DISO_REAL_DOUBLE ;;
     esac
     case $source in
@@ -71,7 +81,7 @@ build()
         esac
         ;;
     *)
-        build/isoc "$source" -o "$folder" --method "$build_method" --real $real ${STEP:+--step "$STEP"} \
+        build/isoc "$source" -o "$folder" --method "$build_method" --inputs "$(reading "$build_kind")" --real $real ${STEP:+--step "$STEP"} \
             ${TOLERANCE:+--tolerance "$TOLERANCE"} >"$folder/plant.txt" || exit 1
         source=$folder/plant.c
         ;;
@@ -99,7 +109,7 @@ take()
 # The methods that the reference is computed by.
 REFERENCE_METHODS="rk4 abm4_pecece"
 
-# start: what is measured, ready for `reference`; sets step in seconds, and what `build/accuracy plan` says of it: coarsest,
+# start: what is measured, ready for `reference`; sets step in seconds, inputs, their number if a loop is measured, and what `build/accuracy plan` says of it: coarsest,
 # the number of steps four times as long that make the time nearest to NANOSECONDS, time, and the tick of adams, so long
 # that the method chooses its steps.
 start()
@@ -108,8 +118,12 @@ start()
     for method in $REFERENCE_METHODS; do
         (variable reference $method) || fail "the reference cannot be built for $SCENE"
     done
-    step=$("$dir/reference-rk4/drive" about) || exit 1
-    step=${step% *}
+    about=$("$dir/reference-rk4/drive" about) || exit 1
+    step=${about%% *}
+    inputs=${about##* }
+    case $SCENE in
+    *.c) inputs=0 ;;
+    esac
     # shellcheck disable=SC2046
     set -- $(build/accuracy plan "$NANOSECONDS" "$step")
     coarsest=$1
@@ -118,17 +132,18 @@ start()
     : >"$dir/reference.txt"
 }
 
-# reference TIME: adds to $dir/reference.txt a line: the time, how much the two methods differ there, and the state. The
-# step begins with 1/64 of the coarsest and is halved until they agree.
+# reference TIME [KIND MODE]: adds to $dir/reference.txt a line: the time, how much the two methods differ there, and the
+# state; of a loop to $dir/MODE.txt, by programs of the KIND in a mode of drive.c. The step begins with 1/64 of the coarsest
+# and is halved until they agree.
 reference()
 {
     steps=$((64 * coarsest))
     for _ in 0 1 2 3 4 5; do
         for method in $REFERENCE_METHODS; do
-            "$dir/reference-$method/drive" "$1" $steps || exit 1
+            "$dir/${2:-reference}-$method/drive" ${3:+"$3"} "$1" $steps || exit 1
         done >"$dir/references"
         if build/accuracy agree "$1" 1e-12 <"$dir/references" >"$dir/agreed"; then
-            cat "$dir/agreed" >>"$dir/reference.txt"
+            cat "$dir/agreed" >>"$dir/${3:-reference}.txt"
             return
         fi
         steps=$((2 * steps))
@@ -137,6 +152,27 @@ reference()
         'BEGIN { printf "%.3g", time / n }') s rk4 and abm4_pecece still differ by $(cut -d ' ' -f 2 "$dir/agreed").
 A motion that is chaotic, or stiff, is known for a short time only: try SECONDS=$(awk -v time="$1" \
         'BEGIN { print time / 4 }')"
+}
+
+# loop_references: $dir/restarted.txt and $dir/smooth.txt, of the two readings of inputs that change at every tick. Where inputs
+# are recorded there is no continuous signal.
+loop_references()
+{
+    : >"$dir/restarted.txt"
+    : >"$dir/smooth.txt"
+    reference "$time" reference restarted
+    [ -z "$RECORDED" ] || return 0
+    for method in $REFERENCE_METHODS; do
+        (variable smooth_reference $method) || fail "the reference of smooth inputs cannot be built"
+    done
+    reference "$time" smooth_reference smooth
+}
+
+# looped KIND METHOD MODE: a program that takes a time and steps, in a mode of drive.c.
+looped()
+{
+    printf '#!/bin/sh\nexec "%s" %s "$@"\n' "$PWD/$dir/$1-$2/drive" "$3" >"$dir/$1-$2/$3" && chmod +x "$dir/$1-$2/$3" &&
+        echo "$dir/$1-$2/$3"
 }
 
 # instructions_m4f KIND METHOD: of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that
@@ -148,7 +184,7 @@ instructions_m4f()
     seconds=${TOLERANCE:+$time}
     seconds=${seconds:-$(awk -v step="$step" 'BEGIN { printf "%.9f\n", 50 * step }')}
     "${MAKE:-make}" --no-print-directory run TARGET=cortex-m4f REAL=float OUT="$m4f" SCENE="$(source_of "$1")" METHOD="$2" \
-        STEP="$STEP" TOLERANCE="$TOLERANCE" SECONDS="$seconds" >"$m4f/run" </dev/null ||
+        INPUTS="$([ "${inputs:-0}" -eq 0 ] || reading "$1")" STEP="$STEP" TOLERANCE="$TOLERANCE" SECONDS="$seconds" >"$m4f/run" </dev/null ||
         fail "$2 does not run on the Cortex-M4F; see $m4f/run"
     awk '
         $1 == "ticks" { ticks = $2 }
@@ -160,12 +196,12 @@ instructions_m4f()
         }' "$m4f/run" || fail "$m4f/run has not one execution"
 }
 
-# instructions_host METHOD: of a step on this machine in double; of adams the mean of all in the time.
+# instructions_host KIND METHOD: of a step on this machine, in a kind of double; of adams the mean of all in the time.
 instructions_host()
 {
-    method=$1
-    count=$dir/count-$method$TOLERANCE
-    build double "$method" "$count"
+    method=$2
+    count=$dir/count-$1-$method$TOLERANCE
+    build "$1" "$method" "$count"
     if [ -n "$TOLERANCE" ]; then
         set -- "$time" "$TOLERANCE"
     else
@@ -180,7 +216,7 @@ instructions_host()
 # each COMMAND: runs `sh COMMAND KIND METHOD` for the lines of kinds and methods on the input, a few at once.
 each()
 {
-    WHAT=$WHAT dir=$dir step=$step coarsest=$coarsest time=$time tick=$tick \
+    WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick \
         xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh "$1" || exit 1
 }
 

@@ -13,7 +13,7 @@ of=$dir/$kind-$method
 instructions()
 {
     case $kind in
-    double) instructions_host "$method" ;;
+    double) instructions_host double "$method" ;;
     *) instructions_m4f "$kind" "$method" ;;
     esac
 }

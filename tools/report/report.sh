@@ -1,6 +1,7 @@
 #!/bin/sh
 # Work-precision of every method on one scene. Called by `make report`; everything stands in build/report/NAME/:
-# report.txt and report.tsv, the tables; work_precision.svg and .png, the picture.
+# report.txt and report.tsv, the tables; work_precision.svg and .png, the picture. Of a scene with inputs, whose inputs keep
+# their values there, also in a loop, where they change at every tick: loop.tsv, loop.svg and loop.png.
 WHAT="make report"
 dir=build/report/$FOLDER
 . tools/report/common.sh
@@ -35,10 +36,40 @@ build/accuracy errors "$dir/reference.txt" "$dir/measured.txt" >"$dir/report.tsv
     build/accuracy text "$dir/report.tsv"
 } >"$dir/report.txt"
 
+# The loop: lines of $dir/looped.txt, and its tables.
+if [ "$inputs" -gt 0 ]; then
+    fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
+    loop_references
+    for method in $fixed; do
+        echo double "$method"
+    done | each tools/report/looped.sh
+    : >"$dir/loop.tsv"
+    for kind in smooth held; do
+        from=$([ $kind = held ] && echo restarted || echo smooth)
+        for method in $fixed; do
+            cat "$dir/double-$method/looped-$kind"
+        done >"$dir/looped.txt"
+        build/accuracy errors "$dir/$from.txt" "$dir/looped.txt" | if [ -s "$dir/loop.tsv" ]; then sed 1d; else cat; fi >"$dir/loop.part" &&
+            cat "$dir/loop.part" >>"$dir/loop.tsv" || exit 1
+    done
+    {
+        echo
+        echo "In a loop: inputs change at every tick (tools/report/signals.h, or recorded). Held inputs against the staircase with ticks"
+        echo "of $step s, smooth ones, sampled at every step, against the continuous signal"
+        echo
+        build/accuracy text "$dir/loop.tsv"
+    } >>"$dir/report.txt"
+    build/plot work_precision "$NAME in a loop" "$time" "$dir/loop.tsv" >"$dir/loop.gnuplot" || exit 1
+fi
+
 build/plot work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/work_precision.gnuplot" || exit 1
 
 cat "$dir/report.txt"
 echo
 echo "$dir/report.txt"
 echo "$dir/report.tsv"
+[ "$inputs" -eq 0 ] || {
+    echo "$dir/loop.tsv"
+    sh tools/plot/draw.sh "$dir/loop.gnuplot" || fail "gnuplot does not draw $dir/loop.gnuplot"
+}
 sh tools/plot/draw.sh "$dir/work_precision.gnuplot" || fail "gnuplot does not draw $dir/work_precision.gnuplot"
