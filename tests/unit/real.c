@@ -136,6 +136,9 @@ static void test_zeros(void)
     tap_same(iso_min(R(0.0), R(-0.0)), R(-0.0), "min of the zeros is -0");
     tap_same(iso_max(R(-0.0), R(0.0)), R(0.0), "max of the zeros is 0");
     tap_same(iso_abs(R(-0.0)), R(0.0), "abs: -0 gives 0");
+    tap_same(iso_positive(R(-0.0)), R(0.0), "positive: -0 gives 0");
+    tap_same(iso_positive(-SMALLEST_NORMAL), R(0.0), "positive: what is below 0 gives 0");
+    tap_same(iso_positive(iso_real_of(1)), iso_real_of(1), "positive: the smallest denormal is itself");
 }
 
 static void test_special(void)

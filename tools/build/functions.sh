@@ -23,6 +23,7 @@ floor|pieces|1|iso_floor(x[0])|exact|all|all|
 sign|pieces|1|iso_sign(x[0])|exact|all|all|
 abs|real|1|iso_abs(x[0])|exact|all|all|
 min, max|real|2|iso_min(x[0], x[1])|exact|all|all|
+max(x, 0)|real|1|iso_positive(x[0])|exact|all|all|
 clamp|real|3|iso_clamp(x[0], x[1], x[2])|exact|all|all|
 comparison|real|2|iso_above(x[0], x[1])|exact|all|all|of one infinity with itself: 0 or 1
 if|pieces|3|iso_where(x[0], x[1]) + iso_unless(x[0], x[2])|exact|all|all|

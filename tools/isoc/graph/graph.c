@@ -373,6 +373,9 @@ node larger(graph *g, node a, node b)
     if (is_constant(g, a) && is_constant(g, b)) {
         return folded(g, OP_MAX, a, b);
     }
+    if (is_zero(g, a) || is_zero(g, b)) {
+        return function(g, OP_POSITIVE, is_zero(g, a) ? b : a, a);
+    }
     return a == b ? a : a < b ? binary(g, OP_MAX, a, b) : binary(g, OP_MAX, b, a);
 }
 
@@ -421,6 +424,9 @@ node function(graph *g, operation op, node a, node b)
     const bool chooses = op == OP_WHERE || op == OP_UNLESS;
     if (is_constant(g, a) && is_constant(g, b)) {
         return folded(g, op, a, b);
+    }
+    if (op == OP_MIN && (is_zero(g, a) || is_zero(g, b))) {
+        return neg(g, larger(g, neg(g, a), neg(g, b)));
     }
     if (chooses && is_zero(g, b)) {
         return b;

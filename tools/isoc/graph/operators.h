@@ -151,6 +151,10 @@ typedef struct evaluation {
              iso_min(a, b),                                                                                            \
              derivative_of_chosen(g, b, a, da, db),                                                                    \
              1, 0, 0)                                                                                                  \
+    FUNCTION(POSITIVE, positive, real, 1, /* max(a, 0) */                                                              \
+             iso_positive(a),                                                                                          \
+             mul(g, above(g, a, constant(g, 0.0)), da),                                                                \
+             1, 0, 0)                                                                                                  \
     FUNCTION(SQRT, sqrt, sqrt, 1,                                                                                      \
              iso_sqrt(a),                                                                                              \
              divide(g, mul(g, constant(g, 0.5), da), i),                                                               \

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/elementary.h"
+#include "tools/isoc/mechanism/table.h"
 #include "tools/isoc/mechanism/timing.h"
 
 static const dimension plain = {0, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0};
@@ -228,9 +229,9 @@ static value call_tanh(values *v, const formula *f, const value *given)
 }
 
 /* What has a corner is no function of time in a motion. */
-static bool refuses_corner(values *v, const formula *f, const value *given)
+static bool refuses_corner(values *v, const formula *f, const value *given, size_t count)
 {
-    for (size_t i = 0; i < f->count; i++) {
+    for (size_t i = 0; i < count; i++) {
         if (v->is_smooth && depends_on_time(v, given[i].parts[0])) {
             source_problem(v->s, f->at, "a motion must be smooth, and %s has a corner", name_of(f));
             return true;
@@ -242,7 +243,7 @@ static bool refuses_corner(values *v, const formula *f, const value *given)
 static value call_abs(values *v, const formula *f, const value *given)
 {
     value made = given[0];
-    if (refuses_corner(v, f, given)) {
+    if (refuses_corner(v, f, given, f->count)) {
         return nothing;
     }
     made.parts[0] = magnitude(v->g, made.parts[0]);
@@ -253,7 +254,7 @@ static value call_extreme(values *v, const formula *f, const value *given)
 {
     const bool largest = f->name[1] == 'a';
     value made;
-    if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given)) {
+    if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given, f->count)) {
         return nothing;
     }
     for (size_t i = 1; i < f->count; i++) {
@@ -267,7 +268,7 @@ static value call_clamp(values *v, const formula *f, const value *given)
 {
     value made;
     const node least = given[1].parts[0], most = given[2].parts[0];
-    if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given)) {
+    if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given, f->count)) {
         return nothing;
     }
     if (is_known(v, least) && is_known(v, most) && value_now(v, least) > value_now(v, most)) {
@@ -280,12 +281,13 @@ static value call_clamp(values *v, const formula *f, const value *given)
 
 static value call_sign(values *v, const formula *f, const value *given)
 {
-    return refuses_corner(v, f, given) ? nothing : scalar(function(v->g, OP_SIGN, given[0].parts[0], 0), plain);
+    return refuses_corner(v, f, given, f->count) ? nothing
+                                                 : scalar(function(v->g, OP_SIGN, given[0].parts[0], 0), plain);
 }
 
 static value call_floor(values *v, const formula *f, const value *given)
 {
-    if (!has_dimension(v, f, 0, given, plain) || refuses_corner(v, f, given)) {
+    if (!has_dimension(v, f, 0, given, plain) || refuses_corner(v, f, given, f->count)) {
         return nothing;
     }
     return scalar(function(v->g, OP_FLOOR, given[0].parts[0], 0), plain);
@@ -296,7 +298,7 @@ static value call_if(values *v, const formula *f, const value *given)
 {
     value made;
     if (!has_dimension(v, f, 0, given, plain) || !share_dimension(v, f, 1, given, &made) ||
-        refuses_corner(v, f, given)) {
+        refuses_corner(v, f, given, f->count)) {
         return nothing;
     }
     const node holds = function(v->g, OP_WHERE, given[0].parts[0], given[1].parts[0]);
@@ -316,7 +318,7 @@ value order_of_formula(values *v, const formula *f)
         source_problem(v->s, f->at, "a comparison is of numbers; this is a vector");
         return nothing;
     }
-    if (!share_dimension(v, f, 0, given, &both) || refuses_corner(v, f, given)) {
+    if (!share_dimension(v, f, 0, given, &both) || refuses_corner(v, f, given, f->count)) {
         return nothing;
     }
     const node a = given[0].parts[0], b = given[1].parts[0];
@@ -324,6 +326,12 @@ value order_of_formula(values *v, const formula *f)
     /* a <= b where a is not above b. */
     const node is_above = (f->sign == '>') != or_equal ? above(v->g, a, b) : above(v->g, b, a);
     return scalar(or_equal ? sub(v->g, constant(v->g, 1.0), is_above) : is_above, plain);
+}
+
+static value call_table(values *v, const formula *f)
+{
+    const value made = table_of_formula(v, f);
+    return made.count > 0 && refuses_corner(v, f, &made, 1) ? nothing : made;
 }
 
 /* --- all of them --- */
@@ -374,7 +382,7 @@ value call_of_formula(values *v, const formula *f)
         return nothing;
     }
     if (row->call == NULL) {
-        return points_of_formula(v, f);
+        return f->number > 0.0 && f->name[0] == 't' ? call_table(v, f) : points_of_formula(v, f);
     }
     if (f->count < row->least || f->count > row->most) {
         source_problem(v->s, f->at, "%s is written like this: %s", f->name, row->example);

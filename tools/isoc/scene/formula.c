@@ -153,7 +153,7 @@ static formula *parse_order(parser *p)
 }
 
 /* formula { , formula } ), after the opening parenthesis. A semicolon separates like a comma, and so does a colon
- * between time and value. */
+ * between time and value. Points may stand behind a quantity that they are of. */
 static void parse_parts(parser *p, formula *f, bool of_points)
 {
     do {
@@ -162,6 +162,9 @@ static void parse_parts(parser *p, formula *f, bool of_points)
             return;
         }
         add_part(p, f, part);
+        if (of_points && f->count == 1 && next_is_sign(p, ',')) {
+            f->number = 1.0;
+        }
     } while (take_sign(p, ',') || take_sign(p, ';') || (of_points && take_sign(p, ':')));
     if (!take_sign(p, ')')) {
         parse_problem(p, "expected , or )");
