@@ -238,7 +238,8 @@ static void meet(sequence *const random, loop_closure *const c, const pose *cons
         accumulate(origin, number(random, 0.2), axis);
     } else if (c->kind == ROLLING) {
         c->length = between(random, 0.2, 0.4);
-        accumulate(origin, -c->length, axis);
+        const wide along = dot(c->axis, c->wheel);
+        accumulate(origin, -c->length * sqrtl(1.0L - along * along), axis);
     } else if (c->kind == DISTANCE) {
         vector(random, 1.0, off);
         c->length = between(random, 0.3, 0.6);
@@ -247,13 +248,19 @@ static void meet(sequence *const random, loop_closure *const c, const pose *cons
 }
 
 /* A closure that holds at the start, between bodies with enough degrees of freedom between them. */
-static bool add_closure(sequence *const random, const joint_kind kind, generated *const out)
+static bool add_closure(sequence *const random, const joint_kind kind, const bool is_disc, generated *const out)
 {
     mechanism *const m = &out->mechanism;
     loop_closure *const c = &m->closure[m->closures];
     wide origin[3];
     c->kind = kind;
     coordinate_axis(random, c->axis);
+    if (kind == ROLLING && is_disc) {
+        /* An inclined disc; the sides of a right triangle. */
+        for (int i = 0; i < 3; i++) {
+            c->wheel[i] = c->axis[i] * (wide)0.28 + c->axis[(i + 1) % 3] * (wide)0.96;
+        }
+    }
     for (int tries = 0; tries < TRIES; tries++) {
         c->child = choice(random, m->bodies);
         c->parent = kind == ROLLING ? GROUND : choice(random, m->bodies + 1) - 1;
@@ -304,9 +311,10 @@ static bool add_coupling(sequence *const random, const joint_kind kind, generate
     return true;
 }
 
-static bool close_once(sequence *const random, const joint_kind kind, generated *const out)
+/* What rolls is a disc in every second seed, else a ball. */
+static bool close_once(sequence *const random, const joint_kind kind, const int seed, generated *const out)
 {
-    return kind > ROLLING ? add_coupling(random, kind, out) : add_closure(random, kind, out);
+    return kind > ROLLING ? add_coupling(random, kind, out) : add_closure(random, kind, seed % 2 == 0, out);
 }
 
 static int all_rows(const mechanism *const m)
@@ -340,10 +348,10 @@ static bool draw(sequence *const random, const bool closed, const int seed, gene
         add_body(random, FREE, GROUND, out);
     }
     out->stabilisation = stabilisations[(seed - 1) * 3 / 7 % 5];
-    if (!close_once(random, closing, out)) {
+    if (!close_once(random, closing, seed, out)) {
         return false;
     }
-    if (seed % 3 == 1 && closing != DISTANCE && !close_once(random, seed % 2 == 0 ? LINE : DISTANCE, out)) {
+    if (seed % 3 == 1 && closing != DISTANCE && !close_once(random, seed % 2 == 0 ? LINE : DISTANCE, seed, out)) {
         return false;
     }
     out->has_reach = out->mechanism.closures > 0 && out->mechanism.closure[0].kind == DISTANCE && seed % 2 == 0;

@@ -23,7 +23,7 @@ static const struct {
     [FIXED] = {AT_POINT, SAME_AXES},       [REVOLUTE] = {AT_POINT, SAME_AXIS},   [PRISMATIC] = {ON_LINE, SAME_AXES},
     [UNIVERSAL] = {AT_POINT, SQUARE_AXES}, [CYLINDRICAL] = {ON_LINE, SAME_AXIS}, [PLANAR] = {IN_PLANE, SAME_AXIS},
     [SPHERICAL] = {AT_POINT, ANY_AXES},    [FREE] = {ANYWHERE, ANY_AXES},        [LINE] = {ON_LINE, ANY_AXES},
-    [DISTANCE] = {AT_DISTANCE, ANY_AXES},  [ROLLING] = {IN_PLANE, ANY_AXES},     [ANGLE] = {ANYWHERE, TURNED},
+    [DISTANCE] = {AT_DISTANCE, ANY_AXES},  [ROLLING] = {ANYWHERE, ANY_AXES},     [ANGLE] = {ANYWHERE, TURNED},
     [DISPLACEMENT] = {IN_PLANE, ANY_AXES},
 };
 
@@ -41,6 +41,7 @@ hold hold_of_closure(const mechanism *const m, const int n)
     const loop_closure *const of = &m->closure[n];
     hold h = {(int)of->kind, of->parent, of->child, of->on_parent, of->on_child, {0.0L}, {0.0L}, of->length};
     memcpy(h.axis, of->axis, sizeof h.axis);
+    memcpy(h.second, of->wheel, sizeof h.second);
     return h;
 }
 
@@ -172,31 +173,59 @@ static pose at_rest(const pose *const moving)
     return b;
 }
 
-/* The point of the child that touches the plane, -length n from its frame's origin o, has no velocity along t: t.v(o) +
- * omega.(length t x n) is zero for two directions t of the plane. n and t rest. */
+/* From the centre of a ball or disc to the plane with the normal n: -length u, with u = n, or n less its part along the
+ * axle a, u = (n - c a) / s, c = n.a, s^2 = 1 - c^2. With its rate for a' = omega x a, as jets, and s. */
+static jet3 to_plane(const hold *const h, const wide n[3], const wide axle[3], const wide omega[3], wide *const s)
+{
+    wide turned[3];
+    jet3 lever;
+    const wide c = dot(n, axle);
+    cross(omega, axle, turned);
+    const wide c_rate = dot(n, turned);
+    *s = sqrtl(1.0L - c * c);
+    const wide s_rate = -c * c_rate / *s;
+    for (int i = 0; i < 3; i++) {
+        const wide u = (n[i] - c * axle[i]) / *s;
+        const wide u_rate = (-c_rate * axle[i] - c * turned[i] - u * s_rate) / *s;
+        lever.x[i] = (jet){{-h->length * u, -h->length * u_rate, 0.0L}};
+    }
+    return lever;
+}
+
+/* The point of the child that touches the plane, at r from its frame's origin o, has no velocity, v(o) + omega x r = 0, along
+ * the normal n and two directions across it. The first of these is the rate of n.(o - p) = length s. */
 static void add_rolling(const hold *const h, const body_motion *const child, held *const made)
 {
-    wide n[3], directions[2][3], o[3], com[3], arm[3], omega[3], velocity[3], turned[3], swung[3];
-    const pose plane = frame_on(NULL, &h->on_parent);
+    wide n[3], e[3][3], o[3], p[3], com[3], arm[3], omega[3], velocity[3], axle[3], r[3], r_rate[3], turned[3],
+        swung[3], s;
+    const pose plane = frame_on(NULL, &h->on_parent), frame = frame_on(&child->body, &h->on_child);
     part(direction(&plane, h->axis), 0, n);
-    across(n, directions[0], directions[1]);
-    part(frame_on(&child->body, &h->on_child).origin, 0, o);
+    part(direction(&frame, h->second), 0, axle);
+    unit(n, e[0]);
+    across(e[0], e[1], e[2]);
+    part(plane.origin, 0, p);
+    part(frame.origin, 0, o);
     part(child->com, 0, com);
     part(child->velocity, 0, velocity);
     part(child->omega, 0, omega);
     difference(o, com, arm);
+    const jet3 lever = to_plane(h, e[0], axle, omega, &s);
+    part(lever, 0, r);
+    part(lever, 1, r_rate);
     cross(omega, arm, turned);
     cross(omega, turned, swung);
-    for (int i = 0; i < 2; i++) {
-        wide *const factor = made->of_child[made->rows];
-        wide lever[3];
-        memcpy(factor, directions[i], sizeof directions[i]);
-        cross(arm, directions[i], factor + 3);
-        cross(directions[i], n, lever);
-        accumulate(factor + 3, h->length, lever);
-        made->value[made->rows] = 0.0L;
-        made->rate[made->rows] = dot(factor, velocity) + dot(factor + 3, omega);
-        made->bias[made->rows++] = dot(directions[i], swung);
+    cross(omega, r_rate, turned);
+    for (; made->rows < 3; made->rows++) {
+        const int row = made->rows;
+        wide *const factor = made->of_child[row];
+        wide about[3];
+        memcpy(factor, e[row], sizeof e[row]);
+        cross(arm, e[row], factor + 3);
+        cross(r, e[row], about);
+        accumulate(factor + 3, 1.0L, about);
+        made->value[row] = row == 0 ? dot(n, o) - dot(n, p) - h->length * s : 0.0L;
+        made->rate[row] = dot(factor, velocity) + dot(factor + 3, omega);
+        made->bias[row] = dot(e[row], swung) + dot(e[row], turned);
     }
 }
 

@@ -80,7 +80,8 @@ typedef struct loop_closure {
     placement on_parent;
     placement on_child;
     wide axis[3];
-    wide length; /* of DISTANCE; the radius of ROLLING, whose plane across the axis rests; m */
+    wide length;   /* of DISTANCE; the radius of ROLLING, whose plane across the axis rests; m */
+    wide wheel[3]; /* of ROLLING: the axle of a thin disc, in the child's frame; zero: a ball */
 } loop_closure;
 
 /* What holds between the coordinates of two joints, or of one and time: q_first = ratio q_second + offset, or, where

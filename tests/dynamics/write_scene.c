@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "tests/dynamics/generate.h"
+#include "tests/dynamics/wide3.h"
 
 #define PI 3.14159265358979323846264338327950288L
 
@@ -134,6 +135,10 @@ static void write_closure(FILE *const to, const generated *const made, const int
         fprintf(to, " length reach;");
     } else if (c->kind == DISTANCE || c->kind == ROLLING) {
         fprintf(to, " %s %.17Lg m;", c->kind == DISTANCE ? "length" : "radius", c->length);
+    }
+    if (dot(c->wheel, c->wheel) > 0.0L) {
+        fprintf(to, " wheel");
+        write_vector(to, c->wheel, ";");
     }
     fprintf(to, " }\n");
 }
