@@ -1,6 +1,7 @@
 # The tests. Included by the Makefile; everything made here stands in build/tests/.
 #
-# tests/unit/NAME.c        freestanding program: runs in every variant below, in float and in double
+# tests/unit/NAME.c        freestanding program: runs in every variant below, in float and in double; tests/unit/NAME/ has
+#                          further parts of it
 # tests/exhaustive/NAME.c  host program, in float and in double: the whole domain of a function
 # tests/check/NAME.sh      checker of the tree or of the build, each with a planted violation that it must find
 # tests/DIR/NAME.t         other host tests: shell scripts
@@ -10,6 +11,7 @@
 # `make test` each source is then compiled once for all tests and runs, with the objects in build/tests/once/store.
 
 TEST_UNITS := $(sort $(basename $(notdir $(wildcard tests/unit/*.c))))
+TEST_UNIT_PARTS := $(sort $(wildcard tests/unit/*/*.c))
 TEST_EXHAUSTIVE := $(sort $(basename $(notdir $(wildcard tests/exhaustive/*.c))))
 TEST_REALS := float double
 TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
@@ -60,11 +62,15 @@ build/tests/$(1)/$(2)/%.o: %.c build/tests/$(1)/$(2)/command
 	@mkdir -p $$(@D)
 	@$$(TEST_COMMAND) -MMD -MP -c $$< -o $$@
 
+# The programs of several parts.
+$(foreach part,$(TEST_UNIT_PARTS),$(eval build/tests/$(1)/$(2)/$(notdir $(patsubst %/,%,$(dir $(part)))): \
+    build/tests/$(1)/$(2)/$(part:.c=.o)))
+
 build/tests/$(1)/$(2)/%: private TEST_PORT_OBJECTS := $$(TEST_PORT_OBJECTS)
 build/tests/$(1)/$(2)/%: build/tests/$(1)/$(2)/tests/unit/%.o $$(TEST_PORT_OBJECTS) $$(wildcard port/mps2/*.ld)
 	@$$(TEST_CC_$(1)) $$(TEST_LINK_$(1)) $$(filter %.o,$$^) -lm -o $$@
 
-TEST_OBJECTS += $$(TEST_PORT_OBJECTS) $$(TEST_UNITS:%=$$(TEST_DIR)/tests/unit/%.o)
+TEST_OBJECTS += $$(TEST_PORT_OBJECTS) $$(TEST_UNITS:%=$$(TEST_DIR)/tests/unit/%.o) $$(TEST_UNIT_PARTS:%.c=$$(TEST_DIR)/%.o)
 TEST_PROGRAMS_$(1) += $$(TEST_UNITS:%=build/tests/$(1)/$(2)/%)
 endef
 TEST_PROGRAMS_plain :=

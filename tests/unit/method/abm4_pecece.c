@@ -1,0 +1,6 @@
+/* The recipes of abm4_pecece in unit/method.c. */
+#define ISO_ONLY_METHOD ISO_ABM4_PECECE
+#include "tests/unit/method/run.h"
+
+FIXED(abm4_pecece, ISO_ABM4_PECECE)
+FIXED(abm4_pecece_both, ISO_ABM4_PECECE | BOTH)

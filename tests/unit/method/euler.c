@@ -1,0 +1,6 @@
+/* The recipes of euler in unit/method.c. */
+#define ISO_ONLY_METHOD ISO_EULER
+#include "tests/unit/method/run.h"
+
+FIXED(euler, ISO_EULER)
+FIXED(euler_both, ISO_EULER | BOTH)

@@ -1,0 +1,6 @@
+/* The recipes of heun in unit/method.c. */
+#define ISO_ONLY_METHOD ISO_HEUN
+#include "tests/unit/method/run.h"
+
+FIXED(heun, ISO_HEUN)
+FIXED(heun_both, ISO_HEUN | BOTH)
