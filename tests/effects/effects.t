@@ -35,6 +35,24 @@ real double
 friction rk4
 friction bdf4
 
+# stop METHOD TOLERANCE: a block between stops, as stiff as the method allows. The tolerance is of an impact in which the
+# motion turns by half an oscillation at a third of the limit of the method.
+stop()
+{
+    build/isoc tests/effects/stop.scene -o "$out/stop" --method "$1" --real "$real" >"$out/stop.summary" &&
+        EXTRA="-DPLANT=\"$out/stop/plant.c\" -DTOLERANCE=$2" program stop.run tests/effects/stop.c tests/host/report.c
+    joined "$1, $real" "$out/stop.run"
+}
+real float
+stop euler 0.2
+stop heun 0.1
+stop rk4 0.1
+stop semi_implicit 0.1
+stop ab4 0.1
+stop bdf4 0.1
+real double
+stop rk4 0.1
+
 # plant NAME: compiles the scene on stdin.
 plant()
 {

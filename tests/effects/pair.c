@@ -1,5 +1,6 @@
 /* A force and its opposite on two bodies in space, by a spring between two of their points. Linear momentum is constant,
  * and without damping the energy, to what rk4 leaves out; with damping the energy only falls. */
+#include <float.h>
 #include <math.h>
 
 #include PLANT
@@ -24,6 +25,19 @@ static double energy(const iso_plant *const plant)
         }
     }
     return sum;
+}
+
+/* The functions of vectors, against the same from the two points. */
+static bool agrees(const iso_plant *const plant)
+{
+    double square = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double gap = (double)(plant->y[PLANT_Y_OTHER_X + i] - plant->y[PLANT_Y_THIS_X + i]);
+        square += gap * gap;
+    }
+    return fabs((double)plant->y[PLANT_Y_LENGTH] - sqrt(square)) <= 8.0 * DBL_EPSILON * sqrt(square) &&
+           fabs((double)plant->y[PLANT_Y_ACROSS]) <= 64.0 * DBL_EPSILON * square &&
+           fabs((double)plant->y[PLANT_Y_ENERGY] - energy(plant)) <= 16.0 * DBL_EPSILON * energy(plant);
 }
 
 static double momentum(const iso_plant *const plant, const int i)
@@ -59,6 +73,7 @@ int main(void)
         const double largest = sqrt(2.0 * before * (mass[0] + mass[1]));
         report_ok(drift <= left_out * TICKS * largest, "the momentum stays: %.2g kg*m/s of at most %.2g", drift,
                   largest);
+        report_ok(agrees(plant), "dot, cross and norm, and the stored energy");
         if (damped) {
             report_ok(rise <= left_out && last < 0.9 * before, "damping takes energy in every tick, %.3g of it in all",
                       1.0 - last / before);

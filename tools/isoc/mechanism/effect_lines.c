@@ -8,11 +8,16 @@
 
 static const value nothing = {0};
 
-/* The dimension that a line declares, or false. */
-static bool declared_dimension(world *w, const instance *in, const effect_line *line, dimension *of)
+/* The dimension that a line declares, by its unit, by what it is like, or by its default; or false. */
+static bool declared_dimension(world *w, const instance *in, const effect_line *line, const formula *f, dimension *of)
 {
+    const bool has_default = line->kind <= EFFECT_VALUE && line->value != NULL && line->value != f;
     if (line->has_unit) {
         *of = line->unit.of;
+    } else if (has_default && line->like.text == NULL) {
+        const value found = evaluate(w, in, line->value, line->name.text);
+        *of = found.of;
+        return found.count == 1;
     } else if (line->like.text != NULL && line->like_of.text != NULL) {
         const instance *before = enter(w, in);
         const int l = link_of(w, line->like_of);
@@ -31,7 +36,7 @@ static value checked(world *w, const instance *in, const effect_line *line, cons
         source_problem(s, f->at, "'%s' is one number; this is %d", line->name.text, found.count);
         return nothing;
     }
-    if (found.count == 0 || !declared_dimension(w, in, line, &of)) {
+    if (found.count == 0 || !declared_dimension(w, in, line, f, &of)) {
         return found;
     }
     if (!found.any && !dimension_equal_but_angle(found.of, of)) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/elementary.h"
+#include "tools/isoc/graph/vector.h"
 #include "tools/isoc/mechanism/table.h"
 #include "tools/isoc/mechanism/timing.h"
 
@@ -17,6 +18,7 @@ static const value nothing = {0};
 typedef struct function_row {
     const char *name, *example;
     size_t least, most; /* arguments */
+    int parts;          /* of each: 1, or those of a vector */
     value (*call)(values *v, const formula *f, const value *given);
 } function_row;
 
@@ -334,30 +336,81 @@ static value call_table(values *v, const formula *f)
     return made.count > 0 && refuses_corner(v, f, &made, 1) ? nothing : made;
 }
 
+/* --- of vectors --- */
+
+static vector vector_of_value(const value *v)
+{
+    return (vector){{v->parts[0], v->parts[1], v->parts[2]}};
+}
+
+/* The dimension of a product; false after noting a problem. */
+static bool multiply_dimensions(values *v, const formula *f, const value *given, size_t other, dimension *of)
+{
+    *of = given[0].of;
+    const bool fits = dimension_times(of, given[other].of, 1);
+    if (!fits) {
+        source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
+    }
+    return fits;
+}
+
+static value call_dot(values *v, const formula *f, const value *given)
+{
+    dimension of;
+    if (!multiply_dimensions(v, f, given, 1, &of)) {
+        return nothing;
+    }
+    return scalar(vector_dot(v->g, vector_of_value(&given[0]), vector_of_value(&given[1])), of);
+}
+
+static value call_cross(values *v, const formula *f, const value *given)
+{
+    value made = {.count = 3};
+    if (!multiply_dimensions(v, f, given, 1, &made.of)) {
+        return nothing;
+    }
+    const vector product = vector_cross(v->g, vector_of_value(&given[0]), vector_of_value(&given[1]));
+    memcpy(made.parts, product.at, sizeof product.at);
+    return made;
+}
+
+/* A number far below what the unit can mean keeps the derivative finite at zero. */
+static value call_norm(values *v, const formula *f, const value *given)
+{
+    static const double least = 1e-30;
+    const vector a = vector_of_value(&given[0]);
+    const node square = add(v->g, vector_dot(v->g, a, a), constant(v->g, least));
+    (void)f;
+    return scalar(function(v->g, OP_SQRT, square, 0), given[0].of);
+}
+
 /* --- all of them --- */
 
 enum { ANY_NUMBER = 64 };
 
 static const function_row functions[] = {
-    {"sqrt", "sqrt(2)", 1, 1, call_root},
-    {"sin", "sin(30 deg), or in an input sin(3 Hz, 90 deg)", 1, 2, call_sine},
-    {"cos", "cos(30 deg), or in an input cos(3 Hz, 90 deg)", 1, 2, call_sine},
-    {"tan", "tan(30 deg)", 1, 1, call_tangent},
-    {"asin", "asin(0.5)", 1, 1, call_inverse},
-    {"acos", "acos(0.5)", 1, 1, call_inverse},
-    {"atan2", "atan2(3 mm, 4 mm)", 2, 2, call_direction},
-    {"exp", "exp(-1)", 1, 1, call_exp},
-    {"log", "log(2)", 1, 1, call_log},
-    {"min", "min(1 m, 2 m)", 2, ANY_NUMBER, call_extreme},
-    {"max", "max(1 m, 2 m)", 2, ANY_NUMBER, call_extreme},
-    {"abs", "abs(-1 m)", 1, 1, call_abs},
-    {"tanh", "tanh(0.5)", 1, 1, call_tanh},
-    {"sign", "sign(-1 m)", 1, 1, call_sign},
-    {"floor", "floor(2.5)", 1, 1, call_floor},
-    {"clamp", "clamp(x, -1 m, 1 m)", 3, 3, call_clamp},
-    {"if", "if(x > 0, 1 m, 2 m)", 3, 3, call_if},
-    {"table", NULL, 0, 0, NULL},
-    {"ramp", NULL, 0, 0, NULL},
+    {"sqrt", "sqrt(2)", 1, 1, 1, call_root},
+    {"sin", "sin(30 deg), or in an input sin(3 Hz, 90 deg)", 1, 2, 1, call_sine},
+    {"cos", "cos(30 deg), or in an input cos(3 Hz, 90 deg)", 1, 2, 1, call_sine},
+    {"tan", "tan(30 deg)", 1, 1, 1, call_tangent},
+    {"asin", "asin(0.5)", 1, 1, 1, call_inverse},
+    {"acos", "acos(0.5)", 1, 1, 1, call_inverse},
+    {"atan2", "atan2(3 mm, 4 mm)", 2, 2, 1, call_direction},
+    {"exp", "exp(-1)", 1, 1, 1, call_exp},
+    {"log", "log(2)", 1, 1, 1, call_log},
+    {"min", "min(1 m, 2 m)", 2, ANY_NUMBER, 1, call_extreme},
+    {"max", "max(1 m, 2 m)", 2, ANY_NUMBER, 1, call_extreme},
+    {"abs", "abs(-1 m)", 1, 1, 1, call_abs},
+    {"tanh", "tanh(0.5)", 1, 1, 1, call_tanh},
+    {"sign", "sign(-1 m)", 1, 1, 1, call_sign},
+    {"floor", "floor(2.5)", 1, 1, 1, call_floor},
+    {"clamp", "clamp(x, -1 m, 1 m)", 3, 3, 1, call_clamp},
+    {"if", "if(x > 0, 1 m, 2 m)", 3, 3, 1, call_if},
+    {"dot", "dot(a, b), of two vectors", 2, 2, 3, call_dot},
+    {"cross", "cross(a, b), of two vectors", 2, 2, 3, call_cross},
+    {"norm", "norm(a), of a vector", 1, 1, 3, call_norm},
+    {"table", NULL, 0, 0, 1, NULL},
+    {"ramp", NULL, 0, 0, 1, NULL},
 };
 enum { FUNCTIONS = sizeof functions / sizeof functions[0] };
 
@@ -394,8 +447,9 @@ value call_of_formula(values *v, const formula *f)
         if (given[i].count == 0) {
             return nothing;
         }
-        if (given[i].count != 1) {
-            source_problem(v->s, f->parts[i]->at, "%s is of numbers; this is a vector", f->name);
+        if (given[i].count != row->parts) {
+            source_problem(v->s, f->parts[i]->at, "%s is of %s; this is %s", f->name,
+                           row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "none");
             return nothing;
         }
     }
