@@ -27,11 +27,14 @@ add()
         objcopy --redefine-sym "iso_the_plant_$real=plant_$count" --keep-global-symbol "plant_$count" "$folder/$count.o" || rm -f "$folder/$count.o"
 }
 
-# generated SCENE METHOD: the plant of a scene.
+# generated SCENE METHOD [OPTION...]: the plant of a scene, with these options of isoc.
 generated()
 {
-    build/isoc "$1" -o "$folder/plant" --method "$2" --real "$real" >/dev/null
-    add "$(basename "$1" .scene), $2, $real" "$folder/plant/plant.c"
+    generated_of=$1
+    generated_by=$2
+    shift 2
+    build/isoc "$generated_of" -o "$folder/plant" --method "$generated_by" --real "$real" "$@" >/dev/null
+    add "$(basename "$generated_of" .scene), $generated_by${1:+, $*}, $real" "$folder/plant/plant.c"
 }
 
 # watch: the program of all that was added, under memcheck; no program where one was not built.
@@ -71,6 +74,7 @@ for method in $METHODS; do
     add "oscillator, $method, checked and compensated, double" models/oscillator.c \
         "-DISO_METHOD=(ISO_$(echo "$method" | tr a-z A-Z)|ISO_CHECKED|ISO_COMPENSATED)"
 done
+generated models/tree.scene bdf4 --factors looped
 joined "examined" watch
 
 # Clang has its own ways to make a branch of a selection; steps with a check and compensation select the most.
@@ -78,6 +82,7 @@ batch clang float clang
 for method in $METHODS; do
     generated "$out/tree_checked.scene" "$method"
 done
+generated "$out/tree_checked.scene" rosenbrock --factors looped
 joined "by clang" watch
 
 # planted KIND TESTS NAME: memcheck finds it with every method, in the tests of these numbers of three and no other.

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Random mechanisms, 40 trees and 40 closed loops, of all kinds of joints and closures and in every formulation, in double:
-# reactions, Jacobian and orders. By itself a fifth of them; with an argument, all:
+# Random mechanisms, 40 trees and 40 closed loops, of all kinds of joints and closures, in every formulation and with every
+# way to the factors of an implicit method, in double: reactions, Jacobian and orders. By itself a fifth of them; with an
+# argument, all:
 #
 #     tests/dynamics/family.t all
 . tests/host/test.sh
@@ -29,6 +30,16 @@ formulation_of()
     echo "$1"
 }
 
+# factors_of KIND SEED: how an implicit method's are found, by turns; those of loops in one way only.
+factors_of()
+{
+    case $1$(($2 % 3)) in
+    tree0) echo sparse ;;
+    tree1) echo looped ;;
+    *) echo full ;;
+    esac
+}
+
 # member KIND SEED: its plant, with its equations in reach.
 member()
 {
@@ -36,7 +47,8 @@ member()
     method=$([ $(($2 / 2 % 2)) -eq 0 ] && echo bdf4 || echo rosenbrock)
     "$out/write_scene" "$1" "$2" >"$out/$name.scene" &&
         build/isoc "$out/$name.scene" -o "$out" --name "$name" --real double --method "$method" \
-            --formulation "$(formulation_of "$1" "$2")" >"$out/$name.summary" 2>"$out/$name.messages" || {
+            --formulation "$(formulation_of "$1" "$2")" --factors "$(factors_of "$1" "$2")" \
+            >"$out/$name.summary" 2>"$out/$name.messages" || {
         cat "$out/$name.messages"
         return 1
     }

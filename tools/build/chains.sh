@@ -1,7 +1,9 @@
 #!/bin/sh
-# What chains of rods cost by their length, as a Markdown table: operations of an evaluation of their equations of motion
-# and the formulation that is kept; on the Cortex-M4F in float the instructions of a step of euler, which has one evaluation,
-# and its code. Called by `make chains`, with the make to call in $MAKE and the lengths in $LENGTHS.
+# What chains of rods cost by their length, as Markdown tables. First operations of an evaluation of their equations of
+# motion and the formulation that is kept; on the Cortex-M4F in float the instructions of a step of euler, which has one
+# evaluation, and its code. Then, of every eighth length, operations of the factors of an implicit method and how they are
+# found, and their bytes; instructions of a step of bdf4, and all code and tables of the plant. Called by `make chains`,
+# with the make to call in $MAKE and the lengths in $LENGTHS.
 set -u
 . tools/build/measure.sh
 
@@ -15,6 +17,20 @@ chain()
     kept=$(awk '$1 == "formulation" && $3 == "kept" { print $2 }' "$dir/plant.txt")
     operations=$(operations) && instructions=$(get instructions_per_step) && text=$(get step_text) || exit 1
     echo "| $1, $2 | $kept | $operations | $instructions | $text |"
+}
+
+# implicit N: a row.
+implicit()
+{
+    folder=build/cost/implicit_$1
+    mkdir -p "$folder"
+    sh tools/build/chain.sh "$1" planar >"$folder/chain.scene"
+    step=10ms
+    measure "implicit_$1" "$folder/chain.scene" bdf4 size
+    factors=$(awk '$1 == "factor" { made = $3 " | " $5 " | " $7 } $1 == "factors" { print $3 " | " made " | " 4 * $2 }' "$dir/plant.txt")
+    text=$(awk '$6 ~ /plant\.o$/ { print $1 }' "$dir/measured")
+    instructions=$(get instructions_per_step) || exit 1
+    echo "| planar, $1 | $factors | $instructions | $text |"
 }
 
 # growth KIND: from half the greatest length to that.
@@ -48,3 +64,9 @@ cat build/cost/chains
 echo
 growth planar
 growth spatial
+echo
+echo '| chain, bdf4 | factors | add | mul | div | bytes | instructions | text |'
+echo '|---|---|--:|--:|--:|--:|--:|--:|'
+for n in $LENGTHS; do
+    [ $((n % 8)) -ne 0 ] || implicit "$n" || exit 1
+done

@@ -5,6 +5,7 @@
  * The stack and the trace buffer are counted apart: the first is the platform's, the second the run's. With `yes` the sizes
  * of the double pendulum's firmware are held to their limits; status 1 if one is exceeded.
  */
+#include <ctype.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,11 +17,13 @@ typedef struct sizes {
     double text, data, bss, step, memory, stack, buffer; /* bytes */
 } sizes;
 
-/* NAME, or NAME.SUFFIX of a copy that the compiler made. */
+/* NAME, NAME.SUFFIX of a copy that the compiler made, or NAME_1 of a part that isoc made. */
 static bool is_part_of(const char *const symbol, const char *const name)
 {
     const size_t length = strlen(name);
-    return strncmp(symbol, name, length) == 0 && (symbol[length] == '\0' || symbol[length] == '.');
+    return strncmp(symbol, name, length) == 0 &&
+           (symbol[length] == '\0' || symbol[length] == '.' ||
+            (symbol[length] == '_' && isdigit((unsigned char)symbol[length + 1])));
 }
 
 /* A line of nm: address, size, type, symbol; of an absolute symbol the size is left out. */

@@ -20,7 +20,7 @@ static const char help[] =
     "isoc: compiles a scene to a plant in straight-line C\n"
     "\n"
     "  isoc SCENE -o DIR [--name NAME] [--standalone] [--method M] [--step H] [--tolerance T] [--real float|double]\n"
-    "       [--inputs held|smooth] [--set 'NAME = VALUE'] [--formulation F]\n"
+    "       [--inputs held|smooth] [--set 'NAME = VALUE'] [--formulation F] [--factors F]\n"
     "  isoc SCENE --dot\n"
     "  isoc SCENE --files\n"
     "\n"
@@ -38,6 +38,9 @@ static const char help[] =
     "  --formulation F  instead of the cheapest; of a tree composite or articulated bodies, of closed loops composite "
     "bodies\n"
     "                 with the closures in the axes of their base, composite, or of a side, parent_axes or child_axes\n"
+    "  --factors F    of an implicit method of a tree, instead of what suits its size: of a full or of a sparse "
+    "matrix, or\n"
+    "                 looped, of the sparse one by loops over constant tables\n"
     "  --dot          nothing but a graph of bodies, joints and closures, for graphviz: isoc SCENE --dot | dot -Tsvg\n"
     "  --files        nothing but the files that the scene is read from, one on a line, also those that are not there\n"
     "  --methods      what each method costs, as a table\n"
@@ -50,7 +53,7 @@ static const char help[] =
 typedef struct options {
     const char *scene, *directory, *name, *method, *step, *tolerance, *set, *inputs;
     bool is_double, draws, lists, is_standalone;
-    formulation wanted; /* FORMULATIONS: the cheapest one */
+    wishes wanted;
 } options;
 
 static bool complain(const char *message, const char *argument)
@@ -73,9 +76,19 @@ static bool take_option(char **argument, const char **slot)
     return true;
 }
 
+/* Where a word stands among others, or their number. */
+static int find_word(const char *word, const char *const *words, int count)
+{
+    int found = 0;
+    while (found < count && (word == NULL || strcmp(word, words[found]) != 0)) {
+        found++;
+    }
+    return found;
+}
+
 static bool read_options(char **arguments, options *o)
 {
-    const char *real_name = NULL, *formulation_name = NULL;
+    const char *real_name = NULL, *formulation_name = NULL, *factors_name = NULL;
     for (char **a = arguments; *a != NULL; a++) {
         const char **slot = strcmp(*a, "-o") == 0              ? &o->directory
                             : strcmp(*a, "--name") == 0        ? &o->name
@@ -86,6 +99,7 @@ static bool read_options(char **arguments, options *o)
                             : strcmp(*a, "--inputs") == 0      ? &o->inputs
                             : strcmp(*a, "--real") == 0        ? &real_name
                             : strcmp(*a, "--formulation") == 0 ? &formulation_name
+                            : strcmp(*a, "--factors") == 0     ? &factors_name
                                                                : NULL;
         if (slot != NULL) {
             if (!take_option(a, slot)) {
@@ -107,11 +121,8 @@ static bool read_options(char **arguments, options *o)
         }
     }
     o->is_double = real_name != NULL && strcmp(real_name, "double") == 0;
-    for (o->wanted = 0; o->wanted < FORMULATIONS; o->wanted++) {
-        if (formulation_name != NULL && strcmp(formulation_name, formulation_names[o->wanted]) == 0) {
-            break;
-        }
-    }
+    o->wanted.formulation = (formulation)find_word(formulation_name, formulation_names, FORMULATIONS);
+    o->wanted.factors = (factoring)find_word(factors_name, factoring_names, FACTORINGS);
     if (o->scene == NULL || (o->directory == NULL && !o->draws && !o->lists)) {
         return complain(o->scene == NULL ? "no scene is given" : "no folder for the plant: -o DIR", NULL);
     }
@@ -128,9 +139,12 @@ static bool read_options(char **arguments, options *o)
     if (o->inputs != NULL && strcmp(o->inputs, "held") != 0 && strcmp(o->inputs, "smooth") != 0) {
         return complain("--inputs must be held or smooth, not", o->inputs);
     }
-    if (formulation_name != NULL && o->wanted == FORMULATIONS) {
+    if (formulation_name != NULL && o->wanted.formulation == FORMULATIONS) {
         return complain("--formulation must be composite, articulated, parent_axes or child_axes, not",
                         formulation_name);
+    }
+    if (factors_name != NULL && o->wanted.factors == FACTORINGS) {
+        return complain("--factors must be full, sparse or looped, not", factors_name);
     }
     return true;
 }
@@ -255,7 +269,7 @@ static bool compile(arena *memory, const options *o)
         return write_graph(memory, &written, &m);
     }
     if (s.problem_count == 0) {
-        if (o->wanted != FORMULATIONS && !formulation_fits(&m, o->wanted)) {
+        if (o->wanted.formulation != FORMULATIONS && !formulation_fits(&m, o->wanted.formulation)) {
             return complain(m.cut_count > 0 ? "closed loops have no such formulation:"
                                             : "a tree has no such formulation:",
                             o->scene);

@@ -8,16 +8,16 @@ int balance_rows(const dynamics *d)
 }
 
 /* Newton-Euler with the accelerations, inward. */
-static void build_forces(const dynamics *d, node *left)
+static void build_forces(const dynamics *d, balance *b)
 {
     const mechanism *m = d->m;
     node *taken = arena_take(d->g->memory, (size_t)m->dof_count, sizeof *taken);
-    wrench *wrenches = arena_take(d->g->memory, (size_t)m->link_count, sizeof *wrenches);
-    const acceleration *accelerations = reaction_accelerations(d);
+    b->wrenches = arena_take(d->g->memory, (size_t)m->link_count, sizeof *b->wrenches);
+    b->accelerations = reaction_accelerations(d);
     graph_section(d->g, "What is left of the efforts over what the accelerations take");
-    inertial_wrenches(&d->k, accelerations, wrenches);
-    efforts_of_wrenches(&d->k, wrenches, taken);
-    efforts_less(d, taken, left);
+    inertial_wrenches(&d->k, b->accelerations, b->wrenches);
+    efforts_of_wrenches(&d->k, b->wrenches, taken);
+    efforts_less(d, taken, b->left);
 }
 
 /* The rows of the constraints, and the forces of their multipliers. */
@@ -41,18 +41,21 @@ static void build_constraints(const dynamics *d, node *left, node *weights)
     }
 }
 
-void balance_build(const dynamics *d, node *left, node *weights)
+balance balance_build(const dynamics *d)
 {
     const mechanism *m = d->m;
     const int n = m->dof_count, rows = balance_rows(d);
+    balance b = {.rows = rows, .left = arena_take(d->g->memory, (size_t)rows, sizeof *b.left)};
+    b.weights = arena_take(d->g->memory, (size_t)(rows * rows), sizeof *b.weights);
     for (int i = 0; i < rows * rows; i++) {
-        weights[i] = constant(d->g, 0.0);
+        b.weights[i] = constant(d->g, 0.0);
     }
     for (int i = 0; i < n; i++) {
         for (int j = i; j != GROUND; j = m->dofs[j].before) {
-            weights[i * rows + j] = weights[j * rows + i] = d->mass.entries[i * n + j];
+            b.weights[i * rows + j] = b.weights[j * rows + i] = d->mass.entries[i * n + j];
         }
     }
-    build_forces(d, left);
-    build_constraints(d, left, weights);
+    build_forces(d, &b);
+    build_constraints(d, b.left, b.weights);
+    return b;
 }

@@ -13,8 +13,14 @@
 /* Degrees of freedom and constraints. */
 int balance_rows(const dynamics *d);
 
-/* left[rows], by leaves OP_DERIVATIVE of the accelerations and OP_MULTIPLIER; and weights[rows rows], what it has of
- * them: [M Phi_q'; Phi_q -1/penalty]. */
-void balance_build(const dynamics *d, node *left, node *weights);
+typedef struct balance {
+    int rows;
+    node *left;                        /* [rows] by leaves OP_DERIVATIVE of the accelerations and OP_MULTIPLIER */
+    node *weights;                     /* [rows rows] what it has of them: [M Phi_q'; Phi_q -1/penalty] */
+    const acceleration *accelerations; /* [links] what Newton-Euler hands on from link to link, outward */
+    wrench *wrenches;                  /* [links] and inward: of a link with its descendants */
+} balance;
+
+balance balance_build(const dynamics *d);
 
 #endif

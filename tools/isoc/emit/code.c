@@ -33,6 +33,9 @@ typedef struct emitter {
     const char *quoted; /* the last line of the scene that was quoted */
     bool *is_marked;
     double culprit;
+    code_pieces *pieces; /* NULL: none are noted */
+    size_t *piece_of;    /* [nodes] one more than the piece that declares it, or its sine and cosine; 0: none */
+    size_t *turn_piece_of;
 } emitter;
 
 const char *code_literal(arena *memory, double value, bool is_double)
@@ -110,6 +113,50 @@ static const char *operand(const emitter *e, node n, binding least)
     return r->binds >= least ? r->text : arena_format(e->g->memory, "(%s)", r->text);
 }
 
+/* The parts of an expression that stand inside it, down to declared quantities and leaves: what a piece reads. */
+static void note_reads(emitter *e, code_piece *made, const node *open, size_t count)
+{
+    graph *g = e->g;
+    size_t room = 0, read_room = 0, leaf_room = 0;
+    node *list = NULL;
+    for (size_t i = 0; i < count; i++) {
+        list = arena_grow(g->memory, list, i, &room, sizeof *list);
+        list[i] = open[i];
+    }
+    while (count > 0) {
+        const node i = list[--count];
+        const graph_node *n = &g->nodes[i];
+        const bool turns = n->op == OP_SIN || n->op == OP_COS;
+        const size_t piece = turns ? e->turn_piece_of[n->a] : e->piece_of[i];
+        if (piece > 0) {
+            made->reads = arena_grow(g->memory, made->reads, made->read_count, &read_room, sizeof *made->reads);
+            made->reads[made->read_count++] = piece - 1;
+            continue;
+        }
+        if (operators[n->op].operands == 0) {
+            made->leaves = arena_grow(g->memory, made->leaves, made->leaf_count, &leaf_room, sizeof *made->leaves);
+            made->leaves[made->leaf_count++] = i;
+        }
+        for (int k = 0; k < operators[n->op].operands; k++) {
+            list = arena_grow(g->memory, list, count, &room, sizeof *list);
+            list[count++] = k == 0 ? n->a : n->b;
+        }
+    }
+}
+
+/* What was written since the last piece is one, made of these nodes. */
+static void note_piece(emitter *e, const char *declares, bool is_turn, const node *of, size_t count)
+{
+    code_pieces *p = e->pieces;
+    if (p != NULL) {
+        code_piece made = {.declares = declares, .is_turn = is_turn};
+        note_reads(e, &made, of, count);
+        made.end = e->out->length;
+        p->all = arena_grow(e->g->memory, p->all, p->count, &p->room, sizeof *p->all);
+        p->all[p->count++] = made;
+    }
+}
+
 /* 2^64 per turn; the fraction of a turn as a phase. */
 static const char *phase(arena *memory, double turns)
 {
@@ -131,6 +178,8 @@ static const char *turned(emitter *e, const graph_node *n)
         e->turned[n->a] = unique_name(e, arena_format(e->g->memory, "turn_%s", joint));
         heading(e, n->section);
         text_add(e->out, "    const iso_sine_cosine %s = iso_sincos(%s);\n", e->turned[n->a], e->shown[n->a].text);
+        note_piece(e, e->turned[n->a], true, &n->a, 1);
+        e->turn_piece_of[n->a] = e->pieces == NULL ? 0 : e->pieces->count;
     }
     return e->turned[n->a];
 }
@@ -248,6 +297,9 @@ static void emit_node(emitter *e, node i)
     quote_mark(e, name);
     statement(e->out, arena_format(e->g->memory, "const real %s = %s;", name, e->shown[i].text));
     e->shown[i] = (rendering){name, BINDS_WHOLE};
+    const node of[2] = {n->a, n->b};
+    note_piece(e, name, false, of, (size_t)operators[n->op].operands);
+    e->piece_of[i] = e->pieces == NULL ? 0 : e->pieces->count;
 }
 
 static void count_uses(emitter *e)
@@ -264,35 +316,57 @@ static void count_uses(emitter *e)
     }
 }
 
-/* const real q_shoulder = x[PLANT_X_SHOULDER]; for the states, inputs and parameters that are used. */
+/* const real q_shoulder = x[PLANT_X_SHOULDER]; or NULL for what stands in no array. */
+static const char *declaration(emitter *e, node i)
+{
+    const graph_node *n = &e->g->nodes[i];
+    const char *array = operators[n->op].array;
+    if (array == NULL) {
+        return NULL;
+    }
+    const char *name = unique_name(e, show(e, n).text);
+    const char *place = n->op == OP_FACTOR ? arena_format(e->g->memory, "%d", n->index)
+                                           : leaf_of(e, array[0] == 'd' ? 'x' : array[0], n->index)->place;
+    return arena_format(e->g->memory, "    const real %s = %s[%s];\n", name, array, place);
+}
+
+/* For the states, inputs and parameters that are used. */
 static void declare_leaves(emitter *e)
 {
     for (operation op = 0; op < OPERATIONS; op++) {
         for (size_t i = 0; i < e->g->count && operators[op].array != NULL; i++) {
             const graph_node *n = &e->g->nodes[i];
             if (e->needed[i] && n->op == op) {
-                const char *name = unique_name(e, show(e, n).text), *array = operators[op].array;
-                const leaf_name *leaf = op == OP_FACTOR ? NULL : leaf_of(e, array[0] == 'd' ? 'x' : array[0], n->index);
+                const char *made = declaration(e, (node)i);
+                const char array = operators[op].array[0];
+                const leaf_name *leaf = op == OP_FACTOR ? NULL : leaf_of(e, array == 'd' ? 'x' : array, n->index);
                 quote(e, leaf != NULL && e->c->quotes_leaves ? leaf->quote : NULL);
-                text_add(e->out, "    const real %s = %s[%s];\n", name, array,
-                         leaf == NULL ? arena_format(e->g->memory, "%d", n->index) : leaf->place);
+                text_add(e->out, "%s", made);
             }
         }
     }
 }
 
-bool code_emit(const code *c, text *out, double *culprit)
+static emitter begin(const code *c, graph *g, node *roots, text *out)
 {
-    node *roots = arena_take(out->memory, c->count + 1, sizeof *roots);
-    graph economical = economise(c->g, c->roots, c->count, roots), *g = &economical;
     emitter e = {.c = c, .g = g, .out = out, .roots = roots, .taken = {.memory = g->memory}, .section = -1};
     e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
     e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
     e.shown = arena_take(g->memory, g->count, sizeof *e.shown);
     e.is_marked = arena_take(g->memory, c->mark_count + 1, sizeof *e.is_marked);
     e.turned = arena_take(g->memory, g->count, sizeof *e.turned);
+    e.piece_of = arena_take(g->memory, g->count, sizeof *e.piece_of);
+    e.turn_piece_of = arena_take(g->memory, g->count, sizeof *e.turn_piece_of);
     graph_reach(g, roots, c->count, e.needed);
     count_uses(&e);
+    return e;
+}
+
+bool code_emit(const code *c, text *out, double *culprit)
+{
+    node *roots = arena_take(out->memory, c->count + 1, sizeof *roots);
+    graph economical = economise(c->g, c->roots, c->count, roots), *g = &economical;
+    emitter e = begin(c, g, roots, out);
     declare_leaves(&e);
     for (size_t i = 0; i < g->count; i++) {
         if (e.needed[i]) {
@@ -306,4 +380,45 @@ bool code_emit(const code *c, text *out, double *culprit)
     }
     *culprit = e.culprit;
     return e.culprit == 0.0;
+}
+
+/* The targets of each root, as lists: first[nodes], next[targets], -1 at their ends. */
+static void list_targets(const emitter *e, int *first, int *next)
+{
+    memset(first, -1, e->g->count * sizeof *first);
+    for (size_t i = e->c->count; i-- > 0;) {
+        next[i] = first[e->roots[i]];
+        first[e->roots[i]] = (int)i;
+    }
+}
+
+code_pieces code_in_pieces(const code *c, double *culprit)
+{
+    arena *memory = c->g->memory;
+    node *roots = arena_take(memory, c->count + 1, sizeof *roots);
+    graph *g = arena_take(memory, 1, sizeof *g);
+    *g = economise(c->g, c->roots, c->count, roots);
+    code_pieces made = {
+        .g = g, .text = {.memory = memory}, .leaves = arena_take(memory, g->count, sizeof *made.leaves)};
+    emitter e = begin(c, g, roots, &made.text);
+    int *first = arena_take(memory, g->count, sizeof *first), *next = arena_take(memory, c->count + 1, sizeof *next);
+    e.pieces = &made;
+    list_targets(&e, first, next);
+    text_add(&made.text, "{\n");
+    for (size_t i = 0; i < g->count; i++) {
+        made.leaves[i] = e.needed[i] ? declaration(&e, (node)i) : NULL;
+    }
+    for (size_t i = 0; i < g->count; i++) {
+        if (e.needed[i]) {
+            emit_node(&e, (node)i);
+        }
+        for (int target = first[i]; target >= 0; target = next[target]) {
+            const node root = (node)i;
+            quote(&e, c->quotes == NULL ? NULL : c->quotes[target]);
+            statement(&made.text, arena_format(memory, "%s = %s;", c->targets[target], e.shown[i].text));
+            note_piece(&e, NULL, false, &root, 1);
+        }
+    }
+    *culprit = e.culprit;
+    return made;
 }

@@ -40,6 +40,29 @@ typedef struct code {
  */
 bool code_emit(const code *c, text *out, double *culprit);
 
+/* A piece of statements: it ends in the text where the next begins. */
+typedef struct code_piece {
+    size_t end;
+    const char *declares; /* a quantity, or NULL: the piece sets a target */
+    bool is_turn;         /* the quantity is a sine and a cosine */
+    size_t *reads;        /* [read_count] pieces whose quantities it reads */
+    size_t read_count;
+    node *leaves; /* [leaf_count] */
+    size_t leaf_count;
+} code_piece;
+
+/* The same statements piece by piece, without the declarations of what is read from arrays; each target is set as soon as
+ * it is known, so that it must be none of these. */
+typedef struct code_pieces {
+    const graph *g;
+    text text;
+    code_piece *all;
+    size_t count, room;
+    const char **leaves; /* [nodes] how a leaf is declared, or NULL where it needs no declaration */
+} code_pieces;
+
+code_pieces code_in_pieces(const code *c, double *culprit);
+
 /* The shortest decimal that reads back as the same real, e.g. R(0.1); of what is below the normal numbers, zero. */
 const char *code_literal(arena *memory, double value, bool is_double);
 

@@ -40,6 +40,7 @@ static void emit_beginning(const emission *e, const text *rest)
                  capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->recipe)]));
     }
     text_add(e->out, "#include \"core/methods/method.h\"\n");
+    text_add(e->out, "%s", e->p->j.looped != NULL ? "#include \"core/methods/sparse.h\"\n" : "");
     emit_calls_included(rest, e->out);
     text_add(e->out, "%s#include \"core/numbers/sincos.h\"\n%s\n",
              uses_time(e->g, m->drives, (size_t)(m->input_count + m->clocks.count))

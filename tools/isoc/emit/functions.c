@@ -1,4 +1,7 @@
+#include <string.h>
+
 #include "tools/isoc/emit/parts.h"
+#include "tools/isoc/emit/split.h"
 
 /* What the equations read, as arrays. */
 static const struct {
@@ -48,19 +51,77 @@ static void emit_code(emission *e, const code *made)
     }
 }
 
-/* A function that fills `array` from x, u and p; `more` is a further parameter. */
-static void emit_function(emission *e, const char *function, const char *array, const char *more, const code *made)
+/* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. */
+static void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
+                      const char *more)
 {
-    text_add(e->out, "static void %s(real *restrict const %s, const real *restrict const x,\n", function, array);
+    text_add(e->out, "%sstatic void %s(real *restrict const %s,%s const real *restrict const x,\n", head, function,
+             array, before);
     text_add(e->out, "    const real *restrict const u, const real *restrict const p%s)\n{\n", more);
+}
+
+/* (void)x; for the parameters that a function does not read. */
+static void emit_unread(emission *e, const bool *reads, const char *more)
+{
     for (int i = 0; i < 3; i++) {
-        if (!uses(e, made, arguments[i].op)) {
+        if (!reads[arguments[i].op]) {
             text_add(e->out, "    (void)%s;\n", arguments[i].name);
         }
     }
-    if (more[0] != '\0' && !uses(e, made, OP_STEP)) {
+    if (strstr(more, "hb") != NULL && !reads[OP_STEP]) {
         text_add(e->out, "    (void)hb;\n");
     }
+    if (strstr(more, "dx") != NULL && !reads[OP_DERIVATIVE]) {
+        text_add(e->out, "    (void)dx;\n");
+    }
+}
+
+/* In parts, one function each, which are called one after the other. */
+static void emit_parts(emission *e, const char *function, const char *array, const char *more, code_parts parts)
+{
+    for (int i = 0; i < parts.count; i++) {
+        const code_part *part = &parts.all[i];
+        emit_head(e, "ISO_APART ", arena_format(e->out->memory, "%s_%d", function, i + 1), array,
+                  " real *restrict const v,", more);
+        if (!part->sets) {
+            text_add(e->out, "    (void)%s;\n", array);
+        }
+        if (!part->carries) {
+            text_add(e->out, "    (void)v;\n");
+        }
+        emit_unread(e, part->reads, more);
+        text_add(e->out, "%s}\n\n", part->body);
+    }
+    emit_head(e, "", function, array, "", more);
+    text_add(e->out, "    real v[%d];\n", parts.carried + 1);
+    for (int i = 0; i < parts.count; i++) {
+        text_add(e->out, "    %s_%d(%s, v, x, u, p%s%s);\n", function, i + 1, array,
+                 strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "");
+    }
+    text_add(e->out, "}\n\n");
+}
+
+/* A function that fills `array` from x, u and p; `more` are further parameters. A long one is split: the time of gcc -O2
+ * grows with the square of a function's length, and is least for parts of some hundred statements. */
+static void emit_function(emission *e, const char *function, const char *array, const char *more, const code *made)
+{
+    enum { LONG = 3000, OF_PART = 250 };
+    const operations n = count_operations(e->g, made->roots, made->count);
+    if ((size_t)(n.add + n.mul) + made->count > LONG) {
+        double culprit;
+        const code_pieces pieces = code_in_pieces(made, &culprit);
+        if (pieces.count > LONG) {
+            e->culprit = culprit != 0.0 ? culprit : e->culprit;
+            emit_parts(e, function, array, more, code_split(&pieces, OF_PART));
+            return;
+        }
+    }
+    bool reads[OPERATIONS] = {false};
+    for (operation op = 0; op < OPERATIONS; op++) {
+        reads[op] = uses(e, made, op);
+    }
+    emit_head(e, "", function, array, "", more);
+    emit_unread(e, reads, more);
     emit_code(e, made);
     text_add(e->out, "}\n\n");
 }
@@ -135,10 +196,64 @@ static void emit_violation(emission *e)
     text_add(e->out, "    return off;\n}\n\n");
 }
 
+static void emit_numbers(const emission *e, const char *type, const char *array, const int *numbers, int count)
+{
+    enum { IN_A_LINE = 20 };
+    text_add(e->out, "static const %s %s[%d] = {", type, array, count);
+    for (int i = 0; i < count; i++) {
+        text_add(e->out, "%s%d,", i % IN_A_LINE == 0 ? "\n    " : " ", numbers[i]);
+    }
+    text_add(e->out, "\n};\n");
+}
+
+/* The places of the numbers of L U. */
+static void emit_places(const emission *e, const extended *x, int states)
+{
+    text_add(e->out, "/* Where the numbers of L U stand. */\n");
+    emit_numbers(e, "uint32_t", "lu_row", x->e.row, x->e.count + 1);
+    emit_numbers(e, "uint32_t", "lu_beyond", x->e.beyond, x->e.count);
+    emit_numbers(e, "uint16_t", "lu_column", x->e.column, x->e.places);
+    emit_numbers(e, "uint16_t", "lu_target", x->e.target, x->e.products);
+    emit_numbers(e, "uint16_t", "lu_given", x->given, states);
+    emit_numbers(e, "uint16_t", "lu_found", x->found, states);
+    text_add(e->out, "static const iso_sparse places = {%d, %s_STATES, lu_row, lu_beyond, lu_column, lu_target,\n",
+             x->e.count, e->names->capitals);
+    text_add(e->out, "                                  lu_given, lu_found};\n\n");
+}
+
+/* The same by loops over tables. */
+static void emit_looped_solver(emission *e)
+{
+    const jacobian *j = &e->p->j;
+    const char **targets = arena_take(e->out->memory, (size_t)j->factor_count, sizeof *targets);
+    node *roots = arena_take(e->out->memory, (size_t)j->factor_count, sizeof *roots);
+    int count = 0;
+    for (int i = 0; i < j->factor_count; i++) {
+        if (!is_zero(e->g, j->factors[i])) {
+            targets[count] = arena_format(e->out->memory, "lu[%d]", i);
+            roots[count++] = j->factors[i];
+        }
+    }
+    const code entries = code_of(e, targets, roots, count);
+    emit_places(e, j->looped, state_count(e->p->m));
+    emit_function(e, "entries", "lu", ", const real *restrict const dx, const real hb", &entries);
+    text_add(e->out, "static void factor(real *restrict const lu, const real *restrict const x,\n");
+    text_add(e->out, "    const real *restrict const u, const real *restrict const p, const real hb)\n{\n");
+    text_add(e->out, "    real dx[%s_STATES];\n    derivative(dx, x, u, p);\n", e->names->capitals);
+    text_add(e->out, "    memset(lu, 0, %d * sizeof *lu);\n    entries(lu, x, u, p, dx, hb);\n", j->factor_count);
+    text_add(e->out, "    iso_sparse_factor(&places, lu);\n}\n\n");
+    text_add(e->out, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
+    text_add(e->out, "    real work[%d];\n    iso_sparse_solve(&places, d, lu, work);\n}\n\n", j->looped->e.count);
+}
+
 /* What an implicit method solves with. */
 static void emit_solver(emission *e)
 {
     const jacobian *j = &e->p->j;
+    if (j->looped != NULL) {
+        emit_looped_solver(e);
+        return;
+    }
     const int states = state_count(e->p->m);
     const code factors = code_of(e, numbered(e, "lu", j->factor_count), j->factors, j->factor_count);
     const code solution = code_of(e, places_in(e, "d", e->names->leaves.states, states), j->solution, states);

@@ -1,5 +1,7 @@
 #include "tools/isoc/graph/differentiate.h"
 
+#include <stdlib.h>
+
 void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives)
 {
     const node zero = constant(g, 0.0), one = constant(g, 1.0);
@@ -19,6 +21,84 @@ void differentiate(graph *g, const node *roots, size_t count, node by, node *der
     }
     arena_return(g->memory, needed, before, sizeof *needed);
     arena_return(g->memory, d, before, sizeof *d);
+}
+
+partials partials_start(graph *g, const bool *stops)
+{
+    partials p = {.g = g, .count = g->count, .stops = stops};
+    p.parts = arena_take(g->memory, p.count, sizeof *p.parts);
+    p.d = arena_take(g->memory, p.count, sizeof *p.d);
+    p.seen = arena_take(g->memory, p.count, sizeof *p.seen);
+    return p;
+}
+
+static void see(partials *p, node n, size_t *count)
+{
+    if (!p->seen[n]) {
+        p->seen[n] = true;
+        p->parts[(*count)++] = n;
+    }
+}
+
+static int in_order(const void *a, const void *b)
+{
+    const node first = *(const node *)a, second = *(const node *)b;
+    return (first > second) - (first < second);
+}
+
+/* What the root is made of, down to stops and leaves, each after what it is made of itself. */
+static size_t list_parts(partials *p, node root)
+{
+    size_t count = 0;
+    see(p, root, &count);
+    for (size_t next = 0; next < count; next++) {
+        const graph_node *n = &p->g->nodes[p->parts[next]];
+        const int operands = p->stops[p->parts[next]] && next > 0 ? 0 : operators[n->op].operands;
+        if (operands > 0) {
+            see(p, n->a, &count);
+        }
+        if (operands == 2) {
+            see(p, n->b, &count);
+        }
+    }
+    qsort(p->parts, count, sizeof *p->parts, in_order);
+    return count;
+}
+
+static bool is_end(const partials *p, node n, node root)
+{
+    return operators[p->g->nodes[n].op].operands == 0 || (p->stops[n] && n != root);
+}
+
+size_t partial_derivatives(partials *p, node root, node **by, node **derivatives)
+{
+    graph *g = p->g;
+    const node zero = constant(g, 0.0), one = constant(g, 1.0);
+    const size_t parts = list_parts(p, root);
+    size_t found = 0;
+    *by = arena_take(g->memory, parts, sizeof **by);
+    *derivatives = arena_take(g->memory, parts, sizeof **derivatives);
+    for (size_t i = 0; i < parts; i++) {
+        if (p->stops[p->parts[i]] && is_end(p, p->parts[i], root)) {
+            (*by)[found++] = p->parts[i];
+        }
+    }
+    for (size_t x = 0; x < found; x++) {
+        for (size_t i = 0; i < parts; i++) {
+            const node part = p->parts[i];
+            const graph_node n = g->nodes[part];
+            p->d[part] = part == (*by)[x] ? one : zero;
+            if (!is_end(p, part, root)) {
+                p->d[part] =
+                    operators[n.op].derivative(g, part, p->d[n.a], operators[n.op].operands == 2 ? p->d[n.b] : zero);
+            }
+        }
+        (*derivatives)[x] = p->d[root];
+    }
+    for (size_t i = 0; i < parts; i++) {
+        p->seen[p->parts[i]] = false;
+    }
+    return found;
 }
 
 /* Makes the roots anew of what stands in the place of each leaf: to[g->count]. */

@@ -7,6 +7,22 @@
 /* The derivatives of `count` roots by a leaf. */
 void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives);
 
+/* Derivatives by some nodes as if they were leaves: what they are made of is not looked at. */
+typedef struct partials {
+    graph *g;
+    size_t count;      /* of nodes: those made later are not differentiated */
+    const bool *stops; /* [count] where to end */
+    node *parts;       /* of the root, those that it is made of, in order; work space like the next two */
+    node *d;           /* [count] */
+    bool *seen;        /* [count] */
+} partials;
+
+partials partials_start(graph *g, const bool *stops);
+
+/* The derivatives of one root by each stop that it depends on without another between: by[] and derivatives[], which the
+ * memory of the graph has. Returns their number. The root may be a stop itself. */
+size_t partial_derivatives(partials *p, node root, node **by, node **derivatives);
+
 /* Puts by[index] in the place of every leaf of this operation, in `count` roots. */
 void replace_leaves(graph *g, node *roots, size_t count, operation op, const node *by);
 

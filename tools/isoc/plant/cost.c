@@ -109,7 +109,16 @@ static implicit_cost cost_of_solving(const plant *p, const graph *g)
     implicit_cost cost = {{0}, {0}};
     if (ISO_IS_IMPLICIT(p->m->recipe)) {
         cost.factor = count_operations(g, p->j.factors, (size_t)p->j.factor_count);
-        cost.solve = count_operations(g, p->j.solution, (size_t)state_count(p->m));
+        if (p->j.looped != NULL) {
+            const elimination *e = &p->j.looped->e;
+            cost.factor = plus(cost.factor, 1, count_operations(g, p->derivatives, (size_t)state_count(p->m)));
+            cost.factor = plus(cost.factor, e->products, (operations){.add = 1, .mul = 1});
+            cost.factor = plus(cost.factor, e->count, (operations){.div = 1});
+            cost.factor = plus(cost.factor, e->lower, (operations){.mul = 1});
+            cost.solve = (operations){.add = e->places - e->count, .mul = e->places};
+        } else {
+            cost.solve = count_operations(g, p->j.solution, (size_t)state_count(p->m));
+        }
     }
     return cost;
 }
@@ -139,7 +148,7 @@ void cost_summary(const plant *p, const graph *g, text *out)
         const implicit_cost cost = cost_of_solving(p, g);
         count_line(out, "factor", cost.factor);
         count_line(out, "solve", cost.solve);
-        text_add(out, "factors %d\n", p->j.factor_count);
+        text_add(out, "factors %d %s\n", p->j.factor_count, factoring_names[p->j.kind]);
     }
     if (!ISO_IS_VARYING(m->recipe)) { /* whose sub-steps are as many as it needs */
         const operations settle = count_operations(g, p->after.values, (size_t)p->after.count);

@@ -4,6 +4,8 @@
 #include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/graph/operations.h"
 
+const char *const factoring_names[FACTORINGS] = {"full", "sparse", "looped"};
+
 /* Where factors are stored: a constant stays one, any other node gets its place in lu[]. */
 static node put_down(graph *g, jacobian *made, node n)
 {
@@ -87,10 +89,8 @@ static unknowns balanced_equations(graph *g, const dynamics *d, const node *deri
     const mechanism *m = d->m;
     const int states = state_count(m), rows = balance_rows(d), n = m->dof_count;
     unknowns z = unknowns_of(g, derivatives, states, n, states + rows - n);
-    node *left = arena_take(g->memory, (size_t)rows, sizeof *left);
-    node *weights = arena_take(g->memory, (size_t)(rows * rows), sizeof *weights);
     int *row = arena_take(g->memory, (size_t)(states + rows), sizeof *row); /* of the balance; -1: an explicit rate */
-    balance_build(d, left, weights);
+    const balance b = balance_build(d);
     for (int i = 0; i < z.count; i++) {
         row[i] = z.of[i] < m->position_count ? -1 : z.of[i] - m->position_count;
     }
@@ -100,10 +100,10 @@ static unknowns balanced_equations(graph *g, const dynamics *d, const node *deri
     }
     const node zero = constant(g, 0.0), one = constant(g, 1.0);
     for (int i = 0; i < z.count; i++) {
-        z.left[i] = row[i] < 0 ? derivatives[z.of[i]] : left[row[i]];
+        z.left[i] = row[i] < 0 ? derivatives[z.of[i]] : b.left[row[i]];
         for (int j = 0; j < z.count; j++) {
             const bool both = row[i] >= 0 && row[j] >= 0;
-            z.weights[i * z.count + j] = both ? weights[row[i] * rows + row[j]] : i == j ? one : zero;
+            z.weights[i * z.count + j] = both ? b.weights[row[i] * rows + row[j]] : i == j ? one : zero;
         }
     }
     return z;
@@ -203,7 +203,7 @@ static bool is_balance_exact(const mechanism *m)
 }
 
 /* Each in a copy of the graph. */
-jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives)
+static jacobian full(graph *g, const dynamics *d, const node *derivatives)
 {
     graph before = *g;
     const int states = state_count(d->m);
@@ -220,4 +220,124 @@ jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives)
     graph_free(is_balanced ? &with_solved : g);
     *g = is_balanced ? *g : with_solved;
     return is_balanced ? of_balanced : of_solved;
+}
+
+/* L U in place, as core/methods/sparse.h does it. */
+static void factorise_sparse(graph *g, const elimination *e, node *lu)
+{
+    const int *target = e->target;
+    for (int i = 0; i < e->count; i++) {
+        for (int at = e->row[i]; at + 1 < e->beyond[i]; at++) {
+            const int k = e->column[at];
+            lu[at] = mul(g, lu[at], lu[e->beyond[k] - 1]);
+            for (int from = e->beyond[k]; from < e->row[k + 1]; from++) {
+                node *to = &lu[e->row[i] + *target++];
+                *to = sub(g, *to, mul(g, lu[at], lu[from]));
+            }
+        }
+        lu[e->beyond[i] - 1] = divide(g, constant(g, 1.0), lu[e->beyond[i] - 1]);
+    }
+}
+
+static void solve_sparse(graph *g, jacobian *made, const extended *x, const node *lu, int states)
+{
+    const elimination *e = &x->e;
+    node *y = arena_take(g->memory, (size_t)e->count, sizeof *y);
+    for (int i = 0; i < e->count; i++) {
+        y[i] = constant(g, 0.0);
+    }
+    for (int i = 0; i < states; i++) {
+        y[x->given[i]] = leaf(g, OP_RIGHT, i);
+    }
+    for (int i = 0; i < e->count; i++) {
+        for (int at = e->row[i]; at + 1 < e->beyond[i]; at++) {
+            y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[at]), y[e->column[at]]));
+        }
+    }
+    for (int i = e->count - 1; i >= 0; i--) {
+        for (int at = e->beyond[i]; at < e->row[i + 1]; at++) {
+            y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[at]), y[e->column[at]]));
+        }
+        y[i] = mul(g, y[i], put_down(g, made, lu[e->beyond[i] - 1]));
+    }
+    for (int i = 0; i < states; i++) {
+        made->solution[i] = y[x->found[i]];
+    }
+}
+
+static jacobian sparse(graph *g, const dynamics *d, const node *derivatives, const extended *x)
+{
+    const int states = state_count(d->m);
+    jacobian made = {.kind = FACTORING_SPARSE};
+    made.factors = arena_take(g->memory, (size_t)x->e.places, sizeof *made.factors);
+    made.solution = arena_take(g->memory, (size_t)states, sizeof *made.solution);
+    replace_leaves(g, x->entries, (size_t)x->e.places, OP_DERIVATIVE, derivatives);
+    graph_section(g, "Their factors L U");
+    factorise_sparse(g, &x->e, x->entries);
+    graph_section(g, "L U d = r, for all unknowns");
+    solve_sparse(g, &made, x, x->entries, states);
+    return made;
+}
+
+static jacobian looped(const extended *x)
+{
+    return (jacobian){.kind = FACTORING_LOOPED, .factors = x->entries, .factor_count = x->e.places, .looped = x};
+}
+
+/* Whether the elimination is too long to be unrolled: up to so many products the code of factors and solution has less
+ * than 300 kB on a Cortex-M4F. Loops take a third to a half of that, and three times the instructions. */
+static bool is_long(const elimination *e)
+{
+    enum { MOST = 12000 };
+    return e->products + e->places > MOST;
+}
+
+/* A lower bound of the products that the factors of J take where it is full: those of a matrix with the places of M,
+ * eliminated from the tips to the root. */
+static long full_products(const mechanism *m)
+{
+    long products = 0;
+    for (int f = 0; f < m->dof_count; f++) {
+        long ancestors = 0;
+        for (int of = m->dofs[f].before; of != GROUND; of = m->dofs[of].before) {
+            ancestors++;
+        }
+        products += ancestors * ancestors;
+    }
+    return products;
+}
+
+/* The full matrix, whose numbers are fewer to load and to store, unless the sparse one takes less than 3/4 of its
+ * operations. Each is made in a copy of the graph. */
+static jacobian cheaper(graph *g, graph *before, const dynamics *d, const node *derivatives, const extended *x)
+{
+    const int states = state_count(d->m);
+    const jacobian of_sparse = sparse(g, d, derivatives, x);
+    const int cost = cost_of(g, &of_sparse, states);
+    if (full_products(d->m) > cost) {
+        graph_free(before);
+        return of_sparse;
+    }
+    graph with_sparse = *g;
+    *g = *before;
+    const jacobian of_full = full(g, d, derivatives);
+    const bool is_sparse = 4 * cost < 3 * cost_of(g, &of_full, states);
+    graph_free(is_sparse ? g : &with_sparse);
+    *g = is_sparse ? with_sparse : *g;
+    return is_sparse ? of_sparse : of_full;
+}
+
+jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives, factoring wanted)
+{
+    if (d->m->cut_count > 0 || wanted == FACTORING_FULL) {
+        return full(g, d, derivatives);
+    }
+    graph before = *g;
+    *g = graph_copy(&before);
+    const extended *x = extended_build(g, d, derivatives);
+    if (wanted == FACTORINGS && !is_long(&x->e)) {
+        return cheaper(g, &before, d, derivatives, x);
+    }
+    graph_free(&before);
+    return wanted == FACTORING_SPARSE ? sparse(g, d, derivatives, x) : looped(x);
 }

@@ -26,7 +26,7 @@ static void build_derivatives(plant *p, graph *g, formulation chosen)
         p->rate_count = m->position_count;
     }
     if (ISO_IS_IMPLICIT(m->recipe)) {
-        p->j = jacobian_build(g, p->d, p->derivatives);
+        p->j = jacobian_build(g, p->d, p->derivatives, p->factors);
     }
 }
 
@@ -79,13 +79,13 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
     p->formulations = made;
 }
 
-plant plant_build(graph *g, const mechanism *m, bool is_double, formulation wanted)
+plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted)
 {
-    plant p = {.m = m, .input_count = m->input_count, .is_double = is_double};
+    plant p = {.m = m, .input_count = m->input_count, .is_double = is_double, .factors = wanted.factors};
     for (int i = 0; i < m->link_count; i++) {
         p.turn_count += m->links[i].continuous;
     }
-    build_cheapest(&p, g, wanted);
+    build_cheapest(&p, g, wanted.formulation);
     p.after = settled_build(g, p.d);
     outputs_build(&p, g);
     p.violation = m->violation_limit > 0.0 && p.d->loops.held.count > 0

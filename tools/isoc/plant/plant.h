@@ -28,13 +28,20 @@ typedef struct plant {
     int rate_count;              /* of them those that semi_implicit evaluates again; 0: they are the speeds */
     settled after;               /* of a step */
     acceleration *accelerations; /* of the links, where reactions of joints are shown */
+    factoring factors;           /* as wanted */
     jacobian j;                  /* only for implicit methods */
     node energy;
     node violation; /* of the closures, where the loop counts it; else -1 */
     bool is_double;
 } plant;
 
-/* The nodes of derivative and outputs, in the formulation that is wanted, or the cheaper one if it is FORMULATIONS. */
-plant plant_build(graph *g, const mechanism *m, bool is_double, formulation wanted);
+/* What is wanted in the place of what isoc finds best. */
+typedef struct wishes {
+    formulation formulation; /* FORMULATIONS: the cheapest */
+    factoring factors;       /* FACTORINGS: that which suits the size */
+} wishes;
+
+/* The nodes of derivative, outputs and all else. */
+plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted);
 
 #endif
