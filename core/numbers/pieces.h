@@ -26,12 +26,12 @@ static inline real iso_floor(const real x)
 /* A condition is 1 or 0, as iso_above gives it. x where it holds, else +0; and x where it does not, else +0. */
 static inline real iso_where(const real condition, const real x)
 {
-    return iso_real_of(iso_bits_of(x) & iso_less(R(0.5), condition));
+    return iso_select(iso_less(R(0.5), condition), x, R(0.0));
 }
 
 static inline real iso_unless(const real condition, const real x)
 {
-    return iso_real_of(iso_bits_of(x) & ~iso_less(R(0.5), condition));
+    return iso_select(iso_less(R(0.5), condition), R(0.0), x);
 }
 
 #endif

@@ -36,6 +36,11 @@ planted angle float 1.997761428e-1 1.998761428e-1
 planted angle float '0.414213562373095049' '0.614213562373095049'
 planted angle double 7.69208048088145246e-02 7.69209048088145246e-02
 
+# shellcheck disable=SC2086
+$CC $FLAGS -DPLANTED tests/exhaustive/noise.c -o "$out/noise" -lm && ! "$out/noise" 4 >"$out/tap" &&
+    grep -q '^not ok .* correlation with a later tick' "$out/tap"
+result $? "found in noise: ticks in pairs"
+
 # Under memcheck with the arguments undefined.
 for compiler in $CC clang; do
     # shellcheck disable=SC2086

@@ -26,6 +26,7 @@ min, max|real|2|iso_min(x[0], x[1])|exact|all|all|
 max(x, 0)|real|1|iso_positive(x[0])|exact|all|all|
 clamp|real|3|iso_clamp(x[0], x[1], x[2])|exact|all|all|
 comparison|real|2|iso_above(x[0], x[1])|exact|all|all|of one infinity with itself: 0 or 1
+noise, once a tick|noise|1|iso_noise(iso_bits_of(x[0]), 7)|mean 0, variance 1|all ticks|all ticks|
 if|pieces|3|iso_where(x[0], x[1]) + iso_unless(x[0], x[2])|exact|all|all|
 END
 }

@@ -42,6 +42,9 @@ static void emit_beginning(const emission *e, const text *rest)
     text_add(e->out, "#include \"core/methods/method.h\"\n");
     text_add(e->out, "%s", e->p->j.looped != NULL ? "#include \"core/methods/sparse.h\"\n" : "");
     emit_calls_included(rest, e->out);
+    if (strstr(rest->bytes, "iso_noise(") != NULL) {
+        text_add(e->out, "#include \"core/numbers/noise.h\"\n");
+    }
     text_add(e->out, "%s#include \"core/numbers/sincos.h\"\n%s\n",
              uses_time(e->g, m->drives, (size_t)(m->input_count + m->clocks.count))
                  ? "#include \"core/numbers/signal.h\"\n"

@@ -60,6 +60,7 @@ typedef struct evaluation {
     TIMED(PHASE, "iso_phase(tick, @v, @s)", WHOLE)     /* an angle that grows by `value` turns a tick from `second`    \
                                                         * turns, in [-pi, pi) */                                       \
     TIMED(RAMP, "iso_ramp(tick, @w, @f, @2)", WHOLE)   /* the ticks since tick `value`, limited to [0, second] */      \
+    TIMED(NOISE, "iso_noise(tick, @w)", WHOLE)         /* Gaussian noise with the seed `value` */                      \
     TIMED(TIME, "@2 * (real)tick", PRODUCT)            /* the seconds since tick 0, with `second` in a tick */         \
     TIMED(SINCE, "@2 * iso_since(tick, @w, @f)", PRODUCT) /* the seconds since tick `value`, with `second` in a tick;  \
                                                            * before it, something less than zero */

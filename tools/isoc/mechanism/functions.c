@@ -330,6 +330,12 @@ value order_of_formula(values *v, const formula *f)
     return scalar(or_equal ? sub(v->g, constant(v->g, 1.0), is_above) : is_above, plain);
 }
 
+static value call_noise(values *v, const formula *f, const value *given)
+{
+    (void)given;
+    return noise_of_formula(v, f);
+}
+
 static value call_table(values *v, const formula *f)
 {
     const value made = table_of_formula(v, f);
@@ -409,6 +415,7 @@ static const function_row functions[] = {
     {"dot", "dot(a, b), of two vectors", 2, 2, 3, call_dot},
     {"cross", "cross(a, b), of two vectors", 2, 2, 3, call_cross},
     {"norm", "norm(a), of a vector", 1, 1, 3, call_norm},
+    {"noise", "noise(7), with a seed", 1, 1, 1, call_noise},
     {"table", NULL, 0, 0, 1, NULL},
     {"ramp", NULL, 0, 0, 1, NULL},
 };

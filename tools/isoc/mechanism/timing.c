@@ -62,6 +62,25 @@ value wave_of_formula(values *v, const formula *f)
     return scalar(strcmp(f->name, "sin") == 0 ? sine(v->g, angle) : cosine(v->g, angle), plain);
 }
 
+/* noise(7): a number for each tick, with mean 0 and variance 1, for the seed 7. */
+value noise_of_formula(values *v, const formula *f)
+{
+    static const double largest = 4294967295.0;
+    if (refuses_time(v, f)) {
+        return nothing;
+    }
+    if (v->is_smooth) {
+        source_problem(v->s, f->at, "a motion must be smooth, and noise is not");
+        return nothing;
+    }
+    const double seed = value_constant(v, f->parts[0], plain, "the seed", 0.0);
+    if (!(seed >= 0.0 && seed <= largest && seed == floor(seed))) {
+        source_problem(v->s, f->parts[0]->at, "the seed of noise is a whole number from 0 to %.0f", largest);
+        return nothing;
+    }
+    return scalar(timed(v->g, OP_NOISE, seed, 0.0), plain);
+}
+
 /* The part of a smooth curve that is done. With c = (tick - from) / ticks, limited to [0, 1], it is c^3 (10 - 15 c + 6
  * c^2), whose first and second derivatives are zero at both ends (the 3-4-5 polynomial of cams). With d = c - 1/2 it is
  * 1/2 + d (15/8 - d^2 (5 - 6 d^2)), which has a tenth of the rounding error. `first` is the tick at which the first

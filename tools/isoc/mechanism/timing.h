@@ -8,6 +8,7 @@
  * noting a problem. */
 value time_of_formula(values *v, const formula *f);
 value wave_of_formula(values *v, const formula *f);
+value noise_of_formula(values *v, const formula *f); /* noise(7) */
 value points_of_formula(values *v, const formula *f);
 
 #endif
