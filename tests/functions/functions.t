@@ -32,6 +32,20 @@ make --no-print-directory run SCENE="$out/planted.scene" SECONDS=2 REAL=double >
 ! "$out/all" <"$(sed -n 's/^trace //p' "$out/run")" >"$out/tap" && grep -q '^not ok 15 - output 14' "$out/tap"
 result $? 'found: a wrong function'
 
+# The step and the outputs with all of the plant's memory undefined, by both compilers.
+real float
+cat >"$out/cases.c" <<END
+#include <stddef.h>
+#include "tests/check/poison.h"
+const poison_case poison_cases[] = {{"all", &iso_the_plant}, {NULL, NULL}};
+END
+build/isoc tests/functions/all.scene -o "$out/all_of_them" >"$out/summary"
+for compiler in $CC clang; do
+    CC=$compiler EXTRA="-I$out/all_of_them" program "poisoned.$compiler" "$out/cases.c" tests/check/poison.c \
+        "$out/all_of_them/plant.c"
+    joined "$compiler" valgrind --quiet "$out/poisoned.$compiler"
+done
+
 # A plant includes the files of the functions that it calls.
 build/isoc models/pendulum.scene -o "$out/plain" >"$out/summary" && ! grep -E 'exp|log|tanh|angle|pieces|sqrt' "$out/plain/plant.c"
 result $? 'a scene without functions includes none'
