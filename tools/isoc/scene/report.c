@@ -68,10 +68,11 @@ static void print_note(const located *p)
 static void report_one(const located *p, const char *kind)
 {
     const char *text = p->of->text;
-    size_t start = p->offset, end = p->offset, line = 1;
+    size_t start = p->offset, line = 1;
     while (start > 0 && text[start - 1] != '\n') {
         start--;
     }
+    size_t end = p->offset;
     while (end < p->of->length && text[end] != '\n' && text[end] != '\r') {
         end++;
     }
