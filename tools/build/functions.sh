@@ -19,6 +19,7 @@ atan2|angle|2|iso_atan2(x[0], x[1])|angle bound|all|all|of two infinities: NaN
 asin|angle|1|iso_asin(x[0])|angle inverse_bound|up to 1|up to 1|NaN
 acos|angle|1|iso_acos(x[0])|angle inverse_bound|up to 1|up to 1|NaN
 sqrt|sqrt|1|iso_sqrt(x[0])|0.5|from 0|from 0|NaN
+1 / sqrt|root|1|iso_inverse_root(x[0])|1.5|from 1.2e-38|from 2.2e-308|finite at 0; below 0: meaningless
 floor|pieces|1|iso_floor(x[0])|exact|all|all|
 sign|pieces|1|iso_sign(x[0])|exact|all|all|
 abs|real|1|iso_abs(x[0])|exact|all|all|
