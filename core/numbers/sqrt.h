@@ -5,6 +5,10 @@
 
 #include "core/numbers/real.h"
 
+#ifndef __NO_MATH_ERRNO__
+#error "Isochron: for the sake of errno a root has a branch and calls libm; compile with -fno-math-errno"
+#endif
+
 static inline real iso_sqrt(const real x)
 {
 #ifdef ISO_REAL_DOUBLE

@@ -10,6 +10,8 @@ PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffuncti
 # the 2 of a product and a sum, and more loads: of cycles a third more. -O3 unrolls what then keeps too many values alive.
 PORT_OPTIMISE = -O2
 PORT_LINK = -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections
+# The root of a double, which this processor has no instruction for.
+PORT_LIBRARIES = -lm
 PORT_SUFFIX = .elf
 PORT_STACK =
 PORT_CLOCK = instructions

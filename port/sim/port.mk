@@ -7,6 +7,7 @@ PORT_FLAGS := $(shell echo | $(PORT_CC) -Werror -fno-tree-ter -E - >/dev/null 2>
 # By `make flags TARGET=host REAL=double`: no other takes a twentieth less.
 PORT_OPTIMISE = -O2
 PORT_LINK =
+PORT_LIBRARIES =
 PORT_SUFFIX =
 # On x86-64 a leaf function may use 128 bytes below its stack that its frame does not count.
 PORT_STACK = $(shell echo | $(CC) -mno-red-zone -E - >/dev/null 2>&1 && echo -mno-red-zone)

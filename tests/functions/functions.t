@@ -46,6 +46,14 @@ for compiler in $CC clang; do
     joined "$compiler" valgrind --quiet "$out/poisoned.$compiler"
 done
 
+# In a folder of its own: a root without a branch needs a flag, and says so.
+build/isoc tests/functions/all.scene -o "$out/alone" --name alone --standalone >"$out/summary"
+! "$CC" -std=c11 -O2 -ffp-contract=off -I"$out/alone" -c "$out/alone/alone.c" -o "$out/alone.o" 2>"$out/errors" &&
+    grep -q 'compile with -fno-math-errno' "$out/errors"
+result $? 'found: a root that sets errno'
+"$CC" -std=c11 -O2 -ffp-contract=off -fno-math-errno -I"$out/alone" -c "$out/alone/alone.c" -o "$out/alone.o"
+result $? 'a plant with every function compiles alone'
+
 # A plant includes the files of the functions that it calls.
 build/isoc models/pendulum.scene -o "$out/plain" >"$out/summary" && ! grep -E 'exp|log|tanh|angle|pieces|sqrt' "$out/plain/plant.c"
 result $? 'a scene without functions includes none'

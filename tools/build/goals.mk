@@ -59,7 +59,7 @@ $(OUT)/plant.o: $(OUT)/choice $(OBJ)/flags $(if $(filter %/plant.c,$(PLANT)),$(P
 	$(call say,CC,$(PLANT))
 	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -MMD -MP -c $(call quote,$(PLANT)) -o $@
 
-LINK := $(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(OUT)/plant.o $(OBJECTS) -o $(PROGRAM)
+LINK := $(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(OUT)/plant.o $(OBJECTS) $(PORT_LIBRARIES) -o $(PROGRAM)
 
 $(OUT)/link: always
 	$(call remember,$(call quote,$(LINK)))
