@@ -12,8 +12,8 @@ reacting()
     mkdir -p "$out/$name"
     {
         sed 's/^stabilisation \(baumgarte\|projection\).*/stabilisation none/' "$1"
-        { grep '^joint ' "$1"; grep '^close ' "$1"; } |
-            awk '{ print "output force_of_" $2 " = force of " $2 "\noutput moment_of_" $2 " = moment of " $2 }'
+        build/isoc "$1" --dot | sed -n 's/.* -> .*label="\([A-Za-z0-9_]*\)\\n.*/\1/p' |
+            awk '{ print "output force_of_" $1 " = force of " $1 "\noutput moment_of_" $1 " = moment of " $1 }'
     } >"$out/$name/$name.scene"
     # shellcheck disable=SC2086
     build/isoc "$out/$name/$name.scene" -o "$out/$name" --real "$real" >"$out/$name/summary" &&

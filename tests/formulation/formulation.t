@@ -44,7 +44,7 @@ held()
 }
 
 for file in models/*.scene "$out"/*.scene; do
-    grep -q '^close ' "$file" || held "$file" articulated
+    grep -q '^ *close ' "$file" || held "$file" articulated
 done
 for file in models/four_bar.scene models/squeezer.scene tests/mechanism/slot.scene tests/scenes/closures.scene; do
     held "$file" parent_axes
