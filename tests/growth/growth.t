@@ -73,6 +73,10 @@ full=$(operations spatial_25 bdf4 --factors full)
 [ "$full" -gt "$half" ]
 result $? "control: of a full matrix those of 25 take $full"
 
+! build/isoc "$out/planar_8.scene" -o "$out/none" --method bdf4 --factors half >"$out/summary" 2>&1 &&
+    grep -q 'full, sparse or looped, not half' "$out/summary" && [ ! -e "$out/none" ]
+result $? "a way that is none is refused"
+
 # evaluation NAME FACTORS PLACE: the plant in the real of now, as an object; without optimisation, which changes no bit.
 evaluation()
 {
