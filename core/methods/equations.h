@@ -27,9 +27,10 @@ typedef struct iso_equations {
     iso_derivative *rates; /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
     size_t positions;      /* how many of the states are positions, which come first, where `rates` is given */
     const struct iso_adams_options *adams; /* for adams only; NULL for the defaults */
-    size_t held;        /* these three where inputs are smooth only (core/methods/inputs.h): how many reals u has, */
+    size_t held;        /* these four where inputs are smooth only (core/methods/inputs.h): how many reals u has, */
     size_t inputs;      /* how many of them are inputs, which come first, */
-    const bool *smooth; /* [inputs] and which of these are smooth */
+    const bool *smooth; /* [inputs] which of these are smooth, */
+    bool curved;        /* and, for rosenbrock, whether the derivative is not affine in them */
 } iso_equations;
 
 #endif

@@ -70,9 +70,9 @@ ISO_INLINE void iso_extrapolate(const iso_equations *const eq, const uint8_t deg
     }
 }
 
-/* at[held] = u + h u', by the rate at the start of the step: that of the polynomial, d1 + d2 / 2 + d3 / 3. */
-ISO_INLINE void iso_input_ahead(const iso_equations *const eq, const uint8_t degree, const real *const u,
-                                real *const at)
+/* at[held] = u + sign h u', by the rate at the start of the step: that of the polynomial, d1 + d2 / 2 + d3 / 3. */
+ISO_INLINE void iso_input_ahead(const iso_equations *const eq, const uint8_t degree, const real sign,
+                                const real *const u, real *const at)
 {
     const size_t m = eq->inputs;
     const real *const samples = u + eq->held;
@@ -80,10 +80,12 @@ ISO_INLINE void iso_input_ahead(const iso_equations *const eq, const uint8_t deg
     for (size_t i = 0; i < eq->held; i++) {
         at[i] = u[i];
         if (i < m && eq->smooth[i]) {
+            real rate = samples[degree * m + i] / (real)degree;
             ISO_UNROLL
-            for (size_t j = degree; j > 0; j--) {
-                at[i] += samples[j * m + i] / (real)j;
+            for (size_t j = degree - 1U; j > 0; j--) {
+                rate += samples[j * m + i] / (real)j;
             }
+            at[i] += sign * rate;
         }
     }
 }

@@ -14,6 +14,23 @@ build/isoc $scene -o "$out/order" --real double >/dev/null &&
 result $? "the plant builds"
 joined order "$out/order.run"
 
+# Equations that are not affine in an input: rosenbrock needs its rate to one order more, and isoc sees that.
+{
+    cat $scene
+    echo 'effect square { joint rail; signal pull N; effort on rail = pull * pull / 2 N }'
+    echo 'effect curve square { rail rail; pull force }'
+} >"$out/curved.scene"
+build/isoc "$out/curved.scene" -o "$out/curved" --real double --method rosenbrock >/dev/null &&
+    EXTRA="-DPLANT=\"$out/curved/plant.c\" -DISO_ONLY_METHOD=ISO_ROSENBROCK" program curved.run tests/inputs/order.c tests/order/plant.c tests/host/report.c
+result $? "the plant with a square builds"
+joined curved "$out/curved.run" "force squared"
+sed '/curved = true/d' "$out/curved/plant.c" >"$out/curved/affine.c" && ! cmp -s "$out/curved/affine.c" "$out/curved/plant.c" &&
+    EXTRA="-DPLANT=\"$out/curved/affine.c\" -DISO_ONLY_METHOD=ISO_ROSENBROCK" program affine.run tests/inputs/order.c tests/order/plant.c tests/host/report.c &&
+    ! "$out/affine.run" "taken as affine" >"$out/output"
+expect $? "control: $(tail -n 3 "$out/output" | head -n 1)"
+! build/isoc $scene -o "$out/curved" --method rosenbrock >/dev/null || ! grep -q curved "$out/curved/plant.c"
+result $? "efforts are affine: rosenbrock takes one evaluation for the rate"
+
 # Three plants in one program: with inputs that are held, smooth, and smooth with a jump.
 sed 's/ smooth$//' $scene >"$out/held.scene"
 sed 's/ smooth$/ smooth jump 1 N*m/; s/force smooth jump 1 N.m/force smooth jump 1 N/' $scene >"$out/jump.scene"

@@ -210,8 +210,13 @@ static void test_local_errors(void)
     }
 }
 
-int main(void)
+int main(const int count, char **const arguments)
 {
+    if (count > 1) {
+        const int order = has_order(ISO_ROSENBROCK | ISO_SMOOTH, continuous, arguments[1], 3) ? 3 : 0;
+        report_ok(order == 3, "rosenbrock, smooth, %s: order 3", arguments[1]);
+        return report_done();
+    }
     double whole[STATES], half[STATES];
     memcpy(whole, iso_the_plant.model->start, sizeof whole);
     memcpy(half, whole, sizeof half);

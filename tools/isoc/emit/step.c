@@ -91,6 +91,7 @@ static void emit_equations(emission *e)
     if (ISO_IS_SMOOTH(p->m->recipe)) {
         text_add(e->out, "    .held = %s,\n    .inputs = %s_INPUTS,\n    .smooth = smooth,\n", held_size(e),
                  e->names->capitals);
+        text_add(e->out, "%s", p->is_curved ? "    .curved = true,\n" : "");
     }
     text_add(e->out, "%s};\n\n", ISO_IS_VARYING(p->m->recipe) ? "    .adams = &options,\n" : "");
 }

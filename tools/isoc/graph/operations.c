@@ -54,6 +54,15 @@ bool uses_operation(const graph *g, const node *roots, size_t count, operation o
     return uses(g, roots, count, operators[op].kind, op);
 }
 
+bool uses_leaf(const graph *g, const node *roots, size_t count, node leaf)
+{
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    graph_reach(g, roots, count, needed);
+    const bool used = needed[leaf];
+    arena_return(g->memory, needed, g->count, sizeof *needed);
+    return used;
+}
+
 bool uses_time(const graph *g, const node *roots, size_t count)
 {
     return uses(g, roots, count, KIND_TIMED, OPERATIONS);

@@ -13,6 +13,9 @@ int cycles_of(operations n);
 /* Whether any node of this operation is needed for the roots. */
 bool uses_operation(const graph *g, const node *roots, size_t count, operation op);
 
+/* Whether this leaf is. */
+bool uses_leaf(const graph *g, const node *roots, size_t count, node leaf);
+
 /* Whether any function of the tick is. */
 bool uses_time(const graph *g, const node *roots, size_t count);
 

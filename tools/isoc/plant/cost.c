@@ -129,7 +129,7 @@ operations cost_of_step(const plant *p, const graph *g)
     const operations derivative = count_operations(g, p->derivatives, (size_t)n);
     const operations rates = count_operations(g, p->derivatives, (size_t)p->rate_count);
     const operations step = step_operations(p->m->recipe, n, derivative, cost_of_solving(p, g));
-    return plus(plus(step, 1, rates), 1, smooth_operations(p->m));
+    return plus(plus(plus(step, 1, rates), 1, smooth_operations(p->m)), p->is_curved, derivative);
 }
 
 void cost_summary(const plant *p, const graph *g, text *out)

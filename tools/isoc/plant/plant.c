@@ -1,5 +1,6 @@
 #include "tools/isoc/plant/plant.h"
 
+#include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/outputs.h"
 
@@ -79,6 +80,26 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
     p->formulations = made;
 }
 
+/* Whether a second derivative by smooth inputs is not zero. */
+static bool is_curved(const graph *of, const plant *p)
+{
+    const mechanism *m = p->m;
+    const size_t states = (size_t)state_count(m);
+    graph g = graph_copy(of);
+    node *slopes = arena_take(g.memory, states, sizeof *slopes);
+    bool curved = false;
+    for (int i = 0; i < m->input_count; i++) {
+        if (m->smooth[i]) {
+            differentiate(&g, p->derivatives, states, leaf(&g, OP_INPUT, i), slopes);
+            for (int j = 0; j < m->input_count; j++) {
+                curved = curved || (m->smooth[j] && uses_leaf(&g, slopes, states, leaf(&g, OP_INPUT, j)));
+            }
+        }
+    }
+    graph_free(&g);
+    return curved;
+}
+
 plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted)
 {
     plant p = {.m = m, .input_count = m->input_count, .is_double = is_double, .factors = wanted.factors};
@@ -86,6 +107,7 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted)
         p.turn_count += m->links[i].continuous;
     }
     build_cheapest(&p, g, wanted.formulation);
+    p.is_curved = ISO_IS(m->recipe, ISO_ROSENBROCK) && ISO_IS_SMOOTH(m->recipe) && is_curved(g, &p);
     p.after = settled_build(g, p.d);
     outputs_build(&p, g);
     p.violation = m->violation_limit > 0.0 && p.d->loops.held.count > 0

@@ -30,6 +30,7 @@ typedef struct plant {
     acceleration *accelerations; /* of the links, where reactions of joints are shown */
     factoring factors;           /* as wanted */
     jacobian j;                  /* only for implicit methods */
+    bool is_curved;              /* for rosenbrock: the derivatives are not affine in the smooth inputs */
     node energy;
     node violation; /* of the closures, where the loop counts it; else -1 */
     bool is_double;
