@@ -172,6 +172,12 @@ enum {
 #define ISO_METHOD_WORK(recipe, n) ((n) * (size_t)ISO_COLUMN(recipe, ISO_WORK_CELL))
 #define ISO_METHOD_PRIME_WORK(recipe, n) (ISO_IS_PRIMED(recipe) ? (n) * (size_t)ISO_COLUMN(recipe, ISO_PRIME_CELL) : 1)
 
+/* The degree in a function: every use of the macro is all rows of the table three times, which a checker is slow to read. */
+ISO_INLINE uint8_t iso_degree_of(const unsigned recipe)
+{
+    return (uint8_t)ISO_DEGREE(recipe);
+}
+
 static inline iso_history iso_history_of(const unsigned recipe, const size_t n, real *const x)
 {
     iso_history history = {.n = n, .x = x, .past = x + n, .checked = (uint8_t)ISO_CHECK_KEPT(recipe)};
@@ -194,27 +200,27 @@ ISO_INLINE iso_step iso_step_of(const unsigned recipe, const iso_history *const 
                       u,
                       p,
                       lu,
-                      ISO_DEGREE(recipe) > 0 ? work + eq->held : work,
+                      iso_degree_of(recipe) > 0 ? work + eq->held : work,
                       (uint8_t)ISO_ITERATIONS_OF(recipe),
                       R(0.0),
                       progress,
-                      (uint8_t)ISO_DEGREE(recipe),
+                      iso_degree_of(recipe),
                       ISO_IS_CHECKED(recipe)};
 }
 
 /* Before a step: takes the samples of its inputs, which are behind u: ISO_METHOD_SAMPLES(recipe, inputs). */
 ISO_INLINE void iso_method_sample(const unsigned recipe, const iso_equations *const eq, real *const u)
 {
-    if (ISO_DEGREE(recipe) > 0) {
-        iso_take_samples(eq, (uint8_t)ISO_DEGREE(recipe), u);
+    if (iso_degree_of(recipe) > 0) {
+        iso_take_samples(eq, iso_degree_of(recipe), u);
     }
 }
 
 /* After a discontinuity, before iso_method_prime: forgets the samples. */
 ISO_INLINE void iso_method_forget(const unsigned recipe, const iso_equations *const eq, real *const u)
 {
-    if (ISO_DEGREE(recipe) > 0) {
-        iso_forget_samples(eq, (uint8_t)ISO_DEGREE(recipe), u);
+    if (iso_degree_of(recipe) > 0) {
+        iso_forget_samples(eq, iso_degree_of(recipe), u);
     }
 }
 
