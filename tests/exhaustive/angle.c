@@ -3,7 +3,7 @@
 
 #include "tests/exhaustive/measure.h"
 
-static const double bound = 3.0, inverse_bound = 4.0; /* ulp */
+static const double bound = 4.0, inverse_bound = 4.0; /* ulp */
 
 static worst of_atan2, of_asin, of_acos;
 static uint64_t asymmetric;
