@@ -1,6 +1,7 @@
 #include "tools/isoc/dynamics/settled.h"
 
 #include "tools/isoc/dynamics/resistance.h"
+#include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/graph/quaternion.h"
 
 static void put(settled *made, int state, node to)
@@ -29,25 +30,51 @@ static void put_quaternion(graph *g, settled *made, const dynamics *d, int i, co
     }
 }
 
+/* The change of every state where the positions move by small motions of the degrees of freedom. */
+static node *along_moves(graph *g, const dynamics *d, const node *moved)
+{
+    const mechanism *m = d->m;
+    const size_t states = (size_t)state_count(m);
+    node *along = arena_take(g->memory, states, sizeof *along);
+    for (size_t i = 0; i < states; i++) {
+        along[i] = constant(g, 0.0);
+    }
+    for (int i = 0; i < m->link_count; i++) {
+        const link *l = &m->links[i];
+        if (l->kind == JOINT_SPHERICAL) {
+            quaternion_rates(g, d->k.motions[i].q, moved + l->dof, along + l->position);
+        } else {
+            along[l->position] = moved[l->dof];
+        }
+    }
+    return along;
+}
+
 /* The changes of positions and speeds with which the closures hold, to first order and with the least kinetic energy:
  * Eich (1993), "Convergence results for a coordinate projection method applied to mechanical systems with algebraic
  * constraints", SIAM J. Numerical Analysis 30(5). With an implicit method stiffness counts as well as inertia. There
  * inertia alone would close a gap by a strain of any spring that has a light body at its end, however stiff the spring
- * is; such a strain after every step is a force that the next one must take back, and it grows. */
+ * is; such a strain after every step is a force that the next one must take back, and it grows.
+ *
+ * The speeds are those that the closures demand where the positions move to: the rates change on the way by as much as
+ * the local error times the speed, which would be left from every step to the next. */
 static void build_changes(graph *g, const dynamics *d, node *moved, node *sped)
 {
     const constraints *held = &d->loops.held;
-    node *gap = arena_take(g->memory, (size_t)held->count, sizeof *gap);
+    const size_t count = (size_t)held->count;
+    node *gap = arena_take(g->memory, count, sizeof *gap), *rates = arena_take(g->memory, count, sizeof *rates);
     const mass_matrix *resistance = resistance_build(g, d);
     const augmented over = resistance == &d->mass ? d->loops : augmented_factors(resistance, *held);
     graph_section(g, "Projection of the positions");
-    for (int r = 0; r < held->count; r++) {
+    for (size_t r = 0; r < count; r++) {
         gap[r] = held->all[r].position;
+        rates[r] = held->all[r].rate;
     }
     augmented_project(&over, gap, moved);
     graph_section(g, "Projection of the speeds");
-    for (int r = 0; r < held->count; r++) {
-        gap[r] = held->all[r].rate;
+    differentiate_along(g, rates, count, along_moves(g, d, moved), gap);
+    for (size_t r = 0; r < count; r++) {
+        gap[r] = add(g, rates[r], gap[r]);
     }
     augmented_project(&over, gap, sped);
 }

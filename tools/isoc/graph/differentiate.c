@@ -2,16 +2,14 @@
 
 #include <stdlib.h>
 
-void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives)
+/* The chain rule from the leaves to the roots: d[g->count] has what the leaves change by. */
+static void follow(graph *g, const node *roots, size_t count, node *d, node *derivatives)
 {
-    const node zero = constant(g, 0.0), one = constant(g, 1.0);
     const size_t before = g->count; /* what is made on the way is not differentiated */
     bool *needed = arena_take(g->memory, before, sizeof *needed);
-    node *d = arena_take(g->memory, before, sizeof *d);
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < before; i++) {
         const graph_node n = g->nodes[i];
-        d[i] = (node)i == by ? one : zero;
         if (needed[i] && operators[n.op].operands > 0) {
             d[i] = operators[n.op].derivative(g, (node)i, d[n.a], d[n.b]);
         }
@@ -20,6 +18,29 @@ void differentiate(graph *g, const node *roots, size_t count, node by, node *der
         derivatives[i] = d[roots[i]];
     }
     arena_return(g->memory, needed, before, sizeof *needed);
+}
+
+void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives)
+{
+    const node zero = constant(g, 0.0), one = constant(g, 1.0);
+    const size_t before = g->count;
+    node *d = arena_take(g->memory, before, sizeof *d);
+    for (size_t i = 0; i < before; i++) {
+        d[i] = (node)i == by ? one : zero;
+    }
+    follow(g, roots, count, d, derivatives);
+    arena_return(g->memory, d, before, sizeof *d);
+}
+
+void differentiate_along(graph *g, const node *roots, size_t count, const node *along, node *changes)
+{
+    const node zero = constant(g, 0.0);
+    const size_t before = g->count;
+    node *d = arena_take(g->memory, before, sizeof *d);
+    for (size_t i = 0; i < before; i++) {
+        d[i] = g->nodes[i].op == OP_STATE ? along[g->nodes[i].index] : zero;
+    }
+    follow(g, roots, count, d, changes);
     arena_return(g->memory, d, before, sizeof *d);
 }
 

@@ -7,6 +7,9 @@
 /* The derivatives of `count` roots by a leaf. */
 void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives);
 
+/* Their change, to first order, where every state of the graph changes by along[state]. */
+void differentiate_along(graph *g, const node *roots, size_t count, const node *along, node *changes);
+
 /* Derivatives by some nodes as if they were leaves: what they are made of is not looked at. */
 typedef struct partials {
     graph *g;
