@@ -93,6 +93,9 @@ ISO_INLINE void iso_abm4_correct(iso_step *const step, const uint8_t corrections
             history->past[ISO_ABM4_SUMS * n + s] =
                 milne * (corrected - predicted[s]) + iso_abm4_late_weight(step->h) * derivative[s];
         }
+        if (step->errors != NULL) {
+            step->errors[s] = milne * (corrected - predicted[s]);
+        }
         iso_advance(history, s, corrected);
     }
     if (late) {

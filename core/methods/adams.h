@@ -43,7 +43,7 @@ enum {
 /* The estimate for a state that is not finite: infinity. */
 #define ISO_ADAMS_FAILED iso_real_of(ISO_EXPONENT_BITS)
 
-enum { ISO_ADAMS_VECTORS = 4 }; /* of work space */
+enum { ISO_ADAMS_VECTORS = 4, ISO_ADAMS_ERRORS = 3 }; /* of work space; the last one has the errors of a tick */
 
 typedef struct iso_adams_options {
     real tolerance_absolute; /* above zero; infinity: the step is never reduced */
@@ -454,7 +454,7 @@ ISO_INLINE iso_adams_run iso_adams_run_of(const iso_adams_options *const options
         .derivative = work,
         .at = work + n,
         .increment = work + 2 * n,
-        .error = work + 3 * n,
+        .error = work + ISO_ADAMS_ERRORS * n,
     };
 }
 
@@ -519,8 +519,12 @@ static inline const iso_adams_options *iso_adams_options_of(const iso_step *cons
 /* The interface of every method; step->progress is the start of an iso_adams_state. */
 ISO_INLINE void iso_adams_step(iso_step *const step)
 {
+    const size_t n = step->history->n;
     step->error = iso_adams_advance(iso_adams_options_of(step), (iso_adams_state *)step->progress, step->history,
                                     step->f, step->h, step->u, step->p, step->work, step->degree > 0 ? step : NULL);
+    for (size_t s = 0; s < n && step->errors != NULL; s++) {
+        step->errors[s] = -step->work[ISO_ADAMS_ERRORS * n + s];
+    }
 }
 
 ISO_INLINE void iso_adams_prime(iso_step *const step)

@@ -92,7 +92,11 @@ ISO_INLINE void iso_bdf4_step(iso_step *const step)
 
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        error = iso_larger(error, dx[s] - iso_past_increments(history, s, table->predictor, ISO_BDF4_STEPS));
+        const real beyond = dx[s] - iso_past_increments(history, s, table->predictor, ISO_BDF4_STEPS);
+        error = iso_larger(error, beyond);
+        if (step->errors != NULL) {
+            step->errors[s] = R(0.2) * beyond;
+        }
         iso_keep_increment(history, s, dx[s]);
         iso_advance(history, s, dx[s]);
     }

@@ -82,6 +82,7 @@ enum {
     ISO_COMPENSATED = 0x10, /* compensated sums of increments (Kahan-Babuska) */
     ISO_CHECKED = 0x20,     /* the local error of every step is estimated */
     ISO_SMOOTH = 0x40,      /* inputs are samples of continuous signals: core/methods/inputs.h */
+    ISO_SETTLED = 0x80, /* the plant moves the states after a step, and the estimate with them: iso_method_settled */
 };
 
 #define ISO_ITERATIONS(count) ((count) << 8) /* of Newton, for bdf4; default: 2 */
@@ -105,6 +106,9 @@ enum {
 
 /* Whether the error of a step is known only at the start of the next one, by a predictor and a corrector. */
 #define ISO_IS_LATE(recipe) (ISO_IS_CHECKED(recipe) && ISO_IS_SMOOTH(recipe))
+
+/* Whether it keeps what it knows of the error of a step until then. */
+#define ISO_KEEPS_ERROR(recipe) (ISO_IS_LATE(recipe) && (ISO_IS(recipe, ISO_ABM4) || ISO_IS(recipe, ISO_ABM4_PECECE)))
 
 /* A column of its row; constant expressions of type int. */
 #define ISO_COLUMN(recipe, column) (0 ISO_METHOD_LIST(column, recipe))
@@ -136,15 +140,24 @@ enum {
 /* Whether a check uses derivatives of the steps before. */
 #define ISO_CHECKS_DERIVATIVES(recipe) (ISO_IS_CHECKED(recipe) && ISO_KIND_OF(recipe) == ISO_FROM_START)
 
+/* Whether it is asked for the error of every state, to which is added what moves the states after the step. */
+#define ISO_IS_SETTLED(recipe) (((recipe)&ISO_SETTLED) != 0 && (ISO_IS_CHECKED(recipe) || ISO_IS_VARYING(recipe)))
+
 /* Whether discontinuities are detected: if steps are checked, and the method has a history. */
 #define ISO_IS_WATCHED(recipe) (ISO_IS_CHECKED(recipe) && !ISO_IS_VARYING(recipe) && ISO_PAST_KEPT(recipe) > 0)
 
 /* Whether a step reports its progress. */
 #define ISO_HAS_PROGRESS(recipe) (ISO_IS_CHECKED(recipe) || ISO_IS_ITERATING(recipe) || ISO_IS_VARYING(recipe))
 
+/* Whether the check is centred: of one-step methods of order four, whose error is that small. Not of methods with a
+ * history, which a discontinuity in the last step must show to. */
+#define ISO_IS_CENTRED(recipe)                                                                                         \
+    (ISO_CHECKS_DERIVATIVES(recipe) && ISO_PAST_KEPT(recipe) == 0 && ISO_ORDER_OF(recipe) == 4)
+
 /* Derivatives before the end of a step that its check uses: one more than the order. The leading term of an error can
  * pass through zero in all states at about the same time; then the next term decides. */
-#define ISO_CHECK_KEPT(recipe) (ISO_CHECKS_DERIVATIVES(recipe) ? ISO_ORDER_OF(recipe) + 1 : 0)
+#define ISO_CHECK_KEPT(recipe)                                                                                         \
+    (ISO_IS_CENTRED(recipe) ? (int)ISO_CENTRED_KEPT : ISO_CHECKS_DERIVATIVES(recipe) ? ISO_ORDER_OF(recipe) + 1 : 0)
 
 /* The degree of the polynomial of smooth inputs: one less than the order, so that the order is kept; none where all
  * evaluations are at the start of a step. */
@@ -168,8 +181,10 @@ enum {
 #define ISO_METHOD_STATE(recipe, n) ((n) * (size_t)(1 + ISO_VECTORS_KEPT(recipe)))
 
 /* Reals of work space of a step, without the factors of an implicit method; and of priming. Where the degree is above
- * zero, there is room for the inputs before it. */
-#define ISO_METHOD_WORK(recipe, n) ((n) * (size_t)ISO_COLUMN(recipe, ISO_WORK_CELL))
+ * zero, there is room for the inputs before it. Behind that of the method are the errors of all states, and the states,
+ * where these are moved after the step. */
+#define ISO_METHOD_ERRORS(recipe, n) ((n) * (size_t)ISO_COLUMN(recipe, ISO_WORK_CELL))
+#define ISO_METHOD_WORK(recipe, n) (ISO_METHOD_ERRORS(recipe, n) + (ISO_IS_SETTLED(recipe) ? 2 * (size_t)(n) : 0))
 #define ISO_METHOD_PRIME_WORK(recipe, n) (ISO_IS_PRIMED(recipe) ? (n) * (size_t)ISO_COLUMN(recipe, ISO_PRIME_CELL) : 1)
 
 /* The degree in a function: every use of the macro is all rows of the table three times, which a checker is slow to read. */
@@ -180,7 +195,8 @@ ISO_INLINE uint8_t iso_degree_of(const unsigned recipe)
 
 static inline iso_history iso_history_of(const unsigned recipe, const size_t n, real *const x)
 {
-    iso_history history = {.n = n, .x = x, .past = x + n, .checked = (uint8_t)ISO_CHECK_KEPT(recipe)};
+    iso_history history = {
+        .n = n, .x = x, .past = x + n, .checked = (uint8_t)ISO_CHECK_KEPT(recipe), .centred = ISO_IS_CENTRED(recipe)};
     history.check = history.past + n * (size_t)ISO_PAST_KEPT(recipe);
     if (ISO_IS_COMPENSATED(recipe)) {
         history.compensation = history.check + n * (size_t)ISO_CHECK_KEPT(recipe);
@@ -188,24 +204,29 @@ static inline iso_history iso_history_of(const unsigned recipe, const size_t n, 
     return history;
 }
 
+/* The work space of the method, behind the room for inputs. */
+ISO_INLINE real *iso_method_room(const unsigned recipe, const iso_equations *const eq, real *const work)
+{
+    return iso_degree_of(recipe) > 0 ? work + eq->held : work;
+}
+
 /* A step or its priming, as a kernel takes it. */
 ISO_INLINE iso_step iso_step_of(const unsigned recipe, const iso_history *const history, const iso_equations *const eq,
                                 const real h, const real *const u, const real *const p, real *const lu,
                                 real *const work, iso_progress *const progress)
 {
-    return (iso_step){history,
-                      eq,
-                      eq->derivative,
-                      h,
-                      u,
-                      p,
-                      lu,
-                      iso_degree_of(recipe) > 0 ? work + eq->held : work,
-                      (uint8_t)ISO_ITERATIONS_OF(recipe),
-                      R(0.0),
-                      progress,
-                      iso_degree_of(recipe),
-                      ISO_IS_CHECKED(recipe)};
+    return (iso_step){.history = history,
+                      .equations = eq,
+                      .f = eq->derivative,
+                      .h = h,
+                      .u = u,
+                      .p = p,
+                      .lu = lu,
+                      .work = iso_method_room(recipe, eq, work),
+                      .iterations = (uint8_t)ISO_ITERATIONS_OF(recipe),
+                      .progress = progress,
+                      .degree = iso_degree_of(recipe),
+                      .checked = ISO_IS_CHECKED(recipe)};
 }
 
 /* Before a step: takes the samples of its inputs, which are behind u: ISO_METHOD_SAMPLES(recipe, inputs). */
@@ -232,6 +253,7 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
 {
     const iso_history history = iso_history_of(recipe, n, x);
     iso_step step = iso_step_of(recipe, &history, eq, h, u, p, lu, work, progress);
+    step.errors = ISO_IS_SETTLED(recipe) ? step.work + ISO_METHOD_ERRORS(recipe, n) : NULL;
     switch (ISO_METHOD_OF(recipe)) {
 #define ISO_STEP_CASE(r, m, name, order, f, j, s, past, vectors, prime, sums, products, kind, gamma, kernel, primes)   \
     case m:                                                                                                            \
@@ -254,6 +276,40 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     }
     if (ISO_IS_WATCHED(recipe)) {
         iso_watch(progress, step.error);
+    }
+}
+
+/* Where a plant puts its states right after a step, onto constraints or the unit length, the local error is that of what it
+ * keeps. These two stand before and behind that, for a recipe with ISO_SETTLED; eq, x and work are those of the step. To
+ * the first order what moves the states is the part of their error that it removes. */
+ISO_INLINE void iso_method_settles(const unsigned recipe, const size_t n, const iso_equations *const eq,
+                                   const real *const x, real *const work)
+{
+    memcpy(iso_method_room(recipe, eq, work) + ISO_METHOD_ERRORS(recipe, n) + n, x, n * sizeof *x);
+}
+
+ISO_INLINE void iso_method_settled(const unsigned recipe, const size_t n, const iso_equations *const eq, real *const x,
+                                   real *const work, iso_progress *const progress)
+{
+    const iso_history history = iso_history_of(recipe, n, x);
+    const real *const errors = iso_method_room(recipe, eq, work) + ISO_METHOD_ERRORS(recipe, n);
+    const real *const before = errors + n;
+    const bool by_derivatives = ISO_CHECKS_DERIVATIVES(recipe);
+    const bool kept = ISO_KEEPS_ERROR(recipe);
+    real largest = R(0.0);
+    ISO_UNROLL
+    for (size_t s = 0; s < n; s++) {
+        const real moved = x[s] - before[s];
+        if (by_derivatives) {
+            iso_check_moved(&history, s, moved);
+        } else if (kept) {
+            history.past[ISO_ABM4_SUMS * n + s] += moved;
+        } else {
+            largest = iso_larger(largest, errors[s] + moved);
+        }
+    }
+    if (!by_derivatives && !kept) {
+        progress->local_error = largest;
     }
 }
 

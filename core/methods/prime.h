@@ -49,9 +49,35 @@ static inline void iso_keep_moved(const iso_step *const step)
     }
 }
 
+/* For a centred check: goes back as many steps as it looks at, and makes them by rk4. work[(1 + ISO_EXPLICIT_VECTORS) n]. */
+static inline void iso_prime_centred(iso_step *const step)
+{
+    const size_t n = step->history->n;
+    real *const at = step->work;
+    const iso_history unseen = {.n = n, .x = at};
+    const iso_history seen = {
+        .n = n, .x = at, .check = step->history->check, .checked = ISO_CENTRED_KEPT, .centred = true};
+    iso_step walk = *step;
+    walk.work = step->work + n;
+    walk.degree = 0;
+    memcpy(at, step->history->x, n * sizeof *at);
+    memset(seen.check, 0, ISO_CENTRED_KEPT * n * sizeof *at);
+    for (int i = 0; i < 2 * ISO_CENTRED_KEPT; i++) {
+        const bool back = i < ISO_CENTRED_KEPT;
+        walk.history = back ? &unseen : &seen;
+        walk.h = back ? -step->h : step->h;
+        iso_step_begin(&walk, R(0.0));
+        iso_rk4_step(&walk);
+    }
+}
+
 /* For an explicit method without a history, whose steps may be checked. */
 static inline void iso_prime_check(iso_step *const step)
 {
+    if (step->history->centred) {
+        iso_prime_centred(step);
+        return;
+    }
     const uint8_t count = step->history->checked;
     const real *const derivatives = iso_walk_back(step, count, false);
     for (uint8_t past = count; past-- > 0;) {

@@ -19,7 +19,8 @@ typedef struct iso_step {
     real *lu;   /* [factors] of an implicit method; on entry those of 1 - h gamma J at the start, if it needs them */
     real *work; /* work space; on entry the first [n] are the derivative at the start, if the method needs it */
     uint8_t iterations; /* of Newton */
-    real error;         /* the local error of this step, if the method has its own estimate */
+    real error;         /* the local error of this step, if the method has its own estimate; and then */
+    real *errors;       /* [n] that of every state, what was made less what is right; NULL if nobody asks */
     iso_progress *progress;
     uint8_t degree; /* of the polynomial of smooth inputs; 0 where none is. Their samples are behind u, and room for the
                        inputs is before `work` */

@@ -90,7 +90,8 @@ static void find_ratios(const int per_second, const int behind)
 static void test_method(const unsigned method, const int per_second)
 {
     run(method, per_second);
-    find_ratios(per_second, ISO_CHECKS_DERIVATIVES(method | ISO_CHECKED) ? 1 : 0);
+    const unsigned recipe = method | ISO_CHECKED;
+    find_ratios(per_second, ISO_IS_CENTRED(recipe) ? 2 : ISO_CHECKS_DERIVATIVES(recipe) ? 1 : 0);
     report_ok(ratios_within(&found),
               "%s in " REAL_TEXT ", h = 2^-%d s: estimate / error in %d of %d steps: %.3f to %.3f, median %.3f",
               names[method], per_second, found.count, found.count + found.unseen, ratios_least(&found),

@@ -135,6 +135,40 @@ static void test_check(const uint8_t checked, const char *const exact, const cha
            wrong);
 }
 
+/* What a centred check says of steps of 1 from t = -3 to 0, where the derivative is (degree + 1) t^degree; the increment
+ * of one of the steps is wrong by 1. The last step moved in two parts. */
+static real centred(const unsigned degree, const int wrong)
+{
+    real x[1] = {R(0.0)}, kept[ISO_CENTRED_KEPT] = {R(0.0)};
+    const iso_history history = {.n = 1, .x = x, .check = kept, .checked = ISO_CENTRED_KEPT, .centred = true};
+    for (int t = -3; t < 0; t++) {
+        const real derivative[1] = {(real)(degree + 1) * power_of(t, degree)};
+        const real dx = power_of(t + 1, degree + 1) - power_of(t, degree + 1) + (t == wrong ? R(1.0) : R(0.0));
+        iso_keep_derivative(&history, R(1.0), derivative);
+        iso_advance(&history, 0, dx - R(4.0));
+        iso_check_moved(&history, 0, R(4.0));
+    }
+    const real derivative[1] = {degree == 0 ? R(1.0) : R(0.0)};
+    return iso_check(&history, R(1.0), derivative, NULL);
+}
+
+/* Sums of up to 3^6, rounded at a dozen places. */
+static void test_centred(void)
+{
+    const real tolerance = R(12.0) * R(729.0) * ISO_REAL_EPSILON;
+    bool zero = true;
+    for (unsigned degree = 0; degree <= 5; degree++) {
+        zero = zero && centred(degree, 1) <= tolerance;
+    }
+    tap_ok(zero, "centred check: exact for degree 5");
+    /* t^7 has the seventh derivative 7!. */
+    tap_ok(iso_abs(centred(6, 1) - R(1.8)) <= R(3.0) * tolerance, "centred check: not for degree 6, 7! / 2800");
+    tap_ok(iso_abs(centred(0, -1) - R(11.0) / R(60.0)) <= tolerance &&
+               iso_abs(centred(0, -2) - R(38.0) / R(60.0)) <= tolerance &&
+               iso_abs(centred(0, -3) - R(11.0) / R(60.0)) <= tolerance,
+           "centred check: the mean of three steps, most of the middle one");
+}
+
 int main(void)
 {
     test_advance();
@@ -151,6 +185,7 @@ int main(void)
                "check with 4 derivatives: an increment wrong by h/8");
     test_check(5, "check with 5 derivatives: exact for degree 5, not 6",
                "check with 5 derivatives: an increment wrong by h/8");
+    test_centred();
     const iso_history unchecked = {.n = 1};
     tap_same(iso_check(&unchecked, h, NULL, NULL), R(0.0), "no check: no error");
     tap_done();

@@ -117,7 +117,16 @@ static iso_step step_of(const iso_history *const history, const iso_equations *c
                         const real *const u, const real *const p, real *const lu, real *const work)
 {
     static iso_progress progress;
-    return (iso_step){history, eq, eq->derivative, h, u, p, lu, work, 2, R(0.0), &progress, 0, false};
+    return (iso_step){.history = history,
+                      .equations = eq,
+                      .f = eq->derivative,
+                      .h = h,
+                      .u = u,
+                      .p = p,
+                      .lu = lu,
+                      .work = work,
+                      .iterations = 2,
+                      .progress = &progress};
 }
 
 /* From t = 1 to 2 after steps of 1. bdf4 is exact for t and t^4; for t^5 it gives (23 - 13 + 3*31 + 12*80) / 25 = 42.52

@@ -179,6 +179,9 @@ static void emit_output(emission *e)
     text_add(e->out, "static void output(void *const instance)\n{\n");
     text_add(e->out, "    %s_memory *const memory = instance;\n    real *const y = memory->y;\n", e->names->prefix);
     emit_arrays(e, &made);
+    if (uses(e, &made, OP_LOCAL_ERROR) || uses(e, &made, OP_RESIDUAL)) {
+        text_add(e->out, "    const iso_progress *const progress = %s;\n", progress_of(p->m));
+    }
     emit_code(e, &made);
     text_add(e->out, "}\n\n");
 }

@@ -34,7 +34,8 @@ static const char *recipe_symbol(arena *memory, unsigned recipe)
 {
     const char *options = ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "";
     options = arena_format(memory, "%s%s", options, ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "");
-    options = arena_format(memory, "%s%s", options, ISO_IS_SMOOTH(recipe) ? " | ISO_SMOOTH" : "");
+    options = arena_format(memory, "%s%s%s", options, ISO_IS_SMOOTH(recipe) ? " | ISO_SMOOTH" : "",
+                           ISO_IS_SETTLED(recipe) ? " | ISO_SETTLED" : "");
     if (recipe >> 8 != 0) {
         options = arena_format(memory, "%s | ISO_ITERATIONS(%u)", options, recipe >> 8);
     }
@@ -132,11 +133,17 @@ static const char *array_or_null(int count, const char *array)
     return count > 0 ? array : "NULL";
 }
 
+/* That of a step, whose states may be put right after it. */
+static unsigned step_recipe(const emission *e)
+{
+    return e->p->m->recipe | (e->p->after.count > 0 ? ISO_SETTLED : 0U);
+}
+
 /* The call of iso_method_step or iso_method_prime, with what it works on. */
 static void emit_call(emission *e, const char *function, const char *size)
 {
     const mechanism *m = e->p->m;
-    const char *recipe = recipe_symbol(e->out->memory, m->recipe), *capitals = e->names->capitals;
+    const char *recipe = recipe_symbol(e->out->memory, step_recipe(e)), *capitals = e->names->capitals;
     text_add(e->out, "    real work[%s(%s, %s_STATES)%s];\n", size, recipe, capitals,
              ISO_IS_SMOOTH(m->recipe) ? arena_format(e->out->memory, " + %s", held_size(e)) : "");
     if (ISO_IS_IMPLICIT(m->recipe)) {
@@ -235,18 +242,35 @@ static void emit_take_turns(emission *e, const link *l, int number)
              state_place(e, l->position), number);
 }
 
+/* The plant's states are put right; a local error that is told is that of what they are then. */
+static void emit_settling(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char *more = settles_by_parameters(e->p, e->g) ? ", memory->p" : "";
+    const char *recipe = recipe_symbol(e->out->memory, step_recipe(e)), *capitals = e->names->capitals;
+    if (ISO_IS_SETTLED(step_recipe(e))) {
+        text_add(e->out, "    iso_method_settles(%s, %s_STATES, &equations, memory->x, work);\n", recipe, capitals);
+    }
+    if (m->projections > 1) {
+        text_add(e->out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n", m->projections,
+                 more);
+    } else {
+        text_add(e->out, "    settle(memory->x%s);\n", more);
+    }
+    if (ISO_IS_SETTLED(step_recipe(e))) {
+        text_add(e->out,
+                 "    iso_method_settled(%s, %s_STATES, &equations, memory->x, work,\n                       %s);\n",
+                 recipe, capitals, progress_of(m));
+    }
+}
+
 /* What follows the method in a step: angles are put right, then the closures and the norms of quaternions, and whole
  * turns are taken from angles. */
 static void emit_after(emission *e)
 {
-    const mechanism *m = e->p->m;
-    const char *more = settles_by_parameters(e->p, e->g) ? ", memory->p" : "";
     for_turns(e, emit_turn);
-    if (m->projections > 1 && e->p->after.count > 0) {
-        text_add(e->out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n", m->projections,
-                 more);
-    } else if (e->p->after.count > 0) {
-        text_add(e->out, "    settle(memory->x%s);\n", more);
+    if (e->p->after.count > 0) {
+        emit_settling(e);
     }
     for_turns(e, emit_take_turns);
 }

@@ -47,8 +47,8 @@ typedef struct evaluation {
     LEAF(FACTOR, "lu", "lu_@i", 0.0)                                                                                   \
     LEAF(TURNS, NULL, "(real)memory->turns[@i]", 0.0)            /* whole turns of a continuous joint */                \
     LEAF(STEP, NULL, "hb", 0.0)                                 /* the step times a coefficient of the method */       \
-    LEAF(LOCAL_ERROR, NULL, "memory->progress.local_error", 0.0) /* of the step, where it is checked */                 \
-    LEAF(RESIDUAL, NULL, "memory->progress.residual", 0.0)       /* of the last Newton iteration */                     \
+    LEAF(LOCAL_ERROR, NULL, "progress->local_error", 0.0)        /* of the step, where it is checked */                 \
+    LEAF(RESIDUAL, NULL, "progress->residual", 0.0)              /* of the last Newton iteration */                     \
     LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until what computes it takes its place */   \
     LEAF(INERTIA, NULL, "", 0.0)                                /* of a degree of freedom at the start, likewise */    \
     LEAF(ASKED, NULL, "", 0.0)                                  /* a component of a point's motion, likewise */       \

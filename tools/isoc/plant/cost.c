@@ -41,7 +41,8 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
     if (ISO_CHECKS_DERIVATIVES(recipe)) {
         /* The sums of an Adams formula of so many derivatives and one, and the increment less them. */
         const int kept = ISO_CHECK_KEPT(recipe);
-        total = plus(total, n, (operations){.add = kept + 1, .mul = kept + 1});
+        const operations centred = {.add = 6, .mul = 5};
+        total = plus(total, n, ISO_IS_CENTRED(recipe) ? centred : (operations){.add = kept + 1, .mul = kept + 1});
     } else if (ISO_IS_CHECKED(recipe)) {
         total.mul++; /* the error by the difference to the predictor */
     }
