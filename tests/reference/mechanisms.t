@@ -71,7 +71,8 @@ reached Bricard float 1ms "$out/bricard.scene" tests/reference/bricard.txt brica
 # What others reach. The squeezer: the answer published with the IVP test set (PSIDE, a tolerance of 1e-14) is off by 9e-11 of
 # its angles, its energy by 2.2e-10 J, at 0.03 s; a step of 5 us keeps that over 0.05 s, one of 10 us is off by 4.8e-10 J at its
 # worst. Windows: EXUDYN's example ends off by 7.4e-7 m with a step of 0.125 ms, its energy is off by 1.14e-3 J at most with one
-# of 1 ms. Rounding where they lie flat leaves two digits of float.
+# of 1 ms. Rounding where they lie flat leaves two digits of float, and 0.1 % of
+# the energy, 36 J (tests/drift/singular.t).
 sed '/^row 0.05/d' tests/reference/squeezer.txt >"$out/squeezer.txt"
 reached "Andrews' squeezer" double 5us models/squeezer.scene "$out/squeezer.txt" squeezer 9e-11 2.2e-10 0.033 beta
 reached "Andrews' squeezer" double 5us models/squeezer.scene tests/reference/squeezer.txt squeezer 9e-11 2.2e-10 0.033 beta
@@ -80,7 +81,7 @@ for n in 1 2 5 10; do
     sed "s/^constant windows = 2/constant windows = $n/" models/n_four_bar.scene >"$out/windows_$n.scene"
     reached "N-four-bar, N = $n" double 1ms "$out/windows_$n.scene" tests/reference/n_four_bar.txt $n 7.4e-7 1.14e-3
 done
-reached 'N-four-bar, N = 2' float 1ms "$out/windows_2.scene" tests/reference/n_four_bar.txt 2 1e-2 1.14e-3
+reached 'N-four-bar, N = 2' float 1ms "$out/windows_2.scene" tests/reference/n_four_bar.txt 2 1e-2 3.6e-2
 
 # Control: a reference that is off in the sixth digit is seen at every time.
 sed 's/^row \([^ ]* -*[0-9]\.[0-9]\{4\}\)[0-9]/row \19/' tests/reference/squeezer.txt >"$out/off.txt"

@@ -17,10 +17,19 @@
  * freedom by more than u^(1/4) of what it usually does.
  *
  * Where A has the eigenvalue a, n iterations leave (e / (a + e))^n of what is demanded, and make up to n / e of a
- * rounding error where a is near zero. With n = 3 less than u is left as soon as a is u^(1/6) of the mean, 6 % in
- * float; more iterations gain little, and disturb the motion more where the closures lose rank. Parallelograms that
- * pass there for 20 s in float, with 16 speeds: the energy changes by a part of at most 2e-2 with n = 1, 3e-4 with 2,
- * 2e-4 with 3 or 4, 4e-4 with 5, 2e-3 with 8.
+ * rounding error where a is near zero. What is left is missing power: a linkage that passes near a singular position,
+ * but not through it, has a small a there and a large demand, for it turns a sharp corner. With n = 6 less than 2 % is
+ * left at a = e, and less than u at 15 e in float, with n = 3 12 % and at 255 e. More iterations gain little, since the
+ * corner is shorter than a step by then, and disturb the motion more where the closures do lose rank. A parallelogram in
+ * float with steps of 1 ms for 10 s, with 8 speeds of 1 to 6 rad/s, the energy changes by a part of at most
+ *
+ *     follower longer by    0       1 mm    3 mm    10 mm
+ *     n = 3                 3e-4    1e-1    5e-3    2e-4
+ *     n = 6                 5e-4    2e-2    1e-3    3e-4
+ *     n = 10                2e-3    3e-2    1e-3    3e-4
+ *     n = 3, in double      3e-10   2e-2    1e-3    6e-5
+ *
+ * of which the last line is the error of the method itself.
  */
 #ifndef ISOC_CLOSURE_AUGMENTED_H
 #define ISOC_CLOSURE_AUGMENTED_H

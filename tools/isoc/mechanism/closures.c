@@ -192,7 +192,7 @@ static void build_stabilisation(builder *b)
         made->is_redundant = true;
         made->penalty = option(b, written->penalty, kilogram, "the penalty", 0.0, 1e-9);
         made->multiplier_iterations =
-            (int)option(b, written->iterations, no_unit, "the number of iterations", 3.0, 1.0);
+            (int)option(b, written->iterations, no_unit, "the number of iterations", 6.0, 1.0);
         made->projections = draws ? 0 : 1;
     } else if (strcmp(kind, "projection") == 0) {
         made->projections = (int)option(b, written->iterations, no_unit, "the number of iterations", 1.0, 1.0);

@@ -163,6 +163,23 @@ static void show_violation_rate(plant *p, graph *g, const shown *o)
     show(p, o, largest_violation(&p->d->k, &p->d->loops.held, true));
 }
 
+/* What the multipliers leave of the closures' equations for the accelerations: rounding, but where an augmented Lagrangian
+ * does not reach. */
+static void show_violation_acceleration(plant *p, graph *g, const shown *o)
+{
+    const constraints *held = &p->d->loops.held;
+    node largest = constant(g, 0.0);
+    graph_section(g, "Residuals of the closures' equations for the accelerations");
+    for (int r = 0; r < held->count; r++) {
+        node left = demand_of(g, p->m, &held->all[r]);
+        for (int f = 0; f < p->m->dof_count; f++) {
+            left = add(g, left, mul(g, held->all[r].row[f], p->d->acceleration[f]));
+        }
+        largest = r == 0 ? magnitude(g, left) : larger(g, largest, magnitude(g, left));
+    }
+    show(p, o, largest);
+}
+
 static void show_formula(plant *p, graph *g, const shown *o)
 {
     (void)g;
@@ -186,6 +203,7 @@ static show_function *const functions[OUTPUT_ROWS] = {
     [OUTPUT_RESIDUAL] = show_residual,
     [OUTPUT_VIOLATION] = show_violation,
     [OUTPUT_VIOLATION_RATE] = show_violation_rate,
+    [OUTPUT_VIOLATION_ACCELERATION] = show_violation_acceleration,
     [OUTPUT_FORMULA] = show_formula,
 };
 

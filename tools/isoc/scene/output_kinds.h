@@ -37,6 +37,8 @@ typedef enum operand {
     ROW(OUTPUT_RESIDUAL, "residual", OF_STEP, false, "", "mixed", "mixed")                                             \
     ROW(OUTPUT_VIOLATION, "violation", OF_CLOSURES, false, "", "m or rad", "m or rad")                                 \
     ROW(OUTPUT_VIOLATION_RATE, "violation_rate", OF_CLOSURES, false, "", "m/s or rad/s", "m/s or rad/s")               \
+    ROW(OUTPUT_VIOLATION_ACCELERATION, "violation_acceleration", OF_CLOSURES, false, "", "m/s^2 or rad/s^2",           \
+        "m/s^2 or rad/s^2")                                                                                            \
     ROW(OUTPUT_FORMULA, "", OF_MECHANISM, false, "", "", "")
 
 #define OUTPUT_KIND(kind, word, of, is_of_point, components, unit, turning_unit) kind,
