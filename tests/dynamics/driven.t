@@ -2,6 +2,7 @@
 # Motions and speeds that are prescribed as functions of time, and the efforts that they take, against formulas by hand.
 . tests/host/test.sh
 begin driven
+optimised -O0
 ours="tests/dynamics/driven.c tests/host/report.c"
 
 # driven NAME SCENE [OPTION...]: the program of a scene.

@@ -2,6 +2,7 @@
 # Reactions of joints and closures of generated plants against the independent dynamics, and in simple cases by hand.
 . tests/host/test.sh
 begin reactions
+optimised -O0
 . tests/dynamics/solver.sh
 
 # reacting SCENE TABLE: the scene shows the reactions of all joints and then of all closures, as the table wants them, with

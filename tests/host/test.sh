@@ -47,6 +47,13 @@ rolled()
     FLAGS="$FLAGS -DISO_UNROLL="
 }
 
+# optimised LEVEL: the programs that follow are compiled with it: -O0 where they run for less time than a compiler optimises.
+# It changes no bit (check/same_bits*.sh), and what gcc warns of where it optimises other tests see.
+optimised()
+{
+    FLAGS=$(echo "$FLAGS" | sed "s/ -O[0-9s] / $1 /")
+}
+
 # models METHOD: the scenes that are tried with it, one on a line; stewart, whose code takes a compiler several seconds and
 # with an implicit method half a minute, with rk4 alone.
 models()
