@@ -136,7 +136,7 @@ static double jacobian_off(const subject *const s, const real *const x, const re
     double worst = 0.0;
     s->of->equations->factor(lu, x, s->u, s->p, hb * scale);
     for (int n = 0; n < TRIED; n++) {
-        real right[STATES_MAX], d[STATES_MAX], at[STATES_MAX], f[STATES_MAX], product[STATES_MAX] = {0.0};
+        real right[STATES_MAX] = {0.0}, d[STATES_MAX], at[STATES_MAX], f[STATES_MAX], product[STATES_MAX] = {0.0};
         double longest = 1.0;
         for (size_t i = 0; i < s->n; i++) {
             right[i] = d[i] = (real)sequence_next(&random, 1.0);

@@ -45,10 +45,10 @@ member()
 {
     name=$1_$2
     method=$([ $(($2 / 2 % 2)) -eq 0 ] && echo bdf4 || echo rosenbrock)
-    "$out/write_scene" "$1" "$2" >"$out/$name.scene" &&
-        build/isoc "$out/$name.scene" -o "$out" --name "$name" --real double --method "$method" \
-            --formulation "$(formulation_of "$1" "$2")" --factors "$(factors_of "$1" "$2")" \
-            >"$out/$name.summary" 2>"$out/$name.messages" || {
+    "$out/write_scene" "$1" "$2" >"$out/$name.scene" || return
+    build/isoc "$out/$name.scene" -o "$out" --name "$name" --real double --method "$method" \
+        --formulation "$(formulation_of "$1" "$2")" --factors "$(factors_of "$1" "$2")" \
+        >"$out/$name.summary" 2>"$out/$name.messages" || {
         cat "$out/$name.messages"
         return 1
     }
@@ -75,6 +75,7 @@ extern const family_member $name;
 const family_member $name = {"$1 $2", $([ "$1" = loop ] && echo true || echo false), $2, plant_of, &equations, settle_after};
 EOF
     # Without optimisation, and by the compiler that takes half of the time for that.
+    # shellcheck disable=SC2086
     clang -std=c11 -O0 -ffp-contract=off -I. $REAL_FLAG -c "$out/$name.member.c" -o "$out/$name.o"
 }
 
