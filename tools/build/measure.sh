@@ -19,8 +19,8 @@ measure()
     shift 3
     mkdir -p "$dir"
     "${MAKE:-make}" --no-print-directory run "$@" TARGET=cortex-m4f REAL=float OUT="$dir" SCENE="$scene" \
-        METHOD="$method" STEP="$step" SECONDS="$seconds" >"$dir/measured" </dev/null ||
-        fail "$scene with $method cannot be measured; see $dir/measured"
+        METHOD="$method" STEP="$step" SECONDS="$seconds" >"$dir/measured" 2>"$dir/said" </dev/null ||
+        fail "$scene with $method cannot be measured; see $dir/measured and $dir/said"
 }
 
 # get KEY: the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
