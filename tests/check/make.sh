@@ -41,6 +41,8 @@ for tolerance in 0 -1e-6 fine 1e; do
     told "TOLERANCE=$tolerance is no tolerance" run SCENE=models/oscillator.c METHOD=adams TOLERANCE=$tolerance
 done
 told "CHECKED is of a plant in C" run SCENE=models/pendulum.scene CHECKED=yes
+told "INPUTS=some is unknown" run INPUTS=some
+told "INPUTS has no effect on a plant in C" run SCENE=models/oscillator.c INPUTS=held
 told "COMPENSATED=some is unknown" run SCENE=models/oscillator.c COMPENSATED=some
 told "SCRIPT has no effect on TARGET=cortex-m4f" run TARGET=cortex-m4f SCRIPT=script
 for seconds in 0 0.0 -1 1e-10 0x10 inf nan 1e300 '1 h' ''; do

@@ -38,6 +38,23 @@ static void read_parameter(parser *p, const token *word, void *slot)
     note_constant(p, &q);
 }
 
+/* Behind what an input has: a word that it does not have, or not there. */
+static void refuse_input_word(parser *p)
+{
+    static const char *const words[] = {"held", "smooth", "jump"};
+    if (!p->failed && p->next->kind == TOKEN_NAME && !p->next->first_on_line) {
+        bool known = false;
+        for (size_t i = 0; i < COUNT_OF(words); i++) {
+            known = known || strcmp(p->next->text, words[i]) == 0;
+        }
+        const char *near = known ? "" : source_suggestion(p->s, p->next->text, words, COUNT_OF(words));
+        parse_problem(
+            p, arena_format(p->s->memory,
+                            "expected, in this order, a unit, held or smooth, jump with a change, = with a value%s",
+                            near));
+    }
+}
+
 static void read_input_statement(parser *p, const token *word, void *slot)
 {
     (void)word;
@@ -51,6 +68,7 @@ static void read_input_statement(parser *p, const token *word, void *slot)
     if (!p->failed && take_sign(p, '=')) {
         q.value = parse_formula(p);
     }
+    refuse_input_word(p);
     made->inputs = arena_grow(p->s->memory, made->inputs, made->input_count, &made->input_room, sizeof q);
     made->inputs[made->input_count++] = q;
 }
