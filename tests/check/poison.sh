@@ -66,6 +66,9 @@ for method in $METHODS; do
     generated "$out/tree_checked.scene" "$method"
     add "oscillator, $method, float" models/oscillator.c "-DISO_METHOD=ISO_$(echo "$method" | tr a-z A-Z)"
 done
+for method in rk4 rosenbrock; do
+    generated tests/scenes/frames.scene $method
+done
 joined "examined" watch
 
 batch double double
