@@ -36,11 +36,13 @@ static double scattered(void)
     return ldexp(between(-1.0, 1.0), (int)between(-300.0, 300.0));
 }
 
+/* How far a result is from the right one, in ulp. */
 static double off(double got, long double want)
 {
     int exponent;
     frexpl(want, &exponent);
-    return want == 0.0L ? (got == 0.0 ? 0.0 : HUGE_VAL) : (double)(fabsl(got - want) / ldexpl(1.0L, exponent - 53));
+    return want == 0.0L ? (got == 0.0 ? 0.0 : HUGE_VAL)
+                        : (double)(fabsl((long double)got - want) / ldexpl(1.0L, exponent - 53));
 }
 
 static void verdict(bool good, const char *name, double worst)
@@ -67,12 +69,12 @@ int main(void)
         const double x = between(-700.0, 700.0), positive = fabs(scattered()) + 0x1p-400, close = between(0.7, 1.4);
         const double y = scattered(), side = i % 2 == 0 ? scattered() : between(-2.0, 2.0) * y;
         const double part = i % 4 == 0 ? 1.0 - ldexp(uniform(), -(int)between(0.0, 50.0)) : between(-1.0, 1.0);
-        exps[i] = off(elementary_exp(x), expl(x));
-        logs[i] = off(elementary_log(positive), logl(positive));
-        near[i] = off(elementary_log(close), logl(close));
-        angles[i] = off(elementary_atan2(y, side), atan2l(y, side));
-        sines[i] = off(elementary_asin(part), asinl(part));
-        cosines[i] = off(elementary_acos(part), acosl(part));
+        exps[i] = off(elementary_exp(x), expl((long double)x));
+        logs[i] = off(elementary_log(positive), logl((long double)positive));
+        near[i] = off(elementary_log(close), logl((long double)close));
+        angles[i] = off(elementary_atan2(y, side), atan2l((long double)y, (long double)side));
+        sines[i] = off(elementary_asin(part), asinl((long double)part));
+        cosines[i] = off(elementary_acos(part), acosl((long double)part));
     }
     compare("exp", exps);
     compare("log", logs);

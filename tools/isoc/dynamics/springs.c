@@ -1,10 +1,5 @@
 #include "tools/isoc/dynamics/springs.h"
 
-static node along(graph *g, vector r, vector part)
-{
-    return vector_dot(g, r, part);
-}
-
 static stretched build_one(const kinematics *k, const strut *of, const acceleration *still)
 {
     graph *g = k->g;
@@ -20,7 +15,7 @@ static stretched build_one(const kinematics *k, const strut *of, const accelerat
     made.row = arena_take(g->memory, (size_t)m->dof_count, sizeof *made.row);
     node product = constant(g, 0.0); /* r . r' */
     for (int f = 0; f < m->dof_count; f++) {
-        made.row[f] = along(g, made.apart, vector_sub(g, second.linear[f], first.linear[f]));
+        made.row[f] = vector_dot(g, made.apart, vector_sub(g, second.linear[f], first.linear[f]));
         product = add(g, product, mul(g, made.row[f], leaf(g, OP_STATE, m->position_count + f)));
     }
     /* k - k length / d + c d' / d, each with one factor 1 / d at a time. */
