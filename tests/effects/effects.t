@@ -179,4 +179,23 @@ effect rotor {
 effect first rotor { on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }
 END
 program near tests/effects/near.c tests/host/report.c "$out/old.c" "$out/new.c" && joined 'in the axes of the ground' "$out/near"
+
+# What follows from tunables alone is computed once a step: the derivative is that of the same constants, to rounding.
+chain='gravity (0, -9.81, 0) m/s^2
+step 1 ms
+input push N*m = 1 N*m
+body a { mass rod; com (0, -length, 0); inertia (rod * length^2 / 3, 1 g*m^2, rod * length^2 / 3) }
+body b { mass rod; com (length / 4, -length, 0); inertia (1, 2, 2.5) g*m^2 }
+body c { mass 2 * rod; com (0, -length, length / 5) }
+joint one revolute { parent ground; child a; axis z; start 1 rad; damping drag; drive push }
+joint two revolute { parent a at (0, -2 * length, 0); child b; axis (0.8, 0, 0.6); speed 2 rad/s; damping drag }
+joint three revolute { parent b at (0, -2 * length, 0); child c; axis x; damping drag }
+output place = position of c'
+for kind in constant tunable; do
+    printf '%s rod = 0.3 kg\n%s length = 0.2 m\n%s drag = 0.01 N*m*s/rad\n%s\n' $kind $kind $kind "$chain" |
+        plant "$(echo $kind | sed 's/constant/old/; s/tunable/new/')"
+done
+grep -q '^static void hold(' "$out/new.c" && ! grep -q '^static void hold(' "$out/old.c"
+result $? 'what follows from tunables alone has a function of its own, once a step'
+program near tests/effects/near.c tests/host/report.c "$out/old.c" "$out/new.c" && joined 'tunables' "$out/near"
 finish

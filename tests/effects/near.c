@@ -21,7 +21,7 @@ int main(void)
         real a[OLD_STATES], b[OLD_STATES];
         (void)iso_plant_tick(&old, tick);
         old.model->derivative(a, old.x, old.u, old.p);
-        new.model->derivative(b, old.x, old.u, old.p);
+        new.model->derivative(b, old.x, old.u, new.p);
         for (int i = 0; i < OLD_STATES; i++) {
             off = fmax(off, fabs((double)(a[i] - b[i])));
             largest = fmax(largest, fabs((double)a[i]));

@@ -177,7 +177,7 @@ static bool override(arena *memory, const options *o, scene *s)
 static bool write_plant(arena *memory, const options *o, const plant *p, graph *g)
 {
     text header = {.memory = memory}, source_text = {.memory = memory}, summary = {.memory = memory};
-    const naming names = naming_of(p, memory, o->name);
+    const naming names = naming_of(p, g, memory, o->name);
     file_list files = {.memory = memory, .folder = o->directory};
     double culprit = 0.0;
     emit_header(p, &names, &header);

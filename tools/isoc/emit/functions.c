@@ -3,11 +3,20 @@
 #include "tools/isoc/emit/parts.h"
 #include "tools/isoc/emit/split.h"
 
-/* What the equations read, as arrays. */
-static const struct {
+/* What the equations read, as arrays. The functions of a step read what is held (tools/isoc/plant/held.h) in the place of
+ * the tunables, where something is. */
+typedef struct argument {
     operation op;
     const char *name;
-} arguments[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}};
+} argument;
+
+static const argument arguments[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}};
+static const argument held_argument = {OP_HELD, "h"};
+
+static argument argument_of(const emission *e, int i)
+{
+    return i == 2 && e->in_step && e->p->held.count > 0 ? held_argument : arguments[i];
+}
 
 static bool uses(const emission *e, const code *made, operation op)
 {
@@ -57,15 +66,17 @@ static void emit_head(emission *e, const char *head, const char *function, const
 {
     text_add(e->out, "%sstatic void %s(real *restrict const %s,%s const real *restrict const x,\n", head, function,
              array, before);
-    text_add(e->out, "    const real *restrict const u, const real *restrict const p%s)\n{\n", more);
+    text_add(e->out, "    const real *restrict const u, const real *restrict const %s%s)\n{\n", argument_of(e, 2).name,
+             more);
 }
 
 /* (void)x; for the parameters that a function does not read. */
 static void emit_unread(emission *e, const bool *reads, const char *more)
 {
     for (int i = 0; i < 3; i++) {
-        if (!reads[arguments[i].op]) {
-            text_add(e->out, "    (void)%s;\n", arguments[i].name);
+        const argument of = argument_of(e, i);
+        if (!reads[of.op]) {
+            text_add(e->out, "    (void)%s;\n", of.name);
         }
     }
     if (strstr(more, "hb") != NULL && !reads[OP_STEP]) {
@@ -95,7 +106,7 @@ static void emit_parts(emission *e, const char *function, const char *array, con
     emit_head(e, "", function, array, "", more);
     text_add(e->out, "    real v[%d];\n", parts.carried + 1);
     for (int i = 0; i < parts.count; i++) {
-        text_add(e->out, "    %s_%d(%s, v, x, u, p%s%s);\n", function, i + 1, array,
+        text_add(e->out, "    %s_%d(%s, v, x, u, %s%s%s);\n", function, i + 1, array, argument_of(e, 2).name,
                  strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "");
     }
     text_add(e->out, "}\n\n");
@@ -126,6 +137,25 @@ static void emit_function(emission *e, const char *function, const char *array, 
     text_add(e->out, "}\n\n");
 }
 
+/* What a step computes once. */
+static void emit_hold(emission *e)
+{
+    const held *once = &e->p->held;
+    code made = code_of(e, numbered(e, "h", once->count), once->values, once->count);
+    made.quotes_leaves = true;
+    text_add(e->out, "/* What does not change within a step. */\n");
+    text_add(
+        e->out,
+        "static void hold(real *restrict const h, const real *restrict const u, const real *restrict const p)\n{\n");
+    for (int i = 1; i < 3; i++) {
+        if (!uses(e, &made, arguments[i].op)) {
+            text_add(e->out, "    (void)%s;\n", arguments[i].name);
+        }
+    }
+    emit_code(e, &made);
+    text_add(e->out, "}\n\n");
+}
+
 /* The derivative quotes the scene's lines of what it reads, and of the closures. */
 static void emit_derivative(emission *e)
 {
@@ -135,19 +165,30 @@ static void emit_derivative(emission *e)
         marks[i] = (mark){m->cuts[i].name, source_quote(m->source, m->cuts[i].at)};
     }
     const char *const *targets = places_in(e, "dx", e->names->leaves.states, state_count(m));
-    code made = code_of(e, targets, e->p->derivatives, state_count(m));
+    code made = code_of(e, targets, e->p->held_derivatives, state_count(m));
     made.quotes_leaves = true;
     made.marks = marks;
     made.mark_count = (size_t)m->cut_count;
-    emit_function(e, "derivative", "dx", "", &made);
+    if (e->p->held.count == 0) {
+        emit_function(e, "derivative", "dx", "", &made);
+        return;
+    }
+    emit_hold(e);
+    e->in_step = true;
+    emit_function(e, "held_derivative", "dx", "", &made);
+    e->in_step = false;
+    emit_head(e, "", "derivative", "dx", "", "");
+    text_add(e->out, "    real h[%d];\n    hold(h, u, p);\n    held_derivative(dx, x, u, h);\n}\n\n", e->p->held.count);
 }
 
 /* dx of the positions alone. */
 static void emit_rates(emission *e)
 {
     const char *const *targets = places_in(e, "dx", e->names->leaves.states, e->p->rate_count);
-    const code made = code_of(e, targets, e->p->derivatives, e->p->rate_count);
+    const code made = code_of(e, targets, e->p->held_derivatives, e->p->rate_count);
+    e->in_step = true;
     emit_function(e, "rates", "dx", "", &made);
+    e->in_step = false;
 }
 
 /* The arrays of a plant's memory that a function of it reads; all that there are, where it asks for the derivative. */
@@ -260,7 +301,9 @@ static void emit_solver(emission *e)
     const int states = state_count(e->p->m);
     const code factors = code_of(e, numbered(e, "lu", j->factor_count), j->factors, j->factor_count);
     const code solution = code_of(e, places_in(e, "d", e->names->leaves.states, states), j->solution, states);
+    e->in_step = true;
     emit_function(e, "factor", "lu", ", const real hb", &factors);
+    e->in_step = false;
     text_add(e->out, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
     emit_code(e, &solution);
     text_add(e->out, "}\n\n");

@@ -9,6 +9,7 @@ typedef struct emission {
     graph *g;
     const naming *names;
     text *out;
+    bool in_step;   /* the function is one of those that a step calls */
     double culprit; /* a constant that leaves the range of real; else 0 */
 } emission;
 

@@ -82,7 +82,8 @@ static void emit_equations(emission *e)
     if (ISO_IS_VARYING(p->m->recipe)) {
         emit_adams(e);
     }
-    text_add(e->out, "static const iso_equations equations = {\n    .derivative = derivative,\n");
+    text_add(e->out, "static const iso_equations equations = {\n    .derivative = %sderivative,\n",
+             p->held.count > 0 ? "held_" : "");
     if (ISO_IS_IMPLICIT(p->m->recipe)) {
         text_add(e->out, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
     }
@@ -149,9 +150,14 @@ static void emit_call(emission *e, const char *function, const char *size)
     if (ISO_IS_IMPLICIT(m->recipe)) {
         text_add(e->out, "    real lu[%d];\n", e->p->j.factor_count);
     }
+    if (e->p->held.count > 0) {
+        text_add(e->out, "    real h[%d];\n    hold(h, %s, %s);\n", e->p->held.count,
+                 array_or_null(held_count(m), "memory->u"), array_or_null(m->parameter_count, "memory->p"));
+    }
     text_add(e->out, "    %s(%s, %s_STATES, &equations, %s, memory->x, %s, %s, %s, work,\n", function, recipe, capitals,
              code_literal(e->out->memory, m->step, e->p->is_double), array_or_null(held_count(m), "memory->u"),
-             array_or_null(m->parameter_count, "memory->p"), ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
+             e->p->held.count > 0 ? "h" : array_or_null(m->parameter_count, "memory->p"),
+             ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
     text_add(e->out, "                    %s);\n", progress_of(m));
 }
 
@@ -172,20 +178,6 @@ static void emit_prime(emission *e)
         emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
     }
     text_add(e->out, "%s}\n\n", can_restart(e->p->m) ? "    remember(memory);\n" : "");
-}
-
-/* Whether the compiler is asked to inline all calls of a step: up to so many operations in its evaluations, where a
- * sine and cosine count as 25, and a sub-step that varies counts once. In float, calls cost a fifth of a small plant's
- * step on a Cortex-M4F and an eighth of that of a chain of three, in double on a PC less. In a large step they cost
- * little, and copies need much memory. */
-static bool is_flat(const emission *e)
-{
-    enum { MOST_FLOAT = 600, MOST_DOUBLE = 400, OF_SINCOS = 25 };
-    const mechanism *m = e->p->m;
-    const int most = e->p->is_double ? MOST_DOUBLE : MOST_FLOAT;
-    const operations n = count_operations(e->g, e->p->derivatives, (size_t)state_count(m));
-    const int evaluations = ISO_IS_VARYING(m->recipe) ? 1 : ISO_EVALUATIONS_OF(m->recipe);
-    return evaluations * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= most;
 }
 
 bool settles_by_parameters(const plant *p, const graph *g)
@@ -303,7 +295,7 @@ void emit_step(emission *e)
     if (is_primed(m)) {
         emit_prime(e);
     }
-    begin_function(e, is_flat(e) ? "ISO_FLAT static void step" : "static void step");
+    begin_function(e, e->p->is_flat ? "ISO_FLAT static void step" : "static void step");
     for_turns(e, emit_before_turn);
     emit_samples(e, "iso_method_sample");
     emit_call(e, "iso_method_step", "ISO_METHOD_WORK");

@@ -122,18 +122,21 @@ size_t partial_derivatives(partials *p, node root, node **by, node **derivatives
     return found;
 }
 
-/* Makes the roots anew of what stands in the place of each leaf: to[g->count]. */
-static void rebuild(graph *g, node *roots, size_t count, node *to)
+void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to)
 {
-    const size_t before = g->count;
-    bool *needed = arena_take(g->memory, before, sizeof *needed);
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < before; i++) {
         const graph_node n = g->nodes[i];
         const operator_row *row = &operators[n.op];
-        if (needed[i] && row->operands > 0) {
+        if (needed[i] && row->operands > 0 && to[i] == (node)i) {
             const node a = to[n.a], b = row->operands == 2 ? to[n.b] : n.b;
+            const size_t known = g->count;
             to[i] = a == n.a && b == n.b ? (node)i : row->again(g, a, b);
+            if ((size_t)to[i] >= known && !is_constant(g, to[i])) {
+                g->nodes[to[i]].name = n.name;
+                g->nodes[to[i]].section = n.section;
+            }
         }
     }
     for (size_t i = 0; i < count; i++) {
@@ -149,7 +152,7 @@ void replace_leaves(graph *g, node *roots, size_t count, operation op, const nod
     for (size_t i = 0; i < before; i++) {
         to[i] = g->nodes[i].op == op ? by[g->nodes[i].index] : (node)i;
     }
-    rebuild(g, roots, count, to);
+    replace_nodes(g, roots, count, before, to);
     arena_return(g->memory, to, before, sizeof *to);
 }
 
@@ -160,7 +163,7 @@ node replace_leaf(graph *g, node root, node leaf, node by)
     for (size_t i = 0; i < before; i++) {
         to[i] = (node)i == leaf ? by : (node)i;
     }
-    rebuild(g, &root, 1, to);
+    replace_nodes(g, &root, 1, before, to);
     arena_return(g->memory, to, before, sizeof *to);
     return root;
 }

@@ -32,4 +32,7 @@ void replace_leaves(graph *g, node *roots, size_t count, operation op, const nod
 /* The root with another node in the place of one leaf. */
 node replace_leaf(graph *g, node root, node leaf, node by);
 
+/* Makes the roots anew of what stands in the place of each node that there was: to[before], itself where it stays. */
+void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to);
+
 #endif

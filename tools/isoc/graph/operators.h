@@ -50,6 +50,7 @@ typedef struct evaluation {
     LEAF(LOCAL_ERROR, NULL, "progress->local_error", 0.0)        /* of the step, where it is checked */                 \
     LEAF(RESIDUAL, NULL, "progress->residual", 0.0)              /* of the last Newton iteration */                     \
     LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until what computes it takes its place */   \
+    LEAF(HELD, "h", "@h", 0.0)                                  /* what does not change within a step */               \
     LEAF(INERTIA, NULL, "", 0.0)                                /* of a degree of freedom at the start, likewise */    \
     LEAF(ASKED, NULL, "", 0.0)                                  /* a component of a point's motion, likewise */       \
     LEAF(DERIVATIVE, NULL, "dx[@X]", 0.0)                       /* where a derivative has been evaluated before */

@@ -127,10 +127,12 @@ static implicit_cost cost_of_solving(const plant *p, const graph *g)
 operations cost_of_step(const plant *p, const graph *g)
 {
     const int n = state_count(p->m);
-    const operations derivative = count_operations(g, p->derivatives, (size_t)n);
-    const operations rates = count_operations(g, p->derivatives, (size_t)p->rate_count);
+    const node *derivatives = p->held_derivatives != NULL ? p->held_derivatives : p->derivatives;
+    const operations derivative = count_operations(g, derivatives, (size_t)n);
+    const operations rates = count_operations(g, derivatives, (size_t)p->rate_count);
+    const operations once = count_operations(g, p->held.values, (size_t)p->held.count);
     const operations step = step_operations(p->m->recipe, n, derivative, cost_of_solving(p, g));
-    return plus(plus(plus(step, 1, rates), 1, smooth_operations(p->m)), p->is_curved, derivative);
+    return plus(plus(plus(plus(step, 1, rates), 1, once), 1, smooth_operations(p->m)), p->is_curved, derivative);
 }
 
 void cost_summary(const plant *p, const graph *g, text *out)

@@ -167,13 +167,13 @@ static void show_violation_rate(plant *p, graph *g, const shown *o)
  * does not reach. */
 static void show_violation_acceleration(plant *p, graph *g, const shown *o)
 {
-    const constraints *held = &p->d->loops.held;
+    const constraints *closures = &p->d->loops.held;
     node largest = constant(g, 0.0);
     graph_section(g, "Residuals of the closures' equations for the accelerations");
-    for (int r = 0; r < held->count; r++) {
-        node left = demand_of(g, p->m, &held->all[r]);
+    for (int r = 0; r < closures->count; r++) {
+        node left = demand_of(g, p->m, &closures->all[r]);
         for (int f = 0; f < p->m->dof_count; f++) {
-            left = add(g, left, mul(g, held->all[r].row[f], p->d->acceleration[f]));
+            left = add(g, left, mul(g, closures->all[r].row[f], p->d->acceleration[f]));
         }
         largest = r == 0 ? magnitude(g, left) : larger(g, largest, magnitude(g, left));
     }

@@ -5,6 +5,7 @@
 #include "tools/isoc/dynamics/dynamics.h"
 #include "tools/isoc/dynamics/settled.h"
 #include "tools/isoc/graph/operations.h"
+#include "tools/isoc/plant/held.h"
 #include "tools/isoc/plant/jacobian.h"
 
 /* The cost of the equations in each formulation that was tried, and which one is kept. */
@@ -31,6 +32,9 @@ typedef struct plant {
     factoring factors;           /* as wanted */
     jacobian j;                  /* only for implicit methods */
     bool is_curved;              /* for rosenbrock: the derivatives are not affine in the smooth inputs */
+    bool is_flat;                /* a step is small: its calls are inlined */
+    held held;                   /* what the step computes once */
+    node *held_derivatives;      /* the derivatives by that; where nothing is held, themselves */
     node energy;
     node violation; /* of the closures, where the loop counts it; else -1 */
     bool is_double;
