@@ -24,8 +24,9 @@ order()
     awk '$1 == "step" && NF == 3 { ns = $2 * 1e9; for (part = 1; part <= 4; part *= 2) printf "%.0fns\n", ns / part
             exit !(int(ns / 4 + 0.5) * 4 == int(ns + 0.5) && ns >= 4000) }' "$dir/$1.said" >"$dir/steps" ||
         { echo - && return 0; }
-    for name in coarse middle fine; do
-        read -r step && build/isoc "$dir/$1.scene" -o "$dir/order" --real double --name $name --step "$step" >/dev/null ||
+    for plant in coarse middle fine; do
+        read -r step
+        build/isoc "$dir/$1.scene" -o "$dir/order" --real double --name $plant --step "$step" >/dev/null ||
             fail "$1 cannot be compiled with $step"
     done <"$dir/steps"
     # shellcheck disable=SC2086
