@@ -36,7 +36,7 @@ cp tests/estimate/heavy_top.scene tests/order/spatial.scene "$out"
 scene spatial bdf4
 joined spatial "$out/spatial.run" 1 1000 heun rk4 ab4 abm4 bdf4 rosenbrock adams -- unsettled
 scene heavy_top bdf4
-joined heavy_top "$out/heavy_top.run" 0.3 2000 heun rk4 ab4 rosenbrock adams -- unsettled
+joined heavy_top "$out/heavy_top.run" 0.3 2000 heun rk4 ab4 rosenbrock adams -- unsettled abm4 abm4_pec
 joined "heavy_top, shorter steps" "$out/heavy_top.run" 0.1 16000 abm4 abm4_pecece bdf4
 
 # The estimate as an output, of every kind of method.
