@@ -56,7 +56,10 @@ static dimension input_dimension(builder *b, const quantity *q, bool *is_known)
     if (force || torque) {
         return driven;
     }
-    const value v = q->has_unit || q->value == NULL ? (value){0} : value_any(&b->values, q->value);
+    value v = {0};
+    if (!q->has_unit && q->value != NULL) {
+        v = value_any(&b->values, q->value);
+    }
     *is_known = q->has_unit || v.count == 1;
     return q->has_unit ? q->unit.of : v.of;
 }
