@@ -101,9 +101,9 @@ while IFS= read -r effect; do
     "continuous, output of turns") holds "$effect" "" 44 "$name" ;;
     "output of acceleration") holds "$effect" range 36 "$name" ;;
     "output of a point's velocity") holds "$effect" range 44 "$name" ;;
-    # What rounding took of two states; five sums of derivatives of two states, and four words of progress.
+    # What rounding took of two states; three sums of derivatives of two states, and four words of progress.
     "compensated sums") holds "$effect" range 40 "$name" ;;
-    "steps checked") holds "$effect" "prime range" 88 "$name" ;;
+    "steps checked") holds "$effect" "prime range" 72 "$name" ;;
     *) holds "$effect" range 32 "$name" ;;
     esac
 done <"$out/names"
