@@ -21,5 +21,22 @@ library()
 for number in float double; do
     real $number
     library signals
+    library machines
 done
+
+# planted NAME KIND SED: the program of a scene finds its effect of that kind so changed.
+planted()
+{
+    { sed "$3" "models/effects/$2.scene" && cat "tests/effects/$1.scene"; } >"$out/planted.scene"
+    build/isoc "$out/planted.scene" -o "$out/planted.plant" --real $real >"$out/planted.summary" &&
+        ! sed "$3" "models/effects/$2.scene" | cmp -s - "models/effects/$2.scene" &&
+        EXTRA="-DPLANT=\"$out/planted.plant/plant.c\"$(derived planted)" program planted "tests/effects/$1.c" \
+            tests/host/report.c && ! "$out/planted" >"$out/tap" && [ "$(grep -c '^not ok' "$out/tap")" -le 3 ]
+    result $? "found in $2: $3"
+}
+planted signals lag 's/rate y = (input/rate y = (0.999 * input/'
+planted signals gust 's/sqrt(1 - left^2)/(1 - left)/'
+planted machines cable 's/1 + slow/1 + 1.1 * slow/'
+planted machines backlash 's/ratio \* effort/effort/'
+planted machines encoder 's/turn + 0.5/turn + 0.9/'
 finish
