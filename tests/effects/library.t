@@ -22,6 +22,8 @@ for number in float double; do
     real $number
     library signals
     library machines
+    library bushing
+    library ground
 done
 
 # planted NAME KIND SED: the program of a scene finds its effect of that kind so changed.
@@ -38,5 +40,7 @@ planted signals lag 's/rate y = (input/rate y = (0.999 * input/'
 planted signals gust 's/sqrt(1 - left^2)/(1 - left)/'
 planted machines cable 's/1 + slow/1 + 1.1 * slow/'
 planted machines backlash 's/ratio \* effort/effort/'
+planted bushing bushing 's/of other - cross(spin/of other + cross(spin/'
+planted ground contact 's/1.5 \* (1 - rest)/3 * (1 - rest)/'
 planted machines encoder 's/turn + 0.5/turn + 0.9/'
 finish
