@@ -18,6 +18,10 @@ build/isoc tests/effects/pair.scene -o "$out/pair" --real double >"$out/pair.sum
     EXTRA="-DPLANT=\"$out/pair/plant.c\"" program pair.run tests/effects/pair.c tests/host/report.c
 joined pair "$out/pair.run"
 
+build/isoc tests/effects/measured.scene -o "$out/measured" --real double >"$out/measured.summary" &&
+    EXTRA="-DPLANT=\"$out/measured/plant.c\"" program measured.run tests/effects/measured.c tests/host/report.c
+joined accelerometer "$out/measured.run"
+
 # friction METHOD: a block with friction as steep as the method allows.
 friction()
 {

@@ -19,6 +19,32 @@ static const effect_line *subject(world *w, const instance *in, const effect_lin
     return found;
 }
 
+/* Whether accelerations are needed, which are known only when all efforts are. */
+static bool needs_accelerations(world *w, const node *roots, size_t count)
+{
+    const graph *g = w->b->g;
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed), found = false;
+    graph_reach(g, roots, count, needed);
+    for (size_t i = 0; i < g->count; i++) {
+        const graph_node *n = &g->nodes[i];
+        const bool is_asked = n->op == OP_ASKED && w->b->made.asked[n->index / 3].kind == ASKED_SPECIFIC_FORCE;
+        found = found || (needed[i] && (is_asked || n->op == OP_DERIVATIVE));
+    }
+    return found;
+}
+
+/* Notes an effort or a rate that needs accelerations. */
+static bool refuse_accelerations(world *w, const effect_line *line, const node *roots, size_t count)
+{
+    const bool needs = line->kind != EFFECT_NEXT && needs_accelerations(w, roots, count);
+    if (needs) {
+        source_problem(w->b->s, line->value->at,
+                       "an algebraic loop: '%s' needs an acceleration, which depends on it; a memory breaks it",
+                       line->name.text);
+    }
+    return needs;
+}
+
 /* A formula of this dimension. */
 static node node_of(world *w, const instance *in, const effect_line *line, dimension of, const char *what)
 {
@@ -30,7 +56,8 @@ static node node_of(world *w, const instance *in, const effect_line *line, dimen
                        found.count > 1 ? "is a vector" : dimension_phrase(s->memory, found.of));
         return constant(w->b->g, 0.0);
     }
-    return found.count == 1 ? found.parts[0] : constant(w->b->g, 0.0);
+    const bool is_good = found.count == 1 && !refuse_accelerations(w, line, found.parts, 1);
+    return is_good ? found.parts[0] : constant(w->b->g, 0.0);
 }
 
 static void do_rate(world *w, const instance *in, const effect_line *line)
@@ -144,7 +171,7 @@ static void do_push(world *w, const instance *in, const effect_line *line)
     } else if (!found.any && !dimension_equal_but_angle(found.of, of)) {
         source_problem(s, line->value->at, "the %s on '%s' %s; this %s", what, line->name.text,
                        dimension_phrase(s->memory, of), dimension_phrase(s->memory, found.of));
-    } else {
+    } else if (!refuse_accelerations(w, line, found.parts, 3)) {
         push(w, in, which, point, line, &found, 1.0);
         if (other >= 0) {
             push(w, in, other, other_point, line, &found, -1.0);

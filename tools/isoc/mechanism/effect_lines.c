@@ -52,7 +52,7 @@ static value checked(world *w, const instance *in, const effect_line *line, cons
 bool changes(const graph *g, node n)
 {
     return uses_operation(g, &n, 1, OP_STATE) || uses_operation(g, &n, 1, OP_INPUT) ||
-           uses_operation(g, &n, 1, OP_ASKED);
+           uses_operation(g, &n, 1, OP_ASKED) || uses_operation(g, &n, 1, OP_DERIVATIVE);
 }
 
 /* Whether a formula has a word of what step and method allow. */

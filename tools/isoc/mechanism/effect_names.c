@@ -120,9 +120,13 @@ static const struct {
     asked_kind kind;
     dimension of;
 } of_bodies[] = {
-    {"position", ASKED_POSITION, {0, 1, 0, 0, 0, 0}}, {"velocity", ASKED_VELOCITY, {0, 1, -1, 0, 0, 0}},
-    {"spin", ASKED_SPIN, {0, 0, -1, 1, 0, 0}},        {"x_axis", ASKED_X_AXIS, {0, 0, 0, 0, 0, 0}},
-    {"y_axis", ASKED_Y_AXIS, {0, 0, 0, 0, 0, 0}},     {"z_axis", ASKED_Z_AXIS, {0, 0, 0, 0, 0, 0}},
+    {"position", ASKED_POSITION, {0, 1, 0, 0, 0, 0}},
+    {"velocity", ASKED_VELOCITY, {0, 1, -1, 0, 0, 0}},
+    {"spin", ASKED_SPIN, {0, 0, -1, 1, 0, 0}},
+    {"x_axis", ASKED_X_AXIS, {0, 0, 0, 0, 0, 0}},
+    {"y_axis", ASKED_Y_AXIS, {0, 0, 0, 0, 0, 0}},
+    {"z_axis", ASKED_Z_AXIS, {0, 0, 0, 0, 0, 0}},
+    {"specific_force", ASKED_SPECIFIC_FORCE, {0, 1, -2, 0, 0, 0}},
 };
 
 vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body)
@@ -149,16 +153,19 @@ static value point_value(world *w, const formula *f, int which, vector point)
         row++;
     }
     if (row == count) {
-        source_problem(w->b->s, f->at, "a body has no %s: its position, velocity, spin, x_axis, y_axis or z_axis",
+        source_problem(w->b->s, f->at,
+                       "a body has no %s: its position, velocity, spin, specific_force, x_axis, y_axis or z_axis",
                        f->name);
     }
-    bool in_body = row < count && of_bodies[row].kind == ASKED_SPIN;
+    const bool is_measured =
+        row < count && (of_bodies[row].kind == ASKED_SPIN || of_bodies[row].kind == ASKED_SPECIFIC_FORCE);
+    bool in_body = is_measured;
     if (row < count && f->axes.text != NULL) {
         in_body = strcmp(f->axes.text, "body") == 0;
         if (!in_body && strcmp(f->axes.text, "ground") != 0) {
             source_problem(w->b->s, f->axes.at, "expected 'in body' or 'in ground', the axes that it is in");
-        } else if (of_bodies[row].kind != ASKED_VELOCITY && of_bodies[row].kind != ASKED_SPIN) {
-            source_problem(w->b->s, f->axes.at, "only a velocity and a spin have axes to choose");
+        } else if (of_bodies[row].kind != ASKED_VELOCITY && !is_measured) {
+            source_problem(w->b->s, f->axes.at, "only a velocity, a spin and a specific force have axes to choose");
         }
     }
     if (row == count || which < 0 || !made->frames[which].placed) {
@@ -208,8 +215,14 @@ value quantity_value(void *of, const formula *f)
         return (value){
             .count = 1, .parts = {leaf(g, OP_INERTIA, l->dof)}, .of = l->kind == JOINT_REVOLUTE ? turning : kilogram};
     }
+    if (strcmp(f->name, "acceleration") == 0) {
+        value found = {.count = 1, .of = dimension_of_quantity("speed", l)};
+        dimension_times(&found.of, second, -1);
+        found.parts[0] = leaf(g, OP_DERIVATIVE, made->position_count + l->dof);
+        return found;
+    }
     if (strcmp(f->name, "position") != 0 && strcmp(f->name, "speed") != 0) {
-        source_problem(w->b->s, f->at, "a joint has no %s: its position, speed or inertia", f->name);
+        source_problem(w->b->s, f->at, "a joint has no %s: its position, speed, acceleration or inertia", f->name);
         return nothing;
     }
     const bool is_speed = strcmp(f->name, "speed") == 0;

@@ -69,7 +69,8 @@ typedef enum asked_kind {
     ASKED_SPIN,
     ASKED_X_AXIS,
     ASKED_Y_AXIS,
-    ASKED_Z_AXIS
+    ASKED_Z_AXIS,
+    ASKED_SPECIFIC_FORCE, /* what an accelerometer measures; known with the accelerations: plant/accelerations.h */
 } asked_kind;
 
 typedef struct asked {

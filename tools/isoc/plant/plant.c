@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/plant/accelerations.h"
 #include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/outputs.h"
 
@@ -147,6 +148,7 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted)
     build_cheapest(&p, g, wanted.formulation);
     p.is_curved = ISO_IS(m->recipe, ISO_ROSENBROCK) && ISO_IS_SMOOTH(m->recipe) && is_curved(g, &p);
     p.after = settled_build(g, p.d);
+    specific_forces_resolve(&p, g);
     outputs_build(&p, g);
     hold(&p, g);
     p.violation = m->violation_limit > 0.0 && p.d->loops.held.count > 0

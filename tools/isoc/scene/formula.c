@@ -211,8 +211,8 @@ static formula *parse_quantity(parser *p)
 
 bool next_is_quantity(const parser *p)
 {
-    static const char *const words[] = {"position", "speed",  "velocity", "spin",   "x_axis",
-                                        "y_axis",   "z_axis", "power",    "inertia"};
+    static const char *const words[] = {"position", "speed", "velocity", "spin",         "x_axis",        "y_axis",
+                                        "z_axis",   "power", "inertia",  "acceleration", "specific_force"};
     bool is = false;
     for (size_t i = 0; i < COUNT_OF(words); i++) {
         is = is || next_is_word(p, words[i]);
