@@ -32,7 +32,7 @@ static void output(real *restrict const y, const real *restrict const x, const r
     y[OUT_ENERGY] = R(0.5) * (p[MASS] * x[SPEED] * x[SPEED] + p[STIFFNESS] * x[POSITION] * x[POSITION]);
 }
 
-static void drive(void *const instance, const uint32_t tick)
+static void drive(void *const instance, const uint64_t tick)
 {
     plant_memory *const memory = instance;
     const real t = (real)tick * ISO_STEP_SIZE;

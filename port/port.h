@@ -1,7 +1,8 @@
 /* The platform interface: eight functions. A port is one folder that defines them.
  *
- * The clock counts at the port's own rate and wraps at 2^32; it reads 0 when iso_port_start returns, and tick k
- * (k = 1, 2, ...) is due at k times the period that iso_port_start gives.
+ * The clock counts at the port's own rate; it reads 0 when iso_port_start returns, and tick k (k = 1, 2, ...) is due at k
+ * times the period that iso_port_start gives. Clock and ticks have 64 bits and never wrap: a port whose counter has fewer
+ * counts its overflows, in an interrupt that is never held off for longer than one takes.
  */
 #ifndef ISO_PORT_PORT_H
 #define ISO_PORT_PORT_H
@@ -18,10 +19,10 @@
 uint32_t iso_port_start(uint32_t period_ns);
 
 /* Sleeps until a tick is due that the last call did not report. Returns the number of the latest due tick. */
-uint32_t iso_port_wait(void);
+uint64_t iso_port_wait(void);
 
 /* The clock, in counts. */
-uint32_t iso_port_clock(void);
+uint64_t iso_port_clock(void);
 
 /* Overwrites those of u[inputs] that the platform measures; the others keep the functions of the scene. */
 void iso_port_read(real *u, size_t inputs);

@@ -39,14 +39,14 @@ static void put_reals(const real *const x, const size_t n)
     }
 }
 
-static void put_text(const char *text)
+ISO_RARE static void put_text(const char *text)
 {
     while (*text != '\0') {
         put_byte((uint8_t)*text++);
     }
 }
 
-ISO_APART static void put_line(const char *const key, const char *const value)
+ISO_RARE static void put_line(const char *const key, const char *const value)
 {
     put_text(key);
     put_byte(' ');
@@ -54,7 +54,7 @@ ISO_APART static void put_line(const char *const key, const char *const value)
     put_byte('\n');
 }
 
-static void put_hexadecimal(const char *const key, const uint64_t value)
+ISO_RARE static void put_hexadecimal(const char *const key, const uint64_t value)
 {
     enum { DIGITS = 16 };
     char text[DIGITS + 1];
@@ -65,13 +65,13 @@ static void put_hexadecimal(const char *const key, const uint64_t value)
     put_line(key, text);
 }
 
-void iso_stream_bail_out(const char *const why)
+ISO_RARE void iso_stream_bail_out(const char *const why)
 {
     put_line("Bail out!", why);
     flush();
 }
 
-void iso_stream_header(const iso_plant *const plant, const uint64_t duration)
+ISO_RARE void iso_stream_header(const iso_plant *const plant, const uint64_t duration)
 {
     const iso_model *const model = plant->model;
 #define STREAM_TEXT(key, value) {#key, value},
@@ -104,14 +104,14 @@ void iso_stream_row(const real *const y, const size_t outputs)
     put_reals(y, outputs);
 }
 
-void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
+ISO_RARE void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
 {
     static const iso_adams_state none;
     const iso_statistics *const statistics = &loop->statistics;
     const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
 
 #define STREAM_VALUE(name, value) value,
-    const uint32_t words[] = {ISO_STREAM_WORDS(STREAM_VALUE)};
+    const uint64_t words[] = {ISO_STREAM_WORDS(STREAM_VALUE)};
 
     put_byte(ISO_STREAM_END);
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {

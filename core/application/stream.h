@@ -1,6 +1,6 @@
 /* The run as a stream of bytes on the console, for build/trace to write down: nothing here formats a number in decimal.
  *
- *     header   lines "key value", the first "isochron 1", then an empty line; whole numbers in hexadecimal
+ *     header   lines "key value", the first "isochron 2", then an empty line; whole numbers in hexadecimal
  *     row      ISO_STREAM_ROW, the outputs of a tick; the first are those of tick 0, the start
  *     end      ISO_STREAM_END, the statistics, the hash, the guard, the state, the largest local error and violation
  *
@@ -17,7 +17,7 @@
 #define iso_stream_row ISO_REAL_NAME(iso_stream_row)
 #define iso_stream_end ISO_REAL_NAME(iso_stream_end)
 
-#define ISO_STREAM_VERSION "isochron 1"
+#define ISO_STREAM_VERSION "isochron 2"
 
 enum { ISO_STREAM_ROW = 'r', ISO_STREAM_END = 'e', ISO_STREAM_BAIL_OUT = 'B' };
 
@@ -37,13 +37,13 @@ enum { ISO_STREAM_ROW = 'r', ISO_STREAM_END = 'e', ISO_STREAM_BAIL_OUT = 'B' };
     X(states, model->states)                                                                                           \
     X(outputs, model->outputs)
 
-/* The words of the end record in their order: what the reader calls them, and what the writer puts there. */
+/* The words of the end record in their order, 64 bits each: what the reader calls them, and what the writer puts there. */
 #define ISO_STREAM_WORDS(X)                                                                                            \
     X(ticks, statistics->ticks)                                                                                        \
     X(late, statistics->late)                                                                                          \
     X(lost, statistics->lost)                                                                                          \
     X(overruns, statistics->overruns)                                                                                  \
-    X(margin, (uint32_t)statistics->margin)                                                                            \
+    X(margin, (uint64_t)statistics->margin)                                                                            \
     X(execution_min, statistics->execution_min)                                                                        \
     X(execution_max, statistics->execution_max)                                                                        \
     X(guard, loop->guard)                                                                                              \

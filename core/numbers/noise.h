@@ -14,10 +14,12 @@
 
 #include "core/numbers/real.h"
 
-static inline uint32_t iso_hash_of_tick(const uint32_t tick, const uint32_t seed)
+/* The high half of the tick stands beside the seed: after 2^32 ticks another sequence begins, and not the first again. */
+static inline uint32_t iso_hash_of_tick(const uint64_t tick, const uint32_t seed)
 {
-    uint32_t h = tick ^ (tick >> 16);
-    h = h * UINT32_C(0x7FEB352D) + seed * UINT32_C(0x9E3779B9);
+    const uint32_t low = (uint32_t)tick, high = (uint32_t)(tick >> 32);
+    uint32_t h = low ^ (low >> 16);
+    h = h * UINT32_C(0x7FEB352D) + seed * UINT32_C(0x9E3779B9) + high * UINT32_C(0x85EBCA77);
     h = (h ^ (h >> 15)) * UINT32_C(0x846CA68B);
     return h ^ (h >> 16);
 }
@@ -31,7 +33,7 @@ static inline uint32_t iso_ones(const uint32_t bits)
     return (bytes * UINT32_C(0x01010101)) >> 24;
 }
 
-static inline real iso_noise(const uint32_t tick, const uint32_t seed)
+static inline real iso_noise(const uint64_t tick, const uint32_t seed)
 {
     const uint32_t hash = iso_hash_of_tick(tick, seed);
     const uint32_t other = (hash ^ (hash >> 13)) * UINT32_C(0xC2B2AE35);

@@ -1,6 +1,7 @@
 #include "core/numbers/self_check.h"
 
 #include "core/numbers/sincos.h"
+#include "core/numbers/unroll.h"
 
 #ifdef ISO_REAL_DOUBLE
 #define LEAST DBL_MIN
@@ -45,7 +46,7 @@ static iso_bits denormals(const iso_bits hash, const real unit)
     return continued(continued(hash, part), R(4.0) * part);
 }
 
-bool iso_self_check(void)
+ISO_RARE bool iso_self_check(void)
 {
     volatile real one = R(1.0); /* the compiler does not know it, so that the processor computes */
     const real unit = one;

@@ -1,11 +1,18 @@
-/* Functions of time. They use the integer tick, so they are as exact after a day as after a second. */
+/* Functions of time. They use the integer tick, of 64 bits: they are as exact after a century as after a second. */
 #ifndef ISO_CORE_NUMBERS_SIGNAL_H
 #define ISO_CORE_NUMBERS_SIGNAL_H
 
 #include "core/numbers/real.h"
 
+/* A count of ticks as a real. The halves are whole numbers of 32 bits, which every processor converts without a branch;
+ * below 2^32 it is one rounding. */
+static inline real iso_real_of_ticks(const uint64_t ticks)
+{
+    return (real)(uint32_t)(ticks >> 32) * R(4294967296.0) + (real)(uint32_t)ticks;
+}
+
 /* The angle in [-pi, pi) that starts at `start` and grows by `increment` in a tick; 2^64 is one turn. */
-static inline real iso_phase(const uint32_t tick, const uint64_t increment, const uint64_t start)
+static inline real iso_phase(const uint64_t tick, const uint64_t increment, const uint64_t start)
 {
     const uint64_t turns = start + tick * increment;
 #ifdef ISO_REAL_DOUBLE
@@ -17,16 +24,16 @@ static inline real iso_phase(const uint32_t tick, const uint64_t increment, cons
 
 /* The ticks since first + fraction; before the last tick that is not after it, less than -1, so that it stays below
  * zero throughout the tick that follows. */
-static inline real iso_since(const uint32_t tick, const uint32_t first, const real fraction)
+static inline real iso_since(const uint64_t tick, const uint32_t first, const real fraction)
 {
-    return (tick < first ? R(-1.0) : (real)(tick - first)) - fraction;
+    return (tick < first ? R(-1.0) : iso_real_of_ticks(tick - first)) - fraction;
 }
 
 /* The ticks since first + fraction, limited to [0, length]: one stretch of a table of straight lines. */
-static inline real iso_ramp(const uint32_t tick, const uint32_t first, const real fraction, const real length)
+static inline real iso_ramp(const uint64_t tick, const uint32_t first, const real fraction, const real length)
 {
-    const uint32_t since = tick > first ? tick - first : 0;
-    return iso_clamp((real)since - fraction, R(0.0), length);
+    const uint64_t since = tick > first ? tick - first : 0;
+    return iso_clamp(iso_real_of_ticks(since) - fraction, R(0.0), length);
 }
 
 #endif

@@ -1,7 +1,7 @@
 /* Hints for speed; they change no bit. ISO_UNROLL before a loop: unroll it if its count is known; clang would warn where it
  * is not, and a build for which speed does not matter may define it as nothing. ISO_INLINE before a function: inline it, so
  * that constants of its callers are constants in it. ISO_FLAT before a function: inline all that it calls. ISO_APART before
- * a function: inline it nowhere, since its bytes count and its time does not. */
+ * a function: inline it nowhere, since its bytes count and its time does not; ISO_RARE: it runs once, compile it small. */
 #ifndef ISO_CORE_NUMBERS_UNROLL_H
 #define ISO_CORE_NUMBERS_UNROLL_H
 
@@ -20,5 +20,6 @@
 #define ISO_INLINE static inline __attribute__((always_inline))
 #define ISO_FLAT __attribute__((flatten))
 #define ISO_APART __attribute__((noinline))
+#define ISO_RARE __attribute__((cold))
 
 #endif

@@ -16,28 +16,29 @@
 /* A tick that starts more than a period / 2^ISO_LATE_SHIFT after it was due is late. */
 enum { ISO_LATE_SHIFT = 4 };
 
-/* How the ticks kept their time. Times are in counts of the port's clock. */
+/* How the ticks kept their time. Times are in counts of the port's clock. Counts and times have 64 bits: none wraps in the
+ * life of a machine, and a stall of any length is booked as long as it was. */
 typedef struct iso_statistics {
-    uint32_t ticks;         /* done */
-    uint32_t late;          /* of them, started late */
-    uint32_t lost;          /* of them, reported by the port only with a later one */
-    uint32_t overruns;      /* of them, ended after the next one was due */
-    uint32_t restarts;      /* of them, with a new history of the method, after a discontinuity */
+    uint64_t ticks;         /* done */
+    uint64_t late;          /* of them, started late */
+    uint64_t lost;          /* of them, reported by the port only with a later one */
+    uint64_t overruns;      /* of them, ended after the next one was due */
+    uint64_t restarts;      /* of them, with a new history of the method, after a discontinuity */
     real local_error;       /* the largest of all steps, where steps are checked */
-    uint32_t violated;      /* ticks that ended with a violation above the limit of the plant */
+    uint64_t violated;      /* ticks that ended with a violation above the limit of the plant */
     real violation;         /* the largest of all ticks */
-    int32_t margin;         /* the least time left when the outputs were published; positive is good */
-    uint32_t execution_min; /* of a step without a restart */
-    uint32_t execution_max;
+    int64_t margin;         /* the least time left when the outputs were published; positive is good */
+    uint64_t execution_min; /* of a step without a restart */
+    uint64_t execution_max;
     uint64_t execution_sum;
-    uint32_t restart_max; /* of a step with a restart, including the restart */
+    uint64_t restart_max; /* of a step with a restart, including the restart */
 } iso_statistics;
 
 typedef struct iso_loop {
     const iso_plant *plant;
-    uint32_t tick;     /* steps done: the plant's time is tick times its step */
-    uint32_t reported; /* the latest tick that the port reported */
-    uint32_t due;      /* when tick was due, on the port's clock */
+    uint64_t tick;     /* steps done: the plant's time is tick times its step */
+    uint64_t reported; /* the latest tick that the port reported */
+    uint64_t due;      /* when tick was due, on the port's clock */
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
     uint16_t guard;    /* the first state that is not finite or out of range; plant->model->states if there is none */

@@ -55,7 +55,7 @@ typedef struct iso_model {
     real (*violation)(const void *memory); /* m or rad: how far off their closures the states are; NULL where nothing
                                               asks */
     real violation_limit;                  /* a tick that ends farther off is counted */
-    void (*drive)(void *memory, uint32_t tick); /* sets u to the scene's functions of time, and the states that are time
+    void (*drive)(void *memory, uint64_t tick); /* sets u to the scene's functions of time, and the states that are time
                                                    itself to what they are at a tick; NULL without such inputs and
                                                    states */
     void (*advance)(void *memory); /* sets the memories at the end of a tick, from the states there and the inputs of

@@ -5,7 +5,7 @@
 #include "core/runtime/plant.h"
 
 /* 1. Sets the inputs that are functions of time to those of a tick. */
-static inline void iso_plant_drive(const iso_plant *const plant, const uint32_t tick)
+static inline void iso_plant_drive(const iso_plant *const plant, const uint64_t tick)
 {
     if (plant->model->drive != NULL) {
         plant->model->drive(plant->memory, tick);
@@ -21,7 +21,7 @@ static inline void iso_plant_keep(const iso_plant *const plant)
 }
 
 /* 3. Makes the step; with a new history, which is counted, if an input or a parameter has a discontinuity. */
-static inline void iso_plant_step(const iso_plant *const plant, uint32_t *const restarts)
+static inline void iso_plant_step(const iso_plant *const plant, uint64_t *const restarts)
 {
     if (plant->model->discontinuity != NULL && plant->model->discontinuity(plant->memory)) {
         plant->model->prime(plant->memory);
@@ -52,20 +52,15 @@ static inline iso_bits iso_plant_is_bad(const iso_plant *const plant, const uint
     return iso_beyond(plant->x[i], plant->model->range == NULL ? ISO_REAL_MAX : plant->model->range[i]);
 }
 
-/* 5. The first state that is not finite or out of its range; model->states if there is none. The test of all is without
- * a branch; the search is for the report only. */
+/* 5. The first state that is not finite or out of its range; model->states if there is none. Without a branch on a
+ * state: from the last to the first, each that is bad takes the place of the one behind it. */
 static inline uint16_t iso_plant_guard(const iso_plant *const plant)
 {
-    iso_bits bad = 0;
-    for (uint16_t i = 0; i < plant->model->states; i++) {
-        bad |= iso_plant_is_bad(plant, i);
+    uint32_t first = plant->model->states;
+    for (uint16_t i = plant->model->states; i-- > 0;) {
+        first ^= (first ^ i) & (uint32_t)iso_plant_is_bad(plant, i);
     }
-    uint16_t first = plant->model->states;
-    if (bad != 0) {
-        for (first = 0; iso_plant_is_bad(plant, first) == 0; first++) {
-        }
-    }
-    return first;
+    return (uint16_t)first;
 }
 
 /* 6. After a tick in which all is well: what the plant remembers, and its outputs. */
@@ -79,11 +74,11 @@ static inline void iso_plant_output(const iso_plant *const plant)
 
 /* All of it, from `tick` (0 after iso_plant_start) to the next; inputs that are no functions of time are those in
  * plant->u. Returns the guard: model->states if all is well; else the outputs stay as they were. */
-static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint32_t tick)
+static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint64_t tick)
 {
     iso_plant_drive(plant, tick);
     iso_plant_keep(plant);
-    uint32_t restarts = 0;
+    uint64_t restarts = 0;
     iso_plant_step(plant, &restarts);
     (void)iso_plant_step_again(plant, restarts > 0);
     const uint16_t guard = iso_plant_guard(plant);

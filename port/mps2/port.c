@@ -31,10 +31,10 @@ enum { PART_COUNTS_MAX = 1 << 24 };
 
 static uint32_t part_counts;
 static uint32_t parts_per_tick;
-static volatile uint32_t parts; /* since the start */
-static volatile uint32_t ticks;
+static volatile uint64_t parts; /* since the start */
+static volatile uint64_t ticks;
 static uint32_t parts_of_tick;
-static uint32_t reported;
+static uint64_t reported;
 
 void tick_interrupt(void)
 {
@@ -63,32 +63,32 @@ uint32_t iso_port_start(const uint32_t period_ns)
 
 /* Interrupts are held off between the look and the sleep, so that a tick cannot slip in between; a pending one wakes
  * the processor all the same. */
-uint32_t iso_port_wait(void)
+uint64_t iso_port_wait(void)
 {
     bool due = false;
     while (!due) {
         __asm__ volatile("cpsid i" ::: "memory");
         due = ticks != reported;
+        reported = ticks;
         if (!due) {
             __asm__ volatile("wfi" ::: "memory");
         }
         __asm__ volatile("cpsie i\n    isb" ::: "memory");
     }
-    reported = ticks;
     return reported;
 }
 
-/* Reads again if a part ended between the two readings. */
-uint32_t iso_port_clock(void)
+/* Reads again if a part ended between the two readings, or between the halves of one. */
+uint64_t iso_port_clock(void)
 {
-    uint32_t before;
+    uint64_t before;
     uint32_t left;
     do {
         before = parts;
         left = SYST_CVR;
     } while (before != parts);
-    const uint64_t counts = (uint64_t)before * part_counts + (part_counts - 1 - left);
-    return (uint32_t)((counts * DILATION_OVER + (1 << (DILATION_SHIFT - 1))) >> DILATION_SHIFT);
+    const uint64_t counts = before * part_counts + (part_counts - 1 - left);
+    return (counts * DILATION_OVER + (1 << (DILATION_SHIFT - 1))) >> DILATION_SHIFT;
 }
 
 void iso_port_read(real *const u, const size_t inputs)

@@ -7,11 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* More ticks than this last longer than the nanoseconds of 64 bits. */
+#define TICKS_MAX (UINT64_MAX / 1000)
+
 enum { EVENTS_MAX = 1024, LINE_MAX_BYTES = 256 };
 
 typedef struct event {
     sim_kind kind;
-    uint32_t tick;
+    uint64_t tick;
     uint64_t ns;
 } event;
 
@@ -75,7 +78,7 @@ static void read_line(char *const text, const char *const path, const unsigned l
     const char *const tick_text = strtok(NULL, blanks);
     const char *end = "";
     uint64_t tick = 0;
-    if (tick_text == NULL || !read_number(tick_text, UINT32_MAX, &tick, &end) || *end != '\0' || tick == 0) {
+    if (tick_text == NULL || !read_number(tick_text, TICKS_MAX, &tick, &end) || *end != '\0' || tick == 0) {
         fail(path, line, "expected the number of a tick, from 1 on");
     }
     uint64_t ns = 0;
@@ -88,13 +91,13 @@ static void read_line(char *const text, const char *const path, const unsigned l
     if (strtok(NULL, blanks) != NULL) {
         fail(path, line, "something follows the end of the event");
     }
-    if (sim_script_has((sim_kind)kind, (uint32_t)tick, NULL)) {
+    if (sim_script_has((sim_kind)kind, tick, NULL)) {
         fail(path, line, "the same event stands on a line before");
     }
     if (count == EVENTS_MAX) {
         fail(path, line, "too many events");
     }
-    events[count++] = (event){.kind = (sim_kind)kind, .tick = (uint32_t)tick, .ns = ns};
+    events[count++] = (event){.kind = (sim_kind)kind, .tick = tick, .ns = ns};
 }
 
 void sim_script_read(const char *const path)
@@ -120,7 +123,7 @@ void sim_script_read(const char *const path)
     fclose(file);
 }
 
-bool sim_script_has(const sim_kind kind, const uint32_t tick, uint64_t *const ns)
+bool sim_script_has(const sim_kind kind, const uint64_t tick, uint64_t *const ns)
 {
     for (size_t i = 0; i < count; i++) {
         if (events[i].kind == kind && events[i].tick == tick) {

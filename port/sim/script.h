@@ -17,6 +17,6 @@ typedef enum sim_kind { SIM_LATE, SIM_LOSE, SIM_SLOW } sim_kind;
 void sim_script_read(const char *path);
 
 /* Whether the script does this to that tick; *ns is the duration it gives, if not NULL. */
-bool sim_script_has(sim_kind kind, uint32_t tick, uint64_t *ns);
+bool sim_script_has(sim_kind kind, uint64_t tick, uint64_t *ns);
 
 #endif

@@ -13,8 +13,8 @@
 
 static uint64_t now;      /* ns since the start */
 static uint64_t period;   /* ns */
-static uint32_t reported; /* the last tick that a wait returned */
-static uint32_t step;     /* the present tick */
+static uint64_t reported; /* the last tick that a wait returned */
+static uint64_t step;     /* the present tick */
 static uint32_t readings; /* of the clock, since the inputs of that tick were read */
 
 uint32_t iso_port_start(const uint32_t period_ns)
@@ -24,9 +24,9 @@ uint32_t iso_port_start(const uint32_t period_ns)
     return period_ns;
 }
 
-uint32_t iso_port_wait(void)
+uint64_t iso_port_wait(void)
 {
-    uint32_t tick = reported + 1;
+    uint64_t tick = reported + 1;
     while (sim_script_has(SIM_LOSE, tick, NULL)) {
         tick++;
     }
@@ -34,19 +34,19 @@ uint32_t iso_port_wait(void)
     (void)sim_script_has(SIM_LATE, tick, &delay);
     const uint64_t due = tick * period + delay;
     now = now < due ? due : now;
-    reported = (uint32_t)(now / period);
+    reported = now / period;
     return reported;
 }
 
 /* The second reading after the inputs were read is the one that ends the step: a slow step shows there. */
-uint32_t iso_port_clock(void)
+uint64_t iso_port_clock(void)
 {
     uint64_t delay = 0;
     readings++;
     if (readings == 2 && sim_script_has(SIM_SLOW, step, &delay)) {
         now += delay;
     }
-    return (uint32_t)now;
+    return now;
 }
 
 void iso_port_read(real *const u, const size_t inputs)

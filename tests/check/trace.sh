@@ -27,11 +27,11 @@ tells 'No such file' 'a command that does not exist' ./nowhere
 tells 'broke off.*status 3' 'a command that fails' sh -c 'exit 3'
 tells 'broke off.*signal 9' 'a command that is killed' sh -c 'kill -9 $$'
 tells "not a run.*'hello'" 'something else than a run' echo hello
-tells 'broke off' 'a header without a run' printf 'isochron 1\nscene x\n'
-tells "'colour'" 'a header with an unknown line' printf 'isochron 1\ncolour red\n\n'
+tells 'broke off' 'a header without a run' printf 'isochron 2\nscene x\n'
+tells "'colour'" 'a header with an unknown line' printf 'isochron 2\ncolour red\n\n'
 tells 'makes no sense' 'a header with more units than outputs' \
-    printf 'isochron 1\nscene x\nmethod rk4\nstep 0.1\nreal float\nperiod_ns 1\nnames a,b\nunits m,m,m\n\n'
-tells 'makes no sense' 'a header without a step' printf 'isochron 1\nscene x\n\n'
+    printf 'isochron 2\nscene x\nmethod rk4\nstep 0.1\nreal float\nperiod_ns 1\nnames a,b\nunits m,m,m\n\n'
+tells 'makes no sense' 'a header without a step' printf 'isochron 2\nscene x\n\n'
 tells 'Bail out! hot' 'a platform that gives up' printf 'Bail out! hot\n'
 "$oscillator" 1000000000 >"$out/stream"
 for bytes in 100 250 5000; do
@@ -65,7 +65,7 @@ script 'hurry 5\n' 1
 script '# nothing\n\nlate 5\n' 3
 script 'late 0 1us\n' 1
 script 'late -1 1us\n' 1
-script 'late 4294967296 1us\n' 1
+script 'late 18446744073709552 1us\n' 1
 script 'late 5 300\n' 1
 script 'late 5 300 us\n' 1
 script 'slow 5 3601s\n' 1

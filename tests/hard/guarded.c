@@ -46,7 +46,7 @@ static void output(real *restrict const y, const real *restrict const x, const r
     memcpy(y, x, STATES * sizeof *y);
 }
 
-static void drive(void *const instance, const uint32_t tick)
+static void drive(void *const instance, const uint64_t tick)
 {
     plant_memory *const memory = instance;
     memory->u[FREE_FORCE] = memory->u[BUSHING_FORCE] = R(0.0);

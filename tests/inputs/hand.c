@@ -27,7 +27,7 @@ static void output(real *restrict const y, const real *restrict const x, const r
     y[0] = x[0];
 }
 
-static void drive(void *const instance, const uint32_t tick)
+static void drive(void *const instance, const uint64_t tick)
 {
     plant_memory *const memory = instance;
     memory->u[0] = (real)pow(sin((double)tick * (double)ISO_STEP_SIZE), 4.0);

@@ -40,7 +40,7 @@ static uint32_t fake_start(const uint32_t period_ns)
 }
 
 /* The latest tick that is due and not lost; if the loop knows it, idles until the next one is reported. */
-static uint32_t fake_wait(void)
+static uint64_t fake_wait(void)
 {
     uint32_t next = reported + 1;
     while (events->lost[next]) {
@@ -57,7 +57,7 @@ static uint32_t fake_wait(void)
 }
 
 /* Every reading takes READING counts, which the loop must not take for the plant's. */
-static uint32_t fake_clock(void)
+static uint64_t fake_clock(void)
 {
     now += READING;
     return now - events->clock_at_start;
@@ -97,7 +97,7 @@ static void output(void *const memory)
     y[0] = R(10.0) * x[0];
 }
 
-static void drive(void *const memory, const uint32_t tick)
+static void drive(void *const memory, const uint64_t tick)
 {
     (void)memory;
     u[0] = (real)tick;
@@ -174,22 +174,22 @@ static void test_start(void)
     tap_same(u[0], R(0.0), "start: the inputs are those of tick 0");
     tap_count(primed, 1, "start: the history is primed once");
     tap_same(state_when_primed, R(5.0), "start: after the state was set");
-    tap_count(loop.statistics.ticks, 0, "start: nothing is accounted");
+    tap_count((uint32_t)loop.statistics.ticks, 0, "start: nothing is accounted");
     tap_count(published, 1, "start: the outputs are published");
     tap_same(seen, R(0.0), "start: which are those of the start");
-    tap_count(loop.overhead, READING, "start: the cost of reading the clock is measured");
+    tap_count((uint32_t)loop.overhead, READING, "start: the cost of reading the clock is measured");
 }
 
 static void test_quiet(void)
 {
     const script quiet = {.cost = {0, 50, 70, 60}};
     tap_count(run(&quiet, 3, 0), 3, "quiet: three ticks");
-    tap_count(loop.statistics.ticks, 3, "quiet: ticks");
-    tap_count(loop.statistics.late, 0, "quiet: none late");
-    tap_count(loop.statistics.lost, 0, "quiet: none lost");
-    tap_count(loop.statistics.overruns, 0, "quiet: no overrun");
-    tap_count(loop.statistics.execution_min, 50, "quiet: least execution time, without the clock's own");
-    tap_count(loop.statistics.execution_max, 70, "quiet: greatest execution time");
+    tap_count((uint32_t)loop.statistics.ticks, 3, "quiet: ticks");
+    tap_count((uint32_t)loop.statistics.late, 0, "quiet: none late");
+    tap_count((uint32_t)loop.statistics.lost, 0, "quiet: none lost");
+    tap_count((uint32_t)loop.statistics.overruns, 0, "quiet: no overrun");
+    tap_count((uint32_t)loop.statistics.execution_min, 50, "quiet: least execution time, without the clock's own");
+    tap_count((uint32_t)loop.statistics.execution_max, 70, "quiet: greatest execution time");
     tap_count((uint32_t)loop.statistics.execution_sum, 180, "quiet: sum of the execution times");
     tap_count((uint32_t)loop.statistics.margin, IDLE_MARGIN - 70, "quiet: least margin");
     tap_count(waits, 3, "quiet: one wait a tick");
@@ -205,11 +205,11 @@ static void test_late(void)
     enum { LIMIT = PERIOD / 16 };
     const script late = {.delay = {0, 0, LIMIT - READING, LIMIT - READING + 1, 700}};
     tap_count(run(&late, 6, 0), 6, "late: six ticks");
-    tap_count(loop.statistics.late, 2, "late: two are late, the one at the limit is not");
-    tap_count(loop.statistics.lost, 0, "late: none lost");
-    tap_count(loop.statistics.overruns, 0, "late: no overrun");
+    tap_count((uint32_t)loop.statistics.late, 2, "late: two are late, the one at the limit is not");
+    tap_count((uint32_t)loop.statistics.lost, 0, "late: none lost");
+    tap_count((uint32_t)loop.statistics.overruns, 0, "late: no overrun");
     tap_count((uint32_t)loop.statistics.margin, IDLE_MARGIN - 700, "late: the margin shrinks by the delay");
-    tap_count(loop.statistics.execution_max, 0, "late: a delay is not execution time");
+    tap_count((uint32_t)loop.statistics.execution_max, 0, "late: a delay is not execution time");
 }
 
 /* Tick 3 is never reported: tick 4 tells, when 3 is a whole period old; both are done then, one after the other. */
@@ -217,17 +217,17 @@ static void test_lost(void)
 {
     const script lost = {.lost = {[3] = true}};
     tap_count(run(&lost, 6, 0), 6, "lost: six ticks");
-    tap_count(loop.statistics.lost, 1, "lost: one");
-    tap_count(loop.statistics.late, 1, "lost: the one that was made up for is late");
-    tap_count(loop.statistics.overruns, 1, "lost: and ends after the next was due");
+    tap_count((uint32_t)loop.statistics.lost, 1, "lost: one");
+    tap_count((uint32_t)loop.statistics.late, 1, "lost: the one that was made up for is late");
+    tap_count((uint32_t)loop.statistics.overruns, 1, "lost: and ends after the next was due");
     tap_count(waits, 5, "lost: no wait for a tick that is already due");
     tap_same(x[0], R(6.0), "lost: no step is missing");
     tap_ok(loop.statistics.margin == IDLE_MARGIN - PERIOD, "lost: the margin is negative");
 
     const script three = {.lost = {[2] = true, [3] = true, [4] = true}};
     tap_count(run(&three, 6, 0), 6, "lost in a row: six ticks");
-    tap_count(loop.statistics.lost, 3, "lost in a row: three");
-    tap_count(loop.statistics.overruns, 3, "lost in a row: each an overrun");
+    tap_count((uint32_t)loop.statistics.lost, 3, "lost in a row: three");
+    tap_count((uint32_t)loop.statistics.overruns, 3, "lost in a row: each an overrun");
     tap_ok(loop.statistics.margin == IDLE_MARGIN - 3 * PERIOD, "lost in a row: the margin is that of the first");
 }
 
@@ -236,11 +236,11 @@ static void test_slow(void)
 {
     const script slow = {.cost = {[2] = 5 * PERIOD / 2}};
     tap_count(run(&slow, 7, 0), 7, "slow: seven ticks");
-    tap_count(loop.statistics.overruns, 2, "slow: the slow tick and the next end after their time");
-    tap_count(loop.statistics.late, 2, "slow: two start late");
-    tap_count(loop.statistics.lost, 1, "slow: the first of them is told of only with the second");
-    tap_count(loop.statistics.execution_max, 5 * PERIOD / 2, "slow: the execution time is the step's");
-    tap_count(loop.statistics.execution_min, 0, "slow: the others take nothing");
+    tap_count((uint32_t)loop.statistics.overruns, 2, "slow: the slow tick and the next end after their time");
+    tap_count((uint32_t)loop.statistics.late, 2, "slow: two start late");
+    tap_count((uint32_t)loop.statistics.lost, 1, "slow: the first of them is told of only with the second");
+    tap_count((uint32_t)loop.statistics.execution_max, 5 * PERIOD / 2, "slow: the execution time is the step's");
+    tap_count((uint32_t)loop.statistics.execution_min, 0, "slow: the others take nothing");
     tap_same(x[0], R(7.0), "slow: no step is missing");
     tap_ok(loop.statistics.margin == IDLE_MARGIN - 5 * PERIOD / 2, "slow: the margin is negative");
 }
@@ -249,10 +249,10 @@ static void test_exactly_full(void)
 {
     const script full = {.cost = {[1] = IDLE_MARGIN, [3] = IDLE_MARGIN + 1}};
     tap_count(run(&full, 1, 0), 1, "full: one tick that takes its whole period");
-    tap_count(loop.statistics.overruns, 0, "full: is no overrun");
+    tap_count((uint32_t)loop.statistics.overruns, 0, "full: is no overrun");
     tap_count((uint32_t)loop.statistics.margin, 0, "full: margin 0");
     tap_count(run(&full, 3, 0), 3, "full: and one that takes a count more");
-    tap_count(loop.statistics.overruns, 1, "full: is an overrun");
+    tap_count((uint32_t)loop.statistics.overruns, 1, "full: is an overrun");
     tap_ok(loop.statistics.margin == -1, "full: margin -1");
 }
 
@@ -260,13 +260,13 @@ static void test_guard(void)
 {
     const script quiet = {0};
     tap_count(run(&quiet, 9, 4), 3, "guard: three good ticks before the state is infinite");
-    tap_count(loop.guard, 1, "guard: names the state");
-    tap_count(loop.tick, 4, "guard: names the tick");
-    tap_count(loop.statistics.ticks, 3, "guard: the bad tick is not accounted");
+    tap_count((uint32_t)loop.guard, 1, "guard: names the state");
+    tap_count((uint32_t)loop.tick, 4, "guard: names the tick");
+    tap_count((uint32_t)loop.statistics.ticks, 3, "guard: the bad tick is not accounted");
     tap_count(published, 1 + 3, "guard: nor published");
     tap_same(y[0], R(30.0), "guard: the last good outputs stand");
     tap_count(run(&quiet, 9, 0), 9, "guard: a new start is good again");
-    tap_count(loop.guard, model.states, "guard: no state is named while all are finite");
+    tap_count((uint32_t)loop.guard, model.states, "guard: no state is named while all are finite");
 }
 
 /* The second state leaves its range downwards by an ulp; it may stay at its end. The first has none. */
@@ -276,8 +276,8 @@ static void test_range(void)
     range[1] = R(8.0);
     leave_at = 4;
     tap_count(run(&quiet, 9, 0), 3, "range: three good ticks before the state is too large");
-    tap_count(loop.guard, 1, "range: names the state");
-    tap_count(loop.tick, 4, "range: names the tick");
+    tap_count((uint32_t)loop.guard, 1, "range: names the state");
+    tap_count((uint32_t)loop.tick, 4, "range: names the tick");
     tap_count(published, 1 + 3, "range: the bad tick is not published");
     tap_same(y[0], R(30.0), "range: the last good outputs stand");
     leave_at = 0;
@@ -308,7 +308,7 @@ static void test_violation(void)
     for (int i = 0; i < 6; i++) {
         (void)iso_loop_tick(&loop);
     }
-    tap_count(loop.statistics.violated, 2, "violation: ticks above the limit are counted");
+    tap_count((uint32_t)loop.statistics.violated, 2, "violation: ticks above the limit are counted");
     tap_same(loop.statistics.violation, R(2.0), "violation: the largest is kept");
     tap_ok(run(&quiet, 6, 0) == 6 && loop.statistics.violated == 0, "violation: a plant without closures has none");
 }
@@ -345,7 +345,7 @@ static bool watched_discontinuity(void *const memory)
     return steps < 2;
 }
 
-static void watched_drive(void *const memory, const uint32_t tick)
+static void watched_drive(void *const memory, const uint64_t tick)
 {
     (void)memory;
     watched_memory.u[0] = (real)tick;
@@ -382,21 +382,22 @@ static void test_jump(void)
     tap_same(state_when_primed, R(5.0), "jump: which is that of the state before the step");
     tap_same(watched_memory.x[0], R(1.0), "jump: the step begins there too");
     tap_same(watched_memory.progress.usual, R(2.0), "jump: but the error stays known");
-    tap_count(loop.statistics.restarts, 1, "jump: and is accounted");
+    tap_count((uint32_t)loop.statistics.restarts, 1, "jump: and is accounted");
     tap_ok(iso_loop_tick(&loop) && steps == 3 && loop.statistics.restarts == 1,
            "jump: a step without one is made once");
     tap_ok(iso_loop_tick(&loop) && steps == 5 && loop.statistics.restarts == 2, "jump: a step is made again only once");
     tap_ok(iso_loop_tick(&loop) && loop.statistics.execution_min == 10 && loop.statistics.execution_max == 20 &&
                loop.statistics.execution_sum == 30,
            "jump: the steps without are timed by themselves");
-    tap_count(loop.statistics.restart_max, 30 + 40 + 50 + READING, "jump: the dearest with one is all that it took");
-    tap_count(loop.statistics.ticks, 4, "jump: all are ticks");
+    tap_count((uint32_t)loop.statistics.restart_max, 30 + 40 + 50 + READING,
+              "jump: the dearest with one is all that it took");
+    tap_count((uint32_t)loop.statistics.ticks, 4, "jump: all are ticks");
 
     watching.discontinuity = watched_discontinuity;
     steps = primed = 0;
     iso_loop_start(&loop, &watched);
     tap_ok(iso_loop_tick(&loop) && steps == 1 && primed == 2, "jump: after a new history a step is not made again");
-    tap_count(loop.statistics.restarts, 1, "jump: which is one restart");
+    tap_count((uint32_t)loop.statistics.restarts, 1, "jump: which is one restart");
     watched_memory.x[0] = iso_real_of(ISO_EXPONENT_BITS);
     tap_ok(!iso_loop_tick(&loop) && primed == 3 && loop.statistics.restarts == 1,
            "jump: a restart of a bad tick is not");

@@ -15,6 +15,8 @@ static void test_phase(void)
     tap_same(iso_phase(0, 0, quarter), half_pi, "phase: starts where it is told");
     tap_same(iso_phase(1, UINT64_C(0) - quarter, 0), -half_pi, "phase: turns backwards");
     tap_same(iso_phase(4000000001u, quarter, 0), half_pi, "phase: exact after four thousand million ticks");
+    tap_same(iso_phase((UINT64_C(1) << 40) + 1, 1 + quarter, UINT64_C(0) - (UINT64_C(1) << 40) - 1), half_pi,
+             "phase: and beyond 2^32");
 }
 
 /* The phase after many ticks is the phase of the increment added up so many times: no error grows. */
@@ -40,6 +42,7 @@ static void test_ramp(void)
     tap_same(iso_ramp(14, 10, R(0.25), R(4.0)), R(3.75), "ramp: up to its end");
     tap_same(iso_ramp(15, 10, R(0.25), R(4.0)), R(4.0), "ramp: holds its length");
     tap_same(iso_ramp(UINT32_MAX, 10, R(0.25), R(4.0)), R(4.0), "ramp: for ever");
+    tap_same(iso_ramp((UINT64_C(1) << 32) + 12, 10, R(0.25), R(4.0)), R(4.0), "ramp: beyond 2^32 too");
     tap_same(iso_ramp(0, 0, R(0.0), R(0.0)), R(0.0), "ramp: of no length");
 }
 
@@ -50,7 +53,9 @@ static void test_since(void)
     tap_same(iso_since(10, 10, R(0.25)), R(-0.25), "since: within the tick in which it begins");
     tap_same(iso_since(11, 10, R(0.25)), R(0.75), "since: the ticks since its beginning");
     tap_same(iso_since(0, 0, R(0.0)), R(0.0), "since: tick 0");
-    tap_same(iso_since(UINT32_MAX, UINT32_C(4294967285), R(0.5)), R(9.5), "since: as exact after the longest time");
+    tap_same(iso_since(UINT32_MAX, UINT32_C(4294967285), R(0.5)), R(9.5), "since: as exact after a long time");
+    tap_same(iso_since(UINT64_C(1) << 40, 0, R(0.0)), R(1099511627776.0), "since: goes on beyond 2^32");
+    tap_same(iso_since((UINT64_C(1) << 32) + 5, UINT32_MAX, R(0.5)), R(5.5), "since: as exact there");
 }
 
 int main(void)

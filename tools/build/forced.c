@@ -26,7 +26,7 @@ static bool begins(const char *const line, const char *const with)
 /* The function that stands in the place of the plant's own `drive`. */
 static void put_forced(const bool driven, const char *const cause)
 {
-    printf("static void forced(void *const instance, const uint32_t tick)\n{\n"
+    printf("static void forced(void *const instance, const uint64_t tick)\n{\n"
            "    plant_memory *const memory = instance;\n%s%s}\n\n",
            driven ? "    drive(instance, tick);\n" : "", cause);
 }

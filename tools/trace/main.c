@@ -162,8 +162,8 @@ static bool write_table(FILE *const table, stream *const run)
         record = stream_read(run);
     }
     show_progress(&run->header, rows, true);
-    if (record == STREAM_END && rows != (uint64_t)run->end.ticks + 1) {
-        snprintf(run->error, sizeof run->error, "%" PRIu32 " ticks were done, but %" PRIu64 " rows arrived",
+    if (record == STREAM_END && rows != run->end.ticks + 1) {
+        snprintf(run->error, sizeof run->error, "%" PRIu64 " ticks were done, but %" PRIu64 " rows arrived",
                  run->end.ticks, rows);
         return false;
     }
@@ -173,16 +173,16 @@ static bool write_table(FILE *const table, stream *const run)
 /* How long steps took: those with a restart of the method apart, since the others are all alike. */
 static void print_execution(const stream_end *const end, const char *const unit)
 {
-    const uint32_t steady = end->ticks - end->restarts;
+    const uint64_t steady = end->ticks - end->restarts;
     if (steady > 0) {
-        printf("execution %" PRIu32 " %.1f %" PRIu32 " %s\n", end->execution_min, (double)end->execution_sum / steady,
-               end->execution_max, unit);
+        printf("execution %" PRIu64 " %.1f %" PRIu64 " %s\n", end->execution_min,
+               (double)end->execution_sum / (double)steady, end->execution_max, unit);
     }
     if (end->restarts > 0) {
-        printf("restart_execution %" PRIu32 " %s\n", end->restart_max, unit);
+        printf("restart_execution %" PRIu64 " %s\n", end->restart_max, unit);
     }
     if (end->ticks > 0) {
-        printf("margin %" PRId32 " %s\n", (int32_t)end->margin, unit);
+        printf("margin %" PRId64 " %s\n", (int64_t)end->margin, unit);
     }
 }
 
@@ -193,7 +193,7 @@ static void print_summary(const stream *const run, const char *const unit, const
     char text[DECIMAL_BYTES];
 
     printf("scene %s\nmethod %s\nstep %s\nreal %s\n", header->scene, header->method, header->step, header->real);
-    printf("ticks %" PRIu32 "\nlate %" PRIu32 "\nlost %" PRIu32 "\noverruns %" PRIu32 "\n", end->ticks, end->late,
+    printf("ticks %" PRIu64 "\nlate %" PRIu64 "\nlost %" PRIu64 "\noverruns %" PRIu64 "\n", end->ticks, end->late,
            end->lost, end->overruns);
     print_execution(end, unit);
     printf("state");
@@ -202,22 +202,22 @@ static void print_summary(const stream *const run, const char *const unit, const
     }
     printf("\nhash %016" PRIx64 "\n", end->hash);
     if (end->restarts + end->adams_restarts > 0) {
-        printf("restarts %" PRIu32 "\n", end->restarts + end->adams_restarts);
+        printf("restarts %" PRIu64 "\n", end->restarts + end->adams_restarts);
     }
     if (end->substeps > 0) {
-        printf("substeps %" PRIu32 "\nrejected %" PRIu32 "\nbudget_bound %" PRIu32 "\nevaluations %" PRIu32 "\n",
+        printf("substeps %" PRIu64 "\nrejected %" PRIu64 "\nbudget_bound %" PRIu64 "\nevaluations %" PRIu64 "\n",
                end->substeps, end->rejected, end->budget_bound, end->evaluations);
     }
     if (strcmp(stream_value(run, header->states, text), "0") != 0) {
         printf("local_error %s\n", text);
     }
     if (strcmp(stream_value(run, header->states + 1, text), "0") != 0) {
-        printf("violation %s\nviolated %" PRIu32 "\n", text, end->violated);
+        printf("violation %s\nviolated %" PRIu64 "\n", text, end->violated);
     }
     if (end->ticks > end->restarts && strcmp(unit, "instructions") == 0) {
-        printf("instructions_per_step %" PRIu32, end->execution_min);
+        printf("instructions_per_step %" PRIu64, end->execution_min);
         if (end->execution_max != end->execution_min) {
-            printf(" %" PRIu32, end->execution_max);
+            printf(" %" PRIu64, end->execution_max);
         }
         printf("\n");
     }
@@ -359,7 +359,7 @@ int main(int argc, char **argv)
     if (run.end.guard < run.header.states) {
         static char name[STREAM_TEXT_BYTES];
         char text[DECIMAL_BYTES];
-        fprintf(stderr, "trace: guard state %" PRIu32 "%s%s at tick %" PRIu32 ": it is %s\n", run.end.guard,
+        fprintf(stderr, "trace: guard state %" PRIu64 "%s%s at tick %" PRIu64 ": it is %s\n", run.end.guard,
                 run.header.state_names[0] == '\0' ? "" : " ", stream_state_name(&run, run.end.guard, name),
                 run.end.tick,
                 isfinite(strtod(stream_value(&run, run.end.guard, text), NULL)) ? "out of range" : "not finite");

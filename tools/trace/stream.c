@@ -144,7 +144,7 @@ static bool read_values(stream *const run, const uint64_t count)
 static bool read_end(stream *const run)
 {
     stream_end *const end = &run->end;
-#define STREAM_READ(name, value) end->name = (uint32_t)read_number(run->file, sizeof end->name);
+#define STREAM_READ(name, value) end->name = read_number(run->file, sizeof end->name);
     ISO_STREAM_WORDS(STREAM_READ)
     end->execution_sum = read_number(run->file, sizeof end->execution_sum);
     end->hash = read_number(run->file, sizeof end->hash);

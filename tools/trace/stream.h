@@ -28,7 +28,7 @@ typedef struct stream_header {
 
 /* What the end record says. */
 typedef struct stream_end {
-#define STREAM_FIELD(name, value) uint32_t name;
+#define STREAM_FIELD(name, value) uint64_t name;
     ISO_STREAM_WORDS(STREAM_FIELD) /* margin is signed; guard: as many as there are states if none is bad */
     uint64_t execution_sum;
     uint64_t hash;

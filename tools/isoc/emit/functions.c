@@ -350,7 +350,7 @@ static void emit_drive(emission *e)
     code made = code_of(e, d.targets, d.roots, d.count);
     made.quotes = d.quotes;
     text_add(e->out, "/* What is a function of time; other inputs stay as they are set. */\n");
-    text_add(e->out, "static void drive(void *const instance, const uint32_t tick)\n{\n");
+    text_add(e->out, "static void drive(void *const instance, const uint64_t tick)\n{\n");
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
     if (!uses_time(e->g, d.roots, (size_t)d.count) && m->change_count == 0) {
         text_add(e->out, "    (void)tick;\n");

@@ -1,0 +1,49 @@
+#!/bin/sh
+# The account of the loop against one made by other code, with seeded faults of tick and step, beyond tick 2^32 too.
+. tests/host/test.sh
+. tests/host/project.sh
+begin account
+near=4294467296 # 2^32 less 500000
+
+program account tests/account/account.c core/runtime/loop.c
+result $? "the loop builds, on a port with faults"
+# agrees NAME COMMAND...: the program's account is the model's.
+agrees()
+{
+    agrees_name=$1
+    shift
+    "$@" >"$out/output" 2>"$out/errors"
+    expect $? "$agrees_name: $(tr -d '#\n' <"$out/output")"
+}
+agrees "a million ticks" "$out/account" 1000000 1 0
+agrees "beyond 2^32" "$out/account" 1000000 2 $near
+agrees "valgrind" valgrind -q --error-exitcode=9 "$out/account" 20000 3 4294957296
+
+# controlled NAME FROM TO: the loop with that much changed has another account.
+controlled()
+{
+    sed "s/$2/$3/" core/runtime/loop.c >"$out/planted.c"
+    ! cmp -s "$out/planted.c" core/runtime/loop.c && program planted tests/account/account.c "$out/planted.c" &&
+        ! "$out/planted" 100000 4 0 >"$out/output"
+    expect $? "found: $1"
+}
+optimised -O1
+controlled "time in 32 bits" 'return (int64_t)(b - a)' 'return (int32_t)(b - a)'
+controlled "a wake-up taken for a tick" 'while (loop->tick >= loop->reported)' 'if (loop->tick == loop->reported)'
+
+# Late: the tick behind the lost one, the late one, and 20 behind the stall, which lasts to the end. Lost: of these all but
+# the late one. Overruns: the stall, and the 20 behind it.
+cat >"$out/script" <<'S'
+lose 4294967297
+late 4294967302 100us
+slow 4294967306 4295ms
+S
+for real in float double; do
+    real $real
+    build/isoc tests/account/long.scene --real $real -o "$out/$real" >/dev/null &&
+        EXTRA="-I$out/$real" program "long_$real" tests/account/long.c "$out/$real/plant.c" core/runtime/loop.c port/sim/script.c &&
+        "$out/long_$real" "$out/script" >"$out/output" &&
+        grep -qx 'late 22 lost 21 overruns 21 margin -4294000000 wave 1 climb 1 grain 1' "$out/output"
+    expect $? "$real: the simulated port and functions of time go on beyond tick 2^32"
+done
+finish
