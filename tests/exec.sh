@@ -1,5 +1,6 @@
 #!/bin/sh
-# Runs a test where its folder says: exec.sh build/tests/VARIANT/REAL/PROGRAM, or a script.
+# Runs a test where its folder says: exec.sh build/tests/VARIANT/REAL/PROGRAM, or a script. A program of a whole domain is
+# told how few numbers to try, and a number made of the text of core, which says whose turn it is.
 # Whatever runs for more than ten minutes is killed, has no plan, and counts as failed. What it takes of the processor, as
 # `times` prints it, goes to $TEST_TIMES/NAME, if that is set.
 #
@@ -17,7 +18,7 @@ build/tests/m4f/*)
         -serial none -semihosting-config enable=on,target=native -kernel "$1"
     ;;
 build/tests/exhaustive/*)
-    set -- "$@" "${TEST_STRIDE:-1}"
+    set -- "$@" "${TEST_STRIDE:-1}" "$(cat core/*/*.[ch] | cksum | cut -d ' ' -f 1)"
     ;;
 *.sh | *.t)
     set -- sh "$@"

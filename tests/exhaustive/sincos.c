@@ -1,15 +1,18 @@
 /* The error of core/numbers/sincos.h over its domain, on the host: iso_sincos against a reference with more digits.
  *
- * usage: sincos [STRIDE]. In float every STRIDE-th number of [2^-13, 1e4] (1, the default, is all of them) against double,
- * and below, where x and 1 are right but for the rounding of two terms, every 16th of those;
- * in double 2e7 / STRIDE numbers, random and beside the multiples of pi/4, against long double.
- * Negative arguments are compared with the positive ones.
+ * usage: sincos [STRIDE [TURN]], or sincos all. In float one in 5 STRIDE numbers of [2^-13, 1e4] (STRIDE is 1 if it is not
+ * given) against double, from the number TURN modulo 5 on, so that five turns try them all; `all` tries all at once. The 64
+ * numbers beside each multiple of pi/4, where the reduction has its seams and cancels, and the last 4096 of the domain are
+ * always tried. Below 2^-13, where x and 1 are right but for the rounding of two terms, it is one in 80 STRIDE.
+ * In double 4e6 / STRIDE random numbers, others with every TURN, and those beside the multiples of pi/4, against long
+ * double; with `all` 2e7. Negative arguments are compared with the positive ones.
  */
 #include <inttypes.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/numbers/sincos.h"
 
@@ -29,6 +32,9 @@ typedef struct worst {
 
 static worst worst_sine, worst_cosine;
 static uint64_t numbers, asymmetric;
+
+enum { PARTS = 5, MULTIPLES = 12732 }; /* of pi/4 in the domain */
+static const long double quarter_pi = 0.785398163397448309615660845819875721L;
 
 static void record(worst *const w, const wide error, const real x)
 {
@@ -53,10 +59,11 @@ static void compare(const real x, const wide sine, const wide cosine)
 #ifdef ISO_REAL_DOUBLE
 
 /* Vigna (2015), splitmix64. */
+static uint64_t random_state;
+
 static uint64_t random_bits(void)
 {
-    static uint64_t state = 1;
-    uint64_t z = (state += UINT64_C(0x9E3779B97F4A7C15));
+    uint64_t z = (random_state += UINT64_C(0x9E3779B97F4A7C15));
     z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
     z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
     return z ^ (z >> 31);
@@ -74,10 +81,11 @@ static void compare_double(const double x)
     }
 }
 
-static void sweep(const uint64_t stride)
+static void sweep(const uint64_t stride, const uint64_t turn)
 {
-    for (unsigned k = 0; k <= 12732; k++) {
-        const double middle = (double)(k * 0.785398163397448309615660845819875721L);
+    random_state = 1 + (turn << 32);
+    for (unsigned k = 0; k <= MULTIPLES; k++) {
+        const double middle = (double)(k * quarter_pi);
         compare_double(middle);
         compare_double(nextafter(middle, 2e4));
         compare_double(fabs(nextafter(middle, -1.0)));
@@ -98,20 +106,32 @@ static void compare_small(const float x)
     compare(x, (double)x - (double)x * z / 6.0, 1.0 - z / 2.0);
 }
 
-static void sweep(const uint64_t stride)
+static void compare_float(const float x)
 {
-    enum { SPARSE = 16 };
+    compare(x, sin((double)x), cos((double)x));
+}
+
+static void sweep(const uint64_t stride, const uint64_t turn)
+{
+    enum { SPARSE = 16, BESIDE = 32, LAST = 4096 };
     const iso_bits last = iso_bits_of(domain);
     const iso_bits small = iso_bits_of(0x1p-13f);
     uint64_t b = 0;
     for (; b < small; b += SPARSE * stride) {
         compare_small(iso_real_of((iso_bits)b));
     }
-    for (b = small; b <= last; b += stride) {
-        const double x = (double)iso_real_of((iso_bits)b);
-        compare((float)x, sin(x), cos(x));
+    for (b = small + turn % stride; b <= last; b += stride) {
+        compare_float(iso_real_of((iso_bits)b));
     }
-    compare(domain, sin((double)domain), cos((double)domain));
+    for (unsigned k = 1; k <= MULTIPLES; k++) {
+        const iso_bits middle = iso_bits_of((float)(k * quarter_pi));
+        for (b = middle - BESIDE; b < middle + BESIDE && b <= last; b++) {
+            compare_float(iso_real_of((iso_bits)b));
+        }
+    }
+    for (b = last - LAST; b <= last; b++) {
+        compare_float(iso_real_of((iso_bits)b));
+    }
 }
 
 #endif
@@ -126,13 +146,15 @@ static bool report(const char *const name, const int number, const worst w)
 
 int main(const int argc, char **const argv)
 {
-    const uint64_t stride = argc > 1 ? strtoull(argv[1], NULL, 10) : 1;
+    const bool all = argc > 1 && strcmp(argv[1], "all") == 0;
+    const uint64_t stride = all ? 1 : PARTS * (argc > 1 ? strtoull(argv[1], NULL, 10) : 1);
+    const uint64_t turn = argc > 2 ? strtoull(argv[2], NULL, 10) % PARTS : 0;
     if (stride == 0) {
-        fprintf(stderr, "usage: %s [STRIDE]\n", argv[0]);
+        fprintf(stderr, "usage: %s [STRIDE [TURN]|all]\n", argv[0]);
         return 2;
     }
-    sweep(stride);
-    printf("# %" PRIu64 " numbers and their negatives\n", numbers);
+    sweep(stride, turn);
+    printf("# turn %" PRIu64 ", one in %" PRIu64 ": %" PRIu64 " numbers and their negatives\n", turn, stride, numbers);
     bool good = report("sine", 1, worst_sine);
     good = report("cosine", 2, worst_cosine) && good;
     printf("%sok 3 - sin(-x) = -sin(x), cos(-x) = cos(x)\n", asymmetric == 0 ? "" : "not ");
