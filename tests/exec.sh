@@ -18,6 +18,7 @@ build/tests/m4f/*)
         -serial none -semihosting-config enable=on,target=native -kernel "$1"
     ;;
 build/tests/exhaustive/*)
+    [ -z "${TEST_WHOLE-}" ] || TEST_STRIDE=all
     set -- "$@" "${TEST_STRIDE:-1}" "$(cat core/*/*.[ch] | cksum | cut -d ' ' -f 1)"
     ;;
 *.sh | *.t)

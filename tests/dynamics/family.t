@@ -9,7 +9,7 @@ begin dynamics/family
 . tests/dynamics/solver.sh
 seeds=40
 step=5
-[ "${1-}" != all ] || step=1
+[ "${1-}" != all ] && [ -z "${TEST_WHOLE-}" ] || step=1
 
 EXTRA=-O1
 # shellcheck disable=SC2086

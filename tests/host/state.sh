@@ -9,5 +9,5 @@
         stat -L -c '%n %s %Y' "$(command -v "$tool")" 2>&1
     done
     uname -srm
-    echo "CC=${CC-} CFLAGS=${CFLAGS-} TEST_STRIDE=${TEST_STRIDE-}"
+    echo "CC=${CC-} CFLAGS=${CFLAGS-} TEST_STRIDE=${TEST_STRIDE-} TEST_WHOLE=${TEST_WHOLE-}"
 } | sha256sum | cut -d ' ' -f 1

@@ -86,6 +86,17 @@ has_turn()
     [ "$(echo "$sharing" | cut -d ' ' -f $((turn % 3 + 1)))" = "$2" ]
 }
 
+# turn_of PARTS ALL FOLDER...: which of so many parts is tried this time, from 0: a checksum of these folders, so that over
+# commits each has its turn. `all` if ALL is that, or $TEST_WHOLE is not empty; ALL may be an empty word.
+turn_of()
+{
+    turn_parts=$1
+    turn_all=$2
+    shift 2
+    [ "$turn_all" != all ] && [ -z "${TEST_WHOLE-}" ] || { echo all && return; }
+    find "$@" -type f | LC_ALL=C sort | tr '\n' '\0' | xargs -0 cat | cksum | awk -v parts="$turn_parts" '{ print $1 % parts }'
+}
+
 # scene NAME [OPTION...]: compiles models/NAME.scene into $out/NAME, with these options of isoc.
 scene()
 {

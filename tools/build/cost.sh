@@ -6,10 +6,18 @@
 #     restarts  instructions of the longest step, which is one with a restart
 #     effects   what each effect of tools/build/effects.txt adds to the pendulum
 #
-# Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS.
+# Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 3, only every fourth
+# row of a table is measured, from that row on (tests/check/tables.sh).
 set -u
 
 . tools/build/measure.sh
+
+# due: whether the next row of the table is measured.
+due()
+{
+    row=$((row + 1))
+    [ -z "${TURN-}" ] || [ $((row % 4)) -eq "$TURN" ]
+}
 
 # tick: the most instructions from the time that a tick is due until its outputs are published: 25 in a microsecond, less
 # what was left.
@@ -28,18 +36,18 @@ cost()
     echo "$instructions $all $text $memory"
 }
 
-# model MODEL: a row. The squeezer's step is longer than its tick of 10 us, so it runs with a longer tick; no count depends
-# on it.
+# model MODEL: a row. The squeezer's step is longer than its tick of 10 us, so it runs with a longer tick, and only for some of
+# them: its motion is then far from the true one, and would soon be out of range. No count depends on it.
 model()
 {
-    step=$([ "$1" != squeezer ] || echo 500us)
+    [ "$1" != squeezer ] || { step=500us && seconds=0.01; }
     measure "$1-euler" "models/$1.scene" euler
     once=$(get instructions_per_step) || exit 1
     measure "$1-rk4" "models/$1.scene" rk4 size stack
     states=$(awk '$1 == "states" { print $2 }' "$dir/plant.txt")
     instructions=$(get instructions_per_step) && operations=$(operations) && text=$(get step_text) &&
         memory=$(get plant_memory) && stack=$(get stack_of_step) || exit 1
-    step=
+    step= seconds=0.05
     echo "| $1 | $states | $operations | $once | $instructions | $text | $memory | $stack |"
 }
 
@@ -48,7 +56,7 @@ models()
     echo '| model | states | add | mul | div | sincos | euler | rk4 | text | memory | stack |'
     echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
     for name in $models four_bar squeezer; do
-        model $name
+        ! due || model $name
     done
 }
 
@@ -57,6 +65,7 @@ methods()
     echo "| instructions of a step |$(for method in $METHODS; do printf ' %s |' "$method"; done)"
     echo "|---|$(for method in $METHODS; do printf -- '--:|'; done)"
     for name in $models; do
+        due || continue
         line="| $name"
         for method in $METHODS; do
             measure "$name-$method" "models/$name.scene" "$method"
@@ -73,6 +82,7 @@ restarts()
     echo '|---|--:|--:|--:|--:|--:|--:|'
     for name in $models; do
         for discontinuity in announced detected; do
+            due || continue
             line="| $name, $discontinuity"
             for method in ab4 abm4 abm4_pec abm4_pecece bdf4 adams; do
                 instructions=-
@@ -105,7 +115,7 @@ effects()
     measure pendulum-rk4 models/pendulum.scene rk4 size
     without=$(cost) || exit 1
     sed -n 's/^\([^#|][^|]*[^ |]\) *|.*/\1/p' tools/build/effects.txt | while IFS= read -r name; do
-        effect "$name" || exit 1
+        ! due || effect "$name" || exit 1
     done
 }
 
@@ -118,5 +128,6 @@ for part in $PARTS; do
     esac
     [ $first = yes ] || echo
     first=no
+    row=-1
     $part || exit 1
 done
