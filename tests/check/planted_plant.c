@@ -3,7 +3,7 @@
 #include "core/methods/dense.h"
 #include "core/runtime/choice.h"
 
-enum { NOTHING, BRANCH, INDEX, LOOP, OUTPUT };
+enum { NOTHING, BRANCH, INDEX, LOOP, OUTPUT, MEMORY };
 
 #ifndef PLANTED
 #define PLANTED NOTHING
@@ -43,6 +43,14 @@ static void output(real *restrict const y, const real *restrict const x, const r
     }
 }
 
+static void advance(void *const instance)
+{
+    const plant_memory *const memory = instance;
+    if (PLANTED == MEMORY && memory->x[0] > R(0.0)) {
+        positive = 1;
+    }
+}
+
 static void factor(real *restrict const lu, const real *restrict const x, const real *restrict const u,
                    const real *restrict const p, const real hb)
 {
@@ -59,4 +67,4 @@ static void solve(real *restrict const d, const real *restrict const lu)
 
 static const iso_equations equations = {derivative, factor, solve, .factors = 1};
 
-ISO_PLANT(1, 0, 1, 1, .name = "planted", .output_names = "x", .defaults = defaults);
+ISO_PLANT(1, 0, 1, 1, .name = "planted", .advance = advance, .output_names = "x", .defaults = defaults);

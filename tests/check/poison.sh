@@ -69,6 +69,7 @@ done
 for method in rk4 rosenbrock; do
     generated tests/scenes/frames.scene $method
 done
+generated tests/effects/all.scene rk4
 joined "examined" watch
 
 batch double double
@@ -78,6 +79,7 @@ for method in $METHODS; do
         "-DISO_METHOD=(ISO_$(echo "$method" | tr a-z A-Z)|ISO_CHECKED|ISO_COMPENSATED)"
 done
 generated models/tree.scene bdf4 --factors looped
+generated tests/effects/all.scene rk4
 joined "examined" watch
 
 # Clang has its own ways to make a branch of a selection; steps with a check and compensation select the most.
@@ -86,6 +88,7 @@ for method in $METHODS; do
     generated "$out/tree_checked.scene" "$method"
 done
 generated "$out/tree_checked.scene" rosenbrock --factors looped
+generated tests/effects/all.scene rk4
 joined "by clang" watch
 
 # planted KIND TESTS NAME: memcheck finds it with every method, in the tests of these numbers of three and no other.
@@ -104,6 +107,7 @@ planted BRANCH 2 "found: a branch on the state"
 planted INDEX 2 "found: an index from the state"
 planted LOOP 2 "found: a loop count from the state"
 planted OUTPUT 3 "found: a branch on the state in the outputs"
+planted MEMORY 3 "found: a branch on the state in the memories"
 watch >"$out/tap"
 # Of every three tests those that failed.
 awk '/^(not )?ok [0-9]+ - / {
