@@ -41,7 +41,7 @@ MODELS = $(wildcard models/*.scene)
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 PARTS = models methods restarts effects
 LENGTHS = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
-TABLES = models/costs.md models/chains.md models/drift.md core/methods.md core/README.md tests/digits.md
+TABLES = models/costs.md models/README.md models/chains.md models/drift.md core/methods.md core/README.md tests/digits.md
 V =
 
 .DEFAULT_GOAL := help
@@ -259,7 +259,7 @@ run: ## run the scene: write build/TARGET/REAL/NAME/trace.csv and print a summar
 plot: ## run the scene and draw it with gnuplot: trace.svg and path.svg, and both as png, beside the trace
 size: ## print the memory of the firmware and of its parts; check the limits of the double pendulum
 stack: ## print the deepest stack of a step; fail if it has no bound
-cost: ## print tables of costs, of the PARTS models methods restarts effects; on the Cortex-M4F in float
+cost: ## print tables of costs, of the PARTS models methods restarts effects library; on the Cortex-M4F in float
 chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float
 flags: ## measure a step with each optimisation of the compiler: a table of MODELS on the TARGET
 report: ## measure the error of every method over its cost and its step: tables and a picture in build/report/NAME/

@@ -87,7 +87,7 @@ found()
 }
 
 mkdir -p "$out/printed"
-for document in models/costs.md models/chains.md models/drift.md core/methods.md core/README.md; do
+for document in models/costs.md models/README.md models/chains.md models/drift.md core/methods.md core/README.md; do
     commands "$document" >"$out/commands"
     [ -s "$out/commands" ]
     result $? "$document has tables"

@@ -42,5 +42,5 @@ planted machines cable 's/1 + slow/1 + 1.1 * slow/'
 planted machines backlash 's/ratio \* effort/effort/'
 planted bushing bushing 's/of other - cross(spin/of other + cross(spin/'
 planted ground contact 's/1.5 \* (1 - rest)/3 * (1 - rest)/'
-planted machines encoder 's/turn + 0.5/turn + 0.9/'
+planted machines encoder 's/(way < -turn/(way < -2 * turn/'
 finish

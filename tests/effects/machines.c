@@ -134,11 +134,10 @@ static void check_slide(const uint32_t tick, const double push)
 {
     const double rate = (double)JAM_RATE;
     if (tick > 0 && tick < JAM_AT) {
-        /* A difference of speeds of 1 m/s over a step. */
         const double force = push / 2.0 + 0.1, noise = (double)iso_noise(tick, 1);
-        sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_X) - force) / (4.0 * ULP / h));
+        sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_X) - force) / (16.0 * ULP));
         sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_Y) - 0.1 - 0.5 * noise) / (16.0 * ULP));
-        sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_Z) - 9.91) / (16.0 * ULP));
+        sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_Z) - 0.1) / (16.0 * ULP));
         sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_SPIN_Y) - 0.2) / (16.0 * ULP));
     } else if (tick >= JAM_AT && tick < PUSH_AT) {
         /* Caught with critical damping: x = v t exp(-rate t). rk4 leaves out (rate h)^5 / 120 of it in a step. */

@@ -5,6 +5,7 @@
 #     methods   instructions of a step with each method
 #     restarts  instructions of the longest step, which is one with a restart
 #     effects   what each effect of tools/build/effects.txt adds to the pendulum
+#     library   what each effect of models/effects adds, in a scene of tools/build/library.txt
 #
 # Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 3, only every fourth
 # row of a table is measured, from that row on (tests/check/tables.sh).
@@ -119,12 +120,66 @@ effects()
     done
 }
 
+# library_scene BASE SIGNAL [STATEMENTS]: the pendulum with these statements and those of the base; measured in build/cost/$folder.
+library_scene()
+{
+    mkdir -p "build/cost/$folder"
+    {
+        cat models/pendulum.scene
+        awk -F ' *[|] *' -v name="$1" -v signal="$2" '
+            $1 == "base" && $2 == name { gsub(/SIGNAL/, signal == "" ? $3 : signal, $4); print $4 }' tools/build/library.txt
+        echo "${3-}"
+    } >"build/cost/$folder/pendulum.scene"
+    measure "$folder" "build/cost/$folder/pendulum.scene" rk4
+    instructions=$(get instructions_per_step) && all=$(tick) || exit 1
+    echo "$instructions $((all - instructions))"
+}
+
+# told KIND: what its file says of it, as cells: the first sentence of its comment, and its operands; in brackets those that
+# have a default.
+told()
+{
+    awk '
+        /^#/ && !told { text = text substr($0, 2); if (match(text, /[.:]( |$)/)) { text = substr(text, 2, RSTART - 2); told = 1 } }
+        /^ / {
+            sub(/#.*/, "")
+            parts = split($0, part, ";")
+            for (i = 1; i <= parts; i++) {
+                words = split(part[i], word, " ")
+                if (words < 2 || word[1] !~ /^(joint|body|signal|value|fault)$/) continue
+                name = word[1] == "fault" ? "fault `" word[2] "`" : "`" word[2] "`"
+                list = list (list == "" ? "" : ", ") (part[i] ~ /=/ ? "[" name "]" : name)
+            }
+        }
+        END { print text " | " list }' "models/effects/$1.scene"
+}
+
+library()
+{
+    rm -rf build/cost/library
+    echo '| effect | what it is | operands | step | rest of the tick |'
+    echo '|---|---|---|--:|--:|'
+    grep -v '^#\|^base ' tools/build/library.txt | while IFS='|' read -r kind base signal statements; do
+        due || continue
+        kind=${kind% }
+        base=$(echo "$base" | tr -d ' ')
+        folder=library/$base
+        [ -s "build/cost/$folder/without" ] || library_scene "$base" '' >"build/cost/without" || exit 1
+        [ -s "build/cost/$folder/without" ] || mv build/cost/without "build/cost/$folder/without"
+        folder=library/of-$kind
+        signal=${signal# }
+        with=$(library_scene "$base" "${signal% }" "$statements") || exit 1
+        echo "$(cat "build/cost/library/$base/without") $with" | awk -v kind="$kind" -v told="$(told "$kind")" '
+            { printf "| `%s` | %s | %+d | %+d |\n", kind, told, $3 - $1, $4 - $2 }'
+    done
+}
+
 models="pendulum double_pendulum cart_pole arm6 tree"
 first=yes
 for part in $PARTS; do
     case $part in
-    models | methods | restarts | effects) ;;
-    *) fail "PARTS=$part is unknown; it can be: models methods restarts effects" ;;
+    models | methods | restarts | effects | library) ;;
+    *) fail "PARTS=$part is unknown; it can be: models methods restarts effects library" ;;
     esac
     [ $first = yes ] || echo
     first=no
