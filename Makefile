@@ -16,6 +16,7 @@
 ##     STEP=1ms                            the step, instead of that of the scene
 ##     TOLERANCE=1e-9                      largest local error of METHOD=adams, which then uses as many sub-steps as it needs
 ##     SET='rod_mass = 0.3 kg; drag = 2'   values of constants and tunables, instead of those of the scene
+##     WITHOUT='drive; bearing'            effects of the scene that are left out
 ##     CHECKED=yes  COMPENSATED=yes        options of the method of a plant in C; a scene has a statement for each
 ##     INPUTS=held|smooth                  the reading of all inputs, instead of that of the scene
 ##     RECORDED=FILE                       for report and bench: inputs of a controller, a line for each tick
@@ -31,6 +32,7 @@ TOLERANCE =
 INPUTS =
 RECORDED =
 SET =
+WITHOUT =
 CHECKED =
 COMPENSATED =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,10))
@@ -88,7 +90,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET SECONDS SCRIPT
+TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT SECONDS SCRIPT
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -98,11 +100,14 @@ $(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
     $(error $(name) has a line break, which make cannot pass on)))
 
 # What has an effect on which goal. A goal that is a file, and a make that another make calls, may be given anything.
-EFFECTS_run := SCENE METHOD STEP TOLERANCE INPUTS SET CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
+EFFECTS_run := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
 EFFECTS_plot := $(EFFECTS_run)
 EFFECTS_size := $(filter-out SECONDS SCRIPT,$(EFFECTS_run))
 EFFECTS_stack := $(EFFECTS_size)
-EFFECTS_cost := PARTS METHODS TARGET REAL
+OF_ONE_SCENE := $(and $(filter cost,$(MAKECMDGOALS)),$(filter SCENE,$(GIVEN)))
+EFFECTS_cost := $(if $(OF_ONE_SCENE),SCENE METHOD STEP INPUTS SET SECONDS,PARTS METHODS) TARGET REAL
+$(foreach name,$(if $(OF_ONE_SCENE),$(filter PARTS METHODS,$(GIVEN))),$(error $(name) has no effect on `make cost \
+    SCENE=...`, which is of one scene; it has one on `make cost`))
 EFFECTS_chains := LENGTHS TARGET REAL
 EFFECTS_flags := TARGET REAL MODELS
 EFFECTS_report := SCENE METHODS STEP SECONDS RECORDED
@@ -142,7 +147,7 @@ endif
 ifeq ($(filter float double,$(REAL)),)
 $(error REAL=$(REAL) is unknown; it can be float or double)
 endif
-ifneq ($(filter cost chains,$(MAKECMDGOALS)),)
+ifneq ($(filter $(if $(OF_ONE_SCENE),,cost) chains,$(MAKECMDGOALS)),)
 ifneq ($(TARGET) $(REAL),cortex-m4f float)
 $(error make $(MAKECMDGOALS) is of the cortex-m4f in float; TARGET and REAL cannot be others)
 endif
@@ -160,6 +165,9 @@ endif
 ifneq ($(IS_IN_C),)
 $(error INPUTS has no effect on a plant in C; it is for scenes)
 endif
+endif
+ifneq ($(and $(OF_ONE_SCENE),$(IS_IN_C)),)
+$(error make cost is of scenes; the plant in C $(SCENE) names no effects)
 endif
 ifneq ($(TOLERANCE),)
 ifneq ($(filter-out adams,$(METHOD))$(if $(METHOD),,$(IS_IN_C)),)
@@ -229,7 +237,7 @@ build/isoc: $(filter build/obj/tools/isoc/%,$(TOOL_OBJECTS)) $(EMBEDDED) build/o
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/accuracy: $(filter build/obj/tools/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
-SMALL_TOOLS := $(addprefix build/,cycles duration effect forced size stack)
+SMALL_TOOLS := $(addprefix build/,cycles duration effect forced price size stack)
 $(SMALL_TOOLS): build/%: build/obj/tools/build/%.o build/obj/tools/table/table.o build/obj/tools/flags
 TOOLS := build/isoc build/trace build/plot build/accuracy $(SMALL_TOOLS)
 $(TOOLS):
@@ -259,7 +267,7 @@ run: ## run the scene: write build/TARGET/REAL/NAME/trace.csv and print a summar
 plot: ## run the scene and draw it with gnuplot: trace.svg and path.svg, and both as png, beside the trace
 size: ## print the memory of the firmware and of its parts; check the limits of the double pendulum
 stack: ## print the deepest stack of a step; fail if it has no bound
-cost: ## print tables of costs, of the PARTS models methods restarts effects library; on the Cortex-M4F in float
+cost: ## print what each effect of SCENE costs and changes; without SCENE tables: PARTS models methods restarts effects library
 chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float
 flags: ## measure a step with each optimisation of the compiler: a table of MODELS on the TARGET
 report: ## measure the error of every method over its cost and its step: tables and a picture in build/report/NAME/
@@ -268,8 +276,8 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
-folder_of = $(if $(filter run plot size stack,$(1)),$(OUT),$(if $(filter cost chains,$(1)),build/cost,$(if $(filter \
-    flags,$(1)),build/flags,build/$(1)/$(FOLDER))))
+folder_of = $(if $(filter run plot size stack,$(1)),$(OUT),$(if $(filter cost,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
+    $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
 shared = $(TOOLS) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS))
 LOCK_TOOLS := flock realpath
 LOCK_INSTALL := apt-get install util-linux coreutils

@@ -20,15 +20,6 @@ due()
     [ -z "${TURN-}" ] || [ $((row % 4)) -eq "$TURN" ]
 }
 
-# tick: the most instructions from the time that a tick is due until its outputs are published: 25 in a microsecond, less
-# what was left.
-tick()
-{
-    awk '$1 == "step" { step = $2 } $1 == "margin" { margin = $2; n++ }
-        END { if (n != 1) exit 1; printf "%.0f\n", step * 25e6 - margin }' "$dir/measured" ||
-        fail "$dir/measured has not one margin"
-}
-
 # cost: of the program measured last: instructions of a step and of a tick, bytes of the firmware's text and of the
 # plant's memory.
 cost()

@@ -13,6 +13,9 @@ ifeq ($(suffix $(SCENE_FILE)),.c)
 ifneq ($(SET),)
 $(error SET has no effect on a plant in C, which has no scene)
 endif
+ifneq ($(WITHOUT),)
+$(error WITHOUT has no effect on a plant in C, which has no scene)
+endif
 ifneq ($(STEP),)
 STEP_SECONDS := $(call duration,s,$(STEP),1000,1e9)
 ifeq ($(STEP_SECONDS),)
@@ -33,7 +36,8 @@ CHOICE := $(METHOD:%=-DISO_METHOD=ISO_$(METHOD_MACRO) -DISO_METHOD_NAME=%) $(STE
 PLANT := $(SCENE)
 else
 CHOICE := $(METHOD:%=--method %) $(INPUTS:%=--inputs %) $(if $(STEP),--step $(call quote,$(STEP))) \
-    $(if $(TOLERANCE),--tolerance $(call quote,$(TOLERANCE))) $(if $(SET),--set $(call quote,$(SET))) --real $(REAL)
+    $(if $(TOLERANCE),--tolerance $(call quote,$(TOLERANCE))) $(if $(SET),--set $(call quote,$(SET))) \
+    $(if $(WITHOUT),--without $(call quote,$(WITHOUT))) --real $(REAL)
 PLANT := $(OUT)/plant.c
 endif
 
@@ -103,8 +107,17 @@ stack: $(OUT)/plant.o build/stack
 	    -o $(OUT)/stack/plant.o || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
 	@build/stack step <$(OUT)/stack/plant.ci
 
+ifneq ($(OF_ONE_SCENE),)
+cost: build/isoc build/trace build/price build/plot
+	$(call require,gnuplot,apt-get install gnuplot-nox)
+	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
+	$(if $(filter host,$(TARGET)),$(call require,valgrind,apt-get install valgrind))
+	@MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=build/cost/$(FOLDER) TARGET=$(TARGET) \
+	    REAL=$(REAL) sh tools/build/price.sh
+else
 cost: build/isoc build/trace build/forced build/effect
 	@MAKE=$(call quote,$(MAKE)) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/build/cost.sh
+endif
 
 chains: build/isoc build/trace
 	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/build/chains.sh

@@ -30,6 +30,15 @@ get()
         fail "$dir/measured has not one $1"
 }
 
+# tick: the most instructions from the time that a tick is due until its outputs are published: 25 in a microsecond, less
+# what was left.
+tick()
+{
+    awk '$1 == "step" { step = $2 } $1 == "margin" { margin = $2; n++ }
+        END { if (n != 1) exit 1; printf "%.0f\n", step * 25e6 - margin }' "$dir/measured" ||
+        fail "$dir/measured has not one margin"
+}
+
 # operations: of a derivative, as cells: add, mul, div, sincos.
 operations()
 {

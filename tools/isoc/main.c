@@ -11,6 +11,7 @@
 #include "tools/isoc/plant/range.h"
 #include "tools/isoc/plant/start.h"
 #include "tools/isoc/scene/dot.h"
+#include "tools/isoc/scene/leave_out.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/tree/asked.h"
 
@@ -20,9 +21,10 @@ static const char help[] =
     "isoc: compiles a scene to a plant in straight-line C\n"
     "\n"
     "  isoc SCENE -o DIR [--name NAME] [--standalone] [--method M] [--step H] [--tolerance T] [--real float|double]\n"
-    "       [--inputs held|smooth] [--set 'NAME = VALUE'] [--formulation F] [--factors F]\n"
+    "       [--inputs held|smooth] [--set 'NAME = VALUE'] [--without 'EFFECT; ...'] [--formulation F] [--factors F]\n"
     "  isoc SCENE --dot\n"
     "  isoc SCENE --files\n"
+    "  isoc SCENE --effects\n"
     "\n"
     "  SCENE          the scene, a text file\n"
     "  -o DIR         where plant.h and plant.c go; made if it is not there\n"
@@ -35,6 +37,8 @@ static const char help[] =
     "  --real R       the number type of the plant: float (default) or double\n"
     "  --inputs R     all inputs held, or all smooth, instead of the scene's reading\n"
     "  --set 'NAME = VALUE; ...'  constants and tunables, instead of the scene's values\n"
+    "  --without 'EFFECT; ...'  leaves out these effects of the scene, with the outputs and the inputs that are theirs "
+    "alone\n"
     "  --formulation F  instead of the cheapest; of a tree composite or articulated bodies, of closed loops composite "
     "bodies\n"
     "                 with the closures in the axes of their base, composite, or of a side, parent_axes or child_axes\n"
@@ -43,6 +47,7 @@ static const char help[] =
     "                 looped, of the sparse one by loops over constant tables\n"
     "  --dot          nothing but a graph of bodies, joints and closures, for graphviz: isoc SCENE --dot | dot -Tsvg\n"
     "  --files        nothing but the files that the scene is read from, one on a line, also those that are not there\n"
+    "  --effects      nothing but the effects of the scene: the name and the kind of each, on a line\n"
     "  --methods      what each method costs, as a table\n"
     "  --help         this text\n"
     "  --version      the version\n"
@@ -51,8 +56,8 @@ static const char help[] =
     "A mistake in the scene is told as file:line:column; the exit status is then 1 and no file is touched.\n";
 
 typedef struct options {
-    const char *scene, *directory, *name, *method, *step, *tolerance, *set, *inputs;
-    bool is_double, draws, lists, is_standalone;
+    const char *scene, *directory, *name, *method, *step, *tolerance, *set, *without, *inputs;
+    bool is_double, draws, lists, lists_effects, is_standalone;
     wishes wanted;
 } options;
 
@@ -96,6 +101,7 @@ static bool read_options(char **arguments, options *o)
                             : strcmp(*a, "--step") == 0        ? &o->step
                             : strcmp(*a, "--tolerance") == 0   ? &o->tolerance
                             : strcmp(*a, "--set") == 0         ? &o->set
+                            : strcmp(*a, "--without") == 0     ? &o->without
                             : strcmp(*a, "--inputs") == 0      ? &o->inputs
                             : strcmp(*a, "--real") == 0        ? &real_name
                             : strcmp(*a, "--formulation") == 0 ? &formulation_name
@@ -110,6 +116,8 @@ static bool read_options(char **arguments, options *o)
             o->draws = true;
         } else if (strcmp(*a, "--files") == 0) {
             o->lists = true;
+        } else if (strcmp(*a, "--effects") == 0) {
+            o->lists_effects = true;
         } else if (strcmp(*a, "--standalone") == 0) {
             o->is_standalone = true;
         } else if ((*a)[0] == '-' && (*a)[1] != '\0') {
@@ -123,11 +131,14 @@ static bool read_options(char **arguments, options *o)
     o->is_double = real_name != NULL && strcmp(real_name, "double") == 0;
     o->wanted.formulation = (formulation)find_word(formulation_name, formulation_names, FORMULATIONS);
     o->wanted.factors = (factoring)find_word(factors_name, factoring_names, FACTORINGS);
-    if (o->scene == NULL || (o->directory == NULL && !o->draws && !o->lists)) {
+    const bool makes_none = o->draws || o->lists || o->lists_effects;
+    if (o->scene == NULL || (o->directory == NULL && !makes_none)) {
         return complain(o->scene == NULL ? "no scene is given" : "no folder for the plant: -o DIR", NULL);
     }
-    if (o->directory != NULL && (o->draws || o->lists)) {
-        return complain(o->draws ? "--dot makes no plant: leave out -o" : "--files makes no plant: leave out -o",
+    if (o->directory != NULL && makes_none) {
+        return complain(o->draws   ? "--dot makes no plant: leave out -o"
+                        : o->lists ? "--files makes no plant: leave out -o"
+                                   : "--effects makes no plant: leave out -o",
                         o->directory);
     }
     if (o->name != NULL && !naming_allows(o->name)) {
@@ -238,6 +249,18 @@ static bool write_files_read(arena *memory, const source *s)
     return write_out(list.bytes, list.length);
 }
 
+static bool write_effects(arena *memory, const scene *written)
+{
+    text list = {.memory = memory};
+    for (size_t i = 0; i < written->effect_count; i++) {
+        const effect_use *use = &written->effects[i];
+        if (!use->left_out && use->name.text != NULL && use->kind.text != NULL) {
+            text_add(&list, "%s %s\n", use->name.text, use->kind.text);
+        }
+    }
+    return write_out(list.bytes, list.length);
+}
+
 static bool compile(arena *memory, const options *o)
 {
     source s;
@@ -255,6 +278,12 @@ static bool compile(arena *memory, const options *o)
     }
     if (o->set != NULL) {
         scene_set(&s, &written, source_add(&s, "--set", o->set));
+    }
+    if (o->without != NULL) {
+        scene_leave_out(&s, &written, source_add(&s, "--without", o->without));
+    }
+    if (s.problem_count == 0 && o->lists_effects) {
+        return write_effects(memory, &written);
     }
     for (size_t i = 0; i < written.input_count && o->inputs != NULL; i++) {
         written.inputs[i].smooth = strcmp(o->inputs, "smooth") == 0;

@@ -3,6 +3,7 @@
  *     plot trace|path DIRECTORY                     of a run: trace.csv, units.csv and summary.txt there
  *     plot work_precision SCENE TIME report.tsv
  *     plot violation SCENE measured
+ *     plot effects SCENE TARGET effects.tsv
  *     plot compact <drawn.svg >smaller.svg
  */
 #include <stdio.h>
@@ -22,11 +23,13 @@ int main(const int argc, char **const argv)
         picture_work_precision(argv[2], argv[3], argv[4]);
     } else if (strcmp(kind, "violation") == 0 && argc == 4) {
         picture_violation(argv[2], argv[3]);
+    } else if (strcmp(kind, "effects") == 0 && argc == 5) {
+        picture_effects(argv[2], argv[3], argv[4]);
     } else if (strcmp(kind, "compact") == 0 && argc == 2) {
         compact_svg();
     } else {
         fputs("usage: plot trace|path DIRECTORY | plot work_precision SCENE TIME TABLE | plot violation SCENE LINES | "
-              "plot compact\n",
+              "plot effects SCENE TARGET TABLE | plot compact\n",
               stderr);
         return EXIT_FAILURE;
     }

@@ -17,6 +17,9 @@ void picture_work_precision(const char *scene, const char *time, const char *pat
  * stabilisation; thin, what the violation may be. */
 void picture_violation(const char *scene, const char *path);
 
+/* What each effect of a scene costs and changes, and the scene without any, as bars: the table of tools/build/price.c. */
+void picture_effects(const char *scene, const char *target, const char *path);
+
 /* Copies a drawing of gnuplot's from the standard input without what changes nothing. Exits if its groups do not
  * match. */
 void compact_svg(void);

@@ -92,7 +92,8 @@ static value operand_value(world *w, const instance *in, const effect_line *line
         source_problem(w->b->s, f->at, "'%s' is a constant or a tunable: it cannot change with time", line->name.text);
         found = nothing;
     }
-    if (found.count == 1 && given == NULL && (uses_operation(w->b->g, found.parts, 1, OP_INERTIA) || names_limit(f))) {
+    if (found.count == 1 && given == NULL && !in->use->left_out &&
+        (uses_operation(w->b->g, found.parts, 1, OP_INERTIA) || names_limit(f))) {
         note_derived(w, in, line, found);
     }
     enter(w, before);
@@ -115,11 +116,26 @@ static value start_value(world *w, const instance *in, const effect_line *line, 
     return found;
 }
 
+/* A state, a memory or a fault of an effect that is left out: zero, of its dimension. Its start, where that alone tells
+ * the dimension, may name what else comes later, and so change the order of the graph; but no operation of it stays. */
+static value absent_value(world *w, const instance *in, const effect_line *line)
+{
+    variable about;
+    const bool is_known = line->kind == EFFECT_FAULT || line->has_unit;
+    value found = is_known ? (value){.count = 1, .of = line->unit.of} : start_value(w, in, line, &about);
+    found.parts[0] = constant(w->b->g, 0.0);
+    return found;
+}
+
 static value new_value(world *w, const instance *in, const effect_line *line)
 {
     graph *g = w->b->g;
     mechanism *made = &w->b->made;
     const size_t i = (size_t)(line - in->kind->lines);
+    if (in->use->left_out &&
+        (line->kind == EFFECT_FAULT || line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY)) {
+        return absent_value(w, in, line);
+    }
     const int at = in->places[i];
     value found;
     switch (line->kind) {

@@ -309,7 +309,11 @@ static value output_of_effect(world *w, const formula *f, const char *dot)
                            suggestion(s, in->kind, dot + 1, EFFECT_OUTPUT, EFFECT_OUTPUT));
             return nothing;
         }
-        return line_value(w, in, line);
+        value found = line_value(w, in, line);
+        for (int part = 0; in->use->left_out && part < found.count; part++) {
+            found.parts[part] = constant(w->b->g, 0.0);
+        }
+        return found;
     }
     source_problem(s, f->at, "no effect is called '%.*s'", (int)length, f->name);
     return nothing;
@@ -324,6 +328,17 @@ static value input_value(world *w, const formula *f, int i)
         return nothing;
     }
     return (value){.count = 1, .parts = {leaf(w->b->g, OP_INPUT, i)}, .of = w->b->input_dimensions[i]};
+}
+
+/* Of an input that only effects read that are left out: nothing but its dimension. */
+static value left_input_value(world *w, const quantity *q)
+{
+    values *v = &w->b->values;
+    v->time_allowed = true;
+    value found = q->has_unit || q->value == NULL ? (value){.count = 1, .of = q->unit.of} : value_any(v, q->value);
+    v->time_allowed = false;
+    found.parts[0] = constant(w->b->g, 0.0);
+    return found;
 }
 
 value signal_value(world *w, size_t i)
@@ -348,9 +363,11 @@ static bool find_in_scene(world *w, const formula *f, value *found)
         *found = output_of_effect(w, f, dot);
         return true;
     }
-    for (size_t i = 0; i < written->input_count; i++) {
-        if (written->inputs[i].name.text != NULL && strcmp(written->inputs[i].name.text, f->name) == 0) {
-            *found = input_value(w, f, (int)i);
+    const size_t inputs = written->input_count;
+    for (size_t i = 0; i < inputs + written->left_input_count; i++) {
+        const quantity *q = &written->inputs[i];
+        if (q->name.text != NULL && strcmp(q->name.text, f->name) == 0) {
+            *found = i < inputs ? input_value(w, f, (int)i) : left_input_value(w, q);
             return true;
         }
     }

@@ -18,7 +18,8 @@ static int count_all(const scene *written, effect_line_kind of)
 {
     int count = 0;
     for (size_t i = 0; i < written->effect_count; i++) {
-        count += count_lines(find_effect_kind(written, written->effects[i].kind), of);
+        const effect_use *use = &written->effects[i];
+        count += use->left_out ? 0 : count_lines(find_effect_kind(written, use->kind), of);
     }
     return count;
 }
@@ -149,7 +150,8 @@ static void build_instance(world *w, instance *in, int *states, int *memories)
         const effect_line *line = &in->kind->lines[i];
         in->links[i] = line->kind == EFFECT_JOINT ? bound_link(w, in, line) : -1;
         in->bodies[i] = line->kind == EFFECT_BODY ? bound_body(w, in, line, &in->points[i]) : -1;
-        in->places[i] = line->kind == EFFECT_STATE    ? (*states)++
+        in->places[i] = in->use->left_out             ? -1
+                        : line->kind == EFFECT_STATE  ? (*states)++
                         : line->kind == EFFECT_MEMORY ? (*memories)++
                         : line->kind == EFFECT_FAULT  ? add_fault(b, in->use, line)
                                                       : -1;
@@ -185,17 +187,20 @@ void build_effects(builder *b)
     graph_section(b->g, "Effects");
     for (size_t i = 0; i < b->written->effect_count; i++) {
         const instance *in = &w->all[i];
-        for (size_t j = 0; in->kind != NULL && j < in->kind->line_count; j++) {
+        const bool is_there = in->kind != NULL && !in->use->left_out;
+        for (size_t j = 0; is_there && j < in->kind->line_count; j++) {
             do_line(w, in, &in->kind->lines[j]);
         }
-        if (in->kind != NULL) {
+        if (is_there) {
             enter(w, in);
             check_subjects(w, in);
             enter(w, NULL);
         }
     }
     for (size_t i = 0; i < b->written->signal_count; i++) {
-        (void)signal_value(w, i);
+        if (!b->written->signals[i].left_out) {
+            (void)signal_value(w, i);
+        }
     }
     w->is_done = true;
     b->values.around = NULL;

@@ -153,6 +153,7 @@ typedef struct quantity {
     bool tunable;
     formula *point; /* of an operand that is a body: NAME at POINT */
     bool smooth;    /* an input that is a sample of a continuous signal; otherwise it is held over a step */
+    bool left_out;  /* a signal that nothing reads once effects are left out */
 } quantity;
 
 /* What a line of an effect says. The operands come first. */
@@ -203,6 +204,7 @@ typedef struct effect_use {
     quantity *operands; /* each with its name and value */
     size_t operand_count, operand_room;
     bool broken;
+    bool left_out; /* it does nothing, and what it shows is zero */
 } effect_use;
 
 /* at TIME set NAME = VALUE: what a tunable, or a fault, is from then on. */
@@ -242,6 +244,7 @@ typedef struct scene {
     output *outputs;
     size_t body_count, frame_count, spring_count, joint_count, closure_count, force_count, parameter_count, input_count,
         output_count, signal_count, effect_kind_count, effect_count, setting_count;
+    size_t left_input_count; /* behind the inputs: those that only effects read that are left out */
     size_t body_room, frame_room, spring_room, joint_room, closure_room, force_room, parameter_room, input_room,
         output_room, signal_room, effect_kind_room, effect_room, setting_room;
 } scene;
