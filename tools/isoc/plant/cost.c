@@ -149,7 +149,9 @@ void cost_summary(const plant *p, const graph *g, text *out)
              p->is_double ? "double" : "float");
     text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
              p->output_count);
-    text_add(out, m->memory_count > 0 ? "memories %d\n" : "", m->memory_count);
+    if (m->memory_count > 0) {
+        text_add(out, "memories %d\n", m->memory_count);
+    }
     assembled_lines(m, out);
     derived_lines(m, g, out);
     formulation_lines(p, out);
