@@ -1,4 +1,4 @@
-/* The platform interface: eight functions. A port is one folder that defines them.
+/* The platform interface: nine functions. A port is one folder that defines them.
  *
  * The clock counts at the port's own rate; it reads 0 when iso_port_start returns, and tick k (k = 1, 2, ...) is due at k
  * times the period that iso_port_start gives. Clock and ticks have 64 bits and never wrap: a port whose counter has fewer
@@ -29,6 +29,10 @@ void iso_port_read(real *u, size_t inputs);
 
 /* Hands y[outputs] to the platform's digital-to-analogue converters, bus or network. */
 void iso_port_publish(const real *y, size_t outputs);
+
+/* Puts the platform's outputs into the state that does no harm: drives off, brakes on. The guard found a bad state; the
+ * outputs published before were the last good ones. A platform that has no such state leaves them, and does nothing. */
+void iso_port_safe(void);
 
 /* Writes bytes to the console. */
 void iso_port_write(const void *bytes, size_t count);

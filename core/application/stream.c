@@ -41,12 +41,12 @@ static void put_reals(const real *const x, const size_t n)
 
 ISO_RARE static void put_text(const char *text)
 {
-    while (*text != '\0') {
+    while (text != NULL && *text != '\0') {
         put_byte((uint8_t)*text++);
     }
 }
 
-ISO_RARE static void put_line(const char *const key, const char *const value)
+ISO_APART ISO_RARE static void put_line(const char *const key, const char *const value)
 {
     put_text(key);
     put_byte(' ');
@@ -54,7 +54,7 @@ ISO_RARE static void put_line(const char *const key, const char *const value)
     put_byte('\n');
 }
 
-ISO_RARE static void put_hexadecimal(const char *const key, const uint64_t value)
+ISO_APART ISO_RARE static void put_hexadecimal(const char *const key, const uint64_t value)
 {
     enum { DIGITS = 16 };
     char text[DIGITS + 1];
@@ -74,23 +74,11 @@ ISO_RARE void iso_stream_bail_out(const char *const why)
 ISO_RARE void iso_stream_header(const iso_plant *const plant, const uint64_t duration)
 {
     const iso_model *const model = plant->model;
-#define STREAM_TEXT(key, value) {#key, value},
-    const struct {
-        const char *key, *value;
-    } texts[] = {ISO_STREAM_TEXTS(STREAM_TEXT)};
-#define STREAM_NUMBER(key, value) {#key, value},
-    const struct {
-        const char *key;
-        uint64_t value;
-    } numbers[] = {ISO_STREAM_NUMBERS(STREAM_NUMBER)};
-
+#define STREAM_TEXT(key, value) put_line(#key, value);
+#define STREAM_NUMBER(key, value) put_hexadecimal(#key, value);
     put_text(ISO_STREAM_VERSION "\n");
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
-        put_line(texts[i].key, texts[i].value == NULL ? "" : texts[i].value);
-    }
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        put_hexadecimal(numbers[i].key, numbers[i].value);
-    }
+    ISO_STREAM_TEXTS(STREAM_TEXT)
+    ISO_STREAM_NUMBERS(STREAM_NUMBER)
     put_byte('\n');
     flush();
 }
@@ -104,6 +92,23 @@ void iso_stream_row(const real *const y, const size_t outputs)
     put_reals(y, outputs);
 }
 
+/* The places of the whole numbers in the statistics: 8 bytes each from the beginning, nothing between. */
+#define STREAM_PLACE(name, member) STREAM_AT_##name,
+enum { ISO_STREAM_COUNTS(STREAM_PLACE) STREAM_COUNTS };
+#define STREAM_PLACED(name, member)                                                                                    \
+    _Static_assert(offsetof(iso_statistics, member) == STREAM_AT_##name * sizeof(uint64_t), #name);
+ISO_STREAM_COUNTS(STREAM_PLACED)
+
+/* count numbers of 64 bits, which stand one after another. */
+ISO_RARE static void put_words(const void *const from, const size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        uint64_t word;
+        memcpy(&word, (const uint8_t *)from + i * sizeof word, sizeof word);
+        put_number(word, sizeof word);
+    }
+}
+
 ISO_RARE void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
 {
     static const iso_adams_state none;
@@ -114,11 +119,8 @@ ISO_RARE void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
     const uint64_t words[] = {ISO_STREAM_WORDS(STREAM_VALUE)};
 
     put_byte(ISO_STREAM_END);
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        put_number(words[i], sizeof words[i]);
-    }
-    put_number(statistics->execution_sum, sizeof statistics->execution_sum);
-    put_number(hash, sizeof hash);
+    put_words(statistics, STREAM_COUNTS);
+    put_words(words, sizeof words / sizeof words[0]);
     put_reals(loop->plant->x, loop->plant->model->states);
     put_reals(&statistics->local_error, 1);
     put_reals(&statistics->violation, 1);

@@ -37,25 +37,36 @@ enum { ISO_STREAM_ROW = 'r', ISO_STREAM_END = 'e', ISO_STREAM_BAIL_OUT = 'B' };
     X(states, model->states)                                                                                           \
     X(outputs, model->outputs)
 
-/* The words of the end record in their order, 64 bits each: what the reader calls them, and what the writer puts there. */
+/* The end record begins with the whole numbers of the statistics, in their order there, 64 bits each: what the reader
+ * calls them, and what they are called there. margin has a sign. */
+#define ISO_STREAM_COUNTS(X)                                                                                           \
+    X(ticks, ticks)                                                                                                    \
+    X(late, late)                                                                                                      \
+    X(lost, lost)                                                                                                      \
+    X(overruns, overruns)                                                                                              \
+    X(restarts, restarts)                                                                                              \
+    X(violated, violated)                                                                                              \
+    X(margin, margin)                                                                                                  \
+    X(execution_min, execution_min)                                                                                    \
+    X(execution_max, execution_max)                                                                                    \
+    X(execution_sum, execution_sum)                                                                                    \
+    X(restart_max, restart_max)                                                                                        \
+    X(inputs_held, inputs.held)                                                                                        \
+    X(inputs_clamped, inputs.clamped)                                                                                  \
+    X(tunables_held, parameters.held)                                                                                  \
+    X(tunables_clamped, parameters.clamped)                                                                            \
+    X(outputs_held, outputs_held)
+
+/* Then come these, 64 bits each: what the reader calls them, and what the writer puts there. */
 #define ISO_STREAM_WORDS(X)                                                                                            \
-    X(ticks, statistics->ticks)                                                                                        \
-    X(late, statistics->late)                                                                                          \
-    X(lost, statistics->lost)                                                                                          \
-    X(overruns, statistics->overruns)                                                                                  \
-    X(margin, (uint64_t)statistics->margin)                                                                            \
-    X(execution_min, statistics->execution_min)                                                                        \
-    X(execution_max, statistics->execution_max)                                                                        \
     X(guard, loop->guard)                                                                                              \
     X(tick, loop->tick)                                                                                                \
-    X(restarts, statistics->restarts)                                                                                  \
     X(adams_restarts, adams->restarts)                                                                                 \
     X(substeps, adams->substeps)                                                                                       \
     X(rejected, adams->rejected)                                                                                       \
     X(budget_bound, adams->budget_bound)                                                                               \
     X(evaluations, adams->evaluations)                                                                                 \
-    X(violated, statistics->violated)                                                                                  \
-    X(restart_max, statistics->restart_max)
+    X(hash, hash)
 
 /* In place of a run: why there is none. */
 void iso_stream_bail_out(const char *why);

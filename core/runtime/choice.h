@@ -72,6 +72,7 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
         real u[((input_count) > 0 ? (input_count) : 1) + ISO_METHOD_SAMPLES(ISO_RECIPE, input_count)];                 \
         real p[(parameter_count) > 0 ? (parameter_count) : 1];                                                         \
         real y[(output_count) > 0 ? (output_count) : 1];                                                               \
+        real good[(input_count) + (parameter_count) + (output_count) + 1];                                             \
         iso_any_progress progress;                                                                                     \
     } plant_memory
 
@@ -82,6 +83,13 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
     {                                                                                                                  \
         plant_memory *const memory = instance;                                                                         \
         output(memory->y, memory->x, memory->u, memory->p);                                                            \
+    }                                                                                                                  \
+                                                                                                                       \
+    static void admit(void *const instance, iso_refusals *const inputs, iso_refusals *const parameters)                \
+    {                                                                                                                  \
+        plant_memory *const memory = instance;                                                                         \
+        iso_admit(memory->u, memory->good, NULL, input_count, inputs);                                                 \
+        iso_admit(memory->p, memory->good + (input_count), NULL, parameter_count, parameters);                         \
     }                                                                                                                  \
                                                                                                                        \
     static void prime(void *const instance)                                                                            \
@@ -116,6 +124,7 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                                     .memory_bytes = sizeof(plant_memory),                                              \
                                     .derivative = derivative,                                                          \
                                     .output = publish,                                                                 \
+                                    .admit = (input_count) + (parameter_count) > 0 ? admit : NULL,                     \
                                     .prime = prime,                                                                    \
                                     .step = step,                                                                      \
                                     __VA_ARGS__};                                                                      \
@@ -129,7 +138,8 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                                      .y = the_memory.y,                                                                \
                                      .progress = &the_memory.progress.progress,                                        \
                                      .adams = ISO_IS_VARYING(ISO_RECIPE) ? &the_memory.progress.adams : NULL,          \
-                                     .before = ISO_IS_WATCHED(ISO_RECIPE) ? &the_memory_before : NULL}
+                                     .before = ISO_IS_WATCHED(ISO_RECIPE) ? &the_memory_before : NULL,                 \
+                                     .good = the_memory.good}
 
 /* Reals of work space for the inputs of a stage. */
 #define ISO_ROOM(input_count) (ISO_IS_SMOOTH(ISO_RECIPE) ? (size_t)(input_count) : 0)

@@ -35,6 +35,14 @@ static uint32_t clock_overhead(void)
     return (uint32_t)least;
 }
 
+/* Hands the outputs to the port; where one is not finite, the last good ones. */
+ISO_APART static void publish(iso_loop *const loop)
+{
+    const iso_plant *const plant = loop->plant;
+    loop->statistics.outputs_held += iso_plant_output(plant);
+    iso_port_publish(plant->y, plant->model->outputs);
+}
+
 ISO_RARE void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
 {
     iso_plant_start(plant);
@@ -43,8 +51,7 @@ ISO_RARE void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
         .guard = plant->model->states,
         .statistics = {.margin = INT64_MAX, .execution_min = UINT64_MAX},
     };
-    plant->model->output(plant->memory);
-    iso_port_publish(plant->y, plant->model->outputs);
+    publish(loop);
     loop->period = iso_port_start(plant->model->period_ns);
     loop->overhead = clock_overhead();
 }
@@ -92,6 +99,7 @@ bool iso_loop_tick(iso_loop *const loop)
     const uint64_t begin = iso_port_clock();
     iso_plant_drive(plant, loop->tick);
     iso_port_read(plant->u, plant->model->inputs);
+    iso_plant_admit(plant, &loop->statistics.inputs, &loop->statistics.parameters);
     loop->tick++;
     loop->due += loop->period;
 
@@ -108,10 +116,11 @@ bool iso_loop_tick(iso_loop *const loop)
     loop->guard = iso_plant_guard(plant);
     if (loop->guard < plant->model->states) {
         loop->statistics.restarts = restarts;
+        iso_port_safe();
         return false;
     }
-    iso_plant_output(plant);
-    iso_port_publish(plant->y, plant->model->outputs);
+    iso_plant_advance(plant);
+    publish(loop);
     if (plant->model->violation != NULL) {
         book_violation(plant, &loop->statistics);
     }

@@ -24,14 +24,17 @@ typedef struct iso_statistics {
     uint64_t lost;          /* of them, reported by the port only with a later one */
     uint64_t overruns;      /* of them, ended after the next one was due */
     uint64_t restarts;      /* of them, with a new history of the method, after a discontinuity */
-    real local_error;       /* the largest of all steps, where steps are checked */
     uint64_t violated;      /* ticks that ended with a violation above the limit of the plant */
-    real violation;         /* the largest of all ticks */
     int64_t margin;         /* the least time left when the outputs were published; positive is good */
     uint64_t execution_min; /* of a step without a restart */
     uint64_t execution_max;
     uint64_t execution_sum;
-    uint64_t restart_max; /* of a step with a restart, including the restart */
+    uint64_t restart_max;    /* of a step with a restart, including the restart */
+    iso_refusals inputs;     /* that were not finite or beyond their limits, */
+    iso_refusals parameters; /* likewise */
+    uint64_t outputs_held;   /* ticks in which an output was not finite: the last good ones were published */
+    real local_error;        /* the largest of all steps, where steps are checked */
+    real violation;          /* the largest of all ticks */
 } iso_statistics;
 
 typedef struct iso_loop {
@@ -49,7 +52,8 @@ typedef struct iso_loop {
 void iso_loop_start(iso_loop *loop, const iso_plant *plant);
 
 /* Does the next tick. Returns false if a state is no longer finite, or out of range: then the outputs stay as they
- * were, nothing is published or counted, and loop->guard and loop->tick name the state and the tick. */
+ * were, nothing is published or counted, the port is put into its safe state, and loop->guard and loop->tick name the state
+ * and the tick. */
 bool iso_loop_tick(iso_loop *loop);
 
 #endif

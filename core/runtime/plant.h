@@ -11,6 +11,7 @@
 
 #include "core/methods/equations.h"
 #include "core/methods/progress.h"
+#include "core/runtime/admit.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -58,6 +59,8 @@ typedef struct iso_model {
     void (*drive)(void *memory, uint64_t tick); /* sets u to the scene's functions of time, and the states that are time
                                                    itself to what they are at a tick; NULL without such inputs and
                                                    states */
+    void (*admit)(void *memory, iso_refusals *inputs,
+                  iso_refusals *parameters); /* checks what came in; NULL without inputs and parameters */
     void (*advance)(void *memory); /* sets the memories at the end of a tick, from the states there and the inputs of
                                       the tick; NULL without memories */
     bool (*discontinuity)(void *memory); /* whether an input or a parameter has one, or something happened that ends
@@ -79,7 +82,17 @@ typedef struct iso_plant {
     const iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/methods/adams.h) */
     void *before; /* [memory_bytes] for a snapshot from before a step that is made again after a discontinuity, where
                      the method watches for one; NULL where no step is */
+    real *good;   /* in the memory: the last good inputs, parameters and outputs; NULL: outputs are not checked */
 } iso_plant;
+
+/* Checks what came in from outside: puts right, keeps and counts. */
+static inline void iso_plant_admit(const iso_plant *const plant, iso_refusals *const inputs,
+                                   iso_refusals *const parameters)
+{
+    if (plant->model->admit != NULL) {
+        plant->model->admit(plant->memory, inputs, parameters);
+    }
+}
 
 /* Puts everything to tick 0: state, parameters, inputs, and what the method keeps. */
 static inline void iso_plant_start(const iso_plant *const plant)
@@ -98,6 +111,8 @@ static inline void iso_plant_start(const iso_plant *const plant)
     if (model->drive != NULL) {
         model->drive(plant->memory, 0);
     }
+    iso_refusals unused = {0, 0};
+    iso_plant_admit(plant, &unused, &unused);
     if (model->prime != NULL) {
         model->prime(plant->memory);
     }

@@ -12,7 +12,9 @@ static inline void iso_plant_drive(const iso_plant *const plant, const uint64_t 
     }
 }
 
-/* 2. Keeps all memory, with the inputs of the tick, for a step that is made again. */
+/* 2. Checks inputs and parameters: iso_plant_admit, once the platform has set its own. */
+
+/* 3. Keeps all memory, with the inputs of the tick, for a step that is made again. */
 static inline void iso_plant_keep(const iso_plant *const plant)
 {
     if (plant->before != NULL) {
@@ -20,7 +22,7 @@ static inline void iso_plant_keep(const iso_plant *const plant)
     }
 }
 
-/* 3. Makes the step; with a new history, which is counted, if an input or a parameter has a discontinuity. */
+/* 4. Makes the step; with a new history, which is counted, if an input or a parameter has a discontinuity. */
 static inline void iso_plant_step(const iso_plant *const plant, uint64_t *const restarts)
 {
     if (plant->model->discontinuity != NULL && plant->model->discontinuity(plant->memory)) {
@@ -30,7 +32,7 @@ static inline void iso_plant_step(const iso_plant *const plant, uint64_t *const 
     plant->model->step(plant->memory);
 }
 
-/* 4. Makes the step again from where it began, with a new history, if a discontinuity was detected within it. After a
+/* 5. Makes the step again from where it began, with a new history, if a discontinuity was detected within it. After a
  * restart the same step would come out again. Its error stays known, so that a plant with a discontinuity in every step
  * does not restart in every tick. Returns whether it did. */
 static inline bool iso_plant_step_again(const iso_plant *const plant, const bool restarted)
@@ -52,7 +54,7 @@ static inline iso_bits iso_plant_is_bad(const iso_plant *const plant, const uint
     return iso_beyond(plant->x[i], plant->model->range == NULL ? ISO_REAL_MAX : plant->model->range[i]);
 }
 
-/* 5. The first state that is not finite or out of its range; model->states if there is none. Without a branch on a
+/* 6. The first state that is not finite or out of its range; model->states if there is none. Without a branch on a
  * state: from the last to the first, each that is bad takes the place of the one behind it. */
 static inline uint16_t iso_plant_guard(const iso_plant *const plant)
 {
@@ -63,27 +65,39 @@ static inline uint16_t iso_plant_guard(const iso_plant *const plant)
     return (uint16_t)first;
 }
 
-/* 6. After a tick in which all is well: what the plant remembers, and its outputs. */
-static inline void iso_plant_output(const iso_plant *const plant)
+/* 7. After a tick in which all is well: what the plant remembers, */
+static inline void iso_plant_advance(const iso_plant *const plant)
 {
     if (plant->model->advance != NULL) {
         plant->model->advance(plant->memory);
     }
-    plant->model->output(plant->memory);
+}
+
+/* 8. and its outputs; where one is not finite, the last good ones. Returns 1 then, else 0. */
+static inline uint32_t iso_plant_output(const iso_plant *const plant)
+{
+    const iso_model *const model = plant->model;
+    model->output(plant->memory);
+    return plant->good == NULL ? 0
+                               : iso_hold(plant->y, plant->good + model->inputs + model->parameters, model->outputs);
 }
 
 /* All of it, from `tick` (0 after iso_plant_start) to the next; inputs that are no functions of time are those in
- * plant->u. Returns the guard: model->states if all is well; else the outputs stay as they were. */
+ * plant->u. What is not finite or beyond its limits is put right, and not counted. Returns the guard: model->states if all is
+ * well; else the outputs stay as they were. */
 static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint64_t tick)
 {
     iso_plant_drive(plant, tick);
+    iso_refusals unused = {0, 0};
+    iso_plant_admit(plant, &unused, &unused);
     iso_plant_keep(plant);
     uint64_t restarts = 0;
     iso_plant_step(plant, &restarts);
     (void)iso_plant_step_again(plant, restarts > 0);
     const uint16_t guard = iso_plant_guard(plant);
     if (guard == plant->model->states) {
-        iso_plant_output(plant);
+        iso_plant_advance(plant);
+        (void)iso_plant_output(plant);
     }
     return guard;
 }

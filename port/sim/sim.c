@@ -63,6 +63,10 @@ void iso_port_publish(const real *const y, const size_t outputs)
     (void)outputs;
 }
 
+void iso_port_safe(void)
+{
+}
+
 void iso_port_write(const void *const bytes, const size_t count)
 {
     if (fwrite(bytes, 1, count, stdout) != count) {

@@ -1,5 +1,6 @@
 /* The account of the loop against one made by other code: a model of a loop on a port whose ticks come late, get lost, wake
- * up for nothing, and whose steps stall for longer than a counter of 32 bits holds.
+ * up for nothing, whose steps stall for longer than a counter of 32 bits holds, and whose inputs, tunables and outputs are
+ * no numbers, infinite or out of their limits.
  *
  *     PROGRAM TICKS SEED FIRST
  *
@@ -7,6 +8,7 @@
  * times by itself. FIRST is the tick before the first: beyond 2^32 nothing begins anew.
  */
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -18,7 +20,7 @@ enum { PERIOD = 268435459, READING = 3, LATE = PERIOD / 16 };
 static uint64_t seed, first;
 
 /* What a tick has of a kind, 64 random bits (Steele, Lea and Flood 2014: splitmix64). */
-enum kind { DELAY, LOST, WAKE, COST, KINDS };
+enum kind { DELAY, LOST, WAKE, COST, INPUT, TUNABLE, OUTPUT, KINDS };
 static uint64_t chance(const uint64_t tick, const enum kind of)
 {
     uint64_t z = seed + UINT64_C(0x9E3779B97F4A7C15) * (tick * KINDS + (uint64_t)of + 1);
@@ -35,6 +37,14 @@ static uint64_t span(const uint64_t tick, const enum kind of, const uint64_t eve
         return 0;
     }
     return (bits >> 8 & 63) != 0 ? bits >> 34 : bits >> 28;
+}
+
+/* What comes from outside at a tick: mostly between -1 and 1, and once in 16 a number of these. */
+static real given(const uint64_t tick, const enum kind of)
+{
+    static const real bad[] = {(real)NAN, (real)INFINITY, (real)-INFINITY, R(1e30), R(-1e30), R(1.5), R(-0.0), R(-1.0)};
+    const uint64_t bits = chance(tick, of);
+    return bits % 16 == 0 ? bad[bits >> 8 & 7] : (real)((double)(bits >> 12) / 2251799813685248.0 - 1.0);
 }
 
 /* --- The port ---------------------------------------------------------------------------------------------------- */
@@ -73,32 +83,49 @@ uint64_t iso_port_clock(void)
 
 void iso_port_read(real *const u, const size_t inputs)
 {
-    (void)u;
-    (void)inputs;
+    if (inputs == 2) {
+        u[1] = given(first + steps, INPUT);
+    }
 }
+
+static real seen[2];
 
 void iso_port_publish(const real *const y, const size_t outputs)
 {
-    (void)y;
-    (void)outputs;
+    memcpy(seen, y, outputs * sizeof *y);
+}
+
+void iso_port_safe(void)
+{
 }
 
 /* --- The plant --------------------------------------------------------------------------------------------------- */
 
 static struct {
-    real x[1], u[1], y[1];
+    real x[1], u[2], p[1], y[2], good[5];
 } memory;
+
+static const iso_limits limits[] = {{R(-1.0), R(1.0)}, {R(-0.5), R(0.75)}};
 
 static void output(void *const of)
 {
     (void)of;
-    memory.y[0] = memory.x[0];
+    memory.y[0] = memory.u[1];
+    memory.y[1] = given(first + steps, OUTPUT);
 }
 
 static void drive(void *const of, const uint64_t tick)
 {
     (void)of;
     wrong_times += tick != first + steps;
+    memory.u[0] = R(0.25);
+}
+
+static void admit(void *const of, iso_refusals *const inputs, iso_refusals *const parameters)
+{
+    (void)of;
+    iso_admit(memory.u, memory.good, limits, 2, inputs);
+    iso_admit(memory.p, memory.good + 2, NULL, 1, parameters);
 }
 
 static void step(void *const of)
@@ -112,21 +139,53 @@ static const real start[1];
 static const iso_model model = {
     .period_ns = PERIOD,
     .states = 1,
-    .inputs = 1,
-    .outputs = 1,
+    .inputs = 2,
+    .outputs = 2,
+    .parameters = 1,
+    .defaults = start,
     .start = start,
     .memory_bytes = sizeof memory,
     .output = output,
     .drive = drive,
+    .admit = admit,
     .step = step,
 };
-static const iso_plant plant = {.model = &model, .memory = &memory, .x = memory.x, .u = memory.u, .y = memory.y};
+static const iso_plant plant = {.model = &model,
+                                .memory = &memory,
+                                .x = memory.x,
+                                .u = memory.u,
+                                .p = memory.p,
+                                .y = memory.y,
+                                .good = memory.good};
 
 /* --- The model of the account, in seconds' worth of counts since tick FIRST --------------------------------------- */
 
 typedef struct account {
     int64_t late, lost, overruns, margin, shortest, longest, sum;
+    int64_t inputs_held, inputs_clamped, tunables_held, outputs_held;
 } account;
+
+/* What the plant has after a tick. */
+typedef struct values {
+    real input, tunable, outputs[2];
+} values;
+
+static void check_values(account *const a, values *const v, const uint64_t tick)
+{
+    const real input = given(tick - 1, INPUT), tunable = given(tick - 1, TUNABLE), output = given(tick, OUTPUT);
+    a->inputs_held += !isfinite(input);
+    a->inputs_clamped += isfinite(input) && (input < R(-0.5) || input > R(0.75));
+    a->tunables_held += !isfinite(tunable);
+    a->outputs_held += !isfinite(output);
+    v->tunable = isfinite(tunable) ? tunable : v->tunable;
+    if (isfinite(input)) {
+        v->input = input < R(-0.5) ? R(-0.5) : input > R(0.75) ? R(0.75) : input;
+    }
+    if (isfinite(output)) {
+        v->outputs[0] = v->input;
+        v->outputs[1] = output;
+    }
+}
 
 static account expected(const int64_t ticks)
 {
@@ -179,13 +238,21 @@ int main(const int argc, char **const argv)
     static iso_loop loop;
     drive(NULL, first);
     iso_loop_start(&loop, &plant);
+    memset(memory.good, 0, sizeof memory.good);
+    const uint64_t at_start = loop.statistics.outputs_held;
     wrong_times = 0;
     loop.tick = loop.reported = told = first;
     now = loop.due = first * PERIOD;
+    account a = expected((int64_t)ticks);
+    values v = {R(0.0), R(0.0), {R(0.0), R(0.0)}};
+    uint64_t others = 0;
     for (uint64_t i = 0; i < ticks; i++) {
+        memory.p[0] = given(first + i, TUNABLE);
         failed |= !iso_loop_tick(&loop);
+        check_values(&a, &v, first + i + 1);
+        others += memory.u[1] != v.input || memory.p[0] != v.tunable || memory.u[0] != R(0.25) ||
+                  memcmp(memory.y, v.outputs, sizeof v.outputs) != 0 || memcmp(seen, v.outputs, sizeof seen) != 0;
     }
-    const account a = expected((int64_t)ticks);
     const iso_statistics *const s = &loop.statistics;
     printf("# seed %" PRIu64 "\n", seed);
     same("ticks", (int64_t)s->ticks, (int64_t)ticks);
@@ -196,6 +263,12 @@ int main(const int argc, char **const argv)
     same("execution_min", (int64_t)s->execution_min, a.shortest);
     same("execution_max", (int64_t)s->execution_max, a.longest);
     same("execution_sum", (int64_t)s->execution_sum, a.sum);
+    same("inputs_held", (int64_t)s->inputs.held, a.inputs_held);
+    same("inputs_clamped", (int64_t)s->inputs.clamped, a.inputs_clamped);
+    same("tunables_held", (int64_t)s->parameters.held, a.tunables_held);
+    same("tunables_clamped", (int64_t)s->parameters.clamped, 0);
+    same("outputs_held", (int64_t)(s->outputs_held - at_start), a.outputs_held);
+    same("ticks with other values", (int64_t)others, 0);
     same("ticks driven with another number", (int64_t)wrong_times, 0);
     return failed;
 }

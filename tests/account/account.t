@@ -30,6 +30,20 @@ controlled()
 optimised -O1
 controlled "time in 32 bits" 'return (int64_t)(b - a)' 'return (int32_t)(b - a)'
 controlled "a wake-up taken for a tick" 'while (loop->tick >= loop->reported)' 'if (loop->tick == loop->reported)'
+controlled "inputs and tunables that nothing checks" '.*iso_plant_admit.*' ''
+controlled "outputs that are not counted" 'iso_plant_output(plant);' 'iso_plant_output(plant) \& 0;'
+
+# A generated plant with limits: what it computes with numbers within them is what it computes without.
+sed 's/ in .*//' tests/account/hostile.scene >"$out/open.scene"
+for real in float double; do
+    real $real
+    rm -rf "$out/two"
+    build/isoc tests/account/hostile.scene --name limited --real $real -o "$out/two" >/dev/null &&
+        build/isoc "$out/open.scene" --name open --real $real -o "$out/two" >/dev/null &&
+        EXTRA="-I$out/two" program "hostile_$real" tests/account/hostile.c "$out/two/limited.c" "$out/two/open.c" &&
+        "$out/hostile_$real" >"$out/output"
+    expect $? "$real: what comes into a generated plant is checked: $(tr '\n' ' ' <"$out/output")"
+done
 
 # Late: the tick behind the lost one, the late one, and 20 behind the stall, which lasts to the end. Lost: of these all but
 # the late one. Overruns: the stall, and the 20 behind it.

@@ -8,6 +8,7 @@
 #include <valgrind/memcheck.h>
 
 #include "core/methods/method.h"
+#include "core/runtime/tick.h"
 #include "tests/check/poison.h"
 
 enum { STEPS = 2 };
@@ -30,18 +31,18 @@ static bool is_poisoned(const real *const x)
 
 static void examine(const iso_plant *const plant, const char *const name)
 {
+    iso_refusals counted = {0, 0};
     iso_plant_start(plant);
 
     const unsigned long before = VALGRIND_COUNT_ERRORS;
     VALGRIND_MAKE_MEM_UNDEFINED(plant->memory, plant->model->memory_bytes);
     for (int i = 0; i < STEPS; i++) {
+        iso_plant_admit(plant, &counted, &counted);
         plant->model->step(plant->memory);
     }
     const unsigned long after_step = VALGRIND_COUNT_ERRORS;
-    if (plant->model->advance != NULL) {
-        plant->model->advance(plant->memory);
-    }
-    plant->model->output(plant->memory);
+    iso_plant_advance(plant);
+    (void)iso_plant_output(plant);
     const unsigned long after_output = VALGRIND_COUNT_ERRORS;
     bool poisoned = RUNNING_ON_VALGRIND != 0;
     for (uint16_t i = 0; i < plant->model->states; i++) {

@@ -10,6 +10,7 @@
 
 #undef iso_port_read
 #undef iso_port_publish
+#define iso_port_safe fake_safe
 #define iso_port_start fake_start
 #define iso_port_wait fake_wait
 #define iso_port_clock fake_clock
@@ -81,6 +82,15 @@ static void fake_publish(const real *const y, const size_t outputs)
     seen = outputs == 1 ? y[0] : R(-1.0);
 }
 
+static uint32_t made_safe; /* calls, and the last outputs that were published before */
+static real seen_before_safe;
+
+static void fake_safe(void)
+{
+    made_safe++;
+    seen_before_safe = seen;
+}
+
 #include "core/runtime/loop.c"
 
 /* A plant that counts: x is the number of steps, u the tick that drives it, and a step costs what the script says. */
@@ -149,7 +159,7 @@ static iso_loop loop;
 static uint32_t run(const script *const what, const uint32_t ticks, const uint32_t failing_step)
 {
     events = what;
-    steps = published = primed = 0;
+    steps = published = primed = made_safe = 0;
     fail_at = failing_step;
     x[0] = x[1] = u[0] = p[0] = y[0] = R(-7.0);
     iso_loop_start(&loop, &plant);
@@ -265,7 +275,10 @@ static void test_guard(void)
     tap_count((uint32_t)loop.statistics.ticks, 3, "guard: the bad tick is not accounted");
     tap_count(published, 1 + 3, "guard: nor published");
     tap_same(y[0], R(30.0), "guard: the last good outputs stand");
+    tap_count(made_safe, 1, "guard: the port is put into its safe state, once");
+    tap_same(seen_before_safe, R(30.0), "guard: after the last good outputs");
     tap_count(run(&quiet, 9, 0), 9, "guard: a new start is good again");
+    tap_count(made_safe, 0, "guard: no safe state while all is well");
     tap_count((uint32_t)loop.guard, model.states, "guard: no state is named while all are finite");
 }
 

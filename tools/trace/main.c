@@ -214,6 +214,19 @@ static void print_summary(const stream *const run, const char *const unit, const
     if (strcmp(stream_value(run, header->states + 1, text), "0") != 0) {
         printf("violation %s\nviolated %" PRIu64 "\n", text, end->violated);
     }
+    const struct {
+        const char *key;
+        uint64_t value;
+    } refused[] = {{"inputs_held", end->inputs_held},
+                   {"inputs_clamped", end->inputs_clamped},
+                   {"tunables_held", end->tunables_held},
+                   {"tunables_clamped", end->tunables_clamped},
+                   {"outputs_held", end->outputs_held}};
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        if (refused[i].value > 0) {
+            printf("%s %" PRIu64 "\n", refused[i].key, refused[i].value);
+        }
+    }
     if (end->ticks > end->restarts && strcmp(unit, "instructions") == 0) {
         printf("instructions_per_step %" PRIu64, end->execution_min);
         if (end->execution_max != end->execution_min) {

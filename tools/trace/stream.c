@@ -145,9 +145,8 @@ static bool read_end(stream *const run)
 {
     stream_end *const end = &run->end;
 #define STREAM_READ(name, value) end->name = read_number(run->file, sizeof end->name);
+    ISO_STREAM_COUNTS(STREAM_READ)
     ISO_STREAM_WORDS(STREAM_READ)
-    end->execution_sum = read_number(run->file, sizeof end->execution_sum);
-    end->hash = read_number(run->file, sizeof end->hash);
     return read_values(run, run->header.states + 2);
 }
 

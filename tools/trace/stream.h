@@ -29,9 +29,8 @@ typedef struct stream_header {
 /* What the end record says. */
 typedef struct stream_end {
 #define STREAM_FIELD(name, value) uint64_t name;
-    ISO_STREAM_WORDS(STREAM_FIELD) /* margin is signed; guard: as many as there are states if none is bad */
-    uint64_t execution_sum;
-    uint64_t hash;
+    ISO_STREAM_COUNTS(STREAM_FIELD)
+    ISO_STREAM_WORDS(STREAM_FIELD) /* guard: as many as there are states if none is bad */
 } stream_end;
 
 typedef struct stream {

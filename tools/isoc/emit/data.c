@@ -32,6 +32,32 @@ bool has_range(const emission *e)
     return any;
 }
 
+bool has_limits(const variable *all, int count)
+{
+    bool any = false;
+    for (int i = 0; i < count; i++) {
+        any = any || !isinf(all[i].least) || !isinf(all[i].most);
+    }
+    return any;
+}
+
+/* static const iso_limits ARRAY[CART_WHAT] = {[PLACE] = {LEAST, MOST}, ...}; */
+static void emit_limits(emission *e, const char *array, const char *what, const leaf_name *leaves, const variable *all,
+                        int count)
+{
+    if (!has_limits(all, count)) {
+        return;
+    }
+    text_add(e->out, "static const iso_limits %s[%s_%s] = {\n", array, e->names->capitals, what);
+    for (int i = 0; i < count; i++) {
+        const variable *v = &all[i];
+        add_entry(e, &leaves[i],
+                  arena_format(e->out->memory, "{%s, %s}", isinf(v->least) ? "-ISO_REAL_MAX" : literal(e, v->least),
+                               isinf(v->most) ? "ISO_REAL_MAX" : literal(e, v->most)));
+    }
+    text_add(e->out, "};\n\n");
+}
+
 void emit_data(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -63,4 +89,6 @@ void emit_data(emission *e)
         }
         text_add(e->out, "};\n\n");
     }
+    emit_limits(e, "input_limits", "INPUTS", e->names->leaves.inputs, m->inputs, m->input_count);
+    emit_limits(e, "parameter_limits", "PARAMETERS", e->names->leaves.parameters, m->parameters, m->parameter_count);
 }

@@ -87,6 +87,7 @@ void emit_model(emission *e)
                  code_literal(e->out->memory, m->violation_limit, p->is_double));
     }
     add_if(e, is_driven(m), "    .drive = drive,\n");
+    add_if(e, m->input_count + m->parameter_count > 0, "    .admit = admit,\n");
     add_if(e, m->memory_count > 0, "    .advance = advance,\n");
     add_if(e, can_restart(m), "    .discontinuity = discontinuity,\n");
     add_if(e, is_primed(m), "    .prime = prime,\n");
@@ -109,5 +110,5 @@ void emit_plant(emission *e)
         text_add(e->out, "    .progress = &memory.progress,\n");
     }
     add_if(e, ISO_IS_WATCHED(m->recipe), "    .before = &before,\n");
-    text_add(e->out, "};\n");
+    text_add(e->out, "    .good = memory.good,\n};\n");
 }

@@ -370,6 +370,32 @@ static void emit_drive(emission *e)
     text_add(e->out, "}\n\n");
 }
 
+/* What checks inputs and tunables, with the limits that the scene gives. */
+static void emit_admit(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char *capitals = e->names->capitals;
+    text_add(e->out, "/* What comes in from outside is finite, and within its limits. */\n");
+    text_add(e->out,
+             "static void admit(void *const instance, iso_refusals *const inputs, iso_refusals *const parameters)\n");
+    text_add(e->out, "{\n    %s_memory *const memory = instance;\n", e->names->prefix);
+    if (m->input_count > 0) {
+        text_add(e->out, "    iso_admit(memory->u, memory->good, %s, %s_INPUTS, inputs);\n",
+                 has_limits(m->inputs, m->input_count) ? "input_limits" : "NULL", capitals);
+    } else {
+        text_add(e->out, "    (void)inputs;\n");
+    }
+    if (m->parameter_count > 0) {
+        text_add(e->out, "    iso_admit(memory->p, memory->good%s%s, %s, %s_PARAMETERS, parameters);\n",
+                 m->input_count > 0 ? " + " : "",
+                 m->input_count > 0 ? arena_format(e->out->memory, "%s_INPUTS", capitals) : "",
+                 has_limits(m->parameters, m->parameter_count) ? "parameter_limits" : "NULL", capitals);
+    } else {
+        text_add(e->out, "    (void)parameters;\n");
+    }
+    text_add(e->out, "}\n\n");
+}
+
 /* What the memories are from the next tick on. */
 static void emit_advance(emission *e)
 {
@@ -415,6 +441,9 @@ void emit_functions(emission *e)
     emit_output(e);
     if (is_driven(p->m)) {
         emit_drive(e);
+    }
+    if (p->m->input_count + p->m->parameter_count > 0) {
+        emit_admit(e);
     }
     if (p->m->memory_count > 0) {
         emit_advance(e);

@@ -138,6 +138,10 @@ static void emit_memory(const emission *e)
     if (watches_parameters(m)) {
         text_add(e->out, "    real last_p[%s_PARAMETERS];\n", capitals);
     }
+    text_add(e->out, "    real good[%s%s%s%s%s_OUTPUTS]; /* the last good%s%s outputs */\n",
+             m->input_count > 0 ? capitals : "", m->input_count > 0 ? "_INPUTS + " : "",
+             m->parameter_count > 0 ? capitals : "", m->parameter_count > 0 ? "_PARAMETERS + " : "", capitals,
+             m->input_count > 0 ? " inputs," : "", m->parameter_count > 0 ? " tunables," : "");
     text_add(e->out, "} %s_memory;\n\n", e->names->prefix);
 }
 
@@ -158,7 +162,8 @@ static void emit_instance(const emission *e)
     text_add(e->out, "        %s,\n", m->parameter_count > 0 ? "memory->p" : "NULL");
     text_add(e->out, "        memory->y,\n        %s,\n", progress_of(m));
     text_add(e->out, "        %s,\n", ISO_IS_VARYING(m->recipe) ? "&memory->adams" : "NULL");
-    text_add(e->out, "        %s,\n    };\n    return plant;\n}\n\n", watched ? "before" : "NULL");
+    text_add(e->out, "        %s,\n        memory->good,\n    };\n    return plant;\n}\n\n",
+             watched ? "before" : "NULL");
 }
 
 /* The core's numbers must be the plant's. */

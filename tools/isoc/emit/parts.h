@@ -29,6 +29,9 @@ bool is_driven(const mechanism *m);
 /* The size of u as C: the inputs, and the memories behind them. */
 const char *held_size(const emission *e);
 
+/* Whether one of these quantities has a limit. */
+bool has_limits(const variable *all, int count);
+
 /* Whether the guard knows how large some state may be. */
 bool has_range(const emission *e);
 

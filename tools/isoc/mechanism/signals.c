@@ -64,6 +64,17 @@ static dimension input_dimension(builder *b, const quantity *q, bool *is_known)
     return q->has_unit ? q->unit.of : v.of;
 }
 
+/* LEAST to MOST of a tunable or an input, in the right order. */
+static void read_limits(builder *b, const quantity *q, bool is_known, dimension of, variable *to)
+{
+    const char *what = arena_format(b->s->memory, "a limit of '%s'", q->name.text);
+    to->least = value_constant(&b->values, is_known ? q->least : NULL, of, what, -HUGE_VAL);
+    to->most = value_constant(&b->values, is_known ? q->most : NULL, of, what, HUGE_VAL);
+    if (to->least > to->most) {
+        source_problem(b->s, q->least->at, "the limits of '%s' are in the wrong order: in LEAST to MOST", q->name.text);
+    }
+}
+
 static void build_input(builder *b, int i)
 {
     mechanism *made = &b->made;
@@ -79,6 +90,7 @@ static void build_input(builder *b, int i)
                                  .quote = source_quote(b->s, q->name.at),
                                  .least = -HUGE_VAL,
                                  .most = HUGE_VAL};
+    read_limits(b, q, is_known, of, &made->inputs[i]);
     made->driven[i] = q->value != NULL;
     made->drives[i] = scalar_value(b, is_known ? q->value : NULL, of, what);
     made->jumps[i] = value_constant(&b->values, is_known ? q->jump : NULL, of, what, q->jump != NULL ? 1.0 : 0.0);
@@ -132,17 +144,13 @@ void check_inputs(builder *b)
 static variable parameter_of(builder *b, const quantity *q, dimension of, double start)
 {
     const bool is_plain = dimension_equal(of, no_unit);
-    const char *what = arena_format(b->s->memory, "a limit of '%s'", q->name.text);
     variable made = {.name = q->name.text,
                      .unit = is_plain ? "1" : dimension_text(b->s->memory, of),
                      .quote = source_quote(b->s, q->name.at),
                      .dimension = of,
-                     .least = value_constant(&b->values, q->least, of, what, -HUGE_VAL),
-                     .most = value_constant(&b->values, q->most, of, what, HUGE_VAL),
                      .start = start};
-    if (made.least > made.most) {
-        source_problem(b->s, q->least->at, "the limits of '%s' are in the wrong order: in LEAST to MOST", q->name.text);
-    } else if (start < made.least || start > made.most) {
+    read_limits(b, q, true, of, &made);
+    if (made.least <= made.most && (start < made.least || start > made.most)) {
         source_problem(b->s, q->value->at, "the default of '%s' is not within its limits", q->name.text);
     }
     return made;

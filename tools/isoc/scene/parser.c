@@ -41,7 +41,7 @@ static void read_parameter(parser *p, const token *word, void *slot)
 /* Behind what an input has: a word that it does not have, or not there. */
 static void refuse_input_word(parser *p)
 {
-    static const char *const words[] = {"held", "smooth", "jump"};
+    static const char *const words[] = {"held", "smooth", "jump", "in"};
     if (!p->failed && p->next->kind == TOKEN_NAME && !p->next->first_on_line) {
         bool known = false;
         for (size_t i = 0; i < COUNT_OF(words); i++) {
@@ -49,9 +49,11 @@ static void refuse_input_word(parser *p)
         }
         const char *near = known ? "" : source_suggestion(p->s, p->next->text, words, COUNT_OF(words));
         parse_problem(
-            p, arena_format(p->s->memory,
-                            "expected, in this order, a unit, held or smooth, jump with a change, = with a value%s",
-                            near));
+            p,
+            arena_format(
+                p->s->memory,
+                "expected, in this order, a unit, held or smooth, jump with a change, = with a value, in with limits%s",
+                near));
     }
 }
 
@@ -67,6 +69,9 @@ static void read_input_statement(parser *p, const token *word, void *slot)
     }
     if (!p->failed && take_sign(p, '=')) {
         q.value = parse_formula(p);
+    }
+    if (!p->failed && take_word(p, "in")) {
+        read_limits(p, &q);
     }
     refuse_input_word(p);
     made->inputs = arena_grow(p->s->memory, made->inputs, made->input_count, &made->input_room, sizeof q);

@@ -149,7 +149,7 @@ typedef struct quantity {
     formula *jump;  /* of an input: the change that restarts a method, or NULL */
     unit unit;      /* of an input that has_unit */
     bool has_unit;
-    formula *least, *most; /* of a tunable: in LEAST to MOST, or NULL */
+    formula *least, *most; /* of a tunable or an input: in LEAST to MOST, or NULL */
     bool tunable;
     formula *point; /* of an operand that is a body: NAME at POINT */
     bool smooth;    /* an input that is a sample of a continuous signal; otherwise it is held over a step */
