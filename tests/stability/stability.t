@@ -6,7 +6,7 @@ rolled
 
 for type in float double; do
     real $type
-    program $type.run tests/stability/stability.c tests/stability/theory.c tools/isoc/mechanism/limits.c tests/host/report.c
+    program $type.run tests/stability/stability.c tools/isoc/mechanism/growth.c tools/isoc/mechanism/limits.c tests/host/report.c
     result $? "$type builds"
     joined $type "$out/$type.run"
 done

@@ -9,6 +9,7 @@
 #include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/pivots.h"
 #include "tools/isoc/plant/range.h"
+#include "tools/isoc/plant/stability.h"
 #include "tools/isoc/plant/start.h"
 #include "tools/isoc/scene/dot.h"
 #include "tools/isoc/scene/leave_out.h"
@@ -315,6 +316,9 @@ static bool compile(arena *memory, const options *o)
         }
         if (s.problem_count == 0) {
             start_check(&s, &g, &p);
+        }
+        if (s.problem_count == 0) {
+            stability_check(&s, &g, &p);
         }
         if (s.problem_count == 0) {
             if (o->inputs == NULL) {

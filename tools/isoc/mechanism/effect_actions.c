@@ -60,6 +60,12 @@ static node node_of(world *w, const instance *in, const effect_line *line, dimen
     return is_good ? found.parts[0] : constant(w->b->g, 0.0);
 }
 
+/* Which effect it is. */
+static int number_of(const world *w, const instance *in)
+{
+    return (int)(in - w->all);
+}
+
 static void do_rate(world *w, const instance *in, const effect_line *line)
 {
     const effect_line *of = subject(w, in, line, EFFECT_STATE, "state");
@@ -67,6 +73,7 @@ static void do_rate(world *w, const instance *in, const effect_line *line)
         dimension rate = line_value(w, in, of).of;
         dimension_times(&rate, second, -1);
         effect_quantity *made = &w->b->made.effect_states[in->places[of - in->kind->lines]];
+        made->effect = number_of(w, in);
         made->next = graph_name(w->b->g, node_of(w, in, line, rate, "the rate of"), "rate_%s", made->about.name);
     }
 }
@@ -91,6 +98,8 @@ static void do_effort(world *w, const instance *in, const effect_line *line)
             graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
         node *sum = &w->b->made.efforts[w->b->made.links[l].dof];
         *sum = add(g, *sum, added);
+        w->b->made.effort_parts[w->b->made.effort_part_count++] =
+            (effect_effort){number_of(w, in), w->b->made.links[l].dof, added};
         const node speed = leaf(g, OP_STATE, w->b->made.position_count + w->b->made.links[l].dof);
         *in->power = add(g, *in->power, mul(g, added, speed));
     }
@@ -134,7 +143,11 @@ static void push(world *w, const instance *in, int which, vector point, const ef
     if (frame->link == GROUND) {
         return;
     }
-    applied_force f = {.body = body_under(w->b, which), .link = frame->link, .drive = -1, .in_ground = !line->in_body};
+    applied_force f = {.body = body_under(w->b, which),
+                       .link = frame->link,
+                       .drive = -1,
+                       .effect = number_of(w, in),
+                       .in_ground = !line->in_body};
     f.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
     f.force = f.moment = vector_zero(g);
     vector *to = line->kind == EFFECT_FORCE ? &f.force : &f.moment;

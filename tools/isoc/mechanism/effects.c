@@ -46,6 +46,13 @@ void count_effects(builder *b)
     made->effect_states = arena_take(memory, (size_t)made->effect_state_count + 1, sizeof *made->effect_states);
     made->memories = arena_take(memory, (size_t)made->memory_count + 1, sizeof *made->memories);
     made->efforts = arena_take(memory, (size_t)made->dof_count + 1, sizeof *made->efforts);
+    const int parts = count_all(b->written, EFFECT_EFFORT);
+    made->effort_parts = arena_take(memory, (size_t)parts + 1, sizeof *made->effort_parts);
+    made->effect_count = (int)b->written->effect_count;
+    made->effects = arena_take(memory, b->written->effect_count + 1, sizeof *made->effects);
+    for (int i = 0; i < made->effect_count; i++) {
+        made->effects[i] = b->written->effects[i].name;
+    }
     made->stored = constant(b->g, 0.0);
     for (int f = 0; f < made->dof_count; f++) {
         made->efforts[f] = constant(b->g, 0.0);

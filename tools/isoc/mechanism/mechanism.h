@@ -55,6 +55,7 @@ typedef struct dof {
 typedef struct applied_force {
     int body, link;
     int drive;            /* the input, or -1 */
+    int effect;           /* then the effect */
     vector point, axis;   /* constant, in the link's frame */
     node lever;           /* the moment about the force's own line, per newton */
     vector force, moment; /* of an effect; when its motion is known, in the axes of the link */
@@ -182,9 +183,16 @@ typedef struct variable {
 /* A state of an effect, or a memory of one: what it is called, and its rate, or what it is after the next tick. */
 typedef struct effect_quantity {
     variable about;
-    place at; /* of the effect */
+    place at;   /* of the effect, */
+    int effect; /* and which */
     node next;
 } effect_quantity;
+
+/* What an effect adds to the effort of a degree of freedom. */
+typedef struct effect_effort {
+    int effect, dof;
+    node effort;
+} effect_effort;
 
 /* What a parameter is from a tick on. */
 typedef struct switching {
@@ -216,7 +224,11 @@ typedef struct mechanism {
     int effect_state_count, first_effect_state;
     effect_quantity *memories; /* of effects: numbers that a tick sets at its end, behind the inputs */
     int memory_count;
-    node *efforts;            /* [degrees of freedom] of effects */
+    node *efforts;               /* [degrees of freedom] of effects: */
+    effect_effort *effort_parts; /* the sums of these */
+    int effort_part_count;
+    name *effects; /* what they are called */
+    int effect_count;
     node stored;              /* the energy that they store */
     effect_quantity *derived; /* values of effects that follow from step, method and inertia */
     int derived_count;

@@ -7,25 +7,31 @@
 #include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/outputs.h"
 
+const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chosen, node *derivatives)
+{
+    const dynamics *d = dynamics_build(g, m, chosen);
+    graph_section(g, "Rates of the positions");
+    for (int i = 0; i < m->link_count; i++) {
+        position_rates(&d->k, i, derivatives + m->links[i].position);
+    }
+    for (int i = 0; i < m->clocks.count; i++) {
+        derivatives[m->clocks.first + i] = constant(g, m->clocks.all[i].rate);
+    }
+    for (int i = 0; i < m->effect_state_count; i++) {
+        derivatives[m->first_effect_state + i] = m->effect_states[i].next;
+    }
+    for (int f = 0; f < m->dof_count; f++) {
+        derivatives[m->position_count + f] = d->acceleration[f];
+    }
+    return d;
+}
+
 /* The derivative of the states, and what an implicit method solves with. */
 static void build_derivatives(plant *p, graph *g, formulation chosen)
 {
     const mechanism *m = p->m;
     p->derivatives = arena_take(g->memory, (size_t)state_count(m), sizeof *p->derivatives);
-    p->d = dynamics_build(g, m, chosen);
-    graph_section(g, "Rates of the positions");
-    for (int i = 0; i < m->link_count; i++) {
-        position_rates(&p->d->k, i, p->derivatives + m->links[i].position);
-    }
-    for (int i = 0; i < m->clocks.count; i++) {
-        p->derivatives[m->clocks.first + i] = constant(g, m->clocks.all[i].rate);
-    }
-    for (int i = 0; i < m->effect_state_count; i++) {
-        p->derivatives[m->first_effect_state + i] = m->effect_states[i].next;
-    }
-    for (int f = 0; f < m->dof_count; f++) {
-        p->derivatives[m->position_count + f] = p->d->acceleration[f];
-    }
+    p->d = derivatives_build(g, m, chosen, p->derivatives);
     if (ISO_IS(m->recipe, ISO_SEMI_IMPLICIT) && m->position_count != m->dof_count) {
         p->rate_count = m->position_count;
     }

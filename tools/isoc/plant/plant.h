@@ -46,6 +46,9 @@ typedef struct wishes {
     factoring factors;       /* FACTORINGS: that which suits the size */
 } wishes;
 
+/* The derivative of each state alone. */
+const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chosen, node *derivatives);
+
 /* The nodes of derivative, outputs and all else. */
 plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted);
 

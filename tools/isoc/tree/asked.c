@@ -144,4 +144,7 @@ void asked_resolve(graph *g, mechanism *m)
             f->moment = f->in_ground ? inward_axes(&k, f->link, f->moment) : f->moment;
         }
     }
+    for (int i = 0; i < m->effort_part_count; i++) {
+        replace(g, &m->effort_parts[i].effort, 1, &all);
+    }
 }

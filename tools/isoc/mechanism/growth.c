@@ -1,18 +1,28 @@
-#include "tests/stability/theory.h"
+#include "tools/isoc/mechanism/growth.h"
+
+#include <float.h>
+#include <math.h>
 
 #include "core/methods/method.h"
 
 enum { DEGREE_MAX = 6, ITERATIONS = 200 };
 
-double theory_largest_root(const double complex *const c, const int degree)
+static double modulus(const double complex z)
+{
+    return sqrt(creal(z) * creal(z) + cimag(z) * cimag(z));
+}
+
+/* The largest modulus of the zeros of sum_k c[k] zeta^k, c[degree] not zero. */
+static double largest_root(const double complex *const c, const int degree)
 {
     /* All roots at once (Weierstrass 1891, Durand 1960, Kerner 1966). */
-    double complex root[DEGREE_MAX];
-    double largest = 0.0;
-    for (int i = 0; i < degree; i++) {
-        root[i] = cpow(0.4 + 0.9 * THEORY_I, i);
+    double complex root[DEGREE_MAX] = {1.0};
+    double largest = 0.0, change = 1.0;
+    for (int i = 1; i < degree; i++) {
+        root[i] = root[i - 1] * (0.4 + 0.9 * GROWTH_I);
     }
-    for (int iteration = 0; iteration < ITERATIONS; iteration++) {
+    for (int iteration = 0; iteration < ITERATIONS && change > 0.0; iteration++) {
+        change = 0.0;
         for (int i = 0; i < degree; i++) {
             double complex value = c[degree];
             double complex others = c[degree];
@@ -22,11 +32,13 @@ double theory_largest_root(const double complex *const c, const int degree)
             for (int j = 0; j < degree; j++) {
                 others *= j == i ? 1.0 : root[i] - root[j];
             }
-            root[i] -= value / others;
+            const double complex correction = value / others;
+            root[i] -= correction;
+            change = modulus(correction) > DBL_EPSILON * modulus(root[i]) ? 1.0 : change;
         }
     }
     for (int i = 0; i < degree; i++) {
-        largest = cabs(root[i]) > largest ? cabs(root[i]) : largest;
+        largest = modulus(root[i]) > largest ? modulus(root[i]) : largest;
     }
     return largest;
 }
@@ -61,7 +73,7 @@ static double ab4_growth(const double complex z)
     for (int j = 0; j < ISO_AB4_STEPS; j++) {
         c[3 - j] -= z * iso_table_ab4.b[j] / iso_table_ab4.over;
     }
-    return theory_largest_root(c, 4);
+    return largest_root(c, 4);
 }
 
 /* All derivatives are z x: x+ = x + z (b0 p + b1 x + b2 x[-1] + b3 x[-2]), where p is the predictor's x+, or once more
@@ -83,7 +95,7 @@ static double pece_growth(const double complex z, const int corrections)
         c[3 - j] = -x[j];
     }
     c[4] = 1.0;
-    return theory_largest_root(c, 4);
+    return largest_root(c, 4);
 }
 
 /* Derivatives are z p, of the predictor: p+ = x + z s(p), x+ = x + z t(p+), s and t the two formulas. With p = zeta^n:
@@ -102,38 +114,32 @@ static double pec_growth(const double complex z)
     for (int j = 0; j < 4; j++) {
         c[4 - j] -= z * iso_table_am[3].b[j] / iso_table_am[3].over;
     }
-    return theory_largest_root(c, 5);
+    return largest_root(c, 5);
 }
 
 /* (25 - 12 z) zeta^4 - 48 zeta^3 + 36 zeta^2 - 16 zeta + 3 (Gear 1971, table 11.1). */
 static double bdf4_growth(const double complex z)
 {
     const double complex c[5] = {3.0, -16.0, 36.0, -48.0, 25.0 - 12.0 * z};
-    return theory_largest_root(c, 4);
-}
-
-double complex theory_bdf4_locus(const double angle)
-{
-    const double complex back = 1.0 - cexp(-THEORY_I * angle);
-    return back + back * back / 2.0 + back * back * back / 3.0 + back * back * back * back / 4.0;
+    return largest_root(c, 4);
 }
 
 /* q'' = -w^2 q: zeta^2 - (2 - w^2) zeta + 1. q' = v, v' = lambda v: 1 and 1 + z. */
 static double semi_implicit_growth(const double complex z)
 {
     const double complex c[3] = {1.0, cimag(z) * cimag(z) - 2.0, 1.0};
-    return creal(z) == 0.0 ? theory_largest_root(c, 2) : (cabs(1.0 + z) > 1.0 ? cabs(1.0 + z) : 1.0);
+    return creal(z) == 0.0 ? largest_root(c, 2) : (modulus(1.0 + z) > 1.0 ? modulus(1.0 + z) : 1.0);
 }
 
-double theory_growth(const unsigned recipe, const double complex z)
+double growth_of(const unsigned recipe, const double complex z)
 {
     switch (ISO_METHOD_OF(recipe)) {
     case ISO_EULER:
-        return cabs(explicit_factor(&iso_tableau_euler, z));
+        return modulus(explicit_factor(&iso_tableau_euler, z));
     case ISO_HEUN:
-        return cabs(explicit_factor(&iso_tableau_heun, z));
+        return modulus(explicit_factor(&iso_tableau_heun, z));
     case ISO_RK4:
-        return cabs(explicit_factor(&iso_tableau_rk4, z));
+        return modulus(explicit_factor(&iso_tableau_rk4, z));
     case ISO_AB4:
         return ab4_growth(z);
     case ISO_SEMI_IMPLICIT:
@@ -147,6 +153,6 @@ double theory_growth(const unsigned recipe, const double complex z)
     case ISO_BDF4:
         return bdf4_growth(z);
     default:
-        return cabs(rosenbrock_factor(z));
+        return modulus(rosenbrock_factor(z));
     }
 }

@@ -4,22 +4,16 @@
  * linear or more in z; a one-step method multiplies x by R(z). Growth per step is the largest |zeta|, or |R(z)|. Hairer
  * and Wanner (1996), Solving Ordinary Differential Equations II, IV.2, IV.7 and V.1.
  */
-#ifndef ISO_TESTS_STABILITY_THEORY_H
-#define ISO_TESTS_STABILITY_THEORY_H
+#ifndef ISOC_MECHANISM_GROWTH_H
+#define ISOC_MECHANISM_GROWTH_H
 
 #include <complex.h>
 
 /* The imaginary unit in double. */
-#define THEORY_I ((double complex)I)
+#define GROWTH_I ((double complex)I)
 
 /* The growth per step of a recipe's method at z: of x' = lambda x; for semi_implicit of q'' = lambda^2 q on the
  * imaginary axis and of q' = v, v' = lambda v on the real one. */
-double theory_growth(unsigned recipe, double complex z);
-
-/* The z on bdf4's root locus at zeta = exp(i angle): sum over k of (1 - 1/zeta)^k / k. */
-double complex theory_bdf4_locus(double angle);
-
-/* The largest modulus of the zeros of sum_k c[k] zeta^k, c[degree] not zero. */
-double theory_largest_root(const double complex *c, int degree);
+double growth_of(unsigned recipe, double complex z);
 
 #endif

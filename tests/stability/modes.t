@@ -1,0 +1,125 @@
+#!/bin/sh
+# What isoc says of stability: eigenvalues of the Jacobian, and warnings where the method does not hold them.
+. tests/host/test.sh
+begin modes
+
+program eigenvalues tests/stability/eigenvalues.c tools/isoc/base/eigenvalues.c tools/isoc/base/arena.c tests/host/report.c
+joined eigenvalues "$out/eigenvalues"
+
+# told SCENE [OPTION...]: compiles a scene; what isoc says on stderr is in $out/told. Returns isoc's status.
+told()
+{
+    told_scene=$1
+    shift
+    build/isoc "$told_scene" -o "$out" "$@" >"$out/summary" 2>"$out/told"
+}
+
+# is_silent, warns PATTERN: of the last scene.
+is_silent() { [ ! -s "$out/told" ]; }
+warns() { grep -q "warning: $1" "$out/told"; }
+
+cat >"$out/spring.scene" <<'END'
+method rk4
+step 1 ms
+constant frequency = 1 kHz
+effect elastic { joint along; value stiffness N/m; effort on along = -stiffness * position of along }
+body block { mass 1 kg }
+joint slide prismatic { parent ground; child block; axis x; start 1 mm }
+effect strap elastic { along slide; stiffness 1 kg * frequency^2 }
+effect bearing friction { along slide; sliding 1 mN; creep 1 m/s }
+output x = position of slide
+END
+
+# limit METHOD BELOW ABOVE: silent at this frequency of the undamped spring, and not 2 % above.
+limit()
+{
+    told "$out/spring.scene" --method "$1" --set "frequency = $2 Hz" && is_silent &&
+        told "$out/spring.scene" --method "$1" --set "frequency = $3 Hz" &&
+        warns "the effect 'strap' is too fast for $1 with a step of 1 ms: the Jacobian at the start has the eigenvalue .* +- $3 i 1/s"
+    result $? "$1: a spring of $2 rad/s is held, one of $3 is warned of"
+}
+limit rk4 2800 2856           # sqrt(8)
+limit semi_implicit 1980 2020 # 2
+# Undamped oscillations grow with euler however small the step is; sqrt(1 + z^2) = exp(z / 10) + 1e-3 at 0.214.
+limit euler 212 216
+told "$out/spring.scene" --method rosenbrock --set 'frequency = 1 MHz' && is_silent
+result $? 'rosenbrock: no spring is too fast'
+
+# A winding of R / L = 400/s: ab4 holds 0.3 a step.
+cat >"$out/motor.scene" <<'END'
+step 1 ms
+method ab4
+input volts V smooth
+body rotor { mass 1 kg; inertia (1, 1, 1) g*m^2 }
+joint shaft revolute { parent ground; child rotor; axis z; damping 0.01 N*m*s/rad }
+effect bearing friction { along shaft; sliding 10 mN*m; creep 10 rad/s }
+constant ohm = 8 Ohm
+effect drive dc_motor { shaft shaft; supply volts; resistance ohm; inductance 20 mH; constant 1 mN*m/A }
+output current = drive.current
+END
+told "$out/motor.scene" &&
+    warns "the effect 'drive' is too fast for ab4 .* the eigenvalue -400 1/s; .*euler 5 ms, heun 5 ms, rk4 6.9[67] ms, ab4 0.75. ms, .*bdf4 any, rosenbrock any" &&
+    grep -q 'motor.scene:8:8: warning' "$out/told"
+result $? 'ab4: the winding of a motor is told, with its line and the steps of all methods'
+for method in bdf4 rosenbrock euler rk4; do
+    told "$out/motor.scene" --method $method && is_silent
+    result $? "$method: holds the winding"
+done
+told "$out/motor.scene" --set 'ohm = 5.94 Ohm' && is_silent && told "$out/motor.scene" --set 'ohm = 6.06 Ohm' && warns "the effect 'drive'"
+result $? 'ab4: the limit is within 1 %'
+
+# Friction is steepest at rest; what is too fast is told one after the other.
+sed 's/creep 1 m/creep 0.1 um/; s/start 1 mm/start 1 mm speed 1 m\/s/' "$out/spring.scene" >"$out/moving.scene"
+told "$out/moving.scene" && warns "the effect 'bearing' is too fast for rk4 .* at rest has the eigenvalue -"
+result $? 'friction with a small creep is told at rest, also where the start moves'
+sed 's/creep 1 m/creep 0.1 um/' "$out/spring.scene" >"$out/both.scene"
+told "$out/both.scene" --set 'frequency = 200 kHz' && warns "the effect 'bearing'" && warns "the effect 'strap'" &&
+    [ "$(grep -c warning: "$out/told")" -eq 2 ]
+result $? 'two effects that are too fast are both told'
+
+# What grows by itself is no fault of the method: an inverted pendulum, whose other mode, -0.157 a step, all methods hold.
+cat >"$out/inverted.scene" <<'END'
+gravity (0, -9.81, 0) m/s^2
+step 50 ms
+body bob { mass 1 kg; com (0, 1, 0) m }
+joint pivot revolute { parent ground; child bob; axis z; start 0.01 rad }
+output angle = position of pivot
+END
+silent=0
+for method in euler heun rk4 semi_implicit ab4 abm4 abm4_pec abm4_pecece bdf4 rosenbrock; do
+    told "$out/inverted.scene" --method $method && is_silent || silent=1
+done
+[ $silent -eq 0 ]
+result $? 'no method is blamed for an inverted pendulum'
+
+sed '/^stabilisation/d' models/four_bar.scene >"$out/loop.scene"
+echo 'stabilisation baumgarte { alpha 3 kHz; beta 3 kHz }' >>"$out/loop.scene"
+told "$out/loop.scene" --method rk4 && warns "the stabilisation of the closure 'rocker_pin'"
+result $? 'a stabilisation that is too fast is told'
+
+# A root has no slope at zero.
+cat >"$out/root.scene" <<'END'
+method rk4
+step 1 ms
+effect orifice { joint along; effort on along = -1 N * sign(position of along) * sqrt(abs(position of along / 1 m)) }
+body block { mass 1 kg }
+joint slide prismatic { parent ground; child block; axis x }
+effect hole orifice { along slide }
+output x = position of slide
+END
+told "$out/root.scene" && is_silent && ! told "$out/root.scene" --method bdf4 && [ ! -s "$out/summary" ] &&
+    grep -q "root.scene:5:7: error: the Jacobian at the start is not finite: .* by 'slide' there, and bdf4 needs it" "$out/told"
+result $? 'an implicit method is refused where the Jacobian is not finite'
+
+# The models, all of which run; but arm6 with abm4_pec leaves its range within a second.
+for scene in models/*.scene; do
+    for method in rk4 semi_implicit ab4 bdf4; do
+        told "$scene" --method $method --inputs smooth && is_silent || echo "$scene $method"
+    done
+done >"$out/blamed"
+sed 's/^/# /' "$out/blamed"
+[ ! -s "$out/blamed" ]
+result $? 'rk4, semi_implicit, ab4 and bdf4 hold all models'
+told models/arm6.scene --method abm4_pec --inputs smooth && warns "the spring and damping of the joint 'pitch'"
+result $? 'control: abm4_pec does not hold the arm'
+finish

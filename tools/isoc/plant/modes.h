@@ -1,0 +1,21 @@
+/* The modes of x' = J x, and whether a method holds them with a step. */
+#ifndef ISOC_PLANT_MODES_H
+#define ISOC_PLANT_MODES_H
+
+#include "tools/isoc/plant/slopes.h"
+
+typedef struct modes {
+    slopes of;
+    double *re, *im; /* [of.n] the eigenvalues */
+    bool found;
+} modes;
+
+modes modes_of(arena *memory, slopes of);
+
+/* How many of them grow by the method alone, and the fastest of these. A mode that grows by itself is none of them. */
+int count_growing(arena *memory, const modes *m, unsigned recipe, double step, int *fastest);
+
+/* The largest step up to which none does; infinite where there is no such limit. */
+double largest_step(arena *memory, const modes *m, unsigned recipe);
+
+#endif

@@ -1,0 +1,163 @@
+#include "tools/isoc/plant/stability.h"
+
+#include <math.h>
+
+#include "tools/isoc/mechanism/causes.h"
+#include "tools/isoc/mechanism/states.h"
+#include "tools/isoc/plant/modes.h"
+
+enum { MOST_STATES = 60 };
+
+/* Where the Jacobian is evaluated. */
+typedef struct point {
+    const char *when;
+    double *x, *u;
+} point;
+
+/* Those of the mechanism without some of its causes. */
+static modes modes_without(const graph *g, const mechanism *m, formulation kept, const bool *gone, const point *at)
+{
+    graph copy = graph_copy(g);
+    mechanism *less = arena_take(g->memory, 1, sizeof *less);
+    node *derivatives = arena_take(g->memory, (size_t)state_count(m) + 1, sizeof *derivatives);
+    *less = *m;
+    for (int i = 0; i < cause_count(m); i++) {
+        if (gone[i]) {
+            *less = without_cause(less, &copy, i);
+        }
+    }
+    derivatives_build(&copy, less, kept, derivatives);
+    linearised l = linearise(&copy, less, derivatives);
+    const modes made = modes_of(g->memory, slopes_at(&l, at->x, at->u));
+    graph_free(&l.g);
+    graph_free(&copy);
+    return made;
+}
+
+/* The cause without which the fewest modes grow by the method, and these modes; -1 where each leaves all of them. */
+static int find_cause(const graph *g, const plant *p, bool *gone, const point *at, modes *left)
+{
+    const mechanism *m = p->m;
+    int found = -1, fastest, least = count_growing(g->memory, left, m->recipe, m->step, &fastest);
+    for (int i = 0; i < cause_count(m) && least > 0; i++) {
+        if (!gone[i]) {
+            gone[i] = true;
+            const modes tried = modes_without(g, m, p->formulations.kept, gone, at);
+            const int count = tried.found ? count_growing(g->memory, &tried, m->recipe, m->step, &fastest) : least;
+            gone[i] = false;
+            if (count < least) {
+                least = count;
+                found = i;
+                *left = tried;
+            }
+        }
+    }
+    return found;
+}
+
+/* rk4 2.78 ms, rosenbrock any */
+static const char *steps_text(arena *memory, const modes *m)
+{
+    const char *all = "";
+    for (unsigned method = 0; method < ISO_METHODS; method++) {
+        const double step = ISO_IS_VARYING(method) ? 0.0 : largest_step(memory, m, method);
+        if (!ISO_IS_VARYING(method)) {
+            const char *before = all[0] == '\0' ? "" : ", ";
+            all = isinf(step) ? arena_format(memory, "%s%s%s any", all, before, method_names[method])
+                              : arena_format(memory, "%s%s%s %.3g ms", all, before, method_names[method], 1e3 * step);
+        }
+    }
+    return all;
+}
+
+static void warn(const source *s, arena *memory, const plant *p, const modes *m, int which, const point *at)
+{
+    const mechanism *of = p->m;
+    const cause none = {"mechanism", of->name, of->links[0].at};
+    const cause c = which < 0 ? none : cause_of(of, which);
+    int fastest = 0;
+    count_growing(memory, m, of->recipe, of->step, &fastest);
+    const double im = fabs(m->im[fastest]);
+    const char *oscillation = im == 0.0 ? "" : arena_format(memory, " +- %.4g i", im);
+    source_warn(
+        s, c.at,
+        "the %s '%s' is too fast for %s with a step of %.4g ms: the Jacobian %s has the eigenvalue %.4g%s 1/s; the "
+        "largest stable steps: %s",
+        c.sort, c.name, method_names[ISO_METHOD_OF(of->recipe)], 1e3 * of->step, at->when, m->re[fastest], oscillation,
+        steps_text(memory, m));
+}
+
+/* Warns of each cause, until what is left is held. Returns whether there was one. */
+static bool check_point(const source *s, const graph *g, const plant *p, slopes of, const point *at)
+{
+    bool *gone = arena_take(g->memory, (size_t)cause_count(p->m) + 1, sizeof *gone);
+    modes before = modes_of(g->memory, of);
+    int fastest;
+    bool any = false;
+    while (before.found && count_growing(g->memory, &before, p->m->recipe, p->m->step, &fastest) > 0) {
+        modes left = before;
+        const int which = find_cause(g, p, gone, at, &left);
+        warn(s, g->memory, p, &before, which, at);
+        any = true;
+        if (which < 0) {
+            break;
+        }
+        gone[which] = true;
+        before = left;
+    }
+    return any;
+}
+
+/* Inputs that are constant at the start, and memories as they begin. */
+static point start_of(const graph *g, const mechanism *m)
+{
+    point made = {"at the start", mechanism_start(m, g->memory), NULL};
+    made.u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *made.u);
+    for (int i = 0; i < m->input_count; i++) {
+        made.u[i] = m->driven[i] && is_constant(g, m->drives[i]) ? constant_value(g, m->drives[i]) : 0.0;
+    }
+    for (int i = 0; i < m->memory_count; i++) {
+        made.u[m->input_count + i] = m->memories[i].about.start;
+    }
+    return made;
+}
+
+/* The same with all joints at rest. Returns whether they were not. */
+static bool stop_at(const mechanism *m, point *at)
+{
+    bool moved = false;
+    for (int i = m->position_count; i < state_count(m); i++) {
+        moved = moved || at->x[i] != 0.0;
+        at->x[i] = 0.0;
+    }
+    at->when = "at rest";
+    return moved;
+}
+
+/* An implicit method divides by the Jacobian. */
+static void refuse(source *s, const mechanism *m, arena *memory, int which)
+{
+    const name n = {mechanism_states(m, memory)[which].about.name, mechanism_states(m, memory)[which].at};
+    source_problem(
+        s, n.at,
+        "the Jacobian at the start is not finite: something has no slope by '%s' there, and %s needs it; take "
+        "another start, or a formula that is smooth there",
+        n.text, method_names[ISO_METHOD_OF(m->recipe)]);
+}
+
+void stability_check(source *s, const graph *g, const plant *p)
+{
+    const mechanism *m = p->m;
+    if (ISO_IS_VARYING(m->recipe) || state_count(m) > MOST_STATES) {
+        return;
+    }
+    linearised l = linearise(g, m, p->derivatives);
+    point at = start_of(g, m);
+    const slopes first = slopes_at(&l, at.x, at.u);
+    if (first.infinite >= 0 && ISO_IS_IMPLICIT(m->recipe)) {
+        refuse(s, m, g->memory, first.infinite);
+    } else if (!check_point(s, g, p, first, &at) && stop_at(m, &at)) {
+        check_point(s, g, p, slopes_at(&l, at.x, at.u), &at);
+    }
+    graph_free(&l.g);
+}
