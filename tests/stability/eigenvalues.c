@@ -142,7 +142,7 @@ static void test_polynomials(arena *memory, int n)
 /* z^n = 1: the companion matrix is a permutation. z^2 = 0: a double root, known to the root of an epsilon. */
 static void test_known(arena *memory)
 {
-    const double nilpotent[] = {0.0, 1.0, 0.0, 0.0}, wrong[] = {NAN, 1.0, 1.0, 0.0};
+    const double nilpotent[] = {0.0, 1.0, 0.0, 0.0}, wrong[] = {(double)NAN, 1.0, 1.0, 0.0};
     for (int n = 2; n <= 7; n++) {
         double c[MOST] = {-1.0}, a[MOST * MOST];
         double complex wanted[MOST];
