@@ -74,6 +74,10 @@ absent slow lag '/^effect slow/s/.*//; /^output slow/s/.*//; s|slow\.value|0 m/s
 sed 's/^output wanted.*//; s/^signal bare.*//' $scene >"$out/unread.scene"
 build/isoc "$out/unread.scene" -o "$out/unread" --without 'drive' >"$out/unread.txt" && grep -qx 'inputs 1' "$out/unread.txt"
 result $? "an input that only the effect reads is left out with it"
+sed '/^output/{/measured/!d;}' $scene >"$out/measured.scene"
+build/isoc "$out/measured.scene" -o "$out/measured" --without 'drive; sense' >"$out/measured.txt" &&
+    grep -qx 'outputs 1' "$out/measured.txt" && grep -q 'y\[PLANT_Y_MEASURED\] = R(0' "$out/measured/plant.c"
+result $? "of a scene that shows nothing else, an output stays, and is zero"
 lacking all dc_motor current_sense friction stop lag &&
     written all '/^effect/s/.*//; /^at/s/.*//; /^signal [sl]/s/.*//; /^output [lms]/s/.*//; /^output current/s/.*//' &&
     left all 'drive; sense; bearing; ends; slow' && same all written left
@@ -147,6 +151,24 @@ result $? "found: an operation too many"
 [ "$(cell "$table" rub add)" -gt 0 ] && [ "$(cell "$table" count memories)" -eq 1 ] && [ "$(cell "$table" count step)" -eq 0 ] &&
     [ "$(cell "$table" count tick)" -gt 0 ]
 result $? "friction stands in the step, a counter in the tick"
+
+# drawn TABLE: the numbers at the bars of the picture are those of the table.
+drawn()
+{
+    grep -o '> [^<]*<' "$out/project/$folder/effects.svg" | tr -d ' <>' >"$out/drawn"
+    for column in step tick text memory; do
+        cell "$1" rub $column && cell "$1" count $column
+    done >"$out/wanted"
+    for effect in rub count; do
+        cell "$1" $effect part | awk '{ printf "%.3g\n", 100 * $1 }'
+    done >>"$out/wanted"
+    cmp -s "$out/drawn" "$out/wanted"
+}
+drawn "$table"
+result $? "the picture shows the numbers of the table"
+awk -F '\t' -v OFS='\t' '$1 == "count" { $8++ } 1' "$table" >"$out/planted.tsv"
+! drawn "$out/planted.tsv"
+result $? "found: another number in the picture"
 
 # The same counts of a scene in which the effect is not written.
 sed '/^effect rub/s/.*//' "$out/project/sleds.scene" >"$out/project/smooth.scene"

@@ -18,13 +18,14 @@ typedef struct panel {
     const char *key[TWO_BARS];    /* columns of the table */
     const char *legend[TWO_BARS]; /* NULL where there is no second */
     double times;                 /* what is shown is the number times this */
+    const char *format;           /* of the number at the end of a bar */
     double left, right;           /* of the picture, as parts */
 } panel;
 
 static const panel panels[] = {
-    {"instructions", {"step", "tick"}, {"of a step", "of a tick"}, 1.0, 0.17, 0.43},
-    {"bytes", {"text", "memory"}, {"of text", "of memory"}, 1.0, 0.46, 0.72},
-    {"largest change of an output, rms, %", {"part", NULL}, {NULL, NULL}, 100.0, 0.75, 0.98},
+    {"instructions", {"step", "tick"}, {"of a step", "of a tick"}, 1.0, "%.0f", 0.17, 0.43},
+    {"bytes", {"text", "memory"}, {"of text", "of memory"}, 1.0, "%.0f", 0.46, 0.72},
+    {"largest change of an output, rms, %", {"part", NULL}, {NULL, NULL}, 100.0, "%.3g", 0.75, 0.98},
 };
 enum { PANELS = sizeof panels / sizeof panels[0] };
 
@@ -60,7 +61,7 @@ static void put_data(const table *const lines, const size_t rows, const panel *c
         for (size_t row = 1; row <= rows; row++) {
             const double value = p->times * table_number(lines, row, column);
             const double top = (double)row - 0.35 + (double)bar * height;
-            printf("%.4g %.4g %.4g %.4g %.4g %.4g %.4g\n", value, top + height / 2, fmin(0, value), fmax(0, value), top,
+            printf("%.9g %.4g %.9g %.9g %.4g %.4g %.9g\n", value, top + height / 2, fmin(0, value), fmax(0, value), top,
                    top + height, fmax(0, value));
             least = fmin(least, value);
             most = fmax(most, value);
@@ -111,7 +112,7 @@ static void put_panel(const table *const lines, const size_t rows, const panel *
         } else {
             printf("title '%s'", p->legend[bar]);
         }
-        printf(", $bars_%zu_%zu using 7:2:(sprintf(' %%.3g', $1)) with labels left notitle", number, bar);
+        printf(", $bars_%zu_%zu using 7:2:(sprintf(' %s', $1)) with labels left notitle", number, bar, p->format);
         comma = ",";
     }
     putchar('\n');

@@ -115,13 +115,18 @@ static void mark(source *s, scene *made, const script *of)
     }
 }
 
+/* As a scene has an output, one stays where all would go, and shows what it does without the effects. */
 static void leave_outputs(scene *made)
 {
+    const output first = made->output_count > 0 ? made->outputs[0] : (output){0};
     size_t kept = 0;
     for (size_t i = 0; i < made->output_count; i++) {
         if (!is_lost(made, made->outputs[i].formula, 0)) {
             made->outputs[kept++] = made->outputs[i];
         }
+    }
+    if (kept == 0 && made->output_count > 0) {
+        made->outputs[kept++] = first;
     }
     made->output_count = kept;
 }
