@@ -14,7 +14,7 @@ derived()
 # library NAME: its scene, compiled, and its program, run.
 library()
 {
-    build/isoc "tests/effects/$1.scene" -o "$out/$1.$real.plant" --real $real >"$out/$1.summary" &&
+    build/isoc "tests/effects/$1.scene" -o "$out/$1.$real.plant" --real "$real" >"$out/$1.summary" &&
         EXTRA="-DPLANT=\"$out/$1.$real.plant/plant.c\"$(derived "$1")" program "$1.$real" "tests/effects/$1.c" tests/host/report.c
     joined "$1, $real" "$out/$1.$real"
 }
@@ -30,7 +30,7 @@ done
 planted()
 {
     { sed "$3" "models/effects/$2.scene" && cat "tests/effects/$1.scene"; } >"$out/planted.scene"
-    build/isoc "$out/planted.scene" -o "$out/planted.plant" --real $real >"$out/planted.summary" &&
+    build/isoc "$out/planted.scene" -o "$out/planted.plant" --real "$real" >"$out/planted.summary" &&
         ! sed "$3" "models/effects/$2.scene" | cmp -s - "models/effects/$2.scene" &&
         EXTRA="-DPLANT=\"$out/planted.plant/plant.c\"$(derived planted)" program planted "tests/effects/$1.c" \
             tests/host/report.c && ! "$out/planted" >"$out/tap" && [ "$(grep -c '^not ok' "$out/tap")" -le 3 ]

@@ -85,7 +85,7 @@ static void expect_code(const int output, const long double of, const long doubl
 {
     expect(output, clamp(of, 0.0L, levels - 1.0L), 0.5L + 8.0L * ULP * levels);
     const long double code = (long double)plant->y[output];
-    worst[output] = code != floorl(code) ? INFINITY : worst[output];
+    worst[output] = code != floorl(code) ? HUGE_VALL : worst[output];
 }
 
 static void expect_states(const long double y[STATES], const long double amps)
