@@ -3,6 +3,12 @@
  * The clock counts at the port's own rate; it reads 0 when iso_port_start returns, and tick k (k = 1, 2, ...) is due at k
  * times the period that iso_port_start gives. Clock and ticks have 64 bits and never wrap: a port whose counter has fewer
  * counts its overflows, in an interrupt that is never held off for longer than one takes.
+ *
+ * The floating-point unit is the port's duty, before main begins: where there is one it is on, rounds to nearest with ties
+ * to even, and keeps numbers below the least normal one, both as operands and as results (no flush-to-zero, no
+ * denormals-are-zero, no default NaN needed). No function of the port and no interrupt changes these modes, and an
+ * interrupt that computes with reals saves the registers of the unit. iso_self_check (core/numbers/self_check.h) finds a
+ * wrong mode by arithmetic, at the start of main.
  */
 #ifndef ISO_PORT_PORT_H
 #define ISO_PORT_PORT_H

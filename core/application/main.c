@@ -17,7 +17,7 @@ int main(int argc, char **argv)
 
     if (!iso_self_check()) {
         iso_stream_bail_out("the processor or a flag of the compiler changes the bits of results; compile with "
-                            "-std=c11 -ffp-contract=off, and do not flush denormals to zero");
+                            "-std=c11 -ffp-contract=off, round to nearest, and do not flush denormals to zero");
         iso_port_exit(1);
     }
     iso_stream_header(plant, duration);

@@ -7,13 +7,13 @@ begin check/unsafe
 cat >"$out/main.c" <<'C'
 #include <stdio.h>
 #include "core/numbers/self_check.h"
-#ifdef FLUSH
+#ifdef MODE
 #include <xmmintrin.h>
 #endif
 int main(void)
 {
-#ifdef FLUSH
-    _mm_setcsr(_mm_getcsr() | FLUSH);
+#ifdef MODE
+    _mm_setcsr(_mm_getcsr() | MODE);
 #endif
     puts(iso_self_check() ? "kept" : "changed");
     return 0;
@@ -52,9 +52,13 @@ for real in float double; do
     refused 'without them and without -Ofast' "$real: a part of it" "$CC" -ffinite-math-only $REAL_FLAG
     case $(uname -m) in
     x86_64)
-        checked changed "$real: flush to zero is found" "$CC" -std=c11 -O2 -ffp-contract=off -DFLUSH=0x8000 $REAL_FLAG
+        checked changed "$real: flush to zero is found" "$CC" -std=c11 -O2 -ffp-contract=off -DMODE=0x8000 $REAL_FLAG
         checked changed "$real: denormal operands taken for zero are found" "$CC" -std=c11 -O2 -ffp-contract=off \
-            -DFLUSH=0x0040 $REAL_FLAG
+            -DMODE=0x0040 $REAL_FLAG
+        for mode in 0x2000:down 0x4000:up 0x6000:zero; do
+            checked changed "$real: rounding ${mode#*:} is found" "$CC" -std=c11 -O2 -ffp-contract=off \
+                -DMODE="${mode%:*}" $REAL_FLAG
+        done
         refused '-msse2 -mfpmath=sse' "$real: x87" gcc -mfpmath=387 $REAL_FLAG
         checked changed "$real: x87 is found by itself" gcc -std=c11 -O2 -mfpmath=387 -U__FLT_EVAL_METHOD__ \
             -D__FLT_EVAL_METHOD__=0 $REAL_FLAG
