@@ -11,15 +11,20 @@ static inline real iso_real_of_ticks(const uint64_t ticks)
     return (real)(uint32_t)(ticks >> 32) * R(4294967296.0) + (real)(uint32_t)ticks;
 }
 
-/* The angle in [-pi, pi) that starts at `start` and grows by `increment` in a tick; 2^64 is one turn. */
-static inline real iso_phase(const uint64_t tick, const uint64_t increment, const uint64_t start)
+/* The angle in [-pi, pi) of a phase; 2^64 is one turn. */
+static inline real iso_angle_of_turns(const uint64_t turns)
 {
-    const uint64_t turns = start + tick * increment;
 #ifdef ISO_REAL_DOUBLE
     return (real)(int64_t)turns * R(3.40612158008655459e-19); /* pi / 2^63 */
 #else
     return (real)(int32_t)(uint32_t)(turns >> 32) * R(1.46291807926715968e-9); /* pi / 2^31 */
 #endif
+}
+
+/* The angle that starts at `start` and grows by `increment` in a tick. */
+static inline real iso_phase(const uint64_t tick, const uint64_t increment, const uint64_t start)
+{
+    return iso_angle_of_turns(start + tick * increment);
 }
 
 /* The ticks since first + fraction; before the last tick that is not after it, less than -1, so that it stays below

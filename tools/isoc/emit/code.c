@@ -158,7 +158,7 @@ static void note_piece(emitter *e, const char *declares, bool is_turn, const nod
 }
 
 /* 2^64 per turn; the fraction of a turn as a phase. */
-static const char *phase(arena *memory, double turns)
+const char *code_phase(arena *memory, double turns)
 {
     const double fraction = turns - floor(turns);
     return arena_format(memory, "UINT64_C(0x%016llX)", (unsigned long long)(fraction * 18446744073709549568.0));
@@ -258,12 +258,14 @@ static const char *part(emitter *e, const graph_node *n, char letter)
         return number(e, n->second);
     case 'w':
         return arena_format(memory, "UINT32_C(%.0f)", floor(n->value));
+    case 'W':
+        return arena_format(memory, "UINT32_C(%.0f)", floor(n->second));
     case 'f':
         return number(e, n->value - floor(n->value));
     case 'v':
-        return phase(memory, n->value);
+        return code_phase(memory, n->value);
     default:
-        return phase(memory, n->second);
+        return code_phase(memory, n->second);
     }
 }
 

@@ -66,4 +66,7 @@ code_pieces code_in_pieces(const code *c, double *culprit);
 /* The shortest decimal that reads back as the same real, e.g. R(0.1); of what is below the normal numbers, zero. */
 const char *code_literal(arena *memory, double value, bool is_double);
 
+/* A fraction of a turn as C; 2^64 is one. */
+const char *code_phase(arena *memory, double turns);
+
 #endif

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "tools/isoc/emit/parts.h"
+#include "tools/isoc/graph/operations.h"
 
 bool is_driven(const mechanism *m)
 {
@@ -27,6 +28,17 @@ static void emit_calls_included(const text *rest, text *out)
     }
 }
 
+static bool uses_waveform(const emission *e)
+{
+    static const operation waveforms[] = {OP_FROM, OP_SQUARE, OP_SQUARE_OF_PHASE, OP_PRBS, OP_CHIRP, OP_LINES};
+    const mechanism *m = e->p->m;
+    bool any = false;
+    for (size_t i = 0; i < sizeof waveforms / sizeof waveforms[0]; i++) {
+        any = any || uses_operation(e->g, m->drives, (size_t)m->input_count, waveforms[i]);
+    }
+    return any;
+}
+
 static void emit_beginning(const emission *e, const text *rest)
 {
     const mechanism *m = e->p->m;
@@ -44,6 +56,9 @@ static void emit_beginning(const emission *e, const text *rest)
     emit_calls_included(rest, e->out);
     if (strstr(rest->bytes, "iso_noise(") != NULL) {
         text_add(e->out, "#include \"core/numbers/noise.h\"\n");
+    }
+    if (uses_waveform(e)) {
+        text_add(e->out, "#include \"core/numbers/waveform.h\"\n");
     }
     text_add(e->out, "%s#include \"core/numbers/sincos.h\"\n%s\n",
              uses_time(e->g, m->drives, (size_t)(m->input_count + m->clocks.count))

@@ -343,10 +343,25 @@ static driving driving_of(const emission *e)
     return d;
 }
 
+/* What of the inputs jumps by itself, at any tick. */
+static void emit_edges(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const code made = code_of(e, numbered(e, "now", m->edge_count), m->edges, m->edge_count);
+    text_add(e->out, "/* What jumps at ticks that are known. */\n");
+    text_add(e->out, "static void find_edges(real *const now, const uint64_t tick)\n{\n");
+    emit_code(e, &made);
+    text_add(e->out, "}\n\n");
+}
+
 static void emit_drive(emission *e)
 {
     const mechanism *m = e->p->m;
     const driving d = driving_of(e);
+    emit_tick_tables(e, d.roots, (size_t)d.count);
+    if (watches_edges(m)) {
+        emit_edges(e);
+    }
     code made = code_of(e, d.targets, d.roots, d.count);
     made.quotes = d.quotes;
     text_add(e->out, "/* What is a function of time; other inputs stay as they are set. */\n");
@@ -359,6 +374,11 @@ static void emit_drive(emission *e)
         text_add(e->out, "    const real *const p = memory->p;\n");
     }
     emit_code(e, &made);
+    if (watches_edges(m)) {
+        text_add(e->out, "    real now[%d], before[%d];\n    find_edges(now, tick);\n", m->edge_count, m->edge_count);
+        text_add(e->out, "    find_edges(before, tick - (tick > 0));\n");
+        text_add(e->out, "    memory->edge = iso_any_changed(now, before, %d);\n", m->edge_count);
+    }
     for (int i = 0; i < m->change_count; i++) {
         const switching *c = &m->changes[i];
         const char *at = e->names->leaves.parameters[c->parameter].place;

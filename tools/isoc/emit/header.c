@@ -138,6 +138,8 @@ static void emit_memory(const emission *e)
     if (watches_parameters(m)) {
         text_add(e->out, "    real last_p[%s_PARAMETERS];\n", capitals);
     }
+    text_add(e->out, "%s",
+             watches_edges(m) ? "    iso_bits edge; /* not zero in a tick in which an input jumps */\n" : "");
     text_add(e->out, "    real good[%s%s%s%s%s_OUTPUTS]; /* the last good%s%s outputs */\n",
              m->input_count > 0 ? capitals : "", m->input_count > 0 ? "_INPUTS + " : "",
              m->parameter_count > 0 ? capitals : "", m->parameter_count > 0 ? "_PARAMETERS + " : "", capitals,

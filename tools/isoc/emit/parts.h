@@ -20,6 +20,9 @@ bool is_primed(const mechanism *m);
 bool can_restart(const mechanism *m);
 bool watches_parameters(const mechanism *m);
 
+/* Whether it is told at which ticks inputs jump by themselves. */
+bool watches_edges(const mechanism *m);
+
 /* Where a step tells how it went; NULL, as C, where it does not. */
 const char *progress_of(const mechanism *m);
 
@@ -40,6 +43,9 @@ bool settles_by_parameters(const plant *p, const graph *g);
 
 /* data.c: what is constant. */
 void emit_data(emission *e);
+
+/* tables.c: what functions of the tick read, of those that these roots need. */
+void emit_tick_tables(emission *e, const node *roots, size_t count);
 
 /* functions.c: the equations. */
 void emit_functions(emission *e);

@@ -13,9 +13,14 @@ bool watches_parameters(const mechanism *m)
     return m->parameter_count > 0 && ISO_IS_PRIMED(m->recipe);
 }
 
+bool watches_edges(const mechanism *m)
+{
+    return m->edge_count > 0 && ISO_IS_PRIMED(m->recipe);
+}
+
 bool can_restart(const mechanism *m)
 {
-    bool jumps = watches_parameters(m);
+    bool jumps = watches_parameters(m) || watches_edges(m);
     for (int i = 0; i < m->input_count; i++) {
         jumps = jumps || m->jumps[i] > 0.0;
     }
@@ -109,7 +114,8 @@ static void emit_remember(emission *e)
     text_add(e->out, "}\n\n");
 }
 
-/* What restarts the method: an input that changed by more than its jump in a tick, or a parameter that changed. */
+/* What restarts the method: an input that changed by more than its jump in a tick, or that has an edge there, or a parameter
+ * that changed. */
 static void emit_discontinuity(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -126,6 +132,7 @@ static void emit_discontinuity(emission *e)
         const char *at = e->names->leaves.parameters[i].place;
         text_add(e->out, "    found |= memory->p[%s] != memory->last_p[%s];\n", at, at);
     }
+    text_add(e->out, "%s", watches_edges(m) ? "    found |= memory->edge != 0;\n" : "");
     text_add(e->out, "    remember(memory);\n    return found;\n}\n\n");
 }
 

@@ -145,7 +145,12 @@ node leaf(graph *g, operation op, int index)
 
 node timed(graph *g, operation op, double value, double second)
 {
-    return intern(g, (graph_node){.op = op, .value = value, .second = second});
+    return timed_by_index(g, op, value, second, 0);
+}
+
+node timed_by_index(graph *g, operation op, double value, double second, int index)
+{
+    return intern(g, (graph_node){.op = op, .value = value, .second = second, .index = index});
 }
 
 static node binary(graph *g, operation op, node a, node b)

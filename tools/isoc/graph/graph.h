@@ -58,6 +58,7 @@ node graph_put(graph *g, graph_node n);
 node constant(graph *g, double value);
 node leaf(graph *g, operation op, int index);
 node timed(graph *g, operation op, double value, double second); /* of a function of the tick */
+node timed_by_index(graph *g, operation op, double value, double second, int index);
 
 node add(graph *g, node a, node b);
 node sub(graph *g, node a, node b);

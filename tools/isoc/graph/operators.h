@@ -3,8 +3,8 @@
  *
  * The C text of an operator has @a and @b where its operands stand, @t for the pair of sine and cosine of its operand,
  * @x, @u, @p for the name of a state, input, parameter, @X for a state's place in its array, and @i for its index. Of
- * what has numbers of its own, @1 and @2 are these numbers, @w and @f the whole part of the first and the rest, @v and
- * @s both as phases: 2^64 is a turn.
+ * what has numbers of its own, @1 and @2 are these numbers, @w and @f the whole part of the first and the rest, @W the
+ * whole part of the second, @v and @s both as phases: 2^64 is a turn.
  */
 #ifndef ISOC_GRAPH_OPERATORS_H
 #define ISOC_GRAPH_OPERATORS_H
@@ -63,6 +63,14 @@ typedef struct evaluation {
     TIMED(RAMP, "iso_ramp(tick, @w, @f, @2)", WHOLE)   /* the ticks since tick `value`, limited to [0, second] */      \
     TIMED(NOISE, "iso_noise(tick, @w)", WHOLE)         /* Gaussian noise with the seed `value` */                      \
     TIMED(TIME, "@2 * (real)tick", PRODUCT)            /* the seconds since tick 0, with `second` in a tick */         \
+    TIMED(FROM, "iso_from(tick, @w)", WHOLE)           /* 0 before tick `value`, 1 from it on */                       \
+    TIMED(SQUARE, "iso_square(tick, @w, @W, @i)", WHOLE) /* 1 in the first `index` ticks of a period of `value`, else  \
+                                                          * -1; `second` ticks are over at tick 0 */                   \
+    TIMED(SQUARE_OF_PHASE, "iso_square_of_phase(tick, @v, @s)", WHOLE) /* the same, of a phase as that of PHASE */     \
+    TIMED(PRBS, "iso_prbs(tick, prbs_@i, @w, @W)", WHOLE) /* the bits of a table, each for `value` ticks, `second`     \
+                                                           * before they repeat */                                    \
+    TIMED(CHIRP, "iso_chirp(tick, &chirp_@i)", WHOLE)  /* the angle of a sweep */                                      \
+    TIMED(LINES, "iso_on_lines(tick, &lines_@i)", WHOLE) /* straight lines of a table */                               \
     TIMED(SINCE, "@2 * iso_since(tick, @w, @f)", PRODUCT) /* the seconds since tick `value`, with `second` in a tick;  \
                                                            * before it, something less than zero */
 

@@ -35,6 +35,7 @@ typedef struct builder {
     bool *is_input_used, *is_input_known; /* and whether their dimension is */
     variable *faults;                     /* of effects: tunables behind those of the scene */
     int fault_count;
+    size_t edge_room;
     bool is_effect_broken;      /* one of them: its inputs seem to have no use */
     const surroundings *around; /* what effects, signals and outputs can name */
     mechanism made;

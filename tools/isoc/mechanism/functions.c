@@ -8,6 +8,7 @@
 #include "tools/isoc/graph/vector.h"
 #include "tools/isoc/mechanism/table.h"
 #include "tools/isoc/mechanism/timing.h"
+#include "tools/isoc/mechanism/waveform.h"
 
 static const dimension plain = {0, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0};
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
@@ -336,6 +337,13 @@ static value call_noise(values *v, const formula *f, const value *given)
     return noise_of_formula(v, f);
 }
 
+/* Of time, in an input: a motion is smooth. */
+static value call_waveform(values *v, const formula *f, const value *given)
+{
+    (void)given;
+    return waveform_of_formula(v, f);
+}
+
 static value call_table(values *v, const formula *f)
 {
     const value made = table_of_formula(v, f);
@@ -416,6 +424,11 @@ static const function_row functions[] = {
     {"cross", "cross(a, b), of two vectors", 2, 2, 3, call_cross},
     {"norm", "norm(a), of a vector", 1, 1, 3, call_norm},
     {"noise", "noise(7), with a seed", 1, 1, 1, call_noise},
+    {"step", "step(0.5 s)", 1, 1, 1, call_waveform},
+    {"square", "square(2 Hz), or with a phase square(2 Hz, 90 deg)", 1, 2, 1, call_waveform},
+    {"prbs", "prbs(7), with a seed; or with the time of a bit and their order, prbs(7, 10 ms, 9)", 1, 3, 1,
+     call_waveform},
+    {"chirp", "chirp(1 Hz, 50 Hz, 10 s), from one frequency to another, and how long it takes", 3, 3, 1, call_waveform},
     {"table", NULL, 0, 0, 1, NULL},
     {"ramp", NULL, 0, 0, 1, NULL},
 };

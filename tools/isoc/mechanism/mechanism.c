@@ -228,6 +228,8 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_parameters(&b);
     build_changes(&b);
     states_check(s, &b.made);
+    b.made.tables = b.values.tables;
+    b.made.table_count = (int)b.values.table_count;
 
     if (written->broken) {
         return b.made;

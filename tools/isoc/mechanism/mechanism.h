@@ -250,6 +250,10 @@ typedef struct mechanism {
     node *drives;  /* the inputs as functions of time, then the clocks */
     double *jumps; /* the change of an input that restarts the method; 0: none */
     bool *smooth;  /* inputs that are samples of continuous signals */
+    node *edges;   /* functions of the tick in held inputs without a `jump` that jump by themselves */
+    int edge_count;
+    const tick_table *tables; /* of functions of the tick */
+    int table_count;
 
     shown *outputs;
     size_t output_count;

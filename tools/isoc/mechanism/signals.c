@@ -75,6 +75,27 @@ static void read_limits(builder *b, const quantity *q, bool is_known, dimension 
     }
 }
 
+/* What jumps by itself at ticks that are known: steps, squares and sequences. Each counts once. */
+static void find_edges(builder *b, node drive)
+{
+    mechanism *made = &b->made;
+    const graph *g = b->g;
+    bool *needed = arena_take(b->s->memory, g->count, sizeof *needed);
+    graph_reach(g, &drive, 1, needed);
+    for (size_t i = 0; i < g->count; i++) {
+        const operation op = g->nodes[i].op;
+        bool is_new = needed[i] && (op == OP_FROM || op == OP_SQUARE || op == OP_SQUARE_OF_PHASE || op == OP_PRBS);
+        for (int k = 0; k < made->edge_count; k++) {
+            is_new = is_new && made->edges[k] != (node)i;
+        }
+        if (is_new) {
+            made->edges =
+                arena_grow(b->s->memory, made->edges, (size_t)made->edge_count, &b->edge_room, sizeof *made->edges);
+            made->edges[made->edge_count++] = (node)i;
+        }
+    }
+}
+
 static void build_input(builder *b, int i)
 {
     mechanism *made = &b->made;
@@ -93,6 +114,9 @@ static void build_input(builder *b, int i)
     read_limits(b, q, is_known, of, &made->inputs[i]);
     made->driven[i] = q->value != NULL;
     made->drives[i] = scalar_value(b, is_known ? q->value : NULL, of, what);
+    if (q->jump == NULL && !q->smooth) {
+        find_edges(b, made->drives[i]);
+    }
     made->jumps[i] = value_constant(&b->values, is_known ? q->jump : NULL, of, what, q->jump != NULL ? 1.0 : 0.0);
     if (q->jump != NULL && !(made->jumps[i] > 0.0)) {
         source_problem(b->s, q->jump->at, "a jump must be larger than zero");

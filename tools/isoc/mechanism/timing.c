@@ -15,8 +15,7 @@ static value scalar(node n, dimension of)
     return (value){.count = 1, .parts = {n}, .of = of};
 }
 
-/* Whether a formula must not depend on time; then it notes a problem. */
-static bool refuses_time(values *v, const formula *f)
+bool refuses_time(values *v, const formula *f)
 {
     if (!v->time_allowed) {
         source_problem(v->s, f->at, "'%s' depends on time: only an input or a motion can", f->name);
@@ -29,10 +28,33 @@ value time_of_formula(values *v, const formula *f)
     return refuses_time(v, f) ? nothing : scalar(timed(v->g, OP_TIME, 0.0, v->step), second);
 }
 
+bool turns_in_tick(values *v, const formula *f, double *turns)
+{
+    static const dimension hertz = {0, 0, -1, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0};
+    value frequency = value_any(v, f);
+    if (frequency.count == 1 && dimension_equal(frequency.of, speed)) {
+        frequency.parts[0] = divide(v->g, frequency.parts[0], constant(v->g, 2 * pi));
+        frequency.of = hertz;
+    }
+    if (frequency.count == 0) {
+        return false;
+    }
+    if (frequency.count != 1 || !dimension_equal(frequency.of, hertz) || !is_constant(v->g, frequency.parts[0])) {
+        source_problem(v->s, f->at, "expected a constant frequency in Hz or rad/s");
+        return false;
+    }
+    *turns = constant_value(v->g, frequency.parts[0]) * v->step;
+    if (fabs(*turns) > 0.5) {
+        source_problem(v->s, f->at, "more than half a period in a step: use a shorter step");
+        return false;
+    }
+    return true;
+}
+
 /* A phase that grows with the ticks. */
 value wave_of_formula(values *v, const formula *f)
 {
-    static const dimension hertz = {0, 0, -1, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0}, speed = {0, 0, -1, 1, 0, 0};
+    static const dimension radian = {0, 0, 0, 1, 0, 0};
     if (refuses_time(v, f)) {
         return nothing;
     }
@@ -40,24 +62,11 @@ value wave_of_formula(values *v, const formula *f)
         source_problem(v->s, f->at, "%s needs a frequency, and may have a phase: %s(3 Hz, 90 deg)", f->name, f->name);
         return nothing;
     }
-    value frequency = value_any(v, f->parts[0]);
-    if (frequency.count == 1 && dimension_equal(frequency.of, speed)) {
-        frequency.parts[0] = divide(v->g, frequency.parts[0], constant(v->g, 2 * pi));
-        frequency.of = hertz;
-    }
-    if (frequency.count == 0) {
-        return nothing;
-    }
-    if (frequency.count != 1 || !dimension_equal(frequency.of, hertz) || !is_constant(v->g, frequency.parts[0])) {
-        source_problem(v->s, f->parts[0]->at, "expected a constant frequency in Hz or rad/s");
+    double turns;
+    if (!turns_in_tick(v, f->parts[0], &turns)) {
         return nothing;
     }
     const double phase = f->count == 2 ? value_constant(v, f->parts[1], radian, "the phase", 0.0) : 0.0;
-    const double turns = constant_value(v->g, frequency.parts[0]) * v->step;
-    if (fabs(turns) > 0.5) {
-        source_problem(v->s, f->parts[0]->at, "more than half a period in a step: use a shorter step");
-        return nothing;
-    }
     const node angle = timed(v->g, OP_PHASE, turns, phase / (2 * pi));
     return scalar(strcmp(f->name, "sin") == 0 ? sine(v->g, angle) : cosine(v->g, angle), plain);
 }

@@ -11,4 +11,10 @@ value wave_of_formula(values *v, const formula *f);
 value noise_of_formula(values *v, const formula *f); /* noise(7) */
 value points_of_formula(values *v, const formula *f);
 
+/* Whether a formula must not depend on time; then it notes a problem. */
+bool refuses_time(values *v, const formula *f);
+
+/* The turns in a tick of a frequency; false after noting a problem. */
+bool turns_in_tick(values *v, const formula *f, double *turns);
+
 #endif

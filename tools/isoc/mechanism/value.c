@@ -5,6 +5,7 @@
 
 #include "tools/isoc/base/real_range.h"
 #include "tools/isoc/mechanism/functions.h"
+#include "tools/isoc/mechanism/measured.h"
 #include "tools/isoc/mechanism/timing.h"
 
 static const dimension plain = {0, 0, 0, 0, 0, 0};
@@ -379,6 +380,8 @@ value value_any(values *v, const formula *f)
         return quantity_of_formula(v, f);
     case FORMULA_ORDER:
         return order_of_formula(v, f);
+    case FORMULA_FILE:
+        return file_of_formula(v, f);
     case FORMULA_STEP:
     case FORMULA_NEGATE:
         break;

@@ -26,6 +26,18 @@ typedef struct surroundings {
     value (*quantity)(void *of, const formula *f);          /* position of JOINT */
 } surroundings;
 
+/* What a function of the tick reads: the bits of a sequence, the coefficients of a sweep, or straight lines. */
+typedef struct tick_table {
+    operation op; /* OP_PRBS, OP_CHIRP or OP_LINES */
+    const formula *of;
+    node made;
+    uint32_t *words; /* bits; or the ticks at which the lines begin */
+    double *values, *slopes;
+    size_t count;
+    double first, last; /* of a sweep, in turns: in its first tick, in a tick after it */
+    double curve, ticks;
+} tick_table;
+
 /* The scene's parameters and the graph that formulas become nodes of. */
 typedef struct values {
     source *s;
@@ -46,6 +58,8 @@ typedef struct values {
     int tunables;
     double *numbers; /* of the nodes so far, with the tunables at their defaults */
     size_t number_count, number_room;
+    tick_table *tables; /* of functions of the tick, which know theirs by its index */
+    size_t table_count, table_room;
 } values;
 
 /* With room for so many tunables besides those that are written. */

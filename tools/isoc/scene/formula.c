@@ -244,6 +244,35 @@ static formula *parse_name_or_call(parser *p)
     return f;
 }
 
+/* file "road.csv" [column 3] */
+static formula *parse_file(parser *p)
+{
+    enum { MOST_COLUMNS = 1000 };
+    formula *f = formula_new(p, FORMULA_FILE, p->next->at);
+    const token *named = p->next + 1;
+    const char *fault;
+    f->name = "file";
+    f->number = 2.0;
+    f->file = open_beside(p, p->next->at, named->text, &fault);
+    p->next += 2;
+    if (f->file == NULL) {
+        source_problem(p->s, named->at, "cannot read '%s': %s", named->text, fault);
+        p->failed = true;
+        return NULL;
+    }
+    f->text_at = source_passage(p->s, f->file, 0, f->file->length, NULL);
+    if (take_word(p, "column")) {
+        f->number = p->next->number;
+        if (p->next->kind != TOKEN_NUMBER || !(f->number >= 2.0 && f->number <= MOST_COLUMNS) ||
+            f->number != (int)f->number) {
+            parse_problem(p, "expected the number of a column, from 2 on: the first is the time");
+            return NULL;
+        }
+        p->next++;
+    }
+    return f;
+}
+
 static formula *parse_primary(parser *p)
 {
     if (p->next->kind == TOKEN_NUMBER) {
@@ -251,6 +280,9 @@ static formula *parse_primary(parser *p)
     }
     if (next_is_sign(p, '(')) {
         return parse_parenthesis(p);
+    }
+    if (next_is_word(p, "file") && p->next[1].kind == TOKEN_TEXT) {
+        return parse_file(p);
     }
     /* A name at the start of a line is the next statement's, unless an operator asks for more. */
     if (p->next->kind == TOKEN_NAME && (!p->next->first_on_line || p->next[-1].kind == TOKEN_SIGN)) {

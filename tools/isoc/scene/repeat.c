@@ -262,12 +262,13 @@ void read_repeat(parser *p, const token *word, void *slot)
 
 /* --- include --- */
 
-/* The path of a file that is named in another one: relative to its folder. */
-static const char *path_beside(parser *p, const char *path, const char *named)
+const script *open_beside(parser *p, place word, const char *named, const char **fault)
 {
+    const char *path = source_find(p->s, word)->of->path;
     const char *slash = strrchr(path, '/');
-    return named[0] == '/' || slash == NULL ? named
-                                            : arena_format(p->s->memory, "%.*s/%s", (int)(slash - path), path, named);
+    const char *folder =
+        named[0] == '/' || slash == NULL ? "" : arena_format(p->s->memory, "%.*s/", (int)(slash - path), path);
+    return source_open(p->s, arena_format(p->s->memory, "%s%s", folder, named), fault);
 }
 
 /* a.scene includes b.scene, which includes a.scene */
@@ -290,7 +291,7 @@ void read_include(parser *p, const token *word, void *slot)
     p->next++;
     const char *fault;
     const passage *in = source_find(p->s, word->at);
-    const script *of = source_open(p->s, path_beside(p, in->of->path, named->text), &fault);
+    const script *of = open_beside(p, word->at, named->text, &fault);
     if (of == NULL) {
         source_problem(p->s, named->at, "cannot include '%s': %s", named->text, fault);
         p->failed = true;

@@ -10,6 +10,9 @@ const int *find_index(const parser *p, const char *called);
 /* { [ index ] } after a name: leg[3] is leg3, and wheel2[3] is wheel2_3. Returns the whole name. */
 const char *take_indices(parser *p, const char *called);
 
+/* A file that the file of this place names: relative to its folder. NULL with the reason in *fault. */
+const script *open_beside(parser *p, place word, const char *named, const char **fault);
+
 /* Reads these tokens as statements. */
 void parse_nested(parser *p, const token *tokens, void *to);
 

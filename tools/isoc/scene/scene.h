@@ -20,6 +20,7 @@ typedef enum formula_kind {
     FORMULA_POWER,  /* parts[0] to the number */
     FORMULA_ORDER,  /* parts[0] sign parts[1]; with the number 1, also equal: a <= b */
     FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value; with the number 1 after a quantity */
+    FORMULA_FILE,   /* a column, number, of the file: pairs of time and value */
     FORMULA_OF,     /* name, a word such as speed, of the joint or body that parts[0] names */
 } formula_kind;
 
@@ -36,6 +37,8 @@ typedef struct formula {
     unit unit;
     const char *name;
     char sign;
+    const script *file; /* of FORMULA_FILE; its text stands at `text_at` */
+    place text_at;
     name axes; /* of FORMULA_OF: body or ground; NULL where none are given */
     struct formula **parts;
     size_t count, room;

@@ -1,0 +1,62 @@
+/* What each tick takes outside of the step, on the board, where the clock counts instructions: functions of time, and what is
+ * kept of signals. And a hash of all outputs, on the board and on the host. */
+#include <string.h>
+
+#include PLANT
+#include "core/runtime/tick.h"
+#include "port/port.h"
+#include "tests/tap.h"
+
+enum { TICKS = 3000 };
+
+typedef struct bounds {
+    uint32_t least, most;
+} bounds;
+
+static void widen(bounds *const r, const uint32_t from)
+{
+    const uint32_t took = iso_port_clock() - from;
+    r->least = took < r->least ? took : r->least;
+    r->most = took > r->most ? took : r->most;
+}
+
+/* FNV-1a (Fowler, Noll and Vo 1991). */
+static uint64_t hash_of(uint64_t hash, const real *const y, const size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        hash = (hash ^ iso_bits_of(y[i])) * UINT64_C(0x100000001B3);
+    }
+    return hash;
+}
+
+int main(void)
+{
+    const iso_plant *const plant = &iso_the_plant;
+    bounds nothing = {UINT32_MAX, 0}, drive = {UINT32_MAX, 0}, advance = {UINT32_MAX, 0};
+    uint64_t hash = UINT64_C(0xCBF29CE484222325);
+    iso_port_start(plant->model->period_ns);
+    iso_plant_start(plant);
+    for (uint64_t tick = 0; tick < TICKS; tick++) {
+        uint32_t restarts = 0;
+        (void)iso_port_wait(); /* the timer interrupts here and not below */
+        uint32_t from = iso_port_clock();
+        widen(&nothing, from);
+        from = iso_port_clock();
+        iso_plant_drive(plant, tick);
+        widen(&drive, from);
+        iso_plant_step(plant, &restarts);
+        from = iso_port_clock();
+        if (plant->model->advance != NULL) {
+            plant->model->advance(plant->memory);
+        }
+        widen(&advance, from);
+        plant->model->output(plant->memory);
+        hash = hash_of(hash, plant->y, plant->model->outputs);
+    }
+    tap_note_bits("hash", hash);
+    tap_note("drive", drive.most - nothing.most);
+    tap_note("advance", advance.most - nothing.most);
+    tap_count(drive.most, drive.least, "the functions of time take as many instructions in every tick");
+    tap_count(advance.most, advance.least, "and so does what is kept of signals");
+    tap_done();
+}

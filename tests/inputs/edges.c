@@ -1,0 +1,20 @@
+/* The ticks in which a plant restarts its method. */
+#include <stdio.h>
+
+#include PLANT
+#include "core/runtime/tick.h"
+
+int main(void)
+{
+    const iso_plant *const plant = &iso_the_plant;
+    iso_plant_start(plant);
+    for (uint64_t tick = 0; tick < 1000; tick++) {
+        uint32_t restarts = 0;
+        iso_plant_drive(plant, tick);
+        iso_plant_step(plant, &restarts);
+        if (restarts > 0) {
+            printf("%u ", (unsigned)tick);
+        }
+    }
+    return 0;
+}

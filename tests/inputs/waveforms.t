@@ -1,0 +1,86 @@
+#!/bin/sh
+# Test signals, measured ones, and what is kept of signals: to the tick.
+. tests/host/test.sh
+begin waveforms
+
+for number in float double; do
+    real $number
+    build/isoc tests/inputs/waveforms.scene -o "$out/$number" --real $number >"$out/$number.summary" &&
+        EXTRA="-DPLANT=\"$out/$number/plant.c\"" program waveforms.$number tests/inputs/waveforms.c tests/host/report.c
+    joined $number "$out/waveforms.$number"
+done
+
+# on_board PLANT: a program for the board counts the instructions of every tick.
+on_board()
+{
+    # shellcheck disable=SC2046,SC2086
+    arm-none-eabi-gcc $FLAGS -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -DPLANT="\"$1\"" -nostartfiles \
+        --specs=nosys.specs -T port/mps2/mps2.ld tests/inputs/count.c tests/tap.c $(ls port/mps2/*.c) -o "$out/board" &&
+        qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none \
+            -serial none -semihosting-config enable=on,target=native -kernel "$out/board"
+}
+real float
+joined board on_board "$out/float/plant.c"
+grep '^# hash' "$out/tap" >"$out/hash"
+EXTRA="-DPLANT=\"$out/float/plant.c\"" program host tests/inputs/count.c tests/tap.c port/sim/*.c && "$out/host" >"$out/tap"
+grep '^# hash' "$out/tap" | cmp - "$out/hash"
+result $? 'the board has the bits of the host'
+
+# cost FORMULA: the instructions that it takes in a tick of the board, in float, over those of a constant.
+cost()
+{
+    cost_of=$1
+    printf '%s\n' 'step 1 ms' "input push N = $1" 'body cart { mass 1 kg }' \
+        'joint rail prismatic { parent ground; child cart; axis x; drive push }' 'output place = position of rail' >"$out/cost.scene"
+    build/isoc "$out/cost.scene" -o "$out/cost" >"$out/summary" && on_board "$out/cost/plant.c" >"$out/counted"
+    took=$(sed -n 's/^# drive //p' "$out/counted")
+    [ "${constant:=$took}" = "$took" ] || echo "# $cost_of: $((took - constant)) instructions"
+}
+cp tests/inputs/road.csv "$out"
+seq 0 1023 | awk '{ print $1 / 100 "," $1 % 7 }' >"$out/long.csv"
+for formula in '1 N' '1 N * step(0.3 s)' '1 N * square(20 Hz)' '1 N * square(7 Hz)' '1 N * prbs(7)' '1 N * prbs(7, 5 ms)' \
+    '1 N * sin(3 Hz)' '1 N * chirp(1 Hz, 50 Hz, 2 s)' '1 N * file "road.csv"' '1 N * file "long.csv"'; do
+    cost "$formula"
+done
+
+# A method with a history starts anew at the edges, and only there; with a `jump` as that says.
+real double
+cart()
+{
+    printf '%s\n' 'step 1 ms' "method $1" "input push $2" 'body cart { mass 1 kg }' \
+        'joint rail prismatic { parent ground; child cart; axis x; spring 100 N/m; drive push }' \
+        'output place = position of rail' >"$out/cart.scene"
+    build/isoc "$out/cart.scene" -o "$out/cart" --real double >"$out/summary" 2>"$out/errors"
+}
+for method in ab4 bdf4; do
+    cart $method '= 1 N * (step(0.3 s) + square(5 Hz) * sin(3 Hz))' &&
+        EXTRA="-DPLANT=\"$out/cart/plant.c\"" program edges tests/inputs/edges.c && [ "$("$out/edges")" = '100 200 300 400 500 600 700 800 900 ' ]
+    result $? "$method starts anew at the edges of a step and a square"
+done
+cart ab4 'jump 10 N = 1 N * step(0.3 s)' && EXTRA="-DPLANT=\"$out/cart/plant.c\"" program edges tests/inputs/edges.c && [ -z "$("$out/edges")" ]
+result $? 'with a jump given, that alone counts'
+cart rk4 '= 1 N * step(0.3 s)' && ! grep -q edge "$out/cart/plant.c" "$out/cart/plant.h"
+result $? 'rk4 has no history, and no code for edges'
+
+# told MESSAGE TEXT [MORE]: isoc refuses a file with this text; MORE stands behind it in the scene.
+told()
+{
+    printf -- "$2" >"$out/bad.csv"
+    ! cart rk4 '= 1 N * file "bad.csv"'"${3-}" && grep -qF -e "$1" "$out/errors"
+    result $? "told: ${1#*: error: }"
+}
+told "$out/bad.csv:3:3: error: expected a number, a value; found 'two'" '0,1\n\n1,two\n'
+told "$out/bad.csv:2:1: error: expected a number, the time in s; found '1.5.2'" '0,1\n1.5.2,2\n'
+told "$out/bad.csv:3:4: error: expected a number, a value; found ''" 't,x\n0,1\n1, ,2\n'
+told "$out/bad.csv:2:1: error: the times of a file increase" '1,1\n1,2\n'
+told "$out/bad.csv:1:1: error: the times of a file increase" '-1,1\n0,2\n'
+told "$out/bad.csv:2:1: error: this line has no column 2" '0,1\n3\n'
+told "$out/bad.csv:2:5: error: the value is 9.99989e-321; " '0;1\n1;  1e-320\n'
+told "'$out/bad.csv' has no points" '# nothing\nt,x\n'
+told "cart.scene:3:42: error: expected the number of a column, from 2 on" '0,1\n' ' column 1'
+rm "$out/bad.csv"
+! cart rk4 '= 1 N * file "bad.csv"' && grep -q "cart.scene:3:25: error: cannot read 'bad.csv': No such file" "$out/errors"
+result $? 'a file that is not there is told'
+build/isoc tests/inputs/waveforms.scene --files | grep -qx tests/inputs/road.csv
+result $? '--files has it'
+finish
