@@ -10,12 +10,12 @@
 enum { TICKS = 3000 };
 
 typedef struct bounds {
-    uint32_t least, most;
+    uint64_t least, most;
 } bounds;
 
-static void widen(bounds *const r, const uint32_t from)
+static void widen(bounds *const r, const uint64_t from)
 {
-    const uint32_t took = iso_port_clock() - from;
+    const uint64_t took = iso_port_clock() - from;
     r->least = took < r->least ? took : r->least;
     r->most = took > r->most ? took : r->most;
 }
@@ -32,14 +32,14 @@ static uint64_t hash_of(uint64_t hash, const real *const y, const size_t count)
 int main(void)
 {
     const iso_plant *const plant = &iso_the_plant;
-    bounds nothing = {UINT32_MAX, 0}, drive = {UINT32_MAX, 0}, advance = {UINT32_MAX, 0};
+    bounds nothing = {UINT64_MAX, 0}, drive = {UINT64_MAX, 0}, advance = {UINT64_MAX, 0};
     uint64_t hash = UINT64_C(0xCBF29CE484222325);
     iso_port_start(plant->model->period_ns);
     iso_plant_start(plant);
     for (uint64_t tick = 0; tick < TICKS; tick++) {
-        uint32_t restarts = 0;
+        uint64_t restarts = 0;
         (void)iso_port_wait(); /* the timer interrupts here and not below */
-        uint32_t from = iso_port_clock();
+        uint64_t from = iso_port_clock();
         widen(&nothing, from);
         from = iso_port_clock();
         iso_plant_drive(plant, tick);
@@ -54,9 +54,10 @@ int main(void)
         hash = hash_of(hash, plant->y, plant->model->outputs);
     }
     tap_note_bits("hash", hash);
-    tap_note("drive", drive.most - nothing.most);
-    tap_note("advance", advance.most - nothing.most);
-    tap_count(drive.most, drive.least, "the functions of time take as many instructions in every tick");
-    tap_count(advance.most, advance.least, "and so does what is kept of signals");
+    tap_note("drive", (uint32_t)(drive.most - nothing.most));
+    tap_note("advance", (uint32_t)(advance.most - nothing.most));
+    tap_count((uint32_t)drive.most, (uint32_t)drive.least,
+              "the functions of time take as many instructions in every tick");
+    tap_count((uint32_t)advance.most, (uint32_t)advance.least, "and so does what is kept of signals");
     tap_done();
 }

@@ -9,7 +9,7 @@ int main(void)
     const iso_plant *const plant = &iso_the_plant;
     iso_plant_start(plant);
     for (uint64_t tick = 0; tick < 1000; tick++) {
-        uint32_t restarts = 0;
+        uint64_t restarts = 0;
         iso_plant_drive(plant, tick);
         iso_plant_step(plant, &restarts);
         if (restarts > 0) {

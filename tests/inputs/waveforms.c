@@ -116,6 +116,20 @@ static void expect_tick(const uint64_t tick)
     expect_line(PLANT_Y_RIGHT, columns[1], 0.5L, tick);
 }
 
+/* A tick of 64 bits is taken modulo periods of up to 24 bits. */
+static bool counts_beyond(void)
+{
+    uint64_t tick = 1;
+    bool good = true;
+    for (int i = 0; i < 10000; i++) {
+        tick = tick * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407); /* Knuth's MMIX */
+        const uint32_t period = ((uint32_t)(tick >> 40) >> (i % 24)) | 1, few = 0x10000;
+        good = good && iso_tick_modulo(tick, period) == tick % period && iso_tick_modulo(tick, few) == tick % few &&
+               iso_tick_modulo(tick, few + 1) == tick % (few + 1);
+    }
+    return good;
+}
+
 int main(void)
 {
     static unsigned char memory_of_first[sizeof(plant_memory)];
@@ -137,5 +151,6 @@ int main(void)
     report_ok(ups[1] == 3 * 64 && same[1] == TICKS - 3 * 127, "2^7 - 1 bits of 3 ticks, 64 of them ones, likewise");
     report_ok(memcmp(memory_of_first, plant->memory, sizeof memory_of_first) == 0,
               "a restart gives the same run again");
+    report_ok(counts_beyond(), "periods of ticks beyond 2^32");
     return report_done();
 }
