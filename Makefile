@@ -20,6 +20,7 @@
 ##     CHECKED=yes  COMPENSATED=yes        options of the method of a plant in C; a scene has a statement for each
 ##     INPUTS=held|smooth                  the reading of all inputs, instead of that of the scene
 ##     RECORDED=FILE                       for report and bench: inputs of a controller, a line for each tick
+##     OUTPUTS=speed,current               for plot: what to draw over time, instead of all
 ##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600
 ##     TARGET=host|cortex-m4f              where to run: on this machine, or on the board in QEMU
 ##     REAL=float|double                   the type of the numbers
@@ -33,6 +34,7 @@ INPUTS =
 RECORDED =
 SET =
 WITHOUT =
+OUTPUTS =
 CHECKED =
 COMPENSATED =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,10))
@@ -64,6 +66,7 @@ help: ## list the commands and the variables; the same as make without a command
 # --- Helpers -----------------------------------------------------------------------------------------------------
 
 empty :=
+comma := ,
 space := $(empty) $(empty)
 quote = '$(subst ','\'',$(1))'
 Q := $(if $(filter 1,$(V)),,@)
@@ -90,7 +93,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT SECONDS SCRIPT
+TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -101,7 +104,7 @@ $(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
 
 # What has an effect on which goal. A goal that is a file, and a make that another make calls, may be given anything.
 EFFECTS_run := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
-EFFECTS_plot := $(EFFECTS_run)
+EFFECTS_plot := $(EFFECTS_run) OUTPUTS
 EFFECTS_size := $(filter-out SECONDS SCRIPT,$(EFFECTS_run))
 EFFECTS_stack := $(EFFECTS_size)
 OF_ONE_SCENE := $(and $(filter cost,$(MAKECMDGOALS)),$(filter SCENE,$(GIVEN)))

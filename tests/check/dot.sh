@@ -28,6 +28,8 @@ for scene in models/*.scene tests/scenes/*.scene; do
     build/isoc --dot "$scene" >"$out/graph.dot" && dot -Tsvg "$out/graph.dot" >"$out/drawing.svg" 2>"$out/errors" &&
         [ ! -s "$out/errors" ]
     result $? "$scene is drawn, and nothing is said against it"
+    # Of repeats and included files the number of words says nothing.
+    ! grep -q '^ *\(include\|repeat\) ' "$scene" || continue
     [ "$(drawn 'class="node"')" -eq $(($(statements body frame) + 1)) ]
     result $? "$scene: a node for each of $(statements body frame) bodies and frames, and the ground"
     [ "$(drawn 'class="edge"')" -eq "$(statements joint close frame spring)" ] &&

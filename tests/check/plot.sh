@@ -95,6 +95,11 @@ for text in 'tree: rk4, step 0.5 ms, float' 'rail_position, m' 'rotor_turns' 'ne
     grep -qxF "$text" "$out/texts"
     result $? "tree: $text"
 done
+call plot SCENE=models/tree.scene SECONDS=1 OUTPUTS=rail_position,needle_rate && texts "$tree/trace.svg" >"$out/texts" &&
+    grep -qxF 'rail_position, m' "$out/texts" && grep -qxF 'needle_rate, rad/s' "$out/texts" && ! grep -q '^hinge' "$out/texts"
+expect $? "OUTPUTS are drawn, and no others"
+! call plot SCENE=models/tree.scene SECONDS=1 OUTPUTS=rail_position,rail && grep -q "plot: no output is called 'rail'" "$out/errors"
+expect $? "told: an output that is not there"
 [ ! -e "$out/project/build/host/float/oscillator/path.svg" ]
 result $? "no path without a point"
 

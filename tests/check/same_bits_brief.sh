@@ -14,4 +14,10 @@ wanted()
     [ "$1" != models/oscillator.c ] && ! in_depth "$1" && has_turn "$1" "$2"
 }
 everywhere
+
+# The motor's bench is for 10 kHz.
+for most in 'euler 200' 'rk4 450'; do
+    model models/dc_motor_bench.scene "${most% *}" && [ "$(value instructions_per_step)" -le "${most#* }" ]
+    expect $? "dc_motor_bench, ${most% *}: $(value instructions_per_step) instructions of a step, at most ${most#* }"
+done
 finish

@@ -43,8 +43,9 @@ held()
     joined "$name, $2" "$out/agree"
 }
 
+# Effects have the same equations in each.
 for file in models/*.scene "$out"/*.scene; do
-    grep -q '^ *close ' "$file" || held "$file" articulated
+    grep -q '^ *close \|^ *effect ' "$file" || held "$file" articulated
 done
 for file in models/four_bar.scene models/squeezer.scene tests/mechanism/slot.scene tests/scenes/closures.scene; do
     held "$file" parent_axes

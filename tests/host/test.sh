@@ -54,13 +54,13 @@ optimised()
     FLAGS=$(echo "$FLAGS" | sed "s/ -O[0-9s] / $1 /")
 }
 
-# models METHOD: the scenes that are tried with it, one on a line; stewart, whose code takes a compiler several seconds and
-# with an implicit method half a minute, with rk4 alone.
+# models METHOD: the scenes that are tried with it, one on a line. With rk4 alone: stewart, whose code takes a compiler several
+# seconds and with an implicit method half a minute; and those with effects, which tests/effects tries with the methods.
 models()
 {
     case $1 in
     rk4) ls models/*.scene ;;
-    *) ls models/*.scene | grep -vxF models/stewart.scene ;;
+    *) grep -L '^ *effect ' models/*.scene | grep -vxF models/stewart.scene ;;
     esac
 }
 

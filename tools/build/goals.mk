@@ -88,7 +88,7 @@ plot: $(PROGRAM) build/trace build/plot
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(RUN) >$(OUT)/summary.txt
-	$(Q)sh tools/plot/plot.sh $(OUT)
+	$(Q)sh tools/plot/plot.sh $(OUT) $(foreach name,$(subst $(comma), ,$(OUTPUTS)),$(call quote,$(name)))
 
 # --- What it costs -----------------------------------------------------------------------------------------------
 

@@ -1,6 +1,7 @@
 /* Writes gnuplot's commands for a picture.
  *
- *     plot trace|path DIRECTORY                     of a run: trace.csv, units.csv and summary.txt there
+ *     plot trace DIRECTORY [OUTPUT...]              of a run: trace.csv, units.csv and summary.txt there
+ *     plot path DIRECTORY
  *     plot work_precision SCENE TIME report.tsv
  *     plot violation SCENE measured
  *     plot effects SCENE TARGET effects.tsv
@@ -15,8 +16,8 @@
 int main(const int argc, char **const argv)
 {
     const char *const kind = argc > 1 ? argv[1] : "";
-    if (strcmp(kind, "trace") == 0 && argc == 3) {
-        picture_trace(argv[2]);
+    if (strcmp(kind, "trace") == 0 && argc >= 3) {
+        picture_trace(argv[2], argv + 3, (size_t)argc - 3);
     } else if (strcmp(kind, "path") == 0 && argc == 3) {
         picture_path(argv[2]);
     } else if (strcmp(kind, "work_precision") == 0 && argc == 5) {
@@ -28,8 +29,8 @@ int main(const int argc, char **const argv)
     } else if (strcmp(kind, "compact") == 0 && argc == 2) {
         compact_svg();
     } else {
-        fputs("usage: plot trace|path DIRECTORY | plot work_precision SCENE TIME TABLE | plot violation SCENE LINES | "
-              "plot effects SCENE TARGET TABLE | plot compact\n",
+        fputs("usage: plot trace DIRECTORY [OUTPUT...] | plot path DIRECTORY | plot work_precision SCENE TIME TABLE | "
+              "plot violation SCENE LINES | plot effects SCENE TARGET TABLE | plot compact\n",
               stderr);
         return EXIT_FAILURE;
     }

@@ -3,8 +3,11 @@
 #ifndef ISO_TOOLS_PLOT_PICTURES_H
 #define ISO_TOOLS_PLOT_PICTURES_H
 
-/* All outputs of a run over time, a panel for each; the components of a vector share one. */
-void picture_trace(const char *directory);
+#include <stddef.h>
+
+/* All outputs of a run over time, or those of these names, a panel for each; the components of a vector share one. Exits if
+ * none has such a name. */
+void picture_trace(const char *directory, char *const *names, size_t count);
 
 /* The way of the first point that is shown, in the plane in which it moves most, and the change of the energy, if there
  * is one. Nothing where there is no point. */

@@ -7,19 +7,20 @@
 set -eu
 folder=$1
 
-# commands: path NAME SECONDS or graph NAME, one on a line.
+# commands: path NAME SECONDS, trace NAME SECONDS OUTPUTS or graph NAME, one on a line.
 commands()
 {
     sed -n -e 's|^`make plot SCENE=models/\([a-z0-9_]*\)\.scene SECONDS=\([0-9.]*\)`$|path \1 \2|p' \
+        -e 's|^`make plot SCENE=models/\([a-z0-9_]*\)\.scene SECONDS=\([0-9.]*\) OUTPUTS=\([a-z0-9_,]*\)`$|trace \1 \2 \3|p' \
         -e 's|^`build/isoc models/\([a-z0-9_]*\)\.scene --dot . dot -Tsvg`$|graph \1|p' models/README.md
 }
 
 mkdir -p "$folder"
-commands | while read -r kind name seconds; do
+commands | while read -r kind name seconds outputs; do
     case $kind in
-    path)
-        drawn=$("${MAKE:-make}" --no-print-directory plot SCENE="models/$name.scene" SECONDS="$seconds" </dev/null |
-            grep '/path\.svg$')
+    path | trace)
+        drawn=$("${MAKE:-make}" --no-print-directory plot SCENE="models/$name.scene" SECONDS="$seconds" \
+            ${outputs:+OUTPUTS="$outputs"} </dev/null | grep "/$kind\.svg\$")
         grep -v '^<desc>' "$drawn" >"$folder/$name.svg"
         ;;
     graph)

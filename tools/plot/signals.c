@@ -108,6 +108,25 @@ signals signals_read(const char *const directory)
     return s;
 }
 
+void signals_choose(signals *const s, char *const *const names, const size_t count)
+{
+    group *const chosen = table_memory(count, sizeof *chosen);
+    for (size_t i = 0; i < count; i++) {
+        size_t at = 0;
+        while (at < s->group_count && strcmp(s->groups[at].stem, names[i]) != 0) {
+            at++;
+        }
+        if (at == s->group_count) {
+            fprintf(stderr, "plot: no output is called '%s'\n", names[i]);
+            exit(EXIT_FAILURE);
+        }
+        chosen[i] = s->groups[at];
+    }
+    free(s->groups);
+    s->groups = chosen;
+    s->group_count = count;
+}
+
 void signals_free(signals *const s)
 {
     table_free(&s->rows);

@@ -32,6 +32,9 @@ typedef struct signals {
 /* Reads DIRECTORY/trace.csv, units.csv and summary.txt. */
 signals signals_read(const char *directory);
 
+/* Leaves the groups of these names, in their order. Exits if there is no such group. */
+void signals_choose(signals *s, char *const *names, size_t count);
+
 void signals_free(signals *s);
 
 double signal_at(const signals *s, size_t row, size_t column);

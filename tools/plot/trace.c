@@ -7,7 +7,7 @@
 
 /* In pixels: the picture, and above, of and below the panels. */
 enum { WIDTH = 900, HEAD = 60, PANEL = 118, GAP = 34, FOOT = 36 };
-enum { STRETCHES = 450 };
+enum { STRETCHES = 300 };
 
 static void put_range(const signals *const s, const group *const of)
 {
@@ -37,13 +37,18 @@ static void put_panel(const signals *const s, const group *const of, const doubl
     putchar('\n');
 }
 
-void picture_trace(const char *const directory)
+void picture_trace(const char *const directory, char *const *const names, const size_t count)
 {
     signals s = signals_read(directory);
+    if (count > 0) {
+        signals_choose(&s, names, count);
+    }
     const double total = HEAD + PANEL * (double)s.group_count + FOOT;
     gnuplot_style();
-    for (size_t column = 1; column < s.columns; column++) {
-        put_column(&s, column, 0, STRETCHES);
+    for (size_t i = 0; i < s.group_count; i++) {
+        for (size_t member = 0; member < s.groups[i].members; member++) {
+            put_column(&s, s.groups[i].column[member], 0, STRETCHES);
+        }
     }
     printf("# size %d %.0f\nset multiplot\nset label 2 ", (int)WIDTH, total);
     put_title(&s);

@@ -113,7 +113,8 @@ static void show_formula(builder *b, const output *o, shown *made)
 {
     const value v = value_in_scene(b, o->formula);
     made->formula = v.count == 0 ? constant(b->g, 0.0) : v.parts[0];
-    made->unit = dimension_equal_but_angle(v.of, no_unit) && v.of.rad == 0 ? "1" : dimension_text(b->s->memory, v.of);
+    made->unit =
+        dimension_equal_but_angle(v.of, no_unit) && v.of.rad == 0 ? "1" : dimension_text_but_angle(b->s->memory, v.of);
     if (v.count > 1) {
         source_problem(b->s, o->formula->at, "an output is one number; this is %d", v.count);
     }

@@ -95,12 +95,28 @@ const char *dimension_phrase(arena *memory, dimension d)
     return dimension_equal(d, none) ? "has no unit" : arena_format(memory, "is in %s", dimension_text(memory, d));
 }
 
-const char *dimension_text(arena *memory, dimension d)
+static const char *customary_text(const dimension d)
 {
     for (size_t i = 0; i < sizeof customary / sizeof customary[0]; i++) {
         if (dimension_equal(customary[i].of, d)) {
             return customary[i].text;
         }
+    }
+    return NULL;
+}
+
+const char *dimension_text_but_angle(arena *memory, dimension d)
+{
+    dimension plain = d;
+    plain.rad = 0;
+    return dimension_text(memory, customary_text(d) == NULL && customary_text(plain) != NULL ? plain : d);
+}
+
+const char *dimension_text(arena *memory, dimension d)
+{
+    const char *const name = customary_text(d);
+    if (name != NULL) {
+        return name;
     }
     const char *text = append_power(memory, "", "kg", d.kg);
     text = append_power(memory, text, "m", d.m);

@@ -30,6 +30,9 @@ bool dimension_times(dimension *a, dimension b, int n);
 /* The dimension as a person writes its unit: N*m/rad, kg*m^2, or "a plain number". */
 const char *dimension_text(arena *memory, dimension d);
 
+/* The same; and where it has a customary unit only without its powers of radians, as torques of formulas may, this one. */
+const char *dimension_text_but_angle(arena *memory, dimension d);
+
 /* "is in N*m/rad", or "has no unit". */
 const char *dimension_phrase(arena *memory, dimension d);
 
