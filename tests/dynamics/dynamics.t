@@ -2,6 +2,7 @@
 # Generated plants against dynamics written in other ways: maximal coordinates and formulas by hand, in long double.
 . tests/host/test.sh
 begin dynamics
+optimised -O0
 . tests/dynamics/solver.sh
 
 for real in float double; do

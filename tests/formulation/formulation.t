@@ -2,13 +2,14 @@
 # All formulations of a tree, and of closed loops, say the same, and isoc keeps the one that takes least.
 . tests/host/test.sh
 begin formulation
+optimised -O0
 
-# evaluation SCENE FORMULATION PLACE: the plant in the real of now, as an object; without optimisation, which changes no bit.
+# evaluation SCENE FORMULATION PLACE: the plant in the real of now, as an object;.
 evaluation()
 {
     made=$3_$real
     build/isoc "$1" -o "$out/$made" --real "$real" --method rk4 --formulation "$2" >"$out/$made.summary" &&
-        "$CC" $FLAGS $REAL_FLAG -O0 -c "$out/$made/plant.c" -o "$out/$made.plant.o" &&
+        "$CC" $FLAGS $REAL_FLAG -c "$out/$made/plant.c" -o "$out/$made.plant.o" &&
         objcopy --redefine-sym "iso_the_plant_$real=${made}_plant" --keep-global-symbol "${made}_plant" "$out/$made.plant.o" &&
         "$CC" $FLAGS $REAL_FLAG "-DPLANT=${made}_plant" "-DEVALUATION=$made" -c tests/formulation/evaluation.c -o "$out/$made.o"
 }

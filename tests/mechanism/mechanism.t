@@ -2,6 +2,7 @@
 # Generated plants of mechanisms with loops and joints of several freedoms against the independent dynamics.
 . tests/host/test.sh
 begin mechanism
+optimised -O0
 . tests/dynamics/solver.sh
 
 # scene_of NAME: its file.

@@ -39,7 +39,7 @@ model()
     states=$(awk '$1 == "states" { print $2 }' "$dir/plant.txt")
     instructions=$(get instructions_per_step) && operations=$(operations) && text=$(get step_text) &&
         memory=$(get plant_memory) && stack=$(get stack_of_step) || exit 1
-    step= seconds=0.05
+    step='' seconds=0.05
     echo "| $1 | $states | $operations | $once | $instructions | $text | $memory | $stack |"
 }
 
@@ -48,7 +48,7 @@ models()
     echo '| model | states | add | mul | div | sincos | euler | rk4 | text | memory | stack |'
     echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
     for name in $models four_bar squeezer; do
-        ! due || model $name
+        ! due || model "$name"
     done
 }
 
