@@ -4,6 +4,7 @@
  */
 #define ISO_HAS_JACOBIAN
 #include "core/methods/dense.h"
+#include "core/numbers/signal.h"
 #include "core/runtime/choice.h"
 
 enum { POSITION, SPEED, STATES };
@@ -35,7 +36,7 @@ static void output(real *restrict const y, const real *restrict const x, const r
 static void drive(void *const instance, const uint64_t tick)
 {
     plant_memory *const memory = instance;
-    const real t = (real)tick * ISO_STEP_SIZE;
+    const real t = iso_real_of_ticks(tick) * ISO_STEP_SIZE;
     memory->u[FORCE] = iso_select(iso_less(t, R(1.0)), R(1.0), R(0.0));
 }
 
