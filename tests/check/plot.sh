@@ -104,7 +104,7 @@ expect $? "told: an output that is not there"
 result $? "no path without a point"
 
 # The unit of every kind of output, of what turns and of what slides.
-sed -n 's/.*ROW(OUTPUT_[A-Z_]*, "\([a-z_]*\)".*/\1/p' tools/isoc/scene/output_kinds.h | sort -u >"$out/kinds"
+sed -n 's/.*ROW(OUTPUT_[A-Z_]*, "\([a-z_][a-z_]*\)".*/\1/p' tools/isoc/scene/output_kinds.h | sort -u >"$out/kinds"
 sed -n 's/^output [a-z_]* = \([a-z_]*\).*/\1/p' tests/scenes/units.scene | sort -u | cmp -s - "$out/kinds" && [ -s "$out/kinds" ]
 result $? "tests/scenes/units.scene has every kind of output"
 units='t s
