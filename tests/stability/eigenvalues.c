@@ -50,16 +50,17 @@ static double distance(const double complex *wanted, int n)
     bool taken[MOST] = {false};
     double worst = 0.0;
     for (int i = 0; i < n; i++) {
-        int nearest = -1;
+        int nearest = 0;
+        double least = HUGE_VAL;
         for (int j = 0; j < n; j++) {
             const double off = hypot(re[j] - creal(wanted[i]), im[j] - cimag(wanted[i]));
-            if (!taken[j] &&
-                (nearest < 0 || off < hypot(re[nearest] - creal(wanted[i]), im[nearest] - cimag(wanted[i])))) {
+            if (!taken[j] && off < least) {
                 nearest = j;
+                least = off;
             }
         }
         taken[nearest] = true;
-        worst = fmax(worst, hypot(re[nearest] - creal(wanted[i]), im[nearest] - cimag(wanted[i])));
+        worst = fmax(worst, least);
     }
     return worst;
 }
