@@ -111,15 +111,18 @@ told "$out/root.scene" && is_silent && ! told "$out/root.scene" --method bdf4 &&
     grep -q "root.scene:5:7: error: the Jacobian at the start is not finite: .* by 'slide' there, and bdf4 needs it" "$out/told"
 result $? 'an implicit method is refused where the Jacobian is not finite'
 
-# The models, all of which run; but arm6 with abm4_pec leaves its range within a second.
+# The models with their own methods and three others.
 for scene in models/*.scene; do
-    for method in rk4 semi_implicit ab4 bdf4; do
-        told "$scene" --method $method --inputs smooth && is_silent || echo "$scene $method"
+    { told "$scene" --inputs smooth && is_silent; } || echo "$scene"
+    for method in rk4 semi_implicit bdf4; do
+        { told "$scene" --method $method --inputs smooth && is_silent; } || echo "$scene $method"
     done
 done >"$out/blamed"
 sed 's/^/# /' "$out/blamed"
 [ ! -s "$out/blamed" ]
-result $? 'rk4, semi_implicit, ab4 and bdf4 hold all models'
+result $? 'their own methods, rk4, semi_implicit and bdf4 hold all models'
+
+# The program leaves its range after 237 ticks.
 told models/arm6.scene --method abm4_pec --inputs smooth && warns "the spring and damping of the joint 'pitch'"
 result $? 'control: abm4_pec does not hold the arm'
 finish

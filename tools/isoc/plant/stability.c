@@ -108,17 +108,21 @@ static bool check_point(const source *s, const graph *g, const plant *p, slopes 
     return any;
 }
 
-/* Inputs that are constant at the start, and memories as they begin. */
+/* Inputs that are functions of the tick as they begin, each function of it counting as zero; those of the port zero; and
+ * memories as they begin. */
 static point start_of(const graph *g, const mechanism *m)
 {
     point made = {"at the start", mechanism_start(m, g->memory), NULL};
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    graph_evaluate(g, 0, &(evaluation){.x = made.x, .p = m->defaults}, numbers);
     made.u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *made.u);
     for (int i = 0; i < m->input_count; i++) {
-        made.u[i] = m->driven[i] && is_constant(g, m->drives[i]) ? constant_value(g, m->drives[i]) : 0.0;
+        made.u[i] = m->driven[i] ? numbers[m->drives[i]] : 0.0;
     }
     for (int i = 0; i < m->memory_count; i++) {
         made.u[m->input_count + i] = m->memories[i].about.start;
     }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
     return made;
 }
 
