@@ -4,7 +4,7 @@
 begin formulation
 optimised -O0
 
-# evaluation SCENE FORMULATION PLACE: the plant in the real of now, as an object;.
+# evaluation SCENE FORMULATION PLACE: the plant in the real of now, as an object.
 evaluation()
 {
     made=$3_$real
