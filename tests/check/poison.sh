@@ -69,6 +69,7 @@ done
 for method in rk4 rosenbrock; do
     generated tests/scenes/frames.scene $method
 done
+generated tests/inputs/waveforms.scene rk4
 generated tests/effects/all.scene rk4
 joined "examined" watch
 

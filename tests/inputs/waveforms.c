@@ -106,10 +106,37 @@ static void expect_bits(const uint64_t tick)
     }
 }
 
+/* Of a row of the trace: what stood there some rows before. */
+static void expect_past(const uint64_t tick)
+{
+    static real ramp[TICKS], wave[TICKS], turn[TICKS];
+    ramp[tick] = plant->y[PLANT_Y_RAMP];
+    wave[tick] = plant->y[PLANT_Y_WAVE];
+    turn[tick] = plant->y[PLANT_Y_TURN];
+    const real zero = R(0.0);
+    /* A row ends a tick: the row of tick n is at the time n + 1. */
+    const uint64_t of_7 = (tick + 1) / 7 * 7, of_20 = (tick + 1) / 20 * 20;
+    expect(PLANT_Y_PAST, (long double)(tick >= 1 ? ramp[tick - 1] : zero), 0.0L);
+    expect(PLANT_Y_DELAYED, (long double)(tick >= 5 ? ramp[tick - 5] : R(7.0)), 0.0L);
+    expect(PLANT_Y_TWICE, (long double)(tick >= 3 ? ramp[tick - 3] : zero), 0.0L);
+    expect(PLANT_Y_TAKEN, (long double)(of_7 > 0 ? ramp[of_7 - 1] : R(-1.0)), 0.0L);
+    expect(PLANT_Y_STEPS, 1.0L + (long double)tick, 0.0L);
+    expect(PLANT_Y_HELD_WAVE, (long double)(of_7 > 0 ? wave[of_7 - 1] : zero), 0.0L);
+    expect(PLANT_Y_LONG_AGO, (long double)(tick >= 300 ? wave[tick - 300] : zero), 0.0L);
+    expect(PLANT_Y_TURNED, (long double)(tick >= 1 ? turn[tick - 1] : R(1.0)), 0.0L);
+    expect(PLANT_Y_TURNED_BEFORE, (long double)(tick >= 20 ? turn[tick - 20] : zero), 0.0L);
+    expect(PLANT_Y_TURN_TAKEN, (long double)(of_20 > 0 ? turn[of_20 - 1] : zero), 0.0L);
+    expect(PLANT_Y_MOVED, (long double)(turn[tick] - (tick >= 1 ? turn[tick - 1] : zero)), 0.0L);
+    expect(PLANT_Y_RAMP, (long double)tick, 2.0L * ULP * tick);
+    expect(PLANT_Y_WAVE, sinl(6.28318530717958647693L * 0.003L * tick), 4.0L * ULP + tick * (long double)DBL_EPSILON);
+    expect(PLANT_Y_TURN, 1.0L + 0.002L * (tick + 1), (tick + 1) * ULP * 11.0L);
+}
+
 static void expect_tick(const uint64_t tick)
 {
     expect_edges(tick);
     expect_bits(tick);
+    expect_past(tick);
     expect_chirp(PLANT_Y_RISE, 1.0L, 50.0L, 2000, tick);
     expect_chirp(PLANT_Y_FALL, 400.0L, 3.0L, 3000, tick);
     expect_line(PLANT_Y_LEFT, columns[0], 1.0L, tick);

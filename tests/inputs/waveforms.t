@@ -26,21 +26,25 @@ EXTRA="-DPLANT=\"$out/float/plant.c\"" program host tests/inputs/count.c tests/t
 grep '^# hash' "$out/tap" | cmp - "$out/hash"
 result $? 'the board has the bits of the host'
 
-# cost FORMULA: the instructions that it takes in a tick of the board, in float, over those of a constant.
+# cost FORMULA [OUTPUT]: the instructions that it takes in a tick of the board, in float, over those of a constant.
 cost()
 {
     cost_of=$1
     printf '%s\n' 'step 1 ms' "input push N = $1" 'body cart { mass 1 kg }' \
-        'joint rail prismatic { parent ground; child cart; axis x; drive push }' 'output place = position of rail' >"$out/cost.scene"
+        'joint rail prismatic { parent ground; child cart; axis x; drive push }' "output place = ${2:-position of rail}" >"$out/cost.scene"
     build/isoc "$out/cost.scene" -o "$out/cost" >"$out/summary" && on_board "$out/cost/plant.c" >"$out/counted"
-    took=$(sed -n 's/^# drive //p' "$out/counted")
-    [ "${constant:=$took}" = "$took" ] || echo "# $cost_of: $((took - constant)) instructions"
+    took=$(sed -n 's/^# drive //p; s/^# advance //p' "$out/counted" | paste -sd + | sed 's/.*/(&)/')
+    took=$(($took))
+    [ "${constant:=$took}" = "$took" ] || echo "# ${2:-$cost_of}: $((took - constant)) instructions"
 }
 cp tests/inputs/road.csv "$out"
 seq 0 1023 | awk '{ print $1 / 100 "," $1 % 7 }' >"$out/long.csv"
-for formula in '1 N' '1 N * step(0.3 s)' '1 N * square(20 Hz)' '1 N * square(7 Hz)' '1 N * prbs(7)' '1 N * prbs(7, 5 ms)' \
-    '1 N * sin(3 Hz)' '1 N * chirp(1 Hz, 50 Hz, 2 s)' '1 N * file "road.csv"' '1 N * file "long.csv"'; do
+for formula in '1 N' '1 N * step(0.3 s)' '1 N * square(20 Hz)' '1 N * square(7 Hz)' '1 N * prbs(7)' '1 N * chirp(1 Hz, 50 Hz, 2 s)' \
+    '1 N * file "road.csv"' '1 N * file "long.csv"'; do
     cost "$formula"
+done
+for output in 'previous(push)' 'sample(push, every 5 ms)' 'delay(push, 5 ms)' 'delay(push, 500 ms)'; do
+    cost '1 N' "$output"
 done
 
 # A method with a history starts anew at the edges, and only there; with a `jump` as that says.

@@ -367,7 +367,9 @@ static void emit_drive(emission *e)
     text_add(e->out, "/* What is a function of time; other inputs stay as they are set. */\n");
     text_add(e->out, "static void drive(void *const instance, const uint64_t tick)\n{\n");
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
-    if (!uses_time(e->g, d.roots, (size_t)d.count) && m->change_count == 0) {
+    if (reads_tick(m)) {
+        text_add(e->out, "    memory->tick = tick;\n");
+    } else if (!uses_time(e->g, d.roots, (size_t)d.count) && m->change_count == 0) {
         text_add(e->out, "    (void)tick;\n");
     }
     if (uses(e, &made, OP_PARAMETER)) {
@@ -416,6 +418,43 @@ static void emit_admit(emission *e)
     text_add(e->out, "}\n\n");
 }
 
+/* Where the next value of a memory goes: there, or first to where it waits. */
+static const char *target_of_memory(const emission *e, int i)
+{
+    const mechanism *m = e->p->m;
+    arena *memory = e->out->memory;
+    const keeping kept = m->memories[i].kept;
+    return kept == KEPT_SAMPLE ? arena_format(memory, "sampled_%d", i)
+           : kept == KEPT_DELAY
+               ? arena_format(memory, "memory->past_%d[memory->at_%d]", i, i)
+               : arena_format(memory, "memory->u[%s]", e->names->leaves.inputs[m->input_count + i].place);
+}
+
+/* Of a sample and a delay a place goes round with the ticks, and never follows from data. A sample is taken where the tick
+ * ends at a multiple of its time; a delayed value is the oldest of a ring, and before there is one the start. */
+static void emit_kept(emission *e, int i)
+{
+    const mechanism *m = e->p->m;
+    const effect_quantity *of = &m->memories[i];
+    const char *at = e->names->leaves.inputs[m->input_count + i].place;
+    if (of->kept < KEPT_SAMPLE) {
+        return;
+    }
+    text_add(e->out, "    memory->at_%d = iso_next_in_ring(memory->at_%d, UINT32_C(%.0f));\n", i, i, of->ticks);
+    if (of->kept == KEPT_SAMPLE) {
+        text_add(e->out,
+                 "    memory->u[%s] = iso_select((iso_bits)0 - (memory->at_%d == 0), sampled_%d, memory->u[%s]);\n", at,
+                 i, i, at);
+    } else if (of->about.start == 0.0) {
+        text_add(e->out, "    memory->u[%s] = memory->past_%d[memory->at_%d];\n", at, i, i);
+    } else {
+        text_add(e->out,
+                 "    memory->u[%s] = iso_select((iso_bits)0 - (iso_bits)((memory->tick + 1 - UINT32_C(%.0f)) >> 63),\n"
+                 "        %s, memory->past_%d[memory->at_%d]);\n",
+                 at, of->ticks, code_literal(e->out->memory, of->about.start, e->p->is_double), i, i);
+    }
+}
+
 /* What the memories are from the next tick on. */
 static void emit_advance(emission *e)
 {
@@ -426,7 +465,7 @@ static void emit_advance(emission *e)
                **quotes = arena_take(memory, room, sizeof *quotes);
     node *roots = arena_take(memory, room, sizeof *roots);
     for (int i = 0; i < m->memory_count; i++) {
-        targets[i] = arena_format(memory, "memory->u[%s]", e->names->leaves.inputs[m->input_count + i].place);
+        targets[i] = target_of_memory(e, i);
         quotes[i] = m->memories[i].about.quote;
         roots[i] = m->memories[i].next;
     }
@@ -435,7 +474,15 @@ static void emit_advance(emission *e)
     text_add(e->out, "/* The memories at the end of a tick. */\nstatic void advance(void *const instance)\n{\n");
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
     emit_arrays(e, &made);
+    for (int i = 0; i < m->memory_count; i++) {
+        if (m->memories[i].kept == KEPT_SAMPLE) {
+            text_add(e->out, "    real sampled_%d;\n", i);
+        }
+    }
     emit_code(e, &made);
+    for (int i = 0; i < m->memory_count; i++) {
+        emit_kept(e, i);
+    }
     text_add(e->out, "}\n\n");
 }
 

@@ -26,6 +26,10 @@ bool watches_edges(const mechanism *m);
 /* Where a step tells how it went; NULL, as C, where it does not. */
 const char *progress_of(const mechanism *m);
 
+/* Whether some memory goes round with the ticks; and whether one asks for the tick itself. */
+bool keeps_past(const mechanism *m);
+bool reads_tick(const mechanism *m);
+
 /* Whether something is a function of time, that every tick sets. */
 bool is_driven(const mechanism *m);
 

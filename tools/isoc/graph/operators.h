@@ -62,7 +62,7 @@ typedef struct evaluation {
                                                         * turns, in [-pi, pi) */                                       \
     TIMED(RAMP, "iso_ramp(tick, @w, @f, @2)", WHOLE)   /* the ticks since tick `value`, limited to [0, second] */      \
     TIMED(NOISE, "iso_noise(tick, @w)", WHOLE)         /* Gaussian noise with the seed `value` */                      \
-    TIMED(TIME, "@2 * (real)tick", PRODUCT)            /* the seconds since tick 0, with `second` in a tick */         \
+    TIMED(TIME, "@2 * iso_real_of_ticks(tick)", PRODUCT) /* the seconds since tick 0, with `second` in a tick */         \
     TIMED(FROM, "iso_from(tick, @w)", WHOLE)           /* 0 before tick `value`, 1 from it on */                       \
     TIMED(SQUARE, "iso_square(tick, @w, @W, @i)", WHOLE) /* 1 in the first `index` ticks of a period of `value`, else  \
                                                           * -1; `second` ticks are over at tick 0 */                   \

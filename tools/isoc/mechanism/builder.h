@@ -24,6 +24,15 @@ typedef struct weight {
     int joint; /* whose child it is, or -1 */
 } weight;
 
+/* What is kept of a formula: the call, in which effect, and the memory that keeps it. */
+typedef struct past {
+    const formula *of;
+    const void *within;
+    int memory;
+    dimension in;
+    bool is_done;
+} past;
+
 typedef struct builder {
     source *s;
     graph *g;
@@ -35,7 +44,9 @@ typedef struct builder {
     bool *is_input_used, *is_input_known; /* and whether their dimension is */
     variable *faults;                     /* of effects: tunables behind those of the scene */
     int fault_count;
-    size_t edge_room;
+    size_t edge_room, memory_room;
+    past *pasts;
+    size_t past_count, past_room;
     bool is_effect_broken;      /* one of them: its inputs seem to have no use */
     const surroundings *around; /* what effects, signals and outputs can name */
     mechanism made;
@@ -99,6 +110,10 @@ size_t count_faults(const scene *written);
 size_t count_forces(const scene *written);
 void count_effects(builder *b);
 void build_effects(builder *b);
+
+/* past.c: what the memories of formulas are of, when all formulas are known; and what outputs show of them. */
+void finish_pasts(builder *b);
+void show_pasts(builder *b);
 
 /* The value of a formula over all that the scene has; a signal, say. */
 value value_in_scene(builder *b, const formula *f);

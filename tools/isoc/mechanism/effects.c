@@ -44,7 +44,8 @@ void count_effects(builder *b)
     made->memory_count = count_all(b->written, EFFECT_MEMORY);
     made->position_count += made->effect_state_count;
     made->effect_states = arena_take(memory, (size_t)made->effect_state_count + 1, sizeof *made->effect_states);
-    made->memories = arena_take(memory, (size_t)made->memory_count + 1, sizeof *made->memories);
+    b->memory_room = (size_t)made->memory_count + 1;
+    made->memories = arena_take(memory, b->memory_room, sizeof *made->memories);
     made->efforts = arena_take(memory, (size_t)made->dof_count + 1, sizeof *made->efforts);
     const int parts = count_all(b->written, EFFECT_EFFORT);
     made->effort_parts = arena_take(memory, (size_t)parts + 1, sizeof *made->effort_parts);
@@ -183,7 +184,7 @@ void build_effects(builder *b)
 {
     world *w = world_of(b);
     surroundings *around = arena_take(b->s->memory, 1, sizeof *around);
-    *around = (surroundings){.of = w, .find = find_name, .quantity = quantity_value};
+    *around = (surroundings){.of = w, .find = find_name, .quantity = quantity_value, .past = past_value};
     b->around = around;
     b->faults = arena_take(b->s->memory, count_faults(b->written) + 1, sizeof *b->faults);
     int states = 0, memories = 0;

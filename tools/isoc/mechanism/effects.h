@@ -35,6 +35,10 @@ typedef struct world {
     bool is_done; /* all lines: what is built next are outputs */
 } world;
 
+/* --- past.c: previous(x) and the like --- */
+
+value past_value(void *of, const formula *f);
+
 /* --- effect_names.c --- */
 
 /* The line that declares a name; or with `is_output` the one that shows it. NULL if there is none. */

@@ -350,6 +350,17 @@ static value call_table(values *v, const formula *f)
     return made.count > 0 && refuses_corner(v, f, &made, 1) ? nothing : made;
 }
 
+/* What is kept of a formula, which is not evaluated yet. */
+static value call_past(values *v, const formula *f)
+{
+    if (v->around == NULL) {
+        source_problem(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
+                       f->name);
+        return nothing;
+    }
+    return v->around->past(v->around->of, f);
+}
+
 /* --- of vectors --- */
 
 static vector vector_of_value(const value *v)
@@ -429,6 +440,9 @@ static const function_row functions[] = {
     {"prbs", "prbs(7), with a seed; or with the time of a bit and their order, prbs(7, 10 ms, 9)", 1, 3, 1,
      call_waveform},
     {"chirp", "chirp(1 Hz, 50 Hz, 10 s), from one frequency to another, and how long it takes", 3, 3, 1, call_waveform},
+    {"previous", "previous(x), or with a start previous(x, 0 V)", 1, 2, 0, NULL},
+    {"delay", "delay(x, 5 ms), or with a start delay(x, 5 ms, 0 V)", 2, 3, 0, NULL},
+    {"sample", "sample(x, every 5 ms), or with a start sample(x, every 5 ms, 0 V)", 2, 3, 0, NULL},
     {"table", NULL, 0, 0, 1, NULL},
     {"ramp", NULL, 0, 0, 1, NULL},
 };
@@ -454,12 +468,15 @@ value call_of_formula(values *v, const formula *f)
     if (row == NULL) {
         return nothing;
     }
-    if (row->call == NULL) {
+    if (row->call == NULL && row->example == NULL) {
         return f->number > 0.0 && f->name[0] == 't' ? call_table(v, f) : points_of_formula(v, f);
     }
     if (f->count < row->least || f->count > row->most) {
         source_problem(v->s, f->at, "%s is written like this: %s", f->name, row->example);
         return nothing;
+    }
+    if (row->call == NULL) {
+        return call_past(v, f);
     }
     value given[ANY_NUMBER];
     for (size_t i = 0; i < f->count; i++) {

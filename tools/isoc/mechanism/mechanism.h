@@ -180,12 +180,18 @@ typedef struct variable {
     const char *spoken;  /* of a fault: EFFECT.FAULT */
 } variable;
 
+/* How a memory follows its `next`: at once; one that is of a formula's past likewise, or at ticks that are multiples of a
+ * number, or so many ticks later. */
+typedef enum keeping { KEPT_NEXT, KEPT_PREVIOUS, KEPT_SAMPLE, KEPT_DELAY } keeping;
+
 /* A state of an effect, or a memory of one: what it is called, and its rate, or what it is after the next tick. */
 typedef struct effect_quantity {
     variable about;
     place at;   /* of the effect, */
     int effect; /* and which */
     node next;
+    keeping kept; /* of a memory; and of what is sampled or delayed the ticks */
+    double ticks;
 } effect_quantity;
 
 /* What an effect adds to the effort of a degree of freedom. */

@@ -157,6 +157,10 @@ static formula *parse_order(parser *p)
 static void parse_parts(parser *p, formula *f, bool of_points)
 {
     do {
+        if (f->name != NULL && strcmp(f->name, "sample") == 0 && f->count == 1 && !take_word(p, "every")) {
+            parse_problem(p, "expected 'every' and a time: sample(x, every 5 ms)");
+            return;
+        }
         formula *part = parse_order(p);
         if (part == NULL) {
             return;

@@ -1,0 +1,156 @@
+/* What is kept of a formula from tick to tick: previous(x), sample(x, every 5 ms), delay(x, 5 ms). Each is a memory that
+ * no effect declares; what it is of is evaluated when all lines are, so that a formula may need its own past. */
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/graph/operations.h"
+#include "tools/isoc/mechanism/effects.h"
+#include "tools/isoc/mechanism/waveform.h"
+
+enum { LONGEST_DELAY = 65535, MOST_MEMORIES = 65535 };
+
+static const value nothing = {0};
+static const double longest_sample = 16777215.0; /* ticks */
+
+/* The whole ticks of the time that a call has; 1 of previous; 0 after noting a problem. */
+static double ticks_of(world *w, const formula *f, bool is_sample)
+{
+    source *s = w->b->s;
+    const double most = is_sample ? longest_sample : LONGEST_DELAY;
+    if (strcmp(f->name, "previous") == 0) {
+        return 1.0;
+    }
+    const size_t before = s->problem_count;
+    const double ticks = value_constant(&w->b->values, f->parts[1], second, "the time", 0.0) / w->b->made.step;
+    if (s->problem_count > before) {
+        return 0.0;
+    }
+    if (!is_whole_tick(ticks) || !(round(ticks) >= 1.0 && round(ticks) <= most)) {
+        source_problem(s, f->parts[1]->at, "the time of a %s is a whole number of steps, from 1 to %.0f; this is %.6g",
+                       f->name, most, ticks);
+        return 0.0;
+    }
+    return round(ticks);
+}
+
+static bool is_number(world *w, const formula *f, const value *found)
+{
+    if (found->count > 1) {
+        source_problem(w->b->s, f->parts[0]->at, "%s is of a number; this is a vector", f->name);
+    }
+    return found->count == 1;
+}
+
+/* A new memory with its start, a constant. */
+static int add_past(world *w, const formula *f, double start, dimension of, double ticks)
+{
+    builder *b = w->b;
+    mechanism *made = &b->made;
+    const size_t count = (size_t)made->memory_count;
+    made->memories = arena_grow(b->s->memory, made->memories, count, &b->memory_room, sizeof *made->memories);
+    b->pasts = arena_grow(b->s->memory, b->pasts, b->past_count, &b->past_room, sizeof *b->pasts);
+    effect_quantity *m = &made->memories[count];
+    *m = (effect_quantity){.next = constant(b->g, start), .at = f->at};
+    m->about = (variable){.name = arena_format(b->s->memory, "kept_%s_%zu", f->name, b->past_count + 1),
+                          .unit = dimension_equal_but_angle(of, no_unit) ? "1" : dimension_text(b->s->memory, of),
+                          .quote = source_quote(b->s, f->at),
+                          .least = -HUGE_VAL,
+                          .most = HUGE_VAL,
+                          .start = start};
+    m->kept = f->name[0] == 's' ? KEPT_SAMPLE : f->name[0] == 'd' ? KEPT_DELAY : KEPT_PREVIOUS;
+    m->ticks = ticks;
+    b->pasts[b->past_count++] = (past){f, w->within, made->memory_count, of, false};
+    return made->memory_count++;
+}
+
+value past_value(void *of, const formula *f)
+{
+    world *w = of;
+    builder *b = w->b;
+    const bool is_previous = strcmp(f->name, "previous") == 0;
+    const size_t before = b->s->problem_count, at_start = is_previous ? 1 : 2;
+    for (size_t i = 0; i < b->past_count; i++) {
+        const past *p = &b->pasts[i];
+        if (p->of == f && p->within == w->within) {
+            return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->made.input_count + p->memory)}, .of = p->in};
+        }
+    }
+    const double ticks = ticks_of(w, f, f->name[0] == 's');
+    const bool has_start = f->count > at_start;
+    const value first = evaluate(w, w->within, f->parts[has_start ? at_start : 0], f->name);
+    if (ticks == 0.0 || b->s->problem_count > before || !is_number(w, f, &first)) {
+        return nothing;
+    }
+    if (has_start && !is_constant(b->g, first.parts[0])) {
+        source_problem(b->s, f->parts[at_start]->at, "the start of a %s must be a constant", f->name);
+        return nothing;
+    }
+    if (b->made.memory_count + b->made.input_count >= MOST_MEMORIES) {
+        source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
+        return nothing;
+    }
+    const int memory = add_past(w, f, has_start ? constant_value(b->g, first.parts[0]) : 0.0, first.of, ticks);
+    return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->made.input_count + memory)}, .of = first.of};
+}
+
+void finish_pasts(builder *b)
+{
+    world *w = b->around == NULL ? NULL : b->around->of;
+    b->values.around = b->around;
+    for (size_t i = 0; w != NULL && i < b->past_count; i++) {
+        const past p = b->pasts[i];
+        if (p.is_done) {
+            continue;
+        }
+        b->pasts[i].is_done = true;
+        const value found = evaluate(w, p.within, p.of->parts[0], p.of->name);
+        if (found.count == 0 || !is_number(w, p.of, &found)) {
+            continue;
+        }
+        if (!found.any && !dimension_equal_but_angle(found.of, p.in)) {
+            source_problem(b->s, p.of->parts[0]->at, "a %s that starts with %s is of the same; this %s", p.of->name,
+                           dimension_text(b->s->memory, p.in), dimension_phrase(b->s->memory, found.of));
+        }
+        b->made.memories[p.memory].next = found.parts[0];
+    }
+    b->values.around = NULL;
+}
+
+/* The outputs are made when the memories have changed already: of previous and delay they show what these were in the
+ * tick, by a memory of the memory. */
+void show_pasts(builder *b)
+{
+    mechanism *made = &b->made;
+    const int count = made->memory_count;
+    const size_t inputs = (size_t)(made->input_count + count);
+    node *to = arena_take(b->s->memory, inputs + 1, sizeof *to);
+    bool any = false;
+    for (size_t i = 0; i < inputs; i++) {
+        to[i] = leaf(b->g, OP_INPUT, (int)i);
+    }
+    for (int i = 0; i < count; i++) {
+        const node is = to[made->input_count + i];
+        bool is_shown = false;
+        for (size_t o = 0; o < made->output_count; o++) {
+            const shown *out = &made->outputs[o];
+            is_shown = is_shown || (out->kind == OUTPUT_FORMULA && uses_leaf(b->g, &out->formula, 1, is));
+        }
+        if (is_shown && (made->memories[i].kept == KEPT_PREVIOUS || made->memories[i].kept == KEPT_DELAY)) {
+            made->memories = arena_grow(b->s->memory, made->memories, (size_t)made->memory_count, &b->memory_room,
+                                        sizeof *made->memories);
+            effect_quantity shadow = made->memories[i];
+            shadow.about.name = arena_format(b->s->memory, "%s_shown", shadow.about.name);
+            shadow.kept = KEPT_NEXT;
+            shadow.next = is;
+            to[made->input_count + i] = leaf(b->g, OP_INPUT, made->input_count + made->memory_count);
+            made->memories[made->memory_count++] = shadow;
+            any = true;
+        }
+    }
+    for (size_t o = 0; any && o < made->output_count; o++) {
+        if (made->outputs[o].kind == OUTPUT_FORMULA) {
+            replace_leaves(b->g, &made->outputs[o].formula, 1, OP_INPUT, to);
+        }
+    }
+}
