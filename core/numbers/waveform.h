@@ -93,13 +93,6 @@ static inline real iso_on_lines(const uint64_t tick, const iso_lines *const t)
     return t->value[at] + t->slope[at] * (real)(uint32_t)(tick - t->first[at]);
 }
 
-/* The place behind this one in a ring, of less than 2^31 places. */
-static inline uint32_t iso_next_in_ring(const uint32_t at, const uint32_t length)
-{
-    const uint32_t next = at + 1;
-    return next & ((uint32_t)0 - ((next - length) >> 31));
-}
-
 /* Not zero if any of n numbers is another than it was. */
 static inline iso_bits iso_any_changed(const real *const now, const real *const before, const uint32_t n)
 {

@@ -5,7 +5,7 @@
 #include "tools/isoc/emit/parts.h"
 #include "tools/isoc/graph/operations.h"
 
-bool keeps_past(const mechanism *m)
+bool keeps_tick(const mechanism *m)
 {
     bool any = false;
     for (int i = 0; i < m->memory_count; i++) {
@@ -14,18 +14,9 @@ bool keeps_past(const mechanism *m)
     return any;
 }
 
-bool reads_tick(const mechanism *m)
-{
-    bool any = false;
-    for (int i = 0; i < m->memory_count; i++) {
-        any = any || (m->memories[i].kept == KEPT_DELAY && m->memories[i].about.start != 0.0);
-    }
-    return any;
-}
-
 bool is_driven(const mechanism *m)
 {
-    bool any = m->clocks.count + m->change_count > 0 || reads_tick(m);
+    bool any = m->clocks.count + m->change_count > 0 || keeps_tick(m);
     for (int i = 0; i < m->input_count; i++) {
         any = any || m->driven[i];
     }
@@ -50,7 +41,7 @@ static bool uses_waveform(const emission *e)
 {
     static const operation waveforms[] = {OP_FROM, OP_SQUARE, OP_SQUARE_OF_PHASE, OP_PRBS, OP_CHIRP, OP_LINES};
     const mechanism *m = e->p->m;
-    bool any = keeps_past(m);
+    bool any = keeps_tick(m);
     for (size_t i = 0; i < sizeof waveforms / sizeof waveforms[0]; i++) {
         any = any || uses_operation(e->g, m->drives, (size_t)m->input_count, waveforms[i]);
     }

@@ -367,7 +367,7 @@ static void emit_drive(emission *e)
     text_add(e->out, "/* What is a function of time; other inputs stay as they are set. */\n");
     text_add(e->out, "static void drive(void *const instance, const uint64_t tick)\n{\n");
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
-    if (reads_tick(m)) {
+    if (keeps_tick(m)) {
         text_add(e->out, "    memory->tick = tick;\n");
     } else if (!uses_time(e->g, d.roots, (size_t)d.count) && m->change_count == 0) {
         text_add(e->out, "    (void)tick;\n");
@@ -418,40 +418,49 @@ static void emit_admit(emission *e)
     text_add(e->out, "}\n\n");
 }
 
+unsigned long last_of_ring(const effect_quantity *of)
+{
+    unsigned long places = 1;
+    while ((double)places < of->ticks) {
+        places *= 2;
+    }
+    return places - 1;
+}
+
 /* Where the next value of a memory goes: there, or first to where it waits. */
 static const char *target_of_memory(const emission *e, int i)
 {
     const mechanism *m = e->p->m;
     arena *memory = e->out->memory;
-    const keeping kept = m->memories[i].kept;
-    return kept == KEPT_SAMPLE ? arena_format(memory, "sampled_%d", i)
-           : kept == KEPT_DELAY
-               ? arena_format(memory, "memory->past_%d[memory->at_%d]", i, i)
+    const effect_quantity *of = &m->memories[i];
+    return of->kept == KEPT_SAMPLE ? arena_format(memory, "sampled_%d", i)
+           : of->kept == KEPT_DELAY
+               ? arena_format(memory, "memory->past_%d[memory->tick & UINT32_C(%lu)]", i, last_of_ring(of))
                : arena_format(memory, "memory->u[%s]", e->names->leaves.inputs[m->input_count + i].place);
 }
 
-/* Of a sample and a delay a place goes round with the ticks, and never follows from data. A sample is taken where the tick
- * ends at a multiple of its time; a delayed value is the oldest of a ring, and before there is one the start. */
+/* A sample is taken where the tick ends at a multiple of its time. A delayed value is an older one of a ring, whose place
+ * follows from the tick, never from data; before there is one, it is the start. */
 static void emit_kept(emission *e, int i)
 {
     const mechanism *m = e->p->m;
     const effect_quantity *of = &m->memories[i];
     const char *at = e->names->leaves.inputs[m->input_count + i].place;
-    if (of->kept < KEPT_SAMPLE) {
-        return;
-    }
-    text_add(e->out, "    memory->at_%d = iso_next_in_ring(memory->at_%d, UINT32_C(%.0f));\n", i, i, of->ticks);
     if (of->kept == KEPT_SAMPLE) {
-        text_add(e->out,
-                 "    memory->u[%s] = iso_select((iso_bits)0 - (memory->at_%d == 0), sampled_%d, memory->u[%s]);\n", at,
-                 i, i, at);
-    } else if (of->about.start == 0.0) {
-        text_add(e->out, "    memory->u[%s] = memory->past_%d[memory->at_%d];\n", at, i, i);
-    } else {
-        text_add(e->out,
-                 "    memory->u[%s] = iso_select((iso_bits)0 - (iso_bits)((memory->tick + 1 - UINT32_C(%.0f)) >> 63),\n"
-                 "        %s, memory->past_%d[memory->at_%d]);\n",
-                 at, of->ticks, code_literal(e->out->memory, of->about.start, e->p->is_double), i, i);
+        text_add(e->out, "    memory->u[%s] = iso_select(\n        (iso_bits)0 - (iso_tick_modulo(memory->tick + 1, ",
+                 at);
+        text_add(e->out, "UINT32_C(%.0f)) == 0), sampled_%d, memory->u[%s]);\n", of->ticks, i, at);
+    } else if (of->kept == KEPT_DELAY) {
+        const char *older =
+            arena_format(e->out->memory, "memory->past_%d[(memory->tick + 1 - UINT32_C(%.0f)) & UINT32_C(%lu)]", i,
+                         of->ticks, last_of_ring(of));
+        if (of->about.start == 0.0) {
+            text_add(e->out, "    memory->u[%s] = %s;\n", at, older);
+        } else {
+            text_add(e->out, "    memory->u[%s] = iso_select(\n        (iso_bits)0 - (iso_bits)(", at);
+            text_add(e->out, "(memory->tick + 1 - UINT32_C(%.0f)) >> 63), %s,\n        %s);\n", of->ticks,
+                     code_literal(e->out->memory, of->about.start, e->p->is_double), older);
+        }
     }
 }
 

@@ -138,15 +138,12 @@ static void emit_memory(const emission *e)
     if (watches_parameters(m)) {
         text_add(e->out, "    real last_p[%s_PARAMETERS];\n", capitals);
     }
-    if (reads_tick(m)) {
+    if (keeps_tick(m)) {
         text_add(e->out, "    uint64_t tick;\n");
     }
     for (int i = 0; i < m->memory_count; i++) {
-        if (m->memories[i].kept >= KEPT_SAMPLE) {
-            text_add(e->out, "    uint32_t at_%d; /* the place of %s in its time */\n", i, m->memories[i].about.name);
-        }
         if (m->memories[i].kept == KEPT_DELAY) {
-            text_add(e->out, "    real past_%d[%.0f]; /* the last ones of %s */\n", i, m->memories[i].ticks,
+            text_add(e->out, "    real past_%d[%lu]; /* the last ones of %s */\n", i, last_of_ring(&m->memories[i]) + 1,
                      m->memories[i].about.name);
         }
     }

@@ -26,9 +26,11 @@ bool watches_edges(const mechanism *m);
 /* Where a step tells how it went; NULL, as C, where it does not. */
 const char *progress_of(const mechanism *m);
 
-/* Whether some memory goes round with the ticks; and whether one asks for the tick itself. */
-bool keeps_past(const mechanism *m);
-bool reads_tick(const mechanism *m);
+/* Whether what some memory is follows from the tick too. */
+bool keeps_tick(const mechanism *m);
+
+/* The last place in the ring of a delay, whose number of places is a power of two: a tick is a place by its last bits. */
+unsigned long last_of_ring(const effect_quantity *of);
 
 /* Whether something is a function of time, that every tick sets. */
 bool is_driven(const mechanism *m);
