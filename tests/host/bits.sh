@@ -55,12 +55,13 @@ runs()
 
 # length METHOD SCENE: how long in nanoseconds, and in what step, if it is not the scene's: ten seconds of rk4, one of the other
 # methods; but for PEC, which is not stable there on a model with much damping; and less of a model that is not tried in
-# depth.
+# depth: ten steps or, with effects, until most of them have begun to act.
 length()
 {
-    case $1 in
-    *) [ "$2" = models/oscillator.c ] || in_depth "$2" || { echo 10000000 && return; } ;;
-    esac
+    if [ "$2" != models/oscillator.c ] && ! in_depth "$2"; then
+        if [ "$1" = rk4 ] && grep -q '^ *effect ' "$2"; then echo 2000000000; else echo 10000000; fi
+        return
+    fi
     case $1 in
     rk4) echo 10000000000 ;;
     abm4_pec) echo 500000000 500us 0.0005 ;;
