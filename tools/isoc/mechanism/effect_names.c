@@ -241,7 +241,8 @@ value refuse_loop(world *w, place at, const char *called)
     for (int i = from + 1; i < w->depth; i++) {
         path = arena_format(w->b->s->memory, "%s, %s", path, w->path[i]);
     }
-    source_problem(w->b->s, at, "an algebraic loop: %s, %s; a state or a memory breaks it", path, called);
+    source_problem(w->b->s, at, "an algebraic loop: %s, %s; a state, a memory or previous(x, START) breaks it", path,
+                   called);
     return nothing;
 }
 
