@@ -91,7 +91,7 @@ operations()
 }
 
 sed 's/inertia (across, long, across)/inertia (1.2 * across, 1.1 * across, across; 0.1 * across, 0.2 * across, -0.1 * across)/' "$out/planar_3.scene" >"$out/thick.scene"
-sed 's/^    parent ground$/    parent ground rotate 40 deg about (1, 2, 3)/' "$out/planar_3.scene" >"$out/askew.scene"
+sed 's|parent ground;|parent ground rotate 40 deg about (1, 2, 3);|' "$out/planar_3.scene" >"$out/askew.scene"
 plane=$(operations "$out/planar_3.scene")
 [ "$(operations "$out/thick.scene")" = "$plane" ] && [ "$(operations "$out/thick.scene")" != "" ]
 result $? "a chain of bodies in 3-D costs what a chain in the plane does: $plane"
