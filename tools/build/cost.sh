@@ -47,7 +47,7 @@ models()
 {
     echo '| model | states | add | mul | div | sincos | euler | rk4 | text | memory | stack |'
     echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
-    for name in $models four_bar squeezer; do
+    for name in $models four_bar squeezer $machines; do
         ! due || model "$name"
     done
 }
@@ -166,6 +166,7 @@ library()
 }
 
 models="pendulum double_pendulum cart_pole arm6 tree"
+machines="dc_motor_bench cart_pole_drive arm_drive quarter_car crane balancer hopper quadrotor_sih"
 first=yes
 for part in $PARTS; do
     case $part in

@@ -44,7 +44,8 @@ static void add_symbol(sizes *const s, const table *const lines, const size_t ro
     } else if (strcmp(symbol, "memory") == 0 && (strcmp(type, "b") == 0 || strcmp(type, "B") == 0)) {
         s->memory = bytes;
     } else if ((strcmp(type, "t") == 0 || strcmp(type, "T") == 0) &&
-               (is_part_of(symbol, "step") || is_part_of(symbol, "derivative"))) {
+               (is_part_of(symbol, "step") || is_part_of(symbol, "derivative") ||
+                is_part_of(symbol, "held_derivative") || is_part_of(symbol, "hold"))) {
         s->step += bytes;
     }
 }
