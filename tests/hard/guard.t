@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs that go wrong end with a message of the guard that names state and tick, status 1, and the outputs of the last
-# good tick: explicit methods on a stiff bushing at 1 kHz; inputs that are not a number, infinite, or 1e38; a state that
-# is driven out of range. The plant is, but for a wheel at the end, tests/hard/guarded.c: states are 0 free, 1 bushing,
+# good tick: explicit methods on a stiff bushing at 1 kHz; forces that are not a number, infinite, or 1e38; a state that
+# is driven out of range. An input that is not finite does not come so far. The plant is, but for a wheel at the end, tests/hard/guarded.c: states are 0 free, 1 bushing,
 # and their speeds 2 and 3.
 . tests/host/test.sh
 . tests/host/project.sh
@@ -57,6 +57,13 @@ for method in euler:3 heun:1 rk4:1 ab4:3 semi_implicit:1 abm4:3 bdf4:1 rosenbroc
         stops "${method#*:}" 101
         expect $? "$fault into ${method%:*}: stopped at state ${found% *}, tick $tick"
     done
+done
+
+guarded rk4 1 -DSOFT
+sound=$(value hash)
+for fault in NOT_A_NUMBER INFINITE; do
+    guarded rk4 1 "-DSOFT -DFAULT_INPUT=$fault" && [ "$(value hash)" = "$sound" ] && [ "$(value inputs_held)" -eq 900 ]
+    expect $? "$fault as an input: held at its last good value, and counted"
 done
 
 # follows: from 0.2 s on the free body's position is that of 1e38 N from 0.1 s on, to 0.1 %

@@ -1,6 +1,7 @@
 /* A plant for the guard (tests/hard/guard.t): a body of 1 kg that moves freely, and one on a bushing of 1e8 N/m, or of
- * 100 N/m with -DSOFT, undamped, that starts 1 mm aside. Each has a force. After 100 ticks that of the one named by
- * FAULT_FORCE becomes FAULT_VALUE for good. Written by hand; method and step by core/runtime/choice.h. */
+ * 100 N/m with -DSOFT, undamped, that starts 1 mm aside. Each has a force. After 100 ticks the input of the one named by
+ * FAULT_FORCE becomes FAULT_INPUT for good; while it is 1 the force is FAULT_VALUE. Written by hand; method and step by
+ * core/runtime/choice.h. */
 #define ISO_HAS_JACOBIAN
 #include "core/methods/dense.h"
 #include "core/runtime/choice.h"
@@ -11,7 +12,12 @@ enum { FAULT_TICK = 100 };
 
 #ifndef FAULT_FORCE
 #define FAULT_FORCE FREE_FORCE
+#endif
+#ifndef FAULT_VALUE
 #define FAULT_VALUE R(0.0)
+#endif
+#ifndef FAULT_INPUT
+#define FAULT_INPUT R(1.0)
 #endif
 #ifdef SOFT
 #define STIFFNESS R(100.0)
@@ -19,7 +25,7 @@ enum { FAULT_TICK = 100 };
 #define STIFFNESS R(1e8)
 #endif
 
-/* For FAULT_VALUE. */
+/* For FAULT_VALUE and FAULT_INPUT. */
 #define INFINITE iso_real_of(ISO_EXPONENT_BITS)
 #define NOT_A_NUMBER iso_real_of(ISO_EXPONENT_BITS | 1)
 #define ENORMOUS R(1e38)
@@ -28,14 +34,20 @@ ISO_PLANT_MEMORY(STATES, INPUTS, 0, STATES);
 
 static const real start[STATES] = {[BUSHING] = R(0.001)};
 
+/* The force that an input switches on. */
+static real force(const real on)
+{
+    return iso_select(iso_less(R(0.5), on), FAULT_VALUE, R(0.0));
+}
+
 static void derivative(real *restrict const dx, const real *restrict const x, const real *restrict const u,
                        const real *restrict const p)
 {
     (void)p;
     dx[FREE] = x[FREE_SPEED];
     dx[BUSHING] = x[BUSHING_SPEED];
-    dx[FREE_SPEED] = u[FREE_FORCE];
-    dx[BUSHING_SPEED] = u[BUSHING_FORCE] - STIFFNESS * x[BUSHING];
+    dx[FREE_SPEED] = force(u[FREE_FORCE]);
+    dx[BUSHING_SPEED] = force(u[BUSHING_FORCE]) - STIFFNESS * x[BUSHING];
 }
 
 static void output(real *restrict const y, const real *restrict const x, const real *restrict const u,
@@ -51,7 +63,7 @@ static void drive(void *const instance, const uint64_t tick)
     plant_memory *const memory = instance;
     memory->u[FREE_FORCE] = memory->u[BUSHING_FORCE] = R(0.0);
     if (tick >= FAULT_TICK) {
-        memory->u[FAULT_FORCE] = FAULT_VALUE;
+        memory->u[FAULT_FORCE] = FAULT_INPUT;
     }
 }
 

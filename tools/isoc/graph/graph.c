@@ -381,7 +381,9 @@ node larger(graph *g, node a, node b)
     if (is_zero(g, a) || is_zero(g, b)) {
         return function(g, OP_POSITIVE, is_zero(g, a) ? b : a, a);
     }
-    return a == b ? a : a < b ? binary(g, OP_MAX, a, b) : binary(g, OP_MAX, b, a);
+    /* A constant comes last, whenever it was made. */
+    const bool swaps = is_constant(g, a) || (!is_constant(g, b) && b < a);
+    return a == b ? a : swaps ? binary(g, OP_MAX, b, a) : binary(g, OP_MAX, a, b);
 }
 
 node above(graph *g, node a, node b)

@@ -312,7 +312,9 @@ static value call_if(values *v, const formula *f, const value *given)
 
 value order_of_formula(values *v, const formula *f)
 {
-    const value given[] = {value_any(v, f->parts[0]), value_any(v, f->parts[1])};
+    value given[2];
+    given[0] = value_any(v, f->parts[0]);
+    given[1] = value_any(v, f->parts[1]);
     value both;
     if (given[0].count == 0 || given[1].count == 0) {
         return nothing;
