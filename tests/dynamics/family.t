@@ -5,7 +5,7 @@
 #
 #     tests/dynamics/family.t all
 . tests/host/test.sh
-begin dynamics/family
+begin dynamics_family
 . tests/dynamics/solver.sh
 seeds=40
 step=5

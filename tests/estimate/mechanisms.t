@@ -2,7 +2,7 @@
 # The local error that a checked method tells, beside the true one, where it is hard to tell: long steps in chains and close
 # encounters, and steps whose end is put onto closures. tests/estimate/estimate.t has every method on one plant.
 . tests/host/test.sh
-begin estimate/mechanisms
+begin estimate_mechanisms
 EXTRA=-O0 # compiled once and run shortly
 program mechanisms.o -c tests/estimate/mechanisms.c
 result $? "tests/estimate/mechanisms.c compiles"

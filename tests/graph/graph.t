@@ -43,12 +43,12 @@ sed 's/\(derivative_of_magnitude([^,]*,[^,]*,[^,]*)\),/mul(g, constant(g, 0.0), 
 result $? "found: |v| with a derivative of zero"
 cp "$out/list" "$list"
 
-sed 's/^    OPERATION(ADD, 2,/    OPERATION(SQUARE, 1, a * a, sum_of_products(g, da, a, a, da), square(g, a), "iso_square(@a)", WHOLE, SUM, SUM, DECLARED, 0, 1, 0, 0) \\\n&/' \
+sed 's/^    OPERATION(ADD, 2,/    OPERATION(TWICE, 1, a + a, add(g, da, da), twice(g, a), "iso_twice(@a)", WHOLE, SUM, SUM, DECLARED, 0, 1, 0, 0) \\\n&/' \
     "$list" >"$out/list" && cp "$out/list" "$list"
-echo 'node square(graph *g, node a) { return graph_put(g, (graph_node){.op = OP_SQUARE, .a = a}); }' \
+echo 'node twice(graph *g, node a) { return graph_put(g, (graph_node){.op = OP_TWICE, .a = a}); }' \
     >>"$tree/tools/isoc/graph/graph.c"
-sed 's/^node add(/node square(graph *g, node a);\n&/' tools/isoc/graph/graph.h >"$tree/tools/isoc/graph/graph.h"
-builds && grep -q '^ok .* SQUARE has its derivative' "$out/copied" && ! grep -q '^not ok' "$out/copied"
+sed 's/^node add(/node twice(graph *g, node a);\n&/' tools/isoc/graph/graph.h >"$tree/tools/isoc/graph/graph.h"
+builds && grep -q '^ok .* TWICE has its derivative' "$out/copied" && ! grep -q '^not ok' "$out/copied"
 result $? "a new operator is a row and a function"
 
 # within MEGABYTES SECONDS SCENE METHOD: isoc compiles it within this memory and this time of a processor.

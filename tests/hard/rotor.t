@@ -1,7 +1,7 @@
 #!/bin/sh
 # The angle of a joint that turns without limit: by each method for a minute, and for a day.
 . tests/host/test.sh
-begin hard/rotor
+begin hard_rotor
 
 # rotor NAME OPTION...: builds the rotor, with $with in its joint, with these options of isoc.
 with=

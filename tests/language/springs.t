@@ -1,7 +1,7 @@
 #!/bin/sh
 # Springs and dampers between points, against closed forms and against a spring of a joint.
 . tests/host/test.sh
-begin language/springs
+begin language_springs
 
 # compiled NAME [OPTION...]: the program of the scene on stdin, or, without one there, of the last one of that name.
 compiled()

@@ -4,7 +4,7 @@
 # two coordinates (Radau IIA, 58 digits); with 10,000 times of both, which leaves the legs rigid to 1e-8 m, the methods
 # against each other.
 . tests/host/test.sh
-begin mechanism/governor
+begin mechanism_governor
 
 # stiff TIMES: the scene with springs and dampers that are so many times as stiff.
 stiff()

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Every method keeps its order on closed loops, with the stabilisation that a scene has by itself.
 . tests/host/test.sh
-begin order/loops
+begin order_loops
 EXTRA=-O0 # compiled once and run shortly
 program loops.o -c tests/order/loops.c
 result $? "tests/order/loops.c compiles"

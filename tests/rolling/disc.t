@@ -2,7 +2,7 @@
 # A thin disc rolls in general position: steady motions, and motions that tumble, on planes and with axles of several
 # directions, by an explicit and by an implicit method; and discs that cannot stand are refused.
 . tests/host/test.sh
-begin rolling/disc
+begin rolling_disc
 
 # disc NAME METHOD: the plant of a disc as the variables say.
 disc()
