@@ -10,12 +10,9 @@
 #ifndef ISO_CORE_NUMBERS_LOG_H
 #define ISO_CORE_NUMBERS_LOG_H
 
-#include "core/numbers/real.h"
+#include "core/numbers/exp.h" /* ln 2 in two parts */
 
 #ifdef ISO_REAL_DOUBLE
-
-#define ISO_LOG_2_HIGH R(6.93147180369123816490e-01)
-#define ISO_LOG_2_LOW R(1.90821492927058781614e-10)
 
 /* (2 artanh(s) - 2 s) / s^3 of z = s^2 */
 static inline real iso_log_tail(const real z)
@@ -30,9 +27,6 @@ static inline real iso_log_tail(const real z)
 }
 
 #else
-
-#define ISO_LOG_2_HIGH R(0.693359375)
-#define ISO_LOG_2_LOW R(-2.12194440e-4)
 
 static inline real iso_log_tail(const real z)
 {
@@ -56,7 +50,7 @@ static inline real iso_log(const real x)
     const real f = iso_real_of(normal - (exponent << ISO_EXPONENT_SHIFT)) - R(1.0);
     const real s = f / (R(2.0) + f);
     const real z = s * s;
-    const real sum = k * ISO_LOG_2_HIGH + ((s + s) + (s * (z * iso_log_tail(z)) + k * ISO_LOG_2_LOW));
+    const real sum = k * ISO_LN2_HIGH + ((s + s) + (s * (z * iso_log_tail(z)) + k * ISO_LN2_LOW));
     /* All ones, a NaN, where the sign is set and the size is not 0. */
     const iso_bits negative = (iso_bits)0 - ((iso_bits_of(x) & ((iso_bits)0 - size)) >> ISO_SIGN_SHIFT);
     return iso_real_of(iso_bits_of(sum) | negative);

@@ -34,12 +34,6 @@ static wrench closure_in_base(const dynamics *d, int index)
     return sum;
 }
 
-/* From base axes to those of a link that hangs on it. */
-static vector inward_axes(const kinematics *k, int base, int i, vector a)
-{
-    return i == base ? a : from_parent(k, i, inward_axes(k, base, k->m->links[i].parent, a));
-}
-
 static vector inward_point(const kinematics *k, int base, int i, vector point)
 {
     if (i == base) {

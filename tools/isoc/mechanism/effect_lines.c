@@ -75,7 +75,7 @@ static void note_derived(world *w, const instance *in, const effect_line *line, 
     effect_quantity *next = &made->derived[made->derived_count++];
     *next = (effect_quantity){.next = found.parts[0]};
     next->about.name = arena_format(memory, "%s.%s", in->use->name.text, line->name.text);
-    next->about.unit = dimension_equal(found.of, no_unit) ? "1" : dimension_text(memory, found.of);
+    next->about.unit = dimension_unit(memory, found.of);
 }
 
 /* A signal or a value: what the use gives, in the words of the scene, or the default, in those of the effect. */
@@ -111,7 +111,7 @@ static value start_value(world *w, const instance *in, const effect_line *line, 
     }
     const char *called = arena_format(s->memory, "%s_%s", in->use->name.text, line->name.text);
     *about = (variable){.name = called, .quote = source_quote(s, line->name.at), .least = -HUGE_VAL, .most = HUGE_VAL};
-    about->unit = found.count == 0 || dimension_equal(found.of, no_unit) ? "1" : dimension_text(s->memory, found.of);
+    about->unit = found.count == 0 ? "1" : dimension_unit(s->memory, found.of);
     about->start = found.count == 0 ? 0.0 : constant_value(w->b->g, found.parts[0]);
     return found;
 }

@@ -107,7 +107,7 @@ static void build_input(builder *b, int i)
                                                          : "this input";
     b->input_dimensions[i] = of;
     made->inputs[i] = (variable){.name = q->name.text,
-                                 .unit = dimension_equal(of, no_unit) ? "1" : dimension_text(b->s->memory, of),
+                                 .unit = dimension_unit(b->s->memory, of),
                                  .quote = source_quote(b->s, q->name.at),
                                  .least = -HUGE_VAL,
                                  .most = HUGE_VAL};
@@ -167,9 +167,8 @@ void check_inputs(builder *b)
 /* A tunable parameter: its default must lie within its limits. */
 static variable parameter_of(builder *b, const quantity *q, dimension of, double start)
 {
-    const bool is_plain = dimension_equal(of, no_unit);
     variable made = {.name = q->name.text,
-                     .unit = is_plain ? "1" : dimension_text(b->s->memory, of),
+                     .unit = dimension_unit(b->s->memory, of),
                      .quote = source_quote(b->s, q->name.at),
                      .dimension = of,
                      .start = start};

@@ -127,6 +127,12 @@ const char *dimension_text(arena *memory, dimension d)
     return text[0] == '\0' ? "a plain number" : text;
 }
 
+const char *dimension_unit(arena *memory, dimension d)
+{
+    const dimension none = {0};
+    return dimension_equal(d, none) ? "1" : dimension_text(memory, d);
+}
+
 static const named_unit *find_plain(const char *name)
 {
     for (size_t i = 0; i < UNITS; i++) {

@@ -33,6 +33,9 @@ const char *dimension_text(arena *memory, dimension d);
 /* The same; and where it has a customary unit only without its powers of radians, as torques of formulas may, this one. */
 const char *dimension_text_but_angle(arena *memory, dimension d);
 
+/* Its unit in a header or a trace: N*m/rad, or 1. */
+const char *dimension_unit(arena *memory, dimension d);
+
 /* "is in N*m/rad", or "has no unit". */
 const char *dimension_phrase(arena *memory, dimension d);
 

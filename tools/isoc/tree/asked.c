@@ -26,11 +26,6 @@ static vector answer(const kinematics *k, const asked *of)
     return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_link) : outward_axes(k, at, GROUND, in_link);
 }
 
-static vector inward_axes(const kinematics *k, int to, vector a)
-{
-    return to == GROUND ? a : from_parent(k, to, inward_axes(k, k->m->links[to].parent, a));
-}
-
 /* What stands in the place of the leaves. */
 typedef struct answers {
     const node *points;   /* three of each question */
@@ -140,8 +135,8 @@ void asked_resolve(graph *g, mechanism *m)
         if (f->drive < 0) {
             replace(g, f->force.at, 3, &all);
             replace(g, f->moment.at, 3, &all);
-            f->force = f->in_ground ? inward_axes(&k, f->link, f->force) : f->force;
-            f->moment = f->in_ground ? inward_axes(&k, f->link, f->moment) : f->moment;
+            f->force = f->in_ground ? inward_axes(&k, GROUND, f->link, f->force) : f->force;
+            f->moment = f->in_ground ? inward_axes(&k, GROUND, f->link, f->moment) : f->moment;
         }
     }
     for (int i = 0; i < m->effort_part_count; i++) {

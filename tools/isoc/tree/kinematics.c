@@ -150,6 +150,11 @@ vector outward_axes(const kinematics *k, int i, int to, vector a)
     return a;
 }
 
+vector inward_axes(const kinematics *k, int from, int i, vector a)
+{
+    return i == from ? a : from_parent(k, i, inward_axes(k, from, k->m->links[i].parent, a));
+}
+
 vector outward_point(const kinematics *k, int i, int to, vector point)
 {
     for (; i != to; i = k->m->links[i].parent) {

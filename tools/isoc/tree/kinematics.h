@@ -51,6 +51,9 @@ tensor unturn_tensor(const kinematics *k, int link, tensor j);
 vector outward_axes(const kinematics *k, int link, int to, vector a);
 vector outward_point(const kinematics *k, int link, int to, vector point);
 
+/* From the axes of a link, or the ground's, to those of a link that hangs on it. */
+vector inward_axes(const kinematics *k, int from, int link, vector a);
+
 /* The velocity of a point of a link, in the link's axes. */
 vector point_velocity(const kinematics *k, int link, vector point);
 
