@@ -37,7 +37,8 @@ void iso_port_read(real *u, size_t inputs);
 void iso_port_publish(const real *y, size_t outputs);
 
 /* Puts the platform's outputs into the state that does no harm: drives off, brakes on. The guard found a bad state; the
- * outputs published before were the last good ones. A platform that has no such state leaves them, and does nothing. */
+ * outputs published before were the last good ones. A platform that has no such state leaves them, and does nothing. The next
+ * iso_port_publish ends it: a plant with a link goes on after a reset. */
 void iso_port_safe(void);
 
 /* Writes bytes to the console. */

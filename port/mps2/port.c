@@ -14,12 +14,8 @@
 #include "port/mps2/semihosting.h"
 #include "port/mps2/tick.h"
 
-#define SYST_CSR (*(volatile uint32_t *)0xE000E010U)
 #define SYST_RVR (*(volatile uint32_t *)0xE000E014U)
 #define SYST_CVR (*(volatile uint32_t *)0xE000E018U)
-
-/* Counter on, with interrupt, on the processor's clock. */
-enum { SYST_CSR_RUN = 0x7 };
 
 enum { CYCLE_NS = 40 };
 
@@ -29,66 +25,80 @@ enum { DILATION_SHIFT = 7, DILATION_OVER = 5 };
 /* SysTick counts 24 bits. A longer period is made of several equal parts, each a multiple of 2^7 counts. */
 enum { PART_COUNTS_MAX = 1 << 24 };
 
-static uint32_t part_counts;
-static uint32_t parts_per_tick;
-static volatile uint64_t parts; /* since the start */
-static volatile uint64_t ticks;
-static uint32_t parts_of_tick;
-static uint64_t reported;
+/* The time of the board as the interrupt leaves it: all in one place, since a function takes an address for each object.
+ * What others read while it may come has 32 bits, so that one load takes it. */
+static struct {
+    volatile uint32_t end, end_high; /* of the present part, in counts of the clock */
+    volatile uint32_t ticks;         /* due: the low half */
+    uint32_t part;                   /* the length of a part in counts of the clock */
+    uint32_t parts;                  /* of a tick */
+    uint32_t left;                   /* of the present tick */
+    uint64_t reported;               /* by iso_port_wait: the latest tick */
+} board;
 
 void tick_interrupt(void)
 {
-    parts++;
-    parts_of_tick++;
-    if (parts_of_tick == parts_per_tick) {
-        parts_of_tick = 0;
-        ticks++;
+    const uint32_t end = board.end + board.part;
+    board.end = end;
+    board.end_high += end < board.part;
+    if (--board.left == 0) {
+        board.left = board.parts;
+        board.ticks++;
     }
 }
 
 /* The period is rounded to what the timer can make: multiples of 200 ns for each of its parts. */
-uint32_t iso_port_start(const uint32_t period_ns)
+__attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
 {
     const uint32_t fives = (period_ns + CYCLE_NS * DILATION_OVER / 2) / (CYCLE_NS * DILATION_OVER);
     const uint32_t fives_max = PART_COUNTS_MAX >> DILATION_SHIFT;
-    parts_per_tick = (fives + fives_max - 1) / fives_max;
-    const uint32_t part_fives = (fives + parts_per_tick / 2) / parts_per_tick;
-    part_counts = part_fives << DILATION_SHIFT;
+    board.parts = (fives + fives_max - 1) / fives_max;
+    const uint32_t part_fives = (fives + board.parts / 2) / board.parts;
+    board.part = part_fives * DILATION_OVER;
+    board.end = board.part;
+    board.left = board.parts;
 
-    SYST_RVR = part_counts - 1;
+    SYST_RVR = (part_fives << DILATION_SHIFT) - 1;
     SYST_CVR = 0;
     SYST_CSR = SYST_CSR_RUN;
-    return part_fives * DILATION_OVER * parts_per_tick;
+    return board.part * board.parts;
+}
+
+/* Ticks that are due and that the last call of iso_port_wait did not report; less than 2^32. */
+static uint32_t due(void)
+{
+    return board.ticks - (uint32_t)board.reported;
 }
 
 /* Interrupts are held off between the look and the sleep, so that a tick cannot slip in between; a pending one wakes
  * the processor all the same. */
 uint64_t iso_port_wait(void)
 {
-    bool due = false;
-    while (!due) {
+    uint32_t ticks = due();
+    while (ticks == 0) {
         __asm__ volatile("cpsid i" ::: "memory");
-        due = ticks != reported;
-        reported = ticks;
-        if (!due) {
+        if (due() == 0) {
             __asm__ volatile("wfi" ::: "memory");
         }
-        __asm__ volatile("cpsie i\n    isb" ::: "memory");
+        __asm__ volatile("cpsie i" ::: "memory");
+        ticks = due();
     }
-    return reported;
+    board.reported += ticks;
+    return board.reported;
 }
 
-/* Reads again if a part ended between the two readings, or between the halves of one. */
+/* Reads again if a part ended between the readings. SysTick counts down to the end of the part; the nearest count of the
+ * clock is taken. */
 uint64_t iso_port_clock(void)
 {
-    uint64_t before;
-    uint32_t left;
+    uint32_t low, left, high;
     do {
-        before = parts;
+        low = board.end;
         left = SYST_CVR;
-    } while (before != parts);
-    const uint64_t counts = before * part_counts + (part_counts - 1 - left);
-    return (counts * DILATION_OVER + (1 << (DILATION_SHIFT - 1))) >> DILATION_SHIFT;
+        high = board.end_high;
+    } while (low != board.end);
+    const uint32_t half = 1 << (DILATION_SHIFT - 1), whole = (1 << DILATION_SHIFT) - 1;
+    return ((uint64_t)high << 32 | low) - (((left + 1) * DILATION_OVER + whole - half) >> DILATION_SHIFT);
 }
 
 void iso_port_read(real *const u, const size_t inputs)
@@ -112,7 +122,7 @@ void iso_port_write(const void *const bytes, const size_t count)
     semihosting_write(bytes, count);
 }
 
-uint64_t iso_port_duration(const int argc, char **const argv)
+__attribute__((cold)) uint64_t iso_port_duration(const int argc, char **const argv)
 {
     uint64_t duration = 0;
     if (argc > 1) {

@@ -16,7 +16,17 @@ PORT_SUFFIX = .elf
 PORT_STACK =
 PORT_CLOCK = instructions
 PORT_EXEC_TOOLS = qemu-system-arm
-PORT_EXEC = qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
+PORT_EXEC = qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=$(if $(filter free,$(MODE)),on,off) -display none -monitor none \
+    $(PORT_SERIAL) \
     -semihosting-config enable=on,target=native,arg=plant,arg=$(NANOSECONDS) -kernel $(PROGRAM)
+# The serial lines: of a plant with a link, the first is the controller's.
+PORT_SERIAL = -serial none
+PORT_SERIAL_LINKED = -chardev socket,id=controller,fd=3 -serial chardev:controller $(if $(XCP),-serial $(PORT_CALIBRATION))
+# The second is that of a tool that measures and calibrates, at an address as on the host.
+PORT_CALIBRATION = "$$(echo "$${ISOCHRON_CALIBRATION:-null}" | \
+    sed -e 's/^tcp:\([0-9]*\)$$/tcp:127.0.0.1:\1/' -e '/^tcp:/s/$$/,server=on,wait=off/' -e '/^unix:/s/$$/,server=on,wait=off/')"
 PORT_NM = arm-none-eabi-nm
 PORT_SIZE = arm-none-eabi-size
+# The serial lines, for a plant with a link.
+PORT_CHANNEL = port/mps2/channel.c
+PORT_LINK_LINKED =

@@ -6,6 +6,9 @@ PORT_INSTALL = apt-get install gcc
 PORT_FLAGS := $(shell echo | $(PORT_CC) -Werror -fno-tree-ter -E - >/dev/null 2>&1 && echo -fno-tree-ter)
 # By `make flags TARGET=host REAL=double`: no other takes a twentieth less.
 PORT_OPTIMISE = -O2
+# What this port shares with others, and what links have beyond.
+PORT_SHARED =
+PORT_CHANNEL = port/host/channel.c
 PORT_LINK =
 PORT_LIBRARIES =
 PORT_SUFFIX =
@@ -16,3 +19,5 @@ PORT_EXEC_TOOLS =
 PORT_EXEC = $(PROGRAM) $(NANOSECONDS) $(if $(SCRIPT),$(call quote,$(SCRIPT)))
 PORT_NM = nm
 PORT_SIZE = size
+# A program with a link has its addresses below 4 GB, where calibration finds them.
+PORT_LINK_LINKED = -no-pie

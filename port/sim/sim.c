@@ -4,11 +4,9 @@
  *
  * A step needs no time, unless the script makes it slow.
  */
-#include <errno.h>
-#include <stdio.h>
-#include <stdlib.h>
-
+#include "port/host/channel.h"
 #include "port/port.h"
+#include "port/sim/console.h"
 #include "port/sim/script.h"
 
 static uint64_t now;      /* ns since the start */
@@ -67,37 +65,16 @@ void iso_port_safe(void)
 {
 }
 
-void iso_port_write(const void *const bytes, const size_t count)
-{
-    if (fwrite(bytes, 1, count, stdout) != count) {
-        perror("standard output");
-        exit(EXIT_FAILURE);
-    }
-}
-
 uint64_t iso_port_duration(const int argc, char **const argv)
 {
-    uint64_t duration = 0;
-    if (argc > 1) {
-        char *end = NULL;
-        errno = 0;
-        duration = strtoull(argv[1], &end, 10);
-        if (argv[1][0] < '0' || argv[1][0] > '9' || *end != '\0' || errno != 0) {
-            fprintf(stderr, "%s: expected a duration in nanoseconds, not '%s'\n", argv[0], argv[1]);
-            exit(EXIT_FAILURE);
-        }
-    }
     if (argc > 2) {
         sim_script_read(argv[2]);
     }
-    return duration;
+    return console_duration(argc, argv);
 }
 
-_Noreturn void iso_port_exit(const int status)
+/* Virtual time waits for whatever comes in. */
+int64_t host_until_tick(void)
 {
-    if (fflush(stdout) != 0) {
-        perror("standard output");
-        exit(EXIT_FAILURE);
-    }
-    exit(status);
+    return -1;
 }

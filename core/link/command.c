@@ -1,0 +1,138 @@
+#include "core/link/command.h"
+
+/* What stands before that of a command: its type and its number. */
+enum { HEAD_BYTES = 2, TICKS_BYTES = 8, OFFSET_BYTES = 4 };
+
+/* Whether the bytes behind the head are as many as the command has. */
+static bool has_length(const iso_command_type type, const size_t length)
+{
+    static const uint8_t lengths[ISO_COMMANDS] = {
+        [ISO_COMMAND_RUN] = TICKS_BYTES,
+        [ISO_COMMAND_READ] = OFFSET_BYTES,
+        [ISO_COMMAND_RESTORE] = OFFSET_BYTES,
+    };
+    return type == ISO_COMMAND_WRITE ? length > OFFSET_BYTES && length <= OFFSET_BYTES + ISO_COMMAND_PIECE
+                                     : length == lengths[type];
+}
+
+/* Those that are not the same if they are done twice. */
+static bool is_done_once(const iso_command_type type)
+{
+    return type == ISO_COMMAND_RUN || type == ISO_COMMAND_RESET || type == ISO_COMMAND_RESTORE;
+}
+
+static size_t offset_of(const uint8_t *const payload)
+{
+    return (size_t)iso_frame_number(payload + HEAD_BYTES, OFFSET_BYTES);
+}
+
+/* How many bytes a piece has from there on; 0: none. */
+static size_t piece_bytes(const iso_control *const control, const size_t offset)
+{
+    const size_t left = offset < control->record_bytes ? control->record_bytes - offset : 0;
+    return left < ISO_COMMAND_PIECE ? left : ISO_COMMAND_PIECE;
+}
+
+static iso_control_answer write_piece(const iso_control *const control, const size_t offset, const uint8_t *const from,
+                                      const size_t bytes)
+{
+    unsigned char *const to = iso_control_piece(control, offset, bytes);
+    if (to == NULL) {
+        return ISO_CONTROL_BEYOND;
+    }
+    memcpy(to, from, bytes);
+    return ISO_CONTROL_DONE;
+}
+
+/* What needs a run that goes on. */
+static iso_control_answer run_or_rest(iso_control *const control, const bool is_running, const uint8_t *const payload)
+{
+    if (!is_running) {
+        return ISO_CONTROL_NO_RUN;
+    }
+    switch (payload[0]) {
+    case ISO_COMMAND_RUN:
+        iso_control_run(control, iso_frame_number(payload + HEAD_BYTES, TICKS_BYTES));
+        return ISO_CONTROL_DONE;
+    case ISO_COMMAND_REST:
+        iso_control_rest(control);
+        return ISO_CONTROL_DONE;
+    default:
+        return iso_control_restore(control, offset_of(payload));
+    }
+}
+
+static iso_control_answer answer_to(iso_control *const control, const bool is_running, const uint8_t *const payload,
+                                    const size_t length)
+{
+    switch (payload[0]) {
+    case ISO_COMMAND_STATE:
+        return ISO_CONTROL_DONE;
+    case ISO_COMMAND_RESET:
+        iso_control_reset(control);
+        return ISO_CONTROL_DONE;
+    case ISO_COMMAND_TAKE:
+        return iso_control_take(control);
+    case ISO_COMMAND_READ:
+        return piece_bytes(control, offset_of(payload)) > 0 ? ISO_CONTROL_DONE : ISO_CONTROL_BEYOND;
+    case ISO_COMMAND_WRITE:
+        return write_piece(control, offset_of(payload), payload + HEAD_BYTES + OFFSET_BYTES,
+                           length - HEAD_BYTES - OFFSET_BYTES);
+    default:
+        return run_or_rest(control, is_running, payload);
+    }
+}
+
+iso_command_outcome iso_command_do(iso_commands *const commands, iso_control *const control, const bool is_running,
+                                   const uint8_t *const payload, const size_t length)
+{
+    if (length < HEAD_BYTES || payload[0] == 0 || payload[0] >= ISO_COMMANDS ||
+        !has_length((iso_command_type)payload[0], length - HEAD_BYTES)) {
+        return ISO_COMMAND_UNKNOWN;
+    }
+    const iso_command_type type = (iso_command_type)payload[0];
+    const bool again = commands->type == type && commands->number == payload[1] && is_done_once(type);
+    if (!again) {
+        commands->type = payload[0];
+        commands->number = payload[1];
+        commands->answer = (uint8_t)answer_to(control, is_running, payload, length);
+        commands->done += commands->answer == ISO_CONTROL_DONE;
+        commands->refused += commands->answer != ISO_CONTROL_DONE;
+    }
+    if (commands->answer != ISO_CONTROL_DONE) {
+        return ISO_COMMAND_DONE;
+    }
+    return type == ISO_COMMAND_RESET && !again                        ? ISO_COMMAND_ANEW
+           : type == ISO_COMMAND_RESET || type == ISO_COMMAND_RESTORE ? ISO_COMMAND_MOVED
+                                                                      : ISO_COMMAND_DONE;
+}
+
+static iso_command_state state_of(const iso_control *const control, const bool is_running)
+{
+    const iso_loop *const loop = control->loop;
+    return loop->guard < loop->plant->model->states ? ISO_COMMAND_STOPPED
+           : !is_running                            ? ISO_COMMAND_NO_RUN
+           : iso_control_is_resting(control)        ? ISO_COMMAND_RESTS
+                                                    : ISO_COMMAND_RUNS;
+}
+
+void iso_command_put_answer(const iso_commands *const commands, const iso_control *const control, const bool is_running,
+                            const uint8_t *const payload, iso_frame_writer *const w)
+{
+    iso_frame_put(w, payload[0], 1);
+    iso_frame_put(w, payload[1], 1);
+    iso_frame_put(w, commands->answer, 1);
+    if (payload[0] == ISO_COMMAND_READ) {
+        const size_t offset = offset_of(payload), bytes = piece_bytes(control, offset);
+        iso_frame_put(w, offset, OFFSET_BYTES);
+        for (size_t i = 0; i < bytes; i++) {
+            iso_frame_put(w, control->record[offset + i], 1);
+        }
+    } else {
+        iso_frame_put(w, state_of(control, is_running), 1);
+        iso_frame_put(w, control->loop->tick, 8);
+        iso_frame_put(w, control->left, 8);
+        iso_frame_put(w, control->hash, 8);
+        iso_frame_put(w, control->record_bytes, 4);
+    }
+}

@@ -1,0 +1,67 @@
+/* Commands over the link: a controller asks the plant to run, to rest, to begin anew, and for its snapshot. They are done between
+ * two ticks. core/link/README.md has their frames, byte by byte.
+ *
+ * A command has a number of the controller's. The same command with the same number once more is one whose answer was lost: it is
+ * answered again and not done again, unless it can be done twice. */
+#ifndef ISO_CORE_LINK_COMMAND_H
+#define ISO_CORE_LINK_COMMAND_H
+
+#include "core/link/frame.h"
+#include "core/runtime/control.h"
+
+#define iso_command_do ISO_REAL_NAME(iso_command_do)
+#define iso_command_put_answer ISO_REAL_NAME(iso_command_put_answer)
+
+/* Each is a byte, followed by its number, a byte, and by this. */
+typedef enum iso_command_type {
+    ISO_COMMAND_STATE = 1, /* : how it is */
+    ISO_COMMAND_RUN,       /* u64 ticks, 0 without an end: runs, then rests */
+    ISO_COMMAND_REST,      /* : pauses */
+    ISO_COMMAND_RESET,     /* : a run from tick 0, in the mode of the last start; rests there */
+    ISO_COMMAND_TAKE,      /* : takes a snapshot into the record */
+    ISO_COMMAND_READ,      /* u32 offset: a piece of the record */
+    ISO_COMMAND_WRITE,     /* u32 offset, the bytes of a piece */
+    ISO_COMMAND_RESTORE,   /* u32 bytes of the record: puts the plant to it; rests there */
+    ISO_COMMANDS
+} iso_command_type;
+
+/* The most bytes of a piece. All pieces of a record are as long, but for the last one. */
+enum { ISO_COMMAND_PIECE = 128 };
+
+/* Bytes of the payload of the longest answer. */
+enum { ISO_COMMAND_ANSWER_BYTES = 3 + 4 + ISO_COMMAND_PIECE };
+
+/* How a plant is. */
+typedef enum iso_command_state {
+    ISO_COMMAND_NO_RUN,  /* none has been started, or it is over */
+    ISO_COMMAND_RUNS,    /* or waits for inputs, in lockstep */
+    ISO_COMMAND_RESTS,   /* between two ticks */
+    ISO_COMMAND_STOPPED, /* by the guard, until a reset or a start */
+} iso_command_state;
+
+/* The last command. */
+typedef struct iso_commands {
+    uint64_t done;    /* commands that were done, */
+    uint64_t refused; /* and that were not */
+    uint8_t type;     /* 0: there was none */
+    uint8_t number;
+    uint8_t answer; /* iso_control_answer */
+} iso_commands;
+
+/* What came of a command. */
+typedef enum iso_command_outcome {
+    ISO_COMMAND_UNKNOWN, /* no such command, or of another length */
+    ISO_COMMAND_DONE,    /* or refused; there is an answer */
+    ISO_COMMAND_MOVED,   /* likewise, and the plant is at another tick: it rests there */
+    ISO_COMMAND_ANEW     /* likewise, at tick 0 of a run that has just begun */
+} iso_command_outcome;
+
+/* Does what a payload asks. is_running: there is a run, which has not ended. */
+iso_command_outcome iso_command_do(iso_commands *commands, iso_control *control, bool is_running,
+                                   const uint8_t *payload, size_t length);
+
+/* Writes the payload of the answer to it. */
+void iso_command_put_answer(const iso_commands *commands, const iso_control *control, bool is_running,
+                            const uint8_t *payload, iso_frame_writer *w);
+
+#endif

@@ -1,0 +1,354 @@
+#include "core/link/link.h"
+
+#include "core/application/hash.h"
+#include "core/methods/adams.h"
+#include "port/channel.h"
+#include "port/port.h"
+
+/* Bytes that are taken from the channel at once; and how often in a row, so that nobody who sends without an end keeps the
+ * plant from its tick. */
+enum { CHUNK_BYTES = 64, CHUNKS = 64 };
+
+/* Bytes of payload of frames whose size does not depend on the plant. */
+enum { HELLO_BYTES = 0, START_BYTES = 8 + 1 + 8, ASK_END_BYTES = 0 };
+
+/* --- Frames to the controller ------------------------------------------------------------------------------------ */
+
+static void put_frame(iso_link *const link, iso_frame_writer *const w)
+{
+    const size_t bytes = iso_frame_end(w);
+    link->statistics.unsent += !iso_port_send(ISO_CHANNEL_CONTROLLER, link->interface->sent, bytes);
+}
+
+static void send_plant(iso_link *const link)
+{
+    const iso_interface *const interface = link->interface;
+    const iso_model *const model = link->loop->plant->model;
+    iso_frame_writer w;
+    iso_frame_begin(&w, interface->sent, ISO_LINK_PLANT);
+    iso_frame_put(&w, ISO_LINK_VERSION, 1);
+    iso_frame_put(&w, sizeof(real), 1);
+    iso_frame_put(&w, interface->wire_count, 2);
+    iso_frame_put(&w, model->outputs, 2);
+    iso_frame_put(&w, model->states, 2);
+    iso_frame_put(&w, model->parameters, 2);
+    iso_frame_put(&w, interface->identity, 8);
+    iso_frame_put(&w, model->period_ns, 4);
+    put_frame(link, &w);
+}
+
+static void send_outputs(iso_link *const link)
+{
+    const iso_plant *const plant = link->loop->plant;
+    iso_frame_writer w;
+    iso_frame_begin(&w, link->interface->sent, ISO_LINK_OUTPUTS);
+    iso_frame_put(&w, link->loop->tick, 8);
+    iso_frame_put_reals(&w, plant->y, plant->model->outputs);
+    put_frame(link, &w);
+}
+
+static void send_end(iso_link *const link)
+{
+    static const iso_adams_state none;
+    const iso_loop *const loop = link->loop;
+    const iso_statistics *const statistics = &loop->statistics;
+    const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
+    const uint64_t hash = link->control.hash;
+#define LOOP_COUNT(name, member) (uint64_t) statistics->member,
+#define LOOP_WORD(name, value) value,
+#define LINK_COUNT(name) link->statistics.name,
+    const uint64_t words[] = {ISO_STREAM_COUNTS(LOOP_COUNT) ISO_STREAM_WORDS(LOOP_WORD) ISO_LINK_COUNTS(LINK_COUNT)};
+    _Static_assert(sizeof words == ISO_LINK_END_BYTES, "the end frame has these words and no others");
+
+    iso_frame_writer w;
+    iso_frame_begin(&w, link->interface->sent, ISO_LINK_END);
+    for (size_t i = 0; i < ISO_LINK_END_WORDS; i++) {
+        iso_frame_put(&w, words[i], sizeof words[i]);
+    }
+    put_frame(link, &w);
+}
+
+static void refuse(iso_link *const link, const iso_link_reason reason)
+{
+    const uint8_t type = link->reader.buffer[0];
+    link->statistics.refused++;
+    iso_frame_writer w;
+    iso_frame_begin(&w, link->interface->sent, ISO_LINK_REFUSAL);
+    iso_frame_put(&w, reason, 1);
+    iso_frame_put(&w, type, 1);
+    put_frame(link, &w);
+}
+
+/* --- Frames from it ---------------------------------------------------------------------------------------------- */
+
+/* A start that comes again before the first step, because its answer was lost, is answered again. */
+static void take_start(iso_link *const link, const uint8_t *const payload)
+{
+    const uint64_t identity = iso_frame_number(payload, 8);
+    const uint8_t mode = payload[8];
+    const uint64_t ticks = iso_frame_number(payload + 9, 8);
+    if (identity != link->interface->identity) {
+        refuse(link, ISO_LINK_FOREIGN);
+    } else if (mode >= ISO_LINK_MODES) {
+        refuse(link, ISO_LINK_NO_MODE);
+    } else if (link->running && link->loop->tick == 0 && mode == link->mode && ticks == link->ticks) {
+        send_outputs(link);
+    } else if (link->running && link->once) {
+        refuse(link, ISO_LINK_ALREADY_STARTED);
+    } else {
+        link->mode = (iso_link_mode)mode;
+        link->ticks = ticks;
+        link->asked = true;
+    }
+}
+
+static void take_values(iso_link *const link, const uint64_t answers, const uint8_t *const payload)
+{
+    link->statistics.inputs++;
+    link->statistics.late += answers < link->loop->tick;
+    link->answered = answers + 1;
+    link->fresh = true;
+    for (uint16_t i = 0; i < link->interface->wire_count; i++) {
+        link->interface->values[i] = iso_frame_real(payload + i * sizeof(real));
+    }
+}
+
+/* Only values that are newer than all before are taken. In lockstep, the same inputs once more say that the outputs which
+ * answer them were lost; and after the end, that the end frame was. */
+static void take_inputs(iso_link *const link, const uint8_t *const payload)
+{
+    const uint64_t answers = iso_frame_number(payload, 8);
+    const uint64_t tick = link->loop->tick;
+    if (!link->running && link->ended) {
+        send_end(link);
+    } else if (!link->running) {
+        refuse(link, ISO_LINK_NOT_STARTED);
+    } else if (answers > tick || answers + 1 < link->answered) {
+        link->statistics.stale++;
+    } else if (answers + 1 == link->answered) {
+        link->statistics.repeated++;
+        if (link->mode == ISO_LINK_LOCKSTEP && link->answered == tick) {
+            send_outputs(link);
+        }
+    } else {
+        take_values(link, answers, payload + 8);
+    }
+}
+
+/* The values as the plant admitted them: one that is not finite, or beyond its limits, counts once. */
+static void keep_admitted(const iso_link *const link)
+{
+    for (uint16_t i = 0; i < link->interface->wire_count; i++) {
+        link->interface->values[i] = link->loop->plant->u[link->interface->wires[i].input];
+    }
+}
+
+/* At another tick: inputs that come now answer the outputs there, and until then its own stand. */
+static void take_up(iso_link *const link)
+{
+    link->answered = link->loop->tick;
+    link->age = 0;
+    link->fresh = false;
+    keep_admitted(link);
+}
+
+/* A run from tick 0, where the plant is. */
+static void set_out(iso_link *const link)
+{
+    link->statistics = (iso_link_statistics){0};
+    link->control.hash = ISO_HASH_START;
+    link->asked = link->leaving = false;
+    link->running = true;
+    take_up(link);
+}
+
+static void take_command(iso_link *const link, const uint8_t *const payload, const size_t length)
+{
+    const iso_command_outcome outcome = iso_command_do(&link->commands, &link->control, link->running, payload, length);
+    if (outcome == ISO_COMMAND_UNKNOWN) {
+        refuse(link, ISO_LINK_UNKNOWN);
+        return;
+    }
+    if (outcome == ISO_COMMAND_ANEW) {
+        set_out(link);
+    } else if (outcome == ISO_COMMAND_MOVED) {
+        take_up(link);
+    }
+    iso_frame_writer w;
+    iso_frame_begin(&w, link->interface->sent, ISO_LINK_ANSWER);
+    iso_command_put_answer(&link->commands, &link->control, link->running, payload, &w);
+    put_frame(link, &w);
+    if (outcome != ISO_COMMAND_DONE) {
+        send_outputs(link);
+    }
+}
+
+static void take_frame(iso_link *const link, const size_t length)
+{
+    const uint8_t type = link->reader.buffer[0];
+    const uint8_t *const payload = link->reader.buffer + 1;
+    if (type == ISO_LINK_HELLO && length == HELLO_BYTES) {
+        send_plant(link);
+    } else if (type == ISO_LINK_START && length == START_BYTES) {
+        take_start(link, payload);
+    } else if (type == ISO_LINK_INPUTS && length == ISO_LINK_TICK_BYTES(link->interface->wire_count)) {
+        take_inputs(link, payload);
+    } else if (type == ISO_LINK_END && length == ASK_END_BYTES) {
+        link->leaving = link->running;
+    } else if (type == ISO_LINK_COMMAND) {
+        take_command(link, payload, length);
+    } else {
+        refuse(link, ISO_LINK_UNKNOWN);
+    }
+}
+
+/* Takes what has come in. */
+static void receive(iso_link *const link)
+{
+    uint8_t bytes[CHUNK_BYTES];
+    size_t count = sizeof bytes;
+    for (int chunk = 0; chunk < CHUNKS && count == sizeof bytes; chunk++) {
+        count = iso_port_receive(ISO_CHANNEL_CONTROLLER, bytes, sizeof bytes);
+        for (size_t i = 0; i < count; i++) {
+            size_t length = 0;
+            const iso_frame_state state = iso_frame_take(&link->reader, bytes[i], &length);
+            link->statistics.damaged += state == ISO_FRAME_DAMAGED;
+            if (state == ISO_FRAME_WHOLE) {
+                take_frame(link, length);
+            }
+        }
+    }
+}
+
+/* --- A run ------------------------------------------------------------------------------------------------------- */
+
+static void serve_before(const iso_link *const link)
+{
+    for (uint16_t i = 0; i < link->interface->service_count; i++) {
+        link->interface->services[i]->before(link->loop);
+    }
+}
+
+static void serve_after(const iso_link *const link)
+{
+    for (uint16_t i = 0; i < link->interface->service_count; i++) {
+        link->interface->services[i]->after(link->loop);
+    }
+}
+
+void iso_link_open(iso_link *const link, const iso_interface *const interface, iso_loop *const loop, const bool once)
+{
+    *link = (iso_link){
+        .interface = interface,
+        .loop = loop,
+        .reader = {.buffer = interface->received, .room = interface->frame_bytes},
+        .once = once,
+        .control = {.loop = loop,
+                    .record = interface->record,
+                    .record_bytes = interface->record_bytes,
+                    .identity = interface->identity,
+                    .hash = ISO_HASH_START},
+    };
+    for (uint16_t i = 0; i < interface->service_count; i++) {
+        interface->services[i]->start(loop);
+    }
+}
+
+void iso_link_begin(iso_link *const link)
+{
+    receive(link);
+    while (!link->asked && !link->running) {
+        serve_before(link);
+        iso_port_idle();
+        receive(link);
+    }
+    if (link->asked) {
+        iso_loop_restart(link->loop);
+        iso_control_run(&link->control, 0);
+        set_out(link);
+        send_outputs(link);
+    }
+}
+
+static bool is_over(const iso_link *const link)
+{
+    return link->asked || link->leaving || (link->ticks > 0 && link->loop->tick >= link->ticks);
+}
+
+/* Whether the plant waits: it rests, or in lockstep the inputs of the next step have not come. */
+static bool is_waiting(const iso_link *const link)
+{
+    return !is_over(link) && (iso_control_is_resting(&link->control) ||
+                              (link->mode == ISO_LINK_LOCKSTEP && link->answered <= link->loop->tick));
+}
+
+/* If the port's next tick is due when the wait is over, the wait has taken it, and it passes. */
+static void wait_to_go(iso_link *const link)
+{
+    iso_loop *const loop = link->loop;
+    const bool waited = is_waiting(link);
+    while (is_waiting(link)) {
+        serve_before(link);
+        iso_port_idle();
+        receive(link);
+    }
+    if (waited && iso_port_clock() - loop->due >= loop->period) {
+        iso_loop_rest(loop);
+    }
+}
+
+/* Puts the latest values into the inputs; of those that are too old, the safe ones. */
+static void set_inputs(iso_link *const link)
+{
+    const iso_interface *const interface = link->interface;
+    bool is_safe = false;
+    link->age = link->fresh ? 0 : link->age + 1;
+    link->statistics.missing += !link->fresh;
+    for (uint16_t i = 0; i < interface->wire_count; i++) {
+        const iso_wire *const wire = &interface->wires[i];
+        if (wire->after > 0 && link->age >= wire->after) {
+            link->loop->plant->u[wire->input] = wire->safe;
+            is_safe = true;
+        } else if (link->answered > 0) {
+            link->loop->plant->u[wire->input] = interface->values[i];
+        }
+    }
+    link->statistics.safe += is_safe;
+    link->fresh = false;
+}
+
+bool iso_link_tick(iso_link *const link)
+{
+    iso_loop *const loop = link->loop;
+    const iso_plant *const plant = loop->plant;
+    receive(link);
+    do { /* a tick that has begun begins again if a command makes the plant wait */
+        wait_to_go(link);
+        if (is_over(link)) {
+            return false;
+        }
+        iso_loop_begin(loop);
+        receive(link);
+        if (is_over(link)) {
+            return false;
+        }
+    } while (is_waiting(link));
+    iso_port_read(plant->u, plant->model->inputs);
+    set_inputs(link);
+    serve_before(link);
+    const bool good = iso_loop_end(loop);
+    keep_admitted(link);
+    if (good) {
+        iso_control_done(&link->control, iso_hash_reals(link->control.hash, plant->x, plant->model->states));
+        send_outputs(link);
+        serve_after(link);
+    }
+    return good;
+}
+
+void iso_link_end(iso_link *const link)
+{
+    link->running = false;
+    link->ended = true;
+    send_end(link);
+}

@@ -1,0 +1,118 @@
+/* The plant's side of a link to a controller: frames of inputs come in, frames of outputs go out, tick by tick.
+ *
+ * In lockstep the plant makes the step from a tick when the inputs that answer the outputs of that tick have come: the same
+ * trajectory as without a wire. Ticks of the port that pass meanwhile count neither as lost nor as late. In a free run
+ * the tick does not wait: the latest values hold, and what is late or missing is counted. core/link/README.md has the
+ * frames, byte by byte. */
+#ifndef ISO_CORE_LINK_LINK_H
+#define ISO_CORE_LINK_LINK_H
+
+#include "core/application/stream.h"
+#include "core/link/command.h"
+#include "core/link/frame.h"
+#include "core/link/interface.h"
+
+#define iso_link_open ISO_REAL_NAME(iso_link_open)
+#define iso_link_begin ISO_REAL_NAME(iso_link_begin)
+#define iso_link_tick ISO_REAL_NAME(iso_link_tick)
+#define iso_link_end ISO_REAL_NAME(iso_link_end)
+#define iso_the_link ISO_REAL_NAME(iso_the_link)
+
+enum { ISO_LINK_VERSION = 1 };
+
+/* The types of frames: what the controller sends, and what the plant sends. */
+typedef enum iso_link_type {
+    ISO_LINK_HELLO = 'h',   /* asks who is there */
+    ISO_LINK_START = 's',   /* u64 identity, u8 mode, u64 ticks (0: until it is ended): a run from tick 0 */
+    ISO_LINK_INPUTS = 'u',  /* u64 tick of the outputs that they answer, reals of the wires */
+    ISO_LINK_END = 'e',     /* from the controller: ends the run; from the plant: how it went, 64 bits each */
+    ISO_LINK_COMMAND = 'c', /* what else can be asked of a plant: core/link/command.h */
+
+    ISO_LINK_PLANT =
+        'H', /* u8 version, u8 bytes of a real, u16 wires, outputs, states, tunables, u64 identity, u32 period_ns */
+    ISO_LINK_OUTPUTS = 'y', /* u64 tick, reals of the outputs */
+    ISO_LINK_ANSWER = 'C',  /* to a command */
+    ISO_LINK_REFUSAL = 'n'  /* u8 reason, u8 type of the frame that is refused */
+} iso_link_type;
+
+typedef enum iso_link_reason {
+    ISO_LINK_UNKNOWN = 1,     /* no frame of this type, or of this length */
+    ISO_LINK_FOREIGN,         /* a start for another plant, method, step or type of numbers */
+    ISO_LINK_NO_MODE,         /* a start in a mode that there is not */
+    ISO_LINK_NOT_STARTED,     /* inputs, and no run */
+    ISO_LINK_ALREADY_STARTED, /* a start during the run of a program that makes only one */
+} iso_link_reason;
+
+typedef enum iso_link_mode { ISO_LINK_FREE, ISO_LINK_LOCKSTEP, ISO_LINK_MODES } iso_link_mode;
+
+/* How a run went on the wire: what each is called, in the order of the end frame. */
+#define ISO_LINK_COUNTS(X)                                                                                             \
+    X(inputs)   /* frames of inputs whose values were taken */                                                         \
+    X(late)     /* of them, those that answer an earlier tick than the last */                                         \
+    X(repeated) /* frames that answer the same tick as the newest before; not taken */                                 \
+    X(stale)    /* frames that answer an earlier tick than that, or one that has not been; not taken */                \
+    X(missing)  /* ticks of a free run for which no values came: the last ones held */                                 \
+    X(safe)     /* of them, those in which an input had become its safe value */                                       \
+    X(damaged)  /* pieces between zeros that are no frame */                                                           \
+    X(refused)  /* frames that were refused */                                                                         \
+    X(unsent)   /* frames that the channel had no room for */
+
+#define ISO_LINK_MEMBER(name) uint64_t name;
+typedef struct iso_link_statistics {
+    ISO_LINK_COUNTS(ISO_LINK_MEMBER)
+} iso_link_statistics;
+
+/* Words of 64 bits in an end frame: the statistics of the loop, the words behind them in the stream of a run, guard and hash
+ * among them, and the statistics of the link. */
+#define ISO_LINK_ONE_OF(...) +1
+enum {
+    ISO_LINK_END_WORDS =
+        0 ISO_STREAM_COUNTS(ISO_LINK_ONE_OF) ISO_STREAM_WORDS(ISO_LINK_ONE_OF) ISO_LINK_COUNTS(ISO_LINK_ONE_OF)
+};
+
+/* Bytes of payload. No command or answer is longer than the end frame. */
+#define ISO_LINK_LARGER(a, b) ((a) < (b) ? (b) : (a))
+#define ISO_LINK_TICK_BYTES(reals) (sizeof(uint64_t) + (reals) * sizeof(real))
+#define ISO_LINK_END_BYTES (ISO_LINK_END_WORDS * sizeof(uint64_t))
+
+/* Bytes of a buffer for the frames of a plant. */
+#define ISO_LINK_BYTES(wires, outputs)                                                                                 \
+    ISO_FRAME_BYTES(                                                                                                   \
+        ISO_LINK_LARGER(ISO_LINK_TICK_BYTES(ISO_LINK_LARGER((size_t)(wires), (size_t)(outputs))), ISO_LINK_END_BYTES))
+
+typedef struct iso_link {
+    const iso_interface *interface;
+    iso_loop *loop;
+    iso_frame_reader reader;
+    iso_link_statistics statistics; /* of the run */
+    iso_control control;            /* its hash: FNV-1a over the bytes of the state after each tick */
+    iso_commands commands;
+    uint64_t ticks;    /* that the run has; 0: until it is ended */
+    uint64_t answered; /* the newest inputs answer the tick before this; 0: none have come */
+    uint64_t age;      /* of them: ticks since the one that took them, or since the start */
+    iso_link_mode mode;
+    bool once;    /* the program makes one run */
+    bool running; /* from the start to the end frame */
+    bool ended;   /* a run has been */
+    bool asked;   /* a start has come and is not followed yet */
+    bool leaving; /* an end has been asked for */
+    bool fresh;   /* values have come since the last tick */
+} iso_link;
+
+/* That of the program. */
+extern iso_link iso_the_link;
+
+/* Opens the link of a loop that has been started. */
+void iso_link_open(iso_link *link, const iso_interface *interface, iso_loop *loop, bool once);
+
+/* Rests until a start comes; then puts the plant to tick 0, and sends its outputs. */
+void iso_link_begin(iso_link *link);
+
+/* Does the next tick of the run. Returns false, and does none, if the run is over: all ticks are done, the guard has stopped
+ * it, or the controller has ended it or started another. */
+bool iso_link_tick(iso_link *link);
+
+/* Ends the run: sends how it went. */
+void iso_link_end(iso_link *link);
+
+#endif

@@ -1,0 +1,309 @@
+/* The channels of the host: a variable of the environment gives the address of each.
+ *
+ *     ISOCHRON_CONTROLLER    ISOCHRON_CALIBRATION
+ *
+ *     unix:PATH              a socket of the file system, which waits for a peer there
+ *     tcp:PORT               waits at 127.0.0.1; port 0 is one that is free
+ *     tcp:ADDRESS:PORT       waits at this address of IPv4
+ *     pty                    a terminal of its own
+ *     fd:N                   a stream of bytes that is open from the start
+ *
+ * Where it waits stands on the standard error, with the name of the terminal and the number of the port. One peer is served at a
+ * time; when it has gone, the next one is. A channel without an address receives nothing and sends nothing.
+ */
+#define _GNU_SOURCE /* ppoll */
+
+#include <arpa/inet.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "port/channel.h"
+#include "port/host/channel.h"
+
+/* What a peer has not yet taken, as far as the system keeps no more of it. */
+enum { WAITING_BYTES = 65536, NONE = -1 };
+
+typedef struct line {
+    const char *variable;
+    const char *address;
+    int listener; /* where peers come to, NONE for a stream that is open from the start */
+    int peer;
+    uint32_t opened; /* peers that have come there */
+    size_t waiting_bytes;
+    uint8_t waiting[WAITING_BYTES];
+} line;
+
+static line lines[ISO_CHANNELS] = {
+    [ISO_CHANNEL_CONTROLLER] = {.variable = "ISOCHRON_CONTROLLER", .listener = NONE, .peer = NONE},
+    [ISO_CHANNEL_CALIBRATION] = {.variable = "ISOCHRON_CALIBRATION", .listener = NONE, .peer = NONE},
+};
+
+_Noreturn static void fail(const line *const of, const char *const why)
+{
+    fprintf(stderr, "%s=%s: %s\n", of->variable, of->address, why);
+    exit(EXIT_FAILURE);
+}
+
+/* Makes a call that gives a negative number the last one where it fails. */
+static int must(const line *const of, const int returned)
+{
+    if (returned < 0) {
+        fail(of, strerror(errno));
+    }
+    return returned;
+}
+
+static void say(const line *const of, const char *const where)
+{
+    fprintf(stderr, "%s: waiting at %s\n", of->variable, where);
+}
+
+static int without_waiting(const line *const of, const int file)
+{
+    must(of, fcntl(file, F_SETFL, must(of, fcntl(file, F_GETFL)) | O_NONBLOCK));
+    return file;
+}
+
+/* A whole number from 0 to most, the whole of the text; -1 if it is none. */
+static int number(const char *const text, const long most)
+{
+    char *end = NULL;
+    errno = 0;
+    const long value = strtol(text, &end, 10);
+    return text[0] >= '0' && text[0] <= '9' && *end == '\0' && errno == 0 && value <= most ? (int)value : -1;
+}
+
+static void remove_paths(void)
+{
+    for (size_t i = 0; i < ISO_CHANNELS; i++) {
+        if (lines[i].listener != NONE && strncmp(lines[i].address, "unix:", 5) == 0) {
+            unlink(lines[i].address + 5);
+        }
+    }
+}
+
+/* A socket that a program has left behind, which answers nobody, is taken away. */
+static void open_unix(line *const of, const char *const path)
+{
+    struct sockaddr_un at = {.sun_family = AF_UNIX};
+    if (path[0] == '\0' || strlen(path) >= sizeof at.sun_path) {
+        fail(of, "expected the path of a socket, of at most 107 bytes");
+    }
+    memcpy(at.sun_path, path, strlen(path));
+    const struct sockaddr *const where = (const struct sockaddr *)&at;
+    const int socket_file = must(of, socket(AF_UNIX, SOCK_STREAM, 0));
+    struct stat found;
+    if (stat(path, &found) == 0 && S_ISSOCK(found.st_mode) && connect(socket_file, where, sizeof at) != 0 &&
+        errno == ECONNREFUSED) {
+        unlink(path);
+    }
+    must(of, bind(socket_file, where, sizeof at));
+    of->listener = socket_file;
+    atexit(remove_paths);
+    must(of, listen(socket_file, 1));
+    say(of, of->address);
+}
+
+static void open_tcp(line *const of, const char *const where)
+{
+    const char *const colon = strrchr(where, ':');
+    const int port = number(colon == NULL ? where : colon + 1, UINT16_MAX);
+    char host[INET_ADDRSTRLEN] = "127.0.0.1";
+    struct sockaddr_in at = {.sin_family = AF_INET};
+    if (colon != NULL && colon - where < (int)sizeof host) {
+        snprintf(host, sizeof host, "%.*s", (int)(colon - where), where);
+    }
+    if (port < 0 || inet_pton(AF_INET, host, &at.sin_addr) != 1) {
+        fail(of, "expected tcp:PORT or tcp:ADDRESS:PORT, such as tcp:127.0.0.1:5555");
+    }
+    at.sin_port = htons((uint16_t)port);
+    of->listener = must(of, socket(AF_INET, SOCK_STREAM, 0));
+    must(of, setsockopt(of->listener, SOL_SOCKET, SO_REUSEADDR, &(int){1}, sizeof(int)));
+    must(of, bind(of->listener, (const struct sockaddr *)&at, sizeof at));
+    must(of, listen(of->listener, 1));
+    socklen_t bytes = sizeof at;
+    must(of, getsockname(of->listener, (struct sockaddr *)&at, &bytes));
+    char name[64];
+    snprintf(name, sizeof name, "tcp:%s:%u", host, (unsigned)ntohs(at.sin_port));
+    say(of, name);
+}
+
+/* The other end of the terminal stays open here as well: so it keeps its settings, and no peer that closes it ends it.
+ * Raw: every byte goes through as it is. */
+static void open_terminal(line *const of)
+{
+    of->peer = must(of, posix_openpt(O_RDWR | O_NOCTTY));
+    must(of, grantpt(of->peer));
+    must(of, unlockpt(of->peer));
+    const char *const name = ptsname(of->peer);
+    const int other = must(of, open(name, O_RDWR | O_NOCTTY));
+    struct termios how;
+    must(of, tcgetattr(other, &how));
+    cfmakeraw(&how);
+    must(of, tcsetattr(other, TCSANOW, &how));
+    say(of, name);
+}
+
+static void open_line(line *const of)
+{
+    of->address = getenv(of->variable);
+    if (of->address == NULL || of->address[0] == '\0') {
+        of->address = NULL;
+        return;
+    }
+    if (strncmp(of->address, "unix:", 5) == 0) {
+        open_unix(of, of->address + 5);
+    } else if (strncmp(of->address, "tcp:", 4) == 0) {
+        open_tcp(of, of->address + 4);
+    } else if (strcmp(of->address, "pty") == 0) {
+        open_terminal(of);
+    } else if (strncmp(of->address, "fd:", 3) == 0 && number(of->address + 3, INT16_MAX) >= 0) {
+        of->peer = number(of->address + 3, INT16_MAX);
+    } else {
+        fail(of, "expected unix:PATH, tcp:PORT, tcp:ADDRESS:PORT, pty or fd:NUMBER");
+    }
+    without_waiting(of, of->peer == NONE ? of->listener : of->peer);
+}
+
+/* All lines, which the first call of the program opens. A peer that goes while bytes are sent to it is no signal. */
+static line *line_of(const iso_channel channel)
+{
+    static bool open;
+    if (!open) {
+        open = true;
+        signal(SIGPIPE, SIG_IGN);
+        for (size_t i = 0; i < ISO_CHANNELS; i++) {
+            open_line(&lines[i]);
+        }
+    }
+    return &lines[channel];
+}
+
+static void part(line *const from)
+{
+    close(from->peer);
+    from->peer = NONE;
+    from->waiting_bytes = 0;
+}
+
+/* Takes the next peer if there is none. Returns whether there is one. */
+static bool meet(line *const at)
+{
+    if (at->peer == NONE && at->listener != NONE) {
+        at->peer = accept(at->listener, NULL, NULL);
+        if (at->peer != NONE) {
+            at->opened++;
+            without_waiting(at, at->peer);
+            (void)setsockopt(at->peer, IPPROTO_TCP, TCP_NODELAY, &(int){1}, sizeof(int)); /* of TCP alone */
+        }
+    }
+    return at->peer != NONE;
+}
+
+static bool is_passing(const int why)
+{
+    return why == EAGAIN || why == EWOULDBLOCK || why == EINTR;
+}
+
+size_t iso_port_receive(const iso_channel channel, void *const bytes, const size_t count)
+{
+    line *const from = line_of(channel);
+    if (count == 0 || !meet(from)) {
+        return 0;
+    }
+    const ssize_t came = read(from->peer, bytes, count);
+    if (came == 0 || (came < 0 && !is_passing(errno))) {
+        part(from);
+    }
+    return came > 0 ? (size_t)came : 0;
+}
+
+uint32_t iso_port_opened(const iso_channel channel)
+{
+    return line_of(channel)->opened;
+}
+
+/* Hands the system as much of what waits as it takes. */
+static void flush(line *const to)
+{
+    while (to->peer != NONE && to->waiting_bytes > 0) {
+        const ssize_t went = write(to->peer, to->waiting, to->waiting_bytes);
+        if (went < 0 && is_passing(errno)) {
+            return;
+        }
+        if (went < 0) {
+            part(to);
+            return;
+        }
+        to->waiting_bytes -= (size_t)went;
+        memmove(to->waiting, to->waiting + went, to->waiting_bytes);
+    }
+}
+
+bool iso_port_send(const iso_channel channel, const void *const bytes, const size_t count)
+{
+    line *const to = line_of(channel);
+    if (!meet(to)) {
+        return false;
+    }
+    flush(to);
+    if (to->peer == NONE || count > WAITING_BYTES - to->waiting_bytes) {
+        return false;
+    }
+    memcpy(to->waiting + to->waiting_bytes, bytes, count);
+    to->waiting_bytes += count;
+    flush(to);
+    return to->peer != NONE;
+}
+
+void iso_port_idle(void)
+{
+    enum { SECOND_NS = 1000000000 };
+    struct pollfd files[ISO_CHANNELS];
+    nfds_t count = 0;
+    for (size_t i = 0; i < ISO_CHANNELS; i++) {
+        line *const of = line_of((iso_channel)i);
+        flush(of);
+        const int file = of->peer == NONE ? of->listener : of->peer;
+        const short events = (short)(POLLIN | (of->waiting_bytes > 0 ? POLLOUT : 0));
+        files[count] = (struct pollfd){.fd = file, .events = events};
+        count += file != NONE;
+    }
+    const int64_t left = host_until_tick();
+    if (count == 0 && left < 0) {
+        const line *const controller = line_of(ISO_CHANNEL_CONTROLLER);
+        fprintf(stderr, "%s: %s\n", controller->variable,
+                controller->address == NULL ? "no controller can come: it is not set to an address"
+                                            : "the controller has gone, and no other can come");
+        exit(EXIT_FAILURE);
+    }
+    const struct timespec wait = {.tv_sec = left / SECOND_NS, .tv_nsec = left % SECOND_NS};
+    (void)ppoll(files, count, left < 0 ? NULL : &wait, NULL);
+}
+
+void iso_port_drain(void)
+{
+    for (size_t i = 0; i < ISO_CHANNELS; i++) {
+        line *const of = line_of((iso_channel)i);
+        flush(of);
+        while (of->peer != NONE && of->waiting_bytes > 0) {
+            struct pollfd file = {.fd = of->peer, .events = POLLOUT};
+            (void)poll(&file, 1, -1);
+            flush(of);
+        }
+    }
+}

@@ -1,0 +1,221 @@
+/* The serial lines as channels: UART0 to a controller, UART1 for calibration, at 1 MBd, 8 bits, no parity, one stop bit.
+ *
+ * Interrupts move each byte between a line and a ring, so that no byte waits for a tick. A line whose ring is full leaves
+ * bytes where they are; on silicon these are then lost, in QEMU the sender waits.
+ * Arm (2015), Cortex-M System Design Kit, DDI 0479D: 4.3 APB UART. Arm (2016), Application Note AN386: interrupts. */
+#include "port/channel.h"
+
+#include <stdint.h>
+#include <string.h>
+
+#include "port/mps2/tick.h"
+
+#define VTOR (*(const uint32_t *volatile *)0xE000ED08U)
+#define NVIC_ISER (*(volatile uint32_t *)0xE000E100U)
+
+typedef struct uart {
+    uint32_t data;
+    uint32_t state;
+    uint32_t control;
+    uint32_t interrupt; /* what is pending; writing a bit clears it */
+    uint32_t divider;
+} uart;
+
+enum { TX_FULL = 1 << 0, RX_FULL = 1 << 1 };
+enum { TX_ON = 1 << 0, RX_ON = 1 << 1, TX_INTERRUPT_ON = 1 << 2, RX_INTERRUPT_ON = 1 << 3 };
+enum { TX_PENDING = 1 << 0, RX_PENDING = 1 << 1 };
+enum { BOTH_ON = TX_ON | RX_ON | TX_INTERRUPT_ON | RX_INTERRUPT_ON };
+
+/* Counts of the clock of 25 MHz for a bit. */
+enum { BIT_COUNTS = 25 };
+
+/* Interrupts 0 to 3: of UART0 receive and transmit, then of UART1. */
+enum { EXCEPTIONS = 16, INTERRUPTS = 4, ALL_INTERRUPTS = (1 << INTERRUPTS) - 1 };
+
+/* Places count without an end; their last bits are those in the ring. One side moves the first, the other the last. */
+enum { RING_BYTES = 2048 };
+typedef struct ring {
+    volatile uint32_t first, last;
+    volatile uint8_t bytes[RING_BYTES]; /* so that a byte is there before its place is counted */
+} ring;
+
+static struct {
+    ring in, out;
+} lines[ISO_CHANNELS];
+static volatile uart *const uarts[ISO_CHANNELS] = {
+    [ISO_CHANNEL_CONTROLLER] = (volatile uart *)0x40004000U,
+    [ISO_CHANNEL_CALIBRATION] = (volatile uart *)0x40005000U,
+};
+
+static bool is_full(const ring *const r)
+{
+    return r->last - r->first == RING_BYTES;
+}
+
+static bool is_empty(const ring *const r)
+{
+    return r->last == r->first;
+}
+
+static void put(ring *const r, const uint8_t byte)
+{
+    r->bytes[r->last % RING_BYTES] = byte;
+    r->last++;
+}
+
+static uint8_t take(ring *const r)
+{
+    const uint8_t byte = r->bytes[r->first % RING_BYTES];
+    r->first++;
+    return byte;
+}
+
+/* From the line to its ring, in the interrupt or with interrupts off. */
+static void move_in(const iso_channel channel)
+{
+    while ((uarts[channel]->state & RX_FULL) != 0 && !is_full(&lines[channel].in)) {
+        put(&lines[channel].in, (uint8_t)uarts[channel]->data);
+    }
+}
+
+/* From the ring to the line, likewise. */
+static void move_out(const iso_channel channel)
+{
+    while ((uarts[channel]->state & TX_FULL) == 0 && !is_empty(&lines[channel].out)) {
+        uarts[channel]->data = take(&lines[channel].out);
+    }
+}
+
+static void interrupts_off(void)
+{
+    __asm__ volatile("cpsid i" ::: "memory");
+}
+
+static void interrupts_on(void)
+{
+    __asm__ volatile("cpsie i\n    isb" ::: "memory");
+}
+
+static void received(const iso_channel channel)
+{
+    uarts[channel]->interrupt = RX_PENDING;
+    move_in(channel);
+}
+
+static void transmitted(const iso_channel channel)
+{
+    uarts[channel]->interrupt = TX_PENDING;
+    move_out(channel);
+}
+
+static void controller_received(void)
+{
+    received(ISO_CHANNEL_CONTROLLER);
+}
+
+static void controller_transmitted(void)
+{
+    transmitted(ISO_CHANNEL_CONTROLLER);
+}
+
+static void calibration_received(void)
+{
+    received(ISO_CHANNEL_CALIBRATION);
+}
+
+static void calibration_transmitted(void)
+{
+    transmitted(ISO_CHANNEL_CALIBRATION);
+}
+
+/* Opens all lines when the first is used: the table of exceptions gets those of the lines behind it. A table stands at a
+ * multiple of its size, rounded up to a power of two. */
+static void open_lines(void)
+{
+    static _Alignas(128) void (*table[EXCEPTIONS + INTERRUPTS])(void) = {
+        [EXCEPTIONS] = controller_received, controller_transmitted, calibration_received, calibration_transmitted};
+    static bool is_open;
+    if (is_open) {
+        return;
+    }
+    is_open = true;
+    memcpy(table, VTOR, EXCEPTIONS * sizeof table[0]);
+    VTOR = (const uint32_t *)(uintptr_t)table;
+    __asm__ volatile("dsb\n    isb" ::: "memory");
+    for (unsigned channel = 0; channel < ISO_CHANNELS; channel++) {
+        uarts[channel]->divider = BIT_COUNTS;
+        uarts[channel]->control = BOTH_ON;
+    }
+    NVIC_ISER = ALL_INTERRUPTS;
+}
+
+size_t iso_port_receive(const iso_channel channel, void *const bytes, const size_t count)
+{
+    open_lines();
+    ring *const in = &lines[channel].in;
+    uint8_t *const to = bytes;
+    size_t taken = 0;
+    while (taken < count && !is_empty(in)) {
+        to[taken++] = take(in);
+    }
+    if (taken > 0) { /* a byte that found the ring full gave no other interrupt */
+        interrupts_off();
+        move_in(channel);
+        interrupts_on();
+    }
+    return taken;
+}
+
+/* A line does not show who is at its other end. */
+uint32_t iso_port_opened(const iso_channel channel)
+{
+    (void)channel;
+    return 0;
+}
+
+bool iso_port_send(const iso_channel channel, const void *const bytes, const size_t count)
+{
+    open_lines();
+    ring *const out = &lines[channel].out;
+    const uint8_t *const from = bytes;
+    if (count > RING_BYTES - (out->last - out->first)) {
+        return false;
+    }
+    const uint32_t last = out->last;
+    for (size_t i = 0; i < count; i++) {
+        out->bytes[(last + i) % RING_BYTES] = from[i];
+    }
+    out->last = last + count;
+    interrupts_off();
+    move_out(channel);
+    interrupts_on();
+    return true;
+}
+
+/* Time is virtual, and stands still: QEMU would else go from tick to tick as fast as it can, and serve the lines between.
+ * Interrupts are held off between the look and the sleep; a pending one wakes the processor all the same. */
+void iso_port_idle(void)
+{
+    open_lines();
+    interrupts_off();
+    bool came = false;
+    for (unsigned channel = 0; channel < ISO_CHANNELS; channel++) {
+        came = came || !is_empty(&lines[channel].in);
+    }
+    if (!came) {
+        SYST_CSR = SYST_CSR_STOP;
+        __asm__ volatile("wfi" ::: "memory");
+        SYST_CSR = SYST_CSR_RUN;
+    }
+    interrupts_on();
+}
+
+/* The next tick wakes the processor at the latest. */
+void iso_port_drain(void)
+{
+    for (unsigned channel = 0; channel < ISO_CHANNELS; channel++) {
+        while (!is_empty(&lines[channel].out)) {
+            __asm__ volatile("wfi" ::: "memory");
+        }
+    }
+}

@@ -1,0 +1,177 @@
+#!/bin/sh
+# A plant and a controller with a wire between them: in lockstep the hash is that without a wire, on the host and on the board, of
+# a controller in C and of one in Python; another plant is refused; and without a link nothing of all this is there.
+. tests/host/test.sh
+begin link/link
+plain="core/numbers/*.c core/runtime/*.c core/application/stream.c port/sim/*.c"
+posix=-D_POSIX_C_SOURCE=200809L
+sed 's/^input force .*/input force in -20 N to 20 N safe 0 N after 5 ticks/' models/cart_pole.scene >"$out/cart_pole.scene"
+EXTRA=$posix program join tests/link/join.c && EXTRA=$posix program noise tests/link/noise.c && program words tests/link/words.c
+result $? "what joins two programs is built"
+
+# isoc DIR SCENE [OPTION...]
+isoc()
+{
+    isoc_to=$1
+    isoc_from=$2
+    shift 2
+    build/isoc "$isoc_from" -o "$isoc_to" --real $real "$@" >"$out/summary" 2>"$out/errors"
+}
+
+for real in float double; do
+    real $real
+    made=$out/$real
+    # shellcheck disable=SC2086
+    isoc "$made" "$out/cart_pole.scene" --link &&
+        EXTRA="$posix" program "$real/program" "$made"/*.c core/link/*.c port/host/channel.c $plain
+    result $? "$real: a program with a link is built"
+    EXTRA="-I$made" program "$real/controller" tests/link/controller.c
+    result $? "$real: so is a controller"
+    # shellcheck disable=SC2086
+    program "$real/alone" "$made/plant.c" tests/link/alone.c $plain && "$made/alone" 3000 >"$out/alone.txt" &&
+        "$out/join" "$made/program" -- "$made/controller" 3000 >"$out/joined.txt" && cmp "$out/alone.txt" "$out/joined.txt"
+    result $? "$real, in C: the hash is that without a wire: $(cat "$out/joined.txt")"
+    "$out/join" "$made/program" -- python3 tests/link/controller.py "$made" 3000 >"$out/joined.txt" &&
+        cmp "$out/alone.txt" "$out/joined.txt"
+    result $? "$real, in Python: likewise"
+    mkdir -p "$made/run"
+    "$out/join" build/trace -o "$made/run" -- "$made/program" 3000000000 -- "$made/controller" 0 >"$out/traced.txt" &&
+        grep -qx "$(sed 's/ pole.*//' "$out/alone.txt")" "$out/traced.txt" && [ "$(wc -l <"$made/run/trace.csv")" -eq 3002 ]
+    result $? "$real: a program that is told how long to run writes its trace, and ends"
+done
+real float
+
+# A wire that damages one byte of 270: all is sent again until it has come.
+seed=$(cksum <core/link/link.c | cut -d ' ' -f 1)
+"$out/float/alone" 500 >"$out/alone.txt"
+for controller in "$out/float/controller" "python3 tests/link/controller.py $out/float"; do
+    # shellcheck disable=SC2086
+    "$out/join" "$out/float/program" -- "$out/noise" "$seed" $controller 500 10 >"$out/joined.txt" 2>"$out/errors" &&
+        cmp "$out/alone.txt" "$out/joined.txt"
+    result $? "the same over a bad wire, ${controller%% *}: $(cat "$out/errors")"
+done
+
+EXTRA="-I$out/float" program again tests/link/again.c && "$out/join" "$out/float/program" -- "$out/again" >"$out/again.txt"
+result $? "in C: a run that is ended, the same again, and a free one: $(cat "$out/again.txt")"
+"$out/join" "$out/float/program" -- python3 tests/link/again.py "$out/float" >"$out/again.txt"
+result $? "in Python: likewise, and what is refused: $(cat "$out/again.txt")"
+
+# The end frame: what core calls its words, and what controllers do.
+"$out/words" >"$out/words.txt"
+sed -n '/^#define ISO_CLIENT_WORDS/,/^#define ISO_CLIENT_MEMBER/s/.*X(\([a-z_]*\)).*/\1/p' "$out/float/cart_pole_link.h" |
+    grep . | cmp - "$out/words.txt"
+result $? "a controller in C has the words of core"
+python3 -c "import sys; sys.path.insert(0, '$out/float'); import cart_pole_link; print(*cart_pole_link.END, sep='\n')" |
+    cmp - "$out/words.txt"
+result $? "one in Python likewise"
+! sed 's/^late$/lost/' "$out/words.txt" | cmp -s - "$out/words.txt"
+result $? "found: a word of another name"
+
+for option in --standalone '--name cart'; do
+    # shellcheck disable=SC2086
+    ! build/isoc "$out/cart_pole.scene" -o "$out/none" --link $option 2>"$out/errors" && [ ! -e "$out/none" ] &&
+        grep -q 'is of a whole program: leave out' "$out/errors"
+    result $? "refused: --link with $option: $(head -n 1 "$out/errors")"
+done
+
+# refused TEXT NAME: the controller of $out/float does not run with the program $out/other.
+refused()
+{
+    ! "$out/join" "$out/other" -- "$out/float/controller" 10 >"$out/joined.txt" 2>"$out/errors" && grep -q "$1" "$out/errors"
+    result $? "refused: $2"
+}
+
+# other SCENE [OPTION...]: the program of this plant.
+other()
+{
+    rm -rf "$out/foreign" "$out/other"
+    # shellcheck disable=SC2086
+    isoc "$out/foreign" "$@" --link && EXTRA="$posix" program other "$out/foreign"/*.c core/link/*.c port/host/channel.c $plain
+}
+
+optimised -O0
+other "$out/cart_pole.scene" --step 2ms && refused 'another plant, method, step or type' "another step"
+other "$out/cart_pole.scene" --method heun && refused 'another plant, method, step or type' "another method"
+mkdir -p "$out/changed" && sed 's/after 5 ticks/after 6 ticks/' "$out/cart_pole.scene" >"$out/changed/cart_pole.scene"
+other "$out/changed/cart_pole.scene" && refused 'another plant, method, step or type' "another time of a safe value"
+cp "$out/double/program" "$out/other" && refused 'another plant, method, step or type' "another type of numbers"
+cp "$out/float/program" "$out/other" && "$out/join" "$out/other" -- "$out/float/controller" 10 >"$out/joined.txt"
+result $? "the same plant is not refused"
+
+# On the board: UART0 is the wire. 300 ticks, since a byte takes QEMU 0.1 ms.
+m4f="arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
+board="$(echo "$m4f $FLAGS" | sed 's/ -O0 / -O2 /') -ffunction-sections -fdata-sections"
+
+# objects DIR FILE...
+objects()
+{
+    objects_in=$out/$1
+    shift
+    mkdir -p "$objects_in"
+    for file in "$@"; do
+        $board -c "$file" -o "$objects_in/$(echo "$file" | tr / -).o" || return
+    done
+}
+
+# firmware FILE OBJECT...
+firmware()
+{
+    firmware_file=$1
+    shift
+    $m4f -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections "$@" -o "$out/$firmware_file"
+}
+
+objects plain core/numbers/*.c core/runtime/*.c core/application/*.c port/mps2/port.c port/mps2/semihosting.c \
+    port/mps2/start.c && objects link core/link/*.c port/mps2/channel.c && objects made "$out"/float/plant.c &&
+    objects interface "$out"/float/interface.c &&
+    firmware linked.elf $(ls "$out"/plain/*.o | grep -v application-main) "$out"/link/*.o "$out"/made/*.o "$out"/interface/*.o
+result $? "a firmware with a link is built"
+"$out/float/alone" 300 >"$out/alone.txt" &&
+    "$out/join" qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none \
+        -chardev socket,id=wire,fd=3 -serial chardev:wire -semihosting-config \
+        enable=on,target=native,arg=plant,arg=300000000 -kernel "$out/linked.elf" -- \
+        sh -c "exec '$out/float/controller' 300 >'$out/joined.txt'" >"$out/stream" 2>"$out/errors" &&
+    cmp "$out/alone.txt" "$out/joined.txt"
+result $? "on the board the hash is that of the host without a wire: $(cat "$out/joined.txt")"
+
+# A program without a link is the same whether what a link needs stands beside it or not.
+firmware plain.elf "$out"/plain/*.o "$out"/made/*.o &&
+    firmware beside.elf "$out"/plain/*.o "$out"/made/*.o $(ls "$out"/link/*.o | grep -v link-main) "$out"/interface/*.o &&
+    for name in plain beside linked; do
+        arm-none-eabi-objcopy -O binary "$out/$name.elf" "$out/$name.bin" || break
+    done && cmp "$out/plain.bin" "$out/beside.bin"
+result $? "a firmware without a link has no byte of one"
+! cmp -s "$out/plain.bin" "$out/linked.bin"
+result $? "found: one with a link"
+
+# Without a link: the same plant to the last byte, and on the board the same program.
+isoc "$out/without" "$out/cart_pole.scene" && cmp "$out/without/plant.c" "$out/float/plant.c" &&
+    cmp "$out/without/plant.h" "$out/float/plant.h" && [ "$(ls "$out/without" | wc -l)" -eq 2 ]
+result $? "the plant with --link is that without"
+isoc "$out/never" models/cart_pole.scene && sed 's/^input force.*/& safe 0 N after 5 ticks/' models/cart_pole.scene >"$out/safe.scene" &&
+    mkdir -p "$out/named" && mv "$out/safe.scene" "$out/named/cart_pole.scene" && isoc "$out/safe" "$out/named/cart_pole.scene" &&
+    sed 's/ safe 0 N after 5 ticks//' "$out/safe/plant.c" | cmp - "$out/never/plant.c"
+result $? "a safe value changes no byte of the plant but the line of the scene that a comment shows"
+
+# Defects that the script of a wire (tests/unit/link.c) finds.
+mkdir -p "$out/tree/core/link"
+cp core/link/*.[ch] "$out/tree/core/link"
+
+# defect FROM TO
+defect()
+{
+    sed "s/$1/$2/" core/link/link.c >"$out/tree/core/link/link.c"
+    ! cmp -s core/link/link.c "$out/tree/core/link/link.c" &&
+        EXTRA="-I$out/tree -Wno-error" program defect -iquote "$out/tree" tests/unit/link.c tests/tap.c port/sim/*.c &&
+        ! "$out/defect" >"$out/tap" && grep -q '^not ok' "$out/tap"
+    result $? "found: $1 changed into $2"
+}
+
+defect 'link->age >= wire->after' 'link->age > wire->after'
+defect 'answers + 1 < link->answered' 'answers + 1 <= link->answered'
+defect 'answers > tick' 'answers >= tick'
+defect 'late += answers < ' 'late += answers + 1 < '
+defect ' keep_admitted(link);' ' (void)keep_admitted;'
+defect 'identity != link->interface->identity' 'identity == 0'
+defect 'iso_loop_rest(loop);' ';'
+finish

@@ -1,0 +1,147 @@
+#!/bin/sh
+# make link and make hil: a plant and a controller in processes of their own. The plant has the hash that it has without a wire,
+# the table has the inputs, and whatever goes wrong is told and leaves no process.
+. tests/host/test.sh
+. tests/host/project.sh
+begin link/make
+project
+
+# What hil does, for 1.2 s: the fault is not in them.
+call hil SECONDS=1.2 TARGET=host && grep -q '^stood: ' "$out/output"
+expect $? "make hil TARGET=host: $(grep '^stood' "$out/output")"
+hash=$(value hash)
+tail -n 4 "$out/output" | head -n 1 | grep -Eqx 'exchanges 1200, round trip median [0-9.e-]+ ms, missed 0'
+expect $? "its last line is: $(grep ^exchanges "$out/output")"
+cp "$out/project/build/hil/host/float/trace.csv" "$out/project/build/hil/host/float/units.csv" "$out"
+csv=$out/trace.csv
+[ "$(head -n 1 "$csv")" = t,counts,place,pole,cart,current,stop,volts ] && [ "$(wc -l <"$csv")" -eq 1202 ] &&
+    [ "$(tail -n 1 "${csv%/*}/units.csv")" = s,1,m,rad,m,A,N,V ]
+expect $? "the table has the input, volts, behind the outputs"
+for picture in svg png; do
+    [ -s "$out/project/build/hil/host/float/trace.$picture" ]
+    result $? "trace.$picture is drawn"
+done
+
+# The inputs of the table, given to the same plant without a wire: the same hash. Row k has the inputs of the step from k to k + 1.
+cat >"$out/replay.c" <<'C'
+#include "cart_pole.h"
+#include "core/application/hash.h"
+#include "core/runtime/tick.h"
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+int main(void)
+{
+    static cart_pole_memory memory;
+    const iso_plant plant = cart_pole_plant(&memory);
+    uint64_t hash = ISO_HASH_START;
+    char line[1024];
+    iso_plant_start(&plant);
+    if (fgets(line, sizeof line, stdin) == NULL) {
+        return 1;
+    }
+    for (uint32_t tick = 0; tick < 1200 && fgets(line, sizeof line, stdin) != NULL; tick++) {
+        plant.u[CART_POLE_U_VOLTS] = strtof(strrchr(line, ',') + 1, NULL);
+        if (iso_plant_tick(&plant, tick) < CART_POLE_STATES) {
+            return 1;
+        }
+        hash = iso_hash_reals(hash, plant.x, CART_POLE_STATES);
+    }
+    printf("%016" PRIx64 "\n", hash);
+    return 0;
+}
+C
+real float
+EXTRA="-I$out/alone -Wno-conversion"
+build/isoc models/hil/cart_pole.scene -o "$out/alone" --name cart_pole >/dev/null &&
+    program replay "$out/replay.c" "$out/alone/cart_pole.c" && [ "$("$out/replay" <"$csv")" = "$hash" ]
+result $? "the inputs of the table, given to the plant without a wire, have the same hash, $hash"
+awk -F, -v OFS=, 'NR == 600 { $NF += 0.001 } { print }' "$csv" >"$out/changed.csv"
+[ "$("$out/replay" <"$out/changed.csv")" != "$hash" ]
+result $? "found: an input that differs"
+
+# On the board in QEMU, over its serial line.
+call hil SECONDS=1.2 && [ "$(value hash)" = "$hash" ] && [ "$(value instructions_per_step)" -gt 0 ] &&
+    grep -Eqx 'exchanges 1200, .* missed 0' "$out/output"
+expect $? "make hil on the Cortex-M4F has the hash of the host: $(grep '^stood' "$out/output")"
+
+# The same by make link, and in real time.
+cp "$out/project/build/hil/host/float/controller" "$out/controller"
+linked=$out/project/build/hil/host/float/linked
+
+# link ARGUMENT...: make link of the same plant with this controller.
+link()
+{
+    call link SCENE=models/hil/cart_pole.scene SECONDS=1.2 CONTROLLER="$PWD/$out/controller" "$@"
+}
+link && [ "$(value hash)" = "$hash" ]
+expect $? "make link has the same hash"
+link TARGET=posix KEEP=posix && [ "$(value hash)" = "$hash" ] && [ -s "$out/project/build/runs/posix/trace.csv" ]
+expect $? "TARGET=posix has the same hash; KEEP keeps the run"
+link TARGET=posix MODE=free && [ "$(value ticks)" = 1200 ] && [ "$(value link_inputs)" -gt 600 ]
+expect $? "MODE=free: $(value link_inputs) inputs for 1200 ticks; $(value exchanges)"
+link STEP=2ms
+[ $? -ne 0 ] && grep -q 'link: the controller ended with status 1' "$out/errors"
+expect $? "a controller of another plant is refused"
+
+# Without CONTROLLER it waits: here for one that comes after two that go again.
+cat >"$out/wait.sh" <<'S'
+make -C "$1" --no-print-directory link SCENE=models/hil/cart_pole.scene SECONDS=1.2 >"$2/output" 2>"$2/errors" </dev/null &
+for i in $(seq 200); do
+    ISOCHRON_LINK=$(sed -n 's/^link: waiting for a controller with ISOCHRON_LINK=//p' "$2/errors")
+    [ -z "$ISOCHRON_LINK" ] || break
+    sleep 0.1
+done
+export ISOCHRON_LINK
+"$2/controller" </dev/null
+wait $!
+S
+sh "$out/wait.sh" "$out/project" "$out" && [ "$(value hash)" = "$hash" ]
+expect $? "without CONTROLLER: it prints the address, and one that comes there has the same hash"
+
+# Whoever is to be at work when something happens has two seconds for it, with a plant that takes little time meanwhile.
+slow=$(echo "$out"/project/build/posix/float/cart_pole-*/linked/cart_pole)
+# told TEXT STATUS COMMAND [ARGUMENT...]: the run with this controller fails with the status, and says TEXT.
+told()
+{
+    text=$1
+    wanted=$2
+    command=$3
+    shift 3
+    "$@" "$out/project/build/link" -o "$out" --header "$linked/cart_pole_link.h" --patience 1 --controller "$command" -- \
+        "$out/project/build/trace" -o "$out" -- "$slow" 100000000000 >"$out/output" 2>"$out/errors" </dev/null
+    status=$?
+    [ $status -eq "$wanted" ] && { [ -z "$text" ] || grep -q "$text" "$out/errors"; }
+    expect $? "told, with '$text', status $status: $command"
+}
+told 'the controller ended with status 1 and has exchanged nothing' 1 false
+told 'the controller ended and has exchanged nothing' 1 true
+told 'the controller ended with status 127' 1 "$out/absent"
+told 'the controller has not connected for 1 s' 1 'sleep 100'
+told 'nothing comes any more: the controller has ended, the plant waits at tick' 1 "timeout -s KILL 2 $out/controller"
+told 'nothing comes any more: plant and controller both wait at tick' 1 \
+    "$out/controller & sleep 2; kill -STOP \$!; wait"
+told '' 130 "$out/controller" timeout --preserve-status -s INT 2
+told '' 143 "$out/controller" timeout --preserve-status -s TERM 2
+"$out/project/build/link" -o "$out" --header "$linked/cart_pole_link.h" --controller "$out/controller" -- \
+    sh -c 'sleep 1; exit 7' >"$out/output" 2>"$out/errors" </dev/null
+[ $? -eq 1 ] && grep -q '^link: the plant ended with status 7$' "$out/errors"
+expect $? "a plant that ends is told"
+! grep -lsaE "$out/project/build/.*/[l]inked/cart_pole|$out/[c]ontroller" /proc/[0-9]*/cmdline >"$out/alive"
+expect $? "none of them has left a process"
+call link SCENE=models/hil/cart_pole.scene MODE=free TARGET=host && status=0 || status=1
+[ $status -eq 1 ] && grep -q 'MODE=free needs time that is real' "$out/errors"
+expect $? "MODE=free is refused on TARGET=host"
+call link SCENE=models/oscillator.c CONTROLLER=true && status=0 || status=1
+[ $status -eq 1 ] && grep -q 'a plant in C has no link' "$out/errors"
+expect $? "a plant in C is refused"
+
+# A pole that falls is told from one that stands.
+awk -F, -v OFS=, 'NR == 900 { $4 = 0.036 } { print }' "$csv" >"$out/fallen.csv"
+! awk -F, -f models/hil/stood.awk "$out/fallen.csv" >"$out/output" && grep -q '^fell: pole within 2.06 deg' "$out/output"
+result $? "found: a pole that is 2.06 deg off at the end"
+awk -F, -v OFS=, 'NR == 100 { $5 = -0.4 } { print }' "$csv" >"$out/fallen.csv"
+! awk -F, -f models/hil/stood.awk "$out/fallen.csv" >"$out/output"
+result $? "found: a cart at its stop"
+finish

@@ -1,0 +1,54 @@
+#!/bin/sh
+# TARGET=posix: the plant of the host in real time. It has the same bits, whatever the system does to its ticks; nothing is said of
+# how long anything takes.
+. tests/host/test.sh
+. tests/host/project.sh
+begin link/posix
+project
+
+call run TARGET=host SECONDS=0.3 && hash=$(value hash)
+expect $? "make run TARGET=host"
+cp "$out/project/build/host/float/double_pendulum/trace.csv" "$out/host.csv"
+call run TARGET=posix SECONDS=0.3 && [ "$(value hash)" = "$hash" ]
+expect $? "make run TARGET=posix has the same hash"
+cmp -s "$out/project/build/posix/float/double_pendulum/trace.csv" "$out/host.csv"
+result $? "and the same trace"
+[ "$(value ticks)" = 300 ] && [ "$(value lost)" -lt 300 ] && [ "$(value late)" -le 300 ] && [ "$(value overruns)" -le "$(value late)" ]
+expect $? "the account: 300 ticks, of which $(value lost) lost, $(value late) late, $(value overruns) overruns"
+! call run TARGET=posix SCRIPT=script && grep -q 'SCRIPT has no effect on TARGET=posix' "$out/errors"
+expect $? "SCRIPT is refused"
+
+# Stopped for 0.2 s of 2 s: at least 199 ticks were due meanwhile, all but one reported with a later one.
+plant=$out/project/build/posix/float/double_pendulum/double_pendulum
+mkdir -p "$out/stalled"
+cat >"$out/stall.sh" <<'S'
+"$1" 2000000000 &
+plant=$!
+sleep 0.1
+kill -STOP $plant
+sleep 0.2
+kill -CONT $plant
+wait $plant
+S
+build/trace -o "$out/stalled" -- sh "$out/stall.sh" "$plant" >"$out/output" 2>"$out/errors" && [ "$(value ticks)" = 2000 ] &&
+    [ "$(value lost)" -ge 150 ] && [ "$(value late)" -ge "$(value lost)" ]
+expect $? "stopped for 0.2 s: $(value lost) ticks were lost, and caught up"
+head -n 302 "$out/stalled/trace.csv" | cmp -s - "$out/host.csv"
+expect $? "with the same trace"
+
+# Whoever is allowed neither a real-time priority nor to lock memory is told of both, and runs.
+cat >"$out/humble.sh" <<'S'
+ulimit -l 0
+ulimit -r 0 2>/dev/null
+if [ "$(id -u)" -eq 0 ]; then
+    exec setpriv --reuid 65534 --clear-groups --bounding-set=-all --inh-caps=-all "$@"
+fi
+exec "$@"
+S
+cp "$plant" "$out/plant" && chmod 755 "$out/plant"
+sh "$out/humble.sh" "./$out/plant" 1000000 2>"$out/errors" >"$out/output"
+status=$?
+[ $status -eq 0 ] && grep -q '^posix: no SCHED_FIFO (.*): other programs can make ticks late$' "$out/errors" &&
+    grep -q '^posix: no mlockall (.*): memory that is paged out can make ticks late$' "$out/errors"
+expect $? "what it was not allowed stands on the standard error"
+finish

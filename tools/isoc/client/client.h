@@ -1,0 +1,617 @@
+#ifndef ISO_CLIENT_H
+#define ISO_CLIENT_H
+
+/* The controller's end of a link to a plant: the same in all headers that isoc writes. C11 and POSIX, over any stream of
+ * bytes; core/link/README.md has the frames. All functions are static: nothing is to be linked. With -std=c11 it is included
+ * before every other header.
+ *
+ * What is lost on the wire is sent again: a question after patience_ms, ISO_CLIENT_TRIES times. */
+#if defined __STRICT_ANSI__ && !defined _POSIX_C_SOURCE
+#define _POSIX_C_SOURCE 200809L
+#endif
+
+#include <errno.h>
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <termios.h>
+#include <unistd.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { ISO_CLIENT_VERSION = 1, ISO_CLIENT_PATIENCE_MS = 500, ISO_CLIENT_TRIES = 20 };
+enum { ISO_CLIENT_FREE, ISO_CLIENT_LOCKSTEP }; /* modes of a run */
+
+/* How a run went, in the order of the frame. */
+#define ISO_CLIENT_WORDS(X)                                                                                            \
+    X(ticks)                                                                                                           \
+    X(late)                                                                                                            \
+    X(lost)                                                                                                            \
+    X(overruns)                                                                                                        \
+    X(restarts)                                                                                                        \
+    X(violated)                                                                                                        \
+    X(margin)                                                                                                          \
+    X(execution_min)                                                                                                   \
+    X(execution_max)                                                                                                   \
+    X(execution_sum)                                                                                                   \
+    X(restart_max)                                                                                                     \
+    X(inputs_held)                                                                                                     \
+    X(inputs_clamped)                                                                                                  \
+    X(tunables_held)                                                                                                   \
+    X(tunables_clamped)                                                                                                \
+    X(outputs_held)                                                                                                    \
+    X(guard)                                                                                                           \
+    X(tick)                                                                                                            \
+    X(adams_restarts)                                                                                                  \
+    X(substeps)                                                                                                        \
+    X(rejected)                                                                                                        \
+    X(budget_bound)                                                                                                    \
+    X(evaluations)                                                                                                     \
+    X(hash)                                                                                                            \
+    X(link_inputs)                                                                                                     \
+    X(link_late)                                                                                                       \
+    X(link_repeated)                                                                                                   \
+    X(link_stale)                                                                                                      \
+    X(link_missing)                                                                                                    \
+    X(link_safe)                                                                                                       \
+    X(link_damaged)                                                                                                    \
+    X(link_refused)                                                                                                    \
+    X(link_unsent)
+#define ISO_CLIENT_MEMBER(name) uint64_t name;
+typedef struct iso_client_end {
+    ISO_CLIENT_WORDS(ISO_CLIENT_MEMBER)
+} iso_client_end;
+
+/* How a plant is, by its answer to a command. */
+enum { ISO_CLIENT_NO_RUN, ISO_CLIENT_RUNS, ISO_CLIENT_RESTS, ISO_CLIENT_STOPPED /* by the guard */ };
+typedef struct iso_client_state {
+    int state;
+    uint64_t tick;
+    uint64_t left; /* ticks until it rests; UINT64_MAX: without an end */
+    uint64_t hash; /* of the trajectory so far */
+    size_t snapshot_bytes;
+} iso_client_state;
+
+/* Bytes of a buffer for frames of up to so many bytes of payload. */
+#define ISO_CLIENT_ROOM(payload) ((payload) + (payload) / 254 + 8)
+
+/* What is known of an input or an output; -HUGE_VAL and HUGE_VAL in `least` and `most`: no limit. */
+typedef struct iso_client_quantity {
+    const char *name, *unit;
+    double least, most;
+} iso_client_quantity;
+
+/* A link, with inputs, outputs and room for a frame in and out that belong to its plant. */
+typedef struct iso_client {
+    int file;        /* descriptor; its owner closes it */
+    uint64_t tick;   /* of the outputs */
+    int patience_ms; /* how long an answer is waited for, before it is asked for again: 500 where nobody sets it */
+    bool over;       /* the run has ended, and `end` says how it went */
+    iso_client_end end;
+    char problem[120]; /* why the last call failed; empty where the run is over */
+
+    uint64_t identity; /* of the plant that the controller was built for */
+    int mode;
+    uint64_t ticks; /* of the run; 0: until it is ended */
+    size_t real_bytes, inputs, outputs;
+    void *u, *y; /* arrays of reals */
+    uint8_t *received, *sent;
+    size_t room, used, sent_used;
+    uint16_t crc;
+    size_t code;    /* where that of the present block of COBS stands */
+    uint8_t number; /* of the last command */
+    iso_client_state state;
+    uint8_t chunk[256];
+    size_t chunk_count, chunk_at;
+} iso_client;
+
+static inline bool iso_client_fail(iso_client *c, const char *what, const char *why)
+{
+    (void)snprintf(c->problem, sizeof c->problem, "%s%s%s", what, why == NULL ? "" : ": ", why == NULL ? "" : why);
+    return false;
+}
+
+/* --- Where the plant is ------------------------------------------------------------------------------------------ */
+
+static inline int iso_client_unix(const char *path)
+{
+    struct sockaddr_un at;
+    memset(&at, 0, sizeof at);
+    at.sun_family = AF_UNIX;
+    if (strlen(path) >= sizeof at.sun_path) {
+        errno = ENAMETOOLONG;
+        return -1;
+    }
+    memcpy(at.sun_path, path, strlen(path));
+    const int file = socket(AF_UNIX, SOCK_STREAM, 0);
+    if (file >= 0 && connect(file, (const struct sockaddr *)&at, sizeof at) != 0) {
+        (void)close(file);
+        return -1;
+    }
+    return file;
+}
+
+/* HOST:PORT */
+static inline int iso_client_tcp(const char *where)
+{
+    char host[200];
+    const char *colon = strrchr(where, ':');
+    struct addrinfo wanted, *found = NULL;
+    memset(&wanted, 0, sizeof wanted);
+    wanted.ai_socktype = SOCK_STREAM;
+    if (colon == NULL || (size_t)(colon - where) >= sizeof host) {
+        errno = EINVAL;
+        return -1;
+    }
+    memcpy(host, where, (size_t)(colon - where));
+    host[colon - where] = '\0';
+    if (getaddrinfo(host, colon + 1, &wanted, &found) != 0) {
+        errno = EHOSTUNREACH;
+        return -1;
+    }
+    int file = -1;
+    for (const struct addrinfo *a = found; a != NULL && file < 0; a = a->ai_next) {
+        const int one = 1;
+        file = socket(a->ai_family, a->ai_socktype, a->ai_protocol);
+        if (file >= 0 && connect(file, a->ai_addr, a->ai_addrlen) != 0) {
+            (void)close(file);
+            file = -1;
+        } else if (file >= 0) { /* each frame leaves at once */
+            (void)setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+        }
+    }
+    freeaddrinfo(found);
+    return file;
+}
+
+/* A serial line or a terminal: bytes as they are, at the speed that stty has set. */
+static inline int iso_client_device(const char *path)
+{
+    const int file = open(path, O_RDWR | O_NOCTTY);
+    struct termios mode;
+    if (file >= 0 && tcgetattr(file, &mode) == 0) {
+        mode.c_iflag &= ~(tcflag_t)(IGNBRK | BRKINT | PARMRK | ISTRIP | INLCR | IGNCR | ICRNL | IXON | IXOFF);
+        mode.c_oflag &= ~(tcflag_t)OPOST;
+        mode.c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
+        mode.c_cflag = (mode.c_cflag & ~(tcflag_t)(CSIZE | PARENB)) | CS8 | CLOCAL | CREAD;
+        (void)tcsetattr(file, TCSANOW, &mode);
+    }
+    return file;
+}
+
+/* unix:PATH, tcp:HOST:PORT, fd:NUMBER or the path of a device; NULL: what the variable ISOCHRON_LINK says. Returns a
+ * descriptor, or -1. */
+static inline int iso_client_connect(const char *address)
+{
+    address = address == NULL ? getenv("ISOCHRON_LINK") : address;
+    if (address == NULL) {
+        errno = EDESTADDRREQ;
+        return -1;
+    }
+    return strncmp(address, "unix:", 5) == 0  ? iso_client_unix(address + 5)
+           : strncmp(address, "tcp:", 4) == 0 ? iso_client_tcp(address + 4)
+           : strncmp(address, "fd:", 3) == 0  ? atoi(address + 3)
+                                              : iso_client_device(address);
+}
+
+/* --- Frames ------------------------------------------------------------------------------------------------------ */
+
+static inline uint16_t iso_client_crc(uint16_t crc, uint8_t byte)
+{
+    uint32_t x = (uint32_t)(crc >> 8) ^ byte;
+    x ^= x >> 4;
+    return (uint16_t)(((uint32_t)crc << 8) ^ (x << 12) ^ (x << 5) ^ x);
+}
+
+static inline void iso_client_put_byte(iso_client *c, uint8_t byte)
+{
+    c->crc = iso_client_crc(c->crc, byte);
+    if (byte != 0) {
+        c->sent[c->sent_used++] = byte;
+    }
+    if (byte == 0 || c->sent_used - c->code == 255) {
+        c->sent[c->code] = (uint8_t)(c->sent_used - c->code);
+        c->code = c->sent_used++;
+    }
+}
+
+static inline void iso_client_put(iso_client *c, uint64_t number, size_t bytes)
+{
+    for (size_t i = 0; i < bytes; i++) {
+        iso_client_put_byte(c, (uint8_t)(number >> 8 * i & 0xFF));
+    }
+}
+
+static inline uint64_t iso_client_number(const uint8_t *from, size_t bytes)
+{
+    uint64_t number = 0;
+    for (size_t i = bytes; i-- > 0;) {
+        number = number << 8 | from[i];
+    }
+    return number;
+}
+
+/* Reals of either width. */
+static inline void iso_client_put_reals(iso_client *c, const void *reals, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        uint32_t narrow = 0;
+        uint64_t wide = 0;
+        memcpy(c->real_bytes == 8 ? (void *)&wide : &narrow, (const char *)reals + i * c->real_bytes, c->real_bytes);
+        iso_client_put(c, c->real_bytes == 8 ? wide : narrow, c->real_bytes);
+    }
+}
+
+static inline void iso_client_get_reals(iso_client *c, void *reals, const uint8_t *from, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const uint64_t wide = iso_client_number(from + i * c->real_bytes, c->real_bytes);
+        const uint32_t narrow = (uint32_t)wide;
+        memcpy((char *)reals + i * c->real_bytes, c->real_bytes == 8 ? (const void *)&wide : &narrow, c->real_bytes);
+    }
+}
+
+static inline void iso_client_begin(iso_client *c, char type)
+{
+    c->sent[0] = 0;
+    c->code = 1;
+    c->sent_used = 2;
+    c->crc = 0xFFFF;
+    iso_client_put_byte(c, (uint8_t)type);
+}
+
+/* Hands out the frame that has been begun; or the last one again. */
+static inline bool iso_client_write(iso_client *c)
+{
+    for (size_t done = 0; done < c->sent_used;) {
+        const ssize_t count = write(c->file, c->sent + done, c->sent_used - done);
+        if (count < 0 && errno != EINTR) {
+            return iso_client_fail(c, "the link", strerror(errno));
+        }
+        done += count < 0 ? 0 : (size_t)count;
+    }
+    return true;
+}
+
+static inline bool iso_client_finish(iso_client *c)
+{
+    iso_client_put(c, c->crc, 2);
+    c->sent[c->code] = (uint8_t)(c->sent_used - c->code);
+    c->sent[c->sent_used++] = 0;
+    return iso_client_write(c);
+}
+
+/* What is between two zeros, back from COBS. Returns the bytes of payload, or -1 if it is no frame. */
+static inline long iso_client_decode(iso_client *c, size_t count)
+{
+    uint8_t *b = c->received;
+    size_t from = 0, to = 0;
+    uint16_t crc = 0xFFFF;
+    while (from < count) {
+        const size_t block = b[from++];
+        if (block - 1 > count - from) {
+            return -1;
+        }
+        for (size_t i = 1; i < block; i++) {
+            b[to++] = b[from++];
+        }
+        if (block < 255 && from < count) {
+            b[to++] = 0;
+        }
+    }
+    for (size_t i = 0; i + 2 < to; i++) {
+        crc = iso_client_crc(crc, b[i]);
+    }
+    return to >= 3 && iso_client_number(b + to - 2, 2) == crc ? (long)to - 3 : -1;
+}
+
+/* The next byte: 1; none in so many milliseconds: 0; the link is broken: -1. */
+static inline int iso_client_byte(iso_client *c, int patience_ms, uint8_t *byte)
+{
+    if (c->chunk_at == c->chunk_count) {
+        struct pollfd p = {c->file, POLLIN, 0};
+        if (poll(&p, 1, patience_ms) <= 0) {
+            return 0;
+        }
+        const ssize_t count = read(c->file, c->chunk, sizeof c->chunk);
+        if (count <= 0) {
+            (void)iso_client_fail(c, "the link", count == 0 ? "closed by the plant" : strerror(errno));
+            return -1;
+        }
+        c->chunk_count = (size_t)count;
+        c->chunk_at = 0;
+    }
+    *byte = c->chunk[c->chunk_at++];
+    return 1;
+}
+
+/* Waits for a whole frame: its type is then received[0], behind it are *length bytes. Returns 1; 0 after so many milliseconds
+ * without a byte; -1 if the link is broken. What is damaged is dropped. */
+static inline int iso_client_receive(iso_client *c, int patience_ms, size_t *length)
+{
+    for (;;) {
+        uint8_t byte;
+        const int came = iso_client_byte(c, patience_ms, &byte);
+        if (came <= 0) {
+            return came;
+        }
+        if (byte != 0) {
+            c->used += c->used <= c->room;
+            c->received[c->used <= c->room ? c->used - 1 : 0] = byte;
+            continue;
+        }
+        const size_t used = c->used;
+        c->used = 0;
+        const long count = used == 0 || used > c->room ? -1 : iso_client_decode(c, used);
+        if (count >= 0) {
+            *length = (size_t)count;
+            return 1;
+        }
+    }
+}
+
+/* --- A run ------------------------------------------------------------------------------------------------------- */
+
+static inline bool iso_client_refused(iso_client *c)
+{
+    static const char *const reasons[] = {"for a reason that is not known",
+                                          "a frame of this type or length is not known",
+                                          "another plant, method, step or type of numbers: build the controller again",
+                                          "there is no such mode",
+                                          "no run has been started",
+                                          "the program makes one run, and it has begun"};
+    const size_t reason = c->received[1];
+    return iso_client_fail(c, "refused", reasons[reason < sizeof reasons / sizeof reasons[0] ? reason : 0]);
+}
+
+/* Takes a frame. Returns 1 if outputs came of a tick from `from` on that need an answer, 0 if something else came, -1 if the run
+ * is over or the plant has refused it. */
+static inline int iso_client_take(iso_client *c, size_t length, uint64_t from)
+{
+    const char type = (char)c->received[0];
+    if (type == 'y' && length == 8 + c->outputs * c->real_bytes) {
+        const uint64_t tick = iso_client_number(c->received + 1, 8);
+        if (tick >= from) {
+            c->tick = tick;
+            iso_client_get_reals(c, c->y, c->received + 9, c->outputs);
+        }
+        return tick >= from && (c->ticks == 0 || tick < c->ticks);
+    }
+    if (type == 'e' && length == sizeof c->end) {
+        const uint8_t *at = c->received + 1;
+#define ISO_CLIENT_TAKE(name) c->end.name = iso_client_number(at, 8), at += 8;
+        ISO_CLIENT_WORDS(ISO_CLIENT_TAKE)
+        c->over = true;
+        c->problem[0] = '\0';
+        return -1;
+    }
+    if (type == 'n' && length == 2) {
+        (void)iso_client_refused(c);
+        return -1;
+    }
+    return 0;
+}
+
+/* Waits for outputs of a tick from `from` on; meanwhile sends the last frame again and again. */
+static inline bool iso_client_await(iso_client *c, uint64_t from)
+{
+    for (int tries = 0; tries < ISO_CLIENT_TRIES;) {
+        size_t length = 0;
+        const int came = iso_client_receive(c, c->patience_ms, &length);
+        const int taken = came > 0 ? iso_client_take(c, length, from) : came;
+        if (taken != 0) {
+            return taken > 0;
+        }
+        if (came == 0) {
+            tries++;
+            if (!iso_client_write(c)) {
+                return false;
+            }
+        }
+    }
+    return iso_client_fail(c, "the plant does not answer", NULL);
+}
+
+/* Drops what has come in. */
+static inline void iso_client_drop(iso_client *c)
+{
+    uint8_t byte;
+    while (iso_client_byte(c, 0, &byte) > 0) {
+    }
+    c->used = 0;
+}
+
+/* Starts a run of so many ticks, 0: until it is ended. The outputs are then those of tick 0. The end of a run that goes on
+ * comes before. */
+static inline bool iso_client_start(iso_client *c, int mode, uint64_t ticks)
+{
+    c->over = false;
+    c->mode = mode;
+    c->ticks = ticks;
+    iso_client_drop(c);
+    iso_client_begin(c, 's');
+    iso_client_put(c, c->identity, 8);
+    iso_client_put(c, (uint64_t)mode, 1);
+    iso_client_put(c, ticks, 8);
+    if (!iso_client_finish(c)) {
+        return false;
+    }
+    const bool started = iso_client_await(c, 0);
+    const bool ended_another = !started && c->over;
+    c->over = false;
+    return started || (ended_another && iso_client_await(c, 0));
+}
+
+/* Sends the inputs, which answer the outputs, and waits for the next outputs; in a free run for the latest. Returns false if
+ * the run is over, with the last outputs, or with a problem. */
+static inline bool iso_client_exchange(iso_client *c)
+{
+    size_t length = 0;
+    iso_client_begin(c, 'u');
+    iso_client_put(c, c->tick, 8);
+    iso_client_put_reals(c, c->u, c->inputs);
+    if (!iso_client_finish(c) || !iso_client_await(c, c->tick + 1)) {
+        return false;
+    }
+    while (c->mode == ISO_CLIENT_FREE && iso_client_receive(c, 0, &length) > 0) {
+        if (iso_client_take(c, length, c->tick + 1) < 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Ends the run; then `end` says how it went. */
+static inline bool iso_client_stop(iso_client *c)
+{
+    iso_client_begin(c, 'e');
+    return c->over || (iso_client_finish(c) && !iso_client_await(c, UINT64_MAX) && c->over);
+}
+
+/* --- Commands ---------------------------------------------------------------------------------------------------- */
+
+enum {
+    ISO_CLIENT_STATE = 1, /* as in core/link/command.h */
+    ISO_CLIENT_RUN,
+    ISO_CLIENT_REST,
+    ISO_CLIENT_RESET,
+    ISO_CLIENT_TAKE,
+    ISO_CLIENT_READ,
+    ISO_CLIENT_WRITE,
+    ISO_CLIENT_RESTORE,
+    ISO_CLIENT_PIECE = 128
+};
+
+/* Why a command was not done. */
+static inline const char *iso_client_reason(unsigned answer)
+{
+    static const char *const of_snapshots[] = {"nothing",
+                                               "this is no snapshot",
+                                               "the snapshot is of another version",
+                                               "the snapshot is not whole",
+                                               "the snapshot is damaged",
+                                               "the snapshot has another type of numbers",
+                                               "the snapshot is of another plant, method or step",
+                                               "the snapshot has a number that no plant has"};
+    static const char *const others[] = {"there is no run", "the guard has stopped the plant",
+                                         "a piece beyond the end"};
+    return answer < 8 ? of_snapshots[answer] : answer >= 16 && answer < 19 ? others[answer - 16] : "not known";
+}
+
+static inline void iso_client_command(iso_client *c, uint8_t command, uint64_t argument, size_t bytes)
+{
+    iso_client_begin(c, 'c');
+    iso_client_put(c, command, 1);
+    iso_client_put(c, ++c->number, 1);
+    iso_client_put(c, argument, bytes);
+}
+
+/* Sends the command that has been begun, again and again until its answer comes: that is then from received[4] on, of
+ * *length bytes. */
+static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length)
+{
+    bool sent = iso_client_finish(c);
+    for (int tries = 0; sent && tries < ISO_CLIENT_TRIES;) {
+        const int came = iso_client_receive(c, ISO_CLIENT_PATIENCE_MS, length);
+        if (came < 0) {
+            return false;
+        }
+        if (came == 0) {
+            tries++;
+            sent = iso_client_write(c);
+        } else if (c->received[0] == 'C' && *length >= 3 && c->received[1] == command && c->received[2] == c->number) {
+            *length -= 3;
+            return c->received[3] == 0 || iso_client_fail(c, "refused", iso_client_reason(c->received[3]));
+        } else if (iso_client_take(c, *length, 0) < 0 && !c->over) {
+            return false;
+        }
+    }
+    return sent && iso_client_fail(c, "the plant does not answer", NULL);
+}
+
+/* A command whose answer says how the plant is. The first one of a link asks for that alone: then no number of a controller
+ * before is taken for one of this. */
+static inline bool iso_client_do(iso_client *c, uint8_t command, uint64_t argument, size_t bytes)
+{
+    size_t length = 0;
+    if (c->number == 0 && command != ISO_CLIENT_STATE && !iso_client_do(c, ISO_CLIENT_STATE, 0, 0)) {
+        return false;
+    }
+    iso_client_command(c, command, argument, bytes);
+    if (!iso_client_ask(c, command, &length) || length != 29) {
+        return false;
+    }
+    const uint8_t *at = c->received + 4;
+    c->state.state = at[0];
+    c->state.tick = iso_client_number(at + 1, 8);
+    c->state.left = iso_client_number(at + 9, 8);
+    c->state.hash = iso_client_number(at + 17, 8);
+    c->state.snapshot_bytes = (size_t)iso_client_number(at + 25, 4);
+    return true;
+}
+
+/* The same of one that puts the plant to another tick, with the outputs there. */
+static inline bool iso_client_move(iso_client *c, uint8_t command, uint64_t argument, size_t bytes)
+{
+    if (!iso_client_do(c, command, argument, bytes)) {
+        return false;
+    }
+    c->over = false;
+    return iso_client_await(c, c->state.tick);
+}
+
+/* Takes a snapshot of the plant into record[room]. Returns its bytes; 0 with a problem. */
+static inline size_t iso_client_snapshot(iso_client *c, void *record, size_t room)
+{
+    size_t length = 0;
+    if (!iso_client_do(c, ISO_CLIENT_TAKE, 0, 0)) {
+        return 0;
+    }
+    const size_t bytes = c->state.snapshot_bytes;
+    for (size_t at = 0; at < bytes && bytes <= room; at += length - 4) {
+        iso_client_command(c, ISO_CLIENT_READ, at, 4);
+        if (!iso_client_ask(c, ISO_CLIENT_READ, &length)) {
+            return 0;
+        }
+        if (length <= 4 || iso_client_number(c->received + 4, 4) != at || length - 4 > bytes - at) {
+            return (size_t)iso_client_fail(c, "the snapshot", "a piece is not that which was asked for");
+        }
+        memcpy((char *)record + at, c->received + 8, length - 4);
+    }
+    return bytes <= room ? bytes : (size_t)iso_client_fail(c, "the snapshot", "there is no room for it");
+}
+
+/* Puts the plant to a snapshot, of this or another plant of its kind; it rests there, and the outputs are those. */
+static inline bool iso_client_restore(iso_client *c, const void *record, size_t bytes)
+{
+    size_t length = 0;
+    for (size_t at = 0; at < bytes; at += ISO_CLIENT_PIECE) {
+        const size_t piece = bytes - at < ISO_CLIENT_PIECE ? bytes - at : ISO_CLIENT_PIECE;
+        iso_client_command(c, ISO_CLIENT_WRITE, at, 4);
+        for (size_t i = 0; i < piece; i++) {
+            iso_client_put_byte(c, ((const uint8_t *)record)[at + i]);
+        }
+        if (!iso_client_ask(c, ISO_CLIENT_WRITE, &length)) {
+            return false;
+        }
+    }
+    return iso_client_move(c, ISO_CLIENT_RESTORE, bytes, 4);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

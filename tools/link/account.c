@@ -1,0 +1,99 @@
+#include "tools/link/account.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/table/table.h"
+
+enum { TICK_BYTES = sizeof(uint64_t) };
+
+/* Memory for twice as many, with what is there. */
+static void *doubled(void *const old, const size_t count, const size_t bytes)
+{
+    void *const grown = table_memory(2 * count + 1, bytes + 1);
+    if (count > 0) {
+        memcpy(grown, old, count * bytes);
+    }
+    free(old);
+    return grown;
+}
+
+static void take_end(account *const a, const uint8_t *const payload)
+{
+    uint64_t words[ISO_LINK_END_WORDS];
+    for (size_t i = 0; i < ISO_LINK_END_WORDS; i++) {
+        words[i] = iso_frame_number(payload + i * sizeof words[i], sizeof words[i]);
+    }
+    _Static_assert(sizeof a->end == sizeof words, "the end has the words of the frame, in their order");
+    memcpy(&a->end, words, sizeof words);
+    a->ended = true;
+}
+
+void account_plant(account *const a, const uint8_t type, const uint8_t *const payload, const size_t length,
+                   const uint64_t now)
+{
+    if (type == ISO_LINK_OUTPUTS && length >= TICK_BYTES) {
+        const uint64_t tick = iso_frame_number(payload, TICK_BYTES);
+        if (tick > a->newest || tick == 0) {
+            a->newest = tick;
+            a->shown[tick % ACCOUNT_OPEN] = now;
+        }
+    } else if (type == ISO_LINK_END && length == ISO_LINK_END_BYTES) {
+        take_end(a, payload);
+    }
+}
+
+void account_controller(account *const a, const uint8_t type, const uint8_t *const payload, const size_t length,
+                        const uint64_t now)
+{
+    if (type != ISO_LINK_INPUTS || length < TICK_BYTES) {
+        return;
+    }
+    const uint64_t tick = iso_frame_number(payload, TICK_BYTES);
+    uint64_t *const shown = &a->shown[tick % ACCOUNT_OPEN];
+    const size_t bytes = length - TICK_BYTES;
+    if (tick > a->newest || a->newest - tick >= ACCOUNT_OPEN || *shown == 0 ||
+        (a->exchanges > 0 && bytes != a->input_bytes)) {
+        return;
+    }
+    if (a->exchanges == a->room) {
+        a->trips = doubled(a->trips, a->exchanges, sizeof *a->trips);
+        a->answered = doubled(a->answered, a->exchanges, sizeof *a->answered);
+        a->inputs = doubled(a->inputs, a->exchanges, bytes);
+        a->room = 2 * a->exchanges + 1;
+    }
+    a->input_bytes = bytes;
+    a->trips[a->exchanges] = now - *shown;
+    a->answered[a->exchanges] = tick;
+    memcpy(a->inputs + a->exchanges * bytes, payload + TICK_BYTES, bytes);
+    a->exchanges++;
+    *shown = 0;
+}
+
+static int compare(const void *const a, const void *const b)
+{
+    const uint64_t x = *(const uint64_t *)a;
+    const uint64_t y = *(const uint64_t *)b;
+    return (x > y) - (x < y);
+}
+
+account_trips account_sum(account *const a)
+{
+    account_trips sum = {.count = a->exchanges};
+    while (sum.count > 0 && a->answered[sum.count - 1] >= a->end.tick) {
+        sum.count--;
+    }
+    if (sum.count > 0) {
+        qsort(a->trips, sum.count, sizeof *a->trips, compare);
+        sum.median = a->trips[sum.count / 2];
+        sum.longest = a->trips[sum.count - 1];
+    }
+    return sum;
+}
+
+void account_free(account *const a)
+{
+    free(a->trips);
+    free(a->answered);
+    free(a->inputs);
+}

@@ -1,0 +1,48 @@
+/* What a run looks like on its wire: how long each exchange took, what the inputs were, and how it ended. */
+#ifndef ISO_TOOLS_LINK_ACCOUNT_H
+#define ISO_TOOLS_LINK_ACCOUNT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "core/link/link.h"
+
+/* Outputs that are younger than so many ticks can be answered. */
+enum { ACCOUNT_OPEN = 4096 };
+
+/* What the end frame says. */
+typedef struct account_end {
+#define ACCOUNT_FIELD(name, value) uint64_t name;
+    ISO_STREAM_COUNTS(ACCOUNT_FIELD)
+    ISO_STREAM_WORDS(ACCOUNT_FIELD)
+    iso_link_statistics link;
+} account_end;
+
+typedef struct account {
+    uint64_t newest;              /* tick of the latest outputs, */
+    uint64_t shown[ACCOUNT_OPEN]; /* and when those of a tick were seen, in ns; 0: answered, or not seen */
+    uint64_t *trips;              /* [exchanges] ns from outputs to the inputs that answer them */
+    uint64_t *answered;           /* [exchanges] the tick of them */
+    uint8_t *inputs;              /* [exchanges * input_bytes] as they came */
+    size_t exchanges, room, input_bytes;
+    bool ended;
+    account_end end;
+} account;
+
+/* Takes note of frames from the plant, and from the controller, at a time in ns. */
+void account_plant(account *a, uint8_t type, const uint8_t *payload, size_t length, uint64_t now);
+void account_controller(account *a, uint8_t type, const uint8_t *payload, size_t length, uint64_t now);
+
+/* The exchanges that led to a tick: the outputs of the last one may have been answered as well. In ns, 0 if there were none. */
+typedef struct account_trips {
+    size_t count;
+    uint64_t median, longest;
+} account_trips;
+
+/* Sorts the trips. */
+account_trips account_sum(account *a);
+
+void account_free(account *a);
+
+#endif

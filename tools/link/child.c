@@ -1,0 +1,76 @@
+#include "tools/link/child.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { STEP_MS = 5, GRACE_MS = 500 };
+
+child child_start(const char *const name, char *const *const command, const char *const variable,
+                  const char *const value, const int file, const int number)
+{
+    fflush(stdout);
+    const child made = {.name = name, .id = fork(), .running = true};
+    if (made.id < 0) {
+        fprintf(stderr, "link: %s: %s\n", name, strerror(errno));
+        exit(EXIT_FAILURE);
+    }
+    if (made.id == 0) {
+        setpgid(0, 0);
+        signal(SIGPIPE, SIG_DFL);
+        setenv(variable, value, 1);
+        const int nothing = open("/dev/null", O_RDONLY);
+        dup2(nothing, STDIN_FILENO);
+        if (file >= 0 && file != number) {
+            dup2(file, number);
+            close(file);
+        }
+        execvp(command[0], command);
+        fprintf(stderr, "link: %s: %s: %s\n", name, command[0], strerror(errno));
+        _exit(EXIT_FAILURE);
+    }
+    setpgid(made.id, made.id);
+    return made;
+}
+
+bool child_runs(child *const of)
+{
+    of->running = of->running && waitpid(of->id, &of->status, WNOHANG) != of->id;
+    return of->running;
+}
+
+bool child_ends(child *const of, const int milliseconds)
+{
+    for (int waited = 0; child_runs(of) && waited < milliseconds; waited += STEP_MS) {
+        nanosleep(&(struct timespec){.tv_nsec = STEP_MS * 1000000L}, NULL);
+    }
+    return !of->running;
+}
+
+void child_stop(child *const of)
+{
+    kill(-of->id, SIGTERM);
+    (void)child_ends(of, GRACE_MS);
+    kill(-of->id, SIGKILL);
+    (void)child_ends(of, GRACE_MS);
+}
+
+const char *child_fault(const child *const of)
+{
+    static char text[128];
+    if (WIFSIGNALED(of->status)) {
+        snprintf(text, sizeof text, "%s ended by signal %d", of->name, WTERMSIG(of->status));
+        return text;
+    }
+    if (WEXITSTATUS(of->status) != 0) {
+        snprintf(text, sizeof text, "%s ended with status %d", of->name, WEXITSTATUS(of->status));
+        return text;
+    }
+    return NULL;
+}

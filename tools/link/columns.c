@@ -1,0 +1,154 @@
+#include "tools/link/columns.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/table/table.h"
+#include "tools/trace/decimal.h"
+
+enum { LINE_BYTES = 1024, NAME_BYTES = 256, PATH_BYTES = 4096 };
+
+/* Two lines of a table: the names of the inputs, and their units, each after a comma. */
+typedef struct inputs {
+    char *names, *units;
+    size_t count;
+} inputs;
+
+_Noreturn static void fail(const char *const path)
+{
+    fprintf(stderr, "link: %s: %s\n", path, errno == 0 ? "it makes no sense" : strerror(errno));
+    exit(EXIT_FAILURE);
+}
+
+static FILE *open_file(const char *const path, const char *const mode)
+{
+    errno = 0;
+    FILE *const file = fopen(path, mode);
+    if (file == NULL) {
+        fail(path);
+    }
+    return file;
+}
+
+static void append(char **const text, const char *const word)
+{
+    const size_t before = *text == NULL ? 0 : strlen(*text);
+    char *const longer = table_memory(before + strlen(word) + 2, 1);
+    sprintf(longer, "%s,%s", before == 0 ? "" : *text, word);
+    free(*text);
+    *text = longer;
+}
+
+/* The lines {"volts", "V", -12, 12} of the table whose name ends with _inputs. */
+static inputs read_header(const char *const path)
+{
+    inputs found = {0};
+    char line[LINE_BYTES];
+    char name[NAME_BYTES];
+    char unit[NAME_BYTES];
+    bool inside = false;
+    FILE *const file = open_file(path, "r");
+    while (fgets(line, sizeof line, file) != NULL) {
+        if (inside && sscanf(line, " {\"%255[^\"]\", \"%255[^\"]\"", name, unit) == 2) {
+            append(&found.names, name);
+            append(&found.units, unit);
+            found.count++;
+        } else {
+            inside = strstr(line, "_inputs[") != NULL;
+        }
+    }
+    fclose(file);
+    return found;
+}
+
+static void put_value(FILE *const to, const uint8_t *const bytes, const size_t count)
+{
+    char text[DECIMAL_BYTES];
+    if (count == sizeof(float)) {
+        float value;
+        memcpy(&value, bytes, sizeof value);
+        fprintf(to, ",%s", decimal_of_float(value, text));
+    } else {
+        double value;
+        memcpy(&value, bytes, sizeof value);
+        fprintf(to, ",%s", decimal_of_double(value, text));
+    }
+}
+
+/* Copies the table with something behind each line; it takes the place of the old one when it is whole. */
+typedef void put_end(FILE *to, size_t line, void *context);
+
+static void rewrite(const char *const path, put_end *const put, void *const context)
+{
+    char partial[PATH_BYTES];
+    snprintf(partial, sizeof partial, "%s.partial", path);
+    FILE *const from = open_file(path, "r");
+    FILE *const to = open_file(partial, "w");
+    size_t line = 0;
+    for (int c = fgetc(from); c != EOF; c = fgetc(from)) {
+        if (c == '\n') {
+            put(to, line++, context);
+        }
+        fputc(c, to);
+    }
+    fclose(from);
+    if (ferror(to) != 0 || fclose(to) != 0 || rename(partial, path) != 0) {
+        fail(path);
+    }
+}
+
+typedef struct rows {
+    const inputs *of;
+    const account *account;
+    size_t next; /* the first exchange that is not yet in the table */
+} rows;
+
+static void put_units(FILE *const to, const size_t line, void *const context)
+{
+    const rows *const r = context;
+    fputs(line == 0 ? r->of->names : r->of->units, to);
+}
+
+/* Line 0 has the names, and line k + 1 is of tick k. */
+static void put_inputs(FILE *const to, const size_t line, void *const context)
+{
+    rows *const r = context;
+    const account *const a = r->account;
+    if (line == 0) {
+        fputs(r->of->names, to);
+        return;
+    }
+    while (r->next < a->exchanges && a->answered[r->next] + 1 <= line) {
+        r->next++;
+    }
+    const size_t bytes = a->input_bytes / r->of->count;
+    for (size_t i = 0; i < r->of->count; i++) {
+        if (r->next == 0) {
+            fputs(",0", to);
+        } else {
+            put_value(to, a->inputs + (r->next - 1) * a->input_bytes + i * bytes, bytes);
+        }
+    }
+}
+
+void columns_add(const char *const directory, const char *const header, const account *const a)
+{
+    inputs found = read_header(header);
+    if (found.count > 0) {
+        rows r = {.of = &found, .account = a};
+        const size_t bytes = a->input_bytes / found.count;
+        if (a->exchanges > 0 && bytes != sizeof(float) && bytes != sizeof(double)) {
+            errno = 0;
+            fail(header);
+        }
+        char path[PATH_BYTES];
+        snprintf(path, sizeof path, "%s/trace.csv", directory);
+        rewrite(path, put_inputs, &r);
+        snprintf(path, sizeof path, "%s/units.csv", directory);
+        rewrite(path, put_units, &r);
+    }
+    free(found.names);
+    free(found.units);
+}

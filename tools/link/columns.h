@@ -1,0 +1,11 @@
+/* The inputs of a run as columns of its table. */
+#ifndef ISO_TOOLS_LINK_COLUMNS_H
+#define ISO_TOOLS_LINK_COLUMNS_H
+
+#include "tools/link/account.h"
+
+/* Adds the inputs to DIRECTORY/trace.csv and units.csv, by the names and units in the header that isoc wrote for a
+ * controller. The row of a tick has what answered its outputs; if nothing did, what did last; before, 0. */
+void columns_add(const char *directory, const char *header, const account *a);
+
+#endif

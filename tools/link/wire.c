@@ -1,0 +1,158 @@
+#include "tools/link/wire.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <time.h>
+#include <unistd.h>
+
+_Noreturn static void fail(const char *const what)
+{
+    fprintf(stderr, "link: %s: %s\n", what, strerror(errno));
+    exit(EXIT_FAILURE);
+}
+
+uint64_t wire_clock(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint64_t)now.tv_sec * 1000000000 + (uint64_t)now.tv_nsec;
+}
+
+/* A descriptor that keeps nobody waiting, and that no program which is started has. */
+static int own(const int file)
+{
+    if (file < 0 || fcntl(file, F_SETFL, O_NONBLOCK) != 0 || fcntl(file, F_SETFD, FD_CLOEXEC) != 0) {
+        fail("a socket");
+    }
+    return file;
+}
+
+int wire_open(wire *const w, const char *const path, const int mode)
+{
+    struct sockaddr_un at = {.sun_family = AF_UNIX};
+    int ends[2];
+    if (strlen(path) >= sizeof at.sun_path) {
+        errno = ENAMETOOLONG;
+        fail(path);
+    }
+    memcpy(at.sun_path, path, strlen(path));
+    w->listener = own(socket(AF_UNIX, SOCK_STREAM, 0));
+    if (bind(w->listener, (const struct sockaddr *)&at, sizeof at) != 0 || listen(w->listener, 1) != 0) {
+        fail(path);
+    }
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
+        fail("a socket");
+    }
+    w->plant = own(ends[0]);
+    w->controller = WIRE_NONE;
+    w->mode = mode;
+    w->heard = wire_clock();
+    way_start(&w->outwards);
+    way_start(&w->inwards);
+    return ends[1];
+}
+
+/* What the plant sends is passed on as it is. */
+static bool look_outwards(void *const context, uint8_t *const frame, const size_t length)
+{
+    wire *const w = context;
+    account_plant(&w->account, frame[0], frame + 1, length, wire_clock());
+    return false;
+}
+
+/* A start has the identity of the plant, the mode and the number of ticks. */
+static bool look_inwards(void *const context, uint8_t *const frame, const size_t length)
+{
+    enum { MODE_AT = 1 + 8, START_BYTES = 8 + 1 + 8 };
+    wire *const w = context;
+    account_controller(&w->account, frame[0], frame + 1, length, wire_clock());
+    if (frame[0] != ISO_LINK_START || length != START_BYTES || w->mode == WIRE_NONE) {
+        return false;
+    }
+    frame[MODE_AT] = (uint8_t)w->mode;
+    return true;
+}
+
+static void part(wire *const w)
+{
+    close(w->controller);
+    w->controller = WIRE_NONE;
+    way_start(&w->inwards);
+    w->outwards.queued = 0;
+}
+
+static void meet(wire *const w)
+{
+    const int came = accept(w->listener, NULL, NULL);
+    w->controller = came < 0 ? WIRE_NONE : own(came);
+    w->heard = wire_clock();
+}
+
+static bool is_readable(const struct pollfd *const file)
+{
+    return (file->revents & (POLLIN | POLLHUP | POLLERR)) != 0;
+}
+
+static wire_event pass(wire *const w, const struct pollfd *const plant, const struct pollfd *const other)
+{
+    w->heard = wire_clock();
+    if (is_readable(plant) && way_has_room(&w->outwards) && !way_read(&w->outwards, w->plant, look_outwards, w)) {
+        return WIRE_PLANT_GONE;
+    }
+    if (w->controller == WIRE_NONE) {
+        w->outwards.queued = 0; /* what nobody hears is lost, as on any wire */
+        if (is_readable(other)) {
+            meet(w);
+        }
+        return WIRE_PASSED;
+    }
+    if ((is_readable(other) && way_has_room(&w->inwards) && !way_read(&w->inwards, w->controller, look_inwards, w)) ||
+        !way_write(&w->outwards, w->controller)) {
+        part(w);
+        return WIRE_PASSED;
+    }
+    if (!way_write(&w->inwards, w->plant)) {
+        w->inwards.queued = 0;
+    }
+    return WIRE_PASSED;
+}
+
+/* What poll is to wait for at one end: bytes for the way from it, and that those of the way to it can go. If for neither, not
+ * even for its close. */
+static struct pollfd waits(const int file, const way *const from, const way *const to)
+{
+    const int events = (way_has_room(from) ? POLLIN : 0) | (to->queued > 0 ? POLLOUT : 0);
+    return (struct pollfd){.fd = events == 0 ? WIRE_NONE : file, .events = (short)events};
+}
+
+wire_event wire_pass(wire *const w, const int milliseconds)
+{
+    struct pollfd files[] = {
+        waits(w->plant, &w->outwards, &w->inwards),
+        w->controller == WIRE_NONE ? (struct pollfd){.fd = w->listener, .events = POLLIN}
+                                   : waits(w->controller, &w->inwards, &w->outwards),
+    };
+    return poll(files, 2, milliseconds) <= 0 ? WIRE_SILENT : pass(w, &files[0], &files[1]);
+}
+
+void wire_finish(wire *const w, const int milliseconds)
+{
+    close(w->plant);
+    const uint64_t until = wire_clock() + (uint64_t)milliseconds * 1000000;
+    while (w->controller != WIRE_NONE && w->outwards.queued > 0 && wire_clock() < until) {
+        struct pollfd file = {.fd = w->controller, .events = POLLOUT};
+        (void)poll(&file, 1, milliseconds);
+        if (!way_write(&w->outwards, w->controller)) {
+            part(w);
+        }
+    }
+    if (w->controller != WIRE_NONE) {
+        (void)shutdown(w->controller, SHUT_WR);
+    }
+}
