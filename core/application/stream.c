@@ -2,6 +2,7 @@
 
 #include "core/methods/adams.h"
 #include "core/numbers/unroll.h"
+#include "core/runtime/policy.h"
 
 #include "port/port.h"
 
@@ -113,6 +114,7 @@ ISO_RARE void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
 {
     static const iso_adams_state none;
     const iso_statistics *const statistics = &loop->statistics;
+    const iso_policy *const policy = loop->plant->model->policy;
     const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
 
 #define STREAM_VALUE(name, value) value,
@@ -124,5 +126,8 @@ ISO_RARE void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
     put_reals(loop->plant->x, loop->plant->model->states);
     put_reals(&statistics->local_error, 1);
     put_reals(&statistics->violation, 1);
+    if (policy != NULL) {
+        put_words(policy->counts, policy->count);
+    }
     flush();
 }

@@ -2,7 +2,8 @@
  *
  *     header   lines "key value", the first "isochron 2", then an empty line; whole numbers in hexadecimal
  *     row      ISO_STREAM_ROW, the outputs of a tick; the first are those of tick 0, the start
- *     end      ISO_STREAM_END, the statistics, the hash, the guard, the state, the largest local error and violation
+ *     end      ISO_STREAM_END, the statistics, the hash, the guard, the state, the largest local error and violation; then, to
+ *              the end of the stream, the counts of the policies (core/runtime/policy.h), if the scene has some
  *
  * All numbers are little-endian, reals as wide as the build's. A program or port that gives up writes a line of text that starts
  * with ISO_STREAM_BAIL_OUT in place of a record.

@@ -25,6 +25,7 @@
 
 #include "core/methods/method.h"
 #include "core/runtime/plant.h"
+#include "core/runtime/tick.h"
 
 #ifndef ISO_STEP
 #define ISO_STEP 0.001
@@ -85,11 +86,11 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
         output(memory->y, memory->x, memory->u, memory->p);                                                            \
     }                                                                                                                  \
                                                                                                                        \
-    static void admit(void *const instance, iso_refusals *const inputs, iso_refusals *const parameters)                \
+    static iso_refused admit(void *const instance)                                                                     \
     {                                                                                                                  \
         plant_memory *const memory = instance;                                                                         \
-        iso_admit(memory->u, memory->good, NULL, input_count, inputs);                                                 \
-        iso_admit(memory->p, memory->good + (input_count), NULL, parameter_count, parameters);                         \
+        return iso_admit(memory->u, memory->good, NULL, input_count, NULL) |                                           \
+               (iso_refused)iso_admit(memory->p, memory->good + (input_count), NULL, parameter_count, NULL) << 32;     \
     }                                                                                                                  \
                                                                                                                        \
     static void prime(void *const instance)                                                                            \
@@ -112,6 +113,14 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                         &memory->progress.progress);                                                                   \
     }                                                                                                                  \
                                                                                                                        \
+    static const iso_model model;                                                                                      \
+    static uint32_t finish(void *const instance)                                                                       \
+    {                                                                                                                  \
+        plant_memory *const memory = instance;                                                                         \
+        return iso_finish(memory, memory->x, model.range, state_count, model.advance, publish, memory->y,              \
+                          memory->good + (input_count) + (parameter_count), output_count);                             \
+    }                                                                                                                  \
+                                                                                                                       \
     static const iso_model model = {.method = ISO_METHOD_TEXT,                                                         \
                                     .step_text = ISO_STEP_TEXT,                                                        \
                                     .step_size = ISO_STEP_SIZE,                                                        \
@@ -127,6 +136,9 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                                     .admit = (input_count) + (parameter_count) > 0 ? admit : NULL,                     \
                                     .prime = prime,                                                                    \
                                     .step = step,                                                                      \
+                                    .attempt = ISO_IS_PRIMED(ISO_RECIPE) ? iso_plant_attempt : NULL,                   \
+                                    .tell = iso_plant_tell,                                                            \
+                                    .finish = finish,                                                                  \
                                     __VA_ARGS__};                                                                      \
                                                                                                                        \
     static plant_memory the_memory, the_memory_before;                                                                 \

@@ -1,11 +1,18 @@
 #include "core/runtime/loop.h"
 
+#include "core/runtime/policy.h"
 #include "core/runtime/tick.h"
 
 #include "core/methods/method.h"
 #include "core/numbers/unroll.h"
 
 #include "port/port.h"
+
+/* When a tick did what, on the clock. */
+typedef struct times {
+    uint64_t before, after; /* its step */
+    uint64_t end;
+} times;
 
 /* Signed time from a to b on the clock. */
 static int64_t elapsed(const uint64_t a, const uint64_t b)
@@ -35,96 +42,185 @@ static uint32_t clock_overhead(void)
     return (uint32_t)least;
 }
 
-/* Hands the outputs to the port; where one is not finite, the last good ones. */
-ISO_APART static void publish(iso_loop *const loop)
+/* Sets the plant to its start, with no ticks counted, and publishes its outputs. */
+ISO_RARE static void start_plant(iso_loop *const loop)
 {
     const iso_plant *const plant = loop->plant;
-    loop->statistics.outputs_held += iso_plant_output(plant);
+    iso_plant_start(plant);
+    const iso_policy *const policy = plant->model->policy;
+    loop->guard = plant->model->states;
+    loop->at_once = policy != NULL && policy->delays ? 0 : plant->model->outputs;
+    loop->used = 0;
+    loop->execution_min = UINT32_MAX;
+    loop->statistics = (iso_statistics){.margin = INT64_MAX, .execution_min = UINT64_MAX};
+    loop->statistics.outputs_held = iso_plant_output(plant);
     iso_port_publish(plant->y, plant->model->outputs);
 }
 
 ISO_RARE void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
 {
-    iso_plant_start(plant);
-    *loop = (iso_loop){
-        .plant = plant,
-        .guard = plant->model->states,
-        .statistics = {.margin = INT64_MAX, .execution_min = UINT64_MAX},
-    };
-    publish(loop);
+    *loop = (iso_loop){.plant = plant};
+    start_plant(loop);
     loop->period = iso_port_start(plant->model->period_ns);
     loop->overhead = clock_overhead();
 }
 
-/* Updates the statistics of the violation. */
-static void book_violation(const iso_plant *const plant, iso_statistics *const statistics)
-{
-    const real off = plant->model->violation(plant->memory);
-    statistics->violated += (uint32_t)(iso_less(plant->model->violation_limit, off) & 1);
-    statistics->violation = iso_max(statistics->violation, off);
-}
-
-/* Updates the statistics with a tick that began at `begin`, needed `counts` for its step, with or without a restart, and
- * ended at `end`. */
-static void book(iso_loop *const loop, const uint64_t begin, const bool restarted, const uint64_t counts,
-                 const uint64_t end)
+/* Books a tick of any times, and what they let the next ones be without news. Returns whether the run goes on. */
+ISO_APART ISO_RARE static bool book_times(iso_loop *const loop, const times *const t, const bool restarted)
 {
     iso_statistics *const statistics = &loop->statistics;
-    const int64_t margin = elapsed(end, loop->due + loop->period);
+    const iso_policy *const policy = loop->plant->model->policy;
+    const int64_t margin = elapsed(t->end, loop->due + loop->period);
+    const iso_news news = {
+        .counts = larger(t->after - t->before, loop->overhead) - loop->overhead,
+        .late = elapsed(loop->due, t->before) > (int64_t)(loop->period >> ISO_LATE_SHIFT),
+        .overran = margin < 0,
+    };
+
+    statistics->lost += loop->tick != loop->reported;
+    statistics->late += news.late;
+    statistics->overruns += news.overran;
+    if (margin < statistics->margin) {
+        statistics->margin = margin;
+        loop->used = margin < 0 ? loop->period : loop->period - (uint32_t)margin;
+    }
+    if (restarted) {
+        statistics->restarts++;
+        statistics->restart_max = larger(statistics->restart_max, news.counts);
+    } else {
+        statistics->execution_min = smaller(statistics->execution_min, news.counts);
+        statistics->execution_max = larger(statistics->execution_max, news.counts);
+        statistics->execution_sum += news.counts;
+        loop->execution_min = (uint32_t)smaller(statistics->execution_min, UINT32_MAX);
+        loop->execution_max = (uint32_t)smaller(statistics->execution_max, UINT32_MAX);
+    }
+    return policy == NULL || policy->account(loop, &news);
+}
+
+/* Updates the statistics with a tick. Most have no news: a margin and an execution like those before. They add to two sums
+ * alone; and as they end less than a period after they were due, their times have 32 bits. Returns whether the run goes on.
+ */
+ISO_INLINE bool book(iso_loop *const loop, const times *const t, const bool restarted)
+{
+    iso_statistics *const statistics = &loop->statistics;
+    const uint64_t used = t->end - loop->due;
+    const uint32_t late = (uint32_t)t->before - (uint32_t)loop->due;
+    const uint32_t counts = (uint32_t)t->after - (uint32_t)t->before - loop->overhead;
 
     statistics->ticks++;
-    statistics->lost += loop->tick != loop->reported;
-    statistics->late += elapsed(loop->due, begin) > (int64_t)(loop->period >> ISO_LATE_SHIFT);
-    statistics->overruns += margin < 0;
-    statistics->margin = margin < statistics->margin ? margin : statistics->margin;
-    if (restarted) {
-        statistics->restart_max = larger(statistics->restart_max, counts);
+    if (used >> 32 != 0 || (uint32_t)used > loop->used || late > loop->period >> ISO_LATE_SHIFT ||
+        loop->tick != loop->reported || restarted || counts < loop->execution_min || counts > loop->execution_max) {
+        return book_times(loop, t, restarted);
+    }
+    statistics->execution_sum += counts;
+    return true;
+}
+
+/* Counts inputs and parameters that were refused. */
+ISO_APART ISO_RARE static void book_refused(iso_statistics *const statistics, const iso_refused refused)
+{
+    iso_count_refused(&statistics->inputs, (uint32_t)refused);
+    iso_count_refused(&statistics->parameters, (uint32_t)(refused >> 32));
+}
+
+/* A tick with a bad state or a bad output. Returns whether the run goes on. */
+ISO_APART ISO_RARE static bool accept(iso_loop *const loop, const uint32_t finished)
+{
+    loop->guard = iso_plant_guard(loop->plant, finished);
+    const bool good = finished == ISO_HELD;
+    if (good) {
+        loop->statistics.outputs_held++;
     } else {
-        statistics->execution_min = smaller(statistics->execution_min, counts);
-        statistics->execution_max = larger(statistics->execution_max, counts);
-        statistics->execution_sum += counts;
+        iso_port_safe();
     }
-    if (loop->plant->progress != NULL) {
-        statistics->local_error = iso_max(statistics->local_error, loop->plant->progress->local_error);
+    return good;
+}
+
+ISO_INLINE void begin_tick(iso_loop *const loop, const iso_plant *const plant)
+{
+    while (loop->tick >= loop->reported) { /* a port that wakes up without a tick is asked again */
+        loop->reported = iso_port_wait() - loop->rested;
     }
+    if (loop->at_once == 0) {
+        iso_port_publish(plant->y, plant->model->outputs);
+    }
+    iso_plant_drive(plant, loop->tick);
+}
+
+ISO_INLINE bool end_tick(iso_loop *const loop, const iso_plant *const plant)
+{
+    const iso_model *const model = plant->model;
+    bool (*const attempt)(const iso_plant *) = model->attempt;
+
+    const iso_refused refused = iso_plant_admit(plant);
+    if (refused != 0) {
+        book_refused(&loop->statistics, refused);
+    }
+    loop->tick++;
+    loop->due += loop->period;
+
+    times t;
+    bool restarted = false;
+    t.before = iso_port_clock();
+    if (attempt == NULL) {
+        model->step(plant->memory);
+    } else {
+        restarted = attempt(plant);
+    }
+    t.after = iso_port_clock();
+
+    const uint32_t finished = model->finish(plant->memory);
+    if (finished != ISO_WELL && !accept(loop, finished)) {
+        return false;
+    }
+    iso_port_publish(plant->y, loop->at_once);
+    if (model->tell != NULL) {
+        model->tell(plant, &loop->statistics);
+    }
+    t.end = iso_port_clock();
+    return book(loop, &t, restarted);
+}
+
+void iso_loop_begin(iso_loop *const loop)
+{
+    begin_tick(loop, loop->plant);
+}
+
+bool iso_loop_end(iso_loop *const loop)
+{
+    return end_tick(loop, loop->plant);
 }
 
 bool iso_loop_tick(iso_loop *const loop)
 {
     const iso_plant *const plant = loop->plant;
-
-    while (loop->tick >= loop->reported) { /* a port that wakes up without a tick is asked again */
-        loop->reported = iso_port_wait();
-    }
-    const uint64_t begin = iso_port_clock();
-    iso_plant_drive(plant, loop->tick);
+    begin_tick(loop, plant);
     iso_port_read(plant->u, plant->model->inputs);
-    iso_plant_admit(plant, &loop->statistics.inputs, &loop->statistics.parameters);
-    loop->tick++;
-    loop->due += loop->period;
+    return end_tick(loop, plant);
+}
 
-    iso_plant_keep(plant);
-    const uint64_t restarts = loop->statistics.restarts;
-    const uint64_t before = iso_port_clock();
-    iso_plant_step(plant, &loop->statistics.restarts);
-    uint64_t after = iso_port_clock();
-    if (iso_plant_step_again(plant, loop->statistics.restarts != restarts)) {
-        loop->statistics.restarts++;
-        after = iso_port_clock();
-    }
+void iso_loop_rest(iso_loop *const loop)
+{
+    const uint64_t passed = iso_port_wait() - loop->rested - loop->tick;
+    loop->rested += passed;
+    loop->reported = loop->tick;
+    loop->due += passed * loop->period;
+}
 
-    loop->guard = iso_plant_guard(plant);
-    if (loop->guard < plant->model->states) {
-        loop->statistics.restarts = restarts;
-        iso_port_safe();
-        return false;
-    }
-    iso_plant_advance(plant);
-    publish(loop);
-    if (plant->model->violation != NULL) {
-        book_violation(plant, &loop->statistics);
-    }
-    book(loop, begin, loop->statistics.restarts != restarts, larger(after - before, loop->overhead) - loop->overhead,
-         iso_port_clock());
-    return true;
+void iso_loop_restart(iso_loop *const loop)
+{
+    iso_loop_rest(loop);
+    loop->rested += loop->tick;
+    loop->tick = loop->reported = 0;
+    start_plant(loop);
+}
+
+void iso_loop_jump(iso_loop *const loop, const uint64_t tick)
+{
+    const iso_plant *const plant = loop->plant;
+    loop->rested += loop->tick - tick; /* modulo 2^64, as their sum is */
+    loop->reported += tick - loop->tick;
+    loop->tick = tick;
+    loop->guard = plant->model->states;
+    iso_port_publish(plant->y, plant->model->outputs);
 }

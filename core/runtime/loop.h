@@ -9,42 +9,33 @@
 #include <stdbool.h>
 
 #include "core/runtime/plant.h"
+#include "core/runtime/statistics.h"
 
 #define iso_loop_start ISO_REAL_NAME(iso_loop_start)
 #define iso_loop_tick ISO_REAL_NAME(iso_loop_tick)
+#define iso_loop_begin ISO_REAL_NAME(iso_loop_begin)
+#define iso_loop_end ISO_REAL_NAME(iso_loop_end)
+#define iso_loop_rest ISO_REAL_NAME(iso_loop_rest)
+#define iso_loop_restart ISO_REAL_NAME(iso_loop_restart)
+#define iso_loop_jump ISO_REAL_NAME(iso_loop_jump)
 
 /* A tick that starts more than a period / 2^ISO_LATE_SHIFT after it was due is late. */
 enum { ISO_LATE_SHIFT = 4 };
 
-/* How the ticks kept their time. Times are in counts of the port's clock. Counts and times have 64 bits: none wraps in the
- * life of a machine, and a stall of any length is booked as long as it was. */
-typedef struct iso_statistics {
-    uint64_t ticks;         /* done */
-    uint64_t late;          /* of them, started late */
-    uint64_t lost;          /* of them, reported by the port only with a later one */
-    uint64_t overruns;      /* of them, ended after the next one was due */
-    uint64_t restarts;      /* of them, with a new history of the method, after a discontinuity */
-    uint64_t violated;      /* ticks that ended with a violation above the limit of the plant */
-    int64_t margin;         /* the least time left when the outputs were published; positive is good */
-    uint64_t execution_min; /* of a step without a restart */
-    uint64_t execution_max;
-    uint64_t execution_sum;
-    uint64_t restart_max;    /* of a step with a restart, including the restart */
-    iso_refusals inputs;     /* that were not finite or beyond their limits, */
-    iso_refusals parameters; /* likewise */
-    uint64_t outputs_held;   /* ticks in which an output was not finite: the last good ones were published */
-    real local_error;        /* the largest of all steps, where steps are checked */
-    real violation;          /* the largest of all ticks */
-} iso_statistics;
-
 typedef struct iso_loop {
     const iso_plant *plant;
     uint64_t tick;     /* steps done: the plant's time is tick times its step */
-    uint64_t reported; /* the latest tick that the port reported */
-    uint64_t due;      /* when tick was due, on the port's clock */
+    uint64_t rested;   /* ticks of the port that passed without a step; less, modulo 2^64, those of a jump ahead */
+    uint64_t reported; /* the latest tick that the port reported, less those: tick, if none is to be caught up */
+    uint64_t due;      /* when tick + rested was due, on the port's clock */
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
-    uint16_t guard;    /* the first state that is not finite or out of range; plant->model->states if there is none */
+    uint16_t
+        at_once;    /* outputs that are published when they are computed: all; or none, but when the next tick begins */
+    uint16_t guard; /* the first state that is not finite or out of range; plant->model->states if there is none */
+    uint32_t used;  /* a tick without news ends at most so long after it was due, */
+    uint32_t execution_min; /* and its execution is between these: those of the statistics */
+    uint32_t execution_max;
     iso_statistics statistics;
 } iso_loop;
 
@@ -55,5 +46,21 @@ void iso_loop_start(iso_loop *loop, const iso_plant *plant);
  * were, nothing is published or counted, the port is put into its safe state, and loop->guard and loop->tick name the state
  * and the tick. */
 bool iso_loop_tick(iso_loop *loop);
+
+/* The two parts of it, for a program that takes inputs from elsewhere than iso_port_read, between them. The first waits
+ * for the tick, and sets the inputs that are functions of time; the second is all the rest. */
+void iso_loop_begin(iso_loop *loop);
+bool iso_loop_end(iso_loop *loop);
+
+/* The plant rests: waits for the next tick of the port; it, and all that were to be caught up, pass without a step, and
+ * count neither as lost nor as late. */
+void iso_loop_rest(iso_loop *loop);
+
+/* Rests for a tick; then sets the plant to its start, publishes its outputs of tick 0, and begins the account anew. */
+void iso_loop_restart(iso_loop *loop);
+
+/* Between two ticks, when the plant's memory has become that of another tick: goes on from there. Publishes its outputs as they
+ * are; the port's ticks and the account go on. */
+void iso_loop_jump(iso_loop *loop, uint64_t tick);
 
 #endif

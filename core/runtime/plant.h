@@ -12,6 +12,7 @@
 #include "core/methods/equations.h"
 #include "core/methods/progress.h"
 #include "core/runtime/admit.h"
+#include "core/runtime/statistics.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -28,6 +29,9 @@ typedef struct iso_quantity {
     real most;
     real start; /* of a state; of a parameter its default; else 0 */
 } iso_quantity;
+
+struct iso_plant;
+struct iso_policy;
 
 /* What all plants of one kind share. */
 typedef struct iso_model {
@@ -59,15 +63,22 @@ typedef struct iso_model {
     void (*drive)(void *memory, uint64_t tick); /* sets u to the scene's functions of time, and the states that are time
                                                    itself to what they are at a tick; NULL without such inputs and
                                                    states */
-    void (*admit)(void *memory, iso_refusals *inputs,
-                  iso_refusals *parameters); /* checks what came in; NULL without inputs and parameters */
+    iso_refused (*admit)(void *memory);         /* checks what came in; NULL without inputs and parameters */
     void (*advance)(void *memory); /* sets the memories at the end of a tick, from the states there and the inputs of
                                       the tick; NULL without memories */
     bool (*discontinuity)(void *memory); /* whether an input or a parameter has one, or something happened that ends
-                                            the smooth motion: then the history is of no use. NULL where no history is
-                                            kept */
-    void (*prime)(void *memory);         /* fills the method's history from x and u; NULL for a one-step method */
+                                            the smooth motion: then what `prime` made is of no use. NULL where that is
+                                            nothing */
+    void (*prime)(void *memory);         /* fills the method's history from x and u, and computes what follows from
+                                            parameters alone; NULL where there is neither */
     void (*step)(void *memory);          /* advances x by one step with u held: the real-time part */
+    bool (*attempt)(const struct iso_plant *plant); /* a step that may begin with a new history, or be made again:
+                                                       iso_plant_attempt; NULL where it is `step` alone */
+    void (*tell)(
+        const struct iso_plant *plant,
+        iso_statistics *statistics);  /* what there is to tell of a tick: iso_plant_tell; NULL where nothing is */
+    uint32_t (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
+    const struct iso_policy *policy;  /* core/runtime/policy.h; NULL where the scene asks for nothing of it */
 } iso_model;
 
 /* A plant: a model, and where its memory is. */
@@ -76,22 +87,19 @@ typedef struct iso_plant {
     void *memory;
     real *x;                      /* in the memory: state, */
     real *u;                      /* inputs, */
-    real *p;                      /* tunable parameters, */
+    real *p;                      /* tunable parameters, seen by iso_plant_admit, */
     real *y;                      /* outputs, */
     iso_progress *progress;       /* how the last step went; NULL where nothing asks, */
     const iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/methods/adams.h) */
     void *before; /* [memory_bytes] for a snapshot from before a step that is made again after a discontinuity, where
                      the method watches for one; NULL where no step is */
-    real *good;   /* in the memory: the last good inputs, parameters and outputs; NULL: outputs are not checked */
+    real *good;   /* in the memory: the last good inputs, parameters and outputs */
 } iso_plant;
 
-/* Checks what came in from outside: puts right, keeps and counts. */
-static inline void iso_plant_admit(const iso_plant *const plant, iso_refusals *const inputs,
-                                   iso_refusals *const parameters)
+/* Checks what came in from outside: puts right and keeps. Returns what was refused. */
+static inline iso_refused iso_plant_admit(const iso_plant *const plant)
 {
-    if (plant->model->admit != NULL) {
-        plant->model->admit(plant->memory, inputs, parameters);
-    }
+    return plant->model->admit == NULL ? 0 : plant->model->admit(plant->memory);
 }
 
 /* Puts everything to tick 0: state, parameters, inputs, and what the method keeps. */
@@ -111,8 +119,7 @@ static inline void iso_plant_start(const iso_plant *const plant)
     if (model->drive != NULL) {
         model->drive(plant->memory, 0);
     }
-    iso_refusals unused = {0, 0};
-    iso_plant_admit(plant, &unused, &unused);
+    (void)iso_plant_admit(plant);
     if (model->prime != NULL) {
         model->prime(plant->memory);
     }

@@ -2,6 +2,7 @@
 #ifndef ISO_CORE_RUNTIME_TICK_H
 #define ISO_CORE_RUNTIME_TICK_H
 
+#include "core/numbers/unroll.h"
 #include "core/runtime/plant.h"
 
 /* 1. Sets the inputs that are functions of time to those of a tick. */
@@ -14,92 +15,153 @@ static inline void iso_plant_drive(const iso_plant *const plant, const uint64_t 
 
 /* 2. Checks inputs and parameters: iso_plant_admit, once the platform has set its own. */
 
-/* 3. Keeps all memory, with the inputs of the tick, for a step that is made again. */
-static inline void iso_plant_keep(const iso_plant *const plant)
-{
-    if (plant->before != NULL) {
-        memcpy(plant->before, plant->memory, plant->model->memory_bytes);
-    }
-}
-
-/* 4. Makes the step; with a new history, which is counted, if an input or a parameter has a discontinuity. */
-static inline void iso_plant_step(const iso_plant *const plant, uint64_t *const restarts)
-{
-    if (plant->model->discontinuity != NULL && plant->model->discontinuity(plant->memory)) {
-        plant->model->prime(plant->memory);
-        (*restarts)++;
-    }
-    plant->model->step(plant->memory);
-}
-
-/* 5. Makes the step again from where it began, with a new history, if a discontinuity was detected within it. After a
- * restart the same step would come out again. Its error stays known, so that a plant with a discontinuity in every step
- * does not restart in every tick. Returns whether it did. */
-static inline bool iso_plant_step_again(const iso_plant *const plant, const bool restarted)
-{
-    const bool again = plant->before != NULL && plant->progress->discontinuity && !restarted;
-    if (again) {
-        const iso_progress progress = *plant->progress;
-        memcpy(plant->memory, plant->before, plant->model->memory_bytes);
-        *plant->progress = progress;
-        plant->model->prime(plant->memory);
-        plant->model->step(plant->memory);
-    }
-    return again;
-}
-
-/* All ones if state i is not finite or out of its range, else zero; without a branch on it. */
-static inline iso_bits iso_plant_is_bad(const iso_plant *const plant, const uint16_t i)
-{
-    return iso_beyond(plant->x[i], plant->model->range == NULL ? ISO_REAL_MAX : plant->model->range[i]);
-}
-
-/* 6. The first state that is not finite or out of its range; model->states if there is none. Without a branch on a
- * state: from the last to the first, each that is bad takes the place of the one behind it. */
-static inline uint16_t iso_plant_guard(const iso_plant *const plant)
-{
-    uint32_t first = plant->model->states;
-    for (uint16_t i = plant->model->states; i-- > 0;) {
-        first ^= (first ^ i) & (uint32_t)iso_plant_is_bad(plant, i);
-    }
-    return (uint16_t)first;
-}
-
-/* 7. After a tick in which all is well: what the plant remembers, */
-static inline void iso_plant_advance(const iso_plant *const plant)
-{
-    if (plant->model->advance != NULL) {
-        plant->model->advance(plant->memory);
-    }
-}
-
-/* 8. and its outputs; where one is not finite, the last good ones. Returns 1 then, else 0. */
-static inline uint32_t iso_plant_output(const iso_plant *const plant)
+/* 3. Makes the step; with a new history, if an input or a parameter has a discontinuity. Where one is detected within the
+ * step, puts all memory back to where it began, and makes it again with a new history. After a restart the same step would
+ * come out again. Its error stays known, so that a plant with a discontinuity in every step does not restart in every tick.
+ * Returns whether there is a new history. */
+static inline bool iso_plant_attempt(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;
-    model->output(plant->memory);
-    return plant->good == NULL ? 0
-                               : iso_hold(plant->y, plant->good + model->inputs + model->parameters, model->outputs);
+    if (plant->before != NULL) {
+        memcpy(plant->before, plant->memory, model->memory_bytes);
+    }
+    const bool restarts = model->discontinuity != NULL && model->discontinuity(plant->memory);
+    if (restarts) {
+        model->prime(plant->memory);
+    }
+    model->step(plant->memory);
+    const bool again = plant->before != NULL && plant->progress->discontinuity && !restarts;
+    if (again) {
+        const iso_progress progress = *plant->progress;
+        memcpy(plant->memory, plant->before, model->memory_bytes);
+        *plant->progress = progress;
+        model->prime(plant->memory);
+        model->step(plant->memory);
+    }
+    return restarts || again;
 }
 
+static inline bool iso_plant_step(const iso_plant *const plant)
+{
+    if (plant->model->attempt != NULL) {
+        return plant->model->attempt(plant);
+    }
+    plant->model->step(plant->memory);
+    return false;
+}
+
+/* 5. What there is to tell: how far off its closures the plant is, and the local error of its steps. */
+static inline void iso_plant_tell(const iso_plant *const plant, iso_statistics *const statistics)
+{
+    const iso_model *const model = plant->model;
+    if (model->violation != NULL) {
+        const real off = model->violation(plant->memory);
+        statistics->violated += (uint32_t)(iso_less(model->violation_limit, off) & 1);
+        statistics->violation = iso_max(statistics->violation, off);
+    }
+    if (plant->progress != NULL) {
+        statistics->local_error = iso_max(statistics->local_error, plant->progress->local_error);
+    }
+}
+
+/* 4. Checks the states, and where all are good, sets what the plant remembers and its outputs, and checks these:
+ * model->finish, which is a function of the model so that its sizes are constants there. It returns one of these. */
+enum {
+    ISO_WELL = 0,
+    ISO_HELD = 1, /* an output is not finite: the last good ones stand in the place of all */
+    ISO_BAD = 2   /* a state is not finite or out of its range: memories and outputs stay as they were */
+};
+
+/* Not zero if one of x[n] is not finite, or beyond its range; without a branch on them. range is NULL where there is none. */
+ISO_INLINE iso_bits iso_any_beyond(const real *const x, const real *const range, const uint32_t n)
+{
+    iso_bits bad = 0;
+    if (range == NULL) {
+        for (uint32_t i = 0; i < n; i++) {
+            bad |= iso_not_finite(x[i]);
+        }
+    } else {
+        for (uint32_t i = 0; i < n; i++) {
+            bad |= iso_beyond(x[i], range[i]);
+        }
+    }
+    return bad;
+}
+
+/* The states x[n] with their range, what sets the memories (NULL: none) and the outputs y[outputs], and where the last good
+ * ones are. */
+ISO_INLINE uint32_t iso_finish(void *const memory, const real *const x, const real *const range, const uint32_t n,
+                               void (*const advance)(void *), void (*const output)(void *), real *const y,
+                               real *const good, const uint32_t outputs)
+{
+    if (iso_any_beyond(x, range, n) != 0) {
+        return ISO_BAD;
+    }
+    if (advance != NULL) {
+        advance(memory);
+    }
+    output(memory);
+    const bool held = iso_any_beyond(y, NULL, outputs) != 0;
+    if (held) {
+        memcpy(y, good, outputs * sizeof *y);
+    } else {
+        memcpy(good, y, outputs * sizeof *y);
+    }
+    return held ? ISO_HELD : ISO_WELL;
+}
+
+/* With what it returned: the first state that is not finite or out of its range; model->states if none is. */
+static inline uint16_t iso_plant_guard(const iso_plant *const plant, const uint32_t finished)
+{
+    const real *const range = plant->model->range;
+    uint16_t i = finished == ISO_BAD ? 0 : plant->model->states;
+    while (i < plant->model->states && iso_beyond(plant->x[i], range == NULL ? ISO_REAL_MAX : range[i]) == 0) {
+        i++;
+    }
+    return i;
+}
+
+/* The outputs without a step, at the start: where one is not finite, all are the last good ones, or 0 if there are none.
+ * Returns whether one was not. */
+static inline bool iso_plant_output(const iso_plant *const plant)
+{
+    const iso_model *const model = plant->model;
+    real *const good = plant->good + model->inputs + model->parameters;
+    model->output(plant->memory);
+    const bool held = iso_any_beyond(plant->y, NULL, model->outputs) != 0;
+    memcpy(held ? plant->y : good, held ? good : plant->y, model->outputs * sizeof *good);
+    return held;
+}
+
+/* What the plant refused, and its restarts. */
+typedef struct iso_tick_counts {
+    iso_refusals inputs;
+    iso_refusals parameters;
+    uint64_t outputs_held; /* ticks in which an output was not finite: the last good ones stand */
+    uint64_t restarts;     /* with a new history of the method, after a discontinuity */
+} iso_tick_counts;
+
 /* All of it, from `tick` (0 after iso_plant_start) to the next; inputs that are no functions of time are those in
- * plant->u. What is not finite or beyond its limits is put right, and not counted. Returns the guard: model->states if all is
- * well; else the outputs stay as they were. */
-static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint64_t tick)
+ * plant->u. What is not finite or beyond its limits is put right, and added to the counts. Returns the guard: model->states
+ * if all is well; else the outputs stay as they were. */
+static inline uint16_t iso_plant_tick_counted(const iso_plant *const plant, const uint64_t tick,
+                                              iso_tick_counts *const counts)
 {
     iso_plant_drive(plant, tick);
-    iso_refusals unused = {0, 0};
-    iso_plant_admit(plant, &unused, &unused);
-    iso_plant_keep(plant);
-    uint64_t restarts = 0;
-    iso_plant_step(plant, &restarts);
-    (void)iso_plant_step_again(plant, restarts > 0);
-    const uint16_t guard = iso_plant_guard(plant);
-    if (guard == plant->model->states) {
-        iso_plant_advance(plant);
-        (void)iso_plant_output(plant);
-    }
-    return guard;
+    const iso_refused refused = iso_plant_admit(plant);
+    iso_count_refused(&counts->inputs, (uint32_t)refused);
+    iso_count_refused(&counts->parameters, (uint32_t)(refused >> 32));
+    counts->restarts += iso_plant_step(plant);
+    const uint32_t finished = plant->model->finish(plant->memory);
+    counts->outputs_held += finished == ISO_HELD;
+    return iso_plant_guard(plant, finished);
+}
+
+/* The same, where nobody asks for the counts. */
+static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint64_t tick)
+{
+    iso_tick_counts unused = {{0, 0}, {0, 0}, 0, 0};
+    return iso_plant_tick_counted(plant, tick, &unused);
 }
 
 #endif

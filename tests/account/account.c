@@ -13,6 +13,7 @@
 #include <stdlib.h>
 
 #include "core/runtime/loop.h"
+#include "core/runtime/tick.h"
 #include "port/port.h"
 
 enum { PERIOD = 268435459, READING = 3, LATE = PERIOD / 16 };
@@ -121,11 +122,16 @@ static void drive(void *const of, const uint64_t tick)
     memory.u[0] = R(0.25);
 }
 
-static void admit(void *const of, iso_refusals *const inputs, iso_refusals *const parameters)
+static iso_refused admit(void *const of)
 {
     (void)of;
-    iso_admit(memory.u, memory.good, limits, 2, inputs);
-    iso_admit(memory.p, memory.good + 2, NULL, 1, parameters);
+    return iso_admit(memory.u, memory.good, limits, 2, NULL) |
+           (iso_refused)iso_admit(memory.p, memory.good + 2, NULL, 1, NULL) << 32;
+}
+
+static uint32_t finish(void *const of)
+{
+    return iso_finish(of, memory.x, NULL, 1, NULL, output, memory.y, memory.good + 3, 2);
 }
 
 static void step(void *const of)
@@ -149,6 +155,7 @@ static const iso_model model = {
     .drive = drive,
     .admit = admit,
     .step = step,
+    .finish = finish,
 };
 static const iso_plant plant = {.model = &model,
                                 .memory = &memory,
@@ -203,7 +210,7 @@ static account expected(const int64_t ticks)
         }
         const int64_t cost = (int64_t)span(first + (uint64_t)k, COST, 8);
         const int64_t behind = time + READING - k * PERIOD;
-        time += 4 * READING + cost;
+        time += 3 * READING + cost;
         const int64_t left = (k + 1) * PERIOD - time;
         a.late += behind > LATE;
         a.lost += k < reported;

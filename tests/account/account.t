@@ -29,9 +29,11 @@ controlled()
 }
 optimised -O1
 controlled "time in 32 bits" 'return (int64_t)(b - a)' 'return (int32_t)(b - a)'
-controlled "a wake-up taken for a tick" 'while (loop->tick >= loop->reported)' 'if (loop->tick == loop->reported)'
-controlled "inputs and tunables that nothing checks" '.*iso_plant_admit.*' ''
-controlled "outputs that are not counted" 'iso_plant_output(plant);' 'iso_plant_output(plant) \& 0;'
+controlled "a wake-up taken for a tick" 'while (loop->tick >= loop->reported)' 'if (loop->tick >= loop->reported)'
+controlled "inputs and tunables that nothing checks" 'iso_plant_admit(plant);' '0;'
+controlled "outputs that are not counted" '.*outputs_held++.*' ''
+controlled "a margin that is not the least" '(uint32_t)used > loop->used' 'used == 1'
+controlled "a stall beyond 2^32 counts" '= t->end - loop->due' '= (uint32_t)(t->end - loop->due)'
 
 # A generated plant with limits: what it computes with numbers within them is what it computes without.
 sed 's/ in .*//' tests/account/hostile.scene >"$out/open.scene"
@@ -45,6 +47,17 @@ for real in float double; do
     expect $? "$real: what comes into a generated plant is checked: $(tr '\n' ' ' <"$out/output")"
 done
 
+# refused SET: isoc says that a value is none, and writes nothing.
+refused()
+{
+    rm -rf "$out/refused"
+    ! build/isoc tests/account/hostile.scene -o "$out/refused" --set "$1" >"$out/output" 2>"$out/errors" &&
+        grep -q '^--set:1:[0-9]*: error: the default of .* is not within its limits' "$out/errors" && [ ! -e "$out/refused" ]
+    expect $? "--set '$1' is refused"
+}
+refused 'weight = 0 kg'
+refused 'drag = 1e30 N*s/m'
+
 # Late: the tick behind the lost one, the late one, and 20 behind the stall, which lasts to the end. Lost: of these all but
 # the late one. Overruns: the stall, and the 20 behind it.
 cat >"$out/script" <<'S'
@@ -55,7 +68,7 @@ S
 for real in float double; do
     real $real
     build/isoc tests/account/long.scene --real $real -o "$out/$real" >/dev/null &&
-        EXTRA="-I$out/$real" program "long_$real" tests/account/long.c "$out/$real/plant.c" core/runtime/loop.c port/sim/script.c &&
+        EXTRA="-I$out/$real" program "long_$real" tests/account/long.c "$out/$real/plant.c" core/runtime/loop.c port/sim/script.c port/sim/console.c &&
         "$out/long_$real" "$out/script" >"$out/output" &&
         grep -qx 'late 22 lost 21 overruns 21 margin -4294000000 wave 1 climb 1 grain 1' "$out/output"
     expect $? "$real: the simulated port and functions of time go on beyond tick 2^32"

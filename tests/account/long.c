@@ -2,6 +2,9 @@
  * this file, to begin close to it. */
 #include <math.h>
 
+#include <stdio.h>
+#include <stdlib.h>
+
 #include "port/sim/sim.c"
 
 #include "core/runtime/loop.h"

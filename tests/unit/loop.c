@@ -76,10 +76,15 @@ static void fake_read(real *const u, const size_t inputs)
     }
 }
 
+static uint32_t published_late; /* when the last was, after its tick was due */
+
 static void fake_publish(const real *const y, const size_t outputs)
 {
-    published++;
-    seen = outputs == 1 ? y[0] : R(-1.0);
+    if (outputs > 0) {
+        published++;
+        published_late = (now - events->clock_at_start) % PERIOD;
+        seen = outputs == 1 ? y[0] : R(-1.0);
+    }
 }
 
 static uint32_t made_safe; /* calls, and the last outputs that were published before */
@@ -94,7 +99,7 @@ static void fake_safe(void)
 #include "core/runtime/loop.c"
 
 /* A plant that counts: x is the number of steps, u the tick that drives it, and a step costs what the script says. */
-static real x[2], u[1], p[1], y[1];
+static real x[2], u[1], p[1], y[1], kept[3];
 static const real start[2] = {R(0.0), R(5.0)};
 static const real defaults[1] = {R(8.0)};
 static uint32_t primed, steps, fail_at, leave_at;
@@ -135,6 +140,11 @@ static void step(void *const memory)
     }
 }
 
+static uint32_t finish(void *const memory)
+{
+    return iso_finish(memory, x, range, 2, NULL, output, y, kept + 2, 1);
+}
+
 static const iso_model model = {
     .name = "counter",
     .period_ns = PERIOD,
@@ -149,9 +159,10 @@ static const iso_model model = {
     .drive = drive,
     .prime = prime,
     .step = step,
+    .finish = finish,
 };
 
-static const iso_plant plant = {.model = &model, .x = x, .u = u, .p = p, .y = y};
+static const iso_plant plant = {.model = &model, .x = x, .u = u, .p = p, .y = y, .good = kept};
 
 /* Runs so many ticks of the script; returns how many of them were good. */
 static iso_loop loop;
@@ -170,9 +181,9 @@ static uint32_t run(const script *const what, const uint32_t ticks, const uint32
     return good;
 }
 
-/* Readings of the clock in a tick: begin, before, after, end. At the end of a tick that started on time and took
+/* Readings of the clock in a tick: before the step, after it, and at the end. At the end of a tick that started on time and took
  * nothing, so much of the period is left. */
-enum { IDLE_MARGIN = PERIOD - 4 * READING };
+enum { IDLE_MARGIN = PERIOD - 3 * READING };
 
 static void test_start(void)
 {
@@ -266,6 +277,77 @@ static void test_exactly_full(void)
     tap_ok(loop.statistics.margin == -1, "full: margin -1");
 }
 
+/* After tick 2 the plant rests for so many calls, then goes on to tick 5. */
+static void rest(const script *const what, const uint32_t calls)
+{
+    (void)run(what, 2, 0);
+    for (uint32_t i = 0; i < calls; i++) {
+        iso_loop_rest(&loop);
+    }
+    for (int i = 0; i < 3; i++) {
+        (void)iso_loop_tick(&loop);
+    }
+}
+
+static void test_rest(void)
+{
+    const script quiet = {0};
+    rest(&quiet, 4);
+    tap_count((uint32_t)loop.tick, 5, "rest: the plant has its ticks");
+    tap_count((uint32_t)(loop.reported + loop.rested), 9, "rest: the port has four more");
+    tap_count((uint32_t)loop.rested, 4, "rest: which passed");
+    tap_count((uint32_t)loop.statistics.ticks, 5, "rest: they are not accounted");
+    tap_same(x[0], R(5.0), "rest: nor is a step made");
+    tap_same(latched, R(4.0), "rest: and the plant's time stands still");
+    tap_count(published, 1 + 5, "rest: and nothing is published");
+    tap_ok(loop.statistics.late == 0 && loop.statistics.lost == 0 && loop.statistics.overruns == 0,
+           "rest: none is late, lost or overrun");
+    tap_count((uint32_t)loop.statistics.margin, IDLE_MARGIN, "rest: the margin is that of its ticks");
+
+    const script lost = {.lost = {[4] = true, [5] = true}, .delay = {[3] = 700, [6] = 900, [9] = 300}};
+    rest(&lost, 2);
+    tap_count((uint32_t)loop.rested, 4, "rest: what the port loses meanwhile passes");
+    tap_ok(loop.statistics.lost == 0 && loop.statistics.late == 1, "rest: only what is late afterwards is late");
+    tap_count((uint32_t)loop.statistics.margin, IDLE_MARGIN - 300, "rest: and counts in the margin");
+
+    /* Tick 2 takes two and a half periods: 3 and 4 would be caught up. */
+    const script slow = {.cost = {[2] = 5 * PERIOD / 2}};
+    rest(&slow, 1);
+    tap_count((uint32_t)loop.rested, 2, "rest: ticks that were to be caught up pass");
+    tap_ok(loop.statistics.late == 0 && loop.statistics.lost == 0 && loop.statistics.overruns == 1,
+           "rest: and are not late; the slow tick remains an overrun");
+    tap_count(waits, 2 + 1 + 3, "rest: it waits once");
+}
+
+/* From tick 4 to tick 7, then back to tick 1: the plant's time is another, the port's goes on. */
+static void test_jump_to(void)
+{
+    const script quiet = {0};
+    (void)run(&quiet, 4, 0);
+    y[0] = R(99.0);
+    iso_loop_jump(&loop, 7);
+    tap_same(seen, R(99.0), "jump to: the outputs are published as they are");
+    tap_ok(loop.tick == 7 && published == 1 + 4 + 1, "jump to: the tick is that");
+    (void)iso_loop_tick(&loop);
+    tap_ok(latched == R(7.0) && loop.tick == 8 && waits == 5, "jump to: the next tick of the port is the one after it");
+    iso_loop_jump(&loop, 1);
+    (void)iso_loop_tick(&loop);
+    tap_ok(latched == R(1.0) && loop.tick == 2 && waits == 6, "jump to: back as well");
+    iso_loop_rest(&loop);
+    (void)iso_loop_tick(&loop);
+    tap_ok(latched == R(2.0) && loop.tick == 3 && waits == 8, "jump to: and rests there");
+    tap_ok(loop.statistics.ticks == 7 && loop.statistics.late == 0 && loop.statistics.lost == 0,
+           "jump to: the account goes on");
+    tap_count((uint32_t)loop.statistics.margin, IDLE_MARGIN, "jump to: and no tick is late");
+
+    /* With ticks to be caught up: tick 2 takes two and a half periods, 3 and 4 are due. */
+    const script slow = {.cost = {[2] = 5 * PERIOD / 2}};
+    (void)run(&slow, 3, 0);
+    iso_loop_jump(&loop, 100);
+    (void)iso_loop_tick(&loop);
+    tap_ok(latched == R(100.0) && waits == 3 && loop.statistics.late == 2, "jump to: a tick that is due is caught up");
+}
+
 static void test_guard(void)
 {
     const script quiet = {0};
@@ -313,6 +395,7 @@ static void test_violation(void)
     iso_model closing = model;
     closing.violation = violation;
     closing.violation_limit = R(0.5);
+    closing.tell = iso_plant_tell;
     iso_plant closed = plant;
     closed.model = &closing;
     events = &quiet;
@@ -326,9 +409,38 @@ static void test_violation(void)
     tap_ok(run(&quiet, 6, 0) == 6 && loop.statistics.violated == 0, "violation: a plant without closures has none");
 }
 
+static bool account(iso_loop *const of, const iso_news *const news)
+{
+    (void)of;
+    (void)news;
+    return true;
+}
+
+/* Outputs that are published when the next tick begins: whatever the step takes, at the same time of the period. */
+static void test_delayed(void)
+{
+    static const script costs = {.cost = {0, 50, 700, 90}};
+    static const iso_policy policy = {.account = account, .delays = true};
+    iso_model delaying = model;
+    delaying.policy = &policy;
+    iso_plant delayed = plant;
+    delayed.model = &delaying;
+    events = &costs;
+    steps = fail_at = published = 0;
+    iso_loop_start(&loop, &delayed);
+    bool on_time = published == 1;
+    for (uint32_t i = 0; i < 4; i++) {
+        const real last = y[0];
+        on_time = on_time && iso_loop_tick(&loop) && published == 2 + i && seen == last && published_late == 0;
+    }
+    tap_ok(on_time && y[0] == R(40.0), "delayed: the outputs of a tick are published when the next one begins");
+    tap_ok(run(&costs, 4, 0) == 4 && seen == R(40.0) && published_late > 0,
+           "delayed: without that, when they are made");
+}
+
 /* A step that finds a jump is made again from where it began; all other memory is as it was, the error is not. */
 static struct {
-    real x[2], u[1], p[1], y[1];
+    real x[2], u[1], p[1], y[1], good[3];
     iso_progress progress;
 } watched_memory, watched_before;
 
@@ -370,6 +482,12 @@ static void watched_output(void *const memory)
     watched_memory.y[0] = watched_memory.x[0] + watched_memory.u[0];
 }
 
+static uint32_t watched_finish(void *const memory)
+{
+    return iso_finish(memory, watched_memory.x, range, 2, NULL, watched_output, watched_memory.y,
+                      watched_memory.good + 2, 1);
+}
+
 static void test_jump(void)
 {
     static const script costs = {.cost = {0, 10, 10, 20, 30, 50, 10}};
@@ -378,6 +496,9 @@ static void test_jump(void)
     watching.drive = NULL;
     watching.prime = watched_prime;
     watching.step = watched_step;
+    watching.attempt = iso_plant_attempt;
+    watching.finish = watched_finish;
+    watching.output = watched_output;
     const iso_plant watched = {
         .model = &watching,
         .memory = &watched_memory,
@@ -387,6 +508,7 @@ static void test_jump(void)
         .y = watched_memory.y,
         .progress = &watched_memory.progress,
         .before = &watched_before,
+        .good = watched_memory.good,
     };
     events = &costs;
     steps = primed = 0;
@@ -402,8 +524,7 @@ static void test_jump(void)
     tap_ok(iso_loop_tick(&loop) && loop.statistics.execution_min == 10 && loop.statistics.execution_max == 20 &&
                loop.statistics.execution_sum == 30,
            "jump: the steps without are timed by themselves");
-    tap_count((uint32_t)loop.statistics.restart_max, 30 + 40 + 50 + READING,
-              "jump: the dearest with one is all that it took");
+    tap_count((uint32_t)loop.statistics.restart_max, 30 + 40 + 50, "jump: the dearest with one is all that it took");
     tap_count((uint32_t)loop.statistics.ticks, 4, "jump: all are ticks");
 
     watching.discontinuity = watched_discontinuity;
@@ -431,6 +552,8 @@ static void test_plant_tick(void)
         .discontinuity = watched_discontinuity,
         .prime = watched_prime,
         .step = watched_step,
+        .attempt = iso_plant_attempt,
+        .finish = watched_finish,
     };
     iso_plant watched = plant;
     watched.model = &watched_model;
@@ -441,6 +564,7 @@ static void test_plant_tick(void)
     watched.p = watched_memory.p;
     watched.progress = &watched_memory.progress;
     watched.before = &watched_before;
+    watched.good = watched_memory.good;
     events = &quiet;
     steps = primed = 0;
     iso_loop_start(&loop, &watched);
@@ -460,8 +584,8 @@ static void test_plant_tick(void)
            "plant_tick: the same memory as by the loop");
     tap_ok(steps == made && primed == primes && made > TICKS, "plant_tick: as many steps and restarts");
     watched_memory.x[0] = iso_real_of(ISO_EXPONENT_BITS);
-    const real kept = watched_memory.y[0];
-    tap_ok(iso_plant_tick(&watched, TICKS) == 0 && watched_memory.y[0] == kept,
+    const real last = watched_memory.y[0];
+    tap_ok(iso_plant_tick(&watched, TICKS) == 0 && watched_memory.y[0] == last,
            "plant_tick: the guard names the state");
 }
 
@@ -473,9 +597,12 @@ int main(void)
     test_lost();
     test_slow();
     test_exactly_full();
+    test_rest();
+    test_jump_to();
     test_guard();
     test_range();
     test_violation();
+    test_delayed();
     test_jump();
     test_plant_tick();
     tap_done();

@@ -1,0 +1,75 @@
+/* What is asked of a plant from outside, between two ticks: to run for so many ticks, to rest, to be what a snapshot was. All of
+ * it is kept here, to be read at any time.
+ *
+ * A plant that rests keeps its outputs; ticks of the port pass meanwhile, and none is lost or late (iso_loop_rest). So does a plant
+ * that the guard has stopped, until it is put to its start or to a snapshot. */
+#ifndef ISO_CORE_RUNTIME_CONTROL_H
+#define ISO_CORE_RUNTIME_CONTROL_H
+
+#include "core/runtime/loop.h"
+#include "core/runtime/snapshot.h"
+
+#define iso_control_reset ISO_REAL_NAME(iso_control_reset)
+#define iso_control_take ISO_REAL_NAME(iso_control_take)
+#define iso_control_restore ISO_REAL_NAME(iso_control_restore)
+
+#define ISO_CONTROL_ENDLESS UINT64_MAX
+
+/* What became of it. The first are those of iso_snapshot_answer. */
+typedef enum iso_control_answer {
+    ISO_CONTROL_DONE = ISO_SNAPSHOT_GOOD,
+    ISO_CONTROL_NO_RUN = 16, /* there is none: not started, over, or stopped by the guard */
+    ISO_CONTROL_BAD_STATE,   /* no snapshot of a plant that the guard has stopped */
+    ISO_CONTROL_BEYOND       /* a piece that is not in the record; or there is no room for one */
+} iso_control_answer;
+
+typedef struct iso_control {
+    iso_loop *loop;
+    unsigned char *record; /* [record_bytes]: a snapshot that was taken, or that is being written in pieces */
+    size_t record_bytes;   /* ISO_SNAPSHOT_BYTES(memory_bytes) */
+    uint64_t identity;     /* of the plant with its method, step and type of numbers */
+    uint64_t hash;         /* of the trajectory so far */
+    uint64_t left;         /* ticks to do until it rests, or ISO_CONTROL_ENDLESS; 0: it rests */
+} iso_control;
+
+/* Runs for so many ticks; 0: until something else is asked. */
+static inline void iso_control_run(iso_control *const control, const uint64_t ticks)
+{
+    control->left = ticks == 0 ? ISO_CONTROL_ENDLESS : ticks;
+}
+
+static inline void iso_control_rest(iso_control *const control)
+{
+    control->left = 0;
+}
+
+static inline bool iso_control_is_resting(const iso_control *const control)
+{
+    return control->left == 0;
+}
+
+/* After a tick, with the hash of the trajectory. What was asked to rest within the tick, rests behind it. */
+static inline void iso_control_done(iso_control *const control, const uint64_t hash)
+{
+    control->left -= control->left != ISO_CONTROL_ENDLESS && !iso_control_is_resting(control);
+    control->hash = hash;
+}
+
+/* Puts the plant to its start, where it rests, and begins the account anew. The hash is the caller's to begin. */
+void iso_control_reset(iso_control *control);
+
+/* Takes a snapshot into the record. */
+iso_control_answer iso_control_take(iso_control *control);
+
+/* Puts the plant to the snapshot in the record, whose size is said to be `bytes`: its outputs are published, and it rests. Or
+ * nothing changes. */
+iso_control_answer iso_control_restore(iso_control *control, size_t bytes);
+
+/* Where count bytes from `offset` on stand in the record; NULL if they do not. */
+static inline unsigned char *iso_control_piece(const iso_control *const control, const size_t offset,
+                                               const size_t count)
+{
+    return offset <= control->record_bytes && count <= control->record_bytes - offset ? control->record + offset : NULL;
+}
+
+#endif

@@ -1,0 +1,126 @@
+/* What the loop does about ticks that do not keep their time, and what else it counts of them: what a scene asks for with
+ * `overrun`, `grace`, `publish` and `histogram`. The program of a plant that asks for none has nothing of it: isoc writes
+ * the account of those that do, of the functions below. The loop calls it after each tick with news, and counts, times and
+ * skips by integers alone. */
+#ifndef ISO_CORE_RUNTIME_POLICY_H
+#define ISO_CORE_RUNTIME_POLICY_H
+
+#include "core/runtime/loop.h"
+
+/* A tick with news. */
+typedef struct iso_news {
+    uint64_t counts; /* of its step */
+    bool late, overran;
+} iso_news;
+
+enum { ISO_HISTOGRAM_BINS = 32 };
+
+/* What is counted, one after another, 64 bits each. */
+typedef struct iso_policy_counts {
+    uint64_t skipped;       /* ticks of the port that nothing was done for */
+    uint64_t skipped_first; /* the number of the first, as the port counts */
+    uint64_t skipped_last;
+    uint64_t grace_late; /* ticks within the grace */
+    uint64_t grace_overruns;
+    uint64_t stopped;  /* the tick that ended the run by its overrun; 0: none did */
+    uint64_t latency;  /* ticks from the end of a step to its outputs */
+    uint64_t rung;     /* of the ladder, of the next step; 0: the method of the scene */
+    uint64_t good;     /* ticks on this rung without an overrun */
+    uint64_t degraded; /* ticks on a rung below the method of the scene */
+    uint64_t lowest;   /* rung, counted downwards */
+} iso_policy_counts;
+
+/* The counts with a histogram of execution times: bin i of those from i widths on, the last of all above. */
+typedef struct iso_policy_histogram {
+    iso_policy_counts counts;
+    uint64_t width; /* a 32nd of the period, rounded down */
+    uint64_t bins[ISO_HISTOGRAM_BINS];
+} iso_policy_histogram;
+
+typedef struct iso_policy {
+    bool (*account)(iso_loop *loop, const iso_news *news); /* returns whether the run goes on */
+    const uint64_t *counts;                                /* [count] */
+    uint16_t count;
+    bool delays; /* outputs are published when the next tick begins */
+} iso_policy;
+
+/* grace: late starts and overruns of the first ticks are counted apart. */
+static inline void iso_policy_grace(iso_loop *const loop, iso_policy_counts *const counts, const iso_news *const news,
+                                    const uint32_t ticks)
+{
+    if (loop->tick <= ticks) {
+        counts->grace_late += news->late;
+        counts->grace_overruns += news->overran;
+        loop->statistics.late -= news->late;
+        loop->statistics.overruns -= news->overran;
+    }
+}
+
+/* overrun catch_up: of the ticks that are due, so many are made good; the others pass without a step, as while the plant
+ * rests: its time stands still, so that its trajectory is that of the ticks that were done. */
+static inline void iso_policy_catch_up(iso_loop *const loop, iso_policy_counts *const counts, const uint32_t most)
+{
+    const uint64_t behind = loop->reported - loop->tick;
+    if (behind > most) {
+        const uint64_t passed = behind - most;
+        counts->skipped_first = counts->skipped == 0 ? loop->tick + loop->rested + 1 : counts->skipped_first;
+        counts->skipped += passed;
+        loop->rested += passed;
+        loop->reported -= passed;
+        loop->due += passed * loop->period;
+        counts->skipped_last = loop->tick + loop->rested;
+    }
+}
+
+/* overrun stop: a tick that ends after the next one is due is the last. */
+static inline bool iso_policy_stop(const iso_loop *const loop, iso_policy_counts *const counts,
+                                   const iso_news *const news, const uint32_t grace)
+{
+    const bool stops = news->overran && loop->tick > grace;
+    counts->stopped = stops ? loop->tick : 0;
+    return !stops;
+}
+
+/* overrun degrade: an overrun leads one rung down, so many ticks without one lead one up again. */
+static inline void iso_policy_degrade(iso_loop *const loop, iso_policy_counts *const counts, const iso_news *const news,
+                                      const uint32_t grace, const uint32_t rungs, const uint32_t after)
+{
+    counts->degraded += counts->rung > 0;
+    counts->good++;
+    if (news->overran && loop->tick > grace) {
+        counts->rung += counts->rung < rungs;
+        counts->good = 0;
+    } else if (counts->rung > 0 && counts->good >= after) {
+        counts->rung--;
+        counts->good = 0;
+    }
+    counts->lowest = counts->lowest < counts->rung ? counts->rung : counts->lowest;
+    if (counts->rung > 0) {
+        loop->execution_min = UINT32_MAX; /* each tick there is one with news */
+    }
+}
+
+/* A step by a method of the ladder; with what follows from parameters computed anew, if one changed. */
+static inline bool iso_policy_attempt(const iso_plant *const plant, void (*const step)(void *memory))
+{
+    const iso_model *const model = plant->model;
+    const bool restarts = model->discontinuity != NULL && model->discontinuity(plant->memory);
+    if (restarts) {
+        model->prime(plant->memory);
+    }
+    step(plant->memory);
+    return restarts;
+}
+
+/* histogram: every tick is one with news. */
+static inline void iso_policy_bin(iso_loop *const loop, iso_policy_histogram *const histogram,
+                                  const iso_news *const news)
+{
+    const uint32_t width = loop->period / ISO_HISTOGRAM_BINS;
+    const uint32_t last = ISO_HISTOGRAM_BINS - 1;
+    histogram->width = width;
+    histogram->bins[news->counts < (uint64_t)width * last ? (uint32_t)news->counts / width : last]++;
+    loop->execution_min = UINT32_MAX;
+}
+
+#endif

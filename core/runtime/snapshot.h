@@ -1,0 +1,72 @@
+/* A snapshot: all of a plant at a tick in one flat record, from which it goes on bit for bit, on any target.
+ *
+ *     head      iso_snapshot_head, 48 bytes
+ *     memory    the plant's, head.memory_bytes: states, history of the method, inputs, memories of effects, tunables and
+ *               faults, outputs, last good values; noise and functions of time follow from the tick
+ *     check     4 bytes: CRC-32 of all before it, polynomial 0x04C11DB7 reflected, start and last exclusive-or all ones
+ *               (that of Ethernet, IEEE 802.3, and of zlib)
+ *
+ * The numbers are those of the processor, little-endian on every target that there is; the magic of a processor with
+ * another order is another number. No member has padding, so a plant has the same record on every target. How the ticks
+ * kept their time is no part of it.
+ */
+#ifndef ISO_CORE_RUNTIME_SNAPSHOT_H
+#define ISO_CORE_RUNTIME_SNAPSHOT_H
+
+#include "core/runtime/plant.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define iso_snapshot_take ISO_REAL_NAME(iso_snapshot_take)
+#define iso_snapshot_restore ISO_REAL_NAME(iso_snapshot_restore)
+
+#define ISO_SNAPSHOT_MAGIC UINT32_C(0x534F5349) /* the bytes "ISOS" */
+
+enum { ISO_SNAPSHOT_VERSION = 1 };
+
+typedef struct iso_snapshot_head {
+    uint32_t magic;
+    uint16_t version;
+    uint16_t real_bytes; /* the type of numbers: 4 float, 8 double */
+    uint64_t identity;   /* of the plant with its method, step and type of numbers */
+    uint64_t tick;       /* steps done */
+    uint64_t hash;       /* of the trajectory so far */
+    uint32_t memory_bytes;
+    uint16_t states;
+    uint16_t inputs;
+    uint16_t memories;
+    uint16_t parameters;
+    uint16_t outputs;
+    uint16_t unused; /* 0 */
+} iso_snapshot_head;
+
+/* The size of the record of a plant with so much memory. */
+#define ISO_SNAPSHOT_BYTES(memory_bytes) (sizeof(iso_snapshot_head) + (memory_bytes) + sizeof(uint32_t))
+
+/* Why a record is refused. The order is that of the tests: the first that fails is the answer. */
+typedef enum iso_snapshot_answer {
+    ISO_SNAPSHOT_GOOD,
+    ISO_SNAPSHOT_NO_SNAPSHOT,   /* it does not begin as one, or in another order of bytes */
+    ISO_SNAPSHOT_OTHER_VERSION, /* of the record */
+    ISO_SNAPSHOT_WRONG_SIZE,    /* cut off, or something follows */
+    ISO_SNAPSHOT_DAMAGED,       /* by its check */
+    ISO_SNAPSHOT_OTHER_NUMBERS, /* float for double, or double for float */
+    ISO_SNAPSHOT_OTHER_PLANT,   /* another scene, method or step */
+    ISO_SNAPSHOT_NOT_A_STATE    /* what no snapshot has: a number that is not finite or out of range */
+} iso_snapshot_answer;
+
+/* Writes the record[ISO_SNAPSHOT_BYTES(plant->model->memory_bytes)] of a plant between two ticks: `tick` steps are done,
+ * and the hash of the trajectory is `hash`. */
+void iso_snapshot_take(unsigned char *record, const iso_plant *plant, uint64_t identity, uint64_t tick, uint64_t hash);
+
+/* Puts the plant to what record[bytes] has, and sets *tick and *hash; or changes nothing, and returns why. */
+iso_snapshot_answer iso_snapshot_restore(const iso_plant *plant, uint64_t identity, const unsigned char *record,
+                                         size_t bytes, uint64_t *tick, uint64_t *hash);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,114 @@
+#!/bin/sh
+# What a scene says about overruns, a grace, the publication and a histogram: what the loop counts under random scripts of the
+# simulated port, against an account by other code; the trajectory, which is that of the ticks that were done.
+. tests/host/test.sh
+begin policy
+real float
+scripts=8 # of each policy
+
+program model tests/policy/model.c
+result $? "the model of the account builds"
+
+# plant NAME STATEMENTS: the pendulum with these.
+plant()
+{
+    plant_name=$1
+    mkdir -p "$out/$plant_name"
+    { cat tests/policy/pendulum.scene && printf '%s\n' "$2"; } >"$out/$plant_name/plant.scene"
+    build/isoc "$out/$plant_name/plant.scene" -o "$out/$plant_name" >"$out/summary" 2>"$out/errors"
+}
+
+# build NAME STATEMENTS: and its program, on the simulated port.
+build()
+{
+    plant "$@" &&
+        EXTRA="-I$out/$plant_name" program "$plant_name/program" "$out/$plant_name/plant.c" core/runtime/loop.c core/application/*.c \
+            core/numbers/self_check.c port/sim/*.c
+}
+
+# run NAME [SCRIPT]: a second of it; the summary in $out/summary.
+run()
+{
+    build/trace -o "$out/$1" -- "$out/$1/program" 1000000000 ${2+"$2"} >"$out/summary" 2>"$out/errors"
+}
+
+# family NAME STATEMENTS POLICY NUMBER GRACE: as the model says for every script.
+family()
+{
+    family_name=$1
+    shift
+    build "$family_name" "$1" && run "$family_name"
+    result $? "$family_name: runs"
+    shift
+    agreed=0
+    seed=0
+    while [ $seed -lt $scripts ]; do
+        seed=$((seed + 1))
+        "$out/model" $seed "$out/script" "$@" >"$out/expected"
+        run "$family_name" "$out/script"
+        # What the policies of this scene do not count is not told.
+        keys="ticks late lost overruns margin grace_late grace_overruns skipped degraded"
+        grep -q '^histogram$' "$out/$family_name/plant.scene" && keys="$keys histogram"
+        for key in $keys; do
+            sed -n "/^$key /p" "$out/expected"
+        done >"$out/wanted"
+        for key in $keys; do
+            sed -n "/^$key /p" "$out/summary"
+        done >"$out/got"
+        cmp -s "$out/wanted" "$out/got" && agreed=$((agreed + 1))
+    done
+    [ $agreed = $scripts ]
+    result $? "$family_name: $agreed of seeds 1 to $scripts as the model: $(tr '\n' ' ' <"$out/got")"
+}
+
+family catch_0 'overrun catch_up 0' catch_up 0 0
+catch_0=$(sed -n 's/^hash //p' "$out/summary")
+family catch_3 'overrun catch_up 3
+grace 50 ticks
+histogram' catch_up 3 50
+catch_3=$(sed -n 's/^hash //p' "$out/summary")
+family counted 'histogram
+publish next_tick' count 0 0
+[ "$catch_0" = "$catch_3" ] && [ "$catch_3" = "$(sed -n 's/^hash //p' "$out/summary")" ]
+result $? "the trajectory is that of the ticks that were done, whatever was skipped: $catch_0"
+grep -q '^latency 1 ticks$' "$out/summary"
+result $? "the latency of the outputs is stated"
+family stopped 'overrun stop
+grace 20 ticks' stop 0 20
+grep -q "^trace: stopped by the overrun of tick $(sed -n 's/^ticks //p' "$out/expected")$" "$out/errors"
+result $? "a run that an overrun stops says so: $(cat "$out/errors")"
+[ "$(wc -l <"$out/stopped/trace.csv")" = $(($(sed -n 's/^ticks //p' "$out/expected") + 2)) ]
+result $? "and its table ends with that tick"
+
+# A ladder: the account, and the trajectory, from plants of its methods.
+family ladder 'overrun degrade { method heun; method euler; hold; after 20 ticks }
+grace 5 ticks' degrade 20 5 "$out/rungs"
+for method in rk4 heun euler; do
+    build/isoc tests/policy/pendulum.scene --method $method --name by_$method -o "$out/by" >"$out/expected"
+done
+EXTRA="-I$out/by" program replay tests/policy/replay.c "$out"/by/*.c && [ "$("$out/replay" <"$out/rungs")" = "$(sed -n 's/^hash //p' "$out/summary")" ]
+result $? "the trajectory of a ladder is that of its methods: $(sort "$out/rungs" | uniq -c | awk '{ printf "%s ticks on rung %s, ", $1, $2 }')"
+[ "$(sed 's/1/2/' "$out/rungs" | "$out/replay")" != "$("$out/replay" <"$out/rungs")" ]
+result $? "found: another rung"
+
+# Controls.
+"$out/model" 3 "$out/script" catch_up 2 0 >"$out/expected"
+run catch_0 "$out/script"
+[ "$(grep '^skipped' "$out/expected")" != "$(grep '^skipped' "$out/summary")" ]
+result $? "found: another number of ticks that are caught up"
+
+plant plain ''
+for same in 'overrun count' 'publish at_once'; do
+    plant same "$same" && cmp -s "$out/same/plant.c" "$out/plain/plant.c"
+    result $? "what the loop does anyhow adds nothing to the plant: $same"
+done
+for other in 'overrun stop' 'grace 1 ticks' 'publish next_tick' 'histogram' 'overrun catch_up 1'; do
+    plant same "$other" && ! cmp -s "$out/same/plant.c" "$out/plain/plant.c"
+    result $? "found: $other"
+done
+
+# On the board: the same trajectory, and the cost is in the loop alone.
+make -s run TARGET=cortex-m4f SECONDS=1 SCENE="$out/catch_3/plant.scene" >"$out/summary" &&
+    [ "$(sed -n 's/^hash //p' "$out/summary")" = "$catch_3" ] && grep -q '^histogram .* instructions: 1000$' "$out/summary"
+result $? "on the board: the same hash, and a histogram of instructions: $(grep '^histogram' "$out/summary")"
+finish

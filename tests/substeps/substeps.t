@@ -1,0 +1,57 @@
+#!/bin/sh
+# Sub-steps of a tick (`substeps 4`): the plant moves as with a quarter of the step, to the bit, where its inputs are constant;
+# on the board as on the host; and at four times the cost.
+. tests/host/test.sh
+begin substeps
+
+# same SCENE METHOD REAL: whether both plants have the same bits.
+same()
+{
+    real "$3"
+    rm -rf "$out/plants" && mkdir -p "$out/plants"
+    # Functions of time are sampled once a tick: constants in their place.
+    sed 's/^\(input [a-z]*\) = .*/\1 = 1.5 N/' "$1" >"$out/plants/held.scene"
+    { cat "$out/plants/held.scene" && echo 'substeps 4'; } >"$out/plants/parted.scene"
+    build/isoc "$out/plants/parted.scene" --step 1ms --method "$2" --real "$3" --name parted -o "$out/plants" >"$out/summary" 2>"$out/errors" &&
+        build/isoc "$out/plants/held.scene" --step 0.25ms --method "$2" --real "$3" --name fine -o "$out/plants" >"$out/summary" 2>"$out/errors" &&
+        EXTRA="-I$out/plants" program compare tests/substeps/compare.c "$out/plants/parted.c" "$out/plants/fine.c" &&
+        "$out/compare" >"$out/hash"
+}
+
+for method in rk4 semi_implicit ab4 abm4 bdf4 rosenbrock; do
+    same models/double_pendulum.scene $method float
+    result $? "double_pendulum, $method, float: the bits of a quarter of the step: $(cat "$out/hash")"
+done
+same models/double_pendulum.scene abm4 double
+result $? "double_pendulum, abm4, double: $(cat "$out/hash")"
+for scene in models/four_bar models/gyroscope models/cart_pole tests/hard/rotor; do
+    same $scene.scene rk4 float
+    result $? "$(basename $scene), rk4, float: $(cat "$out/hash")"
+done
+sed 's/PARTS = 4/PARTS = 3/' tests/substeps/compare.c >"$out/three.c" &&
+    EXTRA="-I$out/plants" program three "$out/three.c" "$out/plants/parted.c" "$out/plants/fine.c" && ! "$out/three" >"$out/hash"
+result $? "found: another number of sub-steps"
+
+# On the board.
+run()
+{
+    make -s run TARGET="$2" SECONDS=0.5 SCENE="$out/$1.scene" >"$out/$1.$2" 2>"$out/errors"
+}
+value()
+{
+    sed -n "s/^$2 //p" "$out/$1"
+}
+cp models/double_pendulum.scene "$out/one.scene"
+{ cat models/double_pendulum.scene && echo 'substeps 4'; } >"$out/four.scene"
+run one cortex-m4f && run four cortex-m4f && run four host && [ "$(value four.host hash)" = "$(value four.cortex-m4f hash)" ]
+result $? "the board has the bits of the host: $(value four.host hash)"
+one=$(value one.cortex-m4f instructions_per_step) four=$(value four.cortex-m4f instructions_per_step)
+[ "$four" -gt $((4 * one - 80)) ] && [ "$four" -lt $((4 * one + 80)) ]
+result $? "four sub-steps take $four instructions, one number, a step $one"
+build/isoc "$out/one.scene" -o "$out/one" >"$out/summary" && { cat "$out/one.scene" && echo 'substeps 1'; } >"$out/one/one.scene" &&
+    build/isoc "$out/one/one.scene" -o "$out/again" >"$out/summary" && cmp -s "$out/one/plant.c" "$out/again/plant.c"
+result $? "one sub-step is a step: the same bytes"
+{ cat "$out/one.scene" && printf 'method adams\nsubsteps 8\n'; } | sed '/^method rk4/d' >"$out/adams.scene"
+build/isoc "$out/adams.scene" --method rk4 -o "$out/again" >"$out/summary" && ! grep -q 'part(' "$out/again/plant.c"
+result $? "the budget of adams is no number of sub-steps of another method"
+finish

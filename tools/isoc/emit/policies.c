@@ -1,0 +1,41 @@
+#include "tools/isoc/emit/parts.h"
+
+void emit_policies(emission *e)
+{
+    const policies *of = &e->p->m->policies;
+    const char *counts = of->histogram ? "&policed.counts" : "&policed";
+    text_add(e->out, "/* What the scene asks for about ticks that do not keep their time. */\n");
+    text_add(e->out, "static %s policed = {%s.latency = %d%s};\n\n",
+             of->histogram ? "iso_policy_histogram" : "iso_policy_counts", of->histogram ? ".counts = {" : "",
+             of->delayed ? 1 : 0, of->histogram ? "}" : "");
+    text_add(e->out, "static bool account(iso_loop *const loop, const iso_news *const news)\n{\n");
+    if (of->grace > 0.0) {
+        text_add(e->out, "    iso_policy_grace(loop, %s, news, UINT32_C(%.0f));\n", counts, of->grace);
+    }
+    if (of->histogram) {
+        text_add(e->out, "    iso_policy_bin(loop, &policed, news);\n");
+    }
+    if (of->overrun == OVERRUN_CATCH_UP) {
+        text_add(e->out, "    iso_policy_catch_up(loop, %s, UINT32_C(%.0f));\n", counts, of->catch_up);
+    }
+    if (of->overrun == OVERRUN_DEGRADE) {
+        text_add(e->out, "    iso_policy_degrade(loop, %s, news, UINT32_C(%.0f), %d, UINT32_C(%.0f));\n", counts,
+                 of->grace, of->rung_count, of->after);
+    }
+    if (of->overrun != OVERRUN_STOP && of->overrun != OVERRUN_DEGRADE && !(of->grace > 0.0) && !of->histogram) {
+        text_add(e->out, "%s    (void)news;\n", of->overrun == OVERRUN_CATCH_UP ? "" : "    (void)loop;\n");
+    }
+    if (of->overrun == OVERRUN_STOP) {
+        text_add(e->out, "    return iso_policy_stop(loop, %s, news, UINT32_C(%.0f));\n}\n\n", counts, of->grace);
+    } else {
+        text_add(e->out, "    return true;\n}\n\n");
+    }
+    text_add(e->out,
+             "static const iso_policy policy = {\n    .account = account,\n    .counts = %s.skipped,\n"
+             "    .count = sizeof policed / sizeof(uint64_t),\n    .delays = %s,\n};\n\n",
+             of->histogram ? "&policed.counts" : "&policed", of->delayed ? "true" : "false");
+    if (of->overrun == OVERRUN_DEGRADE) {
+        text_add(e->out, "static bool attempt(const iso_plant *const plant)\n{\n");
+        text_add(e->out, "    return iso_policy_attempt(plant, ladder[(%s)->rung]);\n}\n\n", counts);
+    }
+}

@@ -1,0 +1,81 @@
+/* overrun KIND, grace NUMBER ticks, publish WHEN, histogram: how the loop runs the plant. */
+#include <string.h>
+
+#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/statements.h"
+
+static const char *const overrun_names[] = {"count", "catch_up", "stop", "degrade"};
+static const char *const publish_names[] = {"at_once", "next_tick"};
+
+/* method NAME, or hold: the next rung. */
+static void read_rung(parser *p, const token *word, void *slot)
+{
+    running *to = slot;
+    const bool rests = strcmp(word->text, "hold") == 0;
+    const name of = rests ? (name){"hold", word->at} : take_name(p, "expected a method, such as euler");
+    if (to->rung_count == MOST_RUNGS) {
+        source_problem(p->s, word->at, "a ladder has at most %d rungs", MOST_RUNGS);
+    } else if (!p->failed) {
+        to->rests[to->rung_count] = rests;
+        to->rungs[to->rung_count++] = of;
+    }
+}
+
+static void read_after(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    running *to = slot;
+    to->after = parse_formula(p);
+    if (!p->failed && !take_word(p, "ticks")) {
+        parse_problem(p, "expected ticks: after 100 ticks");
+    }
+}
+
+static const property rung_properties[] = {
+    {"method", read_rung, 0, EVERY_KIND | MANY, NULL},
+    {"hold", read_rung, 0, EVERY_KIND, NULL},
+    {"after", read_after, 0, EVERY_KIND, "after 100 ticks"},
+};
+
+static const block ladder = {
+    .what = "ladder", .properties = rung_properties, .property_count = COUNT_OF(rung_properties)};
+
+void read_overrun(parser *p, const token *word, void *slot)
+{
+    running *to = slot;
+    to->overrun_at = word->at;
+    const size_t kind = take_one_of(p, overrun_names, COUNT_OF(overrun_names));
+    to->overrun = kind < COUNT_OF(overrun_names) ? (overrun_kind)kind : OVERRUN_COUNT;
+    if (!p->failed && to->overrun == OVERRUN_CATCH_UP) {
+        to->catch_up = parse_formula(p);
+    }
+    if (!p->failed && to->overrun == OVERRUN_DEGRADE) {
+        (void)parse_block(p, &ladder, 0, (name){"degrade", word->at}, to);
+    }
+}
+
+void read_grace(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    running *to = slot;
+    to->grace = parse_formula(p);
+    if (!p->failed && !take_word(p, "ticks")) {
+        source_problem(p->s, to->grace->at, "a grace is a number of ticks: grace 10 ticks");
+        to->grace = NULL;
+    }
+}
+
+void read_publish(parser *p, const token *word, void *slot)
+{
+    (void)word;
+    running *to = slot;
+    to->delayed = take_one_of(p, publish_names, COUNT_OF(publish_names)) == 1;
+}
+
+void read_histogram(parser *p, const token *word, void *slot)
+{
+    (void)p;
+    (void)word;
+    running *to = slot;
+    to->histogram = true;
+}
