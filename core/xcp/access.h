@@ -1,0 +1,41 @@
+/* What a master may read, what it may write, and what it may pause. An address is the lower 32 bits of one of the processor's. */
+#ifndef ISO_CORE_XCP_ACCESS_H
+#define ISO_CORE_XCP_ACCESS_H
+
+#include <stdbool.h>
+
+#include "core/runtime/admit.h"
+#include "core/runtime/control.h"
+#include "core/xcp/packet.h"
+
+#define iso_xcp_write ISO_REAL_NAME(iso_xcp_write)
+
+enum { ISO_XCP_SPANS = 8 };
+
+/* Bytes that may be read. */
+typedef struct iso_xcp_span {
+    const void *start;
+    uint32_t bytes;
+} iso_xcp_span;
+
+typedef struct iso_xcp_access {
+    iso_xcp_span readable[ISO_XCP_SPANS]; /* those behind the last one have 0 bytes */
+    real *tunables;                       /* [tunable_count], within one of them: what may be written */
+    const iso_limits *limits;             /* of each tunable; NULL where none has any */
+    uint16_t tunable_count;
+    iso_control *control; /* NULL: it cannot be paused */
+} iso_xcp_access;
+
+static inline uint32_t iso_xcp_address(const void *const pointer)
+{
+    return (uint32_t)(uintptr_t)pointer;
+}
+
+/* Where these bytes are; NULL if one of them may not be read. */
+const uint8_t *iso_xcp_at(const iso_xcp_access *access, uint32_t address, uint32_t count);
+
+/* Sets tunables, or parts of them, to these bytes; all, or none where one is no tunable, or becomes a number that is not
+ * finite or beyond its limits. */
+iso_xcp_error iso_xcp_write(const iso_xcp_access *access, uint32_t address, const uint8_t *bytes, uint32_t count);
+
+#endif

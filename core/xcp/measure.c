@@ -1,0 +1,163 @@
+/* DAQ by the commands of the master. */
+#include "core/xcp/commands.h"
+
+/* Lists are made by the master, prescaler, time stamps, loss shown in the number of a packet. */
+enum { DAQ_PROPERTIES = 0x53, DAQ_KEY = 0, STAMP_BYTES = 4, NO_BIT = 0xFF };
+
+/* The event: of DAQ, consistent over all of its lists. */
+enum { EVENTS = 1, EVENT_PROPERTIES = 0x84 };
+
+const char iso_xcp_event_name[4] = "tick";
+
+uint16_t iso_xcp_answer_processor_info(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    x->response[1] = DAQ_PROPERTIES;
+    iso_xcp_put_word(x->response + 2, s->daq.list_count);
+    iso_xcp_put_word(x->response + 4, EVENTS);
+    x->response[6] = 0; /* lists that the master did not make */
+    x->response[7] = DAQ_KEY;
+    return 8;
+}
+
+uint16_t iso_xcp_answer_resolution_info(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    x->response[1] = 1; /* entries are whole bytes */
+    x->response[2] = UINT8_MAX;
+    x->response[3] = 1; /* of STIM, which there is not */
+    x->response[4] = 0;
+    x->response[5] = (uint8_t)(s->of->stamp.unit << 4 | STAMP_BYTES);
+    iso_xcp_put_word(x->response + 6, s->of->stamp.count);
+    return 8;
+}
+
+/* The name of the event is read with UPLOAD. */
+uint16_t iso_xcp_answer_event_info(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    if (iso_xcp_word(x->command + 2) >= EVENTS) {
+        return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
+    }
+    s->mta = iso_xcp_address(iso_xcp_event_name);
+    x->response[1] = EVENT_PROPERTIES;
+    x->response[2] = ISO_XCP_LISTS;
+    x->response[3] = sizeof iso_xcp_event_name;
+    x->response[4] = (uint8_t)s->of->cycle.count;
+    x->response[5] = s->of->cycle.unit;
+    x->response[6] = 0; /* priority */
+    return 7;
+}
+
+uint16_t iso_xcp_answer_clock(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    memset(x->response + 1, 0, 3);
+    iso_xcp_put_long(x->response + 4, (uint32_t)s->tick);
+    return 8;
+}
+
+uint16_t iso_xcp_answer_free(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    (void)x;
+    iso_xcp_daq_free(&s->daq);
+    return 1;
+}
+
+uint16_t iso_xcp_answer_alloc_lists(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    return iso_xcp_done(x->response, iso_xcp_daq_alloc_lists(&s->daq, iso_xcp_word(x->command + 2)));
+}
+
+uint16_t iso_xcp_answer_alloc_tables(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    return iso_xcp_done(x->response, iso_xcp_daq_alloc_tables(&s->daq, iso_xcp_word(x->command + 2), x->command[4]));
+}
+
+uint16_t iso_xcp_answer_alloc_entries(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    return iso_xcp_done(x->response,
+                        iso_xcp_daq_alloc_entries(&s->daq, iso_xcp_word(x->command + 2), x->command[4], x->command[5]));
+}
+
+uint16_t iso_xcp_answer_clear(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    return iso_xcp_done(x->response, iso_xcp_daq_clear(&s->daq, iso_xcp_word(x->command + 2)));
+}
+
+uint16_t iso_xcp_answer_pointer(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    return iso_xcp_done(x->response,
+                        iso_xcp_daq_point(&s->daq, iso_xcp_word(x->command + 2), x->command[4], x->command[5]));
+}
+
+uint16_t iso_xcp_answer_write_daq(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    const uint8_t bytes = x->command[2];
+    if (x->command[1] != NO_BIT || bytes == 0 || !iso_xcp_has_address(x->command + 3)) {
+        return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
+    }
+    const uint8_t *const at = iso_xcp_at(&s->access, iso_xcp_long(x->command + 4), bytes);
+    return iso_xcp_done(x->response, at == NULL ? ISO_XCP_ACCESS_DENIED : iso_xcp_daq_write(&s->daq, at, bytes));
+}
+
+/* There is one event, and one priority. */
+uint16_t iso_xcp_answer_set_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    if (iso_xcp_word(x->command + 4) >= EVENTS || x->command[7] != 0) {
+        return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
+    }
+    return iso_xcp_done(x->response,
+                        iso_xcp_daq_mode(&s->daq, iso_xcp_word(x->command + 2), x->command[1], x->command[6]));
+}
+
+uint16_t iso_xcp_answer_get_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    const uint16_t list = iso_xcp_word(x->command + 2);
+    if (list >= s->daq.list_count) {
+        return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
+    }
+    x->response[1] = s->daq.lists[list].mode;
+    memset(x->response + 2, 0, 4);
+    x->response[6] = s->daq.lists[list].prescaler;
+    x->response[7] = 0;
+    return 8;
+}
+
+enum { STOP, START, SELECT };
+
+uint16_t iso_xcp_answer_start_stop(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    const uint16_t list = iso_xcp_word(x->command + 2);
+    const uint8_t mode = x->command[1];
+    if (mode > SELECT) {
+        return iso_xcp_refuse(x->response, ISO_XCP_MODE_NOT_VALID);
+    }
+    const iso_xcp_error error = iso_xcp_daq_check(&s->daq, list);
+    if (error == ISO_XCP_OUT_OF_RANGE || (error != ISO_XCP_NONE && mode != STOP)) {
+        return iso_xcp_refuse(x->response, error);
+    }
+    if (mode == STOP) {
+        iso_xcp_daq_stop(&s->daq, list);
+    } else if (mode == START) {
+        iso_xcp_daq_start(&s->daq, list);
+    } else {
+        s->daq.lists[list].mode |= ISO_XCP_SELECTED;
+    }
+    x->response[1] = s->daq.lists[list].tables.first;
+    return 2;
+}
+
+/* All that are selected at once, or all. */
+uint16_t iso_xcp_answer_start_stop_synch(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    enum { STOP_ALL, START_SELECTED, STOP_SELECTED };
+    if (x->command[1] > STOP_SELECTED) {
+        return iso_xcp_refuse(x->response, ISO_XCP_MODE_NOT_VALID);
+    }
+    for (uint8_t list = 0; list < s->daq.list_count; list++) {
+        const bool selected = s->daq.lists[list].mode & ISO_XCP_SELECTED;
+        if (x->command[1] == START_SELECTED && selected) {
+            iso_xcp_daq_start(&s->daq, list);
+        } else if (x->command[1] == STOP_ALL || selected) {
+            iso_xcp_daq_stop(&s->daq, list);
+        }
+    }
+    return 1;
+}

@@ -1,0 +1,131 @@
+#include "core/xcp/service.h"
+
+#include "core/link/link.h"
+#include "port/channel.h"
+
+static iso_xcp_slave slave;
+static iso_xcp_reader reader;
+static uint32_t opened; /* how often the other end was, when the reader began */
+static uint16_t counter;
+
+/* A response that has not gone; 0 bytes: there is none. Behind it, what else the frame of a packet needs. */
+static uint8_t response[ISO_XCP_FRAME_BYTES];
+static uint16_t response_bytes;
+
+static uint8_t sample[ISO_XCP_SAMPLE_BYTES];
+
+iso_xcp_statistics iso_xcp_the_statistics;
+
+static void start(iso_loop *const loop)
+{
+    const iso_plant *const plant = loop->plant;
+    const iso_xcp_access access = {
+        .readable = {{plant->memory, (uint32_t)plant->model->memory_bytes},
+                     {loop, sizeof *loop},
+                     {&iso_the_link, sizeof iso_the_link},
+                     {&iso_xcp_the_statistics, sizeof iso_xcp_the_statistics}},
+        .tunables = plant->p,
+        .limits = iso_xcp_the_description.limits,
+        .tunable_count = plant->model->parameters,
+        .control = &iso_the_link.control,
+    };
+    iso_xcp_start(&slave, &iso_xcp_the_description, &access);
+}
+
+/* Another master is at the other end, or the first: what came from the last one is of no use. */
+static void greet(void)
+{
+    const uint32_t times = iso_port_opened(ISO_CHANNEL_CALIBRATION);
+    if (times != opened) {
+        opened = times;
+        reader = (iso_xcp_reader){.is_serial = false};
+        response_bytes = 0;
+        iso_xcp_part_from(&slave);
+    }
+    reader.is_serial = times == 0;
+}
+
+/* Sends the response that waits, and those that follow it. Returns whether none waits any more. */
+static bool respond(uint16_t length)
+{
+    do {
+        if (length > 0) {
+            response_bytes = iso_xcp_frame(response, length, counter, reader.is_serial);
+            counter++;
+        }
+        if (response_bytes > 0 && !iso_port_send(ISO_CHANNEL_CALIBRATION, response, response_bytes)) {
+            return false;
+        }
+        response_bytes = 0;
+        length = iso_xcp_continue(&slave, response + ISO_XCP_HEADER_BYTES);
+    } while (length > 0);
+    return true;
+}
+
+/* Takes in up to `most` bytes. Returns how many; the first ones of another master begin a reader of their own. */
+static uint16_t take(const uint16_t most)
+{
+    uint8_t came[ISO_XCP_FRAME_BYTES];
+    const size_t count = iso_port_receive(ISO_CHANNEL_CALIBRATION, came, most);
+    if (count > 0) {
+        greet();
+        memcpy(reader.bytes + reader.used, came, count);
+        reader.used = (uint8_t)(reader.used + count);
+    }
+    return (uint16_t)count;
+}
+
+/* The next command, if it is among so many bytes. Returns its length, or 0. */
+static uint16_t next_command(void)
+{
+    uint16_t left = ISO_XCP_TICK_BYTES, came = 1, length = iso_xcp_read(&reader);
+    while (length == 0 && left > 0 && came > 0) {
+        const uint16_t missing = iso_xcp_missing(&reader);
+        came = take(missing < left ? missing : left);
+        left = (uint16_t)(left - came);
+        length = iso_xcp_read(&reader);
+    }
+    return length;
+}
+
+static void before(iso_loop *const loop)
+{
+    greet();
+    slave.tick = loop->tick;
+    if (!respond(0)) {
+        return;
+    }
+    const uint16_t length = next_command();
+    if (length > 0) {
+        iso_xcp_the_statistics.commands++;
+        (void)respond(
+            iso_xcp_answer(&slave, reader.bytes + ISO_XCP_HEADER_BYTES, length, response + ISO_XCP_HEADER_BYTES));
+    }
+}
+
+/* All packets of a list, or none. */
+static void send_sample(const uint8_t list, const uint32_t tick)
+{
+    iso_xcp_list *const of = &slave.daq.lists[list];
+    uint16_t used = 0, next = counter;
+    for (uint8_t table = 0; table < of->tables.count; table++) {
+        const uint16_t length = iso_xcp_daq_packet(&slave.daq, list, table, tick, sample + used + ISO_XCP_HEADER_BYTES);
+        used = (uint16_t)(used + iso_xcp_frame(sample + used, length, next, reader.is_serial));
+        next++;
+    }
+    of->overloaded = !iso_port_send(ISO_CHANNEL_CALIBRATION, sample, used);
+    iso_xcp_the_statistics.lost += of->overloaded;
+    iso_xcp_the_statistics.samples += !of->overloaded;
+    counter = of->overloaded ? counter : next;
+}
+
+static void after(iso_loop *const loop)
+{
+    for (uint8_t list = 0; list < slave.daq.list_count; list++) {
+        if (iso_xcp_daq_due(&slave.daq, list)) {
+            send_sample(list, (uint32_t)loop->tick);
+        }
+    }
+}
+
+const iso_service iso_xcp_service = {start, before, after};

@@ -1,0 +1,34 @@
+/* Measurement and calibration between two ticks: the slave on the channel ISO_CHANNEL_CALIBRATION. Before a tick it answers one
+ * command at most, of at most ISO_XCP_TICK_BYTES bytes that came in; after it the lists are sampled that are due. What it
+ * cannot send, it keeps, if it is a response, and loses, if it is a sample: then the next one says so. */
+#ifndef ISO_CORE_XCP_SERVICE_H
+#define ISO_CORE_XCP_SERVICE_H
+
+#include "core/link/interface.h"
+#include "core/xcp/slave.h"
+#include "core/xcp/transport.h"
+
+#define iso_xcp_service ISO_REAL_NAME(iso_xcp_service)
+#define iso_xcp_the_description ISO_REAL_NAME(iso_xcp_the_description)
+#define iso_xcp_the_statistics ISO_REAL_NAME(iso_xcp_the_statistics)
+
+/* Bytes that are taken in before a tick. */
+enum { ISO_XCP_TICK_BYTES = 2 * ISO_XCP_FRAME_BYTES };
+
+/* What came and went. A master can measure it. */
+typedef struct iso_xcp_statistics {
+    uint64_t commands; /* that were answered */
+    uint64_t samples;  /* of lists, that were sent */
+    uint64_t lost;     /* of lists, for which the channel had no room */
+} iso_xcp_statistics;
+
+/* Of the plant of the program; isoc writes it, with the interface. */
+extern const iso_xcp_description iso_xcp_the_description;
+
+extern const iso_service iso_xcp_service;
+extern iso_xcp_statistics iso_xcp_the_statistics;
+
+/* An example of seed and key: the key is the seed, each byte exclusive-or 0x5A. It keeps out accidents, and nobody else. */
+extern const iso_xcp_lock iso_xcp_example_lock;
+
+#endif

@@ -1,0 +1,1 @@
+#include "core/xcp/example_lock.c"

@@ -1,0 +1,3 @@
+#include "tests/unit/xcp/channel.h"
+
+#include "core/xcp/service.c"

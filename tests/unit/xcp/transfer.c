@@ -1,0 +1,1 @@
+#include "core/xcp/transfer.c"

@@ -1,0 +1,114 @@
+#!/bin/sh
+# Measurement and calibration by a master that is written from the standard, over a socket of the host and over a serial line of
+# the board in QEMU; by the addresses of the A2L. With the argument `all` the board is measured for 10 s, else for 1 s.
+. tests/host/test.sh
+. tests/host/project.sh
+begin xcp/xcp
+seconds=1
+[ "${1-}" != all ] && [ -z "${TEST_WHOLE-}" ] || seconds=10
+plant=
+trap '[ -z "$plant" ] || kill "$plant" 2>/dev/null' EXIT
+project
+
+# made NAME TARGET LOCK REAL: the plant with its A2L, in $out/NAME.
+made()
+{
+    call a2l SCENE=tests/xcp/cart.scene TARGET="$2" XCP="$3" REAL="$4"
+    status=$?
+    mkdir -p "$out/$1" && cp "$out/project/$(value a2l)" "$out/project/$(value program)" \
+        "$(dirname "$out/project/$(value program)")/cart_link.py" "$out/$1"
+    expect $status "$1: the plant with its A2L is built"
+}
+
+# waited COMMAND...: waits until it succeeds.
+waited()
+{
+    tries=0
+    while ! "$@" && [ $tries -lt 50 ]; do
+        tries=$((tries + 1))
+        sleep 0.2
+    done
+}
+
+# session NAME KIND SECONDS CALIBRATION: what the master finds at the plant that was started.
+session()
+{
+    waited test -S "$out/$1/controller"
+    joined "$1" python3 -B tests/xcp/session.py "$out/$1/cart.a2l" "$out/$1" "unix:$out/$1/controller" "$4" "$2" "$3"
+    kill "$plant"
+    wait "$plant" 2>/dev/null
+    plant=
+}
+
+# host NAME: starts the plant on the host, its calibration at a port that is free: $port.
+host()
+{
+    : >"$out/said"
+    ISOCHRON_CONTROLLER=unix:$out/$1/controller ISOCHRON_CALIBRATION=tcp:0 "$out/$1/cart" 2>"$out/said" &
+    plant=$!
+    waited grep -q tcp: "$out/said"
+    port=$(sed -n 's/.* waiting at \(tcp:.*\)/\1/p' "$out/said")
+}
+
+made host host open float
+host host
+session host socket 10 "$port"
+
+made locked host iso_xcp_example_lock double
+host locked
+session locked locked 0 "$port"
+
+made board cortex-m4f open float
+qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none \
+    -serial "unix:$out/board/controller,server=on,wait=off" -serial "unix:$out/board/calibration,server=on,wait=off" \
+    -semihosting-config enable=on,target=native,arg=plant -kernel "$out/board/cart.elf" >"$out/said" 2>&1 &
+plant=$!
+waited test -S "$out/board/calibration"
+session board serial "$seconds" "unix:$out/board/calibration"
+
+# A slave with two defects: limits are not looked at, and a tick has the time stamp of another.
+sed 's/x <= limits->most/x <= x/' core/xcp/access.c >"$out/project/core/xcp/access.c" &&
+    sed 's/(uint32_t)loop->tick)/(uint32_t)loop->tick - (loop->tick == 500))/' core/xcp/service.c >"$out/project/core/xcp/service.c" &&
+    made defects host open float && host defects
+python3 -B tests/xcp/session.py "$out/defects/cart.a2l" "$out/defects" "unix:$out/defects/controller" "$port" socket 1 >"$out/tap"
+kill "$plant"
+for name in 'one number beyond its limits' 'every tick has its own'; do
+    grep -q "^not ok .*$name" "$out/tap"
+    result $? "found by the master: not $name"
+done
+
+# bad WHAT SCRIPT: the A2L with this change is none.
+bad()
+{
+    sed "$2" "$out/host/cart.a2l" >"$out/bad.a2l"
+    ! cmp -s "$out/host/cart.a2l" "$out/bad.a2l" && ! python3 -B tests/xcp/a2l.py "$out/bad.a2l" >/dev/null 2>&1
+    result $? "found: $1"
+}
+
+python3 -B tests/xcp/a2l.py "$out/host/cart.a2l"
+result $? "the A2L keeps to the grammar"
+bad "a measurement without an address" '/ECU_ADDRESS/d'
+bad "a block without an end" '/end GROUP/d'
+bad "a unit that there is not" 's/IEEE unit_1 /IEEE unit_99 /'
+bad "two of one name" 's/x\.hinge/x.rail/'
+bad "an address that was left open" 's/0x[0-9A-F]*$/@memory+0@/'
+
+# refused OPTION MESSAGE: isoc says so, and writes nothing.
+refused()
+{
+    # shellcheck disable=SC2086
+    ! build/isoc tests/xcp/cart.scene -o "$out/refused" $1 >/dev/null 2>"$out/errors" && grep -qF -e "$2" "$out/errors" &&
+        [ ! -e "$out/refused" ]
+    result $? "refused: $1"
+}
+refused "--xcp open" "--xcp is of a plant with a link: add --link to --xcp open"
+refused "--link --xcp a-lock" "--xcp is open, or the name of an iso_xcp_lock in C; not a-lock"
+
+# A symbol that the program does not have, and one that has fewer bytes.
+for symbol in absent+0 memory+4096; do
+    echo "ECU_ADDRESS @$symbol@" >"$out/template"
+    ! sh tools/build/a2l.sh nm "$out/host/cart" "$out/project/build/obj/host/float/core/xcp/places.o" "$out/template" float \
+        >"$out/bad.a2l" 2>"$out/errors" && [ ! -s "$out/bad.a2l" ]
+    result $? "found: $(cat "$out/errors")"
+done
+finish

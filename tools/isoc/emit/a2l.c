@@ -1,0 +1,283 @@
+#include "tools/isoc/emit/a2l.h"
+
+#include <ctype.h>
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/base/embedded.h"
+#include "tools/isoc/emit/parts.h"
+
+/* The sizes of core/xcp, which the A2L tells; the program that has both asserts them. */
+enum { MAX_CTO = 64, MAX_DTO = 256, LISTS = 4, BLOCK_BYTES = 255, BAUD = 1000000, TCP_PORT = 5555 };
+
+/* A duration of `count` times 10^unit ns. */
+typedef struct duration {
+    int unit;
+    long count;
+} duration;
+
+/* The finest unit in which a duration is at most so many; exact, if in that one it is a whole number. */
+static duration duration_of(long ns, long most)
+{
+    long size = 1;
+    int exponent = 0;
+    while ((ns + size / 2) / size > most) {
+        size *= 10;
+        exponent++;
+    }
+    return (duration){exponent, (ns + size / 2) / size};
+}
+
+/* The same in the coarsest unit that changes nothing. */
+static duration coarse(duration d)
+{
+    while (d.count % 10 == 0) {
+        d.count /= 10;
+        d.unit++;
+    }
+    return d;
+}
+
+static long period_of(const plant *p)
+{
+    return lround(p->m->step * 1e9);
+}
+
+static duration cycle_of(const plant *p)
+{
+    enum { LARGEST_BYTE = 255 };
+    return coarse(duration_of(period_of(p), LARGEST_BYTE));
+}
+
+static duration stamp_of(const plant *p)
+{
+    enum { LARGEST_WORD = 65535 };
+    return duration_of(period_of(p), LARGEST_WORD);
+}
+
+/* --- interface.c ------------------------------------------------------------------------------------------------- */
+
+void emit_calibration(const plant *p, const naming *names, const char *lock, uint64_t identity, text *out)
+{
+    const mechanism *m = p->m;
+    emission e = {.p = p, .names = names, .out = out};
+    const bool is_open = strcmp(lock, "open") == 0, any = has_limits(m->parameters, m->parameter_count);
+    const duration stamp = stamp_of(p), cycle = cycle_of(p);
+    text_add(out,
+             "_Static_assert(ISO_XCP_MAX_CTO == %d && ISO_XCP_MAX_DTO == %d && ISO_XCP_LISTS == %d && "
+             "ISO_XCP_BLOCK_BYTES == %d,\n               \"the A2L tells these sizes\");\n\n",
+             MAX_CTO, MAX_DTO, LISTS, BLOCK_BYTES);
+    emit_limits(&e, "parameter_limits", "PARAMETERS", names->leaves.parameters, m->parameters, m->parameter_count);
+    text_add(out, "%s%s%s", is_open ? "" : "extern const iso_xcp_lock ", is_open ? "" : lock, is_open ? "" : ";\n\n");
+    text_add(out, "const iso_xcp_description iso_xcp_the_description = {\n    .name = \"%s\",\n", m->name);
+    text_add(out, "    .epk = \"%016" PRIx64 "\",\n%s", identity, any ? "    .limits = parameter_limits,\n" : "");
+    text_add(out, "%s%s%s", is_open ? "" : "    .lock = &", is_open ? "" : lock, is_open ? "" : ",\n");
+    text_add(out, "    .stamp = {%d, %ld},\n    .cycle = {%d, %ld},\n};\n\n", stamp.unit, stamp.count, cycle.unit,
+             cycle.count);
+    text_add(out, "static const iso_service *const services[] = {&iso_xcp_service};\n\n");
+}
+
+/* --- The A2L ----------------------------------------------------------------------------------------------------- */
+
+/* The quantities of an array, as the A2L has them. */
+typedef struct section {
+    const char *group, *about;
+    char array;
+    const variable *all;
+    int count, first; /* the place of the first in its array */
+    bool is_tunable;
+} section;
+
+/* The units, each once; COMPU_METHOD unit_1 is that of the first. */
+typedef struct units {
+    const char **all;
+    int count;
+} units;
+
+static int unit_number(units *u, const char *of)
+{
+    int i = 0;
+    while (i < u->count && strcmp(u->all[i], of) != 0) {
+        i++;
+    }
+    if (i == u->count) {
+        u->all[u->count++] = of;
+    }
+    return i + 1;
+}
+
+/* A limit; none is the largest of the type. */
+static const char *limit(arena *memory, const plant *p, double of)
+{
+    const char *const most = p->is_double ? "1.7976931348623157e+308" : "3.4028234663852886e+38";
+    return isinf(of) ? arena_format(memory, "%s%s", of < 0.0 ? "-" : "", most) : arena_format(memory, "%.15g", of);
+}
+
+static const char *about(arena *memory, const section *s, const variable *v)
+{
+    return v->spoken != NULL ? arena_format(memory, "fault %s", v->spoken) : s->about;
+}
+
+static void emit_quantity(const emission *e, const section *s, int i, units *u)
+{
+    const variable *v = &s->all[i];
+    text *out = e->out;
+    const size_t offset =
+        memory_place(e, s->array) + (size_t)(s->first + i) * (e->p->is_double ? sizeof(double) : sizeof(float));
+    const char *least = limit(out->memory, e->p, v->least), *most = limit(out->memory, e->p, v->most);
+    const int number = unit_number(u, v->unit);
+    if (s->is_tunable) {
+        text_add(out,
+                 "    /begin CHARACTERISTIC %c.%s \"%s\" VALUE @memory+%zu@ real 0 unit_%d %s %s\n    /end "
+                 "CHARACTERISTIC\n",
+                 s->array, v->name, about(out->memory, s, v), offset, number, least, most);
+    } else {
+        text_add(out,
+                 "    /begin MEASUREMENT %c.%s \"%s\" %s unit_%d 0 0 %s %s\n      ECU_ADDRESS @memory+%zu@\n    /end "
+                 "MEASUREMENT\n",
+                 s->array, v->name, about(out->memory, s, v), e->p->is_double ? "FLOAT64_IEEE" : "FLOAT32_IEEE", number,
+                 least, most, offset);
+    }
+}
+
+static void emit_group(text *out, const section *s)
+{
+    const char *refers = s->is_tunable ? "REF_CHARACTERISTIC" : "REF_MEASUREMENT";
+    text_add(out, "    /begin GROUP %s \"%s\"\n      ROOT\n      /begin %s\n", s->group, s->group, refers);
+    for (int i = 0; i < s->count; i++) {
+        text_add(out, "        %c.%s\n", s->array, s->all[i].name);
+    }
+    text_add(out, "      /end %s\n    /end GROUP\n", refers);
+}
+
+/* What a tool needs to connect; XCP 1.x. */
+static void emit_if_data(const plant *p, text *out)
+{
+    static const char *const unit_names[] = {"1NS",   "10NS", "100NS", "1US",   "10US",
+                                             "100US", "1MS",  "10MS",  "100MS", "1S"};
+    static const char *const commands =
+        "GET_COMM_MODE_INFO GET_ID GET_SEED UNLOCK SET_MTA UPLOAD SHORT_UPLOAD BUILD_CHECKSUM DOWNLOAD DOWNLOAD_NEXT "
+        "SHORT_DOWNLOAD CLEAR_DAQ_LIST SET_DAQ_PTR WRITE_DAQ SET_DAQ_LIST_MODE GET_DAQ_LIST_MODE START_STOP_DAQ_LIST "
+        "START_STOP_SYNCH GET_DAQ_CLOCK GET_DAQ_PROCESSOR_INFO GET_DAQ_RESOLUTION_INFO GET_DAQ_EVENT_INFO FREE_DAQ "
+        "ALLOC_DAQ ALLOC_ODT ALLOC_ODT_ENTRY";
+    const duration stamp = stamp_of(p), cycle = cycle_of(p);
+    text_add(out,
+             "    /begin IF_DATA XCP\n      /begin PROTOCOL_LAYER\n        0x0100\n        2000 2000 2000 2000 2000 "
+             "2000 2000\n");
+    text_add(out, "        %d %d\n        BYTE_ORDER_MSB_LAST\n        ADDRESS_GRANULARITY_BYTE\n", MAX_CTO, MAX_DTO);
+    for (const char *c = commands; *c != '\0'; c += strcspn(c, " "), c += *c == ' ') {
+        text_add(out, "        OPTIONAL_CMD %.*s\n", (int)strcspn(c, " "), c);
+    }
+    text_add(out, "        COMMUNICATION_MODE_SUPPORTED BLOCK SLAVE MASTER 255 0\n      /end PROTOCOL_LAYER\n");
+    text_add(out, "      /begin DAQ\n        DYNAMIC %d 1 0\n        OPTIMISATION_TYPE_DEFAULT\n", LISTS);
+    text_add(out, "        ADDRESS_EXTENSION_FREE\n        IDENTIFICATION_FIELD_TYPE_ABSOLUTE\n        "
+                  "GRANULARITY_ODT_ENTRY_SIZE_DAQ_BYTE 255\n        OVERLOAD_INDICATION_PID\n        "
+                  "PRESCALER_SUPPORTED\n");
+    text_add(out,
+             "        /begin TIMESTAMP_SUPPORTED\n          %ld SIZE_DWORD UNIT_%s\n        /end "
+             "TIMESTAMP_SUPPORTED\n",
+             stamp.count, unit_names[stamp.unit]);
+    text_add(out,
+             "        /begin EVENT\n          \"tick\" \"tick\" 0 DAQ %d %ld %d 0\n        /end EVENT\n      /end "
+             "DAQ\n",
+             LISTS, cycle.count, cycle.unit);
+    text_add(out,
+             "      /begin XCP_ON_SxI\n        0x0100 %d\n        ASYNCH_FULL_DUPLEX_MODE PARITY_NONE ONE_STOP_BIT\n"
+             "        HEADER_LEN_CTR_WORD CHECKSUM_WORD\n      /end XCP_ON_SxI\n",
+             BAUD);
+    text_add(out,
+             "      /begin XCP_ON_TCP_IP\n        0x0100 %d ADDRESS \"127.0.0.1\"\n      /end XCP_ON_TCP_IP\n    /end "
+             "IF_DATA\n",
+             TCP_PORT);
+}
+
+static void emit_units(const units *u, text *out)
+{
+    for (int i = 0; i < u->count; i++) {
+        text_add(out, "    /begin COMPU_METHOD unit_%d \"\" IDENTICAL \"%%12.6\" \"%s\"\n    /end COMPU_METHOD\n",
+                 i + 1, u->all[i]);
+    }
+}
+
+static const variable *states_as_variables(const emission *e)
+{
+    const int count = state_count(e->p->m);
+    variable *all = arena_take(e->out->memory, (size_t)count + 1, sizeof *all);
+    for (int i = 0; i < count; i++) {
+        all[i] = e->names->states[i].about;
+    }
+    return all;
+}
+
+static const variable *memories_as_variables(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    variable *all = arena_take(e->out->memory, (size_t)m->memory_count + 1, sizeof *all);
+    for (int i = 0; i < m->memory_count; i++) {
+        all[i] = m->memories[i].about;
+    }
+    return all;
+}
+
+static const variable *outputs_as_variables(const emission *e)
+{
+    const plant *p = e->p;
+    variable *all = arena_take(e->out->memory, (size_t)p->output_count + 1, sizeof *all);
+    for (int i = 0; i < p->output_count; i++) {
+        all[i] =
+            (variable){.name = p->output_names[i], .unit = p->output_units[i], .least = -HUGE_VAL, .most = HUGE_VAL};
+    }
+    return all;
+}
+
+static void emit_beginning(const plant *p, const char *called, uint64_t identity, text *out)
+{
+    text_add(out, "ASAP2_VERSION 1 61\n/begin PROJECT %s \"the plant of %s.scene, made by isoc\"\n", called,
+             p->m->name);
+    text_add(out, "  /begin MODULE %s \"\"\n%s", called, embedded_text(client_files, "tools/isoc/client/xcp.aml"));
+    text_add(out, "    /begin MOD_PAR \"\"\n      EPK \"%016" PRIx64 "\"\n    /end MOD_PAR\n", identity);
+    text_add(out,
+             "    /begin MOD_COMMON \"\"\n      BYTE_ORDER MSB_LAST\n      ALIGNMENT_BYTE 1\n      ALIGNMENT_WORD 2\n"
+             "      ALIGNMENT_LONG 4\n      ALIGNMENT_INT64 8\n      ALIGNMENT_FLOAT32_IEEE 4\n      "
+             "ALIGNMENT_FLOAT64_IEEE 8\n    /end MOD_COMMON\n");
+    text_add(out, "    /begin RECORD_LAYOUT real\n      FNC_VALUES 1 %s COLUMN_DIR DIRECT\n    /end RECORD_LAYOUT\n",
+             p->is_double ? "FLOAT64_IEEE" : "FLOAT32_IEEE");
+}
+
+void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
+{
+    const mechanism *m = p->m;
+    const emission e = {.p = p, .names = names, .out = out};
+    const char *called = isalpha((unsigned char)m->name[0]) ? m->name : arena_format(out->memory, "plant_%s", m->name);
+    const section sections[] = {
+        {"states", "state", 'x', states_as_variables(&e), state_count(m), 0, false},
+        {"inputs", "input", 'u', m->inputs, m->input_count, 0, false},
+        {"memories", "memory of an effect", 'u', memories_as_variables(&e), m->memory_count, m->input_count, false},
+        {"tunables", "tunable", 'p', m->parameters, m->parameter_count, 0, true},
+        {"outputs", "output", 'y', outputs_as_variables(&e), p->output_count, 0, false},
+    };
+    const int count = sizeof sections / sizeof sections[0];
+    size_t quantities = 1;
+    for (int k = 0; k < count; k++) {
+        quantities += (size_t)sections[k].count;
+    }
+    units u = {.all = arena_take(out->memory, quantities, sizeof *u.all)};
+    emit_beginning(p, called, identity, out);
+    emit_if_data(p, out);
+    for (int k = 0; k < count; k++) {
+        for (int i = 0; i < sections[k].count; i++) {
+            emit_quantity(&e, &sections[k], i, &u);
+        }
+    }
+    text_add(out, "@statistics@\n");
+    emit_units(&u, out);
+    for (int k = 0; k < count; k++) {
+        if (sections[k].count > 0) {
+            emit_group(out, &sections[k]);
+        }
+    }
+    text_add(out, "    /begin GROUP statistics \"statistics\"\n      ROOT\n      /begin REF_MEASUREMENT\n@names of "
+                  "statistics@\n      /end REF_MEASUREMENT\n    /end GROUP\n");
+    text_add(out, "  /end MODULE\n/end PROJECT\n");
+}
