@@ -1,0 +1,282 @@
+#include "tools/monitor/a2l.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The words of the file, one after another: texts in quotes are words of their own, comments are none. */
+typedef struct words {
+    const char *at;
+    int line;
+    char word[A2L_TEXT_BYTES]; /* without its quotes; what is longer is cut */
+} words;
+
+static void skip_space(words *const w)
+{
+    for (;;) {
+        const char *const end = strncmp(w->at, "/*", 2) == 0 ? strstr(w->at + 2, "*/") : NULL;
+        const char *const to = end != NULL ? end + 2 : w->at + (isspace((unsigned char)*w->at) ? 1 : 0);
+        if (to == w->at) {
+            return;
+        }
+        for (; w->at < to; w->at++) {
+            w->line += *w->at == '\n';
+        }
+    }
+}
+
+/* Returns false at the end. */
+static bool next(words *const w)
+{
+    skip_space(w);
+    const bool is_text = *w->at == '"';
+    w->at += is_text;
+    size_t n = 0;
+    for (; *w->at != '\0' && (is_text ? *w->at != '"' : !isspace((unsigned char)*w->at)); w->at++) {
+        w->line += *w->at == '\n';
+        if (n + 1 < sizeof w->word) {
+            w->word[n++] = *w->at;
+        }
+    }
+    w->word[n] = '\0';
+    w->at += is_text && *w->at == '"';
+    return n > 0 || is_text;
+}
+
+static bool skip(words *const w, const int count)
+{
+    bool good = true;
+    for (int i = 0; i < count && good; i++) {
+        good = next(w);
+    }
+    return good;
+}
+
+static bool text(words *const w, char to[A2L_TEXT_BYTES])
+{
+    const bool good = next(w);
+    memcpy(to, w->word, A2L_TEXT_BYTES);
+    return good;
+}
+
+static bool number(words *const w, double *const to)
+{
+    char *end = NULL;
+    if (!next(w)) {
+        return false;
+    }
+    *to = strtod(w->word, &end);
+    return end != w->word && *end == '\0';
+}
+
+static bool address(words *const w, uint32_t *const to)
+{
+    char *end = NULL;
+    if (!next(w)) {
+        return false;
+    }
+    const unsigned long long value = strtoull(w->word, &end, 0);
+    *to = (uint32_t)value;
+    return end != w->word && *end == '\0' && value <= UINT32_MAX;
+}
+
+static bool type(words *const w, a2l_type *const to)
+{
+    static const char *const names[] = {"FLOAT32_IEEE", "FLOAT64_IEEE", "A_UINT64", "A_INT64"};
+    if (!next(w)) {
+        return false;
+    }
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (strcmp(w->word, names[i]) == 0) {
+            *to = (a2l_type)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The unit is that of a COMPU_METHOD, whose name stands in its place until all are known. */
+static bool measurement(words *const w, a2l_quantity *const q)
+{
+    return text(w, q->name) && skip(w, 1) && type(w, &q->type) && text(w, q->unit) && skip(w, 2) &&
+           number(w, &q->least) && number(w, &q->most) && next(w) && strcmp(w->word, "ECU_ADDRESS") == 0 &&
+           address(w, &q->address);
+}
+
+static bool characteristic(words *const w, a2l_quantity *const q, const a2l_type real)
+{
+    q->is_tunable = true;
+    q->type = real;
+    return text(w, q->name) && skip(w, 1) && next(w) && strcmp(w->word, "VALUE") == 0 && address(w, &q->address) &&
+           skip(w, 2) && text(w, q->unit) && number(w, &q->least) && number(w, &q->most);
+}
+
+static bool unit(words *const w, const a2l *const of)
+{
+    char name[A2L_TEXT_BYTES];
+    if (!text(w, name) || !skip(w, 4)) {
+        return false;
+    }
+    for (size_t i = 0; i < of->count; i++) {
+        if (strcmp(of->quantities[i].unit, name) == 0) {
+            memcpy(of->quantities[i].unit, w->word, A2L_TEXT_BYTES);
+        }
+    }
+    return true;
+}
+
+/* A step is so many units of a power of ten. */
+static bool stamp(words *const w, double *const step)
+{
+    static const char *const names[] = {"UNIT_1NS",   "UNIT_10NS", "UNIT_100NS", "UNIT_1US",   "UNIT_10US",
+                                        "UNIT_100US", "UNIT_1MS",  "UNIT_10MS",  "UNIT_100MS", "UNIT_1S"};
+    double count = 0;
+    if (!number(w, &count) || !skip(w, 2)) {
+        return false;
+    }
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (strcmp(w->word, names[i]) == 0) {
+            *step = count / pow(10, 9 - (double)i);
+            return true;
+        }
+    }
+    return false;
+}
+
+static a2l_quantity *added(a2l *const to)
+{
+    a2l_quantity *const more = realloc(to->quantities, (to->count + 1) * sizeof *more);
+    if (more == NULL) {
+        abort();
+    }
+    to->quantities = more;
+    more[to->count] = (a2l_quantity){.is_tunable = false};
+    return &more[to->count++];
+}
+
+/* Takes the word and what belongs to it. What the monitor does not need is passed over. */
+static bool take(a2l *const to, words *const w, a2l_type *const real)
+{
+    if (strcmp(w->word, "EPK") == 0) {
+        return text(w, to->epk);
+    }
+    if (strcmp(w->word, "FNC_VALUES") == 0) {
+        return skip(w, 1) && type(w, real);
+    }
+    if (strcmp(w->word, "/begin") != 0) {
+        return true;
+    }
+    if (!next(w)) {
+        return false;
+    }
+    if (strcmp(w->word, "A2ML") == 0) {
+        while (next(w) && strcmp(w->word, "/end") != 0) {
+        }
+        return strcmp(w->word, "/end") == 0;
+    }
+    return strcmp(w->word, "MEASUREMENT") == 0           ? measurement(w, added(to))
+           : strcmp(w->word, "CHARACTERISTIC") == 0      ? characteristic(w, added(to), *real)
+           : strcmp(w->word, "COMPU_METHOD") == 0        ? unit(w, to)
+           : strcmp(w->word, "TIMESTAMP_SUPPORTED") == 0 ? stamp(w, &to->step)
+                                                         : true;
+}
+
+/* The whole file, with a final zero; NULL if it cannot be read. */
+static char *content(const char *const path)
+{
+    FILE *const file = fopen(path, "r");
+    size_t used = 0, room = 1 << 16;
+    char *text_of = file == NULL ? NULL : malloc(room);
+    while (text_of != NULL) {
+        used += fread(text_of + used, 1, room - used - 1, file);
+        if (used + 1 < room) {
+            break;
+        }
+        room *= 2;
+        char *const more = realloc(text_of, room);
+        if (more == NULL) {
+            free(text_of);
+        }
+        text_of = more;
+    }
+    if (text_of != NULL) {
+        text_of[used] = '\0';
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+    return text_of;
+}
+
+bool a2l_read(a2l *const to, const char *const path, char *const problem, const size_t problem_bytes)
+{
+    *to = (a2l){.count = 0};
+    errno = 0;
+    char *const all = content(path);
+    if (all == NULL) {
+        snprintf(problem, problem_bytes, "%s: %s", path, strerror(errno));
+        return false;
+    }
+    words w = {.at = all, .line = 1};
+    a2l_type real = A2L_FLOAT;
+    bool good = next(&w) && strcmp(w.word, "ASAP2_VERSION") == 0;
+    while (good && next(&w)) {
+        good = take(to, &w, &real);
+    }
+    if (!good) {
+        snprintf(problem, problem_bytes,
+                 "%s:%d: '%.40s' is not what stands there in an A2L of isoc; `make a2l` makes one", path, w.line,
+                 w.word);
+    } else if (to->count == 0) {
+        good = false;
+        snprintf(problem, problem_bytes, "%s:%d: the file ends without a MEASUREMENT; `make a2l` makes an A2L", path,
+                 w.line);
+    }
+    for (size_t i = 0; i < to->count; i++) {
+        a2l_quantity *const q = &to->quantities[i];
+        q->unit[0] = strcmp(q->unit, "NO_COMPU_METHOD") == 0 ? '\0' : q->unit[0];
+    }
+    free(all);
+    return good;
+}
+
+size_t a2l_bytes(const a2l_type of)
+{
+    return of == A2L_FLOAT ? 4 : 8;
+}
+
+double a2l_value(const a2l_type of, const uint8_t *const from)
+{
+    float f;
+    double d;
+    uint64_t u;
+    int64_t i;
+    switch (of) {
+    case A2L_FLOAT:
+        memcpy(&f, from, sizeof f);
+        return (double)f;
+    case A2L_DOUBLE:
+        memcpy(&d, from, sizeof d);
+        return d;
+    case A2L_UNSIGNED:
+        memcpy(&u, from, sizeof u);
+        return (double)u;
+    default:
+        memcpy(&i, from, sizeof i);
+        return (double)i;
+    }
+}
+
+const a2l_quantity *a2l_find(const a2l *const in, const char *const name)
+{
+    for (size_t i = 0; i < in->count; i++) {
+        const char *const dot = strchr(in->quantities[i].name, '.');
+        if (strcmp(in->quantities[i].name, name) == 0 || (dot != NULL && strcmp(dot + 1, name) == 0)) {
+            return &in->quantities[i];
+        }
+    }
+    return NULL;
+}

@@ -1,0 +1,479 @@
+/* Shows a plant that runs, by its A2L and XCP: a table with units and small curves, and the statistics; sets tunables and faults,
+ * records outputs and inputs, and shows what was recorded.
+ *
+ *     monitor A2L ADDRESS [OPTION...]
+ *     monitor A2L --replay FILE [--once]
+ */
+#include <poll.h>
+#include <stdlib.h>
+#include <string.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "tools/monitor/record.h"
+
+enum { COMMANDS_MAX = 64, LINE_BYTES = 256, WAIT_MS = 10 };
+
+typedef struct options {
+    const char *a2l, *address, *record, *replay;
+    const char *commands[COMMANDS_MAX];
+    size_t command_count;
+    double seconds; /* 0: until q */
+    bool once, is_serial;
+} options;
+
+typedef struct session {
+    const options *chosen;
+    a2l of;
+    table table;
+    table_row **order; /* the rows by their addresses */
+    master master;
+    record record;
+    char line[LINE_BYTES]; /* a command that is being typed behind ':' */
+    bool is_typing, is_terminal, leaves, rests;
+    char said[sizeof(((master *)0)->problem)];
+} session;
+
+static const char usage[] =
+    "usage: monitor A2L ADDRESS [OPTION...]\n"
+    "       monitor A2L --replay FILE [--once]\n"
+    "\n"
+    "Shows a plant that `make link XCP=open` or `make a2l` built, over XCP: a table of what its A2L names.\n"
+    "ADDRESS is that of ISOCHRON_CALIBRATION: tcp:HOST:PORT or unix:PATH.\n"
+    "\n"
+    "    --once             prints one table and ends, as it does where the output is no terminal\n"
+    "    --do COMMAND       does a command first: set NAME = VALUE, pause, run, step N, record FILE, stop\n"
+    "    --record FILE      writes outputs and inputs of every tick to FILE, in the form of trace.csv\n"
+    "    --seconds N        ends after so many seconds\n"
+    "    --replay FILE      shows what was recorded\n"
+    "    --serial           ADDRESS is a serial line, such as that of QEMU\n"
+    "\n"
+    "Keys: space pauses and runs, s does a step, q ends, : takes a command.\n";
+
+static int fail(const char *const what)
+{
+    fprintf(stderr, "monitor: %s\n", what);
+    return 1;
+}
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* --- Options ----------------------------------------------------------------------------------------------------- */
+
+static bool take_number(double *const to, const char *const text)
+{
+    char *end = NULL;
+    *to = strtod(text, &end);
+    return end != text && *end == '\0' && *to > 0 && *to < 1e9;
+}
+
+/* Takes an option with its value. */
+static bool take_valued(options *const chosen, const char *const name, const char *const value)
+{
+    if (strcmp(name, "--record") == 0) {
+        chosen->record = value;
+    } else if (strcmp(name, "--replay") == 0) {
+        chosen->replay = value;
+    } else if (strcmp(name, "--seconds") == 0) {
+        return take_number(&chosen->seconds, value);
+    } else if (strcmp(name, "--do") == 0 && chosen->command_count < COMMANDS_MAX) {
+        chosen->commands[chosen->command_count++] = value;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+static bool take_options(options *const chosen, const int argc, char **const argv)
+{
+    for (int i = 1; i < argc; i++) {
+        if (strcmp(argv[i], "--once") == 0) {
+            chosen->once = true;
+        } else if (strcmp(argv[i], "--serial") == 0) {
+            chosen->is_serial = true;
+        } else if (argv[i][0] == '-') {
+            if (i + 1 == argc || !take_valued(chosen, argv[i], argv[i + 1])) {
+                return false;
+            }
+            i++;
+        } else if (chosen->a2l == NULL) {
+            chosen->a2l = argv[i];
+        } else if (chosen->address == NULL) {
+            chosen->address = argv[i];
+        } else {
+            return false;
+        }
+    }
+    const bool has_live =
+        chosen->record != NULL || chosen->command_count > 0 || chosen->seconds > 0 || chosen->is_serial;
+    return chosen->a2l != NULL &&
+           (chosen->replay == NULL ? chosen->address != NULL : chosen->address == NULL && !has_live);
+}
+
+/* --- Values ------------------------------------------------------------------------------------------------------ */
+
+/* What stands in one piece of memory: the plant's, or the statistics of the loop, the link or the slave. */
+static int place_of(const char *const name)
+{
+    return strncmp(name, "statistics.", 11) != 0 ? 0
+           : strncmp(name + 11, "link_", 5) == 0 ? 1
+           : strncmp(name + 11, "xcp_", 4) == 0  ? 2
+                                                 : 3;
+}
+
+static int by_address(const void *const a, const void *const b)
+{
+    const uint32_t x = (*(table_row *const *)a)->of->address, y = (*(table_row *const *)b)->of->address;
+    return x < y ? -1 : x > y;
+}
+
+static void sort(session *const s)
+{
+    s->order = malloc(s->table.count * sizeof(table_row *));
+    if (s->order == NULL) {
+        abort();
+    }
+    for (size_t i = 0; i < s->table.count; i++) {
+        s->order[i] = &s->table.rows[i];
+    }
+    qsort(s->order, s->table.count, sizeof(table_row *), by_address);
+}
+
+/* How many rows from one on have neighbouring places, which one block brings; *bytes: its length. */
+static size_t block(const session *const s, const size_t from, uint8_t *const bytes)
+{
+    const a2l_quantity *const first = s->order[from]->of;
+    size_t count = 0, used = 0;
+    for (; from + count < s->table.count; count++) {
+        const a2l_quantity *const q = s->order[from + count]->of;
+        const bool is_next = q->address == first->address + used && place_of(q->name) == place_of(first->name);
+        if (!is_next || used + a2l_bytes(q->type) > UINT8_MAX) {
+            break;
+        }
+        used += a2l_bytes(q->type);
+    }
+    *bytes = (uint8_t)used;
+    return count;
+}
+
+/* Reads all values; those of a block are of one tick. */
+static bool read_values(session *const s)
+{
+    uint8_t bytes[UINT8_MAX], used = 0;
+    for (size_t i = 0, count; i < s->table.count; i += count) {
+        const uint32_t address = s->order[i]->of->address;
+        count = block(s, i, &used);
+        if (!master_read(&s->master, address, bytes, used)) {
+            return false;
+        }
+        for (size_t k = i; k < i + count; k++) {
+            table_row *const row = s->order[k];
+            table_set(row, a2l_value(row->of->type, bytes + (row->of->address - address)));
+            if (strcmp(row->of->name, "statistics.tick") == 0) {
+                s->table.time = row->value * s->of.step;
+            } else if (strcmp(row->of->name, "statistics.ticks_left") == 0) {
+                s->rests = row->value <= 0;
+            }
+        }
+    }
+    table_step(&s->table);
+    snprintf(s->table.state, sizeof s->table.state, "%s", s->rests ? "rests" : "");
+    return true;
+}
+
+/* --- Commands ---------------------------------------------------------------------------------------------------- */
+
+static bool set(session *const s, const char *const rest)
+{
+    char name[A2L_TEXT_BYTES] = "";
+    double value = 0;
+    int used = 0;
+    if (sscanf(rest, " %127[^ =] = %lf %n", name, &value, &used) != 2 || rest[used] != '\0') {
+        snprintf(s->said, sizeof s->said, "expected set NAME = VALUE, such as set p.damping = 0.2");
+        return false;
+    }
+    char full[A2L_TEXT_BYTES + 2];
+    snprintf(full, sizeof full, "p.%s", name);
+    const a2l_quantity *q = a2l_find(&s->of, full);
+    q = q != NULL ? q : a2l_find(&s->of, name);
+    if (q == NULL || !q->is_tunable) {
+        snprintf(s->said, sizeof s->said, q == NULL ? "there is no %.60s" : "%.60s is no tunable and no fault", name);
+        return false;
+    }
+    if (!(value >= q->least && value <= q->most)) {
+        snprintf(s->said, sizeof s->said, "%.60s must be from %g to %g %s", q->name, q->least, q->most, q->unit);
+        return false;
+    }
+    if (!master_set(&s->master, q, value)) {
+        snprintf(s->said, sizeof s->said, "%s", s->master.problem);
+        return false;
+    }
+    snprintf(s->said, sizeof s->said, "%.60s is %g %.30s", q->name, value, q->unit);
+    return true;
+}
+
+static bool begin_record(session *const s, const char *const path)
+{
+    if (s->record.file != NULL) {
+        snprintf(s->said, sizeof s->said, "a record is being written; stop ends it");
+        return false;
+    }
+    const bool good = record_begin(&s->record, &s->of, &s->master, path);
+    snprintf(s->said, sizeof s->said, "%s", good ? "records" : s->master.problem);
+    return good;
+}
+
+static bool end_record(session *const s)
+{
+    if (s->record.file == NULL) {
+        snprintf(s->said, sizeof s->said, "no record is being written");
+        return false;
+    }
+    const bool good = record_end(&s->record, &s->master);
+    if (good) {
+        snprintf(s->said, sizeof s->said, "recorded %llu ticks%s", (unsigned long long)s->record.rows,
+                 s->record.lost > 0 ? "; some are missing: the channel had no room" : "");
+    } else {
+        snprintf(s->said, sizeof s->said, "%s", s->master.problem);
+    }
+    return good;
+}
+
+/* What a command of the plant came to. */
+static bool told(session *const s, const bool good, const char *const done)
+{
+    snprintf(s->said, sizeof s->said, "%s", good ? done : s->master.problem);
+    return good;
+}
+
+static bool step(session *const s, const char *const rest)
+{
+    char *end = NULL;
+    const unsigned long ticks = *rest == '\0' ? 1 : strtoul(rest, &end, 10);
+    if ((end != NULL && *end != '\0') || ticks == 0 || ticks > INT32_MAX) {
+        snprintf(s->said, sizeof s->said, "expected step or step N, such as step 10");
+        return false;
+    }
+    return told(s, master_run(&s->master, (uint32_t)ticks), "steps");
+}
+
+/* Does a command; s->said has what came of it. */
+static bool obey(session *const s, const char *const command)
+{
+    const char *const text = command + strspn(command, " ");
+    if (strncmp(text, "set ", 4) == 0) {
+        return set(s, text + 4);
+    }
+    if (strncmp(text, "record ", 7) == 0) {
+        return begin_record(s, text + 7 + strspn(text + 7, " "));
+    }
+    if (strncmp(text, "step", 4) == 0 && (text[4] == ' ' || text[4] == '\0')) {
+        return step(s, text + 4);
+    }
+    if (strcmp(text, "run") == 0) {
+        return told(s, master_run(&s->master, 0), "runs");
+    }
+    if (strcmp(text, "pause") == 0) {
+        return told(s, master_pause(&s->master), "pauses");
+    }
+    if (strcmp(text, "stop") == 0) {
+        return end_record(s);
+    }
+    snprintf(s->said, sizeof s->said,
+             "'%.60s' is no command; there are: set NAME = VALUE, pause, run, step N, record FILE, stop", text);
+    return false;
+}
+
+/* --- The terminal ------------------------------------------------------------------------------------------------ */
+
+static struct termios kept;
+
+static void restore_terminal(void)
+{
+    (void)tcsetattr(STDIN_FILENO, TCSANOW, &kept);
+    fputs("\033[?25h", stdout);
+    fflush(stdout);
+}
+
+/* Keys come at once and are not shown. */
+static void prepare_terminal(void)
+{
+    if (tcgetattr(STDIN_FILENO, &kept) == 0) {
+        struct termios raw = kept;
+        raw.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
+        (void)tcsetattr(STDIN_FILENO, TCSANOW, &raw);
+        atexit(restore_terminal);
+    }
+    fputs("\033[?25l\033[2J", stdout);
+}
+
+static void draw(const session *const s)
+{
+    char *text = NULL;
+    size_t bytes = 0;
+    FILE *const page = open_memstream(&text, &bytes);
+    if (page == NULL) {
+        abort();
+    }
+    table_write(page, &s->table);
+    fprintf(page, "%s%s\n", s->is_typing ? ":" : "", s->is_typing ? s->line : s->said);
+    fclose(page);
+    fputs("\033[H", stdout);
+    for (const char *at = text; *at != '\0'; at++) { /* what stood behind the end of a line goes */
+        fputs(*at == '\n' ? "\033[K" : "", stdout);
+        fputc(*at, stdout);
+    }
+    fputs("\033[J", stdout);
+    fflush(stdout);
+    free(text);
+}
+
+static void type(session *const s, const char key)
+{
+    const size_t n = strlen(s->line);
+    if (key == '\n' || key == '\r') {
+        s->is_typing = false;
+        (void)obey(s, s->line);
+    } else if (key == '\033') {
+        s->is_typing = false;
+    } else if (key == '\b' || key == 127) {
+        s->line[n > 0 ? n - 1 : 0] = '\0';
+    } else if (n + 1 < sizeof s->line) {
+        s->line[n] = key;
+        s->line[n + 1] = '\0';
+    }
+}
+
+static void take_keys(session *const s)
+{
+    struct pollfd of = {.fd = STDIN_FILENO, .events = POLLIN};
+    char key = 0;
+    while (poll(&of, 1, 0) > 0 && read(STDIN_FILENO, &key, 1) == 1) {
+        if (s->is_typing) {
+            type(s, key);
+        } else if (key == ':' && s->chosen->replay == NULL) {
+            s->is_typing = true;
+            s->line[0] = '\0';
+        } else if (key == ' ' && s->chosen->replay == NULL) {
+            (void)obey(s, s->rests ? "run" : "pause");
+        } else if (key == 's' && s->chosen->replay == NULL) {
+            (void)obey(s, "step");
+        } else if (key == 'q') {
+            s->leaves = true;
+            return;
+        }
+    }
+}
+
+/* --- What is asked for ------------------------------------------------------------------------------------------- */
+
+/* Until q, or for so many seconds. A table only at the end where there is no terminal. */
+static bool watch(session *const s)
+{
+    const double begin = now();
+    double due = begin;
+    while (!s->leaves && (s->chosen->seconds == 0 || now() - begin < s->chosen->seconds)) {
+        if (!master_wait(&s->master, WAIT_MS)) {
+            return false;
+        }
+        if (now() >= due) {
+            due += TABLE_PERIOD;
+            if (!read_values(s)) {
+                return false;
+            }
+            if (s->is_terminal) {
+                draw(s);
+            }
+        }
+        if (s->is_terminal) {
+            take_keys(s);
+        }
+    }
+    return true;
+}
+
+static int live(session *const s)
+{
+    const options *const chosen = s->chosen;
+    if (!master_connect(&s->master, chosen->address, chosen->is_serial, s->of.epk)) {
+        return fail(s->master.problem);
+    }
+    for (size_t i = 0; i < chosen->command_count; i++) {
+        if (!obey(s, chosen->commands[i])) {
+            return fail(s->said);
+        }
+    }
+    if (chosen->record != NULL && !begin_record(s, chosen->record)) {
+        return fail(s->said);
+    }
+    if (s->is_terminal) {
+        prepare_terminal();
+    }
+    bool good = s->is_terminal || chosen->seconds > 0 ? watch(s) : true;
+    good = good && read_values(s);
+    if (s->record.file != NULL) {
+        good = end_record(s) && good;
+    }
+    if (!good) {
+        return fail(s->master.problem);
+    }
+    (void)master_disconnect(&s->master);
+    if (!s->is_terminal) {
+        table_write(stdout, &s->table);
+    }
+    return 0;
+}
+
+static bool show_replay(void *const context, const table *const t)
+{
+    session *const s = context;
+    (void)t;
+    if (s->is_terminal) {
+        const struct timespec period = {.tv_nsec = (long)(TABLE_PERIOD * 1e9)};
+        take_keys(s);
+        draw(s);
+        nanosleep(&period, NULL);
+    }
+    return !s->leaves;
+}
+
+static int replay(session *const s)
+{
+    if (s->is_terminal) {
+        prepare_terminal();
+    }
+    if (!record_replay(s->chosen->replay, &s->of, &s->table, show_replay, s, s->said, sizeof s->said)) {
+        return fail(s->said);
+    }
+    if (!s->is_terminal) {
+        table_write(stdout, &s->table);
+    }
+    return 0;
+}
+
+int main(const int argc, char **const argv)
+{
+    static options chosen;
+    static session s = {.chosen = &chosen};
+    if (!take_options(&chosen, argc, argv)) {
+        fputs(usage, stderr);
+        return 2;
+    }
+    s.is_terminal = !chosen.once && isatty(STDOUT_FILENO) && isatty(STDIN_FILENO);
+    if (!a2l_read(&s.of, chosen.a2l, s.said, sizeof s.said)) {
+        return fail(s.said);
+    }
+    table_make(&s.table, &s.of);
+    sort(&s);
+    const int status = chosen.replay != NULL ? replay(&s) : live(&s);
+    table_free(&s.table);
+    free(s.order);
+    free(s.of.quantities);
+    return status;
+}

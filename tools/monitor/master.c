@@ -1,0 +1,363 @@
+#include "tools/monitor/master.h"
+
+#include <errno.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include "core/xcp/transport.h"
+
+static bool fail(master *const m, const char *const what)
+{
+    snprintf(m->problem, sizeof m->problem, "%s", what);
+    return false;
+}
+
+/* --- The socket -------------------------------------------------------------------------------------------------- */
+
+static int open_unix(const char *const path)
+{
+    struct sockaddr_un at = {.sun_family = AF_UNIX};
+    if (strlen(path) >= sizeof at.sun_path) {
+        errno = ENAMETOOLONG;
+        return -1;
+    }
+    memcpy(at.sun_path, path, strlen(path) + 1);
+    const int file = socket(AF_UNIX, SOCK_STREAM, 0);
+    if (file >= 0 && connect(file, (const struct sockaddr *)&at, sizeof at) != 0) {
+        const int why = errno;
+        close(file);
+        errno = why;
+        return -1;
+    }
+    return file;
+}
+
+static int open_tcp(const char *const host, const char *const port)
+{
+    const struct addrinfo hints = {.ai_socktype = SOCK_STREAM, .ai_family = AF_UNSPEC};
+    struct addrinfo *found = NULL;
+    const int one = 1;
+    int file = -1;
+    errno = EADDRNOTAVAIL;
+    if (getaddrinfo(host, port, &hints, &found) != 0) {
+        return -1;
+    }
+    for (const struct addrinfo *at = found; at != NULL && file < 0; at = at->ai_next) {
+        file = socket(at->ai_family, at->ai_socktype, at->ai_protocol);
+        if (file >= 0 && connect(file, at->ai_addr, at->ai_addrlen) != 0) {
+            const int why = errno;
+            close(file);
+            errno = why;
+            file = -1;
+        }
+    }
+    freeaddrinfo(found);
+    if (file >= 0) {
+        (void)setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
+    }
+    return file;
+}
+
+static bool open_line(master *const m, const char *const address)
+{
+    char host[sizeof m->problem / 2];
+    const char *const colon = strncmp(address, "tcp:", 4) == 0 ? strrchr(address + 4, ':') : NULL;
+    if (strncmp(address, "unix:", 5) == 0) {
+        m->file = open_unix(address + 5);
+    } else if (colon != NULL && (size_t)(colon - address - 4) < sizeof host) {
+        snprintf(host, sizeof host, "%.*s", (int)(colon - address - 4), address + 4);
+        m->file = open_tcp(host, colon + 1);
+    } else {
+        snprintf(m->problem, sizeof m->problem,
+                 "'%.100s' is no address; it could be tcp:127.0.0.1:5555 or unix:/tmp/plant", address);
+        return false;
+    }
+    if (m->file < 0) {
+        snprintf(m->problem, sizeof m->problem, "%.100s: %s; is the plant running?", address, strerror(errno));
+    }
+    return m->file >= 0;
+}
+
+/* --- Packets ----------------------------------------------------------------------------------------------------- */
+
+static size_t frame_bytes(const master *const m, const size_t length)
+{
+    return ISO_XCP_HEADER_BYTES + length + (m->is_serial ? (length & 1) + 2 : 0);
+}
+
+static void drop(master *const m, const size_t count)
+{
+    m->used -= count;
+    memmove(m->data, m->data + count, m->used);
+}
+
+/* Takes the next packet of what has come; 0: it is not whole. What cannot be one is passed over. */
+static size_t cut(master *const m, uint8_t packet[ISO_XCP_MAX_DTO])
+{
+    while (m->used >= ISO_XCP_HEADER_BYTES) {
+        const size_t length = iso_xcp_word(m->data), bytes = frame_bytes(m, length);
+        if (length == 0 || length > ISO_XCP_MAX_DTO) {
+            drop(m, 1);
+        } else if (m->used < bytes) {
+            return 0;
+        } else {
+            memcpy(packet, m->data + ISO_XCP_HEADER_BYTES, length);
+            drop(m, bytes);
+            return length;
+        }
+    }
+    return 0;
+}
+
+/* Waits for bytes. Returns whether there are more; a line that has ended is an error. */
+static bool receive(master *const m, const int milliseconds)
+{
+    struct pollfd of = {.fd = m->file, .events = POLLIN};
+    m->problem[0] = '\0';
+    if (poll(&of, 1, milliseconds) <= 0) {
+        return false;
+    }
+    const ssize_t count = read(m->file, m->data + m->used, sizeof m->data - m->used);
+    if (count <= 0) {
+        return fail(m, "the plant has ended the connection");
+    }
+    m->used += (size_t)count;
+    return true;
+}
+
+/* The next response; samples before it are handed on. 0: there is none in this time. */
+static size_t get(master *const m, uint8_t packet[ISO_XCP_MAX_DTO], const int milliseconds)
+{
+    do {
+        for (size_t length = cut(m, packet); length > 0; length = cut(m, packet)) {
+            if (packet[0] >= ISO_XCP_ERR) {
+                return length;
+            }
+            if (m->sample != NULL) {
+                m->sample(m->context, packet, length);
+            }
+        }
+    } while (receive(m, milliseconds));
+    return 0;
+}
+
+static bool put(master *const m, const uint8_t *const packet, const uint16_t length)
+{
+    uint8_t frame[ISO_XCP_FRAME_BYTES];
+    memcpy(frame + ISO_XCP_HEADER_BYTES, packet, length);
+    const uint16_t bytes = iso_xcp_frame(frame, length, m->counter++, m->is_serial);
+    for (uint16_t sent = 0; sent < bytes;) {
+        const ssize_t count = send(m->file, frame + sent, (size_t)(bytes - sent), MSG_NOSIGNAL);
+        if (count <= 0) {
+            return fail(m, "the plant has ended the connection");
+        }
+        sent = (uint16_t)(sent + count);
+    }
+    return true;
+}
+
+static const char *reason(const uint8_t error)
+{
+    switch (error) {
+    case ISO_XCP_OUT_OF_RANGE:
+        return "the plant refuses: out of range";
+    case ISO_XCP_WRITE_PROTECTED:
+        return "the plant refuses: this cannot be written";
+    case ISO_XCP_ACCESS_DENIED:
+        return "the plant refuses: no access to this address; is the A2L that of the program?";
+    case ISO_XCP_ACCESS_LOCKED:
+        return "the plant refuses: it is locked (XCP=open has no lock)";
+    case ISO_XCP_CMD_UNKNOWN:
+        return "the plant refuses: it does not know this command";
+    default:
+        return "the plant refuses";
+    }
+}
+
+/* A response that is none of an error; its length goes to *length. */
+static bool answered(master *const m, uint8_t packet[ISO_XCP_MAX_DTO], size_t *const length)
+{
+    *length = get(m, packet, MASTER_PATIENCE_MS);
+    if (*length == 0) {
+        return m->problem[0] != '\0' ? false : fail(m, "the plant does not answer");
+    }
+    return packet[0] == ISO_XCP_RES || fail(m, reason(packet[1]));
+}
+
+static bool ask(master *const m, const uint8_t *const command, const uint16_t count, uint8_t packet[ISO_XCP_MAX_DTO])
+{
+    size_t length = 0;
+    return put(m, command, count) && answered(m, packet, &length);
+}
+
+/* --- Commands ---------------------------------------------------------------------------------------------------- */
+
+/* The bytes from the address on that was set last, in blocks. */
+static bool upload(master *const m, uint8_t *const to, const uint8_t count)
+{
+    const uint8_t command[] = {ISO_XCP_UPLOAD, count};
+    uint8_t packet[ISO_XCP_MAX_DTO];
+    if (!put(m, command, sizeof command)) {
+        return false;
+    }
+    for (size_t got = 0, length = 0; got < count; got += length - 1) {
+        if (!answered(m, packet, &length) || length - 1 > count - got) {
+            return false;
+        }
+        memcpy(to + got, packet + 1, length - 1);
+    }
+    return true;
+}
+
+bool master_read(master *const m, const uint32_t address, uint8_t *const to, const uint8_t count)
+{
+    uint8_t command[8] = {ISO_XCP_SET_MTA}, packet[ISO_XCP_MAX_DTO];
+    iso_xcp_put_long(command + 4, address);
+    return ask(m, command, sizeof command, packet) && upload(m, to, count);
+}
+
+static bool has_epk(master *const m, const char *const epk)
+{
+    const uint8_t command[] = {ISO_XCP_GET_ID, 5};
+    uint8_t packet[ISO_XCP_MAX_DTO];
+    char text[UINT8_MAX + 1] = "";
+    if (!ask(m, command, sizeof command, packet)) {
+        return false;
+    }
+    const uint32_t length = iso_xcp_long(packet + 4);
+    if (length > UINT8_MAX || (length > 0 && !upload(m, (uint8_t *)text, (uint8_t)length))) {
+        return m->problem[0] != '\0' ? false : fail(m, "the plant has no EPK");
+    }
+    if (strcmp(text, epk) != 0) {
+        snprintf(m->problem, sizeof m->problem, "the plant is %.60s, and the A2L is of %.60s: another program", text,
+                 epk);
+        return false;
+    }
+    return true;
+}
+
+bool master_connect(master *const m, const char *const address, const bool is_serial, const char *const epk)
+{
+    const uint8_t command[] = {ISO_XCP_CONNECT, 0};
+    uint8_t packet[ISO_XCP_MAX_DTO];
+    *m = (master){.is_serial = is_serial};
+    return open_line(m, address) && ask(m, command, sizeof command, packet) && has_epk(m, epk);
+}
+
+bool master_disconnect(master *const m)
+{
+    const uint8_t command[] = {ISO_XCP_DISCONNECT};
+    uint8_t packet[ISO_XCP_MAX_DTO];
+    const bool good = ask(m, command, sizeof command, packet);
+    close(m->file);
+    return good;
+}
+
+bool master_set(master *const m, const a2l_quantity *const q, const double value)
+{
+    uint8_t command[16] = {ISO_XCP_SHORT_DOWNLOAD, (uint8_t)a2l_bytes(q->type)}, packet[ISO_XCP_MAX_DTO];
+    const float narrow = (float)value;
+    iso_xcp_put_long(command + 4, q->address);
+    if (q->type == A2L_FLOAT) {
+        memcpy(command + 8, &narrow, sizeof narrow);
+    } else {
+        memcpy(command + 8, &value, sizeof value);
+    }
+    return ask(m, command, (uint16_t)(8 + command[1]), packet);
+}
+
+bool master_run(master *const m, const uint32_t ticks)
+{
+    uint8_t command[8] = {ISO_XCP_USER_CMD, ISO_XCP_USER_RUN}, packet[ISO_XCP_MAX_DTO];
+    iso_xcp_put_long(command + 4, ticks);
+    return ask(m, command, sizeof command, packet);
+}
+
+bool master_pause(master *const m)
+{
+    const uint8_t command[] = {ISO_XCP_USER_CMD, ISO_XCP_USER_REST};
+    uint8_t packet[ISO_XCP_MAX_DTO];
+    return ask(m, command, sizeof command, packet);
+}
+
+/* --- Measurement ------------------------------------------------------------------------------------------------- */
+
+/* Each entry goes to the first table that has room: behind its number, and the tick in table 0. Returns the tables. */
+static uint8_t plan(const a2l_quantity *const *const of, const size_t count, uint8_t tables[], uint8_t entries[])
+{
+    enum { STAMPED = 5 };
+    size_t used = STAMPED;
+    uint8_t table = 0;
+    entries[0] = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (used + a2l_bytes(of[i]->type) > ISO_XCP_MAX_DTO) {
+            used = 1;
+            entries[++table] = 0;
+        }
+        used += a2l_bytes(of[i]->type);
+        entries[table]++;
+        tables[i] = table;
+    }
+    return (uint8_t)(table + 1);
+}
+
+static bool make_list(master *const m, const uint8_t table_count, const uint8_t entries[])
+{
+    const uint8_t commands[][5] = {
+        {ISO_XCP_FREE_DAQ}, {ISO_XCP_ALLOC_DAQ, 0, 1, 0}, {ISO_XCP_ALLOC_ODT, 0, 0, 0, table_count}};
+    uint8_t packet[ISO_XCP_MAX_DTO];
+    bool good = true;
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0] && good; i++) {
+        good = ask(m, commands[i], sizeof commands[i], packet);
+    }
+    for (uint8_t table = 0; table < table_count && good; table++) {
+        const uint8_t command[] = {ISO_XCP_ALLOC_ODT_ENTRY, 0, 0, 0, table, entries[table]};
+        good = ask(m, command, sizeof command, packet);
+    }
+    return good;
+}
+
+bool master_measure(master *const m, const a2l_quantity *const *const of, const size_t count, uint8_t tables[])
+{
+    static const uint8_t start[][8] = {{ISO_XCP_SET_DAQ_LIST_MODE, 0x10, 0, 0, 0, 0, 1, 0},
+                                       {ISO_XCP_START_STOP_DAQ_LIST, 2, 0, 0},
+                                       {ISO_XCP_START_STOP_SYNCH, 1}};
+    uint8_t packet[ISO_XCP_MAX_DTO], entries[MASTER_LIST_VALUES] = {0};
+    if (count == 0 || count > MASTER_LIST_VALUES) {
+        return fail(m, "a list has 1 to 64 values");
+    }
+    bool good = make_list(m, plan(of, count, tables, entries), entries);
+    for (size_t i = 0; i < count && good; i++) {
+        const bool is_first = i == 0 || tables[i] != tables[i - 1];
+        const uint8_t pointer[] = {ISO_XCP_SET_DAQ_PTR, 0, 0, 0, tables[i], 0};
+        uint8_t entry[8] = {ISO_XCP_WRITE_DAQ, 0xFF, (uint8_t)a2l_bytes(of[i]->type)};
+        iso_xcp_put_long(entry + 4, of[i]->address);
+        good = (!is_first || ask(m, pointer, sizeof pointer, packet)) && ask(m, entry, sizeof entry, packet);
+    }
+    for (size_t i = 0; i < sizeof start / sizeof start[0] && good; i++) {
+        good = ask(m, start[i], sizeof start[i], packet);
+    }
+    return good;
+}
+
+bool master_stop(master *const m)
+{
+    const uint8_t command[] = {ISO_XCP_START_STOP_SYNCH, 0};
+    uint8_t packet[ISO_XCP_MAX_DTO];
+    return ask(m, command, sizeof command, packet);
+}
+
+bool master_wait(master *const m, const int milliseconds)
+{
+    uint8_t packet[ISO_XCP_MAX_DTO];
+    (void)receive(m, milliseconds);
+    (void)get(m, packet, 0);
+    return m->problem[0] == '\0';
+}

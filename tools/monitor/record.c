@@ -1,0 +1,194 @@
+#include "tools/monitor/record.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/trace/decimal.h"
+
+/* --- Writing ----------------------------------------------------------------------------------------------------- */
+
+static void write_row(record *const r)
+{
+    char text[DECIMAL_BYTES];
+    fputs(decimal_of_double((double)r->tick * r->of->step, text), r->file);
+    for (size_t i = 0; i < r->count; i++) {
+        fprintf(r->file, ",%s",
+                r->columns[i]->type == A2L_FLOAT ? decimal_of_float((float)r->values[i], text)
+                                                 : decimal_of_double(r->values[i], text));
+    }
+    fputc('\n', r->file);
+    r->rows++;
+}
+
+/* A packet of table 0 has the tick, modulo 2^32; the last table completes a row. */
+static void take_sample(void *const context, const uint8_t *const packet, const size_t length)
+{
+    record *const r = context;
+    const uint8_t number = packet[0] & 0x7F;
+    size_t at = number == 0 ? 5 : 1;
+    r->lost += packet[0] >> 7;
+    if (number == 0 && length >= at) {
+        r->tick += (uint32_t)(iso_xcp_long(packet + 1) - (uint32_t)r->tick);
+    }
+    for (size_t i = 0; i < r->count; i++) {
+        const size_t bytes = a2l_bytes(r->columns[i]->type);
+        if (r->tables[i] == number && at + bytes <= length) {
+            r->values[i] = a2l_value(r->columns[i]->type, packet + at);
+            at += bytes;
+        }
+    }
+    if (number == r->tables[r->count - 1]) {
+        write_row(r);
+    }
+}
+
+static void choose(record *const r, const char prefix)
+{
+    for (size_t i = 0; i < r->of->count && r->count < MASTER_LIST_VALUES; i++) {
+        const a2l_quantity *const q = &r->of->quantities[i];
+        if (q->name[0] == prefix && q->name[1] == '.') {
+            r->columns[r->count++] = q;
+        }
+    }
+}
+
+bool record_begin(record *const r, const a2l *const of, master *const m, const char *const path)
+{
+    *r = (record){.of = of};
+    choose(r, 'y');
+    choose(r, 'u');
+    FILE *const file = fopen(path, "w");
+    if (file == NULL) {
+        snprintf(m->problem, sizeof m->problem, "%.200s: %s", path, strerror(errno));
+        return false;
+    }
+    r->file = file;
+    fputc('t', file);
+    for (size_t i = 0; i < r->count; i++) {
+        fprintf(file, ",%s", r->columns[i]->name + 2);
+    }
+    fputc('\n', file);
+    m->context = r;
+    m->sample = take_sample;
+    if (!master_measure(m, r->columns, r->count, r->tables)) {
+        m->sample = NULL;
+        fclose(file);
+        r->file = NULL;
+        return false;
+    }
+    return true;
+}
+
+bool record_end(record *const r, master *const m)
+{
+    const bool stopped = master_stop(m);
+    m->sample = NULL;
+    if (fclose(r->file) != 0 && stopped) {
+        snprintf(m->problem, sizeof m->problem, "the record is not whole: %s", strerror(errno));
+        r->file = NULL;
+        return false;
+    }
+    r->file = NULL;
+    return stopped;
+}
+
+/* --- Reading ----------------------------------------------------------------------------------------------------- */
+
+enum { LINE_BYTES = 65536, COLUMNS_MAX = 1024 };
+
+typedef struct lines {
+    FILE *file;
+    const char *path;
+    size_t line;
+    char text[LINE_BYTES];
+    table_row *rows[COLUMNS_MAX]; /* of the columns behind t */
+    size_t count;
+} lines;
+
+static bool next_line(lines *const l)
+{
+    l->line++;
+    if (fgets(l->text, sizeof l->text, l->file) == NULL) {
+        return false;
+    }
+    l->text[strcspn(l->text, "\r\n")] = '\0';
+    return true;
+}
+
+static table_row *row_of(const table *const t, const a2l_quantity *const q)
+{
+    for (size_t i = 0; i < t->count; i++) {
+        if (t->rows[i].of == q) {
+            return &t->rows[i];
+        }
+    }
+    return NULL;
+}
+
+/* The line of names. */
+static bool head(lines *const l, const a2l *const of, const table *const t, char *const problem, const size_t bytes)
+{
+    char *rest = NULL;
+    const char *name = next_line(l) ? strtok_r(l->text, ",", &rest) : NULL;
+    if (name == NULL || strcmp(name, "t") != 0) {
+        snprintf(problem, bytes, "%s:1: a table begins with t and names, such as `t,pole`", l->path);
+        return false;
+    }
+    for (name = strtok_r(NULL, ",", &rest); name != NULL; name = strtok_r(NULL, ",", &rest)) {
+        const a2l_quantity *const q = l->count < COLUMNS_MAX ? a2l_find(of, name) : NULL;
+        if (q == NULL) {
+            snprintf(problem, bytes, "%s:1: the A2L has no '%.60s'; is the table of this plant?", l->path, name);
+            return false;
+        }
+        l->rows[l->count++] = row_of(t, q);
+    }
+    return true;
+}
+
+/* A line of numbers. */
+static bool take_line(const lines *const l, table *const t, char *const problem, const size_t bytes)
+{
+    const char *at = l->text;
+    char *end = NULL;
+    t->time = strtod(at, &end);
+    size_t taken = 0;
+    for (; taken < l->count && end != at && *end == ','; taken++) {
+        at = end + 1;
+        table_set(l->rows[taken], strtod(at, &end));
+    }
+    if (end == at || *end != '\0' || taken < l->count) {
+        snprintf(problem, bytes, "%s:%zu: expected %zu numbers, separated by commas", l->path, l->line, l->count + 1);
+        return false;
+    }
+    return true;
+}
+
+bool record_replay(const char *const path, const a2l *const of, table *const t, record_shown *const shown,
+                   void *const context, char *const problem, const size_t problem_bytes)
+{
+    lines *const l = calloc(1, sizeof *l);
+    if (l == NULL) {
+        abort();
+    }
+    l->path = path;
+    l->file = fopen(path, "r");
+    if (l->file == NULL) {
+        snprintf(problem, problem_bytes, "%s: %s", path, strerror(errno));
+        free(l);
+        return false;
+    }
+    double due = 0;
+    bool good = head(l, of, t, problem, problem_bytes), goes_on = good;
+    while (goes_on && next_line(l)) {
+        good = goes_on = take_line(l, t, problem, problem_bytes);
+        if (good && t->time >= due) {
+            table_step(t);
+            due = t->time + TABLE_PERIOD;
+            goes_on = shown(context, t);
+        }
+    }
+    fclose(l->file);
+    free(l);
+    return good;
+}
