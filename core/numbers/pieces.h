@@ -1,4 +1,4 @@
-/* What cuts a function into pieces: sign, floor, and a value where a condition holds. Without a branch, exact. */
+/* What cuts a function into pieces: sign, floor, rounding, and a value where a condition holds. Without a branch, exact. */
 #ifndef ISO_CORE_NUMBERS_PIECES_H
 #define ISO_CORE_NUMBERS_PIECES_H
 
@@ -21,6 +21,17 @@ static inline real iso_floor(const real x)
     const real rounded = iso_select(iso_beyond(x, whole), size, (size + whole) - whole);
     const real nearest = iso_real_of(iso_bits_of(rounded) | (iso_bits_of(x) & ISO_SIGN_BIT));
     return nearest - iso_above(nearest, x);
+}
+
+/* The nearest whole number, of two the even one; x itself for infinities, a NaN for a NaN. Adding 2^23 (in double 2^52) with
+ * the sign of x rounds a size below that to a whole number. Beyond, where all are whole, zero is added. */
+static inline real iso_round(const real x)
+{
+    const real whole = R(1.0) / ISO_REAL_EPSILON;
+    const iso_bits sign = iso_bits_of(x) & ISO_SIGN_BIT, size = iso_bits_of(x) ^ sign;
+    const iso_bits is_small = (iso_bits)0 - ((size - iso_bits_of(whole)) >> ISO_SIGN_SHIFT);
+    const real rounder = iso_real_of((iso_bits_of(whole) & is_small) | sign);
+    return (x + rounder) - rounder;
 }
 
 /* A condition is 1 or 0, as iso_above gives it. x where it holds, else +0; and x where it does not, else +0. */

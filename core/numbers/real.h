@@ -110,6 +110,12 @@ static inline real iso_positive(const real x)
     return iso_real_of(iso_bits_of(x) & ~((iso_bits)0 - (iso_bits_of(x) >> ISO_SIGN_SHIFT)));
 }
 
+/* x where it is below 0, also where it is -0, else +0: the smaller of both. On the Cortex-M4F an instruction less. */
+static inline real iso_negative(const real x)
+{
+    return iso_real_of(iso_bits_of(x) & ((iso_bits)0 - (iso_bits_of(x) >> ISO_SIGN_SHIFT)));
+}
+
 /* 1 if a > b, else 0; for a and b that are not NaN and not the same infinity. The zeros are equal: d & (d - 1) has the
  * sign of d, but for -0. */
 static inline real iso_above(const real a, const real b)

@@ -10,6 +10,7 @@ typedef struct family_member {
     int seed;
     iso_plant (*plant)(void);
     const iso_equations *equations;         /* with a Jacobian */
+    const real *(*held)(void);              /* what they read besides; NULL: the parameters */
     void (*settle)(real *x, const real *p); /* what follows the method in a step; NULL for nothing */
 } family_member;
 

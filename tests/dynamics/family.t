@@ -57,12 +57,21 @@ member()
         settle="settle(x$(grep -q '^static void settle.*\bp)' "$out/$name.c" && echo ', p'));"
         ! grep -q 'iterations 2' "$out/$name.scene" || settle="$settle $settle"
     fi
+    # What the equations read of tunables and inputs: the plant keeps what follows from tunables, a step the rest.
+    kept=$(sed -n 's/^    real h\[\([0-9]*\)\];$/static real kept[\1];/p' "$out/$name.c" | head -n 1)
+    held='return memory.h;'
+    if ! grep -q '^static void tune' "$out/$name.c"; then
+        held=$([ -n "$kept" ] && echo "$kept return kept;" || echo 'return 0;')
+    fi
+    if grep -q '^static void hold' "$out/$name.c"; then
+        held=$(echo "$held" | sed 's/return \(.*\);/hold(\1, memory.u); return \1;/')
+    fi
     cat >"$out/$name.member.c" <<EOF
 #include "$out/$name.c"
 #include "tests/dynamics/family.h"
+static ${name}_memory memory;
 static iso_plant plant_of(void)
 {
-    static ${name}_memory memory;
     return ${name}_plant(&memory);
 }
 static void settle_after(real *const x, const real *const p)
@@ -71,8 +80,12 @@ static void settle_after(real *const x, const real *const p)
     (void)p;
     $settle
 }
+static const real *held_of(void)
+{
+    $held
+}
 extern const family_member $name;
-const family_member $name = {"$1 $2", $([ "$1" = loop ] && echo true || echo false), $2, plant_of, &equations, settle_after};
+const family_member $name = {"$1 $2", $([ "$1" = loop ] && echo true || echo false), $2, plant_of, &equations, held_of, settle_after};
 EOF
     # Without optimisation, and by the compiler that takes half of the time for that.
     # shellcheck disable=SC2086

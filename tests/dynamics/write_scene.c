@@ -1,5 +1,5 @@
 /* Prints the scene of a generated mechanism, which shows force and moment of every joint, then of every closure, then the
- * effort of every coupling: write_scene tree|loop SEED. */
+ * effort of every coupling, then power and balance: write_scene tree|loop SEED. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -208,6 +208,7 @@ static void write_outputs(FILE *const to, const mechanism *const m)
     for (int n = 0; n < m->couplings; n++) {
         fprintf(to, "output effort_%d = effort of k%d\n", n, n);
     }
+    fprintf(to, "output power = power\noutput balance = balance\n");
 }
 
 static void write_scene(const generated *const made, FILE *const to)

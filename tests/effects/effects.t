@@ -184,22 +184,29 @@ effect first rotor { on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }
 END
 program near tests/effects/near.c tests/host/report.c "$out/old.c" "$out/new.c" && joined 'in the axes of the ground' "$out/near"
 
-# What follows from tunables alone is computed once a step: the derivative is that of the same constants, to rounding.
-chain='gravity (0, -9.81, 0) m/s^2
-step 1 ms
-input push N*m = 1 N*m
-body a { mass rod; com (0, -length, 0); inertia (rod * length^2 / 3, 1 g*m^2, rod * length^2 / 3) }
-body b { mass rod; com (length / 4, -length, 0); inertia (1, 2, 2.5) g*m^2 }
-body c { mass 2 * rod; com (0, -length, length / 5) }
-joint one revolute { parent ground; child a; axis z; start 1 rad; damping drag; drive push }
-joint two revolute { parent a at (0, -2 * length, 0); child b; axis (0.8, 0, 0.6); speed 2 rad/s; damping drag }
-joint three revolute { parent b at (0, -2 * length, 0); child c; axis x; damping drag }
-output place = position of c'
-for kind in constant tunable; do
-    printf '%s rod = 0.3 kg\n%s length = 0.2 m\n%s drag = 0.01 N*m*s/rad\n%s\n' $kind $kind $kind "$chain" |
-        plant "$(echo $kind | sed 's/constant/old/; s/tunable/new/')"
-done
-grep -q '^static void hold(' "$out/new.c" && ! grep -q '^static void hold(' "$out/old.c"
-result $? 'what follows from tunables alone has a function of its own, once a step'
-program near tests/effects/near.c tests/host/report.c "$out/old.c" "$out/new.c" && joined 'tunables' "$out/near"
+# A vector that is kept is three numbers, with the bits of three.
+parts='effect pull {
+    body on
+    memory far_x m = 0 m; next far_x = far_x + 0.01 * dot(position of on, (1, 0, 0))
+    memory far_y m = 1 m; next far_y = far_y + 0.01 * dot(position of on, (0, 1, 0))
+    memory far_z m = 2 m; next far_z = far_z + 0.01 * dot(position of on, (0, 0, 1))
+    state slow_x m/s = 1 m/s; rate slow_x = (dot(velocity of on, (1, 0, 0)) - slow_x) / 20 ms
+    state slow_y m/s = 0 m/s; rate slow_y = (dot(velocity of on, (0, 1, 0)) - slow_y) / 20 ms
+    state slow_z m/s = 0 m/s; rate slow_z = (dot(velocity of on, (0, 0, 1)) - slow_z) / 20 ms
+    force on on = -1 N/m * (far_x, far_y, far_z) - 2 N*s/m * (slow_x, slow_y, slow_z)
+}'
+whole='effect pull {
+    body on
+    memory far m = (0, 1, 2) m; next far = far + 0.01 * position of on
+    state slow m/s = (1, 0, 0) m/s; rate slow = (velocity of on - slow) / 20 ms
+    force on on = -1 N/m * far - 2 N*s/m * slow
+}'
+pulled='force first { body frame; axis x; drive thrust }
+effect pulled pull { on frame at (0.1, 0, 0) m }'
+printf '%s\n' "$drone" "$parts" "$pulled" | plant old
+printf '%s\n' "$drone" "$whole" "$pulled" | plant new
+same 'a vector that is kept has the bits of three numbers'
+printf '%s\n' "$drone" "$whole" "$pulled" | sed 's/(0, 1, 2) m/(0, 1, 2.01) m/' | plant new
+! program same tests/effects/same.c "$out/old.c" "$out/new.c" || ! "$out/same"
+result $? 'found: another start of it'
 finish

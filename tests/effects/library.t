@@ -24,6 +24,7 @@ for number in float double; do
     library machines
     library bushing
     library ground
+    library drives
 done
 
 # planted NAME KIND SED: the program of a scene finds its effect of that kind so changed.
@@ -42,5 +43,8 @@ planted machines cable 's/1 + slow/1 + 1.1 * slow/'
 planted machines backlash 's/ratio \* effort/effort/'
 planted bushing bushing 's/of other - cross(spin/of other + cross(spin/'
 planted ground contact 's/1.5 \* (1 - rest)/3 * (1 - rest)/'
+planted drives cogging 's/sin(angle)$/sin(1.001 * angle)/'
+planted drives chopper 's|(supply + drop) \* edge|supply * edge|'
+planted drives gusts 's/0.5 - left^2/0.51 - left^2/'
 planted machines encoder 's/(way < -turn/(way < -2 * turn/'
 finish

@@ -25,8 +25,10 @@ joined models "$out/models"
 
 # The same of machines with something changed in each: every one of them is found.
 cp models/arm6.scene "$out"
+mkdir -p "$out/parts"
+sed 's/2 Ohm/2.1 Ohm/' models/parts/cart_pole.scene >"$out/parts/cart_pole.scene" # what cart_pole_drive includes
 plants=
-for changed in arm_drive:'2e-4 kg/2.1e-4 kg' balancer:'of 1.2 kg/of 1.3 kg' cart_pole_drive:'2 Ohm/2.1 Ohm' \
+for changed in arm_drive:'2e-4 kg/2.1e-4 kg' balancer:'of 1.2 kg/of 1.3 kg' cart_pole_drive:'^# The cart/# Changed: the cart' \
     crane:'of 250 kg/of 251 kg' dc_motor_bench:'50 mN/51 mN' hopper:'-9.81/-9.82' quadrotor_sih:'= 8 uN/= 8.1 uN' \
     quarter_car:'-9.81/-9.82'; do
     sed "s/${changed#*:}/" "models/${changed%%:*}.scene" >"$out/${changed%%:*}.scene"

@@ -10,7 +10,7 @@
 
 #include "tests/tap.h"
 
-enum { OUTPUTS = 23, FIRST_SUM = 20, LINE = 4096 };
+enum { OUTPUTS = 25, FIRST_SUM = 21, LINE = 4096 };
 
 static double sign(const double x)
 {
@@ -33,6 +33,25 @@ static double table(const double q, const double width)
     return values[3];
 }
 
+/* Where x is among the places: how many stretches lie before it, and what part of the next. */
+static int stretch_of(const double x, const double places[3], double *const part)
+{
+    const int i = x < places[1] ? 0 : 1;
+    *part = fmin(fmax((x - places[i]) / (places[i + 1] - places[i]), 0.0), 1.0);
+    return i;
+}
+
+/* Bilinear in the cell of q and v. */
+static double grid(const double q, const double v, const double width)
+{
+    const double columns[] = {-0.5, 0.25, 1.0}, rows[] = {-1.0, 0.0, 2.5};
+    const double cells[3][3] = {{0.0, 1.0, 0.5}, {width, 2.0, -1.0}, {1.0, 0.0, 3.0}};
+    double a, b;
+    const int i = stretch_of(q, columns, &a), j = stretch_of(v, rows, &b);
+    return (1.0 - b) * ((1.0 - a) * cells[j][i] + a * cells[j][i + 1]) +
+           b * ((1.0 - a) * cells[j + 1][i] + a * cells[j + 1][i + 1]);
+}
+
 /* What each output is; q and v are those that the plant had. */
 static void expect(const real q, const real v, double want[OUTPUTS])
 {
@@ -50,6 +69,7 @@ static void expect(const real q, const real v, double want[OUTPUTS])
         atan2((double)root, (double)-half),
         sign((double)v),
         floor((double)(R(10.0) * q)),
+        nearbyint((double)(R(10.0) * q)),
         (double)(q < low     ? low
                  : q > width ? width
                              : q),
@@ -67,6 +87,7 @@ static void expect(const real q, const real v, double want[OUTPUTS])
         sin((double)q) + tan((double)q),
         fmax((double)q, 0.0) + fmin((double)v, 0.0),
         table((double)q, (double)width),
+        grid((double)q, (double)v, (double)width),
     };
     memcpy(want, all, sizeof all);
 }

@@ -29,7 +29,7 @@ result $? 'each step takes one number of instructions there'
 # The planted error: the minimum in place of the maximum.
 sed 's/max(q, v, -0.3)/min(q, v, -0.3)/' tests/functions/all.scene >"$out/planted.scene"
 make --no-print-directory run SCENE="$out/planted.scene" SECONDS=2 REAL=double >"$out/run" 2>&1
-! "$out/all" <"$(sed -n 's/^trace //p' "$out/run")" >"$out/tap" && grep -q '^not ok 15 - output 14' "$out/tap"
+! "$out/all" <"$(sed -n 's/^trace //p' "$out/run")" >"$out/tap" && grep -q '^not ok 16 - output 15' "$out/tap"
 result $? 'found: a wrong function'
 
 # The step and the outputs with all of the plant's memory undefined, by both compilers.

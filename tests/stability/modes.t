@@ -111,6 +111,68 @@ told "$out/root.scene" && is_silent && ! told "$out/root.scene" --method bdf4 &&
     grep -q "root.scene:5:7: error: the Jacobian at the start is not finite: .* by 'slide' there, and bdf4 needs it" "$out/told"
 result $? 'an implicit method is refused where the Jacobian is not finite'
 
+# What is stiff in contact alone is told wherever the scene starts: k m of 8 / h^2 is held by rk4, with two equal inertias that
+# meet half of it. Damping, in proportion to the depth, is none where the contact begins.
+cat >"$out/stop.scene" <<'END'
+method rk4
+step 1 ms
+body block { mass 1 kg }
+joint slide prismatic { parent ground; child block; axis x }
+effect ends stop { along slide; lower -0.1 m; upper 0.1 m; impact 1 m/s; stiffness hard }
+output x = position of slide
+END
+cat >"$out/backlash.scene" <<'END'
+method rk4
+step 1 ms
+body a { mass 1 kg; inertia (1, 1, 1) kg*m^2 }
+body b { mass 1 kg; inertia (1, 1, 1) kg*m^2 }
+joint one revolute { parent ground; child a; axis x }
+joint two revolute { parent ground; child b; axis x }
+effect ends backlash { motor one; load two; gap 0.2 rad; impact 1 rad/s; stiffness hard / 2 }
+output x = position of one
+END
+cat >"$out/contact.scene" <<'END'
+gravity (0, 0, -9.81) m/s^2
+method rk4
+step 1 ms
+body ball { mass 1 kg; inertia (1, 1, 1) g*m^2 }
+joint air free { parent ground; child ball; start at (0, 0, 1) m rotate 20 deg about x }
+effect ends contact { ball ball; radius 5 cm; load 1 kg; impact 1 m/s; friction 0.3; stiffness hard; grip 100 N*s/m }
+output x = position of ball
+END
+cat >"$out/limit.scene" <<'END'
+method rk4
+step 1 ms
+effect limiter { joint along; value top m/s; value strength N*s/m
+    effort on along = -strength * (max(speed of along - top, 0) - max(-top - speed of along, 0)) }
+body block { mass 1 kg }
+joint slide prismatic { parent ground; child block; axis x }
+effect ends limiter { along slide; top 2 m/s; strength hard * 1 s * 2.785 / 8 / 1000 }
+output x = position of slide
+END
+# contact NAME UNIT: silent 1 % below the limit, told 1 % above, with the place of the use.
+contact()
+{
+    for hard in 7.92 8.08; do
+        sed "2aconstant hard = $hard M$2" "$out/$1.scene" >"$out/$1.$hard.scene"
+    done
+    told "$out/$1.7.92.scene" && is_silent && told "$out/$1.8.08.scene" &&
+        warns "the effect 'ends' is too fast for rk4 with a step of 1 ms: the Jacobian where 'ends' is steepest has the eigenvalue" &&
+        grep -q "scene:$(($(grep -n '^effect ends' "$out/$1.scene" | cut -d : -f 1) + 1)):8: warning" "$out/told"
+    result $? "$1: what is too stiff in contact alone is told, and what is held is not"
+}
+contact stop N/m
+contact backlash N*m/rad
+contact contact N/m
+contact limit N/m
+sed 's/; stiffness hard[^;}]*//' "$out/stop.scene" >"$out/default.scene"
+silent=0
+for method in euler heun rk4 semi_implicit ab4 abm4 abm4_pec abm4_pecece bdf4 rosenbrock; do
+    told "$out/default.scene" --method $method && is_silent || silent=1
+done
+[ $silent -eq 0 ]
+result $? 'a stop as stiff as the step allows is held by every method'
+
 # The models with their own methods and three others.
 for scene in models/*.scene; do
     { told "$scene" --inputs smooth && is_silent; } || echo "$scene"

@@ -5,6 +5,7 @@
 #include "tools/isoc/base/real_range.h"
 #include "tools/isoc/dynamics/assembly.h"
 #include "tools/isoc/emit/emit.h"
+#include "tools/isoc/emit/link.h"
 #include "tools/isoc/emit/standalone.h"
 #include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/pivots.h"
@@ -21,7 +22,9 @@ static const char version[] = "isoc 0.1\n";
 static const char help[] =
     "isoc: compiles a scene to a plant in straight-line C\n"
     "\n"
-    "  isoc SCENE -o DIR [--name NAME] [--standalone] [--method M] [--step H] [--tolerance T] [--real float|double]\n"
+    "  isoc SCENE -o DIR [--name NAME] [--standalone] [--link [--xcp LOCK]] [--method M] [--step H] [--tolerance T] "
+    "[--real "
+    "float|double]\n"
     "       [--inputs held|smooth] [--set 'NAME = VALUE'] [--without 'EFFECT; ...'] [--formulation F] [--factors F]\n"
     "  isoc SCENE --dot\n"
     "  isoc SCENE --files\n"
@@ -32,6 +35,11 @@ static const char help[] =
     "  --name NAME    for a part of other firmware: NAME.h and NAME.c, in which all names begin with NAME_, so that\n"
     "                 several plants, and several of one, stand in one program\n"
     "  --standalone   puts beside it what it needs of core, so that the folder compiles alone\n"
+    "  --link         puts beside it what it shows to a controller at the other end of a wire, interface.c, and that "
+    "end\n"
+    "                 in C and in Python, SCENE_link.h and SCENE_link.py\n"
+    "  --xcp LOCK     with --link: measurement and calibration, and plant.a2l.in; LOCK is open, or the name of an "
+    "iso_xcp_lock\n"
     "  --method M     a method, instead of the scene's; --methods lists them\n"
     "  --step H       the step with its unit, e.g. 1ms, instead of the scene's\n"
     "  --tolerance T  of adams, which then takes as many sub-steps as it needs\n"
@@ -57,8 +65,8 @@ static const char help[] =
     "A mistake in the scene is told as file:line:column; the exit status is then 1 and no file is touched.\n";
 
 typedef struct options {
-    const char *scene, *directory, *name, *method, *step, *tolerance, *set, *without, *inputs;
-    bool is_double, draws, lists, lists_effects, is_standalone;
+    const char *scene, *directory, *name, *method, *step, *tolerance, *set, *without, *inputs, *lock;
+    bool is_double, draws, lists, lists_effects, is_standalone, is_linked;
     wishes wanted;
 } options;
 
@@ -92,6 +100,17 @@ static int find_word(const char *word, const char *const *words, int count)
     return found;
 }
 
+static bool is_identifier(const char *word)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_", digits[] = "0123456789";
+    const size_t length = strlen(word);
+    size_t known = 0;
+    while (known < length && (strchr(letters, word[known]) != NULL || strchr(digits, word[known]) != NULL)) {
+        known++;
+    }
+    return known > 0 && known == length && strchr(letters, word[0]) != NULL;
+}
+
 static bool read_options(char **arguments, options *o)
 {
     const char *real_name = NULL, *formulation_name = NULL, *factors_name = NULL;
@@ -104,6 +123,7 @@ static bool read_options(char **arguments, options *o)
                             : strcmp(*a, "--set") == 0         ? &o->set
                             : strcmp(*a, "--without") == 0     ? &o->without
                             : strcmp(*a, "--inputs") == 0      ? &o->inputs
+                            : strcmp(*a, "--xcp") == 0         ? &o->lock
                             : strcmp(*a, "--real") == 0        ? &real_name
                             : strcmp(*a, "--formulation") == 0 ? &formulation_name
                             : strcmp(*a, "--factors") == 0     ? &factors_name
@@ -121,6 +141,8 @@ static bool read_options(char **arguments, options *o)
             o->lists_effects = true;
         } else if (strcmp(*a, "--standalone") == 0) {
             o->is_standalone = true;
+        } else if (strcmp(*a, "--link") == 0) {
+            o->is_linked = true;
         } else if ((*a)[0] == '-' && (*a)[1] != '\0') {
             return complain("unknown option", *a);
         } else if (o->scene != NULL) {
@@ -144,6 +166,19 @@ static bool read_options(char **arguments, options *o)
     }
     if (o->name != NULL && !naming_allows(o->name)) {
         return complain("--name is a word of a-z, 0-9 and _, at most 40, that does not begin with iso; not", o->name);
+    }
+    if (o->is_linked && (o->name != NULL || o->is_standalone || makes_none)) {
+        return complain("--link is of a whole program: leave out", o->name != NULL    ? "--name"
+                                                                   : o->is_standalone ? "--standalone"
+                                                                   : o->draws         ? "--dot"
+                                                                   : o->lists         ? "--files"
+                                                                                      : "--effects");
+    }
+    if (o->lock != NULL && !o->is_linked) {
+        return complain("--xcp is of a plant with a link: add --link to --xcp", o->lock);
+    }
+    if (o->lock != NULL && !is_identifier(o->lock)) {
+        return complain("--xcp is open, or the name of an iso_xcp_lock in C; not", o->lock);
     }
     if (real_name != NULL && !o->is_double && strcmp(real_name, "float") != 0) {
         return complain("--real must be float or double, not", real_name);
@@ -169,9 +204,12 @@ static bool override(arena *memory, const options *o, scene *s)
     }
     const char *step = o->step == NULL ? "" : arena_format(memory, "step %s\n", o->step);
     const char *method = o->method == NULL ? step : arena_format(memory, "%smethod %s\n", step, o->method);
-    const char *words = o->tolerance == NULL
-                            ? method
-                            : arena_format(memory, "%stolerance %s\nsubsteps 1000000\n", method, o->tolerance);
+    const char *named = o->method != NULL ? o->method : s->method.text;
+    const bool was_adams = s->method.text != NULL && strcmp(s->method.text, "adams") == 0;
+    const bool is_adams = named != NULL && strcmp(named, "adams") == 0;
+    const char *words = o->tolerance == NULL ? method
+                                             : arena_format(memory, "%stolerance %s\n%s", method, o->tolerance,
+                                                            is_adams ? "substeps 1000000\n" : "");
     source given = source_of_text(memory, "command line", words);
     const scene read = parse_scene(&given);
     graph g;
@@ -179,6 +217,9 @@ static bool override(arena *memory, const options *o, scene *s)
     graph_section(&g, "");
     mechanism_method_and_step(&given, &g, &read, o->is_double);
     source_report(&given);
+    if (was_adams != is_adams) {
+        s->substeps = NULL; /* a budget is no number of parts */
+    }
     s->step = read.step == NULL ? s->step : read.step;
     s->method = read.method.text == NULL ? s->method : read.method;
     s->tolerance = read.tolerance == NULL ? s->tolerance : read.tolerance;
@@ -189,7 +230,7 @@ static bool override(arena *memory, const options *o, scene *s)
 static bool write_plant(arena *memory, const options *o, const plant *p, graph *g)
 {
     text header = {.memory = memory}, source_text = {.memory = memory}, summary = {.memory = memory};
-    const naming names = naming_of(p, g, memory, o->name);
+    const naming names = naming_of(p, memory, o->name);
     file_list files = {.memory = memory, .folder = o->directory};
     double culprit = 0.0;
     emit_header(p, &names, &header);
@@ -200,6 +241,9 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
     cost_summary(p, g, &summary);
     file_list_add(&files, arena_format(memory, "%s.h", names.prefix), &header);
     file_list_add(&files, arena_format(memory, "%s.c", names.prefix), &source_text);
+    if (o->is_linked) {
+        emit_link(p, &names, o->lock, &files);
+    }
     if (o->is_standalone) {
         standalone_files(&files, o->is_double);
     }

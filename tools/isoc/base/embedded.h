@@ -2,12 +2,25 @@
 #ifndef ISOC_BASE_EMBEDDED_H
 #define ISOC_BASE_EMBEDDED_H
 
+#include <string.h>
+
 typedef struct embedded_file {
     const char *path; /* core/runtime/plant.h; NULL after the last */
     const char *text;
 } embedded_file;
 
+/* The text of one that is there. */
+static inline const char *embedded_text(const embedded_file *const files, const char *const path)
+{
+    const embedded_file *f = files;
+    while (strcmp(f->path, path) != 0) {
+        f++;
+    }
+    return f->text;
+}
+
 extern const embedded_file core_files[];   /* for plants that stand alone */
 extern const embedded_file effect_files[]; /* models/effects: an effect each, called as its file */
+extern const embedded_file client_files[]; /* tools/isoc/client: what stands at the other end of a link */
 
 #endif

@@ -152,33 +152,3 @@ const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
     }
     return d;
 }
-
-node dynamics_energy(const dynamics *d)
-{
-    graph *g = d->g;
-    const node half = constant(g, 0.5);
-    graph_section(g, "Energy: kinetic, of gravity, of springs");
-
-    /* T = m v.v / 2 + v.(omega x ms) + omega.J omega / 2, about link origins. */
-    node sum = constant(g, 0.0);
-    for (int i = 0; i < d->m->link_count; i++) {
-        const link *l = &d->m->links[i];
-        const motion *now = &d->k.motions[i];
-        const node half_mass = mul(g, half, l->mass);
-        const node linear = mul(g, half_mass, vector_dot(g, now->v, now->v));
-        const node mixed = vector_dot(g, now->v, vector_cross(g, now->omega, l->first_moment));
-        const node angular = mul(g, half, vector_dot(g, now->omega, tensor_apply(g, l->inertia, now->omega)));
-        sum = add(g, sum, add(g, add(g, linear, mixed), angular));
-        const node stretch = sub(g, now->q[0], l->rest);
-        const node half_spring = mul(g, half, l->spring);
-        sum = add(g, sum, mul(g, half_spring, mul(g, stretch, stretch)));
-    }
-
-    for (int i = 0; i < d->m->strut_count; i++) {
-        sum = add(g, sum, spring_energy(g, &d->m->struts[i], &d->springs[i]));
-    }
-
-    /* V = -g . (the first moment of everything about the ground's origin) */
-    const composite all = composite_of_all(&d->k);
-    return add(g, sub(g, sum, vector_dot(g, d->m->gravity, all.ms)), d->m->stored);
-}

@@ -47,9 +47,4 @@ const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
 /* effort[degrees of freedom]: u - d q' - k (q - rest) + those of effects and of springs between points - bias. */
 void efforts_less(const dynamics *d, const node *bias, node *effort);
 
-/* Kinetic energy, gravitational energy (zero at the ground's origin) and energy of the springs and
- * of effects; needs
- * kinematics_velocities. */
-node dynamics_energy(const dynamics *d);
-
 #endif

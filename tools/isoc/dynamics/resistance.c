@@ -95,7 +95,7 @@ const mass_matrix *resistance_build(graph *g, const dynamics *d)
 {
     const mechanism *m = d->m;
     const int n = m->dof_count;
-    const double hb = m->step * implicit_part(m->recipe);
+    const double hb = method_step(m) * implicit_part(m->recipe);
     if (hb == 0.0) {
         return &d->mass;
     }

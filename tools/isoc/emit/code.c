@@ -187,10 +187,7 @@ static const char *turned(emitter *e, const graph_node *n)
 static const leaf_name *leaf_of(const emitter *e, char array, int index)
 {
     const leaf_names *all = &e->c->names;
-    return &(array == 'x'   ? all->states
-             : array == 'u' ? all->inputs
-             : array == 'p' ? all->parameters
-                            : all->held)[index];
+    return &(array == 'x' ? all->states : array == 'u' ? all->inputs : all->parameters)[index];
 }
 
 /* A line of the scene, unless it stands above already. */
@@ -246,7 +243,6 @@ static const char *part(emitter *e, const graph_node *n, char letter)
     case 'x':
     case 'u':
     case 'p':
-    case 'h':
         return leaf_of(e, letter, n->index)->symbol;
     case 'X':
         return leaf_of(e, 'x', n->index)->place;

@@ -14,7 +14,7 @@ typedef struct leaf_name {
 } leaf_name;
 
 typedef struct leaf_names {
-    const leaf_name *states, *inputs, *parameters, *held;
+    const leaf_name *states, *inputs, *parameters;
 } leaf_names;
 
 /* A line of the scene that stands above the first quantity that has this name in its own. */

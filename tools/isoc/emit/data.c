@@ -41,9 +41,8 @@ bool has_limits(const variable *all, int count)
     return any;
 }
 
-/* static const iso_limits ARRAY[CART_WHAT] = {[PLACE] = {LEAST, MOST}, ...}; */
-static void emit_limits(emission *e, const char *array, const char *what, const leaf_name *leaves, const variable *all,
-                        int count)
+void emit_limits(emission *e, const char *array, const char *what, const leaf_name *leaves, const variable *all,
+                 int count)
 {
     if (!has_limits(all, count)) {
         return;

@@ -89,9 +89,16 @@ void emit_model(emission *e)
     add_if(e, is_driven(m), "    .drive = drive,\n");
     add_if(e, m->input_count + m->parameter_count > 0, "    .admit = admit,\n");
     add_if(e, m->memory_count > 0, "    .advance = advance,\n");
-    add_if(e, can_restart(m), "    .discontinuity = discontinuity,\n");
-    add_if(e, is_primed(m), "    .prime = prime,\n");
-    text_add(e->out, "    .step = step,\n};\n");
+    add_if(e, can_restart(p), "    .discontinuity = discontinuity,\n");
+    add_if(e, is_primed(p), "    .prime = prime,\n");
+    text_add(e->out, "    .step = step,\n");
+    const bool has_ladder = m->policies.rung_count > 0 && e->names->is_program;
+    add_if(e, has_ladder, "    .attempt = attempt,\n");
+    add_if(e, !has_ladder && (can_restart(p) || ISO_IS_WATCHED(m->recipe)), "    .attempt = iso_plant_attempt,\n");
+    add_if(e, p->violation >= 0 || ISO_HAS_PROGRESS(m->recipe), "    .tell = iso_plant_tell,\n");
+    text_add(e->out, "    .finish = finish,\n");
+    add_if(e, m->policies.any && e->names->is_program, "    .policy = &policy,\n");
+    text_add(e->out, "};\n");
 }
 
 void emit_plant(emission *e)

@@ -56,12 +56,14 @@ static void emit_beginning(const emission *e, const text *rest)
     text_add(e->out, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
     text_add(e->out, "#include \"%s.h\"\n\n", e->names->prefix);
     /* The functions of adams gcc inlines otherwise where it sees no other kernel: as many instructions, more bytes. */
-    if (!ISO_IS_VARYING(m->recipe)) {
+    if (!ISO_IS_VARYING(m->recipe) && m->policies.rung_count == 0) {
         text_add(e->out, "#define ISO_ONLY_METHOD ISO_%s\n",
                  capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->recipe)]));
     }
     text_add(e->out, "#include \"core/methods/method.h\"\n");
     text_add(e->out, "%s", e->p->j.looped != NULL ? "#include \"core/methods/sparse.h\"\n" : "");
+    text_add(e->out, "%s#include \"core/runtime/tick.h\"\n",
+             m->policies.any && e->names->is_program ? "#include \"core/runtime/policy.h\"\n" : "");
     emit_calls_included(rest, e->out);
     if (strstr(rest->bytes, "iso_noise(") != NULL) {
         text_add(e->out, "#include \"core/numbers/noise.h\"\n");
@@ -83,6 +85,9 @@ bool emit_source(const plant *p, graph *g, const naming *names, text *out, doubl
     emit_data(&e);
     emit_functions(&e);
     emit_step(&e);
+    if (p->m->policies.any && names->is_program) {
+        emit_policies(&e);
+    }
     emit_model(&e);
     if (names->is_program) {
         emit_plant(&e);

@@ -137,23 +137,27 @@ static void emit_function(emission *e, const char *function, const char *array, 
     text_add(e->out, "}\n\n");
 }
 
-/* What a step computes once. */
-static void emit_hold(emission *e)
+/* A function that computes the values of h from one to before another, from an array. */
+static void emit_held(emission *e, const char *function, const char *array, int first, int end)
 {
-    const held *once = &e->p->held;
-    code made = code_of(e, numbered(e, "h", once->count), once->values, once->count);
+    code made = code_of(e, numbered(e, "h", end) + first, e->p->held.values + first, end - first);
     made.quotes_leaves = true;
-    text_add(e->out, "/* What does not change within a step. */\n");
-    text_add(
-        e->out,
-        "static void hold(real *restrict const h, const real *restrict const u, const real *restrict const p)\n{\n");
-    for (int i = 1; i < 3; i++) {
-        if (!uses(e, &made, arguments[i].op)) {
-            text_add(e->out, "    (void)%s;\n", arguments[i].name);
-        }
-    }
+    text_add(e->out, "static void %s(real *restrict const h, const real *restrict const %s)\n{\n", function, array);
     emit_code(e, &made);
     text_add(e->out, "}\n\n");
+}
+
+static void emit_hold(emission *e)
+{
+    const held *h = &e->p->held;
+    if (h->tuned > 0) {
+        text_add(e->out, "/* What follows from tunables alone. */\n");
+        emit_held(e, "tune", "p", 0, h->tuned);
+    }
+    if (h->count > h->tuned) {
+        text_add(e->out, "/* What does not change within a step. */\n");
+        emit_held(e, "hold", "u", h->tuned, h->count);
+    }
 }
 
 /* The derivative quotes the scene's lines of what it reads, and of the closures. */
@@ -178,7 +182,10 @@ static void emit_derivative(emission *e)
     emit_function(e, "held_derivative", "dx", "", &made);
     e->in_step = false;
     emit_head(e, "", "derivative", "dx", "", "");
-    text_add(e->out, "    real h[%d];\n    hold(h, u, p);\n    held_derivative(dx, x, u, h);\n}\n\n", e->p->held.count);
+    const held *h = &e->p->held;
+    text_add(e->out, "    real h[%d];\n%s%s", h->count, h->tuned > 0 ? "    tune(h, p);\n" : "    (void)p;\n",
+             h->count > h->tuned ? "    hold(h, u);\n" : "");
+    text_add(e->out, "    held_derivative(dx, x, u, h);\n}\n\n");
 }
 
 /* dx of the positions alone. */
@@ -398,24 +405,20 @@ static void emit_admit(emission *e)
     const mechanism *m = e->p->m;
     const char *capitals = e->names->capitals;
     text_add(e->out, "/* What comes in from outside is finite, and within its limits. */\n");
-    text_add(e->out,
-             "static void admit(void *const instance, iso_refusals *const inputs, iso_refusals *const parameters)\n");
-    text_add(e->out, "{\n    %s_memory *const memory = instance;\n", e->names->prefix);
+    text_add(e->out, "static iso_refused admit(void *const instance)\n{\n");
+    text_add(e->out, "    %s_memory *const memory = instance;\n    return", e->names->prefix);
     if (m->input_count > 0) {
-        text_add(e->out, "    iso_admit(memory->u, memory->good, %s, %s_INPUTS, inputs);\n",
-                 has_limits(m->inputs, m->input_count) ? "input_limits" : "NULL", capitals);
-    } else {
-        text_add(e->out, "    (void)inputs;\n");
+        text_add(e->out, " iso_admit(memory->u, memory->good, %s, %s_INPUTS, NULL)%s",
+                 has_limits(m->inputs, m->input_count) ? "input_limits" : "NULL", capitals,
+                 m->parameter_count > 0 ? " |\n          " : "");
     }
     if (m->parameter_count > 0) {
-        text_add(e->out, "    iso_admit(memory->p, memory->good%s%s, %s, %s_PARAMETERS, parameters);\n",
-                 m->input_count > 0 ? " + " : "",
-                 m->input_count > 0 ? arena_format(e->out->memory, "%s_INPUTS", capitals) : "",
-                 has_limits(m->parameters, m->parameter_count) ? "parameter_limits" : "NULL", capitals);
-    } else {
-        text_add(e->out, "    (void)parameters;\n");
+        text_add(e->out, " (iso_refused)iso_admit(memory->p, memory->good%s, %s, %s_PARAMETERS, %s) << 32",
+                 m->input_count > 0 ? arena_format(e->out->memory, " + %s_INPUTS", capitals) : "",
+                 has_limits(m->parameters, m->parameter_count) ? "parameter_limits" : "NULL", capitals,
+                 watches_parameters(e->p) ? "&memory->changed" : "NULL");
     }
-    text_add(e->out, "}\n\n");
+    text_add(e->out, ";\n}\n\n");
 }
 
 unsigned long last_of_ring(const effect_quantity *of)
@@ -510,6 +513,26 @@ static void emit_settle(emission *e)
     text_add(e->out, "}\n\n");
 }
 
+/* The rest of a tick, with the sizes of this plant. */
+static void emit_finish(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char *capitals = e->names->capitals;
+    text_add(e->out, "/* Checks what the step made, and sets what follows from it. */\n");
+    text_add(e->out, "static uint32_t finish(void *const instance)\n{\n");
+    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    text_add(e->out, "    return iso_finish(memory, memory->x, %s, %s_STATES, %s, output,\n",
+             has_range(e) ? "range" : "NULL", capitals, m->memory_count > 0 ? "advance" : "NULL");
+    text_add(e->out, "                      memory->y, memory->good");
+    if (m->input_count > 0) {
+        text_add(e->out, " + %s_INPUTS", capitals);
+    }
+    if (m->parameter_count > 0) {
+        text_add(e->out, " + %s_PARAMETERS", capitals);
+    }
+    text_add(e->out, ", %s_OUTPUTS);\n}\n\n", capitals);
+}
+
 void emit_functions(emission *e)
 {
     const plant *p = e->p;
@@ -524,6 +547,7 @@ void emit_functions(emission *e)
     if (p->m->memory_count > 0) {
         emit_advance(e);
     }
+    emit_finish(e);
     if (ISO_IS_IMPLICIT(p->m->recipe)) {
         emit_solver(e);
     }

@@ -102,60 +102,6 @@ static void emit_table(const emission *e, const table *t)
     text_add(e->out, "};\n\n");
 }
 
-static void emit_memory(const emission *e)
-{
-    const mechanism *m = e->p->m;
-    const char *capitals = e->names->capitals;
-    const size_t states = (size_t)state_count(m), vectors = ISO_METHOD_STATE(m->recipe, states) / states;
-    text_add(e->out, "/* All that a plant keeps, without pointers: a copy of it is a snapshot. */\n");
-    text_add(e->out, "typedef struct %s_memory {\n", e->names->prefix);
-    if (vectors > 1) {
-        text_add(e->out, "    real x[%s_STATES * %zu]; /* the states, and behind them what %s keeps */\n", capitals,
-                 vectors, method_names[ISO_METHOD_OF(m->recipe)]);
-    } else {
-        text_add(e->out, "    real x[%s_STATES];\n", capitals);
-    }
-    if (ISO_IS_SMOOTH(m->recipe)) {
-        text_add(e->out, "    real u[%s + %s_INPUTS * %d + 1]; /* behind the inputs their samples */\n", held_size(e),
-                 capitals, ISO_DEGREE(m->recipe) + 1);
-    } else if (held_count(m) > 0) {
-        text_add(e->out, "    real u[%s];\n", held_size(e));
-    }
-    if (m->parameter_count > 0) {
-        text_add(e->out, "    real p[%s_PARAMETERS];\n", capitals);
-    }
-    text_add(e->out, "    real y[%s_OUTPUTS];\n", capitals);
-    if (e->p->turn_count > 0) {
-        text_add(e->out, "    int32_t turns[%d]; /* of the continuous joints */\n", e->p->turn_count);
-        text_add(e->out, "    real rests[%d]; /* what rounding has taken from their angles */\n", e->p->turn_count);
-    }
-    if (ISO_HAS_PROGRESS(m->recipe)) {
-        text_add(e->out, "    %s;\n", ISO_IS_VARYING(m->recipe) ? "iso_adams_state adams" : "iso_progress progress");
-    }
-    if (can_restart(m) && m->input_count > 0) {
-        text_add(e->out, "    real last_u[%s_INPUTS];\n", capitals);
-    }
-    if (watches_parameters(m)) {
-        text_add(e->out, "    real last_p[%s_PARAMETERS];\n", capitals);
-    }
-    if (keeps_tick(m)) {
-        text_add(e->out, "    uint64_t tick;\n");
-    }
-    for (int i = 0; i < m->memory_count; i++) {
-        if (m->memories[i].kept == KEPT_DELAY) {
-            text_add(e->out, "    real past_%d[%lu]; /* the last ones of %s */\n", i, last_of_ring(&m->memories[i]) + 1,
-                     m->memories[i].about.name);
-        }
-    }
-    text_add(e->out, "%s",
-             watches_edges(m) ? "    iso_bits edge; /* not zero in a tick in which an input jumps */\n" : "");
-    text_add(e->out, "    real good[%s%s%s%s%s_OUTPUTS]; /* the last good%s%s outputs */\n",
-             m->input_count > 0 ? capitals : "", m->input_count > 0 ? "_INPUTS + " : "",
-             m->parameter_count > 0 ? capitals : "", m->parameter_count > 0 ? "_PARAMETERS + " : "", capitals,
-             m->input_count > 0 ? " inputs," : "", m->parameter_count > 0 ? " tunables," : "");
-    text_add(e->out, "} %s_memory;\n\n", e->names->prefix);
-}
-
 /* What makes a plant of the model and a memory. */
 static void emit_instance(const emission *e)
 {

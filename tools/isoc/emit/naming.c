@@ -66,21 +66,7 @@ static const leaf_name *held_of(const naming *n, arena *memory, const mechanism 
     return leaves_of(n, memory, 'U', all, held_count(m));
 }
 
-/* What a step computes once: as in the equations, or as the tunable that it is. */
-static const leaf_name *computed_of(const plant *p, const graph *g, arena *memory, const leaf_name *parameters)
-{
-    leaf_name *made = arena_take(memory, (size_t)p->held.count + 1, sizeof *made);
-    for (int i = 0; i < p->held.count; i++) {
-        const graph_node *n = &g->nodes[p->held.values[i]];
-        const char *called = n->op == OP_PARAMETER ? parameters[n->index].symbol
-                             : n->name != NULL     ? n->name
-                                                   : arena_format(memory, "held_%d", i + 1);
-        made[i] = (leaf_name){called, arena_format(memory, "%d", i), NULL};
-    }
-    return made;
-}
-
-naming naming_of(const plant *p, const graph *g, arena *memory, const char *prefix)
+naming naming_of(const plant *p, arena *memory, const char *prefix)
 {
     const mechanism *m = p->m;
     naming made = {.prefix = prefix == NULL ? "plant" : prefix, .is_program = prefix == NULL};
@@ -89,7 +75,6 @@ naming naming_of(const plant *p, const graph *g, arena *memory, const char *pref
     made.leaves.states = states_of(&made, memory, state_count(m));
     made.leaves.inputs = held_of(&made, memory, m);
     made.leaves.parameters = leaves_of(&made, memory, 'P', m->parameters, m->parameter_count);
-    made.leaves.held = computed_of(p, g, memory, made.leaves.parameters);
     const char **outputs = arena_take(memory, (size_t)p->output_count + 1, sizeof *outputs);
     const char **quotes = arena_take(memory, (size_t)p->output_count + 1, sizeof *quotes);
     for (int i = 0; i < p->output_count; i++) {

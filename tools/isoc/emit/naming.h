@@ -17,7 +17,7 @@ typedef struct naming {
 } naming;
 
 /* With this prefix, or as the plant of the program where it is NULL. */
-naming naming_of(const plant *p, const graph *g, arena *memory, const char *prefix);
+naming naming_of(const plant *p, arena *memory, const char *prefix);
 
 /* Whether isoc can make files and identifiers with this prefix. */
 bool naming_allows(const char *prefix);

@@ -13,12 +13,14 @@ typedef struct emission {
     double culprit; /* a constant that leaves the range of real; else 0 */
 } emission;
 
-/* Whether the plant keeps something that a start or a restart sets: the method's history, samples of smooth inputs. */
-bool is_primed(const mechanism *m);
+/* Whether the plant keeps something that a start or a restart sets: the method's history, samples of smooth inputs, what
+ * follows from tunables. */
+bool is_primed(const plant *p);
 
 /* Whether a discontinuity, of an input or of a parameter, makes that useless; and whether the latter can. */
-bool can_restart(const mechanism *m);
-bool watches_parameters(const mechanism *m);
+bool can_restart(const plant *p);
+bool watches_parameters(const plant *p);
+bool watches_inputs(const mechanism *m);
 
 /* Whether it is told at which ticks inputs jump by themselves. */
 bool watches_edges(const mechanism *m);
@@ -47,8 +49,19 @@ bool has_range(const emission *e);
 /* Whether what follows a step depends on tunables: masses, or lengths of closures. */
 bool settles_by_parameters(const plant *p, const graph *g);
 
+/* memory.c: the struct of all that the plant keeps; and that the compiler put nothing between its members. */
+void emit_memory(const emission *e);
+void emit_memory_check(const emission *e);
+
+/* Where in it an array of reals begins that it has: x, u, p or y; in bytes. */
+size_t memory_place(const emission *e, char array);
+
 /* data.c: what is constant. */
 void emit_data(emission *e);
+
+/* static const iso_limits ARRAY[CART_WHAT] = {[PLACE] = {LEAST, MOST}, ...}; nothing where none has any. */
+void emit_limits(emission *e, const char *array, const char *what, const leaf_name *leaves, const variable *all,
+                 int count);
 
 /* tables.c: what functions of the tick read, of those that these roots need. */
 void emit_tick_tables(emission *e, const node *roots, size_t count);
@@ -58,6 +71,9 @@ void emit_functions(emission *e);
 
 /* step.c: the method. */
 void emit_step(emission *e);
+
+/* policies.c: the account of ticks that do not keep their time; nothing where the scene asks for none. */
+void emit_policies(emission *e);
 
 /* description.c: the model; and, for the program, its plant. */
 void emit_model(emission *e);

@@ -3,14 +3,14 @@
 #include "tools/isoc/emit/parts.h"
 #include "tools/isoc/plant/cost.h"
 
-bool is_primed(const mechanism *m)
+bool is_primed(const plant *p)
 {
-    return ISO_IS_PRIMED(m->recipe) || ISO_DEGREE(m->recipe) > 0;
+    return ISO_IS_PRIMED(p->m->recipe) || ISO_DEGREE(p->m->recipe) > 0 || p->held.tuned > 0;
 }
 
-bool watches_parameters(const mechanism *m)
+bool watches_parameters(const plant *p)
 {
-    return m->parameter_count > 0 && ISO_IS_PRIMED(m->recipe);
+    return p->m->parameter_count > 0 && (ISO_IS_PRIMED(p->m->recipe) || p->held.tuned > 0);
 }
 
 bool watches_edges(const mechanism *m)
@@ -18,13 +18,18 @@ bool watches_edges(const mechanism *m)
     return m->edge_count > 0 && ISO_IS_PRIMED(m->recipe);
 }
 
-bool can_restart(const mechanism *m)
+bool watches_inputs(const mechanism *m)
 {
-    bool jumps = watches_parameters(m) || watches_edges(m);
+    bool jumps = false;
     for (int i = 0; i < m->input_count; i++) {
         jumps = jumps || m->jumps[i] > 0.0;
     }
-    return jumps && is_primed(m);
+    return jumps && (ISO_IS_PRIMED(m->recipe) || ISO_DEGREE(m->recipe) > 0);
+}
+
+bool can_restart(const plant *p)
+{
+    return watches_parameters(p) || watches_edges(p->m) || watches_inputs(p->m);
 }
 
 const char *progress_of(const mechanism *m)
@@ -103,15 +108,19 @@ static void emit_equations(emission *e)
     text_add(e->out, "%s};\n\n", ISO_IS_VARYING(p->m->recipe) ? "    .adams = &options,\n" : "");
 }
 
-/* The inputs and parameters that discontinuity() compares with. */
+/* Whether there is something that discontinuity() compares with. */
+static bool remembers(const plant *p)
+{
+    return watches_inputs(p->m) || watches_parameters(p);
+}
+
+/* The inputs that discontinuity() compares with; and that no parameter has changed since. */
 static void emit_remember(emission *e)
 {
-    const mechanism *m = e->p->m;
     text_add(e->out, "static void remember(%s_memory *const memory)\n{\n", e->names->prefix);
-    text_add(e->out, "%s", m->input_count > 0 ? "    memcpy(memory->last_u, memory->u, sizeof memory->last_u);\n" : "");
     text_add(e->out, "%s",
-             watches_parameters(m) ? "    memcpy(memory->last_p, memory->p, sizeof memory->last_p);\n" : "");
-    text_add(e->out, "}\n\n");
+             watches_inputs(e->p->m) ? "    memcpy(memory->last_u, memory->u, sizeof memory->last_u);\n" : "");
+    text_add(e->out, "%s}\n\n", watches_parameters(e->p) ? "    memory->changed = 0;\n" : "");
 }
 
 /* What restarts the method: an input that changed by more than its jump in a tick, or that has an edge there, or a parameter
@@ -121,19 +130,16 @@ static void emit_discontinuity(emission *e)
     const mechanism *m = e->p->m;
     begin_function(e, "static bool discontinuity");
     text_add(e->out, "    bool found = false;\n");
-    for (int i = 0; i < m->input_count; i++) {
+    for (int i = 0; i < m->input_count && watches_inputs(m); i++) {
         if (m->jumps[i] > 0.0) {
             const char *at = e->names->leaves.inputs[i].place;
             text_add(e->out, "    found |= iso_abs(memory->u[%s] - memory->last_u[%s]) > %s;\n", at, at,
                      code_literal(e->out->memory, m->jumps[i], e->p->is_double));
         }
     }
-    for (int i = 0; i < m->parameter_count && watches_parameters(m); i++) {
-        const char *at = e->names->leaves.parameters[i].place;
-        text_add(e->out, "    found |= memory->p[%s] != memory->last_p[%s];\n", at, at);
-    }
+    text_add(e->out, "%s", watches_parameters(e->p) ? "    found |= memory->changed != 0;\n" : "");
     text_add(e->out, "%s", watches_edges(m) ? "    found |= memory->edge != 0;\n" : "");
-    text_add(e->out, "    remember(memory);\n    return found;\n}\n\n");
+    text_add(e->out, "%s    return found;\n}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
 }
 
 static const char *array_or_null(int count, const char *array)
@@ -157,13 +163,14 @@ static void emit_call(emission *e, const char *function, const char *size)
     if (ISO_IS_IMPLICIT(m->recipe)) {
         text_add(e->out, "    real lu[%d];\n", e->p->j.factor_count);
     }
-    if (e->p->held.count > 0) {
-        text_add(e->out, "    real h[%d];\n    hold(h, %s, %s);\n", e->p->held.count,
-                 array_or_null(held_count(m), "memory->u"), array_or_null(m->parameter_count, "memory->p"));
-    }
+    const held *h = &e->p->held;
+    const char *kept = h->tuned > 0 ? "memory->h" : "h";
+    text_add(e->out, "%s",
+             h->count > 0 && h->tuned == 0 ? arena_format(e->out->memory, "    real h[%d];\n", h->count) : "");
+    text_add(e->out, "%s", h->count > h->tuned ? arena_format(e->out->memory, "    hold(%s, memory->u);\n", kept) : "");
     text_add(e->out, "    %s(%s, %s_STATES, &equations, %s, memory->x, %s, %s, %s, work,\n", function, recipe, capitals,
-             code_literal(e->out->memory, m->step, e->p->is_double), array_or_null(held_count(m), "memory->u"),
-             e->p->held.count > 0 ? "h" : array_or_null(m->parameter_count, "memory->p"),
+             code_literal(e->out->memory, method_step(m), e->p->is_double), array_or_null(held_count(m), "memory->u"),
+             h->count > 0 ? kept : array_or_null(m->parameter_count, "memory->p"),
              ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
     text_add(e->out, "                    %s);\n", progress_of(m));
 }
@@ -180,11 +187,12 @@ static void emit_samples(emission *e, const char *function)
 static void emit_prime(emission *e)
 {
     begin_function(e, "static void prime");
+    text_add(e->out, "%s", e->p->held.tuned > 0 ? "    tune(memory->h, memory->p);\n" : "");
     emit_samples(e, "iso_method_forget");
     if (ISO_IS_PRIMED(e->p->m->recipe)) {
         emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
     }
-    text_add(e->out, "%s}\n\n", can_restart(e->p->m) ? "    remember(memory);\n" : "");
+    text_add(e->out, "%s}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
 }
 
 bool settles_by_parameters(const plant *p, const graph *g)
@@ -222,7 +230,7 @@ static void emit_before_turn(emission *e, const link *l, int number)
 /* What the step in the number type of the plant lacks of the whole nanoseconds that it stands for. */
 static double step_rest(const plant *p)
 {
-    const double nanoseconds = floor(p->m->step * 1e9 + 0.5), step = p->m->step;
+    const double step = method_step(p->m), nanoseconds = floor(step * 1e9 + 0.5);
     return p->is_double ? -fma(step, 1e9, -nanoseconds) / 1e9 : step - (double)(float)step;
 }
 
@@ -231,7 +239,7 @@ static void emit_turn(emission *e, const link *l, int number)
     arena *memory = e->out->memory;
     text_add(e->out, "    iso_turn(&memory->x[%s], &memory->rests[%d], before_%d, memory->x[%s],\n",
              state_place(e, l->position), number, number, speed_place(e, l));
-    text_add(e->out, "             %s, %s);\n", code_literal(memory, e->p->m->step, e->p->is_double),
+    text_add(e->out, "             %s, %s);\n", code_literal(memory, method_step(e->p->m), e->p->is_double),
              code_literal(memory, step_rest(e->p), e->p->is_double));
 }
 
@@ -290,22 +298,74 @@ static void emit_check(emission *e)
     }
 }
 
-void emit_step(emission *e)
+/* The function of a step by the method of the plant; `suffix` behind its name. */
+static void emit_step_function(emission *e, const char *suffix)
 {
-    const mechanism *m = e->p->m;
-    emit_check(e);
-    emit_equations(e);
-    if (can_restart(m)) {
-        emit_remember(e);
-        emit_discontinuity(e);
-    }
-    if (is_primed(m)) {
-        emit_prime(e);
-    }
-    begin_function(e, e->p->is_flat ? "ISO_FLAT static void step" : "static void step");
+    const bool has_parts = e->p->m->parts > 1;
+    text_add(e->out, "%s", has_parts ? "/* A part of a step. */\n" : "");
+    begin_function(e, arena_format(e->out->memory, "%sstatic void %s%s", e->p->is_flat ? "ISO_FLAT " : "",
+                                   has_parts ? "part" : "step", suffix));
     for_turns(e, emit_before_turn);
     emit_samples(e, "iso_method_sample");
     emit_call(e, "iso_method_step", "ISO_METHOD_WORK");
     emit_after(e);
     text_add(e->out, "}\n\n");
+    if (has_parts) {
+        text_add(e->out, "static void step%s(void *const instance)\n{\n    for (int i = 0; i < %d; i++) {\n", suffix,
+                 e->p->m->parts);
+        text_add(e->out, "        part%s(instance);\n    }\n}\n\n", suffix);
+    }
+}
+
+/* The same step by another method, and what its name ends with. */
+static const char *emit_step_by(emission *e, unsigned recipe)
+{
+    mechanism by = *e->p->m;
+    plant with = *e->p;
+    const char *suffix = arena_format(e->out->memory, "_%s", method_names[ISO_METHOD_OF(recipe)]);
+    by.recipe = recipe;
+    with.m = &by;
+    emission other = *e;
+    other.p = &with;
+    emit_step_function(&other, suffix);
+    e->culprit = other.culprit;
+    return suffix;
+}
+
+/* The steps of a ladder, from the top. */
+static void emit_ladder(emission *e)
+{
+    const policies *of = &e->p->m->policies;
+    const char *names = "step", *last = "";
+    for (int i = 0; i < of->rung_count; i++) {
+        const bool rests = of->rungs[i] == ISO_METHODS;
+        if (rests) {
+            text_add(e->out, "/* No step: the states stay. */\n");
+            text_add(e->out, "static void rest(void *const instance)\n{\n    (void)instance;\n}\n\n");
+        } else {
+            last = emit_step_by(e, of->rungs[i]);
+        }
+        names = arena_format(e->out->memory, "%s, %s%s", names, rests ? "rest" : "step", rests ? "" : last);
+    }
+    text_add(e->out, "static void (*const ladder[])(void *memory) = {%s};\n\n", names);
+}
+
+void emit_step(emission *e)
+{
+    emit_check(e);
+    emit_memory_check(e);
+    emit_equations(e);
+    if (remembers(e->p)) {
+        emit_remember(e);
+    }
+    if (can_restart(e->p)) {
+        emit_discontinuity(e);
+    }
+    if (is_primed(e->p)) {
+        emit_prime(e);
+    }
+    emit_step_function(e, "");
+    if (e->p->m->policies.rung_count > 0 && e->names->is_program) {
+        emit_ladder(e);
+    }
 }

@@ -433,7 +433,7 @@ node function(graph *g, operation op, node a, node b)
         return folded(g, op, a, b);
     }
     if (op == OP_MIN && (is_zero(g, a) || is_zero(g, b))) {
-        return neg(g, larger(g, neg(g, a), neg(g, b)));
+        return function(g, OP_NEGATIVE, is_zero(g, a) ? b : a, a);
     }
     if (chooses && is_zero(g, b)) {
         return b;

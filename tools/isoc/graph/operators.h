@@ -50,7 +50,7 @@ typedef struct evaluation {
     LEAF(LOCAL_ERROR, NULL, "progress->local_error", 0.0)        /* of the step, where it is checked */                 \
     LEAF(RESIDUAL, NULL, "progress->residual", 0.0)              /* of the last Newton iteration */                     \
     LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until what computes it takes its place */   \
-    LEAF(HELD, "h", "@h", 0.0)                                  /* what does not change within a step */               \
+    LEAF(HELD, NULL, "h[@i]", 0.0)                              /* what does not change within a step */               \
     LEAF(INERTIA, NULL, "", 0.0)                                /* of a degree of freedom at the start, likewise */    \
     LEAF(ASKED, NULL, "", 0.0)                                  /* a component of a point's motion, likewise */       \
     LEAF(DERIVATIVE, NULL, "dx[@X]", 0.0)                       /* where a derivative has been evaluated before */
@@ -150,7 +150,7 @@ typedef struct evaluation {
               0, 0, 0, 1)
 
 /* Functions of core/numbers/HEADER.h; the code calls iso_WORD of the operands. In a corner the derivative is that of one
- * side: of min and max that of either, of sign, floor and a comparison 0. A root counts as a division.
+ * side: of min and max that of either, of sign, floor, round and a comparison 0. A root counts as a division.
  * Those of one header stand together.
  * FUNCTION(name, word, header, operands,
  *          value,
@@ -164,6 +164,10 @@ typedef struct evaluation {
     FUNCTION(POSITIVE, positive, real, 1, /* max(a, 0) */                                                              \
              iso_positive(a),                                                                                          \
              mul(g, above(g, a, constant(g, 0.0)), da),                                                                \
+             1, 0, 0)                                                                                                  \
+    FUNCTION(NEGATIVE, negative, real, 1, /* min(a, 0) */                                                              \
+             iso_negative(a),                                                                                          \
+             mul(g, above(g, constant(g, 0.0), a), da),                                                                \
              1, 0, 0)                                                                                                  \
     FUNCTION(SQRT, sqrt, sqrt, 1,                                                                                      \
              iso_sqrt(a),                                                                                              \
@@ -197,6 +201,10 @@ typedef struct evaluation {
              iso_floor(a),                                                                                             \
              constant(g, 0.0),                                                                                         \
              17, 0, 0)                                                                                                 \
+    FUNCTION(ROUND, round, pieces, 1,                                                                                  \
+             iso_round(a),                                                                                             \
+             constant(g, 0.0),                                                                                         \
+             7, 0, 0)                                                                                                  \
     FUNCTION(WHERE, where, pieces, 2, /* b where a is 1, 0 where a is 0 */                                             \
              iso_where(a, b),                                                                                          \
              function(g, OP_WHERE, a, db),                                                                             \

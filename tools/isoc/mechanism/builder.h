@@ -6,7 +6,7 @@
 
 static const dimension no_unit = {0, 0, 0, 0, 0, 0}, kilogram = {1, 0, 0, 0, 0, 0}, metre = {0, 1, 0, 0, 0, 0},
                        second = {0, 0, 1, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0}, newton = {1, 1, -2, 0, 0, 0},
-                       newton_metre = {1, 2, -2, 0, 0, 0};
+                       newton_metre = {1, 2, -2, 0, 0, 0}, joule = {1, 2, -2, 0, 0, 0}, watt = {1, 2, -3, 0, 0, 0};
 
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 
@@ -33,6 +33,12 @@ typedef struct past {
     bool is_done;
 } past;
 
+/* A call of noise outside of the inputs, and the effect whose definition has it; NULL: the scene. */
+typedef struct stream {
+    const formula *of;
+    const effect_use *within;
+} stream;
+
 typedef struct builder {
     source *s;
     graph *g;
@@ -47,6 +53,9 @@ typedef struct builder {
     size_t edge_room, memory_room;
     past *pasts;
     size_t past_count, past_room;
+    stream *streams; /* each an input behind those of the scene */
+    int stream_count;
+    size_t stream_room;
     bool is_effect_broken;      /* one of them: its inputs seem to have no use */
     const surroundings *around; /* what effects, signals and outputs can name */
     mechanism made;
@@ -111,6 +120,10 @@ size_t count_forces(const scene *written);
 void count_effects(builder *b);
 void build_effects(builder *b);
 
+/* streams.c: the calls of noise, before there are inputs; and their inputs. */
+void find_streams(builder *b);
+void build_streams(builder *b);
+
 /* past.c: what the memories of formulas are of, when all formulas are known; and what outputs show of them. */
 void finish_pasts(builder *b);
 void show_pasts(builder *b);
@@ -125,5 +138,6 @@ void build_outputs(builder *b);
 /* recipe.c: the method with its options, and the step. */
 void build_method(builder *b);
 void build_step(builder *b);
+void build_policies(builder *b);
 
 #endif

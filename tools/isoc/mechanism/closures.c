@@ -181,7 +181,7 @@ static void build_stabilisation(builder *b)
     const char *kind = written->kind.text == NULL ? "projection" : written->kind.text;
     const bool is_lagrangian = strcmp(kind, "lagrangian") == 0, is_baumgarte = strcmp(kind, "baumgarte") == 0;
     const bool draws = is_baumgarte || (is_lagrangian && (written->omega != NULL || written->mu != NULL));
-    const double usual = draws ? 0.1 / made->step : 0.0;
+    const double usual = draws ? 0.1 / method_step(made) : 0.0;
     made->alpha = option(b, written->alpha, rate, "alpha", usual, 0.0);
     made->beta = option(b, written->beta, rate, "beta", written->alpha != NULL ? made->alpha : usual, 0.0);
     made->multiplier_iterations = 1;

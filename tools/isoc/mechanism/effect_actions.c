@@ -45,19 +45,31 @@ static bool refuse_accelerations(world *w, const effect_line *line, const node *
     return needs;
 }
 
-/* A formula of this dimension. */
-static node node_of(world *w, const instance *in, const effect_line *line, dimension of, const char *what)
+/* A formula of so many numbers of this dimension; zeros after noting a problem. */
+static value value_like(world *w, const instance *in, const effect_line *line, int parts, dimension of,
+                        const char *what)
 {
     source *s = w->b->s;
-    const value found = evaluate(w, in, line->value, line->name.text);
-    if (found.count > 1 || (found.count == 1 && !found.any && !dimension_equal_but_angle(found.of, of))) {
+    value found = evaluate(w, in, line->value, line->name.text);
+    if (found.count > 0 && (found.count != parts || (!found.any && !dimension_equal_but_angle(found.of, of)))) {
         source_problem(s, line->value->at, "%s '%s' %s; this %s", what, line->name.text,
-                       dimension_phrase(s->memory, of),
-                       found.count > 1 ? "is a vector" : dimension_phrase(s->memory, found.of));
-        return constant(w->b->g, 0.0);
+                       found.count < parts ? "is a vector" : dimension_phrase(s->memory, of),
+                       found.count > parts   ? "is a vector"
+                       : found.count < parts ? "is one number"
+                                             : dimension_phrase(s->memory, found.of));
+        found.count = 0;
     }
-    const bool is_good = found.count == 1 && !refuse_accelerations(w, line, found.parts, 1);
-    return is_good ? found.parts[0] : constant(w->b->g, 0.0);
+    const bool is_good = found.count == parts && !refuse_accelerations(w, line, found.parts, (size_t)parts);
+    for (int i = 0; i < parts && !is_good; i++) {
+        found.parts[i] = constant(w->b->g, 0.0);
+    }
+    return found;
+}
+
+/* One number of this dimension. */
+static node node_of(world *w, const instance *in, const effect_line *line, dimension of, const char *what)
+{
+    return value_like(w, in, line, 1, of, what).parts[0];
 }
 
 /* Which effect it is. */
@@ -73,8 +85,11 @@ static void do_rate(world *w, const instance *in, const effect_line *line)
         dimension rate = line_value(w, in, of).of;
         dimension_times(&rate, second, -1);
         effect_quantity *made = &w->b->made.effect_states[in->places[of - in->kind->lines]];
-        made->effect = number_of(w, in);
-        made->next = graph_name(w->b->g, node_of(w, in, line, rate, "the rate of"), "rate_%s", made->about.name);
+        const value found = value_like(w, in, line, of->parts, rate, "the rate of");
+        for (int i = 0; i < of->parts; i++) {
+            made[i].effect = number_of(w, in);
+            made[i].next = graph_name(w->b->g, found.parts[i], "rate_%s", made[i].about.name);
+        }
     }
 }
 
@@ -83,7 +98,10 @@ static void do_next(world *w, const instance *in, const effect_line *line)
     const effect_line *of = subject(w, in, line, EFFECT_MEMORY, "memory");
     if (of != NULL && line->value != NULL) {
         const dimension same = line_value(w, in, of).of;
-        w->b->made.memories[in->places[of - in->kind->lines]].next = node_of(w, in, line, same, "the next");
+        const value found = value_like(w, in, line, of->parts, same, "the next");
+        for (int i = 0; i < of->parts; i++) {
+            w->b->made.memories[in->places[of - in->kind->lines] + i].next = found.parts[i];
+        }
     }
 }
 
@@ -101,16 +119,18 @@ static void do_effort(world *w, const instance *in, const effect_line *line)
         w->b->made.effort_parts[w->b->made.effort_part_count++] =
             (effect_effort){number_of(w, in), w->b->made.links[l].dof, added};
         const node speed = leaf(g, OP_STATE, w->b->made.position_count + w->b->made.links[l].dof);
-        *in->power = add(g, *in->power, mul(g, added, speed));
+        in->account->power = add(g, in->account->power, mul(g, added, speed));
     }
 }
 
-static void do_energy(world *w, const instance *in, const effect_line *line)
+static void do_account(world *w, const instance *in, const effect_line *line)
 {
-    static const dimension joule = {1, 2, -2, 0, 0, 0};
+    const bool is_stored = line->kind == EFFECT_ENERGY;
+    effect_account *of = in->account;
     if (line->value != NULL) {
-        const node more = node_of(w, in, line, joule, "the stored");
-        w->b->made.stored = add(w->b->g, w->b->made.stored, more);
+        node *sum = is_stored ? &of->stored : line->kind == EFFECT_LOSS ? &of->loss : &of->work;
+        *sum = add(w->b->g, *sum, node_of(w, in, line, is_stored ? joule : watt, "the"));
+        of->is_told = of->is_told || !is_stored;
     }
 }
 
@@ -155,7 +175,8 @@ static void push(world *w, const instance *in, int which, vector point, const ef
         to->at[i] = sign < 0.0 ? neg(g, along->parts[i]) : along->parts[i];
     }
     const asked_kind moves = line->kind == EFFECT_FORCE ? ASKED_VELOCITY : ASKED_SPIN;
-    *in->power = add(g, *in->power, vector_dot(g, *to, asked_of(w, moves, which, point, line->in_body)));
+    const vector moved = asked_of(w, moves, which, point, line->in_body);
+    in->account->power = add(g, in->account->power, vector_dot(g, *to, moved));
     if (!f.in_ground) {
         *to = matrix_apply(g, frame->turn, *to);
     }
@@ -198,7 +219,21 @@ static bool by_inertia(world *w, value of)
     return uses_operation(w->b->g, of.parts, 1, OP_INERTIA);
 }
 
-/* At the defaults of the tunables. */
+/* Whether a formula reads a signal, by itself or through a let. */
+static bool reads_signal(const instance *in, const formula *f)
+{
+    const effect_line *line = f->kind == FORMULA_NAME ? line_called(in->kind, f->name, false) : NULL;
+    bool is = line != NULL && line->kind == EFFECT_SIGNAL;
+    if (line != NULL && line->kind == EFFECT_LET && line->value != NULL) {
+        is = reads_signal(in, line->value);
+    }
+    for (size_t i = 0; i < f->count && !is; i++) {
+        is = reads_signal(in, f->parts[i]);
+    }
+    return is;
+}
+
+/* At the defaults of the tunables; of a signal where it is a constant. */
 static void do_require(world *w, const instance *in, const effect_line *line)
 {
     source *s = w->b->s;
@@ -207,7 +242,9 @@ static void do_require(world *w, const instance *in, const effect_line *line)
         return;
     }
     if (changes(w->b->g, least.parts[0]) || changes(w->b->g, most.parts[0])) {
-        source_problem(s, line->at, "only values can be required, which do not change with time");
+        if (!reads_signal(in, line->value) && !reads_signal(in, line->most)) {
+            source_problem(s, line->at, "only values and signals can be required, and no state or motion");
+        }
     } else if (!least.any && !most.any && !dimension_equal_but_angle(least.of, most.of)) {
         source_problem(s, line->at, "%s and %s cannot be compared", dimension_text(s->memory, least.of),
                        dimension_text(s->memory, most.of));
@@ -250,8 +287,8 @@ void do_line(world *w, const instance *in, const effect_line *line)
         do_effort(w, in, line);
     } else if (line->kind == EFFECT_FORCE || line->kind == EFFECT_MOMENT) {
         do_push(w, in, line);
-    } else if (line->kind == EFFECT_ENERGY) {
-        do_energy(w, in, line);
+    } else if (line->kind >= EFFECT_ENERGY && line->kind <= EFFECT_WORK) {
+        do_account(w, in, line);
     } else if (line->kind == EFFECT_REQUIRE) {
         do_require(w, in, line);
     } else if (line->kind > EFFECT_BODY) {

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "tools/isoc/graph/operations.h"
+#include "tools/isoc/scene/names.h"
 
 static const value nothing = {0};
 
@@ -27,12 +28,12 @@ static bool declared_dimension(world *w, const instance *in, const effect_line *
     return line->has_unit || line->like.text != NULL;
 }
 
-/* One number of the dimension that the line declares, if it does. */
+/* One number, or a vector where it starts as one, of the dimension that the line declares, if it does. */
 static value checked(world *w, const instance *in, const effect_line *line, const formula *f, value found)
 {
     dimension of;
     source *s = w->b->s;
-    if (found.count > 1) {
+    if (found.count > 0 && found.count != line->parts) {
         source_problem(s, f->at, "'%s' is one number; this is %d", line->name.text, found.count);
         return nothing;
     }
@@ -101,18 +102,35 @@ static value operand_value(world *w, const instance *in, const effect_line *line
 }
 
 /* What a state or a memory has at the start gives its dimension. */
-static value start_value(world *w, const instance *in, const effect_line *line, variable *about)
+static value start_value(world *w, const instance *in, const effect_line *line)
 {
     value found = checked(w, in, line, line->value, evaluate(w, in, line->value, line->name.text));
-    source *s = w->b->s;
-    if (found.count == 1 && !is_constant(w->b->g, found.parts[0])) {
-        source_problem(s, line->value->at, "the start of '%s' must be a constant", line->name.text);
-        return nothing;
+    for (int i = 0; i < found.count; i++) {
+        if (!is_constant(w->b->g, found.parts[i])) {
+            source_problem(w->b->s, line->value->at, "the start of '%s' must be a constant", line->name.text);
+            return nothing;
+        }
     }
-    const char *called = arena_format(s->memory, "%s_%s", in->use->name.text, line->name.text);
-    *about = (variable){.name = called, .quote = source_quote(s, line->name.at), .least = -HUGE_VAL, .most = HUGE_VAL};
-    about->unit = found.count == 0 ? "1" : dimension_unit(s->memory, found.of);
-    about->start = found.count == 0 ? 0.0 : constant_value(w->b->g, found.parts[0]);
+    return found;
+}
+
+/* A state or a memory that begins so: its numbers from the first on are the leaves of this operation from `index` on. */
+static value begun(world *w, const instance *in, const effect_line *line, effect_quantity *first, operation op,
+                   int index)
+{
+    source *s = w->b->s;
+    value found = start_value(w, in, line);
+    for (int i = 0; i < line->parts; i++) {
+        variable *about = &first[i].about;
+        const char *called = arena_format(s->memory, "%s_%s%s", in->use->name.text, line->name.text,
+                                          effect_endings[line->parts == 3 ? i : 3]);
+        *about =
+            (variable){.name = called, .quote = source_quote(s, line->name.at), .least = -HUGE_VAL, .most = HUGE_VAL};
+        about->unit = found.count == 0 ? "1" : dimension_unit(s->memory, found.of);
+        about->start = found.count == 0 ? 0.0 : constant_value(w->b->g, found.parts[i]);
+        first[i].at = in->use->name.at;
+        found.parts[i] = leaf(w->b->g, op, index + i);
+    }
     return found;
 }
 
@@ -120,10 +138,11 @@ static value start_value(world *w, const instance *in, const effect_line *line, 
  * the dimension, may name what else comes later, and so change the order of the graph; but no operation of it stays. */
 static value absent_value(world *w, const instance *in, const effect_line *line)
 {
-    variable about;
     const bool is_known = line->kind == EFFECT_FAULT || line->has_unit;
-    value found = is_known ? (value){.count = 1, .of = line->unit.of} : start_value(w, in, line, &about);
-    found.parts[0] = constant(w->b->g, 0.0);
+    value found = is_known ? (value){.count = line->parts, .of = line->unit.of} : start_value(w, in, line);
+    for (int i = 0; i < line->parts; i++) {
+        found.parts[i] = constant(w->b->g, 0.0);
+    }
     return found;
 }
 
@@ -137,7 +156,6 @@ static value new_value(world *w, const instance *in, const effect_line *line)
         return absent_value(w, in, line);
     }
     const int at = in->places[i];
-    value found;
     switch (line->kind) {
     case EFFECT_SIGNAL:
     case EFFECT_VALUE:
@@ -145,24 +163,31 @@ static value new_value(world *w, const instance *in, const effect_line *line)
     case EFFECT_FAULT:
         return (value){.count = 1, .parts = {leaf(g, OP_PARAMETER, at)}};
     case EFFECT_STATE:
-        made->effect_states[at].at = in->use->name.at;
-        found = start_value(w, in, line, &made->effect_states[at].about);
-        found.parts[0] = leaf(g, OP_STATE, made->first_effect_state + at);
-        return found;
+        return begun(w, in, line, &made->effect_states[at], OP_STATE, made->first_effect_state + at);
     case EFFECT_MEMORY:
-        found = start_value(w, in, line, &made->memories[at].about);
-        found.parts[0] = leaf(g, OP_INPUT, made->input_count + at);
-        return found;
+        return begun(w, in, line, &made->memories[at], OP_INPUT, made->input_count + at);
     default:
         return line->value == NULL ? nothing : evaluate(w, in, line->value, line->name.text);
     }
+}
+
+/* What an output without a formula shows: a line that has a name, or else the energy, the loss or the work. */
+static const effect_line *line_shown(const effect_kind *kind, const char *called)
+{
+    const effect_line *found = line_called(kind, called, false);
+    for (size_t i = 0; i < kind->line_count && found == NULL; i++) {
+        const effect_line *line = &kind->lines[i];
+        const bool is_account = line->kind >= EFFECT_ENERGY && line->kind <= EFFECT_WORK;
+        found = is_account && strcmp(line->name.text, called) == 0 ? line : NULL;
+    }
+    return found;
 }
 
 value line_value(world *w, const instance *in, const effect_line *line)
 {
     const effect_line *meant = line;
     if (line->kind == EFFECT_OUTPUT && line->value == NULL) {
-        meant = line_called(in->kind, line->name.text, false);
+        meant = line_shown(in->kind, line->name.text);
         if (meant == NULL || meant->kind <= EFFECT_BODY) {
             source_problem(w->b->s, line->name.at, "this effect has no '%s' to show", line->name.text);
             return nothing;

@@ -177,26 +177,41 @@ static value point_value(world *w, const formula *f, int which, vector point)
     return found;
 }
 
-/* power of EFFECT, in the scene alone: there all that it does is known. */
-static value power_value(world *w, const formula *f)
+/* power, energy, loss and work of EFFECT, in the scene alone: there all that it does is known. */
+static bool find_account(world *w, const formula *f, value *found)
 {
+    enum { POWER, ENERGY, LOSS, WORK, WORDS };
+    static const char *const words[WORDS] = {"power", "energy", "loss", "work"};
     const char *called = f->parts[0]->name;
-    for (size_t i = 0; i < w->b->written->effect_count && w->is_done; i++) {
+    size_t word = POWER;
+    while (word < WORDS && strcmp(f->name, words[word]) != 0) {
+        word++;
+    }
+    *found = nothing;
+    if (word < WORDS && !w->is_done) {
+        source_problem(w->b->s, f->at, "the %s of '%s' is for outputs only", f->name, called);
+        return true;
+    }
+    for (size_t i = 0; i < w->b->written->effect_count && word < WORDS; i++) {
         const instance *in = &w->all[i];
         if (in->use->name.text != NULL && strcmp(in->use->name.text, called) == 0) {
-            return in->kind == NULL ? nothing : (value){.count = 1, .parts = {*in->power}, .of = {1, 2, -3, 0, 0, 0}};
+            const node all[WORDS] = {in->account->power, in->account->stored, in->account->loss, in->account->work};
+            *found = (value){.count = in->kind != NULL, .parts = {all[word]}, .of = word == ENERGY ? joule : watt};
+            return true;
         }
     }
-    source_problem(w->b->s, f->at, w->is_done ? "no effect is called '%s'" : "the power of '%s' is for outputs only",
-                   called);
-    return nothing;
+    if (word < WORDS) {
+        source_problem(w->b->s, f->at, "no effect is called '%s'", called);
+    }
+    return word < WORDS;
 }
 
 value quantity_value(void *of, const formula *f)
 {
     world *w = of;
-    if (strcmp(f->name, "power") == 0) {
-        return power_value(w, f);
+    value account;
+    if (find_account(w, f, &account)) {
+        return account;
     }
     graph *g = w->b->g;
     const mechanism *made = &w->b->made;
@@ -257,7 +272,7 @@ static bool find_limit(world *w, const char *called, value *found)
     if (!is_step && !is_rate && strcmp(called, "stable_frequency") != 0) {
         return false;
     }
-    const double limit = margin * (is_rate ? of.rate : of.frequency) / made->step;
+    const double limit = margin * (is_rate ? of.rate : of.frequency) / method_step(made);
     *found = (value){.count = 1, .of = is_step ? second : is_rate ? hertz : speed};
     found->parts[0] = constant(w->b->g, is_step ? made->step : limit);
     return true;

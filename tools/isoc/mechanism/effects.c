@@ -9,7 +9,7 @@ static int count_lines(const effect_kind *kind, effect_line_kind of)
 {
     int count = 0;
     for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
-        count += kind->lines[i].kind == of;
+        count += kind->lines[i].kind == of ? kind->lines[i].parts : 0;
     }
     return count;
 }
@@ -51,10 +51,12 @@ void count_effects(builder *b)
     made->effort_parts = arena_take(memory, (size_t)parts + 1, sizeof *made->effort_parts);
     made->effect_count = (int)b->written->effect_count;
     made->effects = arena_take(memory, b->written->effect_count + 1, sizeof *made->effects);
+    made->accounts = arena_take(memory, b->written->effect_count + 1, sizeof *made->accounts);
     for (int i = 0; i < made->effect_count; i++) {
+        const node zero = constant(b->g, 0.0);
         made->effects[i] = b->written->effects[i].name;
+        made->accounts[i] = (effect_account){.power = zero, .stored = zero, .loss = zero, .work = zero};
     }
-    made->stored = constant(b->g, 0.0);
     for (int f = 0; f < made->dof_count; f++) {
         made->efforts[f] = constant(b->g, 0.0);
     }
@@ -71,7 +73,13 @@ static int bound_link(world *w, const instance *in, const effect_line *line)
         source_problem(w->b->s, given->value->at, "expected the name of a joint for '%s'", line->name.text);
         return -1;
     }
-    return link_of(w, (name){given->value->name, given->value->at});
+    const int found = link_of(w, (name){given->value->name, given->value->at});
+    if (found >= 0 && line->is_bounded && w->b->made.links[found].continuous) {
+        source_problem(w->b->s, given->value->at,
+                       "'%s' is continuous: its angle begins again at every turn, which the effect %s cannot follow",
+                       given->value->name, in->kind->name.text);
+    }
+    return found;
 }
 
 /* The body that it names, and its point. */
@@ -151,18 +159,22 @@ static void build_instance(world *w, instance *in, int *states, int *memories)
     in->links = arena_take(b->s->memory, room, sizeof *in->links);
     in->bodies = arena_take(b->s->memory, room, sizeof *in->bodies);
     in->points = arena_take(b->s->memory, room, sizeof *in->points);
-    in->power = arena_take(b->s->memory, 1, sizeof *in->power);
-    *in->power = constant(b->g, 0.0);
     in->places = arena_take(b->s->memory, room, sizeof *in->places);
     for (size_t i = 0; i < in->kind->line_count; i++) {
         const effect_line *line = &in->kind->lines[i];
         in->links[i] = line->kind == EFFECT_JOINT ? bound_link(w, in, line) : -1;
         in->bodies[i] = line->kind == EFFECT_BODY ? bound_body(w, in, line, &in->points[i]) : -1;
-        in->places[i] = in->use->left_out             ? -1
-                        : line->kind == EFFECT_STATE  ? (*states)++
-                        : line->kind == EFFECT_MEMORY ? (*memories)++
-                        : line->kind == EFFECT_FAULT  ? add_fault(b, in->use, line)
-                                                      : -1;
+        in->places[i] = -1;
+        if (in->use->left_out) {
+            continue;
+        }
+        if (line->kind == EFFECT_FAULT) {
+            in->places[i] = add_fault(b, in->use, line);
+        } else if (line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY) {
+            int *next = line->kind == EFFECT_STATE ? states : memories;
+            in->places[i] = *next;
+            *next += line->parts;
+        }
     }
 }
 
@@ -176,6 +188,7 @@ static world *world_of(builder *b)
     w->signal_progress = arena_take(memory, b->written->signal_count + 1, sizeof *w->signal_progress);
     for (size_t i = 0; i < b->written->effect_count; i++) {
         w->all[i].use = &b->written->effects[i];
+        w->all[i].account = &b->made.accounts[i];
     }
     return w;
 }
@@ -184,7 +197,8 @@ void build_effects(builder *b)
 {
     world *w = world_of(b);
     surroundings *around = arena_take(b->s->memory, 1, sizeof *around);
-    *around = (surroundings){.of = w, .find = find_name, .quantity = quantity_value, .past = past_value};
+    *around = (surroundings){
+        .of = w, .find = find_name, .quantity = quantity_value, .past = past_value, .noise = stream_value};
     b->around = around;
     b->faults = arena_take(b->s->memory, count_faults(b->written) + 1, sizeof *b->faults);
     int states = 0, memories = 0;

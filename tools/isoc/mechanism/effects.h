@@ -8,7 +8,7 @@
 
 #include "tools/isoc/mechanism/builder.h"
 
-enum { DEEPEST_EFFECT = 200 };
+enum { DEEPEST_EFFECT = 200, MOST_MEMORIES = 65535 /* and inputs, of a plant */ };
 
 /* One effect of the scene: of each line of its definition, the value, or the link of a joint. */
 typedef struct instance {
@@ -19,8 +19,8 @@ typedef struct instance {
     int *links;  /* of joints; -1: none */
     int *bodies; /* likewise; and of each its point */
     vector *points;
-    node *power; /* that it gives to the mechanism, when all its lines are done */
-    int *places; /* of a state, a memory or a fault, among all of its sort */
+    effect_account *account; /* when all its lines are done */
+    int *places;             /* of a state, a memory or a fault: the first among all of its sort */
 } instance;
 
 /* All of them. `within` is the instance whose lines are being evaluated, NULL in formulas of the scene. */
@@ -38,6 +38,10 @@ typedef struct world {
 /* --- past.c: previous(x) and the like --- */
 
 value past_value(void *of, const formula *f);
+
+/* --- streams.c: noise(SEED) --- */
+
+value stream_value(void *of, const formula *f);
 
 /* --- effect_names.c --- */
 

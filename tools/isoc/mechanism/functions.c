@@ -288,12 +288,13 @@ static value call_sign(values *v, const formula *f, const value *given)
                                                  : scalar(function(v->g, OP_SIGN, given[0].parts[0], 0), plain);
 }
 
-static value call_floor(values *v, const formula *f, const value *given)
+static value call_whole(values *v, const formula *f, const value *given)
 {
+    const operation op = f->name[0] == 'f' ? OP_FLOOR : OP_ROUND;
     if (!has_dimension(v, f, 0, given, plain) || refuses_corner(v, f, given, f->count)) {
         return nothing;
     }
-    return scalar(function(v->g, OP_FLOOR, given[0].parts[0], 0), plain);
+    return scalar(function(v->g, op, given[0].parts[0], 0), plain);
 }
 
 /* if(condition, a, b): a where the condition is 1, b where it is 0. Exactly one of both is added to zero. */
@@ -348,7 +349,7 @@ static value call_waveform(values *v, const formula *f, const value *given)
 
 static value call_table(values *v, const formula *f)
 {
-    const value made = table_of_formula(v, f);
+    const value made = f->number > 1.0 ? grid_of_formula(v, f) : table_of_formula(v, f);
     return made.count > 0 && refuses_corner(v, f, &made, 1) ? nothing : made;
 }
 
@@ -430,7 +431,8 @@ static const function_row functions[] = {
     {"abs", "abs(-1 m)", 1, 1, 1, call_abs},
     {"tanh", "tanh(0.5)", 1, 1, 1, call_tanh},
     {"sign", "sign(-1 m)", 1, 1, 1, call_sign},
-    {"floor", "floor(2.5)", 1, 1, 1, call_floor},
+    {"floor", "floor(2.5)", 1, 1, 1, call_whole},
+    {"round", "round(2.5)", 1, 1, 1, call_whole},
     {"clamp", "clamp(x, -1 m, 1 m)", 3, 3, 1, call_clamp},
     {"if", "if(x > 0, 1 m, 2 m)", 3, 3, 1, call_if},
     {"dot", "dot(a, b), of two vectors", 2, 2, 3, call_dot},

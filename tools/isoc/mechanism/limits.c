@@ -1,6 +1,6 @@
 #include "tools/isoc/mechanism/limits.h"
 
-#include "core/methods/method.h"
+#include "core/methods/recipe.h"
 
 /* From the root loci of the methods (Hairer and Wanner, 1996, Solving Ordinary Differential Equations II, IV.2 and V.1);
  * tests/stability/stability.c compares. An implicit method has no limit of a rate; its limit here is how well a fixed

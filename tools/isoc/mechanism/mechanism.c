@@ -207,6 +207,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     names_check(s, written);
     build_step(&b);
     build_method(&b);
+    build_policies(&b);
     values_resolve(&b.values);
     b.made.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
     build_bodies(&b);

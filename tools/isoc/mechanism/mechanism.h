@@ -12,7 +12,7 @@
 #ifndef ISOC_MECHANISM_MECHANISM_H
 #define ISOC_MECHANISM_MECHANISM_H
 
-#include "core/methods/method.h"
+#include "core/methods/recipe.h"
 #include "tools/isoc/graph/vector.h"
 #include "tools/isoc/mechanism/value.h"
 
@@ -200,12 +200,37 @@ typedef struct effect_effort {
     node effort;
 } effect_effort;
 
+/* What an effect has to do with energy; zeros of one that is left out. */
+typedef struct effect_account {
+    node power;      /* that it gives to the mechanism */
+    node stored;     /* energy */
+    node loss, work; /* the power that it turns into heat, and that it takes from without: where is_told */
+    bool is_told;
+} effect_account;
+
 /* What a parameter is from a tick on. */
 typedef struct switching {
     double tick;
     int parameter;
     double value;
 } switching;
+
+/* An input that comes in over a link. */
+typedef struct wire {
+    int input;
+    double safe, after; /* what it becomes so many ticks after the last that came; 0 ticks: never */
+} wire;
+
+/* How the loop runs the plant: core/runtime/policy.h. */
+typedef struct policies {
+    bool any;
+    overrun_kind overrun;
+    double catch_up, grace;     /* ticks */
+    unsigned rungs[MOST_RUNGS]; /* of a ladder: recipes; ISO_METHODS: no step */
+    int rung_count;
+    double after; /* good ticks, one rung up again */
+    bool delayed, histogram;
+} policies;
 
 typedef struct mechanism {
     const char *name;
@@ -235,7 +260,7 @@ typedef struct mechanism {
     int effort_part_count;
     name *effects; /* what they are called */
     int effect_count;
-    node stored;              /* the energy that they store */
+    effect_account *accounts; /* [effects] */
     effect_quantity *derived; /* values of effects that follow from step, method and inertia */
     int derived_count;
     size_t derived_room;
@@ -256,7 +281,9 @@ typedef struct mechanism {
     node *drives;  /* the inputs as functions of time, then the clocks */
     double *jumps; /* the change of an input that restarts the method; 0: none */
     bool *smooth;  /* inputs that are samples of continuous signals */
-    node *edges;   /* functions of the tick in held inputs without a `jump` that jump by themselves */
+    wire *wires;   /* inputs that come in over a link: all that are not driven, and those that have a safe value */
+    int wire_count;
+    node *edges; /* functions of the tick in held inputs without a `jump` that jump by themselves */
     int edge_count;
     const tick_table *tables; /* of functions of the tick */
     int table_count;
@@ -270,11 +297,19 @@ typedef struct mechanism {
     switching *changes; /* of parameters, at given ticks */
     int change_count;
 
-    unsigned recipe;  /* method and options: core/methods/method.h */
+    policies policies;
+    unsigned recipe;  /* method and options: core/methods/recipe.h */
     double tolerance; /* of adams */
     double substeps;  /* its budget in a tick; 0: unlimited */
-    double step;      /* s */
+    double step;      /* s, of a tick */
+    int parts;        /* steps of the method in a tick, of equal length; 1 of adams, which has its own */
 } mechanism;
+
+/* The step of the method, in s. */
+static inline double method_step(const mechanism *m)
+{
+    return m->step / (double)m->parts;
+}
 
 /* The names of methods in a scene. */
 extern const char *const method_names[ISO_METHODS];

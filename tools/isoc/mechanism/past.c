@@ -8,7 +8,7 @@
 #include "tools/isoc/mechanism/effects.h"
 #include "tools/isoc/mechanism/waveform.h"
 
-enum { LONGEST_DELAY = 65535, MOST_MEMORIES = 65535 };
+enum { LONGEST_DELAY = 65535 };
 
 static const value nothing = {0};
 static const double longest_sample = 16777215.0; /* ticks, of core/numbers/waveform.h */

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/scene/names.h"
 
 static const double rounding = 1e-12; /* of a decimal number in s, relative */
 
@@ -33,6 +34,35 @@ static unsigned find_method(builder *b, name word)
     source_problem(b->s, word.at, "no method is called '%s'%s; there are %s", word.text,
                    source_suggestion(b->s, word.text, method_names, ISO_METHODS), list);
     return ISO_RK4;
+}
+
+/* Sub-steps of a method of a fixed step: parts of a tick. What is sampled once a tick, or looks at single steps, is not for
+ * them. */
+static void build_parts(builder *b, unsigned recipe)
+{
+    const formula *f = b->written->substeps;
+    const double ns = floor(b->made.step * 1e9 + 0.5), parts = b->made.substeps;
+    b->made.parts = 1;
+    if (f == NULL || ISO_IS_VARYING(recipe) || !(parts > 1.0)) {
+        return;
+    }
+    if (parts > 1000.0 || fmod(ns, parts) != 0.0) {
+        source_problem(b->s, f->at,
+                       "a step of %.0f ns has no %.0f sub-steps of whole nanoseconds; their number is at most 1000", ns,
+                       parts);
+        return;
+    }
+    if (ISO_IS_CHECKED(recipe)) {
+        source_problem(b->s, f->at,
+                       "the local error is that of a tick of one step: leave out substeps, or checked yes");
+    }
+    for (size_t i = 0; i < b->written->input_count; i++) {
+        if (b->written->inputs[i].smooth) {
+            source_problem(b->s, b->written->inputs[i].name.at,
+                           "a smooth input is for ticks of one step: leave out substeps, or let the input be held");
+        }
+    }
+    b->made.parts = (int)parts;
 }
 
 /* What adams may do in a tick: a tolerance, and a budget of sub-steps. */
@@ -75,6 +105,73 @@ void build_method(builder *b)
     }
     b->made.recipe = recipe;
     build_adams(b);
+    build_parts(b, recipe);
+}
+
+/* A whole number of ticks. */
+static double ticks_of(builder *b, const formula *f, const char *what, double least)
+{
+    const double most = 1e9, count = value_constant(&b->values, f, no_unit, what, 0.0);
+    if (f != NULL && (!(count >= least && count <= most) || count != floor(count))) {
+        source_problem(b->s, f->at, "%s must be a whole number of ticks from %.0f to 1000000000", what, least);
+    }
+    return count;
+}
+
+/* Explicit methods of one step: they take over from one another with the same memory. */
+static bool is_plain(unsigned recipe)
+{
+    return ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4);
+}
+
+/* The rungs of a ladder, from the method of the scene downwards. */
+static void build_ladder(builder *b)
+{
+    const running *written = &b->written->running;
+    policies *to = &b->made.policies;
+    const unsigned recipe = b->made.recipe;
+    if (!is_plain(recipe) || ISO_IS_CHECKED(recipe)) {
+        source_problem(b->s, written->overrun_at,
+                       "a ladder is for the methods euler, heun and rk4, without a check: others keep a history");
+    }
+    if (written->rung_count == 0) {
+        source_problem(b->s, written->overrun_at, "a ladder has rungs: method euler, or hold");
+    }
+    for (size_t i = 0; i < written->rung_count; i++) {
+        const name rung = written->rungs[i];
+        const unsigned method = written->rests[i] ? ISO_METHODS : find_method(b, rung);
+        if (!written->rests[i] && !is_plain(method)) {
+            source_problem(b->s, rung.at, "a rung is one of the methods euler, heun and rk4, or hold");
+        }
+        for (size_t j = 0; j < i; j++) {
+            if (!written->rests[i] && !written->rests[j] && strcmp(rung.text, written->rungs[j].text) == 0) {
+                source_problem(b->s, rung.at, "'%s' is a rung already", rung.text);
+            }
+        }
+        for (size_t j = 0; j < b->written->closure_count; j++) {
+            if (written->rests[i] && closure_clocks(&b->written->closures[j]) > 0) {
+                source_problem(b->s, rung.at, "a motion goes on while the states are held: leave out hold");
+            }
+        }
+        to->rungs[i] = written->rests[i] ? ISO_METHODS : method | (recipe & ~(unsigned)ISO_METHOD_BITS);
+    }
+    to->rung_count = (int)written->rung_count;
+    to->after = ticks_of(b, written->after, "the number of good ticks", 1.0);
+}
+
+void build_policies(builder *b)
+{
+    const running *written = &b->written->running;
+    b->made.policies = (policies){.overrun = written->overrun,
+                                  .catch_up = ticks_of(b, written->catch_up, "what is caught up", 0.0),
+                                  .grace = ticks_of(b, written->grace, "the grace", 1.0),
+                                  .delayed = written->delayed,
+                                  .histogram = written->histogram};
+    b->made.policies.any =
+        written->overrun != OVERRUN_COUNT || written->grace != NULL || written->delayed || written->histogram;
+    if (written->overrun == OVERRUN_DEGRADE) {
+        build_ladder(b);
+    }
 }
 
 void build_step(builder *b)

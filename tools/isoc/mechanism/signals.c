@@ -13,7 +13,7 @@ static void build_smooth(builder *b)
 {
     mechanism *made = &b->made;
     bool any = false;
-    made->smooth = arena_take(b->s->memory, b->written->input_count + 1, sizeof *made->smooth);
+    made->smooth = arena_take(b->s->memory, (size_t)made->input_count + 1, sizeof *made->smooth);
     for (size_t i = 0; i < b->written->input_count; i++) {
         made->smooth[i] = b->written->inputs[i].smooth;
         any = any || made->smooth[i];
@@ -96,6 +96,29 @@ static void find_edges(builder *b, node drive)
     }
 }
 
+/* The input as a wire, if it is one. */
+static void build_wire(builder *b, int i, bool is_known, dimension of)
+{
+    static const double most_ticks = 4294967295.0;
+    mechanism *made = &b->made;
+    const quantity *q = &b->written->inputs[i];
+    const variable *v = &made->inputs[i];
+    if (made->driven[i] && q->safe == NULL) {
+        return;
+    }
+    wire *w = &made->wires[made->wire_count++];
+    *w = (wire){.input = i};
+    w->safe = value_constant(&b->values, is_known ? q->safe : NULL, of,
+                             arena_format(b->s->memory, "the safe value of '%s'", q->name.text), 0.0);
+    w->after = value_constant(&b->values, q->after, no_unit, "the number of ticks", 0.0);
+    if (q->safe != NULL && is_known && (w->safe < v->least || w->safe > v->most)) {
+        source_problem(b->s, q->safe->at, "the safe value of '%s' is not within its limits", q->name.text);
+    }
+    if (q->after != NULL && (w->after < 1.0 || w->after > most_ticks || w->after != floor(w->after))) {
+        source_problem(b->s, q->after->at, "the number of ticks is whole, from 1 to %.0f", most_ticks);
+    }
+}
+
 static void build_input(builder *b, int i)
 {
     mechanism *made = &b->made;
@@ -121,16 +144,19 @@ static void build_input(builder *b, int i)
     if (q->jump != NULL && !(made->jumps[i] > 0.0)) {
         source_problem(b->s, q->jump->at, "a jump must be larger than zero");
     }
+    build_wire(b, i, is_known, of);
 }
 
 void build_inputs(builder *b)
 {
     mechanism *made = &b->made;
-    const size_t room = b->written->input_count + 1;
-    made->input_count = (int)b->written->input_count;
+    find_streams(b);
+    made->input_count = (int)b->written->input_count + b->stream_count;
+    const size_t room = (size_t)made->input_count + 1;
     made->inputs = arena_take(b->s->memory, room, sizeof *made->inputs);
     made->driven = arena_take(b->s->memory, room, sizeof *made->driven);
     made->jumps = arena_take(b->s->memory, room, sizeof *made->jumps);
+    made->wires = arena_take(b->s->memory, room, sizeof *made->wires);
     made->drives = arena_take(b->s->memory, room + (size_t)made->clocks.count, sizeof *made->drives);
     b->input_dimensions = arena_take(b->s->memory, room, sizeof *b->input_dimensions);
     b->is_input_known = arena_take(b->s->memory, room, sizeof *b->is_input_known);
@@ -141,11 +167,12 @@ void build_inputs(builder *b)
     build_smooth(b);
     b->values.time_allowed = true;
     graph_section(b->g, "Inputs as functions of time");
-    for (int i = 0; i < made->input_count; i++) {
+    for (size_t i = 0; i < b->written->input_count; i++) {
         if (b->written->inputs[i].name.text != NULL) {
-            build_input(b, i);
+            build_input(b, (int)i);
         }
     }
+    build_streams(b);
     b->values.time_allowed = false;
 }
 

@@ -71,10 +71,30 @@ value wave_of_formula(values *v, const formula *f)
     return scalar(strcmp(f->name, "sin") == 0 ? sine(v->g, angle) : cosine(v->g, angle), plain);
 }
 
+bool noise_seed(values *v, const formula *f, uint32_t *seed)
+{
+    static const double largest = 4294967295.0;
+    const double given = value_constant(v, f->parts[0], plain, "the seed", 0.0);
+    const bool is_seed = given >= 0.0 && given <= largest && given == floor(given);
+    if (!is_seed) {
+        source_problem(v->s, f->parts[0]->at, "the seed of noise is a whole number from 0 to %.0f", largest);
+    }
+    *seed = is_seed ? (uint32_t)given : 0;
+    return is_seed;
+}
+
+node noise_of_seed(graph *g, uint32_t seed)
+{
+    return timed(g, OP_NOISE, seed, 0.0);
+}
+
 /* noise(7): a number for each tick, with mean 0 and variance 1, for the seed 7. */
 value noise_of_formula(values *v, const formula *f)
 {
-    static const double largest = 4294967295.0;
+    uint32_t seed;
+    if (v->around != NULL) {
+        return v->around->noise(v->around->of, f);
+    }
     if (refuses_time(v, f)) {
         return nothing;
     }
@@ -82,12 +102,7 @@ value noise_of_formula(values *v, const formula *f)
         source_problem(v->s, f->at, "a motion must be smooth, and noise is not");
         return nothing;
     }
-    const double seed = value_constant(v, f->parts[0], plain, "the seed", 0.0);
-    if (!(seed >= 0.0 && seed <= largest && seed == floor(seed))) {
-        source_problem(v->s, f->parts[0]->at, "the seed of noise is a whole number from 0 to %.0f", largest);
-        return nothing;
-    }
-    return scalar(timed(v->g, OP_NOISE, seed, 0.0), plain);
+    return noise_seed(v, f, &seed) ? scalar(noise_of_seed(v->g, seed), plain) : nothing;
 }
 
 /* The part of a smooth curve that is done. With c = (tick - from) / ticks, limited to [0, 1], it is c^3 (10 - 15 c + 6

@@ -11,6 +11,10 @@ value wave_of_formula(values *v, const formula *f);
 value noise_of_formula(values *v, const formula *f); /* noise(7) */
 value points_of_formula(values *v, const formula *f);
 
+/* The seed of a call of noise; false after noting a problem. And the noise that it gives. */
+bool noise_seed(values *v, const formula *f, uint32_t *seed);
+node noise_of_seed(graph *g, uint32_t seed);
+
 /* Whether a formula must not depend on time; then it notes a problem. */
 bool refuses_time(values *v, const formula *f);
 

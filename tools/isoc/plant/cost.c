@@ -1,11 +1,5 @@
 #include "tools/isoc/plant/cost.h"
 
-/* Every use of the macro is all rows of the table of methods several times, which a checker is slow to read. */
-static int vectors_kept(const unsigned recipe)
-{
-    return ISO_VECTORS_KEPT(recipe);
-}
-
 /* a + times * b */
 static operations plus(operations a, int times, operations b)
 {
@@ -22,7 +16,7 @@ typedef struct implicit_cost {
  * evaluates; at the end of a step all weights are one. */
 static operations smooth_operations(const mechanism *m)
 {
-    const int degree = iso_degree_of(m->recipe);
+    const int degree = ISO_DEGREE(m->recipe);
     operations one = {.add = degree, .mul = 1};
     if (ISO_IS(m->recipe, ISO_ROSENBROCK)) {
         one = plus(one, 1, (operations){.add = 2 * degree, .mul = degree + 1});
@@ -136,7 +130,8 @@ operations cost_of_step(const plant *p, const graph *g)
     const node *derivatives = p->held_derivatives != NULL ? p->held_derivatives : p->derivatives;
     const operations derivative = count_operations(g, derivatives, (size_t)n);
     const operations rates = count_operations(g, derivatives, (size_t)p->rate_count);
-    const operations once = count_operations(g, p->held.values, (size_t)p->held.count);
+    const operations once =
+        count_operations(g, p->held.values + p->held.tuned, (size_t)(p->held.count - p->held.tuned));
     const operations step = step_operations(p->m->recipe, n, derivative, cost_of_solving(p, g));
     return plus(plus(plus(plus(step, 1, rates), 1, once), 1, smooth_operations(p->m)), p->is_curved, derivative);
 }
@@ -164,9 +159,23 @@ void cost_summary(const plant *p, const graph *g, text *out)
     }
     if (!ISO_IS_VARYING(m->recipe)) { /* whose sub-steps are as many as it needs */
         const operations settle = count_operations(g, p->after.values, (size_t)p->after.count);
-        count_line(out, "step", plus(cost_of_step(p, g), m->projections > 1 ? m->projections : 1, settle));
+        const int settles = m->projections > 1 ? m->projections : 1;
+        const operations part = plus(cost_of_step(p, g), settles, settle);
+        count_line(out, "step", plus(part, m->parts - 1, part));
+        for (int i = 0; i < m->policies.rung_count; i++) {
+            if (m->policies.rungs[i] == ISO_METHODS) {
+                continue;
+            }
+            mechanism by = *m;
+            plant with = *p;
+            by.recipe = m->policies.rungs[i];
+            with.m = &by;
+            const operations rung = plus(cost_of_step(&with, g), settles, settle);
+            count_line(out, arena_format(out->memory, "step_%s", method_names[ISO_METHOD_OF(by.recipe)]),
+                       plus(rung, m->parts - 1, rung));
+        }
     }
-    text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes, vectors_kept(m->recipe) * n * real_bytes);
+    text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes, ISO_VECTORS_KEPT(m->recipe) * n * real_bytes);
 }
 
 void cost_methods(text *out)
@@ -177,7 +186,7 @@ void cost_methods(text *out)
         const bool varies = ISO_IS_VARYING(method);
         text_add(out, "| %s | %s%d | %d%s | %d | %d | %d | %d |\n", method_names[method], varies ? "1 to " : "",
                  ISO_ORDER_OF(method), ISO_EVALUATIONS_OF(method), varies ? " a sub-step" : "",
-                 ISO_JACOBIANS_OF(method), ISO_SOLUTIONS_OF(method), vectors_kept(method),
-                 vectors_kept(method | ISO_CHECKED));
+                 ISO_JACOBIANS_OF(method), ISO_SOLUTIONS_OF(method), ISO_VECTORS_KEPT(method),
+                 ISO_VECTORS_KEPT(method | ISO_CHECKED));
     }
 }

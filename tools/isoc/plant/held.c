@@ -2,10 +2,11 @@
 
 #include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/graph/operations.h"
+#include "tools/isoc/plant/coefficients.h"
 
-/* Whether each node follows from tunables and held inputs alone; constants do not count. A sign stays where it is used: it
- * costs nothing there. */
-static void find_held(const graph *g, const mechanism *m, bool *is_held)
+/* Whether each node follows from what does not change alone: from tunables, or from what is held of them and inputs.
+ * Constants do not count. A sign stays where it is used: it costs nothing there. */
+static void find_held(const graph *g, const mechanism *m, bool of_inputs, bool *is_held)
 {
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
@@ -13,38 +14,61 @@ static void find_held(const graph *g, const mechanism *m, bool *is_held)
         const bool smooth = n->op == OP_INPUT && n->index < m->input_count && m->smooth[n->index];
         const bool a = operands > 0 && (is_held[n->a] || is_constant(g, n->a));
         const bool b = operands < 2 || is_held[n->b] || is_constant(g, n->b);
-        is_held[i] = operands == 0 ? n->op == OP_PARAMETER || (n->op == OP_INPUT && !smooth)
-                                   : n->op != OP_NEG && a && b && !is_constant(g, (node)i);
+        const bool leaf = of_inputs ? n->op == OP_HELD || (n->op == OP_INPUT && !smooth) : n->op == OP_PARAMETER;
+        is_held[i] = operands == 0 ? leaf : n->op != OP_NEG && a && b && !is_constant(g, (node)i);
     }
 }
 
-/* Takes down a held node, unless it is an input, which is read from its own array. */
+/* Takes down a held node, unless it is read from an array of its own. */
 static void take(const graph *g, held *made, node *to, const bool *is_held, node n)
 {
-    if (is_held[n] && g->nodes[n].op != OP_INPUT && to[n] == n) {
+    const operation op = g->nodes[n].op;
+    if (is_held[n] && op != OP_INPUT && op != OP_HELD && to[n] == n) {
         made->values[made->count] = n;
         to[n] = -1 - made->count++;
     }
 }
 
 /* The largest nodes that are held, below the roots: those that what is not held reads. */
-static held list_held(const graph *g, const bool *is_held, const node *roots, size_t count, node *to)
+static void list_held(const graph *g, const bool *is_held, const node *roots, size_t count, held *made, node *to)
 {
-    held made = {.values = arena_take(g->memory, g->count, sizeof *made.values)};
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
         if (needed[i] && !is_held[i] && operators[n->op].operands > 0) {
-            take(g, &made, to, is_held, n->a);
+            take(g, made, to, is_held, n->a);
         }
         if (needed[i] && !is_held[i] && operators[n->op].operands == 2) {
-            take(g, &made, to, is_held, n->b);
+            take(g, made, to, is_held, n->b);
         }
     }
     for (size_t i = 0; i < count; i++) {
-        take(g, &made, to, is_held, roots[i]);
+        take(g, made, to, is_held, roots[i]);
     }
+}
+
+/* The roots with leaves OP_HELD for what is held besides `made`, which has it then. */
+static held hold_more(graph *g, const mechanism *m, bool of_inputs, held made, node *roots, size_t count)
+{
+    const size_t before = g->count;
+    bool *is_held = arena_take(g->memory, before, sizeof *is_held);
+    node *to = arena_take(g->memory, before, sizeof *to),
+         *list = arena_take(g->memory, before + (size_t)made.count, sizeof *list);
+    for (int i = 0; i < made.count; i++) {
+        list[i] = made.values[i];
+    }
+    for (size_t i = 0; i < before; i++) {
+        to[i] = (node)i;
+    }
+    const int first = made.count;
+    made.values = list;
+    find_held(g, m, of_inputs, is_held);
+    list_held(g, is_held, roots, count, &made, to);
+    for (int i = first; i < made.count; i++) {
+        to[made.values[i]] = leaf(g, OP_HELD, i);
+    }
+    replace_nodes(g, roots, count, before, to);
     return made;
 }
 
@@ -59,37 +83,50 @@ static int tunables_read(const graph *g, const node *roots, size_t count)
     return found;
 }
 
-/* Cycles of a step: each evaluation reads what is held, which is computed and written once. */
-static bool pays(const graph *g, const held *made, const node *before, const node *after, size_t count, int evaluations)
+/* Cycles that a step saves by reading so many values more in each evaluation. */
+static int saved_by(const graph *g, const node *before, const node *after, size_t count, int reads, int evaluations)
 {
     const int saved = cycles_of(count_operations(g, before, count)) - cycles_of(count_operations(g, after, count));
-    const int computed = cycles_of(count_operations(g, made->values, (size_t)made->count));
-    const int more_reads = made->count - tunables_read(g, before, count);
-    return evaluations * (saved - more_reads) > computed + made->count + tunables_read(g, before, count);
+    return evaluations * (saved - reads);
+}
+
+static node *copy_of(const graph *g, const node *roots, size_t count)
+{
+    node *copy = arena_take(g->memory, count, sizeof *copy);
+    for (size_t i = 0; i < count; i++) {
+        copy[i] = roots[i];
+    }
+    return copy;
 }
 
 held held_build(graph *g, const mechanism *m, node *roots, size_t count, int evaluations)
 {
-    const size_t before = g->count;
-    bool *is_held = arena_take(g->memory, before, sizeof *is_held);
-    node *to = arena_take(g->memory, before, sizeof *to), *after = arena_take(g->memory, count, sizeof *after);
-    find_held(g, m, is_held);
-    for (size_t i = 0; i < before; i++) {
-        to[i] = (node)i;
+    enum { LOOK = 16, LOOK_EACH = 2 }; /* whether a tunable has changed: cycles of a tick */
+    const int tunables = tunables_read(g, roots, count);
+    node *tuned = copy_of(g, roots, count);
+    held made = {0};
+    int saved = 0;
+    if (tunables > 0) {
+        gather_coefficients(g, tuned, count);
+        made = hold_more(g, m, false, made, tuned, count);
+        made.tuned = made.count;
+        saved = saved_by(g, roots, tuned, count, made.tuned - tunables, evaluations) - LOOK - LOOK_EACH * tunables;
     }
-    held made = list_held(g, is_held, roots, count, to);
-    for (int i = 0; i < made.count; i++) {
-        to[made.values[i]] = leaf(g, OP_HELD, i);
+    node *once = copy_of(g, tuned, count);
+    const held all = hold_more(g, m, true, made, once, count);
+    const int more = all.count - all.tuned;
+    const int computed = cycles_of(count_operations(g, all.values + all.tuned, (size_t)more));
+    const int saved_once = saved_by(g, tuned, once, count, more, evaluations) - computed - more;
+    if (saved_once > 0) {
+        saved += saved_once;
+        made = all;
+        tuned = once;
     }
-    for (size_t i = 0; i < count; i++) {
-        after[i] = roots[i];
-    }
-    replace_nodes(g, after, count, before, to);
-    if (!pays(g, &made, roots, after, count, evaluations)) {
+    if (saved <= 0) {
         return (held){0};
     }
     for (size_t i = 0; i < count; i++) {
-        roots[i] = after[i];
+        roots[i] = tuned[i];
     }
     return made;
 }

@@ -1,5 +1,5 @@
-/* What does not change within a step: what follows from tunables, held inputs and memories alone. It is computed once a
- * step, and stands in an array h for all evaluations of the derivative. */
+/* What does not change within a step stands in an array h for all evaluations of the derivative. What follows from tunables
+ * alone is computed when one changes; behind it is what a step computes once, from that, held inputs and memories. */
 #ifndef ISOC_PLANT_HELD_H
 #define ISOC_PLANT_HELD_H
 
@@ -7,7 +7,8 @@
 #include "tools/isoc/mechanism/mechanism.h"
 
 typedef struct held {
-    node *values; /* h: of tunables and inputs */
+    node *values; /* h: of tunables, then of h, inputs and memories */
+    int tuned;    /* how many are of tunables alone */
     int count;    /* 0: nothing is held, as that would not pay */
 } held;
 

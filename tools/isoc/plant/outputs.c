@@ -1,5 +1,6 @@
 #include "tools/isoc/plant/outputs.h"
 
+#include "tools/isoc/dynamics/account.h"
 #include "tools/isoc/dynamics/reaction.h"
 
 /* --- one function for each kind, or for a few that differ little --- */
@@ -141,6 +142,18 @@ static void show_energy(plant *p, graph *g, const shown *o)
     show(p, o, p->energy);
 }
 
+static void show_power(plant *p, graph *g, const shown *o)
+{
+    (void)g;
+    show(p, o, account_power(p->d));
+}
+
+static void show_balance(plant *p, graph *g, const shown *o)
+{
+    (void)g;
+    show(p, o, account_balance(p->d));
+}
+
 static void show_local_error(plant *p, graph *g, const shown *o)
 {
     show(p, o, leaf(g, OP_LOCAL_ERROR, 0));
@@ -199,6 +212,8 @@ static show_function *const functions[OUTPUT_ROWS] = {
     [OUTPUT_MOMENT] = show_moment,
     [OUTPUT_EFFORT] = show_effort,
     [OUTPUT_ENERGY] = show_energy,
+    [OUTPUT_POWER] = show_power,
+    [OUTPUT_BALANCE] = show_balance,
     [OUTPUT_LOCAL_ERROR] = show_local_error,
     [OUTPUT_RESIDUAL] = show_residual,
     [OUTPUT_VIOLATION] = show_violation,
@@ -219,7 +234,7 @@ void outputs_build(plant *p, graph *g)
     p->output_shows = arena_take(g->memory, room, sizeof *p->output_shows);
     p->outputs = arena_take(g->memory, room, sizeof *p->outputs);
     kinematics_velocities(&p->d->k);
-    p->energy = dynamics_energy(p->d);
+    p->energy = account_energy(p->d);
     graph_section(g, "Points in the ground's frame");
     for (size_t i = 0; i < m->output_count; i++) {
         functions[m->outputs[i].kind](p, g, &m->outputs[i]);

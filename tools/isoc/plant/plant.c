@@ -49,6 +49,60 @@ static bool is_hopeless(const choice *so_far, const graph *g, const mechanism *m
            composite_products(g, m) > MULTIPLE * cycles_of(so_far->of[FORMULATION_ARTICULATED]);
 }
 
+/* Whether the compiler is asked to inline all calls of a step: up to so many operations in its evaluations, where a
+ * sine and cosine count as 25, and a sub-step that varies counts once. In float, calls cost a fifth of a small plant's
+ * step on a Cortex-M4F and an eighth of that of a chain of three, in double on a PC less. In a large step they cost
+ * little, and copies need much memory. */
+static bool is_flat(const plant *p, const graph *g)
+{
+    enum { MOST_FLOAT = 600, MOST_DOUBLE = 400, OF_SINCOS = 25 };
+    const mechanism *m = p->m;
+    const int most = p->is_double ? MOST_DOUBLE : MOST_FLOAT;
+    const operations n = count_operations(g, p->derivatives, (size_t)state_count(m));
+    const int evaluations = ISO_IS_VARYING(m->recipe) ? 1 : ISO_EVALUATIONS_OF(m->recipe);
+    return evaluations * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= most;
+}
+
+/* The derivatives, and the factors of an implicit method, as functions of what is held. Where all calls are inlined, the
+ * compiler sees by itself what the evaluations share, as if there were one. */
+static void hold(plant *p, graph *g)
+{
+    const mechanism *m = p->m;
+    const size_t states = (size_t)state_count(m), factors = (size_t)p->j.factor_count;
+    node *roots = arena_take(g->memory, states + factors, sizeof *roots);
+    memcpy(roots, p->derivatives, states * sizeof *roots);
+    p->held_derivatives = roots;
+    p->is_flat = is_flat(p, g);
+    if ((p->is_flat && m->parameter_count == 0) || p->j.looped != NULL) {
+        return;
+    }
+    if (factors > 0) {
+        memcpy(roots + states, p->j.factors, factors * sizeof *roots);
+    }
+    p->held = held_build(g, m, roots, states + factors, p->is_flat ? 1 : ISO_EVALUATIONS_OF(m->recipe));
+    if (p->held.count > 0 && factors > 0) {
+        memcpy(p->j.factors, roots + states, factors * sizeof *roots);
+    }
+}
+
+/* Cycles of a step, without what follows from tunables alone. */
+static int cost_of_tried(const plant *tried, const graph *g)
+{
+    if (tried->m->parameter_count == 0) {
+        return cycles_of(cost_of_step(tried, g));
+    }
+    plant p = *tried;
+    graph on_trial = graph_copy(g);
+    if (p.j.factor_count > 0) {
+        p.j.factors = arena_take(g->memory, (size_t)p.j.factor_count, sizeof *p.j.factors);
+        memcpy(p.j.factors, tried->j.factors, (size_t)p.j.factor_count * sizeof *p.j.factors);
+    }
+    hold(&p, &on_trial);
+    const int cost = cycles_of(cost_of_step(&p, &on_trial));
+    graph_free(&on_trial);
+    return cost;
+}
+
 /* Builds every formulation that fits, each in a copy of the graph, and keeps the one that is wanted, or else the
  * cheapest one. */
 static void build_cheapest(plant *p, graph *g, formulation wanted)
@@ -72,7 +126,7 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
         build_derivatives(&tried, g, f);
         made.tried[f] = true;
         made.of[f] = count_operations(g, tried.derivatives, (size_t)state_count(p->m));
-        const int cost = cycles_of(cost_of_step(&tried, g));
+        const int cost = cost_of_tried(&tried, g);
         const bool is_cheaper = made.kept == FORMULATIONS || cost < least || (cost == least && f < made.kept);
         if (f == wanted || (is_free && is_cheaper)) {
             graph_free(&kept);
@@ -107,42 +161,6 @@ static bool is_curved(const graph *of, const plant *p)
     }
     graph_free(&g);
     return curved;
-}
-
-/* Whether the compiler is asked to inline all calls of a step: up to so many operations in its evaluations, where a
- * sine and cosine count as 25, and a sub-step that varies counts once. In float, calls cost a fifth of a small plant's
- * step on a Cortex-M4F and an eighth of that of a chain of three, in double on a PC less. In a large step they cost
- * little, and copies need much memory. */
-static bool is_flat(const plant *p, const graph *g)
-{
-    enum { MOST_FLOAT = 600, MOST_DOUBLE = 400, OF_SINCOS = 25 };
-    const mechanism *m = p->m;
-    const int most = p->is_double ? MOST_DOUBLE : MOST_FLOAT;
-    const operations n = count_operations(g, p->derivatives, (size_t)state_count(m));
-    const int evaluations = ISO_IS_VARYING(m->recipe) ? 1 : ISO_EVALUATIONS_OF(m->recipe);
-    return evaluations * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= most;
-}
-
-/* The derivatives, and the factors of an implicit method, as functions of what is held. Where all calls are inlined, the
- * compiler sees by itself what the evaluations share. */
-static void hold(plant *p, graph *g)
-{
-    const mechanism *m = p->m;
-    const size_t states = (size_t)state_count(m), factors = (size_t)p->j.factor_count;
-    node *roots = arena_take(g->memory, states + factors, sizeof *roots);
-    memcpy(roots, p->derivatives, states * sizeof *roots);
-    p->held_derivatives = roots;
-    p->is_flat = is_flat(p, g);
-    if (p->is_flat || p->j.looped != NULL) {
-        return;
-    }
-    if (factors > 0) {
-        memcpy(roots + states, p->j.factors, factors * sizeof *roots);
-    }
-    p->held = held_build(g, m, roots, states + factors, ISO_EVALUATIONS_OF(m->recipe));
-    if (p->held.count > 0 && factors > 0) {
-        memcpy(p->j.factors, roots + states, factors * sizeof *roots);
-    }
 }
 
 plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted)

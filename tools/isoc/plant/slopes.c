@@ -5,17 +5,17 @@
 #include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/graph/economy.h"
 
-linearised linearise(const graph *of, const mechanism *m, const node *derivatives)
+linearised linearise(const graph *of, const mechanism *m, const node *of_roots, size_t count)
 {
     const size_t states = (size_t)state_count(m);
     arena *memory = of->memory;
-    node *roots = arena_take(memory, states + 1, sizeof *roots), *along = arena_take(memory, states + 1, sizeof *along);
-    linearised made = {.m = m, .changes = arena_take(memory, states + 1, sizeof *made.changes)};
-    made.g = economise(of, derivatives, states, roots);
+    node *roots = arena_take(memory, count + 1, sizeof *roots), *along = arena_take(memory, states + 1, sizeof *along);
+    linearised made = {.m = m, .changes = arena_take(memory, count + 1, sizeof *made.changes)};
+    made.g = economise(of, of_roots, count, roots);
     for (size_t i = 0; i < states; i++) {
         along[i] = leaf(&made.g, OP_INPUT, held_count(m) + (int)i);
     }
-    differentiate_along(&made.g, roots, states, along, made.changes);
+    differentiate_along(&made.g, roots, count, along, made.changes);
     return made;
 }
 

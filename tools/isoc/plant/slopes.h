@@ -4,14 +4,14 @@
 
 #include "tools/isoc/plant/plant.h"
 
-/* The change of each derivative, with the changes of the states as inputs behind those of the plant. */
+/* The change of each of some nodes, as of the derivatives, with the changes of the states as inputs behind those of the plant. */
 typedef struct linearised {
     const mechanism *m;
     graph g;
     node *changes;
 } linearised;
 
-linearised linearise(const graph *of, const mechanism *m, const node *derivatives);
+linearised linearise(const graph *of, const mechanism *m, const node *roots, size_t count);
 
 /* J[n n] row by row. A quaternion q counts as three: the rotation about the axes of its parent that moves it, dq = phi q / 2,
  * of which none lets a change of q itself grow; what changes its length is no part of the motion. */

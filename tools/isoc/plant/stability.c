@@ -5,6 +5,7 @@
 #include "tools/isoc/mechanism/causes.h"
 #include "tools/isoc/mechanism/states.h"
 #include "tools/isoc/plant/modes.h"
+#include "tools/isoc/plant/steepest.h"
 
 enum { MOST_STATES = 60 };
 
@@ -27,7 +28,7 @@ static modes modes_without(const graph *g, const mechanism *m, formulation kept,
         }
     }
     derivatives_build(&copy, less, kept, derivatives);
-    linearised l = linearise(&copy, less, derivatives);
+    linearised l = linearise(&copy, less, derivatives, (size_t)state_count(m));
     const modes made = modes_of(g->memory, slopes_at(&l, at->x, at->u));
     graph_free(&l.g);
     graph_free(&copy);
@@ -38,12 +39,13 @@ static modes modes_without(const graph *g, const mechanism *m, formulation kept,
 static int find_cause(const graph *g, const plant *p, bool *gone, const point *at, modes *left)
 {
     const mechanism *m = p->m;
-    int found = -1, fastest, least = count_growing(g->memory, left, m->recipe, m->step, &fastest);
+    int found = -1, fastest, least = count_growing(g->memory, left, m->recipe, method_step(m), &fastest);
     for (int i = 0; i < cause_count(m) && least > 0; i++) {
         if (!gone[i]) {
             gone[i] = true;
             const modes tried = modes_without(g, m, p->formulations.kept, gone, at);
-            const int count = tried.found ? count_growing(g->memory, &tried, m->recipe, m->step, &fastest) : least;
+            const int count =
+                tried.found ? count_growing(g->memory, &tried, m->recipe, method_step(m), &fastest) : least;
             gone[i] = false;
             if (count < least) {
                 least = count;
@@ -76,15 +78,15 @@ static void warn(const source *s, arena *memory, const plant *p, const modes *m,
     const cause none = {"mechanism", of->name, of->links[0].at};
     const cause c = which < 0 ? none : cause_of(of, which);
     int fastest = 0;
-    count_growing(memory, m, of->recipe, of->step, &fastest);
+    count_growing(memory, m, of->recipe, method_step(of), &fastest);
     const double im = fabs(m->im[fastest]);
     const char *oscillation = im == 0.0 ? "" : arena_format(memory, " +- %.4g i", im);
     source_warn(
         s, c.at,
         "the %s '%s' is too fast for %s with a step of %.4g ms: the Jacobian %s has the eigenvalue %.4g%s 1/s; the "
         "largest stable steps: %s",
-        c.sort, c.name, method_names[ISO_METHOD_OF(of->recipe)], 1e3 * of->step, at->when, m->re[fastest], oscillation,
-        steps_text(memory, m));
+        c.sort, c.name, method_names[ISO_METHOD_OF(of->recipe)], 1e3 * method_step(of), at->when, m->re[fastest],
+        oscillation, steps_text(memory, m));
 }
 
 /* Warns of each cause, until what is left is held. Returns whether there was one. */
@@ -94,7 +96,7 @@ static bool check_point(const source *s, const graph *g, const plant *p, slopes 
     modes before = modes_of(g->memory, of);
     int fastest;
     bool any = false;
-    while (before.found && count_growing(g->memory, &before, p->m->recipe, p->m->step, &fastest) > 0) {
+    while (before.found && count_growing(g->memory, &before, p->m->recipe, method_step(p->m), &fastest) > 0) {
         modes left = before;
         const int which = find_cause(g, p, gone, at, &left);
         warn(s, g->memory, p, &before, which, at);
@@ -138,6 +140,25 @@ static bool stop_at(const mechanism *m, point *at)
     return moved;
 }
 
+/* With one state beside a kink of an effect, where that is steepest. With closures a state cannot move alone. Returns whether
+ * there was a warning. */
+static bool check_steepest(const source *s, const graph *g, const plant *p, const linearised *l, const point *at)
+{
+    const mechanism *m = p->m;
+    bool any = false;
+    for (int i = 0; i < m->effect_count && m->cut_count == 0; i++) {
+        double *steep[STEEPEST_POINTS];
+        const int count = steepest_points(g, m, i, at->x, at->u, steep);
+        const char *when = arena_format(g->memory, "where '%s' is steepest", m->effects[i].text);
+        bool told = false;
+        for (int k = 0; k < count && !told; k++) {
+            told = check_point(s, g, p, slopes_at(l, steep[k], at->u), &(point){when, steep[k], at->u});
+        }
+        any = any || told;
+    }
+    return any;
+}
+
 /* An implicit method divides by the Jacobian. */
 static void refuse(source *s, const mechanism *m, arena *memory, int which)
 {
@@ -155,13 +176,14 @@ void stability_check(source *s, const graph *g, const plant *p)
     if (ISO_IS_VARYING(m->recipe) || state_count(m) > MOST_STATES) {
         return;
     }
-    linearised l = linearise(g, m, p->derivatives);
+    linearised l = linearise(g, m, p->derivatives, (size_t)state_count(m));
     point at = start_of(g, m);
     const slopes first = slopes_at(&l, at.x, at.u);
     if (first.infinite >= 0 && ISO_IS_IMPLICIT(m->recipe)) {
         refuse(s, m, g->memory, first.infinite);
-    } else if (!check_point(s, g, p, first, &at) && stop_at(m, &at)) {
-        check_point(s, g, p, slopes_at(&l, at.x, at.u), &at);
+    } else if (!check_point(s, g, p, first, &at) && !check_steepest(s, g, p, &l, &at) && stop_at(m, &at) &&
+               !check_point(s, g, p, slopes_at(&l, at.x, at.u), &at)) {
+        (void)check_steepest(s, g, p, &l, &at);
     }
     graph_free(&l.g);
 }

@@ -47,8 +47,9 @@ bool counts_check(source *s, const scene *written)
         const effect_kind *kind = find_effect_kind(written, written->effects[i].kind);
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
             const place at = written->effects[i].name.at;
-            count(s, &states, kind->lines[n].kind == EFFECT_STATE, at);
-            count(s, &inputs, kind->lines[n].kind == EFFECT_MEMORY, at);
+            const size_t parts = (size_t)kind->lines[n].parts;
+            count(s, &states, kind->lines[n].kind == EFFECT_STATE ? parts : 0, at);
+            count(s, &inputs, kind->lines[n].kind == EFFECT_MEMORY ? parts : 0, at);
             count(s, &tunables, kind->lines[n].kind == EFFECT_FAULT, at);
         }
     }

@@ -24,8 +24,8 @@ static void add_part(parser *p, formula *f, formula *part)
 /* Words that may follow a number on its line; they are not misspelt units. */
 static bool next_is_connective(const parser *p)
 {
-    static const char *const words[] = {"at",   "about", "rotate", "quaternion", "rest", "along", "of",
-                                        "jump", "in",    "to",     "and",        "set",  "like"};
+    static const char *const words[] = {"at", "about", "rotate", "quaternion", "rest", "along", "of",    "jump",
+                                        "in", "to",    "and",    "set",        "like", "safe",  "after", "ticks"};
     for (size_t i = 0; i < COUNT_OF(words); i++) {
         if (next_is_word(p, words[i])) {
             return true;
@@ -152,8 +152,35 @@ static formula *parse_order(parser *p)
     return f;
 }
 
+/* The lines of a table of two quantities: ; place {, place} {; place : value {, value}}, each as a vector. */
+static void parse_grid(parser *p, formula *f)
+{
+    f->number = 2.0;
+    while (!p->failed && take_sign(p, ';')) {
+        formula *line = formula_new(p, FORMULA_VECTOR, p->next->at);
+        const bool is_row = f->count > 2;
+        do {
+            formula *part = parse_order(p);
+            if (part == NULL) {
+                return;
+            }
+            add_part(p, line, part);
+            if (is_row && line->count == 1 && !next_is_sign(p, ':')) {
+                parse_problem(
+                    p, "expected : behind the place of a row, as in table(x, y; 0 m, 1 m; 0 s: 1 N, 2 N; 1 s: 3 N, "
+                       "5 N)");
+                return;
+            }
+        } while (take_sign(p, ',') || (is_row && line->count == 1 && take_sign(p, ':')));
+        add_part(p, f, line);
+    }
+    if (!take_sign(p, ')')) {
+        parse_problem(p, "expected , ; or )");
+    }
+}
+
 /* formula { , formula } ), after the opening parenthesis. A semicolon separates like a comma, and so does a colon
- * between time and value. Points may stand behind a quantity that they are of. */
+ * between time and value. Points may stand behind a quantity that they are of, lines of values behind two. */
 static void parse_parts(parser *p, formula *f, bool of_points)
 {
     do {
@@ -168,6 +195,9 @@ static void parse_parts(parser *p, formula *f, bool of_points)
         add_part(p, f, part);
         if (of_points && f->count == 1 && next_is_sign(p, ',')) {
             f->number = 1.0;
+        } else if (f->number > 0.0 && f->count == 2 && next_is_sign(p, ';')) {
+            parse_grid(p, f);
+            return;
         }
     } while (take_sign(p, ',') || take_sign(p, ';') || (of_points && take_sign(p, ':')));
     if (!take_sign(p, ')')) {
@@ -215,8 +245,9 @@ static formula *parse_quantity(parser *p)
 
 bool next_is_quantity(const parser *p)
 {
-    static const char *const words[] = {"position", "speed", "velocity", "spin",         "x_axis",        "y_axis",
-                                        "z_axis",   "power", "inertia",  "acceleration", "specific_force"};
+    static const char *const words[] = {"position", "speed",  "velocity", "spin",         "x_axis",
+                                        "y_axis",   "z_axis", "inertia",  "acceleration", "specific_force",
+                                        "power",    "energy", "loss",     "work"};
     bool is = false;
     for (size_t i = 0; i < COUNT_OF(words); i++) {
         is = is || next_is_word(p, words[i]);

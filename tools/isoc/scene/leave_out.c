@@ -43,7 +43,7 @@ static bool is_lost(const scene *made, const formula *f, size_t depth)
         return false;
     }
     bool is = f->kind == FORMULA_NAME && is_of_left_out(made, f->name);
-    if (f->kind == FORMULA_OF && strcmp(f->name, "power") == 0 && f->parts[0]->name != NULL) {
+    if (f->kind == FORMULA_OF && f->parts[0]->name != NULL) {
         const effect_use *use = effect_called(made, f->parts[0]->name, strlen(f->parts[0]->name));
         is = use != NULL && use->left_out;
     }

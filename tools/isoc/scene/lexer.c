@@ -172,7 +172,7 @@ token *lex(source *s, const script *of, place from)
             skip_comment(&l);
         } else if (is_digit(c) || (c == '.' && is_digit(look(&l, 1)))) {
             lex_number(&l);
-        } else if (is_letter(c) || (c == '.' && l.at > 0 && of->text[l.at - 1] == ']')) {
+        } else if (is_letter(c) || (c == '.' && l.at > 0 && of->text[l.at - 1] == ']' && is_letter(look(&l, 1)))) {
             lex_name(&l);
         } else if (c == '"') {
             lex_text(&l);
@@ -185,6 +185,8 @@ token *lex(source *s, const script *of, place from)
     }
     l.line_is_new = true;
     l.at = of->length;
-    add(&l, TOKEN_END, of->length);
+    for (int i = 0; i <= TOKENS_AHEAD; i++) {
+        add(&l, TOKEN_END, of->length);
+    }
     return l.tokens;
 }

@@ -132,6 +132,8 @@ const effect_kind *find_effect_kind(const scene *written, name n)
     return found < 0 ? NULL : &written->effect_kinds[found];
 }
 
+const char *const effect_endings[] = {"_x", "_y", "_z", ""};
+
 /* What an effect has stands in plant.h as EFFECT_NAME. */
 static void list_effect(source *s, const scene *written, const effect_use *use, listing *held, listing *parameters)
 {
@@ -139,8 +141,10 @@ static void list_effect(source *s, const scene *written, const effect_use *use, 
     for (size_t i = 0; kind != NULL && use->name.text != NULL && i < kind->line_count; i++) {
         const effect_line *line = &kind->lines[i];
         listing *of = line->kind == EFFECT_MEMORY ? held : line->kind == EFFECT_FAULT ? parameters : NULL;
-        if (of != NULL && line->name.text != NULL) {
-            listing_add(s, of, (name){arena_format(s->memory, "%s_%s", use->name.text, line->name.text), use->name.at});
+        for (int part = 0; part < line->parts && of != NULL && line->name.text != NULL; part++) {
+            const char *called = arena_format(s->memory, "%s_%s%s", use->name.text, line->name.text,
+                                              effect_endings[line->parts == 3 ? part : 3]);
+            listing_add(s, of, (name){called, use->name.at});
         }
     }
 }

@@ -24,6 +24,9 @@ const char *output_components(const scene *written, const output *o);
 /* The definition of a kind of effect; NULL if there is none. */
 const effect_kind *find_effect_kind(const scene *written, name n);
 
+/* What the names of the numbers of a state or a memory end with: those of a vector, then that of one number. */
+extern const char *const effect_endings[];
+
 /* The largest number of clocks that a motion can have: one for each use of the time in its formula. */
 int closure_clocks(const closure *c);
 

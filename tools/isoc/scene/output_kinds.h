@@ -33,6 +33,8 @@ typedef enum operand {
     ROW(OUTPUT_MOMENT, "moment", OF_CONNECTION, false, "xyz", "N*m", "N*m")                                            \
     ROW(OUTPUT_EFFORT, "effort", OF_TRANSMISSION, false, "", "N", "N*m")                                               \
     ROW(OUTPUT_ENERGY, "energy", OF_MECHANISM, false, "", "J", "J")                                                    \
+    ROW(OUTPUT_POWER, "power", OF_MECHANISM, false, "", "W", "W")                                                      \
+    ROW(OUTPUT_BALANCE, "balance", OF_MECHANISM, false, "", "W", "W")                                                  \
     ROW(OUTPUT_LOCAL_ERROR, "local_error", OF_STEP, false, "", "mixed", "mixed")                                       \
     ROW(OUTPUT_RESIDUAL, "residual", OF_STEP, false, "", "mixed", "mixed")                                             \
     ROW(OUTPUT_VIOLATION, "violation", OF_CLOSURES, false, "", "m or rad", "m or rad")                                 \

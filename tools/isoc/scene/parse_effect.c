@@ -40,11 +40,23 @@ static void parse_optional_value(parser *p, effect_line *line)
     }
 }
 
+/* (0, 0, 0) m */
+static bool is_vector(const formula *f)
+{
+    const formula *of = f != NULL && f->kind == FORMULA_SCALE ? f->parts[0] : f;
+    return of != NULL && of->kind == FORMULA_VECTOR && of->count == 3;
+}
+
 /* What a line has besides its name. */
 static void parse_rest(parser *p, effect_line *line)
 {
     switch (line->kind) {
     case EFFECT_JOINT:
+        line->is_bounded = take_word(p, "not");
+        if (line->is_bounded && !take_word(p, "continuous")) {
+            parse_problem(p, "expected 'continuous', as in: joint along not continuous");
+        }
+        break;
     case EFFECT_BODY:
     case EFFECT_FAULT:
         break;
@@ -57,6 +69,7 @@ static void parse_rest(parser *p, effect_line *line)
     case EFFECT_MEMORY:
         line->has_unit = take_unit(p, &line->unit);
         parse_equals(p, line, "state current A = 0 A");
+        line->parts = is_vector(line->value) ? 3 : 1;
         break;
     case EFFECT_FORCE:
     case EFFECT_MOMENT:
@@ -87,7 +100,7 @@ static void add_line(parser *p, effect_kind *made, effect_line line)
 /* A line that begins with its word and a name: what is called so, or what the line is about. */
 static void read_line(parser *p, effect_kind *made, effect_line_kind kind, bool is_new)
 {
-    effect_line line = {.kind = kind, .at = p->next->at};
+    effect_line line = {.kind = kind, .at = p->next->at, .parts = 1};
     line.name =
         is_new ? take_inner_name(p, "expected a name") : take_name(p, "expected the name of what this is about");
     if (!p->failed) {
@@ -129,10 +142,11 @@ static void read_action(parser *p, const token *word, void *slot)
               false);
 }
 
-/* energy = FORMULA */
-static void read_energy(parser *p, const token *word, void *slot)
+/* energy = FORMULA, loss = FORMULA, work = FORMULA */
+static void read_account(parser *p, const token *word, void *slot)
 {
-    effect_line line = {.kind = EFFECT_ENERGY, .name = {word->text, word->at}, .at = word->at};
+    effect_line line = {.name = {word->text, word->at}, .at = word->at};
+    line.kind = word->text[0] == 'e' ? EFFECT_ENERGY : word->text[0] == 'l' ? EFFECT_LOSS : EFFECT_WORK;
     parse_equals(p, &line, "energy = stiffness * stretch^2 / 2");
     add_line(p, slot, line);
 }
@@ -166,7 +180,8 @@ static const property lines[] = {
     {"next", read_next, 0, EVERY_KIND | MANY, NULL},         {"effort", read_action, 0, EVERY_KIND | MANY, NULL},
     {"force", read_action, 0, EVERY_KIND | MANY, NULL},      {"moment", read_action, 0, EVERY_KIND | MANY, NULL},
     {"body", read_given_body, 0, EVERY_KIND | MANY, NULL},   {"output", read_shown, 0, EVERY_KIND | MANY, NULL},
-    {"energy", read_energy, 0, EVERY_KIND | MANY, NULL},     {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"energy", read_account, 0, EVERY_KIND | MANY, NULL},    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"work", read_account, 0, EVERY_KIND | MANY, NULL},      {"require", read_require, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};

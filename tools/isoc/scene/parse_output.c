@@ -5,15 +5,16 @@
 #include "tools/isoc/scene/statements.h"
 
 /* Whether the next words are those of a row: position of hinge; and not those of a formula: 2 * position of hinge, or
- * position of hinge / 2, or power of drive. */
+ * position of hinge / 2, or power of drive, which is of an effect. */
 static bool next_is_output_kind(const parser *p)
 {
     const token *last = p->next;
+    const bool has_owner = last[1].kind == TOKEN_NAME && strcmp(last[1].text, "of") == 0;
     bool is_known = false;
     for (output_kind kind = 0; kind < OUTPUT_FORMULA; kind++) {
-        is_known = is_known || next_is_word(p, output_rows[kind].word);
+        const bool is_owned = output_rows[kind].of >= OF_COORDINATE;
+        is_known = is_known || (next_is_word(p, output_rows[kind].word) && (is_owned || !has_owner));
     }
-    const bool has_owner = last[1].kind == TOKEN_NAME && strcmp(last[1].text, "of") == 0;
     if (last->kind != TOKEN_NAME || (!is_known && (!has_owner || next_is_quantity(p)))) {
         return false;
     }

@@ -38,22 +38,34 @@ static void read_parameter(parser *p, const token *word, void *slot)
     note_constant(p, &q);
 }
 
+/* VALUE after NUMBER ticks */
+static void read_safe(parser *p, quantity *q)
+{
+    q->safe = parse_formula(p);
+    if (!p->failed && !take_word(p, "after")) {
+        parse_problem(p, "expected after and a number of ticks: safe 0 N after 5 ticks");
+    }
+    q->after = p->failed ? NULL : parse_formula(p);
+    if (!p->failed && !take_word(p, "ticks")) {
+        source_problem(p->s, q->after->at, "the time of a safe value is in ticks: safe 0 N after 5 ticks");
+        q->after = NULL;
+    }
+}
+
 /* Behind what an input has: a word that it does not have, or not there. */
 static void refuse_input_word(parser *p)
 {
-    static const char *const words[] = {"held", "smooth", "jump", "in"};
+    static const char *const words[] = {"held", "smooth", "jump", "in", "safe"};
     if (!p->failed && p->next->kind == TOKEN_NAME && !p->next->first_on_line) {
         bool known = false;
         for (size_t i = 0; i < COUNT_OF(words); i++) {
             known = known || strcmp(p->next->text, words[i]) == 0;
         }
         const char *near = known ? "" : source_suggestion(p->s, p->next->text, words, COUNT_OF(words));
-        parse_problem(
-            p,
-            arena_format(
-                p->s->memory,
-                "expected, in this order, a unit, held or smooth, jump with a change, = with a value, in with limits%s",
-                near));
+        parse_problem(p, arena_format(p->s->memory,
+                                      "expected, in this order, a unit, held or smooth, jump with a change, = with a "
+                                      "value, in with limits, safe with a value after ticks%s",
+                                      near));
     }
 }
 
@@ -72,6 +84,9 @@ static void read_input_statement(parser *p, const token *word, void *slot)
     }
     if (!p->failed && take_word(p, "in")) {
         read_limits(p, &q);
+    }
+    if (!p->failed && take_word(p, "safe")) {
+        read_safe(p, &q);
     }
     refuse_input_word(p);
     made->inputs = arena_grow(p->s->memory, made->inputs, made->input_count, &made->input_room, sizeof q);
@@ -103,6 +118,10 @@ static const property statements[] = {
     {"tolerance", read_formula, IN(tolerance), EVERY_KIND, NULL},
     {"substeps", read_formula, IN(substeps), EVERY_KIND, NULL},
     {"stabilisation", read_stabilisation, IN(stabilisation), EVERY_KIND, NULL},
+    {"overrun", read_overrun, IN(running), EVERY_KIND, NULL},
+    {"grace", read_grace, IN(running), EVERY_KIND, NULL},
+    {"publish", read_publish, IN(running), EVERY_KIND, NULL},
+    {"histogram", read_histogram, IN(running), EVERY_KIND, NULL},
     {"body", read_body, 0, EVERY_KIND | MANY, NULL},
     {"frame", read_frame, 0, EVERY_KIND | MANY, NULL},
     {"joint", read_joint_statement, 0, EVERY_KIND | MANY, NULL},

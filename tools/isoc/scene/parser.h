@@ -22,7 +22,8 @@
  *   placement     = NAME [at FORMULA] { rotate FORMULA about AXIS }
  *   pose          = [at FORMULA] ({ rotate FORMULA [about AXIS] } | quaternion FORMULA)
  *   parameter     = constant NAME = FORMULA | tunable NAME = FORMULA [in FORMULA to FORMULA]
- *   input         = input NAME [jump FORMULA] [= FORMULA]
+ *   input         = input NAME [UNIT] [held | smooth] [jump FORMULA] [= FORMULA] [in FORMULA to FORMULA]
+ *                 [safe FORMULA after FORMULA ticks]
  *   output        = output NAME = OUTPUT [of NAME [at FORMULA] [along (x | y | z)]]
  *   repeat        = repeat WORD from FORMULA to FORMULA { { statement } }
  *   include       = include "FILE"

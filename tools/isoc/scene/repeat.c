@@ -189,13 +189,16 @@ static const token *copy_of(parser *p, const token *first, const token *end)
     const passage *in = source_find(p->s, first->at);
     const size_t offset = in->offset + (first->at - in->from);
     const place from = source_passage(p->s, in->of, offset, end->at - first->at, note_of(p, p->repeated));
-    token *made = arena_take(p->s->memory, count + 1, sizeof *made);
+    token *made = arena_take(p->s->memory, count + 1 + TOKENS_AHEAD, sizeof *made);
     for (size_t i = 0; i <= count; i++) {
         made[i] = first[i];
         made[i].at = from + (first[i].at - first->at);
     }
     made[count].kind = TOKEN_END; /* with the text of its brace */
     made[count].sign = 0;
+    for (int i = 1; i <= TOKENS_AHEAD; i++) {
+        made[count + (size_t)i] = made[count];
+    }
     return made;
 }
 

@@ -19,7 +19,8 @@ typedef enum formula_kind {
     FORMULA_STEP,   /* sign parts[0] */
     FORMULA_POWER,  /* parts[0] to the number */
     FORMULA_ORDER,  /* parts[0] sign parts[1]; with the number 1, also equal: a <= b */
-    FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value; with the number 1 after a quantity */
+    FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value; with the number 1 after a quantity,
+                    * with 2 after two quantities lines of places and of a place and values */
     FORMULA_FILE,   /* a column, number, of the file: pairs of time and value */
     FORMULA_OF,     /* name, a word such as speed, of the joint or body that parts[0] names */
 } formula_kind;
@@ -153,6 +154,8 @@ typedef struct quantity {
     unit unit;      /* of an input that has_unit */
     bool has_unit;
     formula *least, *most; /* of a tunable or an input: in LEAST to MOST, or NULL */
+    formula *safe,
+        *after; /* of an input: what it becomes, so many ticks after the last that came over a link; or NULL */
     bool tunable;
     formula *point; /* of an operand that is a body: NAME at POINT */
     bool smooth;    /* an input that is a sample of a continuous signal; otherwise it is held over a step */
@@ -175,6 +178,8 @@ typedef enum effect_line_kind {
     EFFECT_FORCE,  /* on the body that it names, a vector in the axes of the ground */
     EFFECT_MOMENT,
     EFFECT_ENERGY, /* that it stores */
+    EFFECT_LOSS,   /* the power that it turns into heat */
+    EFFECT_WORK,   /* the power that it takes from what the mechanism does not know */
     EFFECT_OUTPUT,
     EFFECT_REQUIRE, /* value and most: the second is not less than the first */
     EFFECT_LINE_KINDS
@@ -185,6 +190,8 @@ typedef struct effect_line {
     name name;
     place at;
     name like, like_of; /* effort, speed or position, of a joint: its unit */
+    int parts;          /* numbers: 1; of a state or a memory that starts with a vector 3 */
+    bool is_bounded;    /* of a joint: it must not be continuous */
     bool in_body;       /* of a force or a moment: in the axes of the body, not of the ground */
     name against;       /* of a force or a moment: the body that it pushes the other way; or NULL */
     bool has_unit;
@@ -227,6 +234,23 @@ typedef struct output {
     place point_at, along_at;
 } output;
 
+/* What the loop does about ticks that do not keep their time, and what it counts of them. */
+typedef enum overrun_kind { OVERRUN_COUNT, OVERRUN_CATCH_UP, OVERRUN_STOP, OVERRUN_DEGRADE } overrun_kind;
+
+enum { MOST_RUNGS = 8 };
+
+typedef struct running {
+    overrun_kind overrun;
+    place overrun_at;
+    formula *catch_up, *grace; /* ticks; NULL where none is given */
+    name rungs[MOST_RUNGS];    /* of degrade, in their order: a method, or `hold` */
+    bool rests[MOST_RUNGS];    /* which of them is `hold` */
+    size_t rung_count;
+    formula *after; /* so many good ticks one rung up again */
+    bool delayed;   /* outputs are published when the next tick begins */
+    bool histogram; /* of execution times */
+} running;
+
 typedef struct scene {
     const char *name;
     bool broken; /* a statement could not be read: what is missing may have been in it */
@@ -234,6 +258,7 @@ typedef struct scene {
     name method, compensated, checked; /* the last two: yes or no */
     formula *iterations, *tolerance, *substeps;
     stabilisation stabilisation;
+    running running;
     body *bodies;
     named_frame *frames;
     point_spring *springs;

@@ -9,7 +9,7 @@
 
 struct block;
 
-enum { LONGEST_NAME = 64, MOST_PROPERTIES = 24 };
+enum { LONGEST_NAME = 64, MOST_PROPERTIES = 32 };
 
 /* A repeat that is being read, in another one or in none. */
 typedef struct repetition {

@@ -115,7 +115,12 @@ void asked_resolve(graph *g, mechanism *m)
     const answers all = {points, by_inertia ? inertias(g, m, &k) : NULL};
     graph_section(g, "Effects");
     replace(g, m->efforts, m->dof_count, &all);
-    replace(g, &m->stored, 1, &all);
+    for (int i = 0; i < m->effect_count; i++) {
+        replace(g, &m->accounts[i].power, 1, &all);
+        replace(g, &m->accounts[i].stored, 1, &all);
+        replace(g, &m->accounts[i].loss, 1, &all);
+        replace(g, &m->accounts[i].work, 1, &all);
+    }
     for (int i = 0; i < m->derived_count; i++) {
         replace(g, &m->derived[i].next, 1, &all);
     }

@@ -1,0 +1,122 @@
+#include "tools/isoc/dynamics/account.h"
+
+#include "tools/isoc/graph/differentiate.h"
+
+/* T = m v.v / 2 + v.(omega x ms) + omega.J omega / 2, about the link's origin; and its spring's. */
+static node energy_of_link(const dynamics *d, int i)
+{
+    graph *g = d->g;
+    const node half = constant(g, 0.5);
+    const link *l = &d->m->links[i];
+    const motion *now = &d->k.motions[i];
+    const node half_mass = mul(g, half, l->mass);
+    const node linear = mul(g, half_mass, vector_dot(g, now->v, now->v));
+    const node mixed = vector_dot(g, now->v, vector_cross(g, now->omega, l->first_moment));
+    const node angular = mul(g, half, vector_dot(g, now->omega, tensor_apply(g, l->inertia, now->omega)));
+    const node stretch = sub(g, now->q[0], l->rest);
+    const node half_spring = mul(g, half, l->spring);
+    const node kinetic = add(g, add(g, linear, mixed), angular);
+    return add(g, kinetic, mul(g, half_spring, mul(g, stretch, stretch)));
+}
+
+node account_energy(const dynamics *d)
+{
+    graph *g = d->g;
+    const mechanism *m = d->m;
+    node sum = constant(g, 0.0), stored = sum;
+    graph_section(g, "Energy: kinetic, of gravity, of springs");
+    for (int i = 0; i < m->link_count; i++) {
+        sum = add(g, sum, energy_of_link(d, i));
+    }
+    for (int i = 0; i < m->strut_count; i++) {
+        sum = add(g, sum, spring_energy(g, &m->struts[i], &d->springs[i]));
+    }
+    for (int i = 0; i < m->effect_count; i++) {
+        stored = add(g, stored, m->accounts[i].stored);
+    }
+    /* V = -g . (the first moment of everything about the ground's origin) */
+    const composite all = composite_of_all(&d->k);
+    return add(g, sub(g, sum, vector_dot(g, m->gravity, all.ms)), stored);
+}
+
+/* How a node changes in the motion. */
+static node rate_of(const dynamics *d, node of)
+{
+    const int states = state_count(d->m);
+    node *along = arena_take(d->g->memory, (size_t)states, sizeof *along), rate;
+    for (int i = 0; i < states; i++) {
+        along[i] = leaf(d->g, OP_DERIVATIVE, i);
+    }
+    differentiate_along(d->g, &of, 1, along, &rate);
+    return rate;
+}
+
+/* Of the input and the damping of a degree of freedom. */
+static node power_of_joint(const dynamics *d, int f)
+{
+    graph *g = d->g;
+    const link *l = &d->m->links[d->m->dofs[f].link];
+    const node speed = d->k.motions[d->m->dofs[f].link].qd[f - l->dof];
+    const node drive = l->drive < 0 ? constant(g, 0.0) : leaf(g, OP_INPUT, l->drive);
+    return mul(g, sub(g, drive, mul(g, l->damping, speed)), speed);
+}
+
+/* Of a force of an input. */
+static node power_of_force(const dynamics *d, const applied_force *f)
+{
+    graph *g = d->g;
+    const vector force = vector_scale(g, leaf(g, OP_INPUT, f->drive), f->axis);
+    const vector moment = vector_scale(g, f->lever, force);
+    const node linear = vector_dot(g, force, point_velocity(&d->k, f->link, f->point));
+    return add(g, linear, vector_dot(g, moment, d->k.motions[f->link].omega));
+}
+
+static node power_of_constraint(const dynamics *d, int r)
+{
+    graph *g = d->g;
+    node rate = constant(g, 0.0);
+    for (int f = 0; f < d->m->dof_count; f++) {
+        const node speed = leaf(g, OP_STATE, d->m->position_count + f);
+        rate = add(g, rate, mul(g, d->loops.held.all[r].row[f], speed));
+    }
+    return neg(g, mul(g, d->loops.multipliers[r], rate));
+}
+
+static node power_of_effect(const dynamics *d, const effect_account *of)
+{
+    graph *g = d->g;
+    return of->is_told ? sub(g, of->work, of->loss) : add(g, of->power, rate_of(d, of->stored));
+}
+
+node account_power(const dynamics *d)
+{
+    graph *g = d->g;
+    const mechanism *m = d->m;
+    node sum = constant(g, 0.0);
+    graph_section(g, "Power of inputs, dampers, closures and effects");
+    for (int f = 0; f < m->dof_count; f++) {
+        sum = add(g, sum, power_of_joint(d, f));
+    }
+    for (int i = 0; i < m->strut_count; i++) {
+        const node rate = d->springs[i].rate;
+        sum = sub(g, sum, mul(g, mul(g, m->struts[i].damping, rate), rate));
+    }
+    for (int i = 0; i < m->applied_force_count; i++) {
+        if (m->applied_forces[i].drive >= 0) {
+            sum = add(g, sum, power_of_force(d, &m->applied_forces[i]));
+        }
+    }
+    for (int r = 0; r < d->loops.held.count; r++) {
+        sum = add(g, sum, power_of_constraint(d, r));
+    }
+    for (int i = 0; i < m->effect_count; i++) {
+        sum = add(g, sum, power_of_effect(d, &m->accounts[i]));
+    }
+    return sum;
+}
+
+node account_balance(const dynamics *d)
+{
+    const node rate = rate_of(d, account_energy(d));
+    return sub(d->g, rate, account_power(d));
+}
