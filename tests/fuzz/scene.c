@@ -1,0 +1,19 @@
+/* A text as a scene: whatever it says, the parser ends, with problems or without, and all memory is given back. */
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "tools/isoc/scene/parser.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count);
+
+int LLVMFuzzerTestOneInput(const uint8_t *const bytes, const size_t count)
+{
+    arena *const memory = arena_new();
+    char *const text = arena_copy(memory, (const char *)bytes, count);
+    source s = source_of_text(memory, "fuzz.scene", text);
+    (void)parse_scene(&s);
+    source_report(&s);
+    arena_free(memory);
+    return 0;
+}
