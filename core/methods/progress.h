@@ -6,13 +6,15 @@
 
 #include "core/numbers/real.h"
 
-/* Of a run, besides its state. */
+/* Of a run, besides its state. Here and below, `unused` fills up to where every compiler would: a plant's memory has the
+ * same bytes on every target. */
 typedef struct iso_progress {
     real local_error;   /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
     real residual;      /* of the last Newton iteration */
     real usual;         /* local error, if discontinuities are detected: iso_watch */
     uint8_t watched;    /* steps, up to ISO_USUAL_STEPS */
     bool discontinuity; /* a discontinuity in this step: the history and the step are invalid */
+    uint8_t unused[sizeof(real) - 2];
 } iso_progress;
 
 /* The progress of adams: that of any method, then its own. Zeros before the first start. */
@@ -24,6 +26,7 @@ typedef struct iso_adams_state {
     uint8_t age;   /* corrections of this order and level, up to 255, including one from before the level changed */
     bool starting; /* the order grows as soon as possible */
     bool overdue;  /* the step is too large, but the budget did not allow a smaller one */
+    uint8_t unused[sizeof(real) - 1];
 
     uint32_t substeps;     /* accepted */
     uint32_t rejected;     /* tried, and too large */
