@@ -21,12 +21,17 @@
 ##     INPUTS=held|smooth                  the reading of all inputs, instead of that of the scene
 ##     RECORDED=FILE                       for report and bench: inputs of a controller, a line for each tick
 ##     OUTPUTS=speed,current               for plot: what to draw over time, instead of all
-##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600
-##     TARGET=host|cortex-m4f              where to run: on this machine, or on the board in QEMU
+##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600, of hil: 60
+##     TARGET=host|posix|cortex-m4f        where to run: on this machine in virtual time or in real time, or on the board in QEMU
 ##     REAL=float|double                   the type of the numbers
+##     XCP=open|LOCK                       for a2l and link: who may write and measure, all or who has the key of an iso_xcp_lock (core/xcp)
 ##     SCRIPT=FILE                         late, lost and slow ticks, on the host (port/sim/script.h)
+##     CONTROLLER='./ctl'                  for link and hil: a command; it connects where ISOCHRON_LINK says
+##     MODE=lockstep|free                  for link and hil: whether the plant waits for the controller, instead of what that asks for
+##     KEEP=NAME                           for run, link and hil: keeps it in build/runs/NAME
+##     RUNS='NAME NAME'                    for compare: two runs that were kept
 ##     V=1                                 show the commands
-SCENE = models/$(if $(filter drift,$(MAKECMDGOALS)),four_bar,double_pendulum).scene
+SCENE = models/$(if $(filter hil,$(MAKECMDGOALS)),hil/cart_pole,$(if $(filter drift,$(MAKECMDGOALS)),four_bar,double_pendulum)).scene
 METHOD =
 STEP =
 TOLERANCE =
@@ -37,10 +42,15 @@ WITHOUT =
 OUTPUTS =
 CHECKED =
 COMPENSATED =
-SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,10))
-TARGET = $(if $(filter size cost chains functions,$(MAKECMDGOALS)),cortex-m4f,host)
+SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,$(if $(filter hil,$(MAKECMDGOALS)),60,10)))
+TARGET = $(if $(filter size ticks cost chains functions hil,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
 SCRIPT =
+XCP = $(if $(filter a2l,$(MAKECMDGOALS)),open)
+CONTROLLER =
+MODE =
+KEEP =
+RUNS =
 MODELS = $(wildcard models/*.scene)
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 PARTS = models methods restarts effects
@@ -54,13 +64,13 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot size stack cost chains flags report bench drift
+GOALS := run plot link hil size stack ticks a2l cost chains flags report bench drift
 
-.PHONY: help shared digits functions tables pictures clean $(GOALS)
+.PHONY: help shared digits functions tables pictures compare clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | while read -r target text; do \
+	@sed -n 's/^\([a-z0-9]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | while read -r target text; do \
 	    printf '    make %-8s %s\n' $$target "$$text"; done
 
 # --- Helpers -----------------------------------------------------------------------------------------------------
@@ -93,7 +103,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT
+TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER KEEP RUNS
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -103,10 +113,14 @@ $(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
     $(error $(name) has a line break, which make cannot pass on)))
 
 # What has an effect on which goal. A goal that is a file, and a make that another make calls, may be given anything.
-EFFECTS_run := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
-EFFECTS_plot := $(EFFECTS_run) OUTPUTS
-EFFECTS_size := $(filter-out SECONDS SCRIPT,$(EFFECTS_run))
+EFFECTS_run := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT KEEP OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
+EFFECTS_plot := $(filter-out KEEP,$(EFFECTS_run)) OUTPUTS
+EFFECTS_link := $(EFFECTS_run) XCP CONTROLLER MODE
+EFFECTS_hil := $(filter-out SCENE SCRIPT XCP CHECKED COMPENSATED OUT,$(EFFECTS_link))
+EFFECTS_size := $(filter-out SECONDS SCRIPT KEEP,$(EFFECTS_run))
 EFFECTS_stack := $(EFFECTS_size)
+EFFECTS_a2l := $(filter-out CHECKED COMPENSATED,$(EFFECTS_size)) XCP
+EFFECTS_ticks := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED TARGET REAL
 OF_ONE_SCENE := $(and $(filter cost,$(MAKECMDGOALS)),$(filter SCENE,$(GIVEN)))
 EFFECTS_cost := $(if $(OF_ONE_SCENE),SCENE METHOD STEP INPUTS SET SECONDS,PARTS METHODS) TARGET REAL
 $(foreach name,$(if $(OF_ONE_SCENE),$(filter PARTS METHODS,$(GIVEN))),$(error $(name) has no effect on `make cost \
@@ -119,16 +133,17 @@ EFFECTS_drift := SCENE STEP SECONDS
 EFFECTS_test := TEST_JOBS
 EFFECTS_check := TEST_JOBS
 EFFECTS_tables := TABLES
-EFFECTS := V CC CFLAGS $(sort $(foreach goal,$(GOALS) test check tables,$(EFFECTS_$(goal))))
+EFFECTS_compare := RUNS
+EFFECTS := V CC CFLAGS $(sort $(foreach goal,$(GOALS) test check tables compare,$(EFFECTS_$(goal))))
 
 nearest = $(shell mkdir -p build && $(CC) -I. tools/build/nearest.c tools/isoc/base/nearest.c -o build/nearest.$$$$ && \
     build/nearest.$$$$ $(1) $(EFFECTS); rm -f build/nearest.$$$$)
 unknown = $(error $(1) is not known$(if $(2), (did you mean $(2)?)); `make help` lists what can be set)
 no_effect = $(error $(1) has no effect on `make $(2)`; it has one on: $(strip $(foreach goal,$(GOALS) test \
-    check tables,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
+    check tables compare,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
 ifeq ($(MAKELEVEL),0)
 $(foreach name,$(filter-out $(EFFECTS) MAKEFLAGS SHELL,$(GIVEN)),$(call unknown,$(name),$(call nearest,$(name))))
-ifeq ($(filter-out $(GOALS) test check tables pictures help clean digits functions,$(or $(MAKECMDGOALS),help)),)
+ifeq ($(filter-out $(GOALS) test check tables compare pictures help clean digits functions,$(or $(MAKECMDGOALS),help)),)
 $(foreach name,$(filter $(GIVEN),$(filter-out V CC CFLAGS,$(EFFECTS))),$(if $($(name)),$(if $(filter $(name),$(foreach \
     goal,$(MAKECMDGOALS),$(EFFECTS_$(goal)))),,$(call no_effect,$(name),$(or $(MAKECMDGOALS),help)))))
 endif
@@ -136,21 +151,22 @@ endif
 
 
 PORT_OF_host := port/sim
+PORT_OF_posix := port/posix
 PORT_OF_cortex-m4f := port/mps2
 PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is
 # for scenes only.
-FIXED_METHODS := $(filter-out adams,$(shell sed -n 's/^ *X.r, ISO_[A-Z0-9_]*, "\([a-z0-9_]*\)".*/\1/p' core/methods/method.h))
+FIXED_METHODS := $(filter-out adams,$(shell sed -n 's/^ *X.r, ISO_[A-Z0-9_]*, "\([a-z0-9_]*\)".*/\1/p' core/methods/recipe.h))
 REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
 
 ifeq ($(PORT),)
-$(error TARGET=$(TARGET) is unknown; it can be host or cortex-m4f)
+$(error TARGET=$(TARGET) is unknown; it can be host, posix or cortex-m4f)
 endif
 ifeq ($(filter float double,$(REAL)),)
 $(error REAL=$(REAL) is unknown; it can be float or double)
 endif
-ifneq ($(filter $(if $(OF_ONE_SCENE),,cost) chains,$(MAKECMDGOALS)),)
+ifneq ($(filter $(if $(OF_ONE_SCENE),,cost) chains ticks,$(MAKECMDGOALS)),)
 ifneq ($(TARGET) $(REAL),cortex-m4f float)
 $(error make $(MAKECMDGOALS) is of the cortex-m4f in float; TARGET and REAL cannot be others)
 endif
@@ -158,6 +174,19 @@ endif
 ifneq ($(SCRIPT),)
 ifneq ($(TARGET),host)
 $(error SCRIPT has no effect on TARGET=$(TARGET), which has ticks of its own; it is for TARGET=host)
+endif
+endif
+ifneq ($(KEEP),)
+ifneq ($(shell printf %s $(call quote,$(KEEP)) | tr -d A-Za-z0-9_.-)$(filter . ..,$(KEEP)),)
+$(error KEEP=$(KEEP) is no name for a run; it can have letters, digits, _ . and -)
+endif
+endif
+ifneq ($(MODE),)
+ifeq ($(filter lockstep free,$(MODE)),)
+$(error MODE=$(MODE) is unknown; it can be lockstep or free)
+endif
+ifeq ($(MODE) $(TARGET),free host)
+$(error MODE=free needs time that is real; TARGET=host has none, TARGET=posix and cortex-m4f have)
 endif
 endif
 IS_IN_C := $(filter .c,$(suffix $(subst $(space),_,$(SCENE))))
@@ -171,6 +200,9 @@ endif
 endif
 ifneq ($(and $(OF_ONE_SCENE),$(IS_IN_C)),)
 $(error make cost is of scenes; the plant in C $(SCENE) names no effects)
+endif
+ifneq ($(and $(filter ticks,$(MAKECMDGOALS)),$(IS_IN_C)),)
+$(error make ticks is of scenes)
 endif
 ifneq ($(TOLERANCE),)
 ifneq ($(filter-out adams,$(METHOD))$(if $(METHOD),,$(IS_IN_C)),)
@@ -195,7 +227,7 @@ $(error SCENE=$(SCENE) has no name before its ending)
 endif
 FOLDER := $(shell path=$$(realpath -m --relative-to=. -- $(call quote,$(SCENE))); test "$${path%.*}" = models/$(NAME) \
     && echo $(NAME) || echo $(NAME)-$$(printf %s "$$path" | cksum | cut -d ' ' -f 1))
-OUT := build/$(TARGET)/$(REAL)/$(FOLDER)
+OUT := $(if $(filter hil,$(MAKECMDGOALS)),build/hil/$(TARGET)/$(REAL),build/$(TARGET)/$(REAL)/$(FOLDER))
 
 include $(PORT)/port.mk
 
@@ -222,13 +254,21 @@ build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 	@mkdir -p $(@D)
 	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
 
+# Frames are read and written by what the plant has for it.
+build/obj/tools/core/%.o: core/%.c build/obj/tools/flags
+	$(call say,CC,$<)
+	@mkdir -p $(@D)
+	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
+
 # Isoc has the text of core in it, for plants that stand alone; they need no loop.
 PLANT_CORE := $(filter-out core/runtime/loop.%,$(wildcard core/numbers/*.[ch] core/methods/*.[ch] core/runtime/*.[ch]))
 EMBEDDED_core := $(PLANT_CORE)
 EMBEDDED_effect := $(sort $(wildcard models/effects/*.scene))
-EMBEDDED := $(addprefix build/obj/tools/isoc/,core_files.o effect_files.o)
+EMBEDDED_client := $(wildcard tools/isoc/client/*)
+EMBEDDED := $(addprefix build/obj/tools/isoc/,core_files.o effect_files.o client_files.o)
 build/obj/tools/isoc/core_files.c: $(EMBEDDED_core)
 build/obj/tools/isoc/effect_files.c: $(EMBEDDED_effect)
+build/obj/tools/isoc/client_files.c: $(EMBEDDED_client)
 build/obj/tools/isoc/%_files.c: tools/build/embed.sh
 	@mkdir -p $(@D)
 	$(Q)sh $< $*_files $(EMBEDDED_$*) >$@
@@ -242,7 +282,11 @@ build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJEC
 build/accuracy: $(filter build/obj/tools/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 SMALL_TOOLS := $(addprefix build/,cycles duration effect forced price size stack)
 $(SMALL_TOOLS): build/%: build/obj/tools/build/%.o build/obj/tools/table/table.o build/obj/tools/flags
-TOOLS := build/isoc build/trace build/plot build/accuracy $(SMALL_TOOLS)
+build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
+    build/obj/tools/core/link/frame.o build/obj/tools/flags
+build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
+    build/obj/tools/flags
+TOOLS := build/isoc build/trace build/plot build/link build/monitor build/accuracy $(SMALL_TOOLS)
 $(TOOLS):
 	$(call say,LINK,$@)
 	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -o $@ -lm
@@ -251,7 +295,14 @@ $(TOOLS):
 
 COMPILE := $(PORT_CC) $(WARNINGS) $(PORT_OPTIMISE) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. $(CFLAGS)
 OBJ := build/obj/$(TARGET)/$(REAL)
-OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/*/*.c $(PORT)/*.c))
+CONTROL := core/runtime/control.c core/runtime/snapshot.c
+OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(filter-out $(CONTROL),$(wildcard $(addsuffix /*.c,core/numbers core/runtime core/application))) \
+    $(filter-out $(PORT_CHANNEL),$(wildcard $(PORT)/*.c)) $(PORT_SHARED))
+
+# What a plant with a link has besides, and its own main. The last of core/xcp no program has: the A2L follows from it.
+CALIBRATION := $(filter-out core/xcp/places.c,$(wildcard core/xcp/*.c))
+LINKED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) \
+    $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/link/*.c) $(CONTROL) $(PORT_CHANNEL) $(if $(XCP),$(CALIBRATION)))
 
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
@@ -262,14 +313,19 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
 	$(Q)$(COMPILE) -MMD -MP -c $< -o $@
 
--include $(TOOL_OBJECTS:.o=.d) $(OBJECTS:.o=.d)
+-include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d)) \
+    $(OBJ)/core/xcp/places.d
 
 # --- Goals -------------------------------------------------------------------------------------------------------
 
 run: ## run the scene: write build/TARGET/REAL/NAME/trace.csv and print a summary
 plot: ## run the scene and draw it with gnuplot: trace.svg and path.svg, and both as png, beside the trace
+link: ## connect the scene with a CONTROLLER: trace.csv with inputs and outputs, a summary, and how long exchanges took
+hil: ## the worked example: a cart with its pole on the board, balanced by a controller in a process of its own; draw it
 size: ## print the memory of the firmware and of its parts; check the limits of the double pendulum
+a2l: ## build the plant with a link and with measurement and calibration over XCP; write its A2L: addresses, types, units, ranges
 stack: ## print the deepest stack of a step; fail if it has no bound
+ticks: ## count what a tick takes beside the step and the equations, on the Cortex-M4F
 cost: ## print what each effect of SCENE costs and changes; without SCENE tables: PARTS models methods restarts effects library
 chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float
 flags: ## measure a step with each optimisation of the compiler: a table of MODELS on the TARGET
@@ -279,9 +335,10 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
-folder_of = $(if $(filter run plot size stack,$(1)),$(OUT),$(if $(filter cost,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
+folder_of = $(if $(filter run plot link hil size stack ticks a2l,$(1)),$(OUT),$(if $(filter cost,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
-shared = $(TOOLS) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS))
+shared = $(TOOLS) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
+    $(OBJ)/core/xcp/places.o))
 LOCK_TOOLS := flock realpath
 LOCK_INSTALL := apt-get install util-linux coreutils
 
@@ -298,6 +355,17 @@ $(GOALS):
 	@flock -n $(call folder_of,$@)/lock true || echo '  WAIT until another make is done in $(call folder_of,$@)' >&2
 	@ISOCHRON_LOCKED='$@ $(call folder_of,$@)' flock $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@
 endif
+
+compare: build/plot ## draw two runs that were kept, one over the other, in build/compare/, and print their differences
+	$(call require,gnuplot,apt-get install gnuplot-nox)
+	@test $(words $(RUNS)) = 2 || { echo "RUNS='$(RUNS)' are not two runs; it could be RUNS='a b', after make run KEEP=a \
+and make run KEEP=b" >&2; exit 1; }
+	@for name in $(RUNS); do test -e build/runs/$$name/trace.csv || { \
+	    echo "there is no run $$name; make run KEEP=$$name keeps one" >&2; exit 1; }; done
+	@mkdir -p build/compare
+	$(Q)build/plot differences $(RUNS:%=build/runs/%)
+	$(Q)build/plot compare $(RUNS:%=build/runs/%) >build/compare/$(subst $(space),-,$(strip $(RUNS))).gnuplot
+	$(Q)sh tools/plot/draw.sh build/compare/$(subst $(space),-,$(strip $(RUNS))).gnuplot
 
 digits: build/isoc ## print a table of errors against reference solutions
 	@sh tests/reference/table.sh

@@ -17,6 +17,12 @@ have_sanitizers()
     echo 'int main(void) { return 0; }' | ${CC:-cc} -fsanitize=address,undefined -x c - -o /dev/null 2>/dev/null
 }
 
+have_fuzzer()
+{
+    echo 'int LLVMFuzzerTestOneInput(void); int LLVMFuzzerTestOneInput(void) { return 0; }' |
+        clang -fsanitize=fuzzer,address,undefined -x c - -o /dev/null 2>/dev/null
+}
+
 missing()
 {
     have ${CC:-cc} || echo gcc libc6-dev
@@ -26,12 +32,14 @@ missing()
     have qemu-system-arm || echo qemu-system-arm
     have valgrind || echo valgrind
     have clang || echo clang
+    have_fuzzer || echo libclang-rt-dev
     have clang-format || echo clang-format
     have cppcheck || echo cppcheck
     have gnuplot || echo gnuplot-nox
     have dot || echo graphviz
     have g++ || echo g++
     have patch || echo patch
+    have python3 || echo python3
     if have ${CC:-cc} && ! have_sanitizers; then
         case $(${CC:-cc} --version) in
         *clang*) echo "libclang-rt-$(${CC:-cc} -dumpversion | cut -d. -f1)-dev" ;;

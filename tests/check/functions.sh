@@ -37,6 +37,9 @@ planted angle float '0.414213562373095049' '0.614213562373095049'
 planted angle double 7.69208048088145246e-02 7.69209048088145246e-02
 
 # shellcheck disable=SC2086
+$CC $FLAGS -DPLANTED tests/exhaustive/round.c -o "$out/round" -lm && ! "$out/round" 4 >"$out/tap" &&
+    grep -q '^not ok 1 - round: worst error' "$out/tap" && grep -q '^ok 2 - floor' "$out/tap"
+result $? 'found: halves that are rounded away from zero'
 $CC $FLAGS -DPLANTED tests/exhaustive/noise.c -o "$out/noise" -lm && ! "$out/noise" 4 >"$out/tap" &&
     grep -q '^not ok .* correlation with a later tick' "$out/tap"
 result $? "found in noise: ticks in pairs"

@@ -5,8 +5,8 @@
 . tests/host/test.sh
 begin check/layers
 
-CORE="numbers methods runtime application"
-ISOC="base scene graph mechanism tree closure dynamics plant emit"
+CORE="numbers methods runtime application link xcp"
+ISOC="base scene graph mechanism tree closure dynamics plant emit client"
 
 # downto FOLDER LIST: the folders of the list up to this one, as alternatives of a pattern; all for a file that stands
 # above them.
@@ -20,9 +20,10 @@ own()
 {
     folder=$(dirname "$1")
     case $1 in
-    core/*) echo "\"(core/($(downto "${folder#core/}" "$CORE"))/[a-z0-9_]+\.h|port/port\.h)\"" ;;
-    port/sim/* | port/posix/*) echo '"(port/[a-z0-9_/]+\.h|core/numbers/real\.h)"|<[a-z0-9_/]+\.h>' ;;
+    core/*) echo "\"(core/($(downto "${folder#core/}" "$CORE"))/[a-z0-9_]+\.h|port/(port|channel)\.h)\"" ;;
+    port/sim/* | port/posix/* | port/host/*) echo '"(port/[a-z0-9_/]+\.h|core/numbers/real\.h)"|<[a-z0-9_/]+\.h>' ;;
     port/*) echo '"(port/[a-z0-9_/]+\.h|core/numbers/real\.h)"' ;;
+    models/hil/*) echo '"[a-z0-9_]+_link\.h"|<[a-z0-9_/]+\.h>' ;; # a controller, with the header that isoc writes for it
     models/*) echo '"core/(numbers|methods|runtime)/[a-z0-9_]+\.h"' ;;
     build/obj/tools/*) echo '"tools/isoc/emit/[a-z0-9_]+\.h"' ;;
     build/*) echo '"(core/(numbers|methods|runtime)/[a-z0-9_]+\.h|plant\.h)"' ;;
@@ -84,6 +85,7 @@ planted port/mps2/start.c '<stdlib.h>'
 planted port/port.h '"core/runtime/plant.h"'
 planted models/oscillator.c '"port/port.h"'
 planted models/oscillator.c '<math.h>'
+planted models/hil/controller.c '"core/link/link.h"'
 planted build/host/float/tree/plant.c '"port/port.h"'
 planted tools/isoc/main.c '"tests/tap.h"'
 planted tools/isoc/main.c '"port/port.h"'

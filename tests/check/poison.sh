@@ -53,13 +53,16 @@ watch()
         valgrind --quiet "$folder/program" 2>"$folder/errors"
 }
 
-# On the models that are tried in depth every kernel, of methods that share one each by turns, and rk4 on all; every method
-# in double, and with a check, compensation and a smooth input, on one that has all kinds of joints.
+# On the models that are tried in depth every kernel, one of the methods that share it, those that are not one-step methods
+# from a table by turns, with the argument `all` all; and rk4 on all models. Every method in double, and with a check,
+# compensation and a smooth input, on one that has all kinds of joints.
+turn=$(turn_of 3 "${1-}" core tools/isoc models)
+echo "# turn $turn of the models and methods"
 batch float float
 { sed 's/^input push /&smooth /' models/tree.scene && printf 'checked yes\ncompensated yes\n'; } >"$out/tree_checked.scene"
 for method in $METHODS; do
     for scene in $(models "$method"); do
-        if [ "$method" = rk4 ] || { in_depth "$scene" && has_turn "$scene" "$method"; }; then
+        if [ "$method" = rk4 ] || { in_depth "$scene" && has_turn "$scene" "$method" && third "$scene" "$method"; }; then
             generated "$scene" "$method"
         fi
     done
@@ -70,7 +73,10 @@ for method in rk4 rosenbrock; do
     generated tests/scenes/frames.scene $method
 done
 generated tests/inputs/waveforms.scene rk4
+generated tests/tunables/chain.scene rk4
 generated tests/effects/all.scene rk4
+{ cat models/pendulum.scene && printf '%s\n' 'overrun degrade { method euler; hold; after 9 ticks }' 'grace 10 ticks' 'publish next_tick' histogram 'substeps 4'; } >"$out/policies.scene"
+generated "$out/policies.scene" rk4
 joined "examined" watch
 
 batch double double

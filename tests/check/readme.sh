@@ -103,11 +103,11 @@ dead_links()
     done
 }
 
-# write_code FILE: in the copy, the files of its ```c blocks, the first line of which is /* NAME */.
+# write_code FILE: in the copy, the files of its blocks in C and Python, the first line of which is a comment, /* NAME */.
 write_code()
 {
     awk -v root="$out/project/" '
-        /^```c$/ { getline; name = $2; system("mkdir -p $(dirname " root name ")"); printf "" >(root name) }
+        /^```(c|python)$/ { getline; name = $2; system("mkdir -p $(dirname " root name ")"); printf "" >(root name) }
         /^```$/ && name != "" { close(root name); name = "" }
         name != "" { print >(root name) }' "$1"
 }
@@ -174,9 +174,9 @@ found "a word of an error" tools/isoc/README.md "s/did you mean 'kg'/did you mea
 found "a command that was not run" README.md 's/^\$ make run.*/& SECONDS=3/'
 found "a link to nothing" README.md 's|(port/port.h)|(port/ports.h)|'
 found "a link to a heading that is not there" README.md 's|#the-summary-of-a-run|#the-summary|'
-sed 's/iso_plant_tick(/iso_plant_tock(/' README.md >"$out/changed.md"
+sed 's/iso_plant_tick(/iso_plant_tock(/' core/README.md >"$out/changed.md"
 write_code "$out/changed.md"
-! try README.md "$(commands README.md | grep -F './a.out')"
+! try core/README.md "$(commands core/README.md | grep -F './a.out')"
 result $? "found: code that does not compile"
 ! known 'make cleaner' && ! known 'make run SCEEN=models/pendulum.scene'
 result $? "found: a target and a variable that are not there"

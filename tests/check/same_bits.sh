@@ -2,18 +2,21 @@
 # One hash per scene and method, on the host and on the Cortex-M4F, where every step also takes the same number of instructions:
 # the models that are tried in depth. The others: same_bits_brief.sh; other compilers, and the host with optimisation, which
 # changes no bit and compiles for longer: same_bits_compilers.sh. Three plants are tried with every method, the others with
-# rk4 and one of those that share a kernel, by turns.
+# rk4, with one of those that share a kernel, and by turns with those that are not one-step methods from a table: with
+# all with the argument `all`.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/same_bits
 . tests/host/bits.sh
+turn=$(turn_of 3 "${1-}" core tools/isoc models)
+echo "# turn $turn of the models and methods"
 
 # wanted SCENE METHOD
 wanted()
 {
     case $1 in
     models/oscillator.c | models/tree.scene | models/double_pendulum.scene) ;;
-    *) in_depth "$1" && { [ "$2" = rk4 ] || has_turn "$1" "$2"; } ;;
+    *) in_depth "$1" && { [ "$2" = rk4 ] || has_turn "$1" "$2"; } && third "$1" "$2" ;;
     esac
 }
 everywhere

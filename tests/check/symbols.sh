@@ -6,8 +6,8 @@ METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
 
 m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
 
-# What may be called beside the project's own: copying memory, and whole numbers of 64 bits (EABI's run-time helpers).
-allowed='memcpy|memset|__aeabi_mem(cpy|set|clr)[48]?|__aeabi_(uldivmod|ldivmod|lmul|llsl|llsr|lasr|lcmp|ulcmp|ldiv0|idiv0)'
+# What may be called beside the project's own: copying and comparing memory, and whole numbers of 64 bits (EABI's run-time helpers).
+allowed='mem(cpy|move|set|cmp)|__aeabi_mem(cpy|set|clr)[48]?|__aeabi_(uldivmod|ldivmod|lmul|llsl|llsr|lasr|lcmp|ulcmp|ldiv0|idiv0)'
 linker=$(awk '$2 == "=" { print $1 }' port/mps2/mps2.ld | paste -sd '|')
 helpers='__(u)?divmoddi4|__udivmoddi4|__(u)?divdi3|__gnu_u?ldivmod_helper'
 
@@ -33,11 +33,12 @@ objects()
     done
 }
 
-# firmware PLANT NAME: two tests of the program of one plant.
+# firmware SOURCES NAME: two tests of the program of one plant.
 firmware()
 {
     rm -f "$out/firmware" "$out/found"
-    objects plant "" "$1"
+    # shellcheck disable=SC2086
+    objects plant "" $1
     outside "$out"/base/*.o "$out"/plant/*.o >"$out/found"
     sed 's/^/# /' "$out/found"
     [ -n "$(ls "$out/plant")" ] && [ ! -s "$out/found" ]
@@ -61,7 +62,7 @@ generated()
     firmware "$out/$name-$2/plant.c" "$name, $2"
 }
 
-objects base "" core/*/*.c port/mps2/*.c
+objects base "" core/numbers/*.c core/runtime/*.c core/application/*.c port/mps2/*.c
 result $? "core and port compile for the target"
 firmware models/oscillator.c oscillator
 # Every model by rk4, and one of all kinds of joints by every method.
@@ -71,6 +72,12 @@ done
 for method in $METHODS; do
     generated models/tree.scene "$method"
 done
+
+# The program of a plant with a link and with calibration.
+build/isoc models/tree.scene -o "$out/linked" --link --xcp open --real float >/dev/null &&
+    objects base "" core/numbers/*.c core/runtime/*.c core/application/stream.c core/link/*.c core/xcp/*.c port/mps2/*.c
+result $? "core/link and core/xcp compile for the target"
+firmware "$out/linked/plant.c $out/linked/interface.c" "tree, with a link"
 
 # planted SYMBOL CODE: the call must be seen.
 planted()

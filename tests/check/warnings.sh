@@ -2,11 +2,13 @@
 # No warning from gcc or clang, on the host and for the Cortex-M4F, in float and in double. -Wdouble-promotion is among
 # the warnings: with it the float build has no double arithmetic that crept in. Nothing is optimised, which takes
 # most of the time: clang warns before, and what gcc's optimiser warns of stops the tests that build the same files.
+# The tools and the unit tests are compiled with gcc and these warnings by make itself before any test runs, and what
+# belongs to a model's test by that test: of these only clang is asked here, and make whether its flags are the same.
 . tests/host/test.sh
 . tests/host/sources.sh
 begin check/warnings
 
-target=$(find core port/mps2 models tests/unit tests/tap.c -name '*.c' | sort)
+target=$(find core port/mps2 models/*.c tests/unit tests/tap.c -name '*.c' | sort)
 m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
 
 # compile COMMAND FILE...: compiles each file to nothing; fails if one does not compile in silence.
@@ -24,22 +26,42 @@ compile()
     [ $status -eq 0 ] && [ ! -s "$out/found" ]
 }
 
-for compiler in gcc clang; do
-    # shellcheck disable=SC2086
-    compile "$compiler $FLAGS -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE" $once
-    result $? "$compiler for the host, tools and models' tests"
-done
+# shellcheck disable=SC2086
+compile "clang $FLAGS -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE" $once
+result $? "clang for the host, tools and models' tests"
 for real in "" -DISO_REAL_DOUBLE; do
     name=$([ -n "$real" ] && echo double || echo float)
-    for compiler in gcc clang; do
-        # shellcheck disable=SC2086
-        compile "$compiler $FLAGS $real" $both
-        result $? "$compiler for the host, $name"
-    done
+    # shellcheck disable=SC2086
+    compile "clang $FLAGS $real" $both
+    result $? "clang for the host, $name"
+    # shellcheck disable=SC2086
+    compile "gcc $FLAGS $real" $host
+    result $? "gcc for the host, $name"
     # shellcheck disable=SC2086
     compile "arm-none-eabi-gcc $FLAGS $m4f $real" $target
     result $? "gcc for the Cortex-M4F, $name"
 done
+
+# warns OBJECT: the command by which make would compile it has all flags of this test.
+warns()
+{
+    env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -n -W "$source" "$1" 2>"$out/errors" | grep " -c $source -o $1\$" >"$out/command" || return
+    for flag in $FLAGS; do
+        grep -qF -- " $flag " "$out/command" || return
+    done
+}
+
+source=tools/trace/main.c
+warns build/obj/tools/trace/main.o
+result $? "make compiles the tools with the same warnings"
+source=tests/tap.c
+for folder in plain/float plain/double m4f/float m4f/double; do
+    warns build/tests/$folder/tests/tap.o
+    result $? "make compiles the unit tests with the same warnings: $folder"
+done
+! { FLAGS="$FLAGS -Wcast-qual" && warns build/tests/plain/float/tests/tap.o; } && [ -s "$out/command" ]
+result $? "found: a warning that make does not ask for"
+FLAGS=${FLAGS% -Wcast-qual}
 
 # planted COMPILER NAME CODE: the code must not compile in silence.
 planted()

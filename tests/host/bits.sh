@@ -30,7 +30,7 @@ variant()
     compiler="$compiler $*"
     base="$out/$(echo "$variant" | tr ' ' _)"
     mkdir -p "$base"
-    for source in core/*/*.c port/"$port"/*.c; do
+    for source in core/numbers/*.c core/runtime/*.c core/application/*.c port/"$port"/*.c; do
         $compiler -c "$source" -o "$base/$(echo "$source" | tr / -).o" || return
     done
 }
@@ -69,7 +69,7 @@ length()
     esac
 }
 
-# model SCENE METHOD: runs it.
+# model SCENE METHOD: runs it. A scene is compiled once for all variants.
 model()
 {
     : >"$out/output"
@@ -80,8 +80,10 @@ model()
         runs "$1" "$3" "-DISO_METHOD=ISO_$(echo "$2" | tr a-z A-Z)" "-DISO_METHOD_NAME=$2" ${5+"-DISO_STEP=$5"}
         ;;
     *)
-        build/isoc "$1" -o "$out/plant" --method "$2" ${4+--step "$4"} >"$out/summary" 2>"$out/errors" &&
-            runs "$out/plant/plant.c" "$3"
+        generated=$out/plant/$(basename "$1" .scene)-$2
+        { [ -f "$generated/plant.c" ] ||
+            build/isoc "$1" -o "$generated" --method "$2" ${4+--step "$4"} >"$out/summary" 2>"$out/errors"; } &&
+            runs "$generated/plant.c" "$3"
         ;;
     esac
 }

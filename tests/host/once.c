@@ -5,8 +5,12 @@
  * A folder of links to this program, one named like each compiler, stands first in the PATH of the tests; the compilers
  * themselves are the links beside it in real/, the objects in store/. An object is kept under a hash of all that it follows
  * from: the compiler's file, its flags, the name of the source and the preprocessed source. A source in a command that
- * links as well is compiled for itself. What the hash does not cover goes to the compiler as it is: debug information, which names folders; output
- * that is no object; several files or languages.
+ * links as well is compiled for itself. What the hash does not cover goes to the compiler as it is: debug information, which
+ * names folders; output that is no object; several files or languages.
+ *
+ * The preprocessor is asked only where no list answers: for a command and the text of its source a list says, for every time
+ * that it was preprocessed, which files were read, with a hash of each, and which object came of it. If all of them are as
+ * they were, it is the same object. A file of the same name that would be found before one of them is not seen.
  */
 #ifndef _XOPEN_SOURCE
 #define _XOPEN_SOURCE 700 /* realpath */
@@ -22,6 +26,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { ARGUMENTS = 512, BUFFER = 1 << 16 };
@@ -136,17 +141,19 @@ static bool is_for_linker(const char *const word)
            begins_with(word, "--specs") || strcmp(word, "-nostartfiles") == 0 || word[0] != '-';
 }
 
-/* The flags of a compilation: those of the command without what is the linker's. They are added to the hash, but for those
- * that the preprocessed source shows. */
-static int flags_of(const command *const c, char **const flags, hash *const h)
+/* The flags of a compilation: those of the command without what is the linker's. They are added to a hash of all, and to
+ * another but for those that the preprocessed source shows. */
+static int flags_of(const command *const c, char **const flags, hash *const all, hash *const h)
 {
     int count = 0;
     for (int i = 0; i < c->word_count; i++) {
         const bool value = takes_value(c->words[i]) && i + 1 < c->word_count;
         if (i == 0 || !is_for_linker(c->words[i])) {
             flags[count++] = c->words[i];
+            hash_add(all, c->words[i], strlen(c->words[i]) + 1);
             if (value) {
                 flags[count++] = c->words[i + 1];
+                hash_add(all, c->words[i + 1], strlen(c->words[i + 1]) + 1);
             }
             if (i > 0 && !value && !begins_with(c->words[i], "-I") && !begins_with(c->words[i], "-D") &&
                 !begins_with(c->words[i], "-M")) {
@@ -158,25 +165,66 @@ static int flags_of(const command *const c, char **const flags, hash *const h)
     return count;
 }
 
-/* Adds the preprocessed source to the hash. With -MMD that also writes the list of what the object depends on. */
-static bool hash_source(char **const flags, int count, char *const source, const char *const object, hash *const h)
+/* The files that a preprocessor read. */
+typedef struct reading {
+    char text[BUFFER]; /* their names, each behind 's' for a header of the system or 'p', and ended by a zero */
+    size_t length;
+    bool whole; /* whether all are there */
+} reading;
+
+/* Adds the file of a line marker: # LINE "NAME" FLAG..., of which 3 says that it is the system's. */
+static void read_marker(reading *const files, const char *const line)
 {
-    static char bytes[BUFFER];
-    char list[PATH_MAX];
-    for (int i = 1; i < count; i++) {
-        if (strcmp(flags[i], "-MMD") == 0) {
-            snprintf(list, sizeof list, "%s", object);
-            char *const dot = strrchr(list, '.');
-            snprintf(dot == NULL ? list + strlen(list) : dot, 3, ".d");
-            flags[count++] = (char *)"-MF";
-            flags[count++] = list;
-            flags[count++] = (char *)"-MT";
-            flags[count++] = (char *)object;
-            break;
+    const char *const quote = strchr(line, '"');
+    const char *const end = quote == NULL ? NULL : strchr(quote + 1, '"');
+    if (end == NULL || quote[1] == '<' || end[-1] == '/') {
+        return; /* no file */
+    }
+    const char *const name = begins_with(quote + 1, "./") ? quote + 3 : quote + 1;
+    const size_t length = (size_t)(end - name);
+    for (const char *at = files->text; at < files->text + files->length; at += strlen(at) + 1) {
+        if (strlen(at + 1) == length && memcmp(at + 1, name, length) == 0) {
+            return;
         }
     }
+    files->whole = files->whole && files->length + length + 2 <= sizeof files->text &&
+                   strcspn(name, " \\$#:\"") == length; /* which make would read otherwise */
+    if (files->whole) {
+        char *const to = files->text + files->length;
+        to[0] = strstr(end, " 3") == NULL ? 'p' : 's';
+        memcpy(to + 1, name, length);
+        to[length + 1] = '\0';
+        files->length += length + 2;
+    }
+}
+
+/* The file in which make looks for what the object depends on, or no name if the flags ask for none. */
+static void name_dependencies(char **const flags, const int count, const char *const object, char name[PATH_MAX])
+{
+    name[0] = '\0';
+    for (int i = 1; i < count; i++) {
+        if (strcmp(flags[i], "-MMD") == 0) {
+            snprintf(name, PATH_MAX - 2, "%s", object);
+            char *const dot = strrchr(name, '.');
+            snprintf(dot == NULL ? name + strlen(name) : dot, 3, ".d");
+        }
+    }
+}
+
+/* Adds the preprocessed source to the hash, without markers and empty lines, and tells what was read. With -MMD that also
+ * writes the list of what the object depends on. */
+static bool hash_source(char **const flags, int count, char *const source, const char *const object, hash *const h,
+                        reading *const files)
+{
+    char dependencies[PATH_MAX];
+    name_dependencies(flags, count, object, dependencies);
+    if (dependencies[0] != '\0') {
+        flags[count++] = (char *)"-MF";
+        flags[count++] = dependencies;
+        flags[count++] = (char *)"-MT";
+        flags[count++] = (char *)object;
+    }
     flags[count++] = (char *)"-E";
-    flags[count++] = (char *)"-P";
     flags[count++] = source;
     flags[count] = NULL;
 
@@ -195,11 +243,23 @@ static bool hash_source(char **const flags, int count, char *const source, const
         _exit(EXIT_FAILURE);
     }
     close(ends[1]);
-    for (ssize_t got = 1; got > 0;) {
-        got = read(ends[0], bytes, sizeof bytes);
-        hash_add(h, bytes, got > 0 ? (size_t)got : 0);
+    FILE *const out = fdopen(ends[0], "r");
+    if (out == NULL) {
+        fail("pipe");
     }
-    close(ends[0]);
+    char *line = NULL;
+    size_t room = 0;
+    files->length = 0;
+    files->whole = true;
+    for (ssize_t length = 0; (length = getline(&line, &room, out)) > 0;) {
+        if (line[0] == '#' && line[1] == ' ') {
+            read_marker(files, line);
+        } else if (length > 1) {
+            hash_add(h, line, (size_t)length);
+        }
+    }
+    free(line);
+    fclose(out);
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
@@ -227,26 +287,163 @@ static bool copy(const char *const from, const char *const to)
     return out >= 0 && close(out) == 0 && got == 0;
 }
 
+#define TICK INT64_C(10000000)
+
+static int64_t nanoseconds(const struct timespec t)
+{
+    return (int64_t)t.tv_sec * 1000000000 + t.tv_nsec;
+}
+
+/* Adds a file: its text, or of one of the system its size and its date. False if there is none, or if its date is not before
+ * `begun`: then it may be another than the one that was read. Dates of files lag by a tick of the system. */
+static bool hash_file(const char kind, const char *const name, const struct timespec begun, hash *const h)
+{
+    static char bytes[BUFFER];
+    struct stat file;
+    const int in = open(name, O_RDONLY);
+    bool read_all = in >= 0 && fstat(in, &file) == 0 && nanoseconds(file.st_mtim) + TICK < nanoseconds(begun);
+    if (read_all && kind == 's') {
+        hash_add(h, &file.st_size, sizeof file.st_size);
+        hash_add(h, &file.st_mtim, sizeof file.st_mtim);
+    } else if (read_all) {
+        ssize_t got = 0;
+        while ((got = read(in, bytes, sizeof bytes)) > 0) {
+            hash_add(h, bytes, (size_t)got);
+        }
+        read_all = got == 0;
+    }
+    if (in >= 0) {
+        close(in);
+    }
+    return read_all;
+}
+
+static const hash hash_start = {UINT64_C(0xCBF29CE484222325), UINT64_C(0x84222325CBF29CE4)};
+
+enum { DIGITS = 32 }; /* of a hash, as text */
+
+static void hash_text(const hash h, char text[DIGITS + 1])
+{
+    snprintf(text, DIGITS + 1, "%016" PRIx64 "%016" PRIx64, h.a, h.b);
+}
+
+/* A list has for each time a line "= OBJECT", a line "KIND HASH NAME" for each file, and a line ".". */
+static void list_append(const char *const list, const char *const object, const reading *const files,
+                        const struct timespec begun)
+{
+    static char text[2 * BUFFER];
+    char digits[DIGITS + 1];
+    size_t length = (size_t)snprintf(text, sizeof text, "= %s\n", object);
+    for (const char *at = files->text; at < files->text + files->length; at += strlen(at) + 1) {
+        hash h = hash_start;
+        if (length + strlen(at) + DIGITS + 8 > sizeof text || !hash_file(at[0], at + 1, begun, &h)) {
+            return;
+        }
+        hash_text(h, digits);
+        length += (size_t)snprintf(text + length, sizeof text - length, "%c %s %s\n", at[0], digits, at + 1);
+    }
+    length += (size_t)snprintf(text + length, sizeof text - length, ".\n");
+    const int out = open(list, O_WRONLY | O_CREAT | O_APPEND, 0666);
+    if (out >= 0) {
+        (void)!write(out, text, length);
+        close(out);
+    }
+}
+
+/* Whether the list has a time at which all files were what they are: the object that came of it, and the files. */
+static bool list_find(const char *const list, char object[DIGITS + 1], reading *const files,
+                      const struct timespec begun)
+{
+    FILE *const in = fopen(list, "r");
+    char *line = NULL, digits[DIGITS + 1];
+    size_t room = 0;
+    bool same = false, found = false;
+    for (ssize_t length = 0; in != NULL && !found && (length = getline(&line, &room, in)) > 0;) {
+        line[length - 1] = '\0';
+        if (line[0] == '=' && length == DIGITS + 3) {
+            strcpy(object, line + 2);
+            files->length = 0;
+            same = true;
+        } else if (line[0] == '.') {
+            found = same;
+        } else if (same && length > DIGITS + 4) {
+            hash h = hash_start;
+            const char *const name = line + DIGITS + 3;
+            const size_t size = strlen(name) + 2;
+            same = files->length + size <= sizeof files->text && hash_file(line[0], name, begun, &h);
+            hash_text(h, digits);
+            same = same && memcmp(line + 2, digits, DIGITS) == 0;
+            if (same) {
+                files->text[files->length] = line[0];
+                memcpy(files->text + files->length + 1, name, size - 1);
+                files->length += size;
+            }
+        }
+    }
+    free(line);
+    if (in != NULL) {
+        (void)futimens(fileno(in), NULL); /* its last use */
+        fclose(in);
+    }
+    return found;
+}
+
+/* Writes for make what the object depends on. A file that is gone is then no error. */
+static bool write_dependencies(const char *const name, const char *const object, const reading *const files)
+{
+    FILE *const out = fopen(name, "w");
+    if (out == NULL) {
+        return false;
+    }
+    fprintf(out, "%s:", object);
+    for (int round = 0; round < 2; round++) {
+        for (const char *at = files->text; at < files->text + files->length; at += strlen(at) + 1) {
+            if (at[0] == 'p' && (round == 0 || at > files->text)) {
+                fprintf(out, round == 0 ? " %s" : "%s:\n", at + 1);
+            }
+        }
+        fprintf(out, "\n");
+    }
+    return fclose(out) == 0;
+}
+
 /* Compiles one source of the command to the object, or takes it from the store. Makes of one object at once wait for the
  * first. Returns the compiler's status. */
 static int compile(const command *const c, char *const source, const char *const object)
 {
+    static reading files;
     char *flags[ARGUMENTS];
-    char kept[PATH_MAX + 64], made[PATH_MAX + 96], lock[PATH_MAX + 96];
+    char dependencies[PATH_MAX], digits[DIGITS + 1];
+    char kept[PATH_MAX + 64], made[PATH_MAX + 96], lock[PATH_MAX + 96], list[PATH_MAX + 64];
     struct stat file;
-    hash h = {UINT64_C(0xCBF29CE484222325), UINT64_C(0x84222325CBF29CE4)};
-    if (stat(compiler, &file) != 0) {
+    struct timespec begun;
+    hash h = hash_start;
+    if (stat(compiler, &file) != 0 || clock_gettime(CLOCK_REALTIME, &begun) != 0) {
         fail(compiler);
     }
     hash_add(&h, compiler, strlen(compiler));
     hash_add(&h, &file.st_size, sizeof file.st_size);
     hash_add(&h, &file.st_mtime, sizeof file.st_mtime);
-    int count = flags_of(c, flags, &h);
+    hash all = h;
+    int count = flags_of(c, flags, &all, &h);
+    hash_add(&all, source, strlen(source) + 1);
+    const bool listed = hash_file('p', source, begun, &all);
+    hash_text(all, digits);
+    snprintf(list, sizeof list, "%s/store/%s.list", folder, digits);
+    name_dependencies(flags, count, object, dependencies);
+    if (listed && list_find(list, digits, &files, begun)) {
+        snprintf(kept, sizeof kept, "%s/store/%s.o", folder, digits);
+        if (copy(kept, object) && (dependencies[0] == '\0' || write_dependencies(dependencies, object, &files))) {
+            return EXIT_SUCCESS;
+        }
+    }
+
     const char *const slash = strrchr(source, '/');
     const char *const base = slash == NULL ? source : slash + 1; /* which the object names */
     hash_add(&h, base, strlen(base) + 1);
-    const bool known = hash_source(flags, count, source, object, &h);
-    snprintf(kept, sizeof kept, "%s/store/%016" PRIx64 "%016" PRIx64 ".o", folder, h.a, h.b);
+    const bool known = hash_source(flags, count, source, object, &h, &files);
+    hash_text(h, digits);
+    snprintf(kept, sizeof kept, "%s/store/%s.o", folder, digits);
     snprintf(made, sizeof made, "%s.%ld", kept, (long)getpid());
     snprintf(lock, sizeof lock, "%s/store/lock", folder);
 
@@ -257,16 +454,18 @@ static int compile(const command *const c, char *const source, const char *const
         (void)fcntl(locked, F_SETLKW, &byte);
     }
     int status = EXIT_SUCCESS;
-    if (!known || !copy(kept, object)) {
+    bool stored = known && copy(kept, object);
+    if (!stored) {
         flags[count++] = (char *)"-c";
         flags[count++] = source;
         flags[count++] = (char *)"-o";
         flags[count++] = (char *)object;
         flags[count] = NULL;
         status = run(flags);
-        if (status == EXIT_SUCCESS && known && copy(object, made)) {
-            (void)rename(made, kept);
-        }
+        stored = status == EXIT_SUCCESS && known && copy(object, made) && rename(made, kept) == 0;
+    }
+    if (stored && listed && files.whole) {
+        list_append(list, digits, &files, begun);
     }
     if (locked >= 0) {
         close(locked);

@@ -5,6 +5,6 @@
 # of the project is named with its folder.
 needy=$(grep -rlE --include='*.c' '^#include (PLANT|"[a-z_]+\.h")' tests tools | xargs grep -L '^#ifndef PLANT')
 # For both reals; the rest, for the host only: the tools, which are always in double, and tests, of which that is checked.
-both=$(find core port/sim models tests/unit tests/exhaustive tests/check tests/tap.c -name '*.c' | sort)
+both=$(find core port/sim port/posix port/host models/*.c tests/unit tests/exhaustive tests/check tests/tap.c -name '*.c' | sort)
 once=$(find tools tests -name '*.c' ! -path 'tests/firmware/*' | sort | grep -vxF "$both
 $needy")

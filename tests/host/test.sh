@@ -82,8 +82,18 @@ has_turn()
     *) return 0 ;;
     esac
     models euler | grep -qxF "$1" || return 0
-    turn=$(models euler | grep -nxF "$1" | cut -d : -f 1)
-    [ "$(echo "$sharing" | cut -d ' ' -f $((turn % 3 + 1)))" = "$2" ]
+    has_turn_line=$(models euler | grep -nxF "$1" | cut -d : -f 1)
+    [ "$(echo "$sharing" | cut -d ' ' -f $((has_turn_line % 3 + 1)))" = "$2" ]
+}
+
+# third SCENE METHOD: whether it is tried this time, $turn of turn_of 3: one-step methods from one table always, of the other
+# pairs a third.
+third()
+{
+    case $2,$turn in
+    euler,* | heun,* | rk4,* | *,all) ;;
+    *) [ $(($(echo "$1 $2" | cksum | cut -d ' ' -f 1) % 3)) -eq "$turn" ] ;;
+    esac
 }
 
 # turn_of PARTS ALL FOLDER...: which of so many parts is tried this time, from 0: a checksum of these folders, so that over

@@ -9,10 +9,8 @@ int main(void)
     const iso_plant *const plant = &iso_the_plant;
     iso_plant_start(plant);
     for (uint64_t tick = 0; tick < 1000; tick++) {
-        uint64_t restarts = 0;
         iso_plant_drive(plant, tick);
-        iso_plant_step(plant, &restarts);
-        if (restarts > 0) {
+        if (iso_plant_step(plant)) {
             printf("%u ", (unsigned)tick);
         }
     }

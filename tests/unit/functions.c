@@ -50,6 +50,18 @@ static void test_floor(void)
     tap_same(iso_floor(infinite), infinite, "floor of infinity");
 }
 
+static void test_round(void)
+{
+    const real whole = R(1.0) / ISO_REAL_EPSILON, infinite = iso_real_of(ISO_EXPONENT_BITS);
+    tap_same(iso_round(R(2.5)), R(2.0), "round(2.5)");
+    tap_same(iso_round(R(3.5)), R(4.0), "round(3.5)");
+    tap_same(iso_round(R(-2.75)), R(-3.0), "round(-2.75)");
+    tap_same(iso_round(R(-0.5)), R(0.0), "round(-0.5)");
+    tap_same(iso_round(whole / R(2.0) + R(0.5)), whole / R(2.0), "round of a half between large numbers");
+    tap_same(iso_round(whole + R(1.0)), whole + R(1.0), "round of an odd whole number");
+    tap_same(iso_round(-infinite), -infinite, "round of -infinity");
+}
+
 static void test_where(void)
 {
     tap_same(iso_where(R(1.0), R(-2.5)), R(-2.5), "where 1");
@@ -73,9 +85,9 @@ static uint64_t mixed(const uint64_t hash, const real x)
 static void test_bits(void)
 {
 #ifdef ISO_REAL_DOUBLE
-    const uint64_t want = UINT64_C(0x0727144e81e03741);
+    const uint64_t want = UINT64_C(0xc60d49d2b25868d9);
 #else
-    const uint64_t want = UINT64_C(0xd84982b4f7355189);
+    const uint64_t want = UINT64_C(0xf8f18d88546d4f53);
 #endif
     enum { NUMBERS = 400 };
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
@@ -85,7 +97,7 @@ static void test_bits(void)
         y = y * R(1.0703125);  /* up to 6e8 */
         hash = mixed(mixed(hash, iso_exp(x * R(64.0))), iso_log(y));
         hash = mixed(mixed(hash, iso_tanh(x * R(8.0))), iso_atan2(x, y - R(1.0)));
-        hash = mixed(mixed(hash, iso_sqrt(y)), iso_floor(x * y));
+        hash = mixed(mixed(hash, iso_sqrt(y)), iso_floor(x * y) + iso_round(x));
         hash = mixed(mixed(hash, iso_exp(y * x)), iso_noise((uint32_t)i * UINT32_C(10000019), (uint32_t)i % 3));
     }
     tap_bits(hash, want, "the same bits on every target");
@@ -96,6 +108,7 @@ int main(void)
     test_exact();
     test_sign();
     test_floor();
+    test_round();
     test_where();
     test_bits();
     tap_done();

@@ -139,6 +139,10 @@ static void test_zeros(void)
     tap_same(iso_positive(R(-0.0)), R(0.0), "positive: -0 gives 0");
     tap_same(iso_positive(-SMALLEST_NORMAL), R(0.0), "positive: what is below 0 gives 0");
     tap_same(iso_positive(iso_real_of(1)), iso_real_of(1), "positive: the smallest denormal is itself");
+    tap_same(iso_negative(R(0.0)), R(0.0), "negative: 0 gives 0");
+    tap_same(iso_negative(R(-0.0)), R(-0.0), "negative: -0 is itself");
+    tap_same(iso_negative(SMALLEST_NORMAL), R(0.0), "negative: what is above 0 gives 0");
+    tap_same(iso_negative(-iso_real_of(1)), -iso_real_of(1), "negative: the smallest denormal below 0 is itself");
 }
 
 static void test_special(void)

@@ -1,9 +1,10 @@
 /* Instructions and cycles of one call of a function on a Cortex-M4F, from an execution trace of QEMU.
  *
- *     qemu-system-arm -singlestep -d nochain,exec ... 2>&1 >/dev/null | cycles FUNCTION LISTING
+ *     qemu-system-arm -singlestep -d nochain,exec ... 2>&1 >/dev/null | cycles FUNCTION LISTING [LEFT_OUT...]
  *
  * LISTING is what `objdump -d` prints of the program. Of the calls of FUNCTION in the trace the last that returns counts, with
- * all that it calls. Cycles by Arm (2020), Cortex-M4 Technical Reference Manual r0p1 (100166), tables 3-1 and 7-1, with memory
+ * all that it calls, and with interrupts in it, but for the functions LEFT_OUT; one that the listing does not have is none.
+ * Cycles by Arm (2020), Cortex-M4 Technical Reference Manual r0p1 (100166), tables 3-1 and 7-1, with memory
  * without wait states:
  *
  * - floating point: add, subtract, multiply, compare, convert, move 1; multiply-accumulate 3; divide, square root 14; an
@@ -19,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WORDS = 1 << 19, TEXT = 16, OPERANDS = 48, LINE = 1024 };
+enum { WORDS = 1 << 19, TEXT = 16, OPERANDS = 48, LINE = 1024, LEFT_OUT_MAX = 16 };
 
 typedef struct instruction {
     char name[TEXT]; /* without condition codes and types: vmul for vmul.f32 */
@@ -27,8 +28,9 @@ typedef struct instruction {
     uint32_t bytes; /* 0: there is none here */
 } instruction;
 
-static instruction code[WORDS]; /* by half of their address */
-static uint32_t entry;          /* of the function */
+static instruction code[WORDS];         /* by half of their address */
+static uint32_t entry;                  /* of the function */
+static uint32_t left_out[LEFT_OUT_MAX]; /* entries of functions, 0 for one that is not there */
 
 _Noreturn static void fail(const char *const what, const char *const which)
 {
@@ -64,7 +66,7 @@ static void read_instruction(const char *const line)
     }
 }
 
-static void read_listing(const char *const path, const char *const function)
+static void read_listing(const char *const path, const char *const function, char **const others)
 {
     char line[LINE], label[LINE];
     unsigned address = 0;
@@ -73,8 +75,11 @@ static void read_listing(const char *const path, const char *const function)
         fail("cannot read ", path);
     }
     while (fgets(line, sizeof line, file) != NULL) {
-        if (sscanf(line, "%x <%1000[^>]>:", &address, label) == 2 && strcmp(label, function) == 0) {
-            entry = address;
+        if (sscanf(line, "%x <%1000[^>]>:", &address, label) == 2) {
+            entry = strcmp(label, function) == 0 ? address : entry;
+            for (int i = 0; i < LEFT_OUT_MAX && others[i] != NULL; i++) {
+                left_out[i] = strcmp(label, others[i]) == 0 ? address : left_out[i];
+            }
         }
         read_instruction(line);
     }
@@ -160,6 +165,15 @@ static int cycles_of(const instruction *const i, const instruction *const before
     return is(i, "sdiv") || is(i, "udiv") ? 12 : 1;
 }
 
+static bool is_left_out(const uint32_t address)
+{
+    bool found = false;
+    for (int i = 0; i < LEFT_OUT_MAX; i++) {
+        found = found || (left_out[i] != 0 && left_out[i] == address);
+    }
+    return found;
+}
+
 /* The address of the next instruction of the trace; false at its end. Lines read `Trace 0: 0x... [flags/address/...]`. */
 static bool next_address(uint32_t *const address)
 {
@@ -175,14 +189,15 @@ static bool next_address(uint32_t *const address)
 
 int main(int argc, char **argv)
 {
-    if (argc != 3) {
-        fail("usage: cycles FUNCTION LISTING <TRACE", "");
+    if (argc < 3) {
+        fail("usage: cycles FUNCTION LISTING [LEFT_OUT...] <TRACE", "");
     }
-    read_listing(argv[2], argv[1]);
+    read_listing(argv[2], argv[1], argv + 3);
 
     enum { BRANCH_REFILL = 2 };
     uint64_t instructions = 0, cycles = 0, last_instructions = 0, last_cycles = 0;
-    uint32_t address = 0, before = 0, back = 0; /* back: where the call returns to, 0 outside of one */
+    uint32_t address = 0, before = 0;
+    uint32_t back = 0, resume = 0; /* where the call returns to, and one that is left out; 0 outside of one */
     while (next_address(&address)) {
         const instruction *const i = at(address), *const previous = at(before);
         if (back != 0 && address == back) {
@@ -194,7 +209,13 @@ int main(int argc, char **argv)
             back = before + previous->bytes;
             instructions = cycles = 0;
         }
-        if (back != 0) {
+        if (address == resume) {
+            resume = 0;
+        }
+        if (back != 0 && resume == 0 && is_left_out(address) && previous != NULL) {
+            resume = before + previous->bytes;
+        }
+        if (back != 0 && resume == 0) {
             if (i == NULL || i->bytes == 0 || previous == NULL) {
                 fail("the trace leaves the listing", "");
             }

@@ -21,10 +21,12 @@ acos|angle|1|iso_acos(x[0])|angle inverse_bound|up to 1|up to 1|NaN
 sqrt|sqrt|1|iso_sqrt(x[0])|0.5|from 0|from 0|NaN
 1 / sqrt|root|1|iso_inverse_root(x[0])|1.5|from 1.2e-38|from 2.2e-308|finite at 0; below 0: meaningless
 floor|pieces|1|iso_floor(x[0])|exact|all|all|
+round|pieces|1|iso_round(x[0])|exact|all|all|
 sign|pieces|1|iso_sign(x[0])|exact|all|all|
 abs|real|1|iso_abs(x[0])|exact|all|all|
 min, max|real|2|iso_min(x[0], x[1])|exact|all|all|
 max(x, 0)|real|1|iso_positive(x[0])|exact|all|all|
+min(x, 0)|real|1|iso_negative(x[0])|exact|all|all|
 clamp|real|3|iso_clamp(x[0], x[1], x[2])|exact|all|all|
 comparison|real|2|iso_above(x[0], x[1])|exact|all|all|of one infinity with itself: 0 or 1
 noise, once a tick|noise|1|iso_noise(iso_bits_of(x[0]), 7)|mean 0, variance 1|all ticks|all ticks|

@@ -72,9 +72,44 @@ $(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
 	$(call say,LINK,$@)
 	$(Q)$(LINK)
 
--include $(OUT)/plant.d
+# The same plant with a link, in a folder of its own: with interface.c, and NAME_link.h and NAME_link.py for a controller. On
+# the host its addresses are below 4 GB, as those of a board are. With XCP it has measurement and calibration too.
+LINKED := $(OUT)/$(if $(XCP),calibrated,linked)
+LINKED_PROGRAM := $(LINKED)/$(NAME)$(PORT_SUFFIX)
+
+$(LINKED)/choice: always
+	$(call remember,$(call quote,$(XCP)))
+
+$(LINKED)/interface.c: $(OUT)/choice $(LINKED)/choice build/isoc
+	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no link: it is for scenes))
+	$(call say,ISOC,$(SCENE) --link)
+	$(Q)build/isoc $(call quote,$(SCENE)) -o $(LINKED) $(CHOICE) --link $(XCP:%=--xcp %) >$(LINKED).txt
+
+$(LINKED)/plant.o $(LINKED)/interface.o: $(LINKED)/%.o: $(LINKED)/interface.c $(OBJ)/flags
+	$(call say,CC,$(@:.o=.c))
+	$(Q)$(COMPILE) -MMD -MP -c $(@:.o=.c) -o $@
+
+$(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
+	$(call say,LINK,$@)
+	$(Q)$(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(PORT_LINK_LINKED) $(filter %.o,$^) $(PORT_LIBRARIES) -o $@
+
+# The A2L, beside the program: what isoc wrote, with the addresses of the linked program.
+A2L := $(OUT)/$(NAME).a2l
+
+$(A2L): $(LINKED_PROGRAM) $(OBJ)/core/xcp/places.o tools/build/a2l.sh
+	$(call say,A2L,$@)
+	$(Q)sh tools/build/a2l.sh $(PORT_NM) $(LINKED_PROGRAM) $(OBJ)/core/xcp/places.o $(LINKED)/plant.a2l.in $(REAL) >$@
+
+a2l: $(A2L)
+	@echo program $(LINKED_PROGRAM)
+	@echo a2l $(A2L)
+
+-include $(OUT)/plant.d $(LINKED)/plant.d $(LINKED)/interface.d
 
 RUN = build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
+
+# A run that is kept under a name, for make compare.
+KEEP_RUN = $(if $(KEEP),mkdir -p build/runs/$(KEEP) && cp $(OUT)/trace.csv $(OUT)/units.csv $(OUT)/summary.txt build/runs/$(KEEP)/)
 
 # Where isoc put what a scene with closed loops gives no start; nothing of a plant in C.
 ASSEMBLED = sed -n -e '/^assembled /p' -e '/^dead_position /p' $(if $(filter $(OUT)/plant.c,$(PLANT)),$(OUT)/plant.txt,/dev/null)
@@ -82,7 +117,34 @@ ASSEMBLED = sed -n -e '/^assembled /p' -e '/^dead_position /p' $(if $(filter $(O
 run: $(PROGRAM) build/trace
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(ASSEMBLED)
-	$(Q)$(RUN)
+	$(Q)$(RUN)$(if $(KEEP), >$(OUT)/summary.txt && cat $(OUT)/summary.txt)
+	$(Q)$(KEEP_RUN)
+
+# --- With a controller -------------------------------------------------------------------------------------------
+
+# Finds its end of the wire at descriptor 3 (tools/link/main.c).
+link hil: PROGRAM := $(LINKED_PROGRAM)
+link hil: PORT_SERIAL = $(PORT_SERIAL_LINKED)
+CONNECT = build/link -o $(OUT) --header "$$(ls $(LINKED)/*_link.h)" $(MODE:%=--mode %) \
+    $(if $(CONTROLLER),--controller $(call quote,$(CONTROLLER))) -- $(RUN)
+
+link: $(LINKED_PROGRAM) $(if $(XCP),$(A2L)) build/trace build/link
+	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
+	$(Q)$(CONNECT)$(if $(KEEP), >$(OUT)/summary.txt && cat $(OUT)/summary.txt)
+	$(Q)$(KEEP_RUN)
+
+$(OUT)/controller: models/hil/controller.c $(LINKED)/interface.c build/obj/tools/flags
+	$(call say,CC,$<)
+	$(Q)$(CC) $(WARNINGS) -O2 $(NUMERICS) -I$(LINKED) $(CFLAGS) $< -o $@ -lm
+
+hil: CONTROLLER := $(or $(CONTROLLER),$(OUT)/controller)
+hil: $(LINKED_PROGRAM) $(OUT)/controller build/trace build/link build/plot
+	$(call require,gnuplot,apt-get install gnuplot-nox)
+	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
+	$(Q)$(CONNECT) >$(OUT)/summary.txt && cat $(OUT)/summary.txt
+	$(Q)$(KEEP_RUN)
+	$(Q)sh tools/plot/plot.sh $(OUT) counts volts pole
+	$(Q)awk -F, -f models/hil/stood.awk $(OUT)/trace.csv
 
 plot: $(PROGRAM) build/trace build/plot
 	$(call require,gnuplot,apt-get install gnuplot-nox)
@@ -99,6 +161,11 @@ size: $(PROGRAM) build/size
 # The limits were set for this one, with its own method.
 LIMITED := cortex-m4f float models/double_pendulum.scene
 LIMITS := $(if $(findstring $(LIMITED),$(TARGET) $(REAL) $(SCENE)),$(if $(filter-out rk4,$(METHOD)),no,yes),no)
+
+# Ten periods: the period with a zero behind it.
+ticks: NANOSECONDS = $(shell sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\10/p' $(OUT)/plant.c)
+ticks: $(PROGRAM) build/cycles
+	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) sh tools/build/ticks.sh
 
 # GCC writes the call graph with the frame of every function into plant.ci.
 stack: $(OUT)/plant.o build/stack

@@ -5,6 +5,8 @@
  *     plot work_precision SCENE TIME report.tsv
  *     plot violation SCENE measured
  *     plot effects SCENE TARGET effects.tsv
+ *     plot compare DIRECTORY DIRECTORY
+ *     plot differences DIRECTORY DIRECTORY          as a table
  *     plot compact <drawn.svg >smaller.svg
  */
 #include <stdio.h>
@@ -26,11 +28,16 @@ int main(const int argc, char **const argv)
         picture_violation(argv[2], argv[3]);
     } else if (strcmp(kind, "effects") == 0 && argc == 5) {
         picture_effects(argv[2], argv[3], argv[4]);
+    } else if (strcmp(kind, "compare") == 0 && argc == 4) {
+        picture_compare(argv[2], argv[3]);
+    } else if (strcmp(kind, "differences") == 0 && argc == 4) {
+        table_differences(argv[2], argv[3]);
     } else if (strcmp(kind, "compact") == 0 && argc == 2) {
         compact_svg();
     } else {
         fputs("usage: plot trace DIRECTORY [OUTPUT...] | plot path DIRECTORY | plot work_precision SCENE TIME TABLE | "
-              "plot violation SCENE LINES | plot effects SCENE TARGET TABLE | plot compact\n",
+              "plot violation SCENE LINES | plot effects SCENE TARGET TABLE | plot compare DIRECTORY DIRECTORY | plot "
+              "differences DIRECTORY DIRECTORY | plot compact\n",
               stderr);
         return EXIT_FAILURE;
     }

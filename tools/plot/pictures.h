@@ -23,6 +23,13 @@ void picture_violation(const char *scene, const char *path);
 /* What each effect of a scene costs and changes, and the scene without any, as bars: the table of tools/build/price.c. */
 void picture_effects(const char *scene, const char *target, const char *path);
 
+/* The outputs that the runs in two folders have in common, a panel for each, one run over the other. Exits if there are none,
+ * or no times in common. */
+void picture_compare(const char *first, const char *second);
+
+/* Not a picture: a table of their differences at the times that both have, the root of the mean square and the largest. */
+void table_differences(const char *first, const char *second);
+
 /* Copies a drawing of gnuplot's from the standard input without what changes nothing. Exits if its groups do not
  * match. */
 void compact_svg(void);

@@ -169,10 +169,9 @@ static void put_point(const signals *const s, const size_t row, const size_t col
     printf("%s %.9g\n", table_text(&s->rows, row + 1, 0), signal_at(s, row, column) - zero);
 }
 
-void put_column(const signals *const s, const size_t column, const double zero, const size_t stretches)
+void put_points(const signals *const s, const size_t column, const double zero, const size_t stretches)
 {
     const size_t every = (s->count + stretches - 1) / stretches;
-    printf("$column%zu << END\n", column);
     for (size_t from = 0; from < s->count; from += every) {
         size_t least = from;
         size_t most = from;
@@ -185,5 +184,11 @@ void put_column(const signals *const s, const size_t column, const double zero, 
             put_point(s, least < most ? most : least, column, zero);
         }
     }
+}
+
+void put_column(const signals *const s, const size_t column, const double zero, const size_t stretches)
+{
+    printf("$column%zu << END\n", column);
+    put_points(s, column, zero, stretches);
     puts("END");
 }

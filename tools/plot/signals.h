@@ -45,8 +45,11 @@ void put_title(const signals *s);
 /* A name with the unit of the group, in quotes: "hinge_angle, rad"; a pure number has no unit. */
 void put_label(const group *of, const char *before, const char *name);
 
-/* A block of data of a column over time, less `zero`: of each stretch of the rows its least and its greatest, in their
- * order, so that nothing fast is lost. */
+/* The points of a column over time, less `zero`: of each stretch of the rows the least and the greatest, in their order, so
+ * that nothing fast is lost. */
+void put_points(const signals *s, size_t column, double zero, size_t stretches);
+
+/* The same as a block of data, called $column with its number. */
 void put_column(const signals *s, size_t column, double zero, size_t stretches);
 
 /* The colours of the members of a group. */

@@ -186,6 +186,35 @@ static void print_execution(const stream_end *const end, const char *const unit)
     }
 }
 
+/* What the policies of the scene counted: core/runtime/policy.h. */
+static void print_policy(const stream *const run, const char *const unit)
+{
+    const iso_policy_counts *const counts = &run->policy.counted.counts;
+    if (run->policy_words > 0) {
+        printf("grace_late %" PRIu64 "\ngrace_overruns %" PRIu64 "\n", counts->grace_late, counts->grace_overruns);
+        printf("latency %" PRIu64 " ticks\n", counts->latency);
+    }
+    if (counts->skipped > 0) {
+        printf("skipped %" PRIu64 " from %" PRIu64 " to %" PRIu64 "\n", counts->skipped, counts->skipped_first,
+               counts->skipped_last);
+    }
+    if (counts->degraded > 0) {
+        printf("degraded %" PRIu64 " to rung %" PRIu64 "\n", counts->degraded, counts->lowest);
+    }
+    if (run->policy_words < STREAM_POLICY_WORDS) {
+        return;
+    }
+    const iso_policy_histogram *const histogram = &run->policy.counted;
+    for (uint64_t i = 0; i < ISO_HISTOGRAM_BINS; i++) {
+        if (histogram->bins[i] > 0 && i + 1 < ISO_HISTOGRAM_BINS) {
+            printf("histogram %" PRIu64 " to %" PRIu64 " %s: %" PRIu64 "\n", i * histogram->width,
+                   (i + 1) * histogram->width, unit, histogram->bins[i]);
+        } else if (histogram->bins[i] > 0) {
+            printf("histogram from %" PRIu64 " %s: %" PRIu64 "\n", i * histogram->width, unit, histogram->bins[i]);
+        }
+    }
+}
+
 static void print_summary(const stream *const run, const char *const unit, const char *const path)
 {
     const stream_header *const header = &run->header;
@@ -234,6 +263,7 @@ static void print_summary(const stream *const run, const char *const unit, const
         }
         printf("\n");
     }
+    print_policy(run, unit);
     printf("trace %s\n", path);
 }
 
@@ -275,7 +305,7 @@ static bool record(const options *const chosen, stream *const run, FILE *const t
                 ended == NULL || given_up ? "" : ended);
         return false;
     }
-    if (ended != NULL && run->end.guard == run->header.states) {
+    if (ended != NULL && run->end.guard == run->header.states && run->policy.counted.counts.stopped == 0) {
         fprintf(stderr, "trace: %s: %s\n", chosen->command[0], ended);
         return false;
     }
@@ -376,6 +406,10 @@ int main(int argc, char **argv)
                 run.header.state_names[0] == '\0' ? "" : " ", stream_state_name(&run, run.end.guard, name),
                 run.end.tick,
                 isfinite(strtod(stream_value(&run, run.end.guard, text), NULL)) ? "out of range" : "not finite");
+        return EXIT_FAILURE;
+    }
+    if (run.policy.counted.counts.stopped > 0) {
+        fprintf(stderr, "trace: stopped by the overrun of tick %" PRIu64 "\n", run.policy.counted.counts.stopped);
         return EXIT_FAILURE;
     }
     return EXIT_SUCCESS;

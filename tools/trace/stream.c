@@ -141,13 +141,32 @@ static bool read_values(stream *const run, const uint64_t count)
     return fread(run->values, 1, bytes, run->file) == bytes;
 }
 
+/* The rest of the stream. */
+static bool read_policy(stream *const run)
+{
+    const size_t bytes = fread(run->policy.words, 1, sizeof run->policy, run->file);
+    run->policy_words = bytes / sizeof(uint64_t);
+    if (bytes != 0 && bytes != sizeof(iso_policy_counts) && bytes != sizeof(iso_policy_histogram)) {
+        return false;
+    }
+    for (size_t i = 0; i < run->policy_words; i++) {
+        const uint8_t *const at = (const uint8_t *)&run->policy.words[i];
+        uint64_t word = 0;
+        for (size_t byte = sizeof word; byte > 0; byte--) {
+            word = word << 8 | at[byte - 1];
+        }
+        run->policy.words[i] = word;
+    }
+    return true;
+}
+
 static bool read_end(stream *const run)
 {
     stream_end *const end = &run->end;
 #define STREAM_READ(name, value) end->name = read_number(run->file, sizeof end->name);
     ISO_STREAM_COUNTS(STREAM_READ)
     ISO_STREAM_WORDS(STREAM_READ)
-    return read_values(run, run->header.states + 2);
+    return read_values(run, run->header.states + 2) && read_policy(run);
 }
 
 stream_record stream_read(stream *const run)

@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "core/application/stream.h"
+#include "core/runtime/policy.h"
 
 enum { STREAM_TEXT_BYTES = 65536, STREAM_VALUES_MAX = 65535 };
 
@@ -33,11 +34,21 @@ typedef struct stream_end {
     ISO_STREAM_WORDS(STREAM_FIELD) /* guard: as many as there are states if none is bad */
 } stream_end;
 
+enum { STREAM_POLICY_WORDS = sizeof(iso_policy_histogram) / sizeof(uint64_t) };
+
+/* What policies counted, if there are any. */
+typedef union stream_policy {
+    iso_policy_histogram counted;
+    uint64_t words[STREAM_POLICY_WORDS];
+} stream_policy;
+
 typedef struct stream {
     FILE *file;
     char error[STREAM_TEXT_BYTES]; /* why the last call failed */
     stream_header header;
     stream_end end;
+    stream_policy policy;
+    size_t policy_words; /* of it: none, those without a histogram, or all */
     uint8_t values[(STREAM_VALUES_MAX + 2) *
                    sizeof(double)]; /* of the last row, or the final state, local error, violation */
 } stream;
