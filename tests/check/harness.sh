@@ -167,7 +167,7 @@ result $? "found: a variant with another number of tests"
 # A machine that lacks a tool, with a package manager and a user that are made up.
 mkdir -p "$out/bin"
 for tool in sh cut tr cat uname env ln mkdir tail perl prove grep g++ patch flock arm-none-eabi-gcc qemu-system-arm valgrind \
-    clang-format cppcheck gnuplot dot as ld "$CC"; do
+    clang-format cppcheck gnuplot dot python3 as ld "$CC"; do
     ln -sf "$(command -v "$tool")" "$out/bin/$tool"
 done
 
@@ -183,7 +183,7 @@ tools()
 
 ! tools 1000 true && [ ! -f "$out/asked" ]
 result $? "a user who may not install: fails, and installs nothing"
-grep -q 'install it with: sudo apt-get install .* clang *$' "$out/output"
+grep -q 'install it with: sudo apt-get install .* clang libclang-rt-dev *$' "$out/output"
 result $? "it names the command that installs what is missing, and no more"
 ! tools 0 false && grep -q 'the installation failed: apt-get install .* clang' "$out/output"
 result $? "an installation that fails is told"

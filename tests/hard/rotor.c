@@ -13,16 +13,16 @@
 #include <stdlib.h>
 
 #include "core/runtime/tick.h"
+#include "plant.h"
 #include "tests/host/report.h"
 
 #define TWO_PI 6.283185307179586476925286766559L
 
-/* The angle since the start, turns and all; the turns stand behind the outputs in the plant's memory. */
+/* The angle since the start, turns and all. The output of turns is a real, which does not hold those of a day. */
 static long double angle(const iso_plant *const plant)
 {
-    int32_t turns = 0;
-    memcpy(&turns, plant->y + plant->model->outputs, sizeof turns);
-    return TWO_PI * (long double)turns + (long double)plant->x[0];
+    const plant_memory *const memory = plant->memory;
+    return TWO_PI * (long double)memory->turns[0] + (long double)plant->x[0];
 }
 
 /* *plain: how many limits a plain sum is off. */

@@ -12,7 +12,7 @@ rotor()
     mkdir -p "$out/$name"
     sed "s|continuous|continuous; $with|" tests/hard/rotor.scene >"$out/$name/rotor.scene"
     build/isoc "$out/$name/rotor.scene" -o "$out/$name" --real "$real" "$@" >"$out/$name/summary" &&
-        program "$name.run" tests/hard/rotor.c tests/host/report.c "$out/$name/plant.c"
+        EXTRA="-I$out/$name" program "$name.run" tests/hard/rotor.c tests/host/report.c "$out/$name/plant.c"
     result $? "$name builds"
 }
 
