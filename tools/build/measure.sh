@@ -56,7 +56,7 @@ longest_step()
 {
     folder=build/cost/$1
     mkdir -p "$folder"
-    sh tools/build/elsewhere.sh "$2" >"$folder/forced.scene"
+    sh tools/build/elsewhere.sh "$2" | sed '/^method /d' >"$folder/forced.scene"
     method=$3
     discontinuity=$4
     firmware=$1/firmware
@@ -66,8 +66,8 @@ longest_step()
     adams-*) set -- 'tolerance 1e-30' "$@" ;;
     *-detected-*) set -- 'checked yes' "$@" ;;
     esac
-    printf '%s\n' 'tunable forced = 1' "$@" >>"$folder/forced.scene"
-    { build/isoc "$folder/forced.scene" -o "$folder" --method "$method" >"$folder/plant.txt" &&
+    printf '%s\n' "method $method" 'tunable forced = 1' "$@" >>"$folder/forced.scene"
+    { build/isoc "$folder/forced.scene" -o "$folder" >"$folder/plant.txt" &&
         build/forced "$discontinuity" <"$folder/plant.c" >"$folder/forced.c"; } ||
         fail "no plant of $folder/forced.scene"
     seconds=2
