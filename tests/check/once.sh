@@ -86,8 +86,12 @@ result $? "and so without the preprocessor"
 printf 'int f(int x);\nint main(void)\n{\n    return f(2) - 6;\n}\n' >"$out/a/main.c"
 "$once" -O1 "$out/a/main.c" "$out/a/part.c" -o "$out/program" -lm && "$out/program" && [ "$(kept)" -eq 7 ]
 result $? "a command that links keeps the object of each source"
+mkdir -p "$out/quoted" && echo '#define FACTOR 4' >"$out/quoted/factor.h"
+printf '#include "factor.h"\nint main(void)\n{\n    return FACTOR - 4;\n}\n' >"$out/a/quoting.c"
+"$once" -O1 -iquote "$out/quoted" "$out/a/quoting.c" -o "$out/program" && "$out/program" && [ "$(kept)" -eq 8 ]
+result $? "an option is kept with its folder"
 ! "$once" -O1 -c -DFACTOR=g "$out/a/part.c" -o "$out/none.o" 2>/dev/null &&
-    [ ! -e "$out/none.o" ] && [ "$(kept)" -eq 7 ]
+    [ ! -e "$out/none.o" ] && [ "$(kept)" -eq 8 ]
 result $? "what does not compile fails, and nothing is kept"
 
 # That the store is asked at all: another object in the place of one of its own is what is then handed out.

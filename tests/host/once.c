@@ -89,8 +89,8 @@ typedef struct command {
 
 static bool takes_value(const char *const word)
 {
-    static const char *const with[] = {"-I",  "-D", "-U", "-include", "-isystem", "-MF",
-                                       "-MT", "-T", "-L", "-l",       "-Xlinker"};
+    static const char *const with[] = {"-I",  "-D",  "-U", "-include", "-isystem", "-iquote",
+                                       "-MF", "-MT", "-T", "-L",       "-l",       "-Xlinker"};
     for (size_t i = 0; i < sizeof with / sizeof with[0]; i++) {
         if (strcmp(word, with[i]) == 0) {
             return true;

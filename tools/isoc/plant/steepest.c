@@ -58,7 +58,7 @@ static double distance_from_kink(const formulas *f, size_t i)
     case OP_SIGN:
         return f->numbers[n->a];
     default:
-        return NAN;
+        return (double)NAN;
     }
 }
 
@@ -75,7 +75,7 @@ static double find_kink(formulas *f, size_t kink, int state)
     enum { SECANTS = 12 };
     const double here = f->x[state];
     double before = here, after = here + 1e-3 * (1.0 + fabs(here));
-    double d = distance_at(f, kink, state, before), e = distance_at(f, kink, state, after), found = NAN;
+    double d = distance_at(f, kink, state, before), e = distance_at(f, kink, state, after), found = (double)NAN;
     for (int i = 0; i < SECANTS && e != d && isfinite(e - d); i++) {
         const double next = after - e * (after - before) / (e - d);
         if (fabs(next - after) <= 1e-12 * (1.0 + fabs(next))) {
