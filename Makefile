@@ -28,6 +28,8 @@
 ##     SCRIPT=FILE                         late, lost and slow ticks, on the host (port/sim/script.h)
 ##     CONTROLLER='./ctl'                  for link and hil: a command; it connects where ISOCHRON_LINK says
 ##     MODE=lockstep|free                  for link and hil: whether the plant waits for the controller, instead of what that asks for
+##     SNAPSHOT=N                          for run: takes a snapshot of tick N, build/TARGET/REAL/NAME/snapshot.bin
+##     RESTORE=FILE                        for run: goes on from a snapshot, of any target; SECONDS is of the whole run
 ##     KEEP=NAME                           for run, link and hil: keeps it in build/runs/NAME
 ##     RUNS='NAME NAME'                    for compare: two runs that were kept
 ##     V=1                                 show the commands
@@ -49,6 +51,8 @@ SCRIPT =
 XCP = $(if $(filter a2l,$(MAKECMDGOALS)),open)
 CONTROLLER =
 MODE =
+SNAPSHOT =
+RESTORE =
 KEEP =
 RUNS =
 MODELS = $(wildcard models/*.scene)
@@ -103,7 +107,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER KEEP RUNS
+TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -113,11 +117,12 @@ $(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
     $(error $(name) has a line break, which make cannot pass on)))
 
 # What has an effect on which goal. A goal that is a file, and a make that another make calls, may be given anything.
-EFFECTS_run := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT KEEP OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
-EFFECTS_plot := $(filter-out KEEP,$(EFFECTS_run)) OUTPUTS
-EFFECTS_link := $(EFFECTS_run) XCP CONTROLLER MODE
+EFFECTS_run = $(OF_A_RUN) SNAPSHOT RESTORE
+OF_A_RUN := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT KEEP OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
+EFFECTS_plot := $(filter-out KEEP,$(OF_A_RUN)) OUTPUTS
+EFFECTS_link := $(OF_A_RUN) XCP CONTROLLER MODE
 EFFECTS_hil := $(filter-out SCENE SCRIPT XCP CHECKED COMPENSATED OUT,$(EFFECTS_link))
-EFFECTS_size := $(filter-out SECONDS SCRIPT KEEP,$(EFFECTS_run))
+EFFECTS_size := $(filter-out SECONDS SCRIPT KEEP,$(OF_A_RUN))
 EFFECTS_stack := $(EFFECTS_size)
 EFFECTS_a2l := $(filter-out CHECKED COMPENSATED,$(EFFECTS_size)) XCP
 EFFECTS_ticks := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED TARGET REAL
@@ -181,6 +186,16 @@ ifneq ($(shell printf %s $(call quote,$(KEEP)) | tr -d A-Za-z0-9_.-)$(filter . .
 $(error KEEP=$(KEEP) is no name for a run; it can have letters, digits, _ . and -)
 endif
 endif
+ifneq ($(SNAPSHOT),)
+ifneq ($(shell printf %s $(call quote,$(SNAPSHOT)) | sed 's/^[0-9]\{1,18\}$$//'),)
+$(error SNAPSHOT=$(SNAPSHOT) is no tick; it could be 12345)
+endif
+endif
+ifneq ($(RESTORE),)
+ifneq ($(shell { head -c 4 <$(call quote,$(RESTORE)) | grep -aqx ISOS; } 2>/dev/null || echo no),)
+$(error RESTORE=$(RESTORE) is no snapshot; make run SNAPSHOT=N writes one)
+endif
+endif
 ifneq ($(MODE),)
 ifeq ($(filter lockstep free,$(MODE)),)
 $(error MODE=$(MODE) is unknown; it can be lockstep or free)
@@ -197,6 +212,9 @@ endif
 ifneq ($(IS_IN_C),)
 $(error INPUTS has no effect on a plant in C; it is for scenes)
 endif
+endif
+ifneq ($(and $(SNAPSHOT)$(RESTORE),$(IS_IN_C)),)
+$(error a plant in C has no snapshots of its runs: they are for scenes)
 endif
 ifneq ($(and $(OF_ONE_SCENE),$(IS_IN_C)),)
 $(error make cost is of scenes; the plant in C $(SCENE) names no effects)
@@ -304,6 +322,9 @@ CALIBRATION := $(filter-out core/xcp/places.c,$(wildcard core/xcp/*.c))
 LINKED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) \
     $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/link/*.c) $(CONTROL) $(PORT_CHANNEL) $(if $(XCP),$(CALIBRATION)))
 
+# What a run with a snapshot has besides, and its own main.
+RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OBJ)/core/runtime/snapshot.o $(OBJ)/core/record/main.o
+
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
 	$(call remember,$(call quote,$(COMPILE)))
@@ -313,7 +334,7 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 	@mkdir -p $(@D)
 	$(Q)$(COMPILE) -MMD -MP -c $< -o $@
 
--include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d)) \
+-include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d) $(RECORDED_OBJECTS:.o=.d)) \
     $(OBJ)/core/xcp/places.d
 
 # --- Goals -------------------------------------------------------------------------------------------------------
@@ -338,7 +359,7 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 folder_of = $(if $(filter run plot link hil size stack ticks a2l,$(1)),$(OUT),$(if $(filter cost,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
 shared = $(TOOLS) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
-    $(OBJ)/core/xcp/places.o))
+    $(OBJ)/core/xcp/places.o)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
 LOCK_TOOLS := flock realpath
 LOCK_INSTALL := apt-get install util-linux coreutils
 

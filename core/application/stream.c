@@ -93,6 +93,21 @@ void iso_stream_row(const real *const y, const size_t outputs)
     put_reals(y, outputs);
 }
 
+ISO_RARE void iso_stream_from(const uint64_t tick)
+{
+    put_byte(ISO_STREAM_FROM);
+    put_number(tick, sizeof tick);
+}
+
+ISO_RARE void iso_stream_snapshot(const unsigned char *const record, const size_t bytes)
+{
+    put_byte(ISO_STREAM_SNAPSHOT);
+    put_number(bytes, sizeof(uint64_t));
+    for (size_t i = 0; i < bytes; i++) {
+        put_byte(record[i]);
+    }
+}
+
 /* The places of the whole numbers in the statistics: 8 bytes each from the beginning, nothing between. */
 #define STREAM_PLACE(name, member) STREAM_AT_##name,
 enum { ISO_STREAM_COUNTS(STREAM_PLACE) STREAM_COUNTS };

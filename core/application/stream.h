@@ -1,7 +1,9 @@
 /* The run as a stream of bytes on the console, for build/trace to write down: nothing here formats a number in decimal.
  *
  *     header   lines "key value", the first "isochron 2", then an empty line; whole numbers in hexadecimal
+ *     from     ISO_STREAM_FROM, the tick that the first row is of, 64 bits; without it that is 0
  *     row      ISO_STREAM_ROW, the outputs of a tick; the first are those of tick 0, the start
+ *     snapshot ISO_STREAM_SNAPSHOT, its size, 64 bits, and the record (core/runtime/snapshot.h) of the tick of the last row
  *     end      ISO_STREAM_END, the statistics, the hash, the guard, the state, the largest local error and violation; then, to
  *              the end of the stream, the counts of the policies (core/runtime/policy.h), if the scene has some
  *
@@ -15,12 +17,20 @@
 
 #define iso_stream_header ISO_REAL_NAME(iso_stream_header)
 #define iso_stream_bail_out ISO_REAL_NAME(iso_stream_bail_out)
+#define iso_stream_from ISO_REAL_NAME(iso_stream_from)
+#define iso_stream_snapshot ISO_REAL_NAME(iso_stream_snapshot)
 #define iso_stream_row ISO_REAL_NAME(iso_stream_row)
 #define iso_stream_end ISO_REAL_NAME(iso_stream_end)
 
 #define ISO_STREAM_VERSION "isochron 2"
 
-enum { ISO_STREAM_ROW = 'r', ISO_STREAM_END = 'e', ISO_STREAM_BAIL_OUT = 'B' };
+enum {
+    ISO_STREAM_FROM = 'f',
+    ISO_STREAM_ROW = 'r',
+    ISO_STREAM_SNAPSHOT = 's',
+    ISO_STREAM_END = 'e',
+    ISO_STREAM_BAIL_OUT = 'B'
+};
 
 /* The lines of the header: their keys, by which the reader knows them, and their values; a text that nobody knows is NULL.
  */
@@ -77,6 +87,12 @@ void iso_stream_header(const iso_plant *plant, uint64_t duration);
 
 /* The outputs y[outputs] of tick 0, then of each tick that is done. */
 void iso_stream_row(const real *y, size_t outputs);
+
+/* A run that begins at a snapshot: before its first row, the tick of that. */
+void iso_stream_from(uint64_t tick);
+
+/* A snapshot that was taken: behind the row of its tick. */
+void iso_stream_snapshot(const unsigned char *record, size_t bytes);
 
 /* Ends the stream: how the loop kept its time, where it stopped, and the hash of the trajectory. */
 void iso_stream_end(const iso_loop *loop, uint64_t hash);

@@ -5,7 +5,7 @@
 . tests/host/test.sh
 begin check/layers
 
-CORE="numbers methods runtime application link xcp"
+CORE="numbers methods runtime application link record xcp"
 ISOC="base scene graph mechanism tree closure dynamics plant emit client"
 
 # downto FOLDER LIST: the folders of the list up to this one, as alternatives of a pattern; all for a file that stands

@@ -112,9 +112,33 @@ RUN = build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
 KEEP_RUN = $(if $(KEEP),mkdir -p build/runs/$(KEEP) && cp $(OUT)/trace.csv $(OUT)/units.csv $(OUT)/summary.txt build/runs/$(KEEP)/)
 
 # Where isoc put what a scene with closed loops gives no start; nothing of a plant in C.
-ASSEMBLED = sed -n -e '/^assembled /p' -e '/^dead_position /p' $(if $(filter $(OUT)/plant.c,$(PLANT)),$(OUT)/plant.txt,/dev/null)
+ASSEMBLED = sed -n -e '/^assembled /p' -e '/^dead_position /p' $(if $(filter $(OUT)/plant.c,$(PLANT)),$(SUMMARY),/dev/null)
+SUMMARY = $(if $(SNAPSHOT)$(RESTORE),$(LINKED).txt,$(OUT)/plant.txt)
 
-run: $(PROGRAM) build/trace
+# A run with a snapshot: the plant as with a link, and what is asked for, with the snapshot that the run begins at.
+RECORDED_PROGRAM := $(OUT)/recorded/$(NAME)$(PORT_SUFFIX)
+RECORDED_FROM = $(if $(RESTORE),cksum <$(call quote,$(RESTORE)),:)
+
+$(OUT)/recorded/choice: always
+	$(call remember,$(call quote,$(SNAPSHOT)) "$$($(RECORDED_FROM))")
+
+$(OUT)/recorded/request.c: $(OUT)/recorded/choice tools/build/request.sh
+	$(Q)sh tools/build/request.sh $(call quote,$(SNAPSHOT)) $(call quote,$(RESTORE)) >$@
+
+$(OUT)/recorded/request.o: $(OUT)/recorded/request.c $(OBJ)/flags
+	$(Q)$(COMPILE) -c $< -o $@
+
+$(RECORDED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(OUT)/recorded/request.o $(RECORDED_OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
+	$(call say,LINK,$@)
+	$(Q)$(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(filter %.o,$^) $(PORT_LIBRARIES) -o $@
+
+ifneq ($(SNAPSHOT)$(RESTORE),)
+run: PROGRAM := $(RECORDED_PROGRAM)
+run: $(RECORDED_PROGRAM)
+else
+run: $(PROGRAM)
+endif
+run: build/trace
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(ASSEMBLED)
 	$(Q)$(RUN)$(if $(KEEP), >$(OUT)/summary.txt && cat $(OUT)/summary.txt)

@@ -3,7 +3,7 @@
  *     trace -o DIRECTORY [--clock UNIT] -- COMMAND [ARGUMENT...]
  *
  * COMMAND writes its run to its standard output (core/application/stream.h). The table goes to DIRECTORY/trace.csv,
- * which is there only when it is whole. Exit status 0 means that the run reached its end with a finite state.
+ * which is there only when it is whole, and a snapshot that the run takes to DIRECTORY/snapshot.bin. Exit status 0 means that the run reached its end with a finite state.
  */
 #include <errno.h>
 #include <inttypes.h>
@@ -101,7 +101,7 @@ static double seconds(void)
 }
 
 /* A line on the terminal that says how far the run is, from half a second on and ten times a second. */
-static void show_progress(const stream_header *const header, const uint64_t ticks, const bool last)
+static void show_progress(const stream_header *const header, const uint64_t from, const uint64_t ticks, const bool last)
 {
     enum { LOOK_EVERY = 256 };
     static double next;
@@ -121,7 +121,7 @@ static void show_progress(const stream_header *const header, const uint64_t tick
     if (now >= next) {
         next = now + 0.1;
         shown = true;
-        const double t = (double)ticks * header->step_size;
+        const double t = (double)(from + ticks) * header->step_size;
         const double end = 1e-9 * (double)header->duration_ns;
         if (header->duration_ns > 0) {
             fprintf(stderr, "\r%s: %.1f s of %.1f s, %.0f %%\033[K", header->scene, t, end, 100 * t / end);
@@ -142,7 +142,7 @@ static void write_row(FILE *const table, const stream *const run, const uint64_t
     fputc('\n', table);
 }
 
-/* Copies the rows of the run, from tick 0 on, to the table. False: run->error says why it stopped. */
+/* Copies the rows of the run, from its first tick on, to the table. False: run->error says why it stopped. */
 static bool write_table(FILE *const table, stream *const run)
 {
     if (!stream_read_header(run)) {
@@ -152,16 +152,16 @@ static bool write_table(FILE *const table, stream *const run)
     uint64_t rows = 0;
     stream_record record = stream_read(run);
     while (record == STREAM_ROW) {
-        write_row(table, run, rows);
+        write_row(table, run, run->from + rows);
         rows++;
         if (ferror(table) != 0) {
             snprintf(run->error, sizeof run->error, "the table cannot be written: %s", strerror(errno));
             return false;
         }
-        show_progress(&run->header, rows, false);
+        show_progress(&run->header, run->from, rows, false);
         record = stream_read(run);
     }
-    show_progress(&run->header, rows, true);
+    show_progress(&run->header, run->from, rows, true);
     if (record == STREAM_END && rows != run->end.ticks + 1) {
         snprintf(run->error, sizeof run->error, "%" PRIu64 " ticks were done, but %" PRIu64 " rows arrived",
                  run->end.ticks, rows);
@@ -222,6 +222,9 @@ static void print_summary(const stream *const run, const char *const unit, const
     char text[DECIMAL_BYTES];
 
     printf("scene %s\nmethod %s\nstep %s\nreal %s\n", header->scene, header->method, header->step, header->real);
+    if (run->from > 0) {
+        printf("from %" PRIu64 "\n", run->from);
+    }
     printf("ticks %" PRIu64 "\nlate %" PRIu64 "\nlost %" PRIu64 "\noverruns %" PRIu64 "\n", end->ticks, end->late,
            end->lost, end->overruns);
     print_execution(end, unit);
@@ -362,6 +365,22 @@ static bool result_close(result *const r)
     return whole;
 }
 
+/* Writes a snapshot that was taken to a file. Returns its path; NULL: there is none. */
+static const char *write_snapshot(const char *const directory, const stream *const run)
+{
+    if (run->snapshot == NULL) {
+        return NULL;
+    }
+    result r = result_open(directory, "snapshot.bin");
+    const bool whole = fwrite(run->snapshot, 1, run->snapshot_bytes, r.file) == run->snapshot_bytes;
+    if (!result_close(&r) || !whole || rename(r.partial, r.path) != 0) {
+        const int why = errno;
+        result_drop(&r);
+        fail(r.path, strerror(why));
+    }
+    return r.path;
+}
+
 /* The columns of the table and their units, in the same order. */
 static void write_units(FILE *const file, const stream_header *const header)
 {
@@ -395,7 +414,11 @@ int main(int argc, char **argv)
     if (rename(table.partial, table.path) != 0 || rename(units.partial, units.path) != 0) {
         fail(table.path, strerror(errno));
     }
+    const char *const snapshot = write_snapshot(chosen.directory, &run);
     print_summary(&run, chosen.clock, table.path);
+    if (snapshot != NULL) {
+        printf("snapshot %s\n", snapshot);
+    }
     if (fflush(stdout) != 0) {
         fail("standard output", strerror(errno));
     }

@@ -169,9 +169,32 @@ static bool read_end(stream *const run)
     return read_values(run, run->header.states + 2) && read_policy(run);
 }
 
+/* A snapshot; the one before, if there was one, is of no use any more. */
+static bool read_snapshot(stream *const run)
+{
+    const uint64_t bytes = read_number(run->file, sizeof bytes);
+    free(run->snapshot);
+    run->snapshot = bytes > STREAM_SNAPSHOT_MAX ? NULL : malloc(bytes + 1);
+    run->snapshot_bytes = (size_t)bytes;
+    return run->snapshot != NULL && fread(run->snapshot, 1, run->snapshot_bytes, run->file) == bytes;
+}
+
+/* The tag of the next record that is a row, an end, or none. */
+static int read_tag(stream *const run)
+{
+    for (;;) {
+        const int tag = fgetc(run->file);
+        if (tag == ISO_STREAM_FROM) {
+            run->from = read_number(run->file, sizeof run->from);
+        } else if (tag != ISO_STREAM_SNAPSHOT || !read_snapshot(run)) {
+            return tag;
+        }
+    }
+}
+
 stream_record stream_read(stream *const run)
 {
-    const int tag = fgetc(run->file);
+    const int tag = read_tag(run);
     switch (tag) {
     case ISO_STREAM_ROW:
         if (read_values(run, run->header.outputs)) {
@@ -187,6 +210,7 @@ stream_record stream_read(stream *const run)
         run->error[0] = ISO_STREAM_BAIL_OUT;
         (void)read_line(run, run->error + 1, sizeof run->error - 1);
         return STREAM_ERROR;
+    case ISO_STREAM_SNAPSHOT:
     case EOF:
         break;
     default:

@@ -10,7 +10,7 @@
 #include "core/application/stream.h"
 #include "core/runtime/policy.h"
 
-enum { STREAM_TEXT_BYTES = 65536, STREAM_VALUES_MAX = 65535 };
+enum { STREAM_TEXT_BYTES = 65536, STREAM_VALUES_MAX = 65535, STREAM_SNAPSHOT_MAX = 1 << 24 };
 
 /* What the header says. */
 typedef struct stream_header {
@@ -49,6 +49,9 @@ typedef struct stream {
     stream_end end;
     stream_policy policy;
     size_t policy_words; /* of it: none, those without a histogram, or all */
+    uint64_t from;       /* the tick of the first row */
+    uint8_t *snapshot;   /* [snapshot_bytes] that was taken; NULL if none was */
+    size_t snapshot_bytes;
     uint8_t values[(STREAM_VALUES_MAX + 2) *
                    sizeof(double)]; /* of the last row, or the final state, local error, violation */
 } stream;
@@ -58,7 +61,8 @@ typedef enum stream_record { STREAM_ROW, STREAM_END, STREAM_ERROR } stream_recor
 /* Reads the header from run->file. False: run->error says why. */
 bool stream_read_header(stream *run);
 
-/* Reads the next record: a row into values, or the end into end and values. */
+/* Reads the next record: a row into values, or the end into end and values. Where the run begins, and what snapshot it
+ * takes, are read on the way. */
 stream_record stream_read(stream *run);
 
 /* The name of state i, or an empty one; text[STREAM_TEXT_BYTES]. */

@@ -1,0 +1,67 @@
+#!/bin/sh
+# make run takes a snapshot at a tick, and goes on from one: the halves of a run end with the hash of the whole, on the host and
+# from there on the Cortex-M4F and back; the rows are those of the whole; what does not fit is refused, and touches no file.
+. tests/host/test.sh
+. tests/host/project.sh
+begin snapshot_run
+project
+scene=models/cart_pole.scene # an input that is a function of time; by ab4 with a history
+of_host=$out/project/build/host/float/cart_pole
+of_board=$out/project/build/cortex-m4f/float/cart_pole
+
+# half NAME ARGUMENT...: a run of 2 s.
+half()
+{
+    half_name=$1
+    shift
+    call run SCENE=$scene METHOD=ab4 SECONDS=2 "$@"
+    expect $? "$half_name: runs"
+}
+
+half "the whole, with a snapshot of tick 765" SNAPSHOT=765
+hash=$(value hash)
+[ "$(value snapshot)" = build/host/float/cart_pole/snapshot.bin ] && mv "$of_host/snapshot.bin" "$out/765.bin" &&
+    mv "$of_host/trace.csv" "$out/whole.csv"
+expect $? "its snapshot is told, $(wc -c <"$out/765.bin") bytes"
+half "from there on the board, with another of tick 1234" TARGET=cortex-m4f RESTORE="$PWD/$out/765.bin" SNAPSHOT=1234
+[ "$(value hash)" = "$hash" ] && [ "$(value from)" = 765 ] && [ "$(value ticks)" = $((2000 - 765)) ]
+expect $? "it ends with the hash of the whole: $hash"
+sed 2,766d "$out/whole.csv" | cmp - "$of_board/trace.csv"
+expect $? "and its table is the rest of that of the whole"
+half "from there on the host" RESTORE="$PWD/$of_board/snapshot.bin"
+[ "$(value hash)" = "$hash" ] && [ "$(value from)" = 1234 ] && [ -z "$(value snapshot)" ]
+expect $? "it ends with the hash of the whole"
+half "without a snapshot"
+[ "$(value hash)" = "$hash" ] && [ -z "$(value from)" ] && cmp "$out/whole.csv" "$of_host/trace.csv"
+expect $? "it is the whole as well"
+
+cp "$of_host/trace.csv" "$out/kept.csv"
+# refused TEXT FILE ARGUMENT...: the run from this file fails, says TEXT, and leaves the table.
+refused()
+{
+    text=$1
+    file=$2
+    shift 2
+    ! call run SCENE=$scene METHOD=ab4 SECONDS=2 RESTORE="$file" "$@" && grep -q -- "$text" "$out/errors" &&
+        cmp -s "$out/kept.csv" "$of_host/trace.csv" && [ ! -e "$of_host/snapshot.bin" ]
+    expect $? "refused, with '$text': $(basename "$file") $*"
+}
+{ head -c 100 "$out/765.bin" && printf 'x' && tail -c +102 "$out/765.bin"; } >"$out/damaged.bin"
+refused 'the snapshot is damaged' "$PWD/$out/damaged.bin"
+refused 'the run ends before the tick of the snapshot' "$PWD/$out/765.bin" SECONDS=0.764
+refused 'is no snapshot' "$PWD/$out/absent.bin"
+refused 'does not come by the tick of the snapshot' "$PWD/$out/765.bin" SNAPSHOT=2001
+refused 'the snapshot is of another plant' "$PWD/$out/765.bin" METHOD=heun
+refused 'SNAPSHOT=1e3 is no tick' "$PWD/$out/765.bin" SNAPSHOT=1e3
+refused 'they are for scenes' "$PWD/$out/765.bin" SCENE=models/oscillator.c
+! call size SNAPSHOT=3 && grep -q 'SNAPSHOT has no effect on .make size.' "$out/errors"
+expect $? "SNAPSHOT is of make run"
+
+# Control: a program that leaves the history out of the record has another hash.
+sed -i 's/memcpy(record + sizeof head, plant->memory, head.memory_bytes);/memcpy(record + sizeof head, plant->memory, 16);/' \
+    "$out/project/core/runtime/snapshot.c"
+call run SCENE=$scene METHOD=ab4 SECONDS=2 SNAPSHOT=765 &&
+    call run SCENE=$scene METHOD=ab4 SECONDS=2 RESTORE="$PWD/$of_host/snapshot.bin"
+[ "$(value from)" = 765 ] && [ "$(value hash)" != "$hash" ]
+expect $? "found: a record of 16 bytes of the memory alone"
+finish
