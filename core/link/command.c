@@ -50,16 +50,17 @@ static iso_control_answer run_or_rest(iso_control *const control, const bool is_
     if (!is_running) {
         return ISO_CONTROL_NO_RUN;
     }
-    switch (payload[0]) {
-    case ISO_COMMAND_RUN:
+    if (payload[0] == ISO_COMMAND_RUN) {
         iso_control_run(control, iso_frame_number(payload + HEAD_BYTES, TICKS_BYTES));
-        return ISO_CONTROL_DONE;
-    case ISO_COMMAND_REST:
+    } else {
         iso_control_rest(control);
-        return ISO_CONTROL_DONE;
-    default:
-        return iso_control_restore(control, offset_of(payload));
     }
+    return ISO_CONTROL_DONE;
+}
+
+static bool is_stopped(const iso_control *const control)
+{
+    return control->loop->guard < control->loop->plant->model->states;
 }
 
 static iso_control_answer answer_to(iso_control *const control, const bool is_running, const uint8_t *const payload,
@@ -78,6 +79,9 @@ static iso_control_answer answer_to(iso_control *const control, const bool is_ru
     case ISO_COMMAND_WRITE:
         return write_piece(control, offset_of(payload), payload + HEAD_BYTES + OFFSET_BYTES,
                            length - HEAD_BYTES - OFFSET_BYTES);
+    case ISO_COMMAND_RESTORE: /* the guard's stop ends with the state that it was for */
+        return is_running || is_stopped(control) ? iso_control_restore(control, offset_of(payload))
+                                                 : ISO_CONTROL_NO_RUN;
     default:
         return run_or_rest(control, is_running, payload);
     }
@@ -103,17 +107,17 @@ iso_command_outcome iso_command_do(iso_commands *const commands, iso_control *co
         return ISO_COMMAND_DONE;
     }
     return type == ISO_COMMAND_RESET && !again                        ? ISO_COMMAND_ANEW
+           : type == ISO_COMMAND_RESTORE && !again                    ? ISO_COMMAND_WENT_ON
            : type == ISO_COMMAND_RESET || type == ISO_COMMAND_RESTORE ? ISO_COMMAND_MOVED
                                                                       : ISO_COMMAND_DONE;
 }
 
 static iso_command_state state_of(const iso_control *const control, const bool is_running)
 {
-    const iso_loop *const loop = control->loop;
-    return loop->guard < loop->plant->model->states ? ISO_COMMAND_STOPPED
-           : !is_running                            ? ISO_COMMAND_NO_RUN
-           : iso_control_is_resting(control)        ? ISO_COMMAND_RESTS
-                                                    : ISO_COMMAND_RUNS;
+    return is_stopped(control)               ? ISO_COMMAND_STOPPED
+           : !is_running                     ? ISO_COMMAND_NO_RUN
+           : iso_control_is_resting(control) ? ISO_COMMAND_RESTS
+                                             : ISO_COMMAND_RUNS;
 }
 
 void iso_command_put_answer(const iso_commands *const commands, const iso_control *const control, const bool is_running,

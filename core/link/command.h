@@ -36,7 +36,7 @@ typedef enum iso_command_state {
     ISO_COMMAND_NO_RUN,  /* none has been started, or it is over */
     ISO_COMMAND_RUNS,    /* or waits for inputs, in lockstep */
     ISO_COMMAND_RESTS,   /* between two ticks */
-    ISO_COMMAND_STOPPED, /* by the guard, until a reset or a start */
+    ISO_COMMAND_STOPPED, /* by the guard, until a reset, a restore or a start */
 } iso_command_state;
 
 /* The last command. */
@@ -52,7 +52,8 @@ typedef struct iso_commands {
 typedef enum iso_command_outcome {
     ISO_COMMAND_UNKNOWN, /* no such command, or of another length */
     ISO_COMMAND_DONE,    /* or refused; there is an answer */
-    ISO_COMMAND_MOVED,   /* likewise, and the plant is at another tick: it rests there */
+    ISO_COMMAND_MOVED,   /* likewise, and the plant was put to another tick before: it is where it was told */
+    ISO_COMMAND_WENT_ON, /* likewise, just now: it rests there, of a run that goes on if the guard had stopped it */
     ISO_COMMAND_ANEW     /* likewise, at tick 0 of a run that has just begun */
 } iso_command_outcome;
 

@@ -157,7 +157,16 @@ static void set_out(iso_link *const link)
 {
     link->statistics = (iso_link_statistics){0};
     link->control.hash = ISO_HASH_START;
-    link->asked = link->leaving = false;
+    link->asked = link->leaving = link->stopped = false;
+    link->running = true;
+    take_up(link);
+}
+
+/* The run from another tick, where the plant was put; also one that the guard had stopped. */
+static void go_on(iso_link *const link)
+{
+    link->leaving = link->leaving && link->running;
+    link->stopped = false;
     link->running = true;
     take_up(link);
 }
@@ -171,6 +180,8 @@ static void take_command(iso_link *const link, const uint8_t *const payload, con
     }
     if (outcome == ISO_COMMAND_ANEW) {
         set_out(link);
+    } else if (outcome == ISO_COMMAND_WENT_ON) {
+        go_on(link);
     } else if (outcome == ISO_COMMAND_MOVED) {
         take_up(link);
     }
@@ -272,7 +283,7 @@ void iso_link_begin(iso_link *const link)
 
 static bool is_over(const iso_link *const link)
 {
-    return link->asked || link->leaving || (link->ticks > 0 && link->loop->tick >= link->ticks);
+    return link->asked || link->leaving || link->stopped || (link->ticks > 0 && link->loop->tick >= link->ticks);
 }
 
 /* Whether the plant waits: it rests, or in lockstep the inputs of the next step have not come. */
@@ -336,14 +347,15 @@ bool iso_link_tick(iso_link *const link)
     iso_port_read(plant->u, plant->model->inputs);
     set_inputs(link);
     serve_before(link);
-    const bool good = iso_loop_end(loop);
+    link->stopped = !iso_loop_end(loop);
     keep_admitted(link);
-    if (good) {
-        iso_control_done(&link->control, iso_hash_reals(link->control.hash, plant->x, plant->model->states));
-        send_outputs(link);
-        serve_after(link);
+    if (loop->guard < plant->model->states) {
+        return false;
     }
-    return good;
+    iso_control_done(&link->control, iso_hash_reals(link->control.hash, plant->x, plant->model->states));
+    send_outputs(link);
+    serve_after(link);
+    return true;
 }
 
 void iso_link_end(iso_link *const link)

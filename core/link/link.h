@@ -96,6 +96,7 @@ typedef struct iso_link {
     bool ended;   /* a run has been */
     bool asked;   /* a start has come and is not followed yet */
     bool leaving; /* an end has been asked for */
+    bool stopped; /* by the guard, or by a policy with a tick that was its last */
     bool fresh;   /* values have come since the last tick */
 } iso_link;
 
@@ -108,8 +109,8 @@ void iso_link_open(iso_link *link, const iso_interface *interface, iso_loop *loo
 /* Rests until a start comes; then puts the plant to tick 0, and sends its outputs. */
 void iso_link_begin(iso_link *link);
 
-/* Does the next tick of the run. Returns false, and does none, if the run is over: all ticks are done, the guard has stopped
- * it, or the controller has ended it or started another. */
+/* Does the next tick of the run. Returns false, and does none, if the run is over: all ticks are done, the guard or a policy
+ * has stopped it, or the controller has ended it or started another. */
 bool iso_link_tick(iso_link *link);
 
 /* Ends the run: sends how it went. */

@@ -45,5 +45,5 @@ int main(int argc, char **argv)
     } while (duration == 0);
     iso_stream_end(&loop, iso_the_link.control.hash);
     iso_port_drain();
-    iso_port_exit(loop.guard == plant->model->states ? 0 : 1);
+    iso_port_exit(iso_the_link.stopped ? 1 : 0);
 }

@@ -94,7 +94,11 @@ ISO_APART ISO_RARE static bool book_times(iso_loop *const loop, const times *con
         loop->execution_min = (uint32_t)smaller(statistics->execution_min, UINT32_MAX);
         loop->execution_max = (uint32_t)smaller(statistics->execution_max, UINT32_MAX);
     }
-    return policy == NULL || policy->account(loop, &news);
+    const bool goes_on = policy == NULL || policy->account(loop, &news);
+    if (!goes_on) {
+        iso_port_safe();
+    }
+    return goes_on;
 }
 
 /* Updates the statistics with a tick. Most have no news: a margin and an execution like those before. They add to two sums

@@ -44,7 +44,7 @@ void iso_loop_start(iso_loop *loop, const iso_plant *plant);
 
 /* Does the next tick. Returns false if a state is no longer finite, or out of range: then the outputs stay as they
  * were, nothing is published or counted, the port is put into its safe state, and loop->guard and loop->tick name the state
- * and the tick. */
+ * and the tick. Returns false also if a policy ends the run with this tick: then it is whole, and loop->guard names no state. */
 bool iso_loop_tick(iso_loop *loop);
 
 /* The two parts of it, for a program that takes inputs from elsewhere than iso_port_read, between them. The first waits

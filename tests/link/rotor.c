@@ -4,7 +4,7 @@
 #include "tests/host/report.h"
 
 static rotor_link plant;
-static uint8_t record[4096];
+static uint8_t record[4096], other[4096];
 
 static bool is(const int state)
 {
@@ -57,9 +57,17 @@ int main(void)
                   is(ISO_CLIENT_STOPPED),
               "the guard stops it");
     report_ok(refused(rotor_run(&plant, 1), "no run") && refused(rotor_pause(&plant), "no run") &&
-                  refused(rotor_restore(&plant, record, bytes), "no run") &&
-                  refused(rotor_snapshot(&plant, record, sizeof record) > 0, "guard"),
-              "then nothing but a reset does anything");
+                  refused(rotor_snapshot(&plant, other, sizeof other) > 0, "guard"),
+              "then it neither runs nor rests, and has no snapshot");
+    memcpy(other, record, bytes);
+    other[bytes / 2] ^= 1;
+    report_ok(refused(rotor_restore(&plant, other, bytes), "damaged") && is(ISO_CLIENT_STOPPED),
+              "a damaged snapshot leaves it stopped");
+    report_ok(rotor_restore(&plant, record, bytes) && plant.client.tick == 500 && is(ISO_CLIENT_RESTS) &&
+                  plant.client.state.hash == hash && rotor_run(&plant, 300) && comes_to(800) &&
+                  plant.client.state.hash == end,
+              "a good one ends that without a reset: the run goes on from there, to the same hash");
+    report_ok(rotor_run(&plant, 0) && stops(1e37F) && is(ISO_CLIENT_STOPPED), "until the guard stops it again");
     report_ok(rotor_reset(&plant) && is(ISO_CLIENT_RESTS) && plant.client.state.tick == 0, "it waits for a reset");
     report_ok(rotor_restore(&plant, record, bytes) && rotor_run(&plant, 300) && comes_to(800) &&
                   plant.client.state.hash == end,
