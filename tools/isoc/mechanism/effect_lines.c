@@ -74,7 +74,7 @@ static void note_derived(world *w, const instance *in, const effect_line *line, 
     made->derived =
         arena_grow(memory, made->derived, (size_t)made->derived_count, &made->derived_room, sizeof *made->derived);
     effect_quantity *next = &made->derived[made->derived_count++];
-    *next = (effect_quantity){.next = found.parts[0]};
+    *next = (effect_quantity){.next = found.parts[0], .at = in->use->name.at};
     next->about.name = arena_format(memory, "%s.%s", in->use->name.text, line->name.text);
     next->about.unit = dimension_unit(memory, found.of);
 }

@@ -62,27 +62,31 @@ const instance *enter(world *w, const instance *in);
 /* The value of a formula that is called so. */
 value evaluate(world *w, const instance *in, const formula *f, const char *called);
 
-/* Of the effort, the speed or the position of a joint. */
-dimension dimension_of_quantity(const char *word, const link *l);
-
 /* The link that a word stands for: an operand of the instance, or a joint of the scene; -1 after noting a problem. */
 int link_of(world *w, name n);
 
 /* A body as an operand of the instance, or of the scene, and its point. False: it is none. */
 bool find_point(world *w, const char *called, int *which, vector *point);
 
-/* A quantity of a point of a body, as three leaves. */
-vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body);
-
-/* The values of a name and of `speed of NAME`, as value.h asks for them. */
+/* The value of a name, as value.h asks for it. */
 bool find_name(void *of, const formula *f, value *found);
-value quantity_value(void *of, const formula *f);
 
 /* The value of a signal of the scene. */
 value signal_value(world *w, size_t i);
 
 /* Notes a formula that needs its own value, with the path to it. */
 value refuse_loop(world *w, place at, const char *called);
+
+/* --- effect_quantities.c --- */
+
+/* Of the effort, the speed or the position of a joint. */
+dimension dimension_of_quantity(const char *word, const link *l);
+
+/* A quantity of a point of a body, as three leaves. */
+vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body);
+
+/* The value of `speed of NAME` and the like, as value.h asks for it. */
+value quantity_value(void *of, const formula *f);
 
 /* --- effect_lines.c --- */
 

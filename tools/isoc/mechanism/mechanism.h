@@ -81,6 +81,15 @@ typedef struct asked {
     bool in_body; /* in its axes, not those of the ground */
 } asked;
 
+/* A point whose inertia formulas ask for: that of a body, moved by a vector in the same axes as the answer. A leaf OP_INERTIA
+ * stands for each of three components, behind those of the degrees of freedom, until tools/isoc/tree/offered.h puts what it
+ * is in its place. */
+typedef struct asked_inertia {
+    int body;
+    vector point, beside;
+    bool in_body; /* in the axes of the body, not those of the ground */
+} asked_inertia;
+
 /* One side of a closure: its frame on a link. */
 typedef struct cut_end {
     int body, link; /* or GROUND */
@@ -267,6 +276,9 @@ typedef struct mechanism {
     asked *asked;
     int asked_count;
     size_t asked_room;
+    asked_inertia *asked_inertias;
+    int asked_inertia_count;
+    size_t asked_inertia_room;
     strut *struts;
     int strut_count;
     applied_force *applied_forces;

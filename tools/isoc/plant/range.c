@@ -1,5 +1,6 @@
 #include "tools/isoc/plant/range.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "tools/isoc/base/real_range.h"
@@ -59,8 +60,31 @@ static place place_of(const mechanism *m, const char *shown_as)
     return at;
 }
 
+/* A default of an effect that follows from an inertia has no number where nothing can move. Returns whether there is one,
+ * after noting it. */
+static bool check_derived(source *s, const graph *g, const plant *p)
+{
+    const mechanism *m = p->m;
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    bool any = false;
+    graph_evaluate(g, 0, &(evaluation){.p = m->defaults}, numbers);
+    for (int i = 0; i < m->derived_count && !any; i++) {
+        const effect_quantity *of = &m->derived[i];
+        any = !isfinite(numbers[of->next]);
+        if (any) {
+            source_problem(s, of->at, "nothing moves there at the start, so '%s' has no default: give it a value",
+                           of->about.name);
+        }
+    }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
+    return any;
+}
+
 void range_check(source *s, const graph *g, const plant *p)
 {
+    if (check_derived(s, g, p)) {
+        return;
+    }
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     reach(g, p, needed);
     for (size_t i = 0; i < g->count; i++) {

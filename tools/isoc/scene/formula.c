@@ -225,7 +225,9 @@ static formula *parse_parenthesis(parser *p)
     return f;
 }
 
-/* speed of JOINT, velocity of BODY [in body], spin of BODY [in ground] */
+static formula *parse_primary(parser *p);
+
+/* speed of JOINT, velocity of BODY [in body], spin of BODY [in ground], inertia of BODY [at VECTOR] [in body] */
 static formula *parse_quantity(parser *p)
 {
     formula *f = formula_new(p, FORMULA_OF, p->next->at);
@@ -236,6 +238,13 @@ static formula *parse_quantity(parser *p)
     p->next++;
     of->name = take_indices(p, of->name);
     add_part(p, f, of);
+    if (strcmp(f->name, "inertia") == 0 && take_word(p, "at")) {
+        formula *beside = parse_primary(p);
+        if (beside == NULL) {
+            return NULL;
+        }
+        add_part(p, f, beside);
+    }
     if (next_is_word(p, "in") && p->next[1].kind == TOKEN_NAME) {
         f->axes = (name){p->next[1].text, p->next[1].at};
         p->next += 2;

@@ -22,7 +22,7 @@ typedef enum formula_kind {
     FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value; with the number 1 after a quantity,
                     * with 2 after two quantities lines of places and of a place and values */
     FORMULA_FILE,   /* a column, number, of the file: pairs of time and value */
-    FORMULA_OF,     /* name, a word such as speed, of the joint or body that parts[0] names */
+    FORMULA_OF,     /* name, a word such as speed, of the joint or body that parts[0] names; beside it by parts[1] */
 } formula_kind;
 
 /* A name as used or declared. */

@@ -1,8 +1,7 @@
 #include "tools/isoc/tree/asked.h"
 
 #include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/mechanism/states.h"
-#include "tools/isoc/tree/mass_matrix.h"
+#include "tools/isoc/tree/offered.h"
 
 static vector answer(const kinematics *k, const asked *of)
 {
@@ -29,7 +28,7 @@ static vector answer(const kinematics *k, const asked *of)
 /* What stands in the place of the leaves. */
 typedef struct answers {
     const node *points;   /* three of each question */
-    const node *inertias; /* of the degrees of freedom; NULL where none is asked for */
+    const node *inertias; /* NULL where none is asked for */
 } answers;
 
 static void replace(graph *g, node *roots, int count, const answers *by)
@@ -38,57 +37,6 @@ static void replace(graph *g, node *roots, int count, const answers *by)
     if (by->inertias != NULL) {
         replace_leaves(g, roots, (size_t)count, OP_INERTIA, by->inertias);
     }
-}
-
-/* The inverse of a symmetric positive matrix, by Gauss and Jordan without a search for pivots; [n n]. */
-static void invert(double *a, size_t n)
-{
-    for (size_t k = 0; k < n; k++) {
-        const double pivot = 1.0 / a[k * n + k];
-        a[k * n + k] = 1.0;
-        for (size_t j = 0; j < n; j++) {
-            a[k * n + j] *= pivot;
-        }
-        for (size_t i = 0; i < n; i++) {
-            const double factor = i == k ? 0.0 : a[i * n + k];
-            a[i * n + k] = i == k ? a[i * n + k] : 0.0;
-            for (size_t j = 0; j < n && i != k; j++) {
-                a[i * n + j] -= factor * a[k * n + j];
-            }
-        }
-    }
-}
-
-/* The inertia that an effort on one degree of freedom alone finds at the start, 1 / (M^-1)_ii, as constants. Closures would
- * make it larger. */
-static const node *inertias(graph *g, const mechanism *m, const kinematics *k)
-{
-    const size_t n = (size_t)m->dof_count;
-    const mass_matrix mass = mass_matrix_build(k);
-    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->defaults};
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    double *inverse = arena_take(g->memory, n * n, sizeof *inverse);
-    node *made = arena_take(g->memory, n, sizeof *made);
-    graph_evaluate(g, 0, &at, numbers);
-    for (int i = 0; i < m->dof_count; i++) {
-        for (int j = i; j != GROUND; j = m->dofs[j].before) {
-            inverse[i * m->dof_count + j] = inverse[j * m->dof_count + i] = numbers[mass.entries[i * m->dof_count + j]];
-        }
-    }
-    invert(inverse, n);
-    for (size_t i = 0; i < n; i++) {
-        made[i] = constant(g, 1.0 / inverse[i * n + i]);
-    }
-    return made;
-}
-
-static bool asks_for_inertia(const graph *g)
-{
-    bool any = false;
-    for (size_t i = 0; i < g->count; i++) {
-        any = any || g->nodes[i].op == OP_INERTIA;
-    }
-    return any;
 }
 
 void asked_resolve(graph *g, mechanism *m)
@@ -112,7 +60,7 @@ void asked_resolve(graph *g, mechanism *m)
             points[3 * i + n] = is_later ? leaf(g, OP_ASKED, 3 * i + n) : a.at[n];
         }
     }
-    const answers all = {points, by_inertia ? inertias(g, m, &k) : NULL};
+    const answers all = {points, by_inertia ? offered_inertias(g, m) : NULL};
     graph_section(g, "Effects");
     replace(g, m->efforts, m->dof_count, &all);
     for (int i = 0; i < m->effect_count; i++) {
