@@ -1,6 +1,7 @@
 #!/bin/sh
 # All effects of the library in one scene: one hash on the host and on the Cortex-M4F, and one number of instructions for
-# every step, through slip and rest, impacts, limits and faults. (Memcheck watches the same scene: check/poison.sh.)
+# every step, through slip and rest, impacts, limits and faults. (Memcheck watches the same scene: check/poison.sh.) Five seconds;
+# once in eight turns, or with the argument `all`, a minute.
 . tests/host/test.sh
 . tests/host/project.sh
 begin effects_all
@@ -15,14 +16,22 @@ sed 's/^/# missing: /' "$out/missing"
 [ ! -s "$out/missing" ]
 result $? 'the scene has all effects of the library'
 
-# Five seconds, without optimisation on the host, which changes no bit.
+# Without optimisation on the host, which changes no bit.
+turn=$(turn_of 8 "${1-}" core models/effects tools/isoc tests/effects)
+case $turn in
+all | 0) seconds=60 ;;
+*) seconds=5 ;;
+esac
+echo "# turn $turn of 8: $seconds s"
 length()
 {
-    echo 5000000000
+    echo ${seconds}000000000
 }
 for place in "host sim $CC -O0" "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
     # shellcheck disable=SC2086
     variant $place
     same tests/effects/all.scene rk4
+    [ "$(value ticks)" = ${seconds}000 ]
+    expect $? "$variant: it runs to the end, $(value ticks) ticks"
 done
 finish

@@ -10,17 +10,29 @@ for number in float double; do
         EXTRA="-DPLANT=\"$out/$number/plant.c\"" program motor.$number tests/effects/motor.c tests/host/report.c
     joined $number "$out/motor.$number"
 done
-valgrind --quiet --error-exitcode=99 "$out/motor.float" >"$out/tap" 2>&1
-result $? 'memcheck finds nothing in the motor'
+
+# watched NUMBER PROGRAM: memcheck finds nothing in it; by turns, or with the argument `all` in every one.
+turn=$(turn_of 6 "${1-}" core models/effects tests/effects)
+echo "# memcheck: turn $turn of 6"
+watched()
+{
+    [ "$turn" != all ] && [ "$turn" -ne "$1" ] && return
+    valgrind --quiet --error-exitcode=99 "$out/$2" >"$out/tap" 2>&1
+    result $? "memcheck finds nothing in $2"
+}
+watched 0 motor.float
+watched 1 motor.double
 
 real double
 build/isoc tests/effects/pair.scene -o "$out/pair" --real double >"$out/pair.summary" &&
     EXTRA="-DPLANT=\"$out/pair/plant.c\"" program pair.run tests/effects/pair.c tests/host/report.c
 joined pair "$out/pair.run"
+watched 2 pair.run
 
 build/isoc tests/effects/measured.scene -o "$out/measured" --real double >"$out/measured.summary" &&
     EXTRA="-DPLANT=\"$out/measured/plant.c\"" program measured.run tests/effects/measured.c tests/host/report.c
 joined accelerometer "$out/measured.run"
+watched 3 measured.run
 
 # friction METHOD: a block with friction as steep as the method allows.
 friction()
@@ -38,6 +50,7 @@ done
 real double
 friction rk4
 friction bdf4
+watched 4 friction.run
 
 # stop METHOD TOLERANCE: a block between stops, as stiff as the method allows. The tolerance is of an impact in which the
 # motion turns by half an oscillation at a third of the limit of the method.
@@ -56,6 +69,7 @@ stop ab4 0.1
 stop bdf4 0.1
 real double
 stop rk4 0.1
+watched 5 stop.run
 
 # plant NAME: compiles the scene on stdin.
 plant()

@@ -1,8 +1,10 @@
 #!/bin/sh
 # The library of effects, models/effects: each against a closed form or an independent integration of its equations, in
-# float and in double.
+# float and in double. And under memcheck, which takes long: one of the ten programs in a turn, or with the argument `all` all.
 . tests/host/test.sh
 begin effects_library
+turn=$(turn_of 10 "${1-}" core models/effects tests/effects)
+echo "# memcheck: turn $turn of 10"
 
 # derived NAME: what isoc chose in the scene compiled last, as -DWORD=VALUE for each: SLOW_LAG of slow.lag.
 derived()
@@ -11,12 +13,24 @@ derived()
         awk '{ name = toupper($1); sub(/[.]/, "_", name); printf " -D%s=%s", name, $2 }'
 }
 
+# watched PROGRAM: memcheck finds nothing in it.
+watched()
+{
+    valgrind --quiet --error-exitcode=99 "$out/$1" >"$out/tap" 2>&1
+}
+
 # library NAME: its scene, compiled, and its program, run.
+programs=0
 library()
 {
     build/isoc "tests/effects/$1.scene" -o "$out/$1.$real.plant" --real "$real" >"$out/$1.summary" &&
         EXTRA="-DPLANT=\"$out/$1.$real.plant/plant.c\"$(derived "$1")" program "$1.$real" "tests/effects/$1.c" tests/host/report.c
     joined "$1, $real" "$out/$1.$real"
+    if [ "$turn" = all ] || [ "$turn" -eq "$programs" ]; then
+        watched "$1.$real"
+        result $? "$1, $real: memcheck finds nothing"
+    fi
+    programs=$((programs + 1))
 }
 for number in float double; do
     real $number
@@ -26,6 +40,14 @@ for number in float double; do
     library ground
     library drives
 done
+
+sed '0,/const real t1 = /s//real none[1]; const real *volatile where = none; const real t1 = R(0.0) * where[0] + /' \
+    "$out/ground.float.plant/plant.c" >"$out/ground.float.plant/unset.c"
+real float
+EXTRA="-DPLANT=\"$out/ground.float.plant/unset.c\"" program unset tests/effects/ground.c tests/host/report.c && ! watched unset &&
+    grep -q 'uninitialised' "$out/tap"
+result $? 'found by memcheck: a number that nothing has set'
+real double
 
 # planted NAME KIND SED: the program of a scene finds its effect of that kind so changed.
 planted()
