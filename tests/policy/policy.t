@@ -1,20 +1,22 @@
 #!/bin/sh
 # What a scene says about overruns, a grace, the publication and a histogram: what the loop counts under random scripts of the
-# simulated port, against an account by other code; the trajectory, which is that of the ticks that were done.
+# simulated port, against an account by other code; the trajectory, which is that of the ticks that were done, by the methods
+# and with the effects of the rungs.
 . tests/host/test.sh
 begin policy
 real float
 scripts=8 # of each policy
+scene=tests/policy/pendulum.scene
 
 program model tests/policy/model.c
 result $? "the model of the account builds"
 
-# plant NAME STATEMENTS: the pendulum with these.
+# plant NAME STATEMENTS: the scene with these.
 plant()
 {
     plant_name=$1
     mkdir -p "$out/$plant_name"
-    { cat tests/policy/pendulum.scene && printf '%s\n' "$2"; } >"$out/$plant_name/plant.scene"
+    { cat $scene && printf '%s\n' "$2"; } >"$out/$plant_name/plant.scene"
     build/isoc "$out/$plant_name/plant.scene" -o "$out/$plant_name" >"$out/summary" 2>"$out/errors"
 }
 
@@ -90,6 +92,47 @@ EXTRA="-I$out/by" program replay tests/policy/replay.c "$out"/by/*.c && [ "$("$o
 result $? "the trajectory of a ladder is that of its methods: $(sort "$out/rungs" | uniq -c | awk '{ printf "%s ticks on rung %s, ", $1, $2 }')"
 [ "$(sed 's/1/2/' "$out/rungs" | "$out/replay")" != "$("$out/replay" <"$out/rungs")" ]
 result $? "found: another rung"
+
+# A ladder that drops effects: the account, the trajectory and the outputs, from plants of the scene without them.
+scene=tests/policy/dropped.scene
+family drops 'overrun degrade { drop hinge; drop wind; hold; after 20 ticks }
+grace 5 ticks' degrade 20 5 "$out/rungs"
+build/isoc $scene --name by_all -o "$out/by" >"$out/expected" &&
+    build/isoc $scene --name by_less --without hinge -o "$out/by" >"$out/expected" &&
+    build/isoc $scene --name by_least --without 'hinge; wind' -o "$out/by" >"$out/expected" &&
+    EXTRA="-I$out/by" program drops_by_hand tests/policy/drops.c "$out"/by/by_all.c "$out"/by/by_less.c "$out"/by/by_least.c
+result $? "the plants without the effects build"
+[ "$("$out/drops_by_hand" "$out/rungs" "$out/drops/trace.csv")" = "$(sed -n 's/^hash //p' "$out/summary") 0" ]
+result $? "a ladder that drops effects moves and shows what the scene without them does: $(sort "$out/rungs" | uniq -c | awk '{ printf "%s ticks on rung %s, ", $1, $2 }')"
+for other in 's/1/2/' 's/2/1/' 's/3/2/' '40s/0/1/'; do
+    sed "$other" "$out/rungs" >"$out/others"
+    ! cmp -s "$out/others" "$out/rungs" && "$out/drops_by_hand" "$out/others" "$out/drops/trace.csv" | grep -qv "^$(sed -n 's/^hash //p' "$out/summary") 0\$"
+    result $? "found: another rung, $other"
+done
+for rung in drops_1:'drop hinge' drops_2:'drop hinge; drop wind'; do
+    plant "${rung%%:*}" "overrun degrade { ${rung#*:}; after 20 ticks }"
+done
+grep -q '^step_without_hinge add' "$out/summary" && grep -q '^step_without_hinge_wind add' "$out/summary"
+result $? "isoc tells the operations of each rung"
+
+# What follows from tunables is kept for each rung; it is computed anew when one changes. The effect does nothing in the first
+# tick, after which it is dropped: so the run is that of the scene without it.
+scene=tests/tunables/chain.scene
+change='at 0.3 s set length = 0.25 m'
+echo slow 1 2ms >"$out/script"
+build chain "overrun degrade { drop motor; after 1000000 ticks }
+$change" && run chain "$out/script" && grep -q '^degraded 999 to rung 1$' "$out/summary" &&
+    grep -q 'tune_without_motor(memory->h_without_motor' "$out/chain/plant.c"
+result $? "a plant with tunables runs on a rung that drops its motor: $(grep '^degraded' "$out/summary")"
+build chain_alone "overrun count
+$change" && build/isoc "$out/chain_alone/plant.scene" -o "$out/chain_alone" --without motor >"$out/summary" &&
+    EXTRA="-I$out/chain_alone" program chain_alone/program "$out/chain_alone/plant.c" core/runtime/loop.c core/application/*.c \
+        core/numbers/self_check.c port/sim/*.c && run chain_alone &&
+    [ "$(wc -l <"$out/chain/trace.csv")" = 1002 ] && cmp "$out/chain/trace.csv" "$out/chain_alone/trace.csv" >&2
+result $? "and moves as the scene without the motor"
+run chain && ! cmp -s "$out/chain/trace.csv" "$out/chain_alone/trace.csv"
+result $? "found: the motor"
+scene=tests/policy/pendulum.scene
 
 # Controls.
 "$out/model" 3 "$out/script" catch_up 2 0 >"$out/expected"

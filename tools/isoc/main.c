@@ -8,6 +8,7 @@
 #include "tools/isoc/emit/link.h"
 #include "tools/isoc/emit/standalone.h"
 #include "tools/isoc/plant/cost.h"
+#include "tools/isoc/plant/lesser.h"
 #include "tools/isoc/plant/pivots.h"
 #include "tools/isoc/plant/range.h"
 #include "tools/isoc/plant/stability.h"
@@ -335,7 +336,7 @@ static bool compile(arena *memory, const options *o)
     }
     graph_start(&g, memory);
     graph_section(&g, "Constants of the scene");
-    mechanism m = mechanism_build(&s, &g, &written, o->is_double);
+    mechanism m = mechanism_build(&s, &g, &written, o->is_double, NULL);
     if (s.problem_count == 0 && o->tolerance != NULL && !ISO_IS(m.recipe, ISO_ADAMS)) {
         return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m.recipe)]);
     }
@@ -353,7 +354,7 @@ static bool compile(arena *memory, const options *o)
     }
     /* Constants of the equations may depend on the start: so that comes first. */
     if (s.problem_count == 0) {
-        const plant p = plant_build(&g, &m, o->is_double, o->wanted);
+        plant p = plant_build(&g, &m, o->is_double, o->wanted);
         pivots_check(&s, &g, &p);
         if (s.problem_count == 0) {
             range_check(&s, &g, &p);
@@ -367,6 +368,9 @@ static bool compile(arena *memory, const options *o)
         if (s.problem_count == 0) {
             if (o->inputs == NULL) {
                 warn_of_inputs(&s, &written, m.recipe);
+            }
+            if (o->name == NULL) {
+                lessers_build(&s, &written, &p, o->wanted);
             }
             return write_plant(memory, o, &p, &g);
         }

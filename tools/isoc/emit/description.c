@@ -80,8 +80,9 @@ void emit_model(emission *e)
            arena_format(e->out->memory, "    .memories = %d,\n    .memory_start = memory_start,\n", m->memory_count));
     add_if(e, m->parameter_count > 0, "    .defaults = defaults,\n");
     add_if(e, has_range(e), "    .range = range,\n");
-    text_add(e->out, "    .memory_bytes = sizeof(%s_memory),\n    .derivative = derivative,\n    .output = output,\n",
-             e->names->prefix);
+    const char *by_rung = p->lesser_count > 0 ? "_on_rung" : "";
+    text_add(e->out, "    .memory_bytes = sizeof(%s_memory),\n    .derivative = derivative,\n    .output = output%s,\n",
+             e->names->prefix, by_rung);
     if (p->violation >= 0) {
         text_add(e->out, "    .violation = violation,\n    .violation_limit = %s,\n",
                  code_literal(e->out->memory, m->violation_limit, p->is_double));
@@ -96,7 +97,7 @@ void emit_model(emission *e)
     add_if(e, has_ladder, "    .attempt = attempt,\n");
     add_if(e, !has_ladder && (can_restart(p) || ISO_IS_WATCHED(m->recipe)), "    .attempt = iso_plant_attempt,\n");
     add_if(e, p->violation >= 0 || ISO_HAS_PROGRESS(m->recipe), "    .tell = iso_plant_tell,\n");
-    text_add(e->out, "    .finish = finish,\n");
+    text_add(e->out, "    .finish = finish%s,\n", by_rung);
     add_if(e, m->policies.any && e->names->is_program, "    .policy = &policy,\n");
     text_add(e->out, "};\n");
 }

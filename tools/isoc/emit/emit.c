@@ -78,10 +78,21 @@ static void emit_beginning(const emission *e, const text *rest)
              e->p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
 }
 
+emission emission_of(const emission *e, const lesser *left)
+{
+    emission other = *e;
+    if (left != NULL) {
+        other.p = left->p;
+        other.g = left->g;
+        other.suffix = left->suffix;
+    }
+    return other;
+}
+
 bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *culprit)
 {
     text rest = {.memory = out->memory};
-    emission e = {.p = p, .g = g, .names = names, .out = &rest};
+    emission e = {.p = p, .g = g, .names = names, .out = &rest, .suffix = ""};
     emit_data(&e);
     emit_functions(&e);
     emit_step(&e);

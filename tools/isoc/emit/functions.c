@@ -142,7 +142,8 @@ static void emit_held(emission *e, const char *function, const char *array, int 
 {
     code made = code_of(e, numbered(e, "h", end) + first, e->p->held.values + first, end - first);
     made.quotes_leaves = true;
-    text_add(e->out, "static void %s(real *restrict const h, const real *restrict const %s)\n{\n", function, array);
+    text_add(e->out, "static void %s%s(real *restrict const h, const real *restrict const %s)\n{\n", function,
+             e->suffix, array);
     emit_code(e, &made);
     text_add(e->out, "}\n\n");
 }
@@ -160,6 +161,18 @@ static void emit_hold(emission *e)
     }
 }
 
+/* Whether something asks for the derivative beside the step: the model does, and of what is left of a plant outputs and
+ * memories that show accelerations. */
+static bool asks_for_derivative(const emission *e)
+{
+    const plant *p = e->p;
+    bool any = e->suffix[0] == '\0' || uses_operation(e->g, p->outputs, (size_t)p->output_count, OP_DERIVATIVE);
+    for (int i = 0; i < p->m->memory_count; i++) {
+        any = any || uses_operation(e->g, &p->m->memories[i].next, 1, OP_DERIVATIVE);
+    }
+    return any;
+}
+
 /* The derivative quotes the scene's lines of what it reads, and of the closures. */
 static void emit_derivative(emission *e)
 {
@@ -173,19 +186,25 @@ static void emit_derivative(emission *e)
     made.quotes_leaves = true;
     made.marks = marks;
     made.mark_count = (size_t)m->cut_count;
+    const char *function = arena_format(e->out->memory, "derivative%s", e->suffix);
     if (e->p->held.count == 0) {
-        emit_function(e, "derivative", "dx", "", &made);
+        emit_function(e, function, "dx", "", &made);
         return;
     }
     emit_hold(e);
     e->in_step = true;
-    emit_function(e, "held_derivative", "dx", "", &made);
+    emit_function(e, arena_format(e->out->memory, "held_%s", function), "dx", "", &made);
     e->in_step = false;
-    emit_head(e, "", "derivative", "dx", "", "");
+    if (!asks_for_derivative(e)) {
+        return;
+    }
+    emit_head(e, "", function, "dx", "", "");
     const held *h = &e->p->held;
-    text_add(e->out, "    real h[%d];\n%s%s", h->count, h->tuned > 0 ? "    tune(h, p);\n" : "    (void)p;\n",
-             h->count > h->tuned ? "    hold(h, u);\n" : "");
-    text_add(e->out, "    held_derivative(dx, x, u, h);\n}\n\n");
+    const char *tunes = arena_format(e->out->memory, "    tune%s(h, p);\n", e->suffix),
+               *holds = arena_format(e->out->memory, "    hold%s(h, u);\n", e->suffix);
+    text_add(e->out, "    real h[%d];\n%s%s", h->count, h->tuned > 0 ? tunes : "    (void)p;\n",
+             h->count > h->tuned ? holds : "");
+    text_add(e->out, "    held_%s(dx, x, u, h);\n}\n\n", function);
 }
 
 /* dx of the positions alone. */
@@ -210,7 +229,7 @@ static void emit_arrays(const emission *e, const code *made)
         }
     }
     if (derives) {
-        text_add(e->out, "    real dx[%s_STATES];\n    derivative(dx, x, %s, %s);\n", e->names->capitals,
+        text_add(e->out, "    real dx[%s_STATES];\n    derivative%s(dx, x, %s, %s);\n", e->names->capitals, e->suffix,
                  sizes[1] > 0 ? "u" : "NULL", sizes[2] > 0 ? "p" : "NULL");
     }
 }
@@ -224,7 +243,7 @@ static void emit_output(emission *e)
     }
     code made = code_of(e, targets, p->outputs, p->output_count);
     made.quotes = e->names->output_quotes;
-    text_add(e->out, "static void output(void *const instance)\n{\n");
+    text_add(e->out, "static void output%s(void *const instance)\n{\n", e->suffix);
     text_add(e->out, "    %s_memory *const memory = instance;\n    real *const y = memory->y;\n", e->names->prefix);
     emit_arrays(e, &made);
     if (uses(e, &made, OP_LOCAL_ERROR) || uses(e, &made, OP_RESIDUAL)) {
@@ -483,7 +502,8 @@ static void emit_advance(emission *e)
     }
     code made = code_of(e, targets, roots, m->memory_count);
     made.quotes = quotes;
-    text_add(e->out, "/* The memories at the end of a tick. */\nstatic void advance(void *const instance)\n{\n");
+    text_add(e->out, "/* The memories at the end of a tick. */\nstatic void advance%s(void *const instance)\n{\n",
+             e->suffix);
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
     emit_arrays(e, &made);
     for (int i = 0; i < m->memory_count; i++) {
@@ -519,10 +539,11 @@ static void emit_finish(emission *e)
     const mechanism *m = e->p->m;
     const char *capitals = e->names->capitals;
     text_add(e->out, "/* Checks what the step made, and sets what follows from it. */\n");
-    text_add(e->out, "static uint32_t finish(void *const instance)\n{\n");
+    const char *advance = arena_format(e->out->memory, "advance%s", e->suffix);
+    text_add(e->out, "static uint32_t finish%s(void *const instance)\n{\n", e->suffix);
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
-    text_add(e->out, "    return iso_finish(memory, memory->x, %s, %s_STATES, %s, output,\n",
-             has_range(e) ? "range" : "NULL", capitals, m->memory_count > 0 ? "advance" : "NULL");
+    text_add(e->out, "    return iso_finish(memory, memory->x, %s, %s_STATES, %s, output%s,\n",
+             has_range(e) ? "range" : "NULL", capitals, m->memory_count > 0 ? advance : "NULL", e->suffix);
     text_add(e->out, "                      memory->y, memory->good");
     if (m->input_count > 0) {
         text_add(e->out, " + %s_INPUTS", capitals);
@@ -531,6 +552,19 @@ static void emit_finish(emission *e)
         text_add(e->out, " + %s_PARAMETERS", capitals);
     }
     text_add(e->out, ", %s_OUTPUTS);\n}\n\n", capitals);
+}
+
+/* The equations without the effects that a ladder drops; what is not of an effect is that of the whole. */
+static void emit_lesser_functions(emission *e, const lesser *left)
+{
+    emission other = emission_of(e, left);
+    emit_derivative(&other);
+    emit_output(&other);
+    if (other.p->m->memory_count > 0) {
+        emit_advance(&other);
+    }
+    emit_finish(&other);
+    e->culprit = other.culprit;
 }
 
 void emit_functions(emission *e)
@@ -559,5 +593,8 @@ void emit_functions(emission *e)
     }
     if (p->violation >= 0) {
         emit_violation(e);
+    }
+    for (int i = 0; i < p->lesser_count; i++) {
+        emit_lesser_functions(e, &p->lessers[i]);
     }
 }

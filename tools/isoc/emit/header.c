@@ -143,7 +143,7 @@ static void emit_check(const emission *e)
 void emit_header(const plant *p, const naming *names, text *out)
 {
     const mechanism *m = p->m;
-    const emission e = {.p = p, .names = names, .out = out};
+    const emission e = {.p = p, .names = names, .out = out, .suffix = ""};
     const table tables[] = {
         {"States x", "states", rows_of_states(&e), state_count(m)},
         {"Inputs u", "inputs", rows_of(out->memory, names->leaves.inputs, m->inputs, m->input_count), m->input_count},

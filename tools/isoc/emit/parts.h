@@ -9,6 +9,8 @@ typedef struct emission {
     graph *g;
     const naming *names;
     text *out;
+    const char
+        *suffix;    /* of what is not of the whole plant, but of the rungs of a ladder that drop effects; else empty */
     bool in_step;   /* the function is one of those that a step calls */
     double culprit; /* a constant that leaves the range of real; else 0 */
 } emission;
@@ -68,6 +70,9 @@ void emit_tick_tables(emission *e, const node *roots, size_t count);
 
 /* functions.c: the equations. */
 void emit_functions(emission *e);
+
+/* The emission of what is left of the plant by a drop of its ladder; or of the whole where it is NULL. */
+emission emission_of(const emission *e, const lesser *left);
 
 /* step.c: the method. */
 void emit_step(emission *e);

@@ -1,4 +1,33 @@
 #include "tools/isoc/emit/parts.h"
+#include "tools/isoc/plant/lesser.h"
+
+/* `function` of each rung, the topmost first: those of what is left of the plant there. */
+static void emit_table_of_rungs(emission *e, const char *type, const char *function)
+{
+    const policies *of = &e->p->m->policies;
+    text_add(e->out, "static %s (*const %s_of_rungs[])(void *memory) = {%s", type, function, function);
+    for (int i = 0; i < of->rung_count; i++) {
+        const lesser *left = lesser_on_rung(e->p, i);
+        text_add(e->out, ", %s%s", function, left == NULL ? "" : left->suffix);
+    }
+    text_add(e->out, "};\n\n");
+}
+
+/* What of a tick depends on the rung: the step; and where effects are dropped, what follows it. The rung changes only behind
+ * all that. */
+static void emit_rungs(emission *e, const char *counts)
+{
+    text_add(e->out, "static bool attempt(const iso_plant *const plant)\n{\n");
+    text_add(e->out, "    return iso_policy_attempt(plant, ladder[(%s)->rung]);\n}\n\n", counts);
+    if (e->p->lesser_count > 0) {
+        emit_table_of_rungs(e, "uint32_t", "finish");
+        emit_table_of_rungs(e, "void", "output");
+        text_add(e->out, "static uint32_t finish_on_rung(void *const instance)\n{\n");
+        text_add(e->out, "    return finish_of_rungs[(%s)->rung](instance);\n}\n\n", counts);
+        text_add(e->out, "static void output_on_rung(void *const instance)\n{\n");
+        text_add(e->out, "    output_of_rungs[(%s)->rung](instance);\n}\n\n", counts);
+    }
+}
 
 void emit_policies(emission *e)
 {
@@ -35,7 +64,6 @@ void emit_policies(emission *e)
              "    .count = sizeof policed / sizeof(uint64_t),\n    .delays = %s,\n};\n\n",
              of->histogram ? "&policed.counts" : "&policed", of->delayed ? "true" : "false");
     if (of->overrun == OVERRUN_DEGRADE) {
-        text_add(e->out, "static bool attempt(const iso_plant *const plant)\n{\n");
-        text_add(e->out, "    return iso_policy_attempt(plant, ladder[(%s)->rung]);\n}\n\n", counts);
+        emit_rungs(e, counts);
     }
 }

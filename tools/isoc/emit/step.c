@@ -2,15 +2,26 @@
 
 #include "tools/isoc/emit/parts.h"
 #include "tools/isoc/plant/cost.h"
+#include "tools/isoc/plant/lesser.h"
+
+/* Whether something that follows from tunables alone is kept. */
+static bool is_tuned(const plant *p)
+{
+    bool any = p->held.tuned > 0;
+    for (int i = 0; i < p->lesser_count; i++) {
+        any = any || p->lessers[i].p->held.tuned > 0;
+    }
+    return any;
+}
 
 bool is_primed(const plant *p)
 {
-    return ISO_IS_PRIMED(p->m->recipe) || ISO_DEGREE(p->m->recipe) > 0 || p->held.tuned > 0;
+    return ISO_IS_PRIMED(p->m->recipe) || ISO_DEGREE(p->m->recipe) > 0 || is_tuned(p);
 }
 
 bool watches_parameters(const plant *p)
 {
-    return p->m->parameter_count > 0 && (ISO_IS_PRIMED(p->m->recipe) || p->held.tuned > 0);
+    return p->m->parameter_count > 0 && (ISO_IS_PRIMED(p->m->recipe) || is_tuned(p));
 }
 
 bool watches_edges(const mechanism *m)
@@ -86,14 +97,8 @@ static void emit_smooth(emission *e)
 static void emit_equations(emission *e)
 {
     const plant *p = e->p;
-    if (ISO_IS_SMOOTH(p->m->recipe)) {
-        emit_smooth(e);
-    }
-    if (ISO_IS_VARYING(p->m->recipe)) {
-        emit_adams(e);
-    }
-    text_add(e->out, "static const iso_equations equations = {\n    .derivative = %sderivative,\n",
-             p->held.count > 0 ? "held_" : "");
+    text_add(e->out, "static const iso_equations equations%s = {\n    .derivative = %sderivative%s,\n", e->suffix,
+             p->held.count > 0 ? "held_" : "", e->suffix);
     if (ISO_IS_IMPLICIT(p->m->recipe)) {
         text_add(e->out, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
     }
@@ -164,12 +169,15 @@ static void emit_call(emission *e, const char *function, const char *size)
         text_add(e->out, "    real lu[%d];\n", e->p->j.factor_count);
     }
     const held *h = &e->p->held;
-    const char *kept = h->tuned > 0 ? "memory->h" : "h";
+    const char *kept = h->tuned > 0 ? arena_format(e->out->memory, "memory->h%s", e->suffix) : "h";
     text_add(e->out, "%s",
              h->count > 0 && h->tuned == 0 ? arena_format(e->out->memory, "    real h[%d];\n", h->count) : "");
-    text_add(e->out, "%s", h->count > h->tuned ? arena_format(e->out->memory, "    hold(%s, memory->u);\n", kept) : "");
-    text_add(e->out, "    %s(%s, %s_STATES, &equations, %s, memory->x, %s, %s, %s, work,\n", function, recipe, capitals,
-             code_literal(e->out->memory, method_step(m), e->p->is_double), array_or_null(held_count(m), "memory->u"),
+    if (h->count > h->tuned) {
+        text_add(e->out, "    hold%s(%s, memory->u);\n", e->suffix, kept);
+    }
+    text_add(e->out, "    %s(%s, %s_STATES, &equations%s, %s, memory->x, %s, %s, %s, work,\n", function, recipe,
+             capitals, e->suffix, code_literal(e->out->memory, method_step(m), e->p->is_double),
+             array_or_null(held_count(m), "memory->u"),
              h->count > 0 ? kept : array_or_null(m->parameter_count, "memory->p"),
              ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
     text_add(e->out, "                    %s);\n", progress_of(m));
@@ -180,7 +188,8 @@ static void emit_samples(emission *e, const char *function)
 {
     const unsigned recipe = e->p->m->recipe;
     if (ISO_IS_SMOOTH(recipe)) {
-        text_add(e->out, "    %s(%s, &equations, memory->u);\n", function, recipe_symbol(e->out->memory, recipe));
+        text_add(e->out, "    %s(%s, &equations%s, memory->u);\n", function, recipe_symbol(e->out->memory, recipe),
+                 e->suffix);
     }
 }
 
@@ -188,6 +197,12 @@ static void emit_prime(emission *e)
 {
     begin_function(e, "static void prime");
     text_add(e->out, "%s", e->p->held.tuned > 0 ? "    tune(memory->h, memory->p);\n" : "");
+    for (int i = 0; i < e->p->lesser_count; i++) {
+        const lesser *left = &e->p->lessers[i];
+        if (left->p->held.tuned > 0) {
+            text_add(e->out, "    tune%s(memory->h%s, memory->p);\n", left->suffix, left->suffix);
+        }
+    }
     emit_samples(e, "iso_method_forget");
     if (ISO_IS_PRIMED(e->p->m->recipe)) {
         emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
@@ -317,15 +332,15 @@ static void emit_step_function(emission *e, const char *suffix)
     }
 }
 
-/* The same step by another method, and what its name ends with. */
-static const char *emit_step_by(emission *e, unsigned recipe)
+/* The step on a rung, by its method and with what is left of the plant; and what its name ends with. */
+static const char *emit_step_of_rung(emission *e, int rung)
 {
-    mechanism by = *e->p->m;
-    plant with = *e->p;
-    const char *suffix = arena_format(e->out->memory, "_%s", method_names[ISO_METHOD_OF(recipe)]);
-    by.recipe = recipe;
+    const char *suffix = rung_suffix(e->p, rung, e->out->memory);
+    emission other = emission_of(e, lesser_on_rung(e->p, rung));
+    mechanism by = *other.p->m;
+    plant with = *other.p;
+    by.recipe = e->p->m->policies.rungs[rung];
     with.m = &by;
-    emission other = *e;
     other.p = &with;
     emit_step_function(&other, suffix);
     e->culprit = other.culprit;
@@ -343,7 +358,7 @@ static void emit_ladder(emission *e)
             text_add(e->out, "/* No step: the states stay. */\n");
             text_add(e->out, "static void rest(void *const instance)\n{\n    (void)instance;\n}\n\n");
         } else {
-            last = emit_step_by(e, of->rungs[i]);
+            last = emit_step_of_rung(e, i);
         }
         names = arena_format(e->out->memory, "%s, %s%s", names, rests ? "rest" : "step", rests ? "" : last);
     }
@@ -354,7 +369,17 @@ void emit_step(emission *e)
 {
     emit_check(e);
     emit_memory_check(e);
+    if (ISO_IS_SMOOTH(e->p->m->recipe)) {
+        emit_smooth(e);
+    }
+    if (ISO_IS_VARYING(e->p->m->recipe)) {
+        emit_adams(e);
+    }
     emit_equations(e);
+    for (int i = 0; i < e->p->lesser_count; i++) {
+        emission other = emission_of(e, &e->p->lessers[i]);
+        emit_equations(&other);
+    }
     if (remembers(e->p)) {
         emit_remember(e);
     }

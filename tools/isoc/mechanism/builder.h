@@ -58,6 +58,7 @@ typedef struct builder {
     size_t stream_room;
     bool is_effect_broken;      /* one of them: its inputs seem to have no use */
     const surroundings *around; /* what effects, signals and outputs can name */
+    const mechanism *whole;     /* with all effects, whose memory this one has; NULL: it is that */
     mechanism made;
 } builder;
 
@@ -135,9 +136,12 @@ value value_in_scene(builder *b, const formula *f);
 int link_called(const mechanism *made, name n);
 void build_outputs(builder *b);
 
-/* recipe.c: the method with its options, and the step. */
+/* recipe.c: the method with its options, and the step. A method by its name; rk4 after noting a problem. */
 void build_method(builder *b);
 void build_step(builder *b);
+unsigned find_method(builder *b, name word);
+
+/* ladder.c: how the loop runs the plant. */
 void build_policies(builder *b);
 
 #endif

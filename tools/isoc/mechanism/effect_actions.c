@@ -1,4 +1,5 @@
-/* What the lines of an effect do to the mechanism. */
+/* What the lines of an effect do to the mechanism. One that is dropped does nothing, and its states and memories stay as they
+ * are. But its formulas are evaluated, so that what they keep from tick to tick stands where it does with the effect. */
 #include "tools/isoc/mechanism/effects.h"
 
 #include <string.h>
@@ -88,7 +89,8 @@ static void do_rate(world *w, const instance *in, const effect_line *line)
         const value found = value_like(w, in, line, of->parts, rate, "the rate of");
         for (int i = 0; i < of->parts; i++) {
             made[i].effect = number_of(w, in);
-            made[i].next = graph_name(w->b->g, found.parts[i], "rate_%s", made[i].about.name);
+            made[i].next = in->use->dropped ? constant(w->b->g, 0.0)
+                                            : graph_name(w->b->g, found.parts[i], "rate_%s", made[i].about.name);
         }
     }
 }
@@ -100,7 +102,9 @@ static void do_next(world *w, const instance *in, const effect_line *line)
         const dimension same = line_value(w, in, of).of;
         const value found = value_like(w, in, line, of->parts, same, "the next");
         for (int i = 0; i < of->parts; i++) {
-            w->b->made.memories[in->places[of - in->kind->lines] + i].next = found.parts[i];
+            const int at = in->places[of - in->kind->lines] + i;
+            w->b->made.memories[at].next =
+                in->use->dropped ? leaf(w->b->g, OP_INPUT, w->b->made.input_count + at) : found.parts[i];
         }
     }
 }
@@ -114,6 +118,9 @@ static void do_effort(world *w, const instance *in, const effect_line *line)
         const dimension effort = dimension_of_quantity("effort", &w->b->made.links[l]);
         const node added =
             graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
+        if (in->use->dropped) {
+            return;
+        }
         node *sum = &w->b->made.efforts[w->b->made.links[l].dof];
         *sum = add(g, *sum, added);
         w->b->made.effort_parts[w->b->made.effort_part_count++] =
@@ -129,8 +136,11 @@ static void do_account(world *w, const instance *in, const effect_line *line)
     effect_account *of = in->account;
     if (line->value != NULL) {
         node *sum = is_stored ? &of->stored : line->kind == EFFECT_LOSS ? &of->loss : &of->work;
-        *sum = add(w->b->g, *sum, node_of(w, in, line, is_stored ? joule : watt, "the"));
-        of->is_told = of->is_told || !is_stored;
+        const node found = node_of(w, in, line, is_stored ? joule : watt, "the");
+        if (!in->use->dropped) {
+            *sum = add(w->b->g, *sum, found);
+            of->is_told = of->is_told || !is_stored;
+        }
     }
 }
 
@@ -205,7 +215,7 @@ static void do_push(world *w, const instance *in, const effect_line *line)
     } else if (!found.any && !dimension_equal_but_angle(found.of, of)) {
         source_problem(s, line->value->at, "the %s on '%s' %s; this %s", what, line->name.text,
                        dimension_phrase(s->memory, of), dimension_phrase(s->memory, found.of));
-    } else if (!refuse_accelerations(w, line, found.parts, 3)) {
+    } else if (!refuse_accelerations(w, line, found.parts, 3) && !in->use->dropped) {
         push(w, in, which, point, line, &found, 1.0);
         if (other >= 0) {
             push(w, in, other, other_point, line, &found, -1.0);

@@ -185,7 +185,7 @@ static value output_of_effect(world *w, const formula *f, const char *dot)
             return nothing;
         }
         value found = line_value(w, in, line);
-        for (int part = 0; in->use->left_out && part < found.count; part++) {
+        for (int part = 0; (in->use->left_out || in->use->dropped) && part < found.count; part++) {
             found.parts[part] = constant(w->b->g, 0.0);
         }
         return found;

@@ -186,9 +186,9 @@ static void build_tree(builder *b)
     }
 }
 
-mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double)
+mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
 {
-    builder b = {.s = s, .g = g, .written = written};
+    builder b = {.s = s, .g = g, .written = written, .whole = whole};
     b.weights = arena_take(s->memory, written->body_count + 1, sizeof *b.weights);
     b.parents = arena_take(s->memory, written->joint_count + 1, sizeof *b.parents);
     b.children = arena_take(s->memory, written->joint_count + 1, sizeof *b.children);

@@ -199,7 +199,8 @@ typedef struct effect_quantity {
     place at;   /* of the effect, */
     int effect; /* and which */
     node next;
-    keeping kept; /* of a memory; and of what is sampled or delayed the ticks */
+    keeping kept;  /* of a memory; and of what is sampled or delayed the ticks */
+    bool is_shown; /* of a memory: outputs show a copy of it, another memory */
     double ticks;
 } effect_quantity;
 
@@ -236,7 +237,10 @@ typedef struct policies {
     overrun_kind overrun;
     double catch_up, grace;     /* ticks */
     unsigned rungs[MOST_RUNGS]; /* of a ladder: recipes; ISO_METHODS: no step */
+    int dropped[MOST_RUNGS];    /* so many of the drops are in force on a rung */
     int rung_count;
+    int drops[MOST_RUNGS]; /* effects */
+    int drop_count;
     double after; /* good ticks, one rung up again */
     bool delayed, histogram;
 } policies;
@@ -348,8 +352,10 @@ static inline int held_count(const mechanism *m)
     return m->input_count + m->memory_count;
 }
 
-/* Resolves names, units and places; notes problems. The result is whole only if there are none. */
-mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double);
+/* Resolves names, units and places; notes problems. The result is whole only if there are none. Of a scene in which effects
+ * are dropped, `whole` is the mechanism with them: both have the same states, inputs, memories and parameters. Else it is
+ * NULL. */
+mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole);
 
 /* Only the method and the step, for a scene that has nothing else; notes problems. */
 void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double);

@@ -131,7 +131,7 @@ void show_pasts(builder *b)
     }
     for (int i = 0; i < count; i++) {
         const node is = to[made->input_count + i];
-        bool is_shown = false;
+        bool is_shown = b->whole != NULL && b->whole->memories[i].is_shown;
         for (size_t o = 0; o < made->output_count; o++) {
             const shown *out = &made->outputs[o];
             is_shown = is_shown || (out->kind == OUTPUT_FORMULA && uses_leaf(b->g, &out->formula, 1, is));
@@ -140,6 +140,7 @@ void show_pasts(builder *b)
             made->memories = arena_grow(b->s->memory, made->memories, (size_t)made->memory_count, &b->memory_room,
                                         sizeof *made->memories);
             effect_quantity shadow = made->memories[i];
+            made->memories[i].is_shown = true;
             shadow.about.name = arena_format(b->s->memory, "%s_shown", shadow.about.name);
             shadow.kept = KEPT_NEXT;
             shadow.next = is;

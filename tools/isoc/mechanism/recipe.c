@@ -17,7 +17,7 @@ static bool is_yes(builder *b, name word)
     return yes;
 }
 
-static unsigned find_method(builder *b, name word)
+unsigned find_method(builder *b, name word)
 {
     if (word.text == NULL) {
         return ISO_RK4;
@@ -106,72 +106,6 @@ void build_method(builder *b)
     b->made.recipe = recipe;
     build_adams(b);
     build_parts(b, recipe);
-}
-
-/* A whole number of ticks. */
-static double ticks_of(builder *b, const formula *f, const char *what, double least)
-{
-    const double most = 1e9, count = value_constant(&b->values, f, no_unit, what, 0.0);
-    if (f != NULL && (!(count >= least && count <= most) || count != floor(count))) {
-        source_problem(b->s, f->at, "%s must be a whole number of ticks from %.0f to 1000000000", what, least);
-    }
-    return count;
-}
-
-/* Explicit methods of one step: they take over from one another with the same memory. */
-static bool is_plain(unsigned recipe)
-{
-    return ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4);
-}
-
-/* The rungs of a ladder, from the method of the scene downwards. */
-static void build_ladder(builder *b)
-{
-    const running *written = &b->written->running;
-    policies *to = &b->made.policies;
-    const unsigned recipe = b->made.recipe;
-    if (!is_plain(recipe) || ISO_IS_CHECKED(recipe)) {
-        source_problem(b->s, written->overrun_at,
-                       "a ladder is for the methods euler, heun and rk4, without a check: others keep a history");
-    }
-    if (written->rung_count == 0) {
-        source_problem(b->s, written->overrun_at, "a ladder has rungs: method euler, or hold");
-    }
-    for (size_t i = 0; i < written->rung_count; i++) {
-        const name rung = written->rungs[i];
-        const unsigned method = written->rests[i] ? ISO_METHODS : find_method(b, rung);
-        if (!written->rests[i] && !is_plain(method)) {
-            source_problem(b->s, rung.at, "a rung is one of the methods euler, heun and rk4, or hold");
-        }
-        for (size_t j = 0; j < i; j++) {
-            if (!written->rests[i] && !written->rests[j] && strcmp(rung.text, written->rungs[j].text) == 0) {
-                source_problem(b->s, rung.at, "'%s' is a rung already", rung.text);
-            }
-        }
-        for (size_t j = 0; j < b->written->closure_count; j++) {
-            if (written->rests[i] && closure_clocks(&b->written->closures[j]) > 0) {
-                source_problem(b->s, rung.at, "a motion goes on while the states are held: leave out hold");
-            }
-        }
-        to->rungs[i] = written->rests[i] ? ISO_METHODS : method | (recipe & ~(unsigned)ISO_METHOD_BITS);
-    }
-    to->rung_count = (int)written->rung_count;
-    to->after = ticks_of(b, written->after, "the number of good ticks", 1.0);
-}
-
-void build_policies(builder *b)
-{
-    const running *written = &b->written->running;
-    b->made.policies = (policies){.overrun = written->overrun,
-                                  .catch_up = ticks_of(b, written->catch_up, "what is caught up", 0.0),
-                                  .grace = ticks_of(b, written->grace, "the grace", 1.0),
-                                  .delayed = written->delayed,
-                                  .histogram = written->histogram};
-    b->made.policies.any =
-        written->overrun != OVERRUN_COUNT || written->grace != NULL || written->delayed || written->histogram;
-    if (written->overrun == OVERRUN_DEGRADE) {
-        build_ladder(b);
-    }
 }
 
 void build_step(builder *b)

@@ -1,5 +1,7 @@
 #include "tools/isoc/plant/cost.h"
 
+#include "tools/isoc/plant/lesser.h"
+
 /* a + times * b */
 static operations plus(operations a, int times, operations b)
 {
@@ -163,15 +165,16 @@ void cost_summary(const plant *p, const graph *g, text *out)
         const operations part = plus(cost_of_step(p, g), settles, settle);
         count_line(out, "step", plus(part, m->parts - 1, part));
         for (int i = 0; i < m->policies.rung_count; i++) {
-            if (m->policies.rungs[i] == ISO_METHODS) {
+            if (m->policies.rungs[i] == ISO_METHODS || m->policies.dropped[i] > p->lesser_count) {
                 continue;
             }
+            const lesser *left = lesser_on_rung(p, i);
             mechanism by = *m;
-            plant with = *p;
+            plant with = left == NULL ? *p : *left->p;
             by.recipe = m->policies.rungs[i];
             with.m = &by;
-            const operations rung = plus(cost_of_step(&with, g), settles, settle);
-            count_line(out, arena_format(out->memory, "step_%s", method_names[ISO_METHOD_OF(by.recipe)]),
+            const operations rung = plus(cost_of_step(&with, left == NULL ? g : left->g), settles, settle);
+            count_line(out, arena_format(out->memory, "step%s", rung_suffix(p, i, out->memory)),
                        plus(rung, m->parts - 1, rung));
         }
     }

@@ -15,6 +15,13 @@ typedef struct choice {
     operations of[FORMULATIONS];
 } choice;
 
+/* A plant on the lower rungs of a ladder that drops effects: on the memory of the whole, with a graph of its own. */
+typedef struct lesser {
+    const struct plant *p;
+    graph *g;
+    const char *suffix; /* of the names of its functions: _without_rub */
+} lesser;
+
 /* All that is known of a plant when its equations are nodes. */
 typedef struct plant {
     const mechanism *m;
@@ -38,6 +45,8 @@ typedef struct plant {
     node energy;
     node violation; /* of the closures, where the loop counts it; else -1 */
     bool is_double;
+    lesser *lessers; /* of a program: without the first drop of its ladder, without the first two, ... */
+    int lesser_count;
 } plant;
 
 /* What is wanted in the place of what isoc finds best. */

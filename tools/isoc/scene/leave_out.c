@@ -57,6 +57,11 @@ static bool is_lost(const scene *made, const formula *f, size_t depth)
     return is;
 }
 
+bool scene_reads_left_out(const scene *made, const formula *f)
+{
+    return is_lost(made, f, 0);
+}
+
 /* Whether an effect, a signal or an output reads a name. */
 static bool is_read(const scene *made, const char *called)
 {

@@ -10,4 +10,7 @@
  * signals that nothing else reads. One output stays in any case. Where another effect reads them, they are zero. */
 void scene_leave_out(source *s, scene *made, const script *of);
 
+/* Whether a formula reads an effect that is left out, itself or through signals. */
+bool scene_reads_left_out(const scene *made, const formula *f);
+
 #endif

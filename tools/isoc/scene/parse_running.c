@@ -7,16 +7,20 @@
 static const char *const overrun_names[] = {"count", "catch_up", "stop", "degrade"};
 static const char *const publish_names[] = {"at_once", "next_tick"};
 
-/* method NAME, or hold: the next rung. */
+/* method NAME, drop EFFECT, or hold: the next rung. */
 static void read_rung(parser *p, const token *word, void *slot)
 {
     running *to = slot;
-    const bool rests = strcmp(word->text, "hold") == 0;
-    const name of = rests ? (name){"hold", word->at} : take_name(p, "expected a method, such as euler");
+    const rung_kind kind = strcmp(word->text, "hold") == 0   ? RUNG_HOLD
+                           : strcmp(word->text, "drop") == 0 ? RUNG_DROP
+                                                             : RUNG_METHOD;
+    const name of = kind == RUNG_HOLD   ? (name){"hold", word->at}
+                    : kind == RUNG_DROP ? take_name(p, "expected an effect of the scene, by the name of its use")
+                                        : take_name(p, "expected a method, such as euler");
     if (to->rung_count == MOST_RUNGS) {
         source_problem(p->s, word->at, "a ladder has at most %d rungs", MOST_RUNGS);
     } else if (!p->failed) {
-        to->rests[to->rung_count] = rests;
+        to->rung_kinds[to->rung_count] = kind;
         to->rungs[to->rung_count++] = of;
     }
 }
@@ -33,6 +37,7 @@ static void read_after(parser *p, const token *word, void *slot)
 
 static const property rung_properties[] = {
     {"method", read_rung, 0, EVERY_KIND | MANY, NULL},
+    {"drop", read_rung, 0, EVERY_KIND | MANY, NULL},
     {"hold", read_rung, 0, EVERY_KIND, NULL},
     {"after", read_after, 0, EVERY_KIND, "after 100 ticks"},
 };

@@ -215,6 +215,7 @@ typedef struct effect_use {
     size_t operand_count, operand_room;
     bool broken;
     bool left_out; /* it does nothing, and what it shows is zero */
+    bool dropped;  /* the same for some rungs of a ladder: its states and memories stay where they are */
 } effect_use;
 
 /* at TIME set NAME = VALUE: what a tunable, or a fault, is from then on. */
@@ -237,14 +238,16 @@ typedef struct output {
 /* What the loop does about ticks that do not keep their time, and what it counts of them. */
 typedef enum overrun_kind { OVERRUN_COUNT, OVERRUN_CATCH_UP, OVERRUN_STOP, OVERRUN_DEGRADE } overrun_kind;
 
+typedef enum rung_kind { RUNG_METHOD, RUNG_DROP, RUNG_HOLD } rung_kind;
+
 enum { MOST_RUNGS = 8 };
 
 typedef struct running {
     overrun_kind overrun;
     place overrun_at;
     formula *catch_up, *grace; /* ticks; NULL where none is given */
-    name rungs[MOST_RUNGS];    /* of degrade, in their order: a method, or `hold` */
-    bool rests[MOST_RUNGS];    /* which of them is `hold` */
+    name rungs[MOST_RUNGS];    /* of degrade, in their order: a method, an effect, or the word `hold` */
+    rung_kind rung_kinds[MOST_RUNGS];
     size_t rung_count;
     formula *after; /* so many good ticks one rung up again */
     bool delayed;   /* outputs are published when the next tick begins */

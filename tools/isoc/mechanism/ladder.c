@@ -1,0 +1,182 @@
+/* overrun, grace, publish, histogram: how the loop runs the plant; and the rungs of a ladder. */
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/scene/leave_out.h"
+#include "tools/isoc/scene/names.h"
+
+/* A whole number of ticks. */
+static double ticks_of(builder *b, const formula *f, const char *what, double least)
+{
+    const double most = 1e9, count = value_constant(&b->values, f, no_unit, what, 0.0);
+    if (f != NULL && (!(count >= least && count <= most) || count != floor(count))) {
+        source_problem(b->s, f->at, "%s must be a whole number of ticks from %.0f to 1000000000", what, least);
+    }
+    return count;
+}
+
+/* Explicit methods of one step: they take over from one another with the same memory. */
+static bool is_plain(unsigned recipe)
+{
+    return ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4);
+}
+
+/* A method that takes over. */
+static unsigned method_of_rung(builder *b, name rung)
+{
+    const running *written = &b->written->running;
+    const unsigned method = find_method(b, rung);
+    if (!is_plain(method)) {
+        source_problem(b->s, rung.at, "a rung is one of the methods euler, heun and rk4, drop EFFECT, or hold");
+    }
+    for (size_t j = 0; j < written->rung_count && written->rungs[j].at != rung.at; j++) {
+        if (written->rung_kinds[j] == RUNG_METHOD && strcmp(rung.text, written->rungs[j].text) == 0) {
+            source_problem(b->s, rung.at, "'%s' is a rung already", rung.text);
+        }
+    }
+    return method | (b->made.recipe & ~(unsigned)ISO_METHOD_BITS);
+}
+
+/* No step. */
+static void check_hold(builder *b, name rung)
+{
+    for (size_t j = 0; j < b->written->closure_count; j++) {
+        if (closure_clocks(&b->written->closures[j]) > 0) {
+            source_problem(b->s, rung.at, "a motion goes on while the states are held: leave out hold");
+        }
+    }
+}
+
+/* The effect of this name, or -1. */
+static int effect_of_rung(builder *b, name rung)
+{
+    const scene *written = b->written;
+    const char **names = arena_take(b->s->memory, written->effect_count + 1, sizeof *names);
+    for (size_t i = 0; i < written->effect_count; i++) {
+        names[i] = written->effects[i].name.text == NULL ? "" : written->effects[i].name.text;
+        if (strcmp(names[i], rung.text) == 0) {
+            return (int)i;
+        }
+    }
+    source_problem(b->s, rung.at, "no effect is called '%s'%s", rung.text,
+                   source_suggestion(b->s, rung.text, names, written->effect_count));
+    return -1;
+}
+
+/* Whether it has an effort, a force or a moment. */
+static bool acts(const effect_kind *kind)
+{
+    bool any = false;
+    for (size_t i = 0; i < kind->line_count; i++) {
+        const effect_line_kind of = kind->lines[i].kind;
+        any = any || of == EFFECT_EFFORT || of == EFFECT_FORCE || of == EFFECT_MOMENT;
+    }
+    return any;
+}
+
+static bool is_dropped(const policies *of, int effect)
+{
+    bool is = false;
+    for (int i = 0; i < of->drop_count; i++) {
+        is = is || of->drops[i] == effect;
+    }
+    return is;
+}
+
+/* What another effect computes from must be there: a machine that runs on zeros is another machine, not a coarser one. */
+static bool refuse_readers(builder *b, name rung, int effect)
+{
+    const size_t before = b->s->problem_count;
+    scene without = *b->written;
+    without.effects = arena_take(b->s->memory, without.effect_count, sizeof *without.effects);
+    for (size_t i = 0; i < without.effect_count; i++) {
+        without.effects[i] = b->written->effects[i];
+        without.effects[i].left_out = (int)i == effect;
+    }
+    for (size_t i = 0; i < without.effect_count; i++) {
+        const effect_use *other = &b->written->effects[i];
+        bool reads = false;
+        for (size_t n = 0; n < other->operand_count; n++) {
+            reads = reads || scene_reads_left_out(&without, other->operands[n].value);
+        }
+        if (reads && (int)i != effect && !other->left_out && !is_dropped(&b->made.policies, (int)i)) {
+            source_problem(b->s, rung.at, "'%s' cannot be dropped: the effect '%s' computes from it", rung.text,
+                           other->name.text);
+        }
+    }
+    return b->s->problem_count > before;
+}
+
+/* One effect less; one that --without has left out is not there anyhow. */
+static void drop(builder *b, name rung)
+{
+    policies *to = &b->made.policies;
+    const int effect = effect_of_rung(b, rung);
+    const effect_use *use = effect < 0 ? NULL : &b->written->effects[effect];
+    const effect_kind *kind = use == NULL ? NULL : find_effect_kind(b->written, use->kind);
+    if (kind == NULL) {
+        return;
+    }
+    if (is_dropped(to, effect)) {
+        source_problem(b->s, rung.at, "'%s' is dropped already", rung.text);
+        return;
+    }
+    if (!use->left_out && !kind->broken && !refuse_readers(b, rung, effect) && !acts(kind)) {
+        source_problem(b->s, rung.at, "'%s' acts on no joint and no body: to drop it would change only what is shown",
+                       rung.text);
+    }
+    to->drops[to->drop_count++] = effect;
+}
+
+/* The rungs of a ladder, from the method of the scene downwards: what a rung changes holds on those below it. */
+static void build_ladder(builder *b)
+{
+    const running *written = &b->written->running;
+    policies *to = &b->made.policies;
+    unsigned recipe = b->made.recipe;
+    if (!is_plain(recipe) || ISO_IS_CHECKED(recipe)) {
+        source_problem(b->s, written->overrun_at,
+                       "a ladder is for the methods euler, heun and rk4, without a check: others keep a history");
+    }
+    if (written->rung_count == 0) {
+        source_problem(b->s, written->overrun_at, "a ladder has rungs: method euler, drop EFFECT, or hold");
+    }
+    for (size_t i = 0; i < written->rung_count; i++) {
+        const name rung = written->rungs[i];
+        switch (written->rung_kinds[i]) {
+        case RUNG_METHOD:
+            recipe = method_of_rung(b, rung);
+            break;
+        case RUNG_DROP:
+            if (recipe == ISO_METHODS) {
+                source_problem(b->s, rung.at, "no step is made below hold: put 'drop %s' above it", rung.text);
+            }
+            drop(b, rung);
+            break;
+        case RUNG_HOLD:
+            check_hold(b, rung);
+            recipe = ISO_METHODS;
+            break;
+        }
+        to->rungs[i] = recipe;
+        to->dropped[i] = to->drop_count;
+    }
+    to->rung_count = (int)written->rung_count;
+    to->after = ticks_of(b, written->after, "the number of good ticks", 1.0);
+}
+
+void build_policies(builder *b)
+{
+    const running *written = &b->written->running;
+    b->made.policies = (policies){.overrun = written->overrun,
+                                  .catch_up = ticks_of(b, written->catch_up, "what is caught up", 0.0),
+                                  .grace = ticks_of(b, written->grace, "the grace", 1.0),
+                                  .delayed = written->delayed,
+                                  .histogram = written->histogram};
+    b->made.policies.any =
+        written->overrun != OVERRUN_COUNT || written->grace != NULL || written->delayed || written->histogram;
+    if (written->overrun == OVERRUN_DEGRADE) {
+        build_ladder(b);
+    }
+}
