@@ -75,6 +75,20 @@ for method in rk4 ab4 abm4 abm4_pecece rosenbrock; do
     warned $method "$out/checked.scene" ''
 done
 
+# noise SCENE PLACE PATTERN: the same with ab4, of noise outside of inputs: at a place of its second line.
+noise()
+{
+    { echo 'effect shove { joint along; signal by N; effort on along = by }' && echo "$1" && cat $scene; } >"$out/noise.scene"
+    build/isoc "$out/noise.scene" --method ab4 -o "$out/warned" >/dev/null 2>"$out/errors" &&
+        if [ -n "$2" ]; then grep -q "^$out/noise.scene:2:$2: warning: $3" "$out/errors"; else [ ! -s "$out/errors" ]; fi
+    expect $? "ab4, noise: ${3:-no warning where the motion does not depend on it}"
+}
+gust='effect wind gust { mean 1 m/s; sigma 1 m/s; length 10 m; speed 2 m/s }'
+noise "$gust; effect drift drag { on cart; area 1 m^2; wind_x wind.value }" 8 \
+    "the noise of the effect 'wind' changes at every tick .* ab4 is of order one; take rk4"
+noise 'effect push shove { along rail; by 1 N * noise(3) }' 42 'the noise changes at every tick'
+noise "$gust; output wind = wind.value" ''
+
 # The word held is the default.
 mkdir -p "$out/said" && sed 's/ smooth$/ held/' $scene >"$out/said/loop.scene"
 build/isoc "$out/said/loop.scene" --method rk4 -o "$out/one" >/dev/null && sed 's/ held / /; s/ held$//' "$out/one/plant.c" >"$out/said.c" &&

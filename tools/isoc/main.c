@@ -11,6 +11,7 @@
 #include "tools/isoc/plant/lesser.h"
 #include "tools/isoc/plant/pivots.h"
 #include "tools/isoc/plant/range.h"
+#include "tools/isoc/plant/samples.h"
 #include "tools/isoc/plant/stability.h"
 #include "tools/isoc/plant/start.h"
 #include "tools/isoc/scene/dot.h"
@@ -251,29 +252,6 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
     return write_files(&files) && write_out(summary.bytes, summary.length);
 }
 
-/* What the reading of the inputs and the method make of each other. */
-static void warn_of_inputs(const source *s, const scene *written, unsigned recipe)
-{
-    const char *method = method_names[ISO_METHOD_OF(recipe)];
-    for (size_t i = 0; i < written->input_count; i++) {
-        const quantity *q = &written->inputs[i];
-        if (!q->smooth && ISO_PAST_KEPT(recipe) > 0) {
-            source_warn(s, q->name.at,
-                        "the input '%s' is held, and %s has a history: where the input changes at every tick, %s is of "
-                        "order %s; take %s, or 'input %s smooth' for samples of a continuous signal",
-                        q->name.text, method, method, ISO_IS_VARYING(recipe) ? "two" : "one",
-                        ISO_IS_IMPLICIT(recipe) ? "rosenbrock" : "rk4", q->name.text);
-            return;
-        }
-        if (q->smooth && ISO_IS_CHECKED(recipe) && ISO_TELLS_NO_INPUTS(recipe)) {
-            source_warn(s, q->name.at,
-                        "the local error that %s tells is without that of the extrapolated input '%s'; take %s", method,
-                        q->name.text, ISO_IS_IMPLICIT(recipe) ? "rosenbrock" : "abm4");
-            return;
-        }
-    }
-}
-
 static bool write_graph(arena *memory, const scene *written, const mechanism *m)
 {
     text drawing = {.memory = memory};
@@ -367,7 +345,7 @@ static bool compile(arena *memory, const options *o)
         }
         if (s.problem_count == 0) {
             if (o->inputs == NULL) {
-                warn_of_inputs(&s, &written, m.recipe);
+                samples_check(&s, &g, &written, &p);
             }
             if (o->name == NULL) {
                 lessers_build(&s, &written, &p, o->wanted);

@@ -293,11 +293,14 @@ typedef struct mechanism {
 
     int input_count;
     variable *inputs;
-    bool *driven;  /* inputs that are functions of time; the others are the port's */
-    node *drives;  /* the inputs as functions of time, then the clocks */
-    double *jumps; /* the change of an input that restarts the method; 0: none */
-    bool *smooth;  /* inputs that are samples of continuous signals */
-    wire *wires;   /* inputs that come in over a link: all that are not driven, and those that have a safe value */
+    bool *driven;        /* inputs that are functions of time; the others are the port's */
+    node *drives;        /* the inputs as functions of time, then the clocks */
+    double *jumps;       /* the change of an input that restarts the method; 0: none */
+    bool *smooth;        /* inputs that are samples of continuous signals */
+    int *noises;         /* of an input that stands for a call of noise outside of inputs, which; else -1 */
+    name *noise_origins; /* of each the effect whose definition has it, or only where it stands */
+    int noise_count;
+    wire *wires; /* inputs that come in over a link: all that are not driven, and those that have a safe value */
     int wire_count;
     node *edges; /* functions of the tick in held inputs without a `jump` that jump by themselves */
     int edge_count;

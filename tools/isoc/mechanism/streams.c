@@ -66,10 +66,19 @@ void build_streams(builder *b)
 {
     mechanism *made = &b->made;
     const int first = (int)b->written->input_count;
+    made->noises = arena_take(b->s->memory, (size_t)made->input_count + 1, sizeof *made->noises);
+    made->noise_origins = arena_take(b->s->memory, (size_t)b->stream_count + 1, sizeof *made->noise_origins);
+    made->noise_count = b->stream_count;
+    for (int i = 0; i < first; i++) {
+        made->noises[i] = -1;
+    }
     for (int i = 0; i < b->stream_count; i++) {
+        const stream *of = &b->streams[i];
+        made->noises[first + i] = i;
+        made->noise_origins[i] = of->within != NULL ? of->within->name : (name){NULL, of->of->at};
         made->inputs[first + i] = (variable){.name = arena_format(b->s->memory, "made_noise_%d", i + 1),
                                              .unit = "1",
-                                             .quote = source_quote(b->s, b->streams[i].of->at),
+                                             .quote = source_quote(b->s, of->of->at),
                                              .least = -HUGE_VAL,
                                              .most = HUGE_VAL};
         made->driven[first + i] = true;

@@ -1,0 +1,80 @@
+#include "tools/isoc/plant/samples.h"
+
+static const char *without_history(unsigned recipe)
+{
+    return ISO_IS_IMPLICIT(recipe) ? "rosenbrock" : "rk4";
+}
+
+static void check_inputs(const source *s, const scene *written, unsigned recipe)
+{
+    const char *method = method_names[ISO_METHOD_OF(recipe)];
+    for (size_t i = 0; i < written->input_count; i++) {
+        const quantity *q = &written->inputs[i];
+        if (!q->smooth && ISO_PAST_KEPT(recipe) > 0) {
+            source_warn(s, q->name.at,
+                        "the input '%s' is held, and %s has a history: where the input changes at every tick, %s is of "
+                        "order %s; take %s, or 'input %s smooth' for samples of a continuous signal",
+                        q->name.text, method, method, ISO_IS_VARYING(recipe) ? "two" : "one", without_history(recipe),
+                        q->name.text);
+            return;
+        }
+        if (q->smooth && ISO_IS_CHECKED(recipe) && ISO_TELLS_NO_INPUTS(recipe)) {
+            source_warn(s, q->name.at,
+                        "the local error that %s tells is without that of the extrapolated input '%s'; take %s", method,
+                        q->name.text, ISO_IS_IMPLICIT(recipe) ? "rosenbrock" : "abm4");
+            return;
+        }
+    }
+}
+
+/* The first noise that these depend on, by what is known of the inputs and memories; -1: none. */
+static int noise_of(const graph *g, const node *roots, size_t count, const int *known)
+{
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    int first = -1;
+    graph_reach(g, roots, count, needed);
+    for (size_t i = 0; i < g->count; i++) {
+        const int of = needed[i] && g->nodes[i].op == OP_INPUT ? known[g->nodes[i].index] : -1;
+        first = of >= 0 && (first < 0 || of < first) ? of : first;
+    }
+    arena_return(g->memory, needed, g->count, sizeof *needed);
+    return first;
+}
+
+/* A memory depends on a noise if another does that it follows: as many passes as that takes. */
+static void check_noises(const source *s, const graph *g, const plant *p)
+{
+    const mechanism *m = p->m;
+    int *known = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *known);
+    for (int i = 0; i < held_count(m); i++) {
+        known[i] = i < m->input_count ? m->noises[i] : -1;
+    }
+    for (bool more = true; more;) {
+        more = false;
+        for (int i = 0; i < m->memory_count; i++) {
+            int *of = &known[m->input_count + i];
+            const int found = *of < 0 ? noise_of(g, &m->memories[i].next, 1, known) : -1;
+            more = more || found >= 0;
+            *of = found >= 0 ? found : *of;
+        }
+    }
+    const int which = noise_of(g, p->derivatives, (size_t)state_count(m), known);
+    if (which >= 0) {
+        const char *method = method_names[ISO_METHOD_OF(m->recipe)];
+        const name of = m->noise_origins[which];
+        const char *where = of.text == NULL ? "" : arena_format(g->memory, " of the effect '%s'", of.text);
+        source_warn(
+            s, of.at,
+            "the noise%s changes at every tick and is held in between, and %s has a history: %s is of order %s; "
+            "take %s",
+            where, method, method, ISO_IS_VARYING(m->recipe) ? "two" : "one", without_history(m->recipe));
+    }
+}
+
+void samples_check(const source *s, const graph *g, const scene *written, const plant *p)
+{
+    check_inputs(s, written, p->m->recipe);
+    if (ISO_PAST_KEPT(p->m->recipe) > 0 && p->m->noise_count > 0) {
+        check_noises(s, g, p);
+    }
+}
