@@ -216,6 +216,9 @@ void iso_loop_restart(iso_loop *const loop)
     iso_loop_rest(loop);
     loop->rested += loop->tick;
     loop->tick = loop->reported = 0;
+    if (loop->plant->model->policy != NULL) {
+        iso_policy_reset(loop->plant->model->policy);
+    }
     start_plant(loop);
 }
 
@@ -226,5 +229,6 @@ void iso_loop_jump(iso_loop *const loop, const uint64_t tick)
     loop->reported += tick - loop->tick;
     loop->tick = tick;
     loop->guard = plant->model->states;
+    loop->execution_min = UINT32_MAX; /* the next tick is one with news, as each on a lower rung is */
     iso_port_publish(plant->y, plant->model->outputs);
 }

@@ -6,43 +6,7 @@
 #define ISO_CORE_RUNTIME_POLICY_H
 
 #include "core/runtime/loop.h"
-
-/* A tick with news. */
-typedef struct iso_news {
-    uint64_t counts; /* of its step */
-    bool late, overran;
-} iso_news;
-
-enum { ISO_HISTOGRAM_BINS = 32 };
-
-/* What is counted, one after another, 64 bits each. */
-typedef struct iso_policy_counts {
-    uint64_t skipped;       /* ticks of the port that nothing was done for */
-    uint64_t skipped_first; /* the number of the first, as the port counts */
-    uint64_t skipped_last;
-    uint64_t grace_late; /* ticks within the grace */
-    uint64_t grace_overruns;
-    uint64_t stopped;  /* the tick that ended the run by its overrun; 0: none did */
-    uint64_t latency;  /* ticks from the end of a step to its outputs */
-    uint64_t rung;     /* of the ladder, of the next step; 0: the method of the scene */
-    uint64_t good;     /* ticks on this rung without an overrun */
-    uint64_t degraded; /* ticks on a rung below the method of the scene */
-    uint64_t lowest;   /* rung, counted downwards */
-} iso_policy_counts;
-
-/* The counts with a histogram of execution times: bin i of those from i widths on, the last of all above. */
-typedef struct iso_policy_histogram {
-    iso_policy_counts counts;
-    uint64_t width; /* a 32nd of the period, rounded down */
-    uint64_t bins[ISO_HISTOGRAM_BINS];
-} iso_policy_histogram;
-
-typedef struct iso_policy {
-    bool (*account)(iso_loop *loop, const iso_news *news); /* returns whether the run goes on */
-    const uint64_t *counts;                                /* [count] */
-    uint16_t count;
-    bool delays; /* outputs are published when the next tick begins */
-} iso_policy;
+#include "core/runtime/policy_counts.h"
 
 /* grace: late starts and overruns of the first ticks are counted apart. */
 static inline void iso_policy_grace(iso_loop *const loop, iso_policy_counts *const counts, const iso_news *const news,
@@ -79,6 +43,13 @@ static inline bool iso_policy_stop(const iso_loop *const loop, iso_policy_counts
     const bool stops = news->overran && loop->tick > grace;
     counts->stopped = stops ? loop->tick : 0;
     return !stops;
+}
+
+/* A run that begins: nothing is counted, and the method is that of the scene. */
+static inline void iso_policy_reset(const iso_policy *const policy)
+{
+    memset(policy->counts, 0, policy->count * sizeof(uint64_t));
+    policy->counts->latency = policy->delays;
 }
 
 /* overrun degrade: an overrun leads one rung down, so many ticks without one lead one up again. */

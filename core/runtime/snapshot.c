@@ -1,9 +1,10 @@
 #include "core/runtime/snapshot.h"
 
 #include "core/methods/adams.h"
+#include "core/runtime/policy_counts.h"
 
 /* Nothing between the members, whatever a compiler aligns to; of a plant's memory its own source checks that. */
-_Static_assert(sizeof(iso_snapshot_head) == 48, "the head of a record has no padding");
+_Static_assert(sizeof(iso_snapshot_head) == 56, "the head of a record has no padding");
 _Static_assert(sizeof(iso_progress) == 4 * sizeof(real) && sizeof(bool) == 1, "nor has iso_progress");
 _Static_assert(sizeof(iso_adams_state) == 5 * sizeof(real) + 24, "nor has iso_adams_state");
 _Static_assert(_Alignof(iso_any_progress) == _Alignof(real), "nor the memory of a plant by hand, before these");
@@ -26,7 +27,14 @@ static uint32_t check_of(const unsigned char *const bytes, const size_t count)
     return ~check;
 }
 
-/* The head that a record of this plant has. */
+/* The rung of a plant and the good ticks there; NULL without a ladder. */
+static iso_policy_counts *ladder_of(const iso_plant *const plant)
+{
+    const iso_policy *const policy = plant->model->policy;
+    return policy != NULL && policy->rungs > 0 ? policy->counts : NULL;
+}
+
+/* The head that a record of this plant has, at the top of its ladder. */
 static iso_snapshot_head head_of(const iso_plant *const plant, const uint64_t identity, const uint64_t tick,
                                  const uint64_t hash)
 {
@@ -50,7 +58,12 @@ static iso_snapshot_head head_of(const iso_plant *const plant, const uint64_t id
 void iso_snapshot_take(unsigned char *const record, const iso_plant *const plant, const uint64_t identity,
                        const uint64_t tick, const uint64_t hash)
 {
-    const iso_snapshot_head head = head_of(plant, identity, tick, hash);
+    iso_snapshot_head head = head_of(plant, identity, tick, hash);
+    const iso_policy_counts *const ladder = ladder_of(plant);
+    if (ladder != NULL && ladder->rung > 0) {
+        head.rung = (uint16_t)ladder->rung;
+        head.good = (uint32_t)ladder->good;
+    }
     memcpy(record, &head, sizeof head);
     memcpy(record + sizeof head, plant->memory, head.memory_bytes);
     const uint32_t check = check_of(record, sizeof head + head.memory_bytes);
@@ -105,6 +118,13 @@ static bool is_a_state(const iso_plant *const plant, const unsigned char *const 
            (plant->adams == NULL || is_adams(place_in(memory, plant, plant->adams)));
 }
 
+/* Whether the plant has this rung, and a good tick only below the top. */
+static bool is_a_rung(const iso_plant *const plant, const iso_snapshot_head *const head)
+{
+    const uint16_t rungs = ladder_of(plant) == NULL ? 0 : plant->model->policy->rungs;
+    return head->rung <= rungs && (head->rung > 0 || head->good == 0);
+}
+
 /* Why a record is none that this program can read; its head is then of no use. */
 static iso_snapshot_answer read_head(const unsigned char *const record, const size_t bytes,
                                      iso_snapshot_head *const head)
@@ -139,14 +159,21 @@ iso_snapshot_answer iso_snapshot_restore(const iso_plant *const plant, const uin
     if (head.real_bytes != sizeof(real)) {
         return ISO_SNAPSHOT_OTHER_NUMBERS;
     }
-    const iso_snapshot_head own = head_of(plant, identity, head.tick, head.hash);
+    iso_snapshot_head own = head_of(plant, identity, head.tick, head.hash);
+    own.rung = head.rung;
+    own.good = head.good;
     if (memcmp(&head, &own, sizeof own) != 0) {
         return ISO_SNAPSHOT_OTHER_PLANT;
     }
-    if (!is_a_state(plant, record + sizeof head)) {
+    if (!is_a_rung(plant, &head) || !is_a_state(plant, record + sizeof head)) {
         return ISO_SNAPSHOT_NOT_A_STATE;
     }
     memcpy(plant->memory, record + sizeof head, head.memory_bytes);
+    iso_policy_counts *const ladder = ladder_of(plant);
+    if (ladder != NULL) {
+        ladder->rung = head.rung;
+        ladder->good = head.good;
+    }
     *tick = head.tick;
     *hash = head.hash;
     return ISO_SNAPSHOT_GOOD;

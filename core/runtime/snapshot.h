@@ -1,6 +1,6 @@
 /* A snapshot: all of a plant at a tick in one flat record, from which it goes on bit for bit, on any target.
  *
- *     head      iso_snapshot_head, 48 bytes
+ *     head      iso_snapshot_head, 56 bytes
  *     memory    the plant's, head.memory_bytes: states, history of the method, inputs, memories of effects, tunables and
  *               faults, outputs, last good values; noise and functions of time follow from the tick
  *     check     4 bytes: CRC-32 of all before it, polynomial 0x04C11DB7 reflected, start and last exclusive-or all ones
@@ -8,7 +8,7 @@
  *
  * The numbers are those of the processor, little-endian on every target that there is; the magic of a processor with
  * another order is another number. No member has padding, so a plant has the same record on every target. How the ticks
- * kept their time is no part of it.
+ * kept their time is no part of it, but for the rung of a ladder (core/runtime/policy.h), which the next steps follow from.
  */
 #ifndef ISO_CORE_RUNTIME_SNAPSHOT_H
 #define ISO_CORE_RUNTIME_SNAPSHOT_H
@@ -24,7 +24,7 @@ extern "C" {
 
 #define ISO_SNAPSHOT_MAGIC UINT32_C(0x534F5349) /* the bytes "ISOS" */
 
-enum { ISO_SNAPSHOT_VERSION = 1 };
+enum { ISO_SNAPSHOT_VERSION = 2 };
 
 typedef struct iso_snapshot_head {
     uint32_t magic;
@@ -39,7 +39,9 @@ typedef struct iso_snapshot_head {
     uint16_t memories;
     uint16_t parameters;
     uint16_t outputs;
-    uint16_t unused; /* 0 */
+    uint16_t rung;   /* of `overrun degrade`; 0: the method of the scene */
+    uint32_t good;   /* on a rung below it, ticks without an overrun; else 0 */
+    uint32_t unused; /* 0 */
 } iso_snapshot_head;
 
 /* The size of the record of a plant with so much memory. */

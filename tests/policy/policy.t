@@ -134,6 +134,20 @@ run chain && ! cmp -s "$out/chain/trace.csv" "$out/chain_alone/trace.csv"
 result $? "found: the motor"
 scene=tests/policy/pendulum.scene
 
+# A ladder and snapshots: the rung, and the good ticks on it, are in the record; a reset begins anew.
+(echo slow 40 1500us && echo slow 50 1500us) >"$out/script"
+plant restored 'overrun degrade { method heun; method euler; after 30 ticks }
+publish next_tick; histogram' &&
+    EXTRA="-O0 -I$out/restored" program restored/control tests/policy/restored.c "$out/restored/plant.c" core/runtime/*.c \
+        tests/host/report.c port/sim/*.c
+result $? "a plant with a ladder builds"
+joined restored "$out/restored/control" 0 "$out/script"
+sed 's/head.rung = (uint16_t)ladder->rung;/head.rung = 1;/' core/runtime/snapshot.c >"$out/planted.c"
+EXTRA="-O0 -I$out/restored" program restored/planted tests/policy/restored.c "$out/restored/plant.c" core/runtime/loop.c core/runtime/control.c \
+    "$out/planted.c" tests/host/report.c port/sim/*.c && ! "$out/restored/planted" 0 "$out/script" >"$out/found" &&
+    grep -q '^not ok .* to the same hash' "$out/found"
+result $? "found: a record with another rung"
+
 # Controls.
 "$out/model" 3 "$out/script" catch_up 2 0 >"$out/expected"
 run catch_0 "$out/script"

@@ -60,9 +60,9 @@ void emit_policies(emission *e)
         text_add(e->out, "    return true;\n}\n\n");
     }
     text_add(e->out,
-             "static const iso_policy policy = {\n    .account = account,\n    .counts = %s.skipped,\n"
-             "    .count = sizeof policed / sizeof(uint64_t),\n    .delays = %s,\n};\n\n",
-             of->histogram ? "&policed.counts" : "&policed", of->delayed ? "true" : "false");
+             "static const iso_policy policy = {\n    .account = account,\n    .counts = %s,\n"
+             "    .count = sizeof policed / sizeof(uint64_t),\n    .rungs = %d,\n    .delays = %s,\n};\n\n",
+             counts, of->overrun == OVERRUN_DEGRADE ? of->rung_count : 0, of->delayed ? "true" : "false");
     if (of->overrun == OVERRUN_DEGRADE) {
         emit_rungs(e, counts);
     }
