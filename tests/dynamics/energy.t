@@ -69,6 +69,20 @@ for scene in models/*.scene tests/effects/all.scene; do
     result $? "$name: what the projection takes is $whole J, with half the step $projected J"
 done
 
+# A cable whose length is a state: what the winch gives is in the account, and is missed where the cable does not know its rate.
+drum='effect drum { signal to m; state paid m = 6 m; rate paid = reel; let reel = (to - paid) / (0.2 s); output paid; output reel }
+effect winder drum { to winch }'
+for reel in 'winder.reel' '0 m/s'; do
+    { echo "$drum" && sed "s|length winch$|length winder.paid; reel $reel|" models/crane.scene; } >"$out/drum.scene"
+    account "$out/drum.scene" reeled
+    if [ "$reel" = winder.reel ]; then
+        closed reeled "$out/drum.scene"
+    else
+        ! "$out/reeled/run" corners 3000 7 "$losses" >"$out/tap" && grep -q '^not ok 1 - balance' "$out/tap"
+        result $? 'found: a cable that does not know that its length changes'
+    fi
+done
+
 # planted SCENE KIND SED: the scene finds its effect of that kind so changed: its balance is none.
 planted()
 {
@@ -87,5 +101,8 @@ planted models/cart_pole_drive.scene stop 's|stiffness \* depth^2 / 2|stiffness 
 planted tests/effects/all.scene cogging 's/(1 - cos(angle))/(1 - cos(angle)) * 1.001/'
 planted models/arm_drive.scene flexible_gear 's|effort / ratio) / rotor|effort) / rotor|'
 planted models/balancer.scene contact 's/ball = cross(arm, push)/ball = cross(push, arm)/'
+planted models/crane.scene cable 's|tension / distance \* gap|1.000001 * tension / distance * gap|'
+planted models/crane.scene cable 's/loss = (tension - stiffness \* stretch)/loss = (stiffness * stretch - tension)/'
+planted models/quadrotor_sih.scene propeller 's/(0 N, 0 N, lift)/(0 N, 0 N, 1.00001 * lift)/'
 planted models/quadrotor_sih.scene drag 's/loss = -dot(force, v)$/loss = 0 W/'
 finish
