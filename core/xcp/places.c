@@ -1,6 +1,8 @@
 /* The statistics that a master can read, for its A2L: nothing that a program has. tools/build/a2l.sh reads the symbols of the
- * object: place__TYPE__SYMBOL__NAME is as large as the offset of what is there, behind SYMBOL, and one byte more. */
+ * object: place__TYPE__SYMBOL__NAME is as large as the offset of what is there, behind SYMBOL, and one byte more; choice__ is one that a
+ * program may not have, since its scene does not ask for it. */
 #include "core/link/link.h"
+#include "core/runtime/policy_counts.h"
 #include "core/xcp/service.h"
 
 #define PLACE(type, symbol, of, member, name)                                                                          \
@@ -21,3 +23,32 @@ PLACE(A_UINT64, iso_the_link, iso_link, control.left, ticks_left)
 PLACE(A_UINT64, iso_the_link, iso_link, control.hash, hash)
 PLACE(A_UINT64, iso_the_link, iso_link, commands.done, commands)
 PLACE(A_UINT64, iso_the_link, iso_link, commands.refused, commands_refused)
+
+/* What policies count: of a plant that has some. */
+#define CHOICE(member, name)                                                                                           \
+    extern char choice__A_UINT64__policed__##name[offsetof(iso_policy_histogram, member) + 1];                         \
+    char choice__A_UINT64__policed__##name[offsetof(iso_policy_histogram, member) + 1];
+#define POLICY_COUNT(name) CHOICE(counts.name, name)
+POLICY_COUNT(skipped)
+POLICY_COUNT(skipped_first)
+POLICY_COUNT(skipped_last)
+POLICY_COUNT(grace_late)
+POLICY_COUNT(grace_overruns)
+POLICY_COUNT(stopped)
+POLICY_COUNT(latency)
+POLICY_COUNT(rung)
+POLICY_COUNT(good)
+POLICY_COUNT(degraded)
+POLICY_COUNT(lowest)
+CHOICE(width, histogram_width)
+#define BIN(i) CHOICE(bins[i], histogram_##i)
+#define BINS_OF_TEN(tens)                                                                                              \
+    BIN(tens##0)                                                                                                       \
+    BIN(tens##1) BIN(tens##2) BIN(tens##3) BIN(tens##4) BIN(tens##5) BIN(tens##6) BIN(tens##7) BIN(tens##8)            \
+        BIN(tens##9)
+BINS_OF_TEN()
+BINS_OF_TEN(1)
+BINS_OF_TEN(2)
+BIN(30)
+BIN(31)
+_Static_assert(ISO_HISTOGRAM_BINS == 32, "all bins have a place");

@@ -1,6 +1,7 @@
 #include "core/xcp/service.h"
 
 #include "core/link/link.h"
+#include "core/runtime/policy_counts.h"
 #include "port/channel.h"
 
 static iso_xcp_slave slave;
@@ -19,11 +20,14 @@ iso_xcp_statistics iso_xcp_the_statistics;
 static void start(iso_loop *const loop)
 {
     const iso_plant *const plant = loop->plant;
+    const iso_policy *const policy = plant->model->policy;
+    const uint32_t policy_bytes = policy == NULL ? 0 : policy->count * (uint32_t)sizeof(uint64_t);
     const iso_xcp_access access = {
         .readable = {{plant->memory, (uint32_t)plant->model->memory_bytes},
                      {loop, sizeof *loop},
                      {&iso_the_link, sizeof iso_the_link},
-                     {&iso_xcp_the_statistics, sizeof iso_xcp_the_statistics}},
+                     {&iso_xcp_the_statistics, sizeof iso_xcp_the_statistics},
+                     {policy == NULL ? NULL : policy->counts, policy_bytes}},
         .tunables = plant->p,
         .limits = iso_xcp_the_description.limits,
         .tunable_count = plant->model->parameters,

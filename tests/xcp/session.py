@@ -208,6 +208,18 @@ def leaves(x):
     return y
 
 
+def policies(x):
+    """The counts of a scene with a histogram, whose outputs come a tick later; in virtual time no step takes any."""
+    x.connect()
+    bins = ["statistics.histogram_%d" % i for i in range(32)]
+    with plant.Link(sys.argv[3]) as link:
+        for ticks in (70, 50):
+            outputs_of_run(link, ticks)
+            result([read(x, n) for n in bins] == [ticks] + 31 * [0] and read(x, "statistics.latency") == 1,
+                   "the histogram has the %d ticks of this run" % ticks)
+    result(read(x, "statistics.histogram_width") == plant.PERIOD_NS // 32, "and its width")
+
+
 def locked(x):
     x.connect()
     result(x.status() == (0, 5), "what is locked is locked behind CONNECT")
@@ -225,6 +237,7 @@ def locked(x):
 x = new_master()
 if KIND == "locked":
     locked(x)
+    policies(x)
 else:
     with plant.Link(sys.argv[3]) as link:
         identity(x)

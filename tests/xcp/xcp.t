@@ -10,10 +10,10 @@ plant=
 trap '[ -z "$plant" ] || kill "$plant" 2>/dev/null' EXIT
 project
 
-# made NAME TARGET LOCK REAL: the plant with its A2L, in $out/NAME.
+# made NAME TARGET LOCK REAL [SCENE]: the plant with its A2L, in $out/NAME.
 made()
 {
-    call a2l SCENE=tests/xcp/cart.scene TARGET="$2" XCP="$3" REAL="$4"
+    call a2l SCENE="${5-tests/xcp/cart.scene}" TARGET="$2" XCP="$3" REAL="$4"
     status=$?
     mkdir -p "$out/$1" && cp "$out/project/$(value a2l)" "$out/project/$(value program)" \
         "$(dirname "$out/project/$(value program)")/cart_link.py" "$out/$1"
@@ -54,7 +54,9 @@ made host host open float
 host host
 session host socket 10 "$port"
 
-made locked host iso_xcp_example_lock double
+mkdir -p "$out/project/scenes"
+(cat tests/xcp/cart.scene && echo 'grace 10 ticks; publish next_tick; histogram') >"$out/project/scenes/cart.scene"
+made locked host iso_xcp_example_lock double scenes/cart.scene
 host locked
 session locked locked 0 "$port"
 
@@ -85,6 +87,8 @@ bad()
     result $? "found: $1"
 }
 
+grep -q ' statistics.histogram_31 ' "$out/locked/cart.a2l" && ! grep -qE 'statistics.(latency|histogram)' "$out/host/cart.a2l"
+result $? "a scene with policies has their counts in its A2L, another has none of them"
 python3 -B tests/xcp/a2l.py "$out/host/cart.a2l"
 result $? "the A2L keeps to the grammar"
 bad "a measurement without an address" '/ECU_ADDRESS/d'

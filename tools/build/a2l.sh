@@ -4,7 +4,8 @@
 #     a2l.sh NM PROGRAM PLACES TEMPLATE float|double
 #
 # @SYMBOL+OFFSET@ in the template becomes a number. The symbols of PLACES, the object of core/xcp/places.c, say which statistics there
-# are. A symbol that the program does not have, or has twice, is an error: then nothing is written.
+# are; choice__ those that a program may not have. Any other symbol that the program does not have, or has twice, is an error: then
+# nothing is written.
 set -eu
 nm=$1 program=$2 places=$3 template=$4 real=$5
 cat "$program" "$places" "$template" >/dev/null
@@ -48,6 +49,13 @@ cat "$program" "$places" "$template" >/dev/null
         times[$5]++
         at[$5] = number($2)
         bytes[$5] = number($3)
+    }
+    $1 == "S" && NF == 5 && $5 ~ /^choice__/ {
+        split($5, part, "__")
+        if (times[part[3]] == 0 || number($3) > bytes[part[3]]) {
+            next
+        }
+        sub(/^choice__/, "place__", $5)
     }
     $1 == "S" && NF == 5 && $5 ~ /^place__/ {
         rows[++count] = $5
