@@ -44,8 +44,7 @@ CHOICE(width, histogram_width)
 #define BIN(i) CHOICE(bins[i], histogram_##i)
 #define BINS_OF_TEN(tens)                                                                                              \
     BIN(tens##0)                                                                                                       \
-    BIN(tens##1) BIN(tens##2) BIN(tens##3) BIN(tens##4) BIN(tens##5) BIN(tens##6) BIN(tens##7) BIN(tens##8)            \
-        BIN(tens##9)
+    BIN(tens##1) BIN(tens##2) BIN(tens##3) BIN(tens##4) BIN(tens##5) BIN(tens##6) BIN(tens##7) BIN(tens##8) BIN(tens##9)
 BINS_OF_TEN()
 BINS_OF_TEN(1)
 BINS_OF_TEN(2)
