@@ -18,13 +18,13 @@ check()
     return $status
 }
 
-# What goes to a target and the tools, always; of the tests a third by turns, all with the argument `all`.
-turn=$(turn_of 3 "${1-}" tests)
-echo "# turn $turn of the tests"
+# What goes to a target, always; of the tools and the tests a fifth by turns, all with the argument `all`.
+turn=$(turn_of 5 "${1-}" tools tests)
+echo "# turn $turn of the tools and the tests"
 number=0
 for file in $both $once; do
     case $file in
-    tests/*) number=$((number + 1)) && { [ "$turn" = all ] || [ $((number % 3)) -eq "$turn" ]; } && echo "$file" ;;
+    tools/* | tests/*) number=$((number + 1)) && { [ "$turn" = all ] || [ $((number % 5)) -eq "$turn" ]; } && echo "$file" ;;
     *) echo "$file" ;;
     esac
 done >"$out/files"

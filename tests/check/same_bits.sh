@@ -8,7 +8,7 @@
 . tests/host/project.sh
 begin check/same_bits
 . tests/host/bits.sh
-turn=$(turn_of 3 "${1-}" core tools/isoc models)
+turn=$(turn_of 5 "${1-}" core tools/isoc models)
 echo "# turn $turn of the models and methods"
 
 # wanted SCENE METHOD
@@ -16,7 +16,7 @@ wanted()
 {
     case $1 in
     models/oscillator.c | models/tree.scene | models/double_pendulum.scene) ;;
-    *) in_depth "$1" && { [ "$2" = rk4 ] || has_turn "$1" "$2"; } && third "$1" "$2" ;;
+    *) in_depth "$1" && { [ "$2" = rk4 ] || has_turn "$1" "$2"; } && fifth "$1" "$2" ;;
     esac
 }
 everywhere
