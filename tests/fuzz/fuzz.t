@@ -4,7 +4,7 @@
 # that was found once. `sh tests/fuzz/fuzz.t 3600` runs each for an hour, with the whole of isoc as one more.
 . tests/host/test.sh
 begin fuzz/fuzz
-seconds=${1:-6}
+seconds=${1:-16}
 FUZZ="-std=gnu11 -O1 -g -fno-math-errno -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I.
     -fsanitize=address,undefined"
 
@@ -87,7 +87,7 @@ slave="tests/fuzz/xcp.c core/xcp/access.c core/xcp/daq.c core/xcp/measure.c core
 objects xcp_objects $slave core/xcp/slave.c && objects xcp_transfer core/xcp/transfer.c &&
     linked xcp "$out"/xcp_objects/*.o "$out"/xcp_transfer/*.o
 result $? "the slave of XCP as a fuzzer"
-all=$seconds seconds=${1:-3}
+all=$seconds seconds=${1:-7}
 fuzzed xcp tests/fuzz/xcp -max_len=1024
 seconds=$all
 sed 's/x->length < 2 + count/x->length < 2/' core/xcp/transfer.c >"$out/transfer.c" && objects xcp_planted "$out/transfer.c" &&
@@ -102,7 +102,7 @@ plant="tests/fuzz/link.c core/link/link.c core/link/command.c core/link/frame.c 
 objects link_objects $plant && objects link_snapshot core/runtime/snapshot.c &&
     linked link "$out"/link_objects/*.o "$out"/link_snapshot/*.o
 result $? "a plant with a link as a fuzzer"
-all=$seconds seconds=${1:-2}
+all=$seconds seconds=${1:-7}
 fuzzed link tests/fuzz/link -max_len=512
 seconds=$all
 sed 's/order + \*starting <=/order <=/' core/runtime/snapshot.c >"$out/snapshot.c" && objects link_planted "$out/snapshot.c" &&
