@@ -75,9 +75,21 @@ tunable spin_drag = 5 mN*m*s/rad' -e 's/    mass 1.2 kg/    mass mass/' \
     -e 's/inertia (12, 12.5, 21; 0.1, 0.2, -0.1) g/inertia (about_x, about_y, about_z; 0.1 g*m^2, 0.2 g*m^2, -0.1 g/' \
     -e '/inertia/s/$/)/' -e 's/ damping 0.2.*/ damping drag/' -e 's/spin_damping 5.*/spin_damping spin_drag/' \
     models/quadrotor.scene >"$out/quadrotor.scene"
+# That with effects has seven: its mass and inertia, and of its propellers and of the air.
+sed -e '/^constant arm/i tunable mass = 1.2 kg\
+tunable about_x = 12 g*m^2\
+tunable about_y = 12.5 g*m^2\
+tunable about_z = 21 g*m^2\
+tunable lag = 50 ms\
+tunable face = 500 cm^2' -e 's/^constant thrust/tunable thrust/' -e 's/    mass 1.2 kg/    mass mass/' \
+    -e 's/inertia (12, 12.5, 21; 0.1, 0.2, -0.1) g.*/inertia (about_x, about_y, about_z; 0.1 g*m^2, 0.2 g*m^2, -0.1 g*m^2)/' \
+    -e 's/lag 50 ms/lag lag/' -e 's/area 500 cm^2/area face/' models/quadrotor_sih.scene >"$out/quadrotor_sih.scene"
+[ "$(grep -c '^tunable ' "$out/quadrotor_sih.scene")" = 7 ]
+result $? 'the quadrotor with effects has seven tunables'
 cp models/cart_pole.scene "$out"
 project
 within cart_pole
+within quadrotor_sih
 within quadrotor
 known=$step
 sed -i '/^step/a at 50 ms set mass = 1.5 kg' "$out/quadrotor.scene"
