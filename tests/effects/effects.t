@@ -105,22 +105,25 @@ body bob { mass 1 kg; com (0, -1, 0) m }
 output angle = position of pivot'
 joint='joint pivot revolute { parent ground; child bob; axis z; start 1 rad'
 viscous='effect viscous { joint along; value factor N*m*s/rad; effort on along = -factor * speed of along }'
+input='input push = 0.3 N*m * sin(2 Hz)'
 
-for method in rk4 semi_implicit bdf4; do
-    plant old <<END
-$pendulum
-method $method
-$joint; damping 0.1 N*m*s/rad }
-END
-    plant new <<END
-$pendulum
-method $method
-$joint }
-$viscous
-effect bearing viscous { along pivot; factor 0.1 N*m*s/rad }
-END
-    same "$method: damping as an effect is the damping of the joint"
-done
+# own WORDS DEFINITION USE: a scene with words in its joint, and with an effect instead.
+own()
+{
+    for method in rk4 semi_implicit bdf4; do
+        printf '%s\n' "$pendulum" "method $method" "$input" "$joint; $1 }" | plant old
+        printf '%s\n' "$pendulum" "method $method" "$input" "$joint }" "$2" "$3" | plant new
+        same "$method: '$1' of a joint is the same as an effect"
+    done
+}
+own 'drive push' 'effect driven { joint along; signal by like effort of along; effort on along = by }' \
+    'effect motor driven { along pivot; by push }'
+input=
+own 'spring 5 N*m/rad rest 10 deg' 'effect elastic {
+    joint along; value stiffness N*m/rad; value rest like position of along
+    effort on along = -stiffness * (position of along - rest)
+}' 'effect coil elastic { along pivot; stiffness 5 N*m/rad; rest 10 deg }'
+own 'damping 0.1 N*m*s/rad' "$viscous" 'effect bearing viscous { along pivot; factor 0.1 N*m*s/rad }'
 
 plant new <<END
 $pendulum
