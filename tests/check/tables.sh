@@ -112,6 +112,13 @@ if due 'make drift'; then
     result $? "$picture is what make drift draws"
 fi
 
+# The budgets of models/README.md: what the same takes that is written by hand.
+for budget in 'friction 70' 'stop 70' 'lag 30'; do
+    step=$(sed -n "s/^| \`${budget% *}\` .* | +\([0-9]*\) | [+-][0-9]* |\$/\1/p" models/README.md)
+    [ "${step:-0}" -gt 0 ] && [ "$step" -le "${budget#* }" ]
+    result $? "${budget% *}: $step instructions of a step, at most ${budget#* }"
+done
+
 # What writes them: only what is between the lines, and nothing if a command fails.
 printf '%s\n' one '<!-- build/isoc --methods -->' two '<!-- end -->' three >"$out/project/good.md"
 (cd "$out/project" && sh tools/build/tables.sh good.md) >"$out/output" 2>"$out/errors"

@@ -47,6 +47,24 @@ for output in 'previous(push)' 'sample(push, every 5 ms)' 'delay(push, 5 ms)' 'd
     cost '1 N' "$output"
 done
 
+# within BUDGET NAME LESS FORMULA [OUTPUT]: what the same takes that is written by hand, and a little more. LESS is what is
+# around it.
+within()
+{
+    budget=$1
+    name=$2
+    less=$3
+    shift 3
+    cost "$@" && of_it=$((took - less)) && [ $of_it -gt 0 ] && [ $of_it -le "$budget" ]
+    result $? "$name: $of_it instructions of a tick, at most $budget"
+}
+within 15 "a delay" "$constant" '1 N' 'delay(push, 5 ms)'
+within 25 "noise" "$constant" '1 N * noise(1)'
+cost '1 N' 'previous(position of rail)'
+within 15 "a rounding" "$took" '1 N' 'previous(0.01 m * round(position of rail / 0.01 m))'
+(within 2 "a delay" "$constant" '1 N' 'delay(push, 5 ms)' >"$out/within"; grep -q '^not ok' "$out/within")
+result $? "found: a budget that is too small"
+
 # A method with a history starts anew at the edges, and only there; with a `jump` as that says.
 real double
 cart()
