@@ -1,9 +1,10 @@
 /* Instructions and cycles of one call of a function on a Cortex-M4F, from an execution trace of QEMU.
  *
- *     qemu-system-arm -singlestep -d nochain,exec ... 2>&1 >/dev/null | cycles FUNCTION LISTING [LEFT_OUT...]
+ *     qemu-system-arm -singlestep -d nochain,exec ... 2>&1 >/dev/null | cycles [--range] FUNCTION LISTING [LEFT_OUT...]
  *
  * LISTING is what `objdump -d` prints of the program. Of the calls of FUNCTION in the trace the last that returns counts, with
  * all that it calls, and with interrupts in it, but for the functions LEFT_OUT; one that the listing does not have is none.
+ * With --range before FUNCTION it prints the least and the most instructions of all calls that return.
  * Cycles by Arm (2020), Cortex-M4 Technical Reference Manual r0p1 (100166), tables 3-1 and 7-1, with memory
  * without wait states:
  *
@@ -20,7 +21,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WORDS = 1 << 19, TEXT = 16, OPERANDS = 48, LINE = 1024, LEFT_OUT_MAX = 16 };
+enum { WORDS = 1 << 19, TEXT = 16, OPERANDS = 48, LINE = 1024, LEFT_OUT_MAX = 32 };
 
 typedef struct instruction {
     char name[TEXT]; /* without condition codes and types: vmul for vmul.f32 */
@@ -189,13 +190,16 @@ static bool next_address(uint32_t *const address)
 
 int main(int argc, char **argv)
 {
+    const bool ranges = argc > 1 && strcmp(argv[1], "--range") == 0;
+    argc -= ranges;
+    argv += ranges;
     if (argc < 3) {
-        fail("usage: cycles FUNCTION LISTING [LEFT_OUT...] <TRACE", "");
+        fail("usage: cycles [--range] FUNCTION LISTING [LEFT_OUT...] <TRACE", "");
     }
     read_listing(argv[2], argv[1], argv + 3);
 
     enum { BRANCH_REFILL = 2 };
-    uint64_t instructions = 0, cycles = 0, last_instructions = 0, last_cycles = 0;
+    uint64_t instructions = 0, cycles = 0, last_instructions = 0, last_cycles = 0, least = UINT64_MAX, most = 0;
     uint32_t address = 0, before = 0;
     uint32_t back = 0, resume = 0; /* where the call returns to, and one that is left out; 0 outside of one */
     while (next_address(&address)) {
@@ -203,6 +207,8 @@ int main(int argc, char **argv)
         if (back != 0 && address == back) {
             last_instructions = instructions;
             last_cycles = cycles;
+            least = instructions < least ? instructions : least;
+            most = instructions > most ? instructions : most;
             back = 0;
         }
         if (back == 0 && address == entry && previous != NULL) {
@@ -228,6 +234,10 @@ int main(int argc, char **argv)
     if (last_instructions == 0) {
         fail("the trace has no call that returns of ", argv[1]);
     }
-    printf("instructions %" PRIu64 "\ncycles %" PRIu64 "\n", last_instructions, last_cycles);
+    if (ranges) {
+        printf("least %" PRIu64 "\nmost %" PRIu64 "\n", least, most);
+    } else {
+        printf("instructions %" PRIu64 "\ncycles %" PRIu64 "\n", last_instructions, last_cycles);
+    }
     return EXIT_SUCCESS;
 }

@@ -1,7 +1,9 @@
 #!/bin/sh
 # What a tick of the loop takes beside the step and the equations of the plant, on the Cortex-M4F: instructions, and the cycles
 # that they mean (tools/build/cycles.c), of the last of ten ticks. `loop` is core/runtime/loop.c, `checks` what looks at inputs,
-# states and outputs, `port` the port's clock and the wait for the tick, `tick` their sum; `interrupt` is the timer's.
+# states and outputs, `port` the port's clock and the wait for the tick, `tick` their sum; `interrupt` is the timer's. Where
+# outputs are not of each tick, `finish` is all behind the step, the memories and the outputs with it: in the least and in the
+# longest of the ten ticks.
 #
 # Called by `make ticks` for the program $PROGRAM, which $EXEC runs.
 set -u
@@ -10,6 +12,7 @@ plant="step derivative held_derivative output drive advance settle"
 port="iso_port_wait iso_port_clock iso_port_read_float iso_port_publish_float"
 
 arm-none-eabi-objdump -d "$PROGRAM" >"$dir/listing" || exit 1
+plant="$plant $(sed -n 's/.*<\(output_every_[0-9]*\)>:$/\1/p' "$dir/listing" | tr '\n' ' ')"
 $EXEC -singlestep -d nochain,exec 2>"$dir/exec" >/dev/null || exit 1
 
 # count FUNCTION [LEFT_OUT...]: its instructions and cycles, in one line.
@@ -38,4 +41,9 @@ count()
         less("port", "tick", "no_port")
         show("tick", instructions["tick"], cycles["tick"])
         show("interrupt", instructions["interrupt"], cycles["interrupt"])
-    }'
+    }' || exit 1
+if grep -q '<output_every_[0-9]*>:$' "$dir/listing"; then
+    finish=$(sed -n 's/.*<\(finish\(_on_rung\)*\)>:$/\1/p' "$dir/listing" | sort | tail -n 1)
+    build/cycles --range "$finish" "$dir/listing" tick_interrupt <"$dir/exec" |
+        awk '{ number[NR] = $2 } END { printf "finish %d to %d instructions\n", number[1], number[2] }'
+fi

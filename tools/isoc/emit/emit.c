@@ -4,10 +4,11 @@
 
 #include "tools/isoc/emit/parts.h"
 #include "tools/isoc/graph/operations.h"
+#include "tools/isoc/plant/rates.h"
 
 bool keeps_tick(const mechanism *m)
 {
-    bool any = false;
+    bool any = has_slow_outputs(m);
     for (int i = 0; i < m->memory_count; i++) {
         any = any || m->memories[i].kept >= KEPT_SAMPLE;
     }

@@ -2,6 +2,7 @@
 
 #include "tools/isoc/emit/parts.h"
 #include "tools/isoc/emit/split.h"
+#include "tools/isoc/plant/rates.h"
 
 /* What the equations read, as arrays. The functions of a step read what is held (tools/isoc/plant/held.h) in the place of
  * the tunables, where something is. */
@@ -18,7 +19,7 @@ static argument argument_of(const emission *e, int i)
     return i == 2 && e->in_step && e->p->held.count > 0 ? held_argument : arguments[i];
 }
 
-static bool uses(const emission *e, const code *made, operation op)
+bool code_uses(const emission *e, const code *made, operation op)
 {
     return uses_operation(e->g, made->roots, made->count, op);
 }
@@ -42,7 +43,7 @@ static const char *const *numbered(const emission *e, const char *array, int cou
     return targets;
 }
 
-static code code_of(const emission *e, const char *const *targets, const node *roots, int count)
+code code_of(const emission *e, const char *const *targets, const node *roots, int count)
 {
     return (code){.g = e->g,
                   .names = e->names->leaves,
@@ -52,7 +53,7 @@ static code code_of(const emission *e, const char *const *targets, const node *r
                   .count = (size_t)count};
 }
 
-static void emit_code(emission *e, const code *made)
+void emit_code(emission *e, const code *made)
 {
     double culprit;
     if (!code_emit(made, e->out, &culprit)) {
@@ -129,7 +130,7 @@ static void emit_function(emission *e, const char *function, const char *array, 
     }
     bool reads[OPERATIONS] = {false};
     for (operation op = 0; op < OPERATIONS; op++) {
-        reads[op] = uses(e, made, op);
+        reads[op] = code_uses(e, made, op);
     }
     emit_head(e, "", function, array, "", more);
     emit_unread(e, reads, more);
@@ -217,14 +218,13 @@ static void emit_rates(emission *e)
     e->in_step = false;
 }
 
-/* The arrays of a plant's memory that a function of it reads; all that there are, where it asks for the derivative. */
-static void emit_arrays(const emission *e, const code *made)
+void emit_arrays(const emission *e, const code *made)
 {
     const mechanism *m = e->p->m;
-    const bool derives = uses(e, made, OP_DERIVATIVE);
+    const bool derives = code_uses(e, made, OP_DERIVATIVE);
     const int sizes[] = {state_count(m), held_count(m), m->parameter_count};
     for (int i = 0; i < 3; i++) {
-        if (uses(e, made, arguments[i].op) || (derives && sizes[i] > 0)) {
+        if (code_uses(e, made, arguments[i].op) || (derives && sizes[i] > 0)) {
             text_add(e->out, "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
         }
     }
@@ -232,25 +232,6 @@ static void emit_arrays(const emission *e, const code *made)
         text_add(e->out, "    real dx[%s_STATES];\n    derivative%s(dx, x, %s, %s);\n", e->names->capitals, e->suffix,
                  sizes[1] > 0 ? "u" : "NULL", sizes[2] > 0 ? "p" : "NULL");
     }
-}
-
-static void emit_output(emission *e)
-{
-    const plant *p = e->p;
-    const char **targets = arena_take(e->out->memory, (size_t)p->output_count + 1, sizeof *targets);
-    for (int i = 0; i < p->output_count; i++) {
-        targets[i] = arena_format(e->out->memory, "y[%s]", e->names->outputs[i]);
-    }
-    code made = code_of(e, targets, p->outputs, p->output_count);
-    made.quotes = e->names->output_quotes;
-    text_add(e->out, "static void output%s(void *const instance)\n{\n", e->suffix);
-    text_add(e->out, "    %s_memory *const memory = instance;\n    real *const y = memory->y;\n", e->names->prefix);
-    emit_arrays(e, &made);
-    if (uses(e, &made, OP_LOCAL_ERROR) || uses(e, &made, OP_RESIDUAL)) {
-        text_add(e->out, "    const iso_progress *const progress = %s;\n", progress_of(p->m));
-    }
-    emit_code(e, &made);
-    text_add(e->out, "}\n\n");
 }
 
 /* How far off its closures a plant is. */
@@ -398,7 +379,7 @@ static void emit_drive(emission *e)
     } else if (!uses_time(e->g, d.roots, (size_t)d.count) && m->change_count == 0) {
         text_add(e->out, "    (void)tick;\n");
     }
-    if (uses(e, &made, OP_PARAMETER)) {
+    if (code_uses(e, &made, OP_PARAMETER)) {
         text_add(e->out, "    const real *const p = memory->p;\n");
     }
     emit_code(e, &made);
@@ -542,8 +523,9 @@ static void emit_finish(emission *e)
     const char *advance = arena_format(e->out->memory, "advance%s", e->suffix);
     text_add(e->out, "static uint32_t finish%s(void *const instance)\n{\n", e->suffix);
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
-    text_add(e->out, "    return iso_finish(memory, memory->x, %s, %s_STATES, %s, output%s,\n",
-             has_range(e) ? "range" : "NULL", capitals, m->memory_count > 0 ? advance : "NULL", e->suffix);
+    text_add(e->out, "    return iso_finish(memory, memory->x, %s, %s_STATES, %s, output%s%s,\n",
+             has_range(e) ? "range" : "NULL", capitals, m->memory_count > 0 ? advance : "NULL",
+             has_slow_outputs(m) ? "_due" : "", e->suffix);
     text_add(e->out, "                      memory->y, memory->good");
     if (m->input_count > 0) {
         text_add(e->out, " + %s_INPUTS", capitals);

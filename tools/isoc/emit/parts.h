@@ -30,7 +30,7 @@ bool watches_edges(const mechanism *m);
 /* Where a step tells how it went; NULL, as C, where it does not. */
 const char *progress_of(const mechanism *m);
 
-/* Whether what some memory is follows from the tick too. */
+/* Whether what some memory is follows from the tick too, or whether an output is due. */
 bool keeps_tick(const mechanism *m);
 
 /* The last place in the ring of a delay, whose number of places is a power of two: a tick is a place by its last bits. */
@@ -70,6 +70,16 @@ void emit_tick_tables(emission *e, const node *roots, size_t count);
 
 /* functions.c: the equations. */
 void emit_functions(emission *e);
+
+/* What its functions are made of: targets that are set to roots; whether these need a node of an operation; the arrays of the
+ * plant's memory that a function of it reads, all that there are where it asks for the derivative; and the statements. */
+code code_of(const emission *e, const char *const *targets, const node *roots, int count);
+bool code_uses(const emission *e, const code *made, operation op);
+void emit_arrays(const emission *e, const code *made);
+void emit_code(emission *e, const code *made);
+
+/* outputs.c: the outputs. */
+void emit_output(emission *e);
 
 /* The emission of what is left of the plant by a drop of its ladder; or of the whole where it is NULL. */
 emission emission_of(const emission *e, const lesser *left);

@@ -176,6 +176,7 @@ typedef struct shown {
     vector point; /* in the body's frame */
     node formula; /* of OUTPUT_FORMULA, and its unit */
     const char *unit;
+    double every; /* ticks: it is computed at the end of those whose number is a multiple of this; 1: each */
 } shown;
 
 /* What the header says of a quantity of the plant. */

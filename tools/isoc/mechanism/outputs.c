@@ -1,4 +1,5 @@
 /* What the outputs show: the operand of each, found by its name, and the row that its word has for that operand. */
+#include <math.h>
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
@@ -120,12 +121,23 @@ static void show_formula(builder *b, const output *o, shown *made)
     }
 }
 
+static double rate_of(builder *b, const output *o)
+{
+    const double most = 16777215.0; /* of iso_tick_modulo */
+    const double every = value_constant(&b->values, o->every, no_unit, "the rate of an output", 1.0);
+    if (!(every >= 1.0 && every <= most) || every != floor(every)) {
+        source_problem(b->s, o->every->at, "the rate of an output is a whole number of ticks from 1 to %.0f", most);
+    }
+    return every;
+}
+
 static void build_output(builder *b, const output *o, shown *made)
 {
     const operand of = output_rows[o->kind].of;
     *made =
         (shown){.name = o->name, .kind = o->kind, .along = o->along, .link = -1, .body = -1, .cut = -1, .strut = -1};
     made->point = vector_value(b, o->point, metre, "a point");
+    made->every = rate_of(b, o);
     if (o->formula != NULL) {
         show_formula(b, o, made);
     }

@@ -1,6 +1,7 @@
 #include "tools/isoc/plant/cost.h"
 
 #include "tools/isoc/plant/lesser.h"
+#include "tools/isoc/plant/rates.h"
 
 /* a + times * b */
 static operations plus(operations a, int times, operations b)
@@ -138,6 +139,20 @@ operations cost_of_step(const plant *p, const graph *g)
     return plus(plus(plus(plus(step, 1, rates), 1, once), 1, smooth_operations(p->m)), p->is_curved, derivative);
 }
 
+/* The outputs of each rate; what shows an acceleration evaluates the derivative. */
+static void rate_lines(const plant *p, const graph *g, text *out)
+{
+    const output_rates rates = output_rates_of(p, out->memory);
+    for (int i = 0; i < rates.count; i++) {
+        const output_rate *of = &rates.all[i];
+        const size_t count = (size_t)of->count;
+        const operations derivative = count_operations(g, p->derivatives, (size_t)state_count(p->m));
+        count_line(out, arena_format(out->memory, "outputs_every_%.0f", of->every),
+                   plus(count_operations(g, of->roots, count), uses_operation(g, of->roots, count, OP_DERIVATIVE),
+                        derivative));
+    }
+}
+
 void cost_summary(const plant *p, const graph *g, text *out)
 {
     const mechanism *m = p->m;
@@ -177,6 +192,9 @@ void cost_summary(const plant *p, const graph *g, text *out)
             count_line(out, arena_format(out->memory, "step%s", rung_suffix(p, i, out->memory)),
                        plus(rung, m->parts - 1, rung));
         }
+    }
+    if (has_slow_outputs(m)) {
+        rate_lines(p, g, out);
     }
     text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes, ISO_VECTORS_KEPT(m->recipe) * n * real_bytes);
 }

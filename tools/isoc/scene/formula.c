@@ -24,8 +24,8 @@ static void add_part(parser *p, formula *f, formula *part)
 /* Words that may follow a number on its line; they are not misspelt units. */
 static bool next_is_connective(const parser *p)
 {
-    static const char *const words[] = {"at", "about", "rotate", "quaternion", "rest", "along", "of",    "jump",
-                                        "in", "to",    "and",    "set",        "like", "safe",  "after", "ticks"};
+    static const char *const words[] = {"at", "about", "rotate", "quaternion", "rest", "along", "of",    "jump", "in",
+                                        "to", "and",   "set",    "like",       "safe", "after", "ticks", "every"};
     for (size_t i = 0; i < COUNT_OF(words); i++) {
         if (next_is_word(p, words[i])) {
             return true;

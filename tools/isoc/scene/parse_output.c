@@ -1,4 +1,4 @@
-/* output NAME = KIND [of NAME [at FORMULA] [along AXIS]] */
+/* output NAME = KIND [of NAME [at FORMULA] [along AXIS]] [every NUMBER ticks], or a formula in the place of the kind */
 #include <string.h>
 
 #include "tools/isoc/scene/formula.h"
@@ -72,6 +72,16 @@ static void parse_owner(parser *p, output *o)
     }
 }
 
+/* Behind `every`: 4 ticks. */
+static void parse_rate(parser *p, output *o)
+{
+    o->every = parse_formula(p);
+    if (!p->failed && !take_word(p, "ticks")) {
+        source_problem(p->s, o->every->at, "the rate of an output is a number of ticks: every 4 ticks");
+        p->failed = true;
+    }
+}
+
 void read_output(parser *p, const token *word, void *slot)
 {
     (void)word;
@@ -92,6 +102,9 @@ void read_output(parser *p, const token *word, void *slot)
     }
     if (!p->failed && output_rows[o.kind].of >= OF_COORDINATE) {
         parse_owner(p, &o);
+    }
+    if (!p->failed && take_word(p, "every")) {
+        parse_rate(p, &o);
     }
     if (!p->failed) {
         made->outputs = arena_grow(p->s->memory, made->outputs, made->output_count, &made->output_room, sizeof o);

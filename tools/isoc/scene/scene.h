@@ -232,6 +232,7 @@ typedef struct output {
     name of;        /* a joint, a body or a closure */
     formula *point; /* in the body's frame; NULL: its origin */
     int along;      /* 0, 1, 2: only x, y or z; -1: all three */
+    formula *every; /* ticks; NULL: each */
     place point_at, along_at;
 } output;
 

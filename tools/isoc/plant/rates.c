@@ -1,0 +1,40 @@
+#include "tools/isoc/plant/rates.h"
+
+/* The least rate above another; 0 where there is none. */
+static double next_rate(const plant *p, double above)
+{
+    double least = 0.0;
+    for (int i = 0; i < p->output_count; i++) {
+        const double every = p->output_shows[i]->every;
+        least = every > above && (least == 0.0 || every < least) ? every : least;
+    }
+    return least;
+}
+
+output_rates output_rates_of(const plant *p, arena *memory)
+{
+    const size_t room = (size_t)p->output_count + 1;
+    output_rates made = {.all = arena_take(memory, room, sizeof *made.all)};
+    for (double every = next_rate(p, 0.0); every > 0.0; every = next_rate(p, every)) {
+        output_rate *to = &made.all[made.count++];
+        *to = (output_rate){.every = every,
+                            .which = arena_take(memory, room, sizeof *to->which),
+                            .roots = arena_take(memory, room, sizeof *to->roots)};
+        for (int i = 0; i < p->output_count; i++) {
+            if (!(p->output_shows[i]->every < every) && !(p->output_shows[i]->every > every)) {
+                to->which[to->count] = i;
+                to->roots[to->count++] = p->outputs[i];
+            }
+        }
+    }
+    return made;
+}
+
+bool has_slow_outputs(const mechanism *m)
+{
+    bool any = false;
+    for (size_t i = 0; i < m->output_count; i++) {
+        any = any || m->outputs[i].every > 1.0;
+    }
+    return any;
+}
