@@ -63,6 +63,12 @@ static bool is_stopped(const iso_control *const control)
     return control->loop->guard < control->loop->plant->model->states;
 }
 
+/* The guard's stop ends with the state that it was for. */
+iso_control_answer iso_command_restore(iso_control *const control, const bool is_running, const size_t bytes)
+{
+    return is_running || is_stopped(control) ? iso_control_restore(control, bytes) : ISO_CONTROL_NO_RUN;
+}
+
 static iso_control_answer answer_to(iso_control *const control, const bool is_running, const uint8_t *const payload,
                                     const size_t length)
 {
@@ -79,9 +85,8 @@ static iso_control_answer answer_to(iso_control *const control, const bool is_ru
     case ISO_COMMAND_WRITE:
         return write_piece(control, offset_of(payload), payload + HEAD_BYTES + OFFSET_BYTES,
                            length - HEAD_BYTES - OFFSET_BYTES);
-    case ISO_COMMAND_RESTORE: /* the guard's stop ends with the state that it was for */
-        return is_running || is_stopped(control) ? iso_control_restore(control, offset_of(payload))
-                                                 : ISO_CONTROL_NO_RUN;
+    case ISO_COMMAND_RESTORE:
+        return iso_command_restore(control, is_running, offset_of(payload));
     default:
         return run_or_rest(control, is_running, payload);
     }

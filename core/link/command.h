@@ -10,6 +10,7 @@
 #include "core/runtime/control.h"
 
 #define iso_command_do ISO_REAL_NAME(iso_command_do)
+#define iso_command_restore ISO_REAL_NAME(iso_command_restore)
 #define iso_command_put_answer ISO_REAL_NAME(iso_command_put_answer)
 
 /* Each is a byte, followed by its number, a byte, and by this. */
@@ -60,6 +61,9 @@ typedef enum iso_command_outcome {
 /* Does what a payload asks. is_running: there is a run, which has not ended. */
 iso_command_outcome iso_command_do(iso_commands *commands, iso_control *control, bool is_running,
                                    const uint8_t *payload, size_t length);
+
+/* Puts the plant to the snapshot in the record: that of a run, or of one that the guard has stopped. */
+iso_control_answer iso_command_restore(iso_control *control, bool is_running, size_t bytes);
 
 /* Writes the payload of the answer to it. */
 void iso_command_put_answer(const iso_commands *commands, const iso_control *control, bool is_running,

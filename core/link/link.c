@@ -358,6 +358,19 @@ bool iso_link_tick(iso_link *const link)
     return true;
 }
 
+iso_control_answer iso_link_restore(iso_link *const link, const size_t bytes)
+{
+    if (link->running && !iso_control_is_resting(&link->control)) {
+        return ISO_CONTROL_RUNS; /* perhaps within a tick */
+    }
+    const iso_control_answer answer = iso_command_restore(&link->control, link->running, bytes);
+    if (answer == ISO_CONTROL_DONE) {
+        go_on(link);
+        send_outputs(link);
+    }
+    return answer;
+}
+
 void iso_link_end(iso_link *const link)
 {
     link->running = false;

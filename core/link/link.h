@@ -16,6 +16,7 @@
 #define iso_link_begin ISO_REAL_NAME(iso_link_begin)
 #define iso_link_tick ISO_REAL_NAME(iso_link_tick)
 #define iso_link_end ISO_REAL_NAME(iso_link_end)
+#define iso_link_restore ISO_REAL_NAME(iso_link_restore)
 #define iso_the_link ISO_REAL_NAME(iso_the_link)
 
 enum { ISO_LINK_VERSION = 1 };
@@ -112,6 +113,10 @@ void iso_link_begin(iso_link *link);
 /* Does the next tick of the run. Returns false, and does none, if the run is over: all ticks are done, the guard or a policy
  * has stopped it, or the controller has ended it or started another. */
 bool iso_link_tick(iso_link *link);
+
+/* Puts the plant to the snapshot in the record, for a service: while it rests, or when the guard has stopped it. Its outputs there
+ * go to the controller, as if that had asked. */
+iso_control_answer iso_link_restore(iso_link *link, size_t bytes);
 
 /* Ends the run: sends how it went. */
 void iso_link_end(iso_link *link);

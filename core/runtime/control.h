@@ -21,7 +21,8 @@ typedef enum iso_control_answer {
     ISO_CONTROL_NO_RUN =
         16, /* there is none: not started, over, or stopped by the guard, which nothing but a restore ends */
     ISO_CONTROL_BAD_STATE, /* no snapshot of a plant that the guard has stopped */
-    ISO_CONTROL_BEYOND     /* a piece that is not in the record; or there is no room for one */
+    ISO_CONTROL_BEYOND,    /* a piece that is not in the record; or there is no room for one */
+    ISO_CONTROL_RUNS       /* not to another tick while it does not rest */
 } iso_control_answer;
 
 typedef struct iso_control {

@@ -10,7 +10,7 @@
 
 #define iso_xcp_write ISO_REAL_NAME(iso_xcp_write)
 
-enum { ISO_XCP_SPANS = 8 };
+enum { ISO_XCP_SPANS = 10 };
 
 /* Bytes that may be read. */
 typedef struct iso_xcp_span {
@@ -23,7 +23,9 @@ typedef struct iso_xcp_access {
     real *tunables;                       /* [tunable_count], within one of them: what may be written */
     const iso_limits *limits;             /* of each tunable; NULL where none has any */
     uint16_t tunable_count;
-    iso_control *control; /* NULL: it cannot be paused */
+    iso_control *control;                        /* NULL: it cannot be paused; else its record may be written */
+    iso_control_answer (*take)(void);            /* takes a snapshot into it, */
+    iso_control_answer (*restore)(size_t bytes); /* and puts the plant to one there */
 } iso_xcp_access;
 
 static inline uint32_t iso_xcp_address(const void *const pointer)
@@ -35,7 +37,7 @@ static inline uint32_t iso_xcp_address(const void *const pointer)
 const uint8_t *iso_xcp_at(const iso_xcp_access *access, uint32_t address, uint32_t count);
 
 /* Sets tunables, or parts of them, to these bytes; all, or none where one is no tunable, or becomes a number that is not
- * finite or beyond its limits. */
+ * finite or beyond its limits. The record of a snapshot takes any bytes: they are checked when the plant is put to it. */
 iso_xcp_error iso_xcp_write(const iso_xcp_access *access, uint32_t address, const uint8_t *bytes, uint32_t count);
 
 #endif

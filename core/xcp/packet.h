@@ -67,9 +67,15 @@ typedef enum iso_xcp_error {
     ISO_XCP_NONE = 0x100, /* no error; not of the standard */
 } iso_xcp_error;
 
-/* What USER_CMD asks: its second byte, the numbers of core/link/command.h. RUN has 32 bits behind two bytes that are reserved: how
- * many ticks, 0: without an end. */
-typedef enum iso_xcp_user { ISO_XCP_USER_RUN = 2, ISO_XCP_USER_REST = 3 } iso_xcp_user;
+/* What USER_CMD asks: its second byte, the numbers of core/link/command.h. RUN and RESTORE have 32 bits behind two bytes that are
+ * reserved: how many ticks, 0: without an end; and the bytes of the snapshot in the record. TAKE and RESTORE are answered with what
+ * came of it (iso_control_answer), two zeros, and the size and the address of the record, 32 bits each. */
+typedef enum iso_xcp_user {
+    ISO_XCP_USER_RUN = 2,
+    ISO_XCP_USER_REST = 3,
+    ISO_XCP_USER_TAKE = 5,
+    ISO_XCP_USER_RESTORE = 8
+} iso_xcp_user;
 
 /* Resources, which can be locked. */
 enum { ISO_XCP_CAL_PAG = 0x01, ISO_XCP_DAQ = 0x04 };

@@ -17,6 +17,16 @@ static uint8_t sample[ISO_XCP_SAMPLE_BYTES];
 
 iso_xcp_statistics iso_xcp_the_statistics;
 
+static iso_control_answer take_snapshot(void)
+{
+    return iso_control_take(&iso_the_link.control);
+}
+
+static iso_control_answer restore(const size_t bytes)
+{
+    return iso_link_restore(&iso_the_link, bytes);
+}
+
 static void start(iso_loop *const loop)
 {
     const iso_plant *const plant = loop->plant;
@@ -27,11 +37,14 @@ static void start(iso_loop *const loop)
                      {loop, sizeof *loop},
                      {&iso_the_link, sizeof iso_the_link},
                      {&iso_xcp_the_statistics, sizeof iso_xcp_the_statistics},
+                     {iso_the_link.control.record, (uint32_t)iso_the_link.control.record_bytes},
                      {policy == NULL ? NULL : policy->counts, policy_bytes}},
         .tunables = plant->p,
         .limits = iso_xcp_the_description.limits,
         .tunable_count = plant->model->parameters,
         .control = &iso_the_link.control,
+        .take = take_snapshot,
+        .restore = restore,
     };
     iso_xcp_start(&slave, &iso_xcp_the_description, &access);
 }

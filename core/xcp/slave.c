@@ -144,6 +144,16 @@ static uint16_t answer_unlock(iso_xcp_slave *const s, const iso_xcp_exchange *co
     return 2;
 }
 
+/* What came of a snapshot, and where the record is. */
+static uint16_t answer_record(const iso_control *const control, const iso_control_answer came, uint8_t *const response)
+{
+    response[1] = (uint8_t)came;
+    iso_xcp_put_word(response + 2, 0);
+    iso_xcp_put_long(response + 4, (uint32_t)control->record_bytes);
+    iso_xcp_put_long(response + 8, iso_xcp_address(control->record));
+    return 12;
+}
+
 static uint16_t answer_user(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     iso_control *const control = s->access.control;
@@ -155,6 +165,10 @@ static uint16_t answer_user(iso_xcp_slave *const s, const iso_xcp_exchange *cons
         iso_control_run(control, iso_xcp_long(x->command + 4));
     } else if (asked == ISO_XCP_USER_REST) {
         iso_control_rest(control);
+    } else if (asked == ISO_XCP_USER_TAKE) {
+        return answer_record(control, s->access.take(), x->response);
+    } else if (asked == ISO_XCP_USER_RESTORE && x->length >= 8) {
+        return answer_record(control, s->access.restore(iso_xcp_long(x->command + 4)), x->response);
     } else {
         return iso_xcp_refuse(x->response, ISO_XCP_CMD_SYNTAX);
     }

@@ -26,6 +26,20 @@ static const iso_xcp_description open_plant = {"cart", "epk 1", limits, NULL, {2
 static const iso_xcp_description locked_plant = {"cart", "epk 1", limits, &iso_xcp_example_lock, {2, 10000}, {6, 1}};
 static iso_xcp_slave slave;
 static iso_control control;
+static unsigned char record[8];
+static size_t restored;
+
+static iso_control_answer take(void)
+{
+    record[0] = 'I';
+    return ISO_CONTROL_BAD_STATE;
+}
+
+static iso_control_answer restore(const size_t bytes)
+{
+    restored = bytes;
+    return ISO_CONTROL_DONE;
+}
 static uint8_t got[ISO_XCP_MAX_CTO];
 static uint16_t got_length;
 
@@ -43,7 +57,9 @@ static void start(const iso_xcp_description *const of)
                                    .tunables = world.memory.p,
                                    .limits = limits,
                                    .tunable_count = TUNABLES,
-                                   .control = &control};
+                                   .control = &control,
+                                   .take = take,
+                                   .restore = restore};
     iso_xcp_start(&slave, of, &access);
 }
 
@@ -462,6 +478,19 @@ static void test_resynchronisation(void)
 /* --- The service ------------------------------------------------------------------------------------------------- */
 
 iso_link iso_the_link;
+
+/* Snapshots are the link's: none is asked for here. */
+iso_control_answer iso_control_take(iso_control *const of)
+{
+    (void)of;
+    return ISO_CONTROL_NO_RUN;
+}
+
+iso_control_answer iso_link_restore(iso_link *const link, const size_t bytes)
+{
+    (void)link, (void)bytes;
+    return ISO_CONTROL_NO_RUN;
+}
 const iso_xcp_description iso_xcp_the_description = {"cart", "epk 1", limits, NULL, {2, 10000}, {6, 1}};
 
 static struct {
@@ -633,6 +662,18 @@ static void test_pause(void)
     tap_ok(says("F1 02 00 00 01 00 00", NULL, "FE 21") && says("F1 01", NULL, "FE 21") &&
                says("F1 04", NULL, "FE 21") && says("F1", NULL, "FE 21") && control.left == ISO_CONTROL_ENDLESS,
            "what it does not know, and what is too short, is refused");
+    control.record = record;
+    control.record_bytes = sizeof record;
+    ask("F1 05", NULL);
+    tap_ok(got_length == 12 && got[1] == ISO_CONTROL_BAD_STATE && iso_xcp_long(got + 4) == sizeof record &&
+               iso_xcp_long(got + 8) == iso_xcp_address(record) && record[0] == 'I',
+           "a snapshot: what came of it, and where it is");
+    tap_ok(says("ED 08 00 00 * 01 02 03 04 05 06 07 08", record, "FF") && record[7] == 8 &&
+               says("ED 08 00 00 * 01 02 03 04 05 06 07 08", record + 1, "FE 24") && record[1] == 2,
+           "its record can be written, and nothing behind it");
+    ask("F1 08 00 00 39 30 00 00", NULL);
+    tap_ok(got_length == 12 && got[1] == ISO_CONTROL_DONE && restored == 12345, "the plant is put to it");
+    tap_ok(says("F1 08 00 00 39 30 00", NULL, "FE 21"), "or not, where its size is missing");
     start(&locked_plant);
     ask("FF 00", NULL);
     tap_ok(says("F1 03", NULL, "FE 25") && control.left == ISO_CONTROL_ENDLESS, "likewise all of it without the key");

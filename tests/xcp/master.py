@@ -146,6 +146,10 @@ class Master:
         self.point(address)
         return self.upload(count)
 
+    def upload_from(self, address, count):
+        self.point(address)
+        return self.upload(count)
+
     def download(self, address, data):
         """One block of up to 255 bytes."""
         self.point(address)

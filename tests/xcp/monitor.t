@@ -82,6 +82,27 @@ result $? "a step is a tick"
 build/monitor "$a2l" "$at" --do 'step 20' --seconds 0.2 >"$out/table" && [ "$(tick)" -eq $((first + 21)) ]
 result $? "20 steps are 20 ticks"
 refused 'expected step or step N' "$a2l" "$at" --do 'step -'
+# Snapshots: to one and on again for 20 ticks, without a wire to the inputs, which stay as the controller has set them.
+second=$(tick)
+build/monitor "$a2l" "$at" --do "snapshot $out/taken.bin" >"$out/table" && [ "$(head -c 4 "$out/taken.bin")" = ISOS ]
+result $? "a snapshot is written: $(wc -c <"$out/taken.bin") bytes"
+build/monitor "$a2l" "$at" --do 'step 20' --seconds 0.2 >"$out/table" && [ "$(tick)" -eq $((second + 20)) ]
+result $? "20 steps on"
+build/monitor "$a2l" "$at" --do "restore $out/taken.bin" >"$out/table" && grep -q '^t .* s  rests$' "$out/table" && [ "$(tick)" -eq "$second" ]
+result $? "back at the snapshot, where it rests"
+build/monitor "$a2l" "$at" --do "snapshot $out/again.bin" >"$out/table" && cmp "$out/taken.bin" "$out/again.bin"
+result $? "with the same bytes, the hash among them"
+build/monitor "$a2l" "$at" --do 'step 20' --seconds 0.2 >"$out/table" && [ "$(tick)" -eq $((second + 20)) ]
+result $? "and 20 steps on: its controller goes along"
+{ head -c 80 "$out/taken.bin" && printf '\252\125' && tail -c +83 "$out/taken.bin"; } >"$out/damaged.bin"
+refused 'the snapshot is damaged' "$a2l" "$at" --do "restore $out/damaged.bin"
+head -c 80 "$out/taken.bin" >"$out/short.bin"
+refused 'the snapshot is not whole' "$a2l" "$at" --do "restore $out/short.bin"
+refused 'this is no snapshot' "$a2l" "$at" --do "restore $a2l"
+refused 'No such file' "$a2l" "$at" --do "restore $out/absent.bin"
+refused 'No such file' "$a2l" "$at" --do "snapshot $out/absent/taken.bin"
+[ "$(tick)" -eq $((second + 20)) ]
+result $? "what is refused leaves it where it is"
 build/monitor "$a2l" "$at" --do run --seconds 0.1 >"$out/table" && ! grep -q rests "$out/table"
 result $? "it runs again"
 waited test -s "$out/summary"

@@ -130,6 +130,40 @@ def writes(x, link):
     result(refusal(x.short_download, 16, b"\0" * 4) == "ACCESS_DENIED", "nor written")
 
 
+def snapshots(x, link):
+    """A snapshot of tick 30, to which the plant is put at tick 60: the controller goes along, and sees the same again."""
+    def go(y, to):
+        rows = []
+        while y.tick < to:
+            y = link.exchange(force=20 * y.pole + y.tick % 7)
+            y.tick = link.tick
+            rows.append(y)
+        return rows
+
+    def user(*words):
+        answer, size, address = struct.unpack("<BxxII", x.ask(0xF1, *words)[:11])
+        return answer, size, address
+
+    y = link.start("lockstep")
+    y.tick = 0
+    y = go(y, 30)[-1]
+    answer, size, address = user("B", 5)
+    record = x.upload_from(address, size)
+    first = go(y, 60)
+    result(answer == 0 and record[:4] == b"ISOS" and user("BxxI", 8, size)[0] == 19,
+           "a snapshot of %d bytes; a plant that does not rest is not put to it" % size)
+    x.ask(0xF1, "B", 3)
+    for at in range(0, size, 50):
+        x.short_download(address + at, record[at:at + 50])
+    result(user("BxxI", 8, size - 1)[0] == 3 and user("BxxI", 8, size)[0] == 0, "one that rests is")
+    y = link.exchange(force=0.0)
+    y.tick = link.tick
+    result(y.tick == 30, "the controller is where its plant is")
+    x.ask(0xF1, "BxxI", 2, 0)
+    result(go(y, 60) == first, "and sees the same again")
+    link.stop()
+
+
 def measures(x, link):
     """Eight values and the tick at every tick; against what the controller has at that tick."""
     ticks = SECONDS * 1000000000 // plant.PERIOD_NS
@@ -243,6 +277,7 @@ else:
         identity(x)
         uploads(x, link)
         writes(x, link)
+        snapshots(x, link)
         measures(x, link)
         damage(x, link)
         if KIND == "socket":

@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "tools/monitor/record.h"
+#include "tools/monitor/snapshot.h"
 
 enum { COMMANDS_MAX = 64, LINE_BYTES = 256, WAIT_MS = 10 };
 
@@ -43,7 +44,8 @@ static const char usage[] =
     "ADDRESS is that of ISOCHRON_CALIBRATION: tcp:HOST:PORT or unix:PATH.\n"
     "\n"
     "    --once             prints one table and ends, as it does where the output is no terminal\n"
-    "    --do COMMAND       does a command first: set NAME = VALUE, pause, run, step N, record FILE, stop\n"
+    "    --do COMMAND       does a command first: set NAME = VALUE, pause, run, step N, record FILE, stop,\n"
+    "                       snapshot FILE, restore FILE\n"
     "    --record FILE      writes outputs and inputs of every tick to FILE, in the form of trace.csv\n"
     "    --seconds N        ends after so many seconds\n"
     "    --replay FILE      shows what was recorded\n"
@@ -273,6 +275,12 @@ static bool obey(session *const s, const char *const command)
     if (strncmp(text, "record ", 7) == 0) {
         return begin_record(s, text + 7 + strspn(text + 7, " "));
     }
+    if (strncmp(text, "snapshot ", 9) == 0) {
+        return told(s, snapshot_save(&s->master, text + 9 + strspn(text + 9, " ")), "the snapshot is written");
+    }
+    if (strncmp(text, "restore ", 8) == 0) {
+        return told(s, snapshot_load(&s->master, text + 8 + strspn(text + 8, " ")), "it rests at the snapshot");
+    }
     if (strncmp(text, "step", 4) == 0 && (text[4] == ' ' || text[4] == '\0')) {
         return step(s, text + 4);
     }
@@ -286,7 +294,9 @@ static bool obey(session *const s, const char *const command)
         return end_record(s);
     }
     snprintf(s->said, sizeof s->said,
-             "'%.60s' is no command; there are: set NAME = VALUE, pause, run, step N, record FILE, stop", text);
+             "'%.60s' is no command; there are: set NAME = VALUE, pause, run, step N, record FILE, stop, "
+             "snapshot FILE, restore FILE",
+             text);
     return false;
 }
 

@@ -287,6 +287,38 @@ bool master_pause(master *const m)
     return ask(m, command, sizeof command, packet);
 }
 
+bool master_write(master *const m, const uint32_t address, const uint8_t *const bytes, const uint8_t count)
+{
+    uint8_t command[ISO_XCP_MAX_CTO] = {ISO_XCP_SHORT_DOWNLOAD, count}, packet[ISO_XCP_MAX_DTO];
+    iso_xcp_put_long(command + 4, address);
+    memcpy(command + 8, bytes, count);
+    return ask(m, command, (uint16_t)(8 + count), packet);
+}
+
+bool master_take(master *const m, uint8_t *const answer, uint32_t *const at, uint32_t *const bytes)
+{
+    const uint8_t command[] = {ISO_XCP_USER_CMD, ISO_XCP_USER_TAKE};
+    uint8_t packet[ISO_XCP_MAX_DTO] = {0};
+    if (!ask(m, command, sizeof command, packet)) {
+        return false;
+    }
+    *answer = packet[1];
+    *bytes = iso_xcp_long(packet + 4);
+    *at = iso_xcp_long(packet + 8);
+    return true;
+}
+
+bool master_restore(master *const m, const uint32_t bytes, uint8_t *const answer)
+{
+    uint8_t command[8] = {ISO_XCP_USER_CMD, ISO_XCP_USER_RESTORE}, packet[ISO_XCP_MAX_DTO] = {0};
+    iso_xcp_put_long(command + 4, bytes);
+    if (!ask(m, command, sizeof command, packet)) {
+        return false;
+    }
+    *answer = packet[1];
+    return true;
+}
+
 /* --- Measurement ------------------------------------------------------------------------------------------------- */
 
 /* Each entry goes to the first table that has room: behind its number, and the tick in table 0. Returns the tables. */

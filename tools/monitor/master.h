@@ -36,6 +36,15 @@ bool master_set(master *m, const a2l_quantity *q, double value);
 bool master_run(master *m, uint32_t ticks);
 bool master_pause(master *m);
 
+/* Writes count bytes, up to MASTER_WRITE_MOST, from an address on: of the record of snapshots. */
+enum { MASTER_WRITE_MOST = ISO_XCP_MAX_CTO - 8 };
+bool master_write(master *m, uint32_t address, const uint8_t *bytes, uint8_t count);
+
+/* Lets the plant take a snapshot into its record, and put itself to the one of so many bytes there. *answer: what came of it
+ * (iso_control_answer); *at, *bytes: the record. */
+bool master_take(master *m, uint8_t *answer, uint32_t *at, uint32_t *bytes);
+bool master_restore(master *m, uint32_t bytes, uint8_t *answer);
+
 /* Measures so many quantities at every tick. Their packets are those of table 0, 1 and so on: a byte with the number of the table,
  * in table 0 four bytes with the tick, then values; tables[i] is the table of quantity i. */
 bool master_measure(master *m, const a2l_quantity *const *of, size_t count, uint8_t tables[]);

@@ -376,18 +376,20 @@ static inline bool iso_client_refused(iso_client *c)
     return iso_client_fail(c, "refused", reasons[reason < sizeof reasons / sizeof reasons[0] ? reason : 0]);
 }
 
-/* Takes a frame. Returns 1 if outputs came of a tick from `from` on that need an answer, 0 if something else came, -1 if the run
+/* Takes a frame. Returns 1 if outputs came of a tick from `from` on, or, where those of the next tick are due, of an earlier one
+ * to which somebody else has put the plant; and if they need an answer. 0 if something else came, -1 if the run
  * is over or the plant has refused it. */
 static inline int iso_client_take(iso_client *c, size_t length, uint64_t from)
 {
     const char type = (char)c->received[0];
     if (type == 'y' && length == 8 + c->outputs * c->real_bytes) {
         const uint64_t tick = iso_client_number(c->received + 1, 8);
-        if (tick >= from) {
+        const bool is_taken = tick >= from || (from == c->tick + 1 && tick < c->tick);
+        if (is_taken) {
             c->tick = tick;
             iso_client_get_reals(c, c->y, c->received + 9, c->outputs);
         }
-        return tick >= from && (c->ticks == 0 || tick < c->ticks);
+        return is_taken && (c->ticks == 0 || tick < c->ticks);
     }
     if (type == 'e' && length == sizeof c->end) {
         const uint8_t *at = c->received + 1;

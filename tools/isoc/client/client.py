@@ -254,11 +254,12 @@ class Link:
             self.pieces += pieces
 
     def _take(self, data, least):
-        """Whether it is what is waited for: outputs of a tick from `least` on, or the end, which is None."""
+        """Whether it is what is waited for: outputs of a tick from `least` on, or, where those of the next tick are due, of
+        an earlier one to which somebody else has put the plant; or the end, which is None."""
         kind, payload = data[:1], data[1:]
         if kind == b"y" and len(payload) == struct.calcsize("<Q%d%s" % (len(OUTPUTS), REAL)):
             tick, *values = struct.unpack("<Q%d%s" % (len(OUTPUTS), REAL), payload)
-            if tick >= least:
+            if tick >= least or (least == self.tick + 1 and tick < self.tick):
                 self.tick = tick
                 self.outputs = types.SimpleNamespace(**dict(zip(OUTPUTS, values)))
                 return not self.ticks or tick < self.ticks, self.outputs  # those of the last tick need no answer

@@ -1,0 +1,178 @@
+#include "tools/monitor/snapshot.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/runtime/control.h"
+
+enum { RECORD_MOST = 1 << 24, PATH_BYTES = 4096 };
+
+/* Where a record stands in the plant. */
+typedef struct place {
+    uint32_t address, bytes;
+} place;
+
+static bool fail(master *const m, const char *const what, const char *const why)
+{
+    snprintf(m->problem, sizeof m->problem, "%.120s: %.120s", what, why);
+    return false;
+}
+
+static const char *reason(const uint8_t answer)
+{
+    switch (answer) {
+    case ISO_SNAPSHOT_NO_SNAPSHOT:
+        return "this is no snapshot";
+    case ISO_SNAPSHOT_OTHER_VERSION:
+        return "the snapshot is of another version";
+    case ISO_SNAPSHOT_WRONG_SIZE:
+        return "the snapshot is not whole, or of another plant";
+    case ISO_SNAPSHOT_DAMAGED:
+        return "the snapshot is damaged";
+    case ISO_SNAPSHOT_OTHER_NUMBERS:
+        return "the snapshot has another type of numbers";
+    case ISO_SNAPSHOT_OTHER_PLANT:
+        return "the snapshot is of another plant, method or step";
+    case ISO_SNAPSHOT_NOT_A_STATE:
+        return "the snapshot has a number that no plant has";
+    case ISO_CONTROL_NO_RUN:
+        return "there is no run";
+    case ISO_CONTROL_BAD_STATE:
+        return "the guard has stopped the plant";
+    case ISO_CONTROL_RUNS:
+        return "the plant does not rest";
+    default:
+        return "the plant refuses";
+    }
+}
+
+/* CRC-32, bit by bit: the check of a record. */
+static uint32_t check_of(const uint8_t *const bytes, const size_t count)
+{
+    uint32_t check = UINT32_MAX;
+    for (size_t i = 0; i < count; i++) {
+        check ^= bytes[i];
+        for (int bit = 0; bit < 8; bit++) {
+            check = check >> 1 ^ ((check & 1) != 0 ? UINT32_C(0xEDB88320) : 0);
+        }
+    }
+    return ~check;
+}
+
+static bool read_record(master *const m, const place at, uint8_t *const record)
+{
+    for (uint32_t from = 0, count = 0; from < at.bytes; from += count) {
+        count = at.bytes - from < UINT8_MAX ? at.bytes - from : UINT8_MAX;
+        if (!master_read(m, at.address + from, record + from, (uint8_t)count)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool write_record(master *const m, const place at, const uint8_t *const record)
+{
+    for (uint32_t from = 0, count = 0; from < at.bytes; from += count) {
+        count = at.bytes - from < MASTER_WRITE_MOST ? at.bytes - from : MASTER_WRITE_MOST;
+        if (!master_write(m, at.address + from, record + from, (uint8_t)count)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* A file that is there only when it is whole. */
+static bool write_file(master *const m, const char *const path, const uint8_t *const record, const size_t bytes)
+{
+    char partial[PATH_BYTES];
+    snprintf(partial, sizeof partial, "%s.partial", path);
+    FILE *const file = strlen(path) + sizeof ".partial" > sizeof partial ? NULL : fopen(partial, "wb");
+    if (file == NULL) {
+        return fail(m, path, strerror(errno));
+    }
+    const bool written = fwrite(record, 1, bytes, file) == bytes;
+    const bool closed = fclose(file) == 0;
+    if (!written || !closed || rename(partial, path) != 0) {
+        const int why = errno;
+        (void)remove(partial);
+        return fail(m, path, strerror(why));
+    }
+    return true;
+}
+
+/* The whole file, in memory that is the caller's to free; NULL: m->problem says why. */
+static uint8_t *read_file(master *const m, const char *const path, size_t *const bytes)
+{
+    uint8_t *const record = malloc(RECORD_MOST);
+    FILE *const file = record == NULL ? NULL : fopen(path, "rb");
+    *bytes = file == NULL ? 0 : fread(record, 1, RECORD_MOST, file);
+    const bool bad = file == NULL || ferror(file) != 0;
+    if (bad) {
+        (void)fail(m, path, strerror(errno));
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+    if (bad) {
+        free(record);
+        return NULL;
+    }
+    return record;
+}
+
+/* That nobody else has changed the record while it was read. */
+static bool is_whole(const uint8_t *const record, const place at)
+{
+    uint32_t check = 0;
+    if (at.bytes < ISO_SNAPSHOT_BYTES(0) || memcmp(record, "ISOS", 4) != 0) {
+        return false;
+    }
+    memcpy(&check, record + at.bytes - sizeof check, sizeof check);
+    return check == check_of(record, at.bytes - sizeof check);
+}
+
+bool snapshot_save(master *const m, const char *const path)
+{
+    place at;
+    uint8_t answer = 0;
+    if (!master_take(m, &answer, &at.address, &at.bytes)) {
+        return false;
+    }
+    if (answer != ISO_CONTROL_DONE || at.bytes > RECORD_MOST) {
+        return fail(m, path, reason(answer));
+    }
+    uint8_t *const record = malloc(at.bytes);
+    bool good = record != NULL && read_record(m, at, record);
+    if (good && !is_whole(record, at)) {
+        good = fail(m, path, "the record changed while it was read; another program has its hands on it");
+    }
+    good = good && write_file(m, path, record, at.bytes);
+    free(record);
+    return good;
+}
+
+/* What was taken at first says where the record is. */
+bool snapshot_load(master *const m, const char *const path)
+{
+    place at;
+    uint8_t answer = 0;
+    size_t bytes = 0;
+    uint8_t *const record = read_file(m, path, &bytes);
+    if (record == NULL) {
+        return false;
+    }
+    bool good = master_pause(m) && master_take(m, &answer, &at.address, &at.bytes);
+    if (good && bytes != at.bytes) {
+        good = fail(
+            m, path,
+            reason(bytes < 4 || memcmp(record, "ISOS", 4) != 0 ? ISO_SNAPSHOT_NO_SNAPSHOT : ISO_SNAPSHOT_WRONG_SIZE));
+    }
+    good = good && write_record(m, at, record) && master_restore(m, at.bytes, &answer);
+    if (good && answer != ISO_CONTROL_DONE) {
+        good = fail(m, path, reason(answer));
+    }
+    free(record);
+    return good;
+}
