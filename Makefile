@@ -340,7 +340,7 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 # --- Goals -------------------------------------------------------------------------------------------------------
 
 run: ## run the scene: write build/TARGET/REAL/NAME/trace.csv and print a summary
-plot: ## run the scene and draw it with gnuplot: trace.svg and path.svg, and both as png, beside the trace
+plot: ## run the scene and draw it with gnuplot: trace.svg, path.svg and histogram.svg, and all as png, beside the trace
 link: ## connect the scene with a CONTROLLER: trace.csv with inputs and outputs, a summary, and how long exchanges took
 hil: ## the worked example: a cart with its pole on the board, balanced by a controller in a process of its own; draw it
 size: ## print the memory of the firmware and of its parts; check the limits of the double pendulum

@@ -74,6 +74,28 @@ awk -F , -v OFS='\t' '
 shows "$folder/path.svg" "$out/points" drawn
 result $? "double_pendulum: the path has the points of the trace"
 
+# The execution times of a scene that asks for them, 40 of which a script makes long: the bins follow from the script.
+{ cat models/pendulum.scene && echo histogram; } >"$out/timed.scene"
+awk 'BEGIN { for (i = 1; i <= 40; i++) print "slow " 20 * i " " i * i "us" }' >"$out/script"
+awk -v OFS='\t' '
+    { bin = int($3 * 1000 / 31250); ticks[bin < 31 ? bin : 31]++ }
+    END {
+        ticks[0] += 1000 - NR
+        for (i = 0; i < 32; i++) if (ticks[i] > 0) for (k = 0; k < 2; k++) {
+            print "|execution of a step, us, to the end of the period; the last bin is open", "", (i + k) * 31.25, ticks[i]
+        }
+    }' "$out/script" >"$out/points"
+call plot SCENE="$PWD/$out/timed.scene" SCRIPT="$PWD/$out/script" SECONDS=1 &&
+    timed=$out/project/$(sed -n 's|/histogram\.png$||p' "$out/output") && [ -s "$timed/histogram.png" ]
+expect $? "a histogram of the execution times is drawn"
+shows "$timed/histogram.svg" "$out/points" all
+result $? "it has the ticks of each bin: $(grep -c . "$out/points") corners"
+sed '$d' "$out/points" | sed '5s/2$/3/' >"$out/others"
+! cmp -s "$out/points" "$out/others" && ! shows "$timed/histogram.svg" "$out/others" all >"$out/found"
+result $? "found: another height"
+[ ! -e "$folder/histogram.svg" ]
+result $? "there is none of a scene that does not ask for it"
+
 # wrong WHAT SED...: the trace of the tree so changed is found not to be that of its picture.
 tree=$out/project/build/host/float/tree
 wrong()

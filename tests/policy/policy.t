@@ -11,21 +11,25 @@ scene=tests/policy/pendulum.scene
 program model tests/policy/model.c
 result $? "the model of the account builds"
 
-# plant NAME STATEMENTS: the scene with these.
+# plant NAME STATEMENTS [OPTION...]: the scene with these.
 plant()
 {
     plant_name=$1
     mkdir -p "$out/$plant_name"
     { cat $scene && printf '%s\n' "$2"; } >"$out/$plant_name/plant.scene"
-    build/isoc "$out/$plant_name/plant.scene" -o "$out/$plant_name" >"$out/summary" 2>"$out/errors"
+    shift 2
+    build/isoc "$out/$plant_name/plant.scene" -o "$out/$plant_name" "$@" >"$out/summary" 2>"$out/errors"
 }
 
-# build NAME STATEMENTS: and its program, on the simulated port.
+# What all programs share, compiled once.
+for source in core/runtime/loop.c core/application/*.c core/numbers/self_check.c port/sim/*.c; do
+    program "$(basename "$source" .c).o" -c "$source"
+done
+
+# build NAME STATEMENTS [OPTION...]: and its program, on the simulated port.
 build()
 {
-    plant "$@" &&
-        EXTRA="-I$out/$plant_name" program "$plant_name/program" "$out/$plant_name/plant.c" core/runtime/loop.c core/application/*.c \
-            core/numbers/self_check.c port/sim/*.c
+    plant "$@" && program "$plant_name/program" "$out/$plant_name/plant.c" "$out"/*.o
 }
 
 # run NAME [SCRIPT]: a second of it; the summary in $out/summary.
@@ -115,6 +119,20 @@ done
 grep -q '^step_without_hinge add' "$out/summary" && grep -q '^step_without_hinge_wind add' "$out/summary"
 result $? "isoc tells the operations of each rung"
 
+# From a snapshot on a lower rung the board goes on with the same bits, and with fewer instructions than at the top.
+plant board "overrun degrade { drop hinge; drop wind; after 1000000 ticks }"
+printf 'slow 100 2ms\nslow 130 2ms\n' >"$out/script"
+make -s run SCENE="$out/board/plant.scene" SCRIPT="$PWD/$out/script" SNAPSHOT=150 SECONDS=0.3 >"$out/expected" &&
+    cp "$(sed -n 's/^snapshot //p' "$out/expected")" "$out/snapshot" &&
+    make -s run SCENE="$out/board/plant.scene" TARGET=cortex-m4f SECONDS=0.3 >"$out/top" &&
+    make -s run SCENE="$out/board/plant.scene" TARGET=cortex-m4f RESTORE="$PWD/$out/snapshot" SECONDS=0.3 >"$out/summary" &&
+    [ "$(sed -n 's/^hash //p' "$out/expected")" = "$(sed -n 's/^hash //p' "$out/summary")" ] &&
+    grep -q '^degraded 150 to rung 2$' "$out/summary"
+result $? "on the board, from a snapshot on rung 2: the same hash"
+instructions="$(sed -n 's/^instructions_per_step //p' "$out/top") $(sed -n 's/^instructions_per_step //p' "$out/summary")"
+[ "${instructions% *}" -gt "${instructions#* }" ]
+result $? "at the top and on rung 2 a step takes so many instructions: $instructions"
+
 # What follows from tunables is kept for each rung; it is computed anew when one changes. The effect does nothing in the first
 # tick, after which it is dropped: so the run is that of the scene without it.
 scene=tests/tunables/chain.scene
@@ -125,9 +143,7 @@ $change" && run chain "$out/script" && grep -q '^degraded 999 to rung 1$' "$out/
     grep -q 'tune_without_motor(memory->h_without_motor' "$out/chain/plant.c"
 result $? "a plant with tunables runs on a rung that drops its motor: $(grep '^degraded' "$out/summary")"
 build chain_alone "overrun count
-$change" && build/isoc "$out/chain_alone/plant.scene" -o "$out/chain_alone" --without motor >"$out/summary" &&
-    EXTRA="-I$out/chain_alone" program chain_alone/program "$out/chain_alone/plant.c" core/runtime/loop.c core/application/*.c \
-        core/numbers/self_check.c port/sim/*.c && run chain_alone &&
+$change" --without motor && run chain_alone &&
     [ "$(wc -l <"$out/chain/trace.csv")" = 1002 ] && cmp "$out/chain/trace.csv" "$out/chain_alone/trace.csv" >&2
 result $? "and moves as the scene without the motor"
 run chain && ! cmp -s "$out/chain/trace.csv" "$out/chain_alone/trace.csv"

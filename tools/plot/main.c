@@ -2,6 +2,7 @@
  *
  *     plot trace DIRECTORY [OUTPUT...]              of a run: trace.csv, units.csv and summary.txt there
  *     plot path DIRECTORY
+ *     plot histogram DIRECTORY
  *     plot work_precision SCENE TIME report.tsv
  *     plot violation SCENE measured
  *     plot effects SCENE TARGET effects.tsv
@@ -22,6 +23,8 @@ int main(const int argc, char **const argv)
         picture_trace(argv[2], argv + 3, (size_t)argc - 3);
     } else if (strcmp(kind, "path") == 0 && argc == 3) {
         picture_path(argv[2]);
+    } else if (strcmp(kind, "histogram") == 0 && argc == 3) {
+        picture_histogram(argv[2]);
     } else if (strcmp(kind, "work_precision") == 0 && argc == 5) {
         picture_work_precision(argv[2], argv[3], argv[4]);
     } else if (strcmp(kind, "violation") == 0 && argc == 4) {
@@ -35,7 +38,8 @@ int main(const int argc, char **const argv)
     } else if (strcmp(kind, "compact") == 0 && argc == 2) {
         compact_svg();
     } else {
-        fputs("usage: plot trace DIRECTORY [OUTPUT...] | plot path DIRECTORY | plot work_precision SCENE TIME TABLE | "
+        fputs("usage: plot trace DIRECTORY [OUTPUT...] | plot path DIRECTORY | plot histogram DIRECTORY | "
+              "plot work_precision SCENE TIME TABLE | "
               "plot violation SCENE LINES | plot effects SCENE TARGET TABLE | plot compare DIRECTORY DIRECTORY | plot "
               "differences DIRECTORY DIRECTORY | plot compact\n",
               stderr);

@@ -13,6 +13,10 @@ void picture_trace(const char *directory, char *const *names, size_t count);
  * is one. Nothing where there is no point. */
 void picture_path(const char *directory);
 
+/* How many steps took how long, from 0 to the period, in the bins that the summary tells. Nothing where the scene asks for no
+ * histogram. */
+void picture_histogram(const char *directory);
+
 /* Error over cost and over the step for every method, from a report's table, tab-separated (tools/report). */
 void picture_work_precision(const char *scene, const char *time, const char *path);
 

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Draws the run in a folder, its trace.csv, units.csv and summary.txt, with gnuplot: trace.svg and trace.png, all outputs over time,
-# or these; path.svg and path.png, the way of a point of the mechanism, if an output is one.
+# or these; path.svg and path.png, the way of a point of the mechanism, if an output is one;
+# histogram.svg and histogram.png, the execution times, if the scene asks for them.
 #
 #     plot.sh DIR [OUTPUT...]
 set -eu
@@ -8,5 +9,7 @@ folder=$1
 shift
 build/plot trace "$folder" "$@" >"$folder/trace.gnuplot"
 build/plot path "$folder" >"$folder/path.gnuplot"
+build/plot histogram "$folder" >"$folder/histogram.gnuplot"
 sh tools/plot/draw.sh "$folder/trace.gnuplot"
 sh tools/plot/draw.sh "$folder/path.gnuplot"
+sh tools/plot/draw.sh "$folder/histogram.gnuplot"
