@@ -125,6 +125,29 @@ own 'spring 5 N*m/rad rest 10 deg' 'effect elastic {
 }' 'effect coil elastic { along pivot; stiffness 5 N*m/rad; rest 10 deg }'
 own 'damping 0.1 N*m*s/rad' "$viscous" 'effect bearing viscous { along pivot; factor 0.1 N*m*s/rad }'
 
+# A function of time in a formula is that of an input that the effect reads, with the same new starts of a method with a history.
+optimised -O0
+driven='effect driven { joint along; signal by; effort on along = 0.3 N*m * by }'
+cp tests/inputs/road.csv "$out"
+for of in 'time / 1 s' 'step(0.3 s)' 'square(7 Hz)' 'prbs(7, 10 ms)' 'chirp(1 Hz, 9 Hz, 1 s)' 'file "road.csv"'; do
+    head="$pendulum
+method ab4
+$joint }"
+    printf '%s\n' "$head" "input push = $of" "$driven" 'effect motor driven { along pivot; by push }' | plant old
+    printf '%s\n' "$head" "effect driven { joint along; effort on along = 0.3 N*m * ($of) }" 'effect motor driven { along pivot }' | plant new
+    same "$of in a definition"
+    printf '%s\n' "$head" "$driven" "signal push = $of" 'effect motor driven { along pivot; by push }' | plant new
+    same "$of in a signal"
+done 2>"$out/told"
+printf '%s\n' "$head" "$driven" 'signal push = 1.01 * file "road.csv"' 'effect motor driven { along pivot; by push }' | plant new 2>"$out/told"
+program same tests/effects/same.c "$out/old.c" "$out/new.c" && ! "$out/same"
+result $? 'found: another function of time'
+plant old <<END 2>"$out/told"
+$pendulum
+method bdf4
+$joint; damping 0.1 N*m*s/rad }
+END
+
 plant new <<END
 $pendulum
 method bdf4

@@ -33,10 +33,11 @@ typedef struct past {
     bool is_done;
 } past;
 
-/* A call of noise outside of the inputs, and the effect whose definition has it; NULL: the scene. */
+/* A function of time outside of the inputs, and the effect whose definition has it; NULL: the scene. */
 typedef struct stream {
     const formula *of;
     const effect_use *within;
+    value made; /* the leaf of its input, when it is known; else count 0 */
 } stream;
 
 typedef struct builder {
@@ -109,8 +110,10 @@ matrix align(graph *g, const double a[3], int *k, double *sign);
 /* regroup.c: moves to the parents what the joints' motion does not change. */
 void regroup(builder *b);
 
-/* signals.c: inputs and tunable parameters. The inputs are checked when all that can use them is built. */
+/* signals.c: inputs and tunable parameters. The inputs are checked when all that can use them is built. What jumps by itself
+ * at ticks that are known, in a function of time. */
 void build_inputs(builder *b);
+void find_edges(builder *b, node drive);
 void check_inputs(builder *b);
 void build_changes(builder *b);
 void build_parameters(builder *b);
@@ -121,7 +124,7 @@ size_t count_forces(const scene *written);
 void count_effects(builder *b);
 void build_effects(builder *b);
 
-/* streams.c: the calls of noise, before there are inputs; and their inputs. */
+/* streams.c: the functions of time outside of inputs, before there are inputs; and their inputs. */
 void find_streams(builder *b);
 void build_streams(builder *b);
 

@@ -143,7 +143,7 @@ static bool find_in_instance(world *w, const formula *f, value *found)
     if (line == NULL && find_limit(w, f->name, found)) {
         return true;
     }
-    if (line == NULL && strcmp(f->name, "pi") != 0) {
+    if (line == NULL && strcmp(f->name, "pi") != 0 && strcmp(f->name, "time") != 0) {
         unit u;
         if (unit_find(f->name, &u)) {
             return false;

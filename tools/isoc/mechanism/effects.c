@@ -198,7 +198,7 @@ void build_effects(builder *b)
     world *w = world_of(b);
     surroundings *around = arena_take(b->s->memory, 1, sizeof *around);
     *around = (surroundings){
-        .of = w, .find = find_name, .quantity = quantity_value, .past = past_value, .noise = stream_value};
+        .of = w, .find = find_name, .quantity = quantity_value, .past = past_value, .stream = stream_value};
     b->around = around;
     b->faults = arena_take(b->s->memory, count_faults(b->written) + 1, sizeof *b->faults);
     int states = 0, memories = 0;

@@ -39,7 +39,7 @@ typedef struct world {
 
 value past_value(void *of, const formula *f);
 
-/* --- streams.c: noise(SEED) --- */
+/* --- streams.c: noise(SEED), time and other functions of it --- */
 
 value stream_value(void *of, const formula *f);
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/real_range.h"
+#include "tools/isoc/mechanism/timing.h"
 #include "tools/isoc/mechanism/waveform.h"
 
 enum { MOST_POINTS = 65535, SHOWN = 40 };
@@ -153,6 +154,9 @@ static void lines_of_points(values *v, const points *all, tick_table *to)
 
 value file_of_formula(values *v, const formula *f)
 {
+    if (is_streamed(v)) {
+        return v->around->stream(v->around->of, f);
+    }
     const tick_table *before = table_made(v, f);
     points all = {0};
     if (!is_in_input(v, f) || (before == NULL && !read_points(v, f, &all))) {

@@ -226,6 +226,12 @@ typedef struct switching {
     double value;
 } switching;
 
+/* A function of time in a formula: its word, and the effect whose definition has it, or only where it stands. */
+typedef struct streamed {
+    const char *word;
+    name origin;
+} streamed;
+
 /* An input that comes in over a link. */
 typedef struct wire {
     int input;
@@ -294,13 +300,13 @@ typedef struct mechanism {
 
     int input_count;
     variable *inputs;
-    bool *driven;        /* inputs that are functions of time; the others are the port's */
-    node *drives;        /* the inputs as functions of time, then the clocks */
-    double *jumps;       /* the change of an input that restarts the method; 0: none */
-    bool *smooth;        /* inputs that are samples of continuous signals */
-    int *noises;         /* of an input that stands for a call of noise outside of inputs, which; else -1 */
-    name *noise_origins; /* of each the effect whose definition has it, or only where it stands */
-    int noise_count;
+    bool *driven;  /* inputs that are functions of time; the others are the port's */
+    node *drives;  /* the inputs as functions of time, then the clocks */
+    double *jumps; /* the change of an input that restarts the method; 0: none */
+    bool *smooth;  /* inputs that are samples of continuous signals */
+    int *streamed; /* of an input that is made of a function of time in a formula, which; else -1 */
+    streamed *streams;
+    int stream_count;
     wire *wires; /* inputs that come in over a link: all that are not driven, and those that have a safe value */
     int wire_count;
     node *edges; /* functions of the tick in held inputs without a `jump` that jump by themselves */

@@ -75,8 +75,8 @@ static void read_limits(builder *b, const quantity *q, bool is_known, dimension 
     }
 }
 
-/* What jumps by itself at ticks that are known: steps, squares and sequences. Each counts once. */
-static void find_edges(builder *b, node drive)
+/* Steps, squares and sequences. Each counts once. */
+void find_edges(builder *b, node drive)
 {
     mechanism *made = &b->made;
     const graph *g = b->g;

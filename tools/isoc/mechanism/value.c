@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/real_range.h"
+#include "tools/isoc/graph/operations.h"
 #include "tools/isoc/mechanism/functions.h"
 #include "tools/isoc/mechanism/measured.h"
 #include "tools/isoc/mechanism/timing.h"
@@ -449,7 +450,10 @@ double value_constant(values *v, const formula *f, dimension of, const char *wha
         return fallback;
     }
     if (!is_constant(v->g, r.parts[0])) {
-        source_problem(v->s, f->at, "%s cannot depend on a tunable parameter", what);
+        source_problem(v->s, f->at,
+                       uses_operation(v->g, r.parts, 1, OP_PARAMETER) ? "%s cannot depend on a tunable parameter"
+                                                                      : "%s is a constant: it cannot change",
+                       what);
         return fallback;
     }
     return constant_value(v->g, r.parts[0]);

@@ -49,6 +49,13 @@ const tick_table *table_made(const values *v, const formula *f)
     return NULL;
 }
 
+void tables_forget(values *v, const formula *f)
+{
+    for (size_t i = 0; i < v->table_count; i++) {
+        v->tables[i].of = v->tables[i].of == f ? NULL : v->tables[i].of;
+    }
+}
+
 tick_table *table_new(values *v, const formula *f, operation op)
 {
     v->tables = arena_grow(v->s->memory, v->tables, v->table_count, &v->table_room, sizeof *v->tables);
@@ -189,6 +196,9 @@ static value chirp_of(values *v, const formula *f)
 
 value waveform_of_formula(values *v, const formula *f)
 {
+    if (is_streamed(v)) {
+        return v->around->stream(v->around->of, f);
+    }
     const tick_table *before = table_made(v, f);
     if (!is_in_input(v, f)) {
         return nothing;

@@ -19,4 +19,7 @@ bool is_whole_tick(double ticks);
 const tick_table *table_made(const values *v, const formula *f);
 tick_table *table_new(values *v, const formula *f, operation op);
 
+/* The next evaluation of the formula has a table of its own: it is that of another effect. */
+void tables_forget(values *v, const formula *f);
+
 #endif

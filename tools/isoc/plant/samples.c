@@ -1,5 +1,7 @@
 #include "tools/isoc/plant/samples.h"
 
+#include <string.h>
+
 static const char *without_history(unsigned recipe)
 {
     return ISO_IS_IMPLICIT(recipe) ? "rosenbrock" : "rk4";
@@ -27,8 +29,14 @@ static void check_inputs(const source *s, const scene *written, unsigned recipe)
     }
 }
 
-/* The first noise that these depend on, by what is known of the inputs and memories; -1: none. */
-static int noise_of(const graph *g, const node *roots, size_t count, const int *known)
+/* What jumps starts a new history; all else changes at every tick. */
+static bool is_restarting(const char *word)
+{
+    return strcmp(word, "step") == 0 || strcmp(word, "square") == 0 || strcmp(word, "prbs") == 0;
+}
+
+/* The first function of time that these depend on, by what is known of the inputs and memories; -1: none. */
+static int stream_of(const graph *g, const node *roots, size_t count, const int *known)
 {
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     int first = -1;
@@ -41,40 +49,41 @@ static int noise_of(const graph *g, const node *roots, size_t count, const int *
     return first;
 }
 
-/* A memory depends on a noise if another does that it follows: as many passes as that takes. */
-static void check_noises(const source *s, const graph *g, const plant *p)
+/* A memory depends on one if another does that it follows: as many passes as that takes. */
+static void check_streams(const source *s, const graph *g, const plant *p)
 {
     const mechanism *m = p->m;
     int *known = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *known);
     for (int i = 0; i < held_count(m); i++) {
-        known[i] = i < m->input_count ? m->noises[i] : -1;
+        const int of = i < m->input_count ? m->streamed[i] : -1;
+        known[i] = of >= 0 && !is_restarting(m->streams[of].word) ? of : -1;
     }
     for (bool more = true; more;) {
         more = false;
         for (int i = 0; i < m->memory_count; i++) {
             int *of = &known[m->input_count + i];
-            const int found = *of < 0 ? noise_of(g, &m->memories[i].next, 1, known) : -1;
+            const int found = *of < 0 ? stream_of(g, &m->memories[i].next, 1, known) : -1;
             more = more || found >= 0;
             *of = found >= 0 ? found : *of;
         }
     }
-    const int which = noise_of(g, p->derivatives, (size_t)state_count(m), known);
+    const int which = stream_of(g, p->derivatives, (size_t)state_count(m), known);
     if (which >= 0) {
         const char *method = method_names[ISO_METHOD_OF(m->recipe)];
-        const name of = m->noise_origins[which];
-        const char *where = of.text == NULL ? "" : arena_format(g->memory, " of the effect '%s'", of.text);
+        const streamed *of = &m->streams[which];
+        const char *effect = of->origin.text;
+        const char *where = effect == NULL ? "" : arena_format(g->memory, " of the effect '%s'", effect);
         source_warn(
-            s, of.at,
-            "the noise%s changes at every tick and is held in between, and %s has a history: %s is of order %s; "
-            "take %s",
-            where, method, method, ISO_IS_VARYING(m->recipe) ? "two" : "one", without_history(m->recipe));
+            s, of->origin.at,
+            "the %s%s changes at every tick and is held in between, and %s has a history: %s is of order %s; take %s",
+            of->word, where, method, method, ISO_IS_VARYING(m->recipe) ? "two" : "one", without_history(m->recipe));
     }
 }
 
 void samples_check(const source *s, const graph *g, const scene *written, const plant *p)
 {
     check_inputs(s, written, p->m->recipe);
-    if (ISO_PAST_KEPT(p->m->recipe) > 0 && p->m->noise_count > 0) {
-        check_noises(s, g, p);
+    if (ISO_PAST_KEPT(p->m->recipe) > 0 && p->m->stream_count > 0) {
+        check_streams(s, g, p);
     }
 }

@@ -7,7 +7,7 @@
 #include "tools/isoc/scene/source.h"
 
 /* Warns of the first input that is held where the method has a history, or whose extrapolation the local error does not see;
- * and of the first noise of an effect, a signal or an output that the derivative depends on, by itself or through memories. */
+ * and of the first function of time in a formula that the derivative depends on, by itself or through memories: noise, say. */
 void samples_check(const source *s, const graph *g, const scene *written, const plant *p);
 
 #endif
