@@ -5,6 +5,7 @@
  *     unix:PATH              a socket of the file system, which waits for a peer there
  *     tcp:PORT               waits at 127.0.0.1; port 0 is one that is free
  *     tcp:ADDRESS:PORT       waits at this address of IPv4
+ *     udp:PORT, udp:ADDRESS:PORT  the same with datagrams, for calibration alone (port/host/datagrams.h)
  *     pty                    a terminal of its own
  *     fd:N                   a stream of bytes that is open from the start
  *
@@ -33,6 +34,7 @@
 
 #include "port/channel.h"
 #include "port/host/channel.h"
+#include "port/host/datagrams.h"
 
 /* What a peer has not yet taken, as far as the system keeps no more of it. */
 enum { WAITING_BYTES = 65536, NONE = -1 };
@@ -43,6 +45,7 @@ typedef struct line {
     int listener; /* where peers come to, NONE for a stream that is open from the start */
     int peer;
     uint32_t opened; /* peers that have come there */
+    bool is_datagram;
     size_t waiting_bytes;
     uint8_t waiting[WAITING_BYTES];
 } line;
@@ -51,6 +54,9 @@ static line lines[ISO_CHANNELS] = {
     [ISO_CHANNEL_CONTROLLER] = {.variable = "ISOCHRON_CONTROLLER", .listener = NONE, .peer = NONE},
     [ISO_CHANNEL_CALIBRATION] = {.variable = "ISOCHRON_CALIBRATION", .listener = NONE, .peer = NONE},
 };
+
+/* Of the one line that has some. */
+static datagrams packets;
 
 _Noreturn static void fail(const line *const of, const char *const why)
 {
@@ -118,28 +124,43 @@ static void open_unix(line *const of, const char *const path)
     say(of, of->address);
 }
 
-static void open_tcp(line *const of, const char *const where)
+/* A socket that waits at an address, PORT or ADDRESS:PORT, with the kind and the example that a message tells. */
+static void open_internet(line *const of, const char *const where, const int type, const char *const kind)
 {
     const char *const colon = strrchr(where, ':');
     const int port = number(colon == NULL ? where : colon + 1, UINT16_MAX);
-    char host[INET_ADDRSTRLEN] = "127.0.0.1";
+    char host[INET_ADDRSTRLEN] = "127.0.0.1", text[96];
     struct sockaddr_in at = {.sin_family = AF_INET};
     if (colon != NULL && colon - where < (int)sizeof host) {
         snprintf(host, sizeof host, "%.*s", (int)(colon - where), where);
     }
     if (port < 0 || inet_pton(AF_INET, host, &at.sin_addr) != 1) {
-        fail(of, "expected tcp:PORT or tcp:ADDRESS:PORT, such as tcp:127.0.0.1:5555");
+        snprintf(text, sizeof text, "expected %s:PORT or %s:ADDRESS:PORT, such as %s:127.0.0.1:5555", kind, kind, kind);
+        fail(of, text);
     }
     at.sin_port = htons((uint16_t)port);
-    of->listener = must(of, socket(AF_INET, SOCK_STREAM, 0));
-    must(of, setsockopt(of->listener, SOL_SOCKET, SO_REUSEADDR, &(int){1}, sizeof(int)));
-    must(of, bind(of->listener, (const struct sockaddr *)&at, sizeof at));
-    must(of, listen(of->listener, 1));
+    of->listener = must(of, socket(AF_INET, type, 0));
+    if (type == SOCK_STREAM) {
+        must(of, setsockopt(of->listener, SOL_SOCKET, SO_REUSEADDR, &(int){1}, sizeof(int)));
+    }
+    must(of, bind(of->listener, (struct sockaddr *)&at, sizeof at));
+    if (type == SOCK_STREAM) {
+        must(of, listen(of->listener, 1));
+    }
     socklen_t bytes = sizeof at;
     must(of, getsockname(of->listener, (struct sockaddr *)&at, &bytes));
-    char name[64];
-    snprintf(name, sizeof name, "tcp:%s:%u", host, (unsigned)ntohs(at.sin_port));
-    say(of, name);
+    snprintf(text, sizeof text, "%s:%s:%u", kind, host, (unsigned)ntohs(at.sin_port));
+    say(of, text);
+}
+
+static void open_udp(line *const of, const char *const where)
+{
+    if (of != &lines[ISO_CHANNEL_CALIBRATION]) {
+        fail(of, "udp is for ISOCHRON_CALIBRATION; a controller takes unix:PATH, tcp:PORT, tcp:ADDRESS:PORT, pty or "
+                 "fd:NUMBER");
+    }
+    of->is_datagram = true;
+    open_internet(of, where, SOCK_DGRAM, "udp");
 }
 
 /* The other end of the terminal stays open here as well: so it keeps its settings, and no peer that closes it ends it.
@@ -168,13 +189,15 @@ static void open_line(line *const of)
     if (strncmp(of->address, "unix:", 5) == 0) {
         open_unix(of, of->address + 5);
     } else if (strncmp(of->address, "tcp:", 4) == 0) {
-        open_tcp(of, of->address + 4);
+        open_internet(of, of->address + 4, SOCK_STREAM, "tcp");
+    } else if (strncmp(of->address, "udp:", 4) == 0) {
+        open_udp(of, of->address + 4);
     } else if (strcmp(of->address, "pty") == 0) {
         open_terminal(of);
     } else if (strncmp(of->address, "fd:", 3) == 0 && number(of->address + 3, INT16_MAX) >= 0) {
         of->peer = number(of->address + 3, INT16_MAX);
     } else {
-        fail(of, "expected unix:PATH, tcp:PORT, tcp:ADDRESS:PORT, pty or fd:NUMBER");
+        fail(of, "expected unix:PATH, tcp:PORT, tcp:ADDRESS:PORT, udp:PORT, udp:ADDRESS:PORT, pty or fd:NUMBER");
     }
     without_waiting(of, of->peer == NONE ? of->listener : of->peer);
 }
@@ -222,6 +245,9 @@ static bool is_passing(const int why)
 size_t iso_port_receive(const iso_channel channel, void *const bytes, const size_t count)
 {
     line *const from = line_of(channel);
+    if (from->is_datagram) {
+        return datagrams_receive(&packets, from->listener, bytes, count, &from->opened);
+    }
     if (count == 0 || !meet(from)) {
         return 0;
     }
@@ -257,6 +283,9 @@ static void flush(line *const to)
 bool iso_port_send(const iso_channel channel, const void *const bytes, const size_t count)
 {
     line *const to = line_of(channel);
+    if (to->is_datagram) {
+        return datagrams_send(&packets, to->listener, bytes, count);
+    }
     if (!meet(to)) {
         return false;
     }
@@ -283,7 +312,7 @@ void iso_port_idle(void)
         files[count] = (struct pollfd){.fd = file, .events = events};
         count += file != NONE;
     }
-    const int64_t left = host_until_tick();
+    const int64_t left = datagrams_wait(&packets) ? 0 : host_until_tick();
     if (count == 0 && left < 0) {
         const line *const controller = line_of(ISO_CHANNEL_CONTROLLER);
         fprintf(stderr, "%s: %s\n", controller->variable,

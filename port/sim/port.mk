@@ -8,7 +8,7 @@ PORT_FLAGS := $(shell echo | $(PORT_CC) -Werror -fno-tree-ter -E - >/dev/null 2>
 PORT_OPTIMISE = -O2
 # What this port shares with others, and what links have beyond.
 PORT_SHARED =
-PORT_CHANNEL = port/host/channel.c
+PORT_CHANNEL = port/host/channel.c port/host/datagrams.c
 PORT_LINK =
 PORT_LIBRARIES =
 PORT_SUFFIX =

@@ -14,7 +14,7 @@ plants()
     real float
     # shellcheck disable=SC2086
     build/isoc "$out/$1.scene" -o "$out/$1" --link >"$out/summary" &&
-        EXTRA="$posix" program "$1/program" "$out/$1"/*.c $common port/sim/*.c port/host/channel.c
+        EXTRA="$posix" program "$1/program" "$out/$1"/*.c $common port/sim/*.c port/host/*.c
 }
 
 # firmware NAME: the same for the board.

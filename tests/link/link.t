@@ -23,7 +23,7 @@ for real in float double; do
     made=$out/$real
     # shellcheck disable=SC2086
     isoc "$made" "$out/cart_pole.scene" --link &&
-        EXTRA="$posix" program "$real/program" "$made"/*.c core/link/*.c port/host/channel.c $plain
+        EXTRA="$posix" program "$real/program" "$made"/*.c core/link/*.c port/host/*.c $plain
     result $? "$real: a program with a link is built"
     EXTRA="-I$made" program "$real/controller" tests/link/controller.c
     result $? "$real: so is a controller"
@@ -86,7 +86,7 @@ other()
 {
     rm -rf "$out/foreign" "$out/other"
     # shellcheck disable=SC2086
-    isoc "$out/foreign" "$@" --link && EXTRA="$posix" program other "$out/foreign"/*.c core/link/*.c port/host/channel.c $plain
+    isoc "$out/foreign" "$@" --link && EXTRA="$posix" program other "$out/foreign"/*.c core/link/*.c port/host/*.c $plain
 }
 
 optimised -O0

@@ -17,12 +17,16 @@ class Refused(Exception):
 
 
 def connect(address):
-    """A socket to tcp:HOST:PORT or unix:PATH."""
+    """A socket to tcp:HOST:PORT, udp:HOST:PORT or unix:PATH."""
     if address.startswith("unix:"):
         s = socket.socket(socket.AF_UNIX)
         s.connect(address[5:])
         return s
-    _, host, port = address.split(":")
+    kind, host, port = address.split(":")
+    if kind == "udp":
+        s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        s.connect((host, int(port)))
+        return s
     s = socket.create_connection((host, int(port)))
     s.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
     return s
@@ -31,6 +35,7 @@ def connect(address):
 class Master:
     def __init__(self, address, is_serial, patience=5.0):
         self.line, self.is_serial, self.patience = connect(address), is_serial, patience
+        self.is_datagram = self.line.type == socket.SOCK_DGRAM
         self.counter, self.data, self.samples, self.counters = 0, b"", [], []
 
     def close(self):
@@ -80,6 +85,8 @@ class Master:
             more = self.line.recv(65536)
             if not more:
                 return None
+            if self.is_datagram:
+                assert len(more) == 4 + struct.unpack("<H", more[:2])[0], "a datagram of the slave has one packet"
             self.data += more
 
     def take_samples(self):

@@ -1,7 +1,7 @@
 """A tool at a plant: connects, reads, writes and measures by the addresses of the A2L, while a controller makes the plant tick, in
 lockstep. Prints TAP.
 
-    session.py A2L FOLDER CONTROLLER CALIBRATION serial|socket SECONDS
+    session.py A2L FOLDER CONTROLLER CALIBRATION serial|socket|datagram|locked SECONDS
 
 FOLDER has the controller's module; CONTROLLER and CALIBRATION are addresses of the plant's channels; SECONDS of the plant's time are
 measured."""
@@ -214,6 +214,10 @@ def damage(x, link):
             x.line.sendall(chance.randbytes(chance.randrange(1, 40)))
         packet = bytes([chance.choice(codes)]) + chance.randbytes(chance.randrange(0, 20))
         frame = bytearray(x.frame(packet))
+        if KIND == "datagram" and chance.random() < 0.3:
+            frame = frame[:chance.randrange(len(frame))] or b"\1"
+        if KIND == "datagram" and chance.random() < 0.3:
+            frame = bytes(frame) + x.frame(packet)
         if KIND == "serial" and chance.random() < 0.3:
             frame[chance.randrange(len(frame))] ^= 1 << chance.randrange(8)
         x.line.sendall(frame)
@@ -254,6 +258,21 @@ def policies(x):
     result(read(x, "statistics.histogram_width") == plant.PERIOD_NS // 32, "and its width")
 
 
+def takes_over(x):
+    """Another master: what it sends before its CONNECT is not heard, and what the first sends behind that is not either."""
+    y = new_master()
+    y.patience = 0.2
+    result(refusal(y.status) == "no answer" and x.synch(), "a second master is not heard before it connects")
+    y.patience = 5.0
+    y.connect()
+    x.patience = 0.2
+    result(y.identity(1) == "cart" and refusal(x.status) == "no answer", "then it is, and the first is not")
+    x.close()
+    y.line.sendall(y.frame(b"\xfc") + y.frame(b"\xfd"))
+    result(y.get()[:2] == b"\xfe\x00" and y.get()[0] == 0xFF, "two packets in a datagram are two commands")
+    return y
+
+
 def locked(x):
     x.connect()
     result(x.status() == (0, 5), "what is locked is locked behind CONNECT")
@@ -282,6 +301,8 @@ else:
         damage(x, link)
         if KIND == "socket":
             x = leaves(x)
+        if KIND == "datagram":
+            x = takes_over(x)
         x.disconnect()
 print("1..%d" % tests[0])
 sys.exit(tests[1] > 0)

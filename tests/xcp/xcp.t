@@ -40,19 +40,35 @@ session()
     plant=
 }
 
-# host NAME: starts the plant on the host, its calibration at a port that is free: $port.
+# host NAME [KIND]: starts the plant on the host, its calibration at a port that is free: $port.
 host()
 {
     : >"$out/said"
-    ISOCHRON_CONTROLLER=unix:$out/$1/controller ISOCHRON_CALIBRATION=tcp:0 "$out/$1/cart" 2>"$out/said" &
+    rm -f "$out/$1/controller"
+    ISOCHRON_CONTROLLER=unix:$out/$1/controller ISOCHRON_CALIBRATION=${2-tcp}:0 "$out/$1/cart" 2>"$out/said" &
     plant=$!
-    waited grep -q tcp: "$out/said"
-    port=$(sed -n 's/.* waiting at \(tcp:.*\)/\1/p' "$out/said")
+    waited grep -q "${2-tcp}:" "$out/said"
+    port=$(sed -n 's/.* waiting at \(\(tcp\|udp\):.*\)/\1/p' "$out/said")
 }
 
 made host host open float
 host host
 session host socket 10 "$port"
+host host udp
+session host datagram 1 "$port"
+grep -A1 'begin XCP_ON_UDP_IP' "$out/host/cart.a2l" | grep -q '0x0100 5555 ADDRESS "127.0.0.1"'
+result $? "the A2L has it too"
+for bad in ISOCHRON_CONTROLLER=udp:0 ISOCHRON_CALIBRATION=udp:x ISOCHRON_CALIBRATION=udp:1.2.3:5; do
+    ! env "$bad" timeout 5 "$out/host/cart" 2>"$out/errors" && grep -q "^$bad: \(udp is for ISOCHRON_CALIBRATION\|expected udp:PORT or udp:ADDRESS:PORT\)" "$out/errors"
+    result $? "refused: $bad"
+done
+
+host host udp
+build/monitor "$out/host/cart.a2l" "$port" --once >"$out/table" && grep -q '^p.rod_mass  *0.2 kg ' "$out/table"
+result $? "the monitor connects to $(echo "$port" | cut -d : -f 1)"
+kill "$plant"
+wait "$plant" 2>/dev/null
+plant=
 
 mkdir -p "$out/project/scenes"
 (cat tests/xcp/cart.scene && echo 'grace 10 ticks; publish next_tick; histogram') >"$out/project/scenes/cart.scene"

@@ -41,7 +41,7 @@ static const char usage[] =
     "       monitor A2L --replay FILE [--once]\n"
     "\n"
     "Shows a plant that `make link XCP=open` or `make a2l` built, over XCP: a table of what its A2L names.\n"
-    "ADDRESS is that of ISOCHRON_CALIBRATION: tcp:HOST:PORT or unix:PATH.\n"
+    "ADDRESS is that of ISOCHRON_CALIBRATION: tcp:HOST:PORT, udp:HOST:PORT or unix:PATH.\n"
     "\n"
     "    --once             prints one table and ends, as it does where the output is no terminal\n"
     "    --do COMMAND       does a command first: set NAME = VALUE, pause, run, step N, record FILE, stop,\n"

@@ -39,9 +39,9 @@ static int open_unix(const char *const path)
     return file;
 }
 
-static int open_tcp(const char *const host, const char *const port)
+static int open_internet(const char *const host, const char *const port, const int type)
 {
-    const struct addrinfo hints = {.ai_socktype = SOCK_STREAM, .ai_family = AF_UNSPEC};
+    const struct addrinfo hints = {.ai_socktype = type, .ai_family = AF_UNSPEC};
     struct addrinfo *found = NULL;
     const int one = 1;
     int file = -1;
@@ -59,7 +59,7 @@ static int open_tcp(const char *const host, const char *const port)
         }
     }
     freeaddrinfo(found);
-    if (file >= 0) {
+    if (file >= 0 && type == SOCK_STREAM) {
         (void)setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
     }
     return file;
@@ -68,12 +68,13 @@ static int open_tcp(const char *const host, const char *const port)
 static bool open_line(master *const m, const char *const address)
 {
     char host[sizeof m->problem / 2];
-    const char *const colon = strncmp(address, "tcp:", 4) == 0 ? strrchr(address + 4, ':') : NULL;
+    const bool is_udp = strncmp(address, "udp:", 4) == 0;
+    const char *const colon = is_udp || strncmp(address, "tcp:", 4) == 0 ? strrchr(address + 4, ':') : NULL;
     if (strncmp(address, "unix:", 5) == 0) {
         m->file = open_unix(address + 5);
     } else if (colon != NULL && (size_t)(colon - address - 4) < sizeof host) {
         snprintf(host, sizeof host, "%.*s", (int)(colon - address - 4), address + 4);
-        m->file = open_tcp(host, colon + 1);
+        m->file = open_internet(host, colon + 1, is_udp ? SOCK_DGRAM : SOCK_STREAM);
     } else {
         snprintf(m->problem, sizeof m->problem,
                  "'%.100s' is no address; it could be tcp:127.0.0.1:5555 or unix:/tmp/plant", address);

@@ -22,7 +22,7 @@ typedef struct master {
     void *context;
 } master;
 
-/* Connects to unix:PATH or tcp:HOST:PORT, and makes sure that the plant is that of the A2L. */
+/* Connects to unix:PATH, tcp:HOST:PORT or udp:HOST:PORT, and makes sure that the plant is that of the A2L. */
 bool master_connect(master *m, const char *address, bool is_serial, const char *epk);
 bool master_disconnect(master *m);
 

@@ -9,7 +9,7 @@
 #include "tools/isoc/emit/parts.h"
 
 /* The sizes of core/xcp, which the A2L tells; the program that has both asserts them. */
-enum { MAX_CTO = 64, MAX_DTO = 256, LISTS = 4, BLOCK_BYTES = 255, BAUD = 1000000, TCP_PORT = 5555 };
+enum { MAX_CTO = 64, MAX_DTO = 256, LISTS = 4, BLOCK_BYTES = 255, BAUD = 1000000, ETHERNET_PORT = 5555 };
 
 /* A duration of `count` times 10^unit ns. */
 typedef struct duration {
@@ -186,10 +186,11 @@ static void emit_if_data(const plant *p, text *out)
              "      /begin XCP_ON_SxI\n        0x0100 %d\n        ASYNCH_FULL_DUPLEX_MODE PARITY_NONE ONE_STOP_BIT\n"
              "        HEADER_LEN_CTR_WORD CHECKSUM_WORD\n      /end XCP_ON_SxI\n",
              BAUD);
-    text_add(out,
-             "      /begin XCP_ON_TCP_IP\n        0x0100 %d ADDRESS \"127.0.0.1\"\n      /end XCP_ON_TCP_IP\n    /end "
-             "IF_DATA\n",
-             TCP_PORT);
+    for (const char *const *of = (const char *const[]){"TCP", "UDP", NULL}; *of != NULL; of++) {
+        text_add(out, "      /begin XCP_ON_%s_IP\n        0x0100 %d ADDRESS \"127.0.0.1\"\n      /end XCP_ON_%s_IP\n",
+                 *of, ETHERNET_PORT, *of);
+    }
+    text_add(out, "    /end IF_DATA\n");
 }
 
 static void emit_units(const units *u, text *out)
