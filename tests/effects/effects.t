@@ -52,6 +52,23 @@ friction rk4
 friction bdf4
 watched 4 friction.run
 
+# slip SCENE: a block that sticks and slips.
+slip()
+{
+    build/isoc "$1" -o "$out/slip" --real "$real" >"$out/slip.summary" &&
+        creep=$(sed -n 's|^stable drag.creep \(.*\) m/s$|\1|p' "$out/slip.summary") &&
+        EXTRA="-DPLANT=\"$out/slip/plant.c\" -DCREEP=$creep" program slip.run tests/effects/slip.c tests/host/report.c
+}
+for number in float double; do
+    real $number
+    slip tests/effects/slip.scene
+    joined "slip, $number" "$out/slip.run"
+done
+sed 's/static 4 N/static 4.01 N/' tests/effects/slip.scene >"$out/slip.scene"
+slip "$out/slip.scene"
+! "$out/slip.run" >"$out/tap" && grep -q '^not ok 1' "$out/tap"
+result $? 'found: a hundredth newton more at rest'
+
 # stop METHOD TOLERANCE: a block between stops, as stiff as the method allows. The tolerance is of an impact in which the
 # motion turns by half an oscillation at a third of the limit of the method.
 stop()
