@@ -19,6 +19,9 @@ typedef enum iso_channel {
     ISO_CHANNELS
 } iso_channel;
 
+/* Every channel takes so many bytes at once, if none wait: no frame of a plant is longer, so that it works on every port. */
+enum { ISO_CHANNEL_BYTES = 2048 };
+
 /* Takes up to count of the bytes that have come in. Returns how many. */
 size_t iso_port_receive(iso_channel channel, void *bytes, size_t count);
 

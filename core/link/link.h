@@ -11,6 +11,7 @@
 #include "core/link/command.h"
 #include "core/link/frame.h"
 #include "core/link/interface.h"
+#include "port/channel.h"
 
 #define iso_link_open ISO_REAL_NAME(iso_link_open)
 #define iso_link_begin ISO_REAL_NAME(iso_link_begin)

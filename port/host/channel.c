@@ -50,6 +50,8 @@ typedef struct line {
     uint8_t waiting[WAITING_BYTES];
 } line;
 
+_Static_assert(sizeof((line *)0)->waiting >= ISO_CHANNEL_BYTES, "a frame can wait");
+
 static line lines[ISO_CHANNELS] = {
     [ISO_CHANNEL_CONTROLLER] = {.variable = "ISOCHRON_CONTROLLER", .listener = NONE, .peer = NONE},
     [ISO_CHANNEL_CALIBRATION] = {.variable = "ISOCHRON_CALIBRATION", .listener = NONE, .peer = NONE},

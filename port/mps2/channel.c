@@ -33,7 +33,8 @@ enum { BIT_COUNTS = 25 };
 enum { EXCEPTIONS = 16, INTERRUPTS = 4, ALL_INTERRUPTS = (1 << INTERRUPTS) - 1 };
 
 /* Places count without an end; their last bits are those in the ring. One side moves the first, the other the last. */
-enum { RING_BYTES = 2048 };
+enum { RING_BYTES = ISO_CHANNEL_BYTES };
+_Static_assert((RING_BYTES & (RING_BYTES - 1)) == 0, "places go on where they wrap");
 typedef struct ring {
     volatile uint32_t first, last;
     volatile uint8_t bytes[RING_BYTES]; /* so that a byte is there before its place is counted */

@@ -90,6 +90,31 @@ other()
 }
 
 optimised -O0
+
+# long OUTPUTS [OPTION...]: a plant with so many outputs.
+long()
+{
+    { cat tests/link/rotor.scene && for i in $(seq "$1"); do echo "output long_$i = speed of shaft"; done; } >"$out/long.scene"
+    shift
+    rm -rf "$out/long"
+    build/isoc "$out/long.scene" -o "$out/long" --link "$@" >"$out/summary" 2>"$out/errors"
+}
+# With the two of the rotor 506 floats, or 253 doubles, are what a frame has room for.
+real float
+long 504 && program long/interface.o -c "$out/long/interface.c"
+result $? "the longest frame of floats is that of 506 outputs"
+mkdir -p "$out/small/port" && sed 's/ISO_CHANNEL_BYTES = 2048/ISO_CHANNEL_BYTES = 2045/' port/channel.h >"$out/small/port/channel.h"
+# shellcheck disable=SC2086
+! "$CC" -I"$out/small" $FLAGS -c "$out/long/interface.c" -o "$out/small/interface.o" 2>"$out/errors" &&
+    grep -q 'a channel takes a frame at once' "$out/errors"
+result $? "found: a channel that takes less than its 2046 bytes"
+! long 505 && grep -qx "$out/long.scene: error: a frame of its 507 outputs has 2050 bytes, and a channel takes 2048 at once; leave some of them out, or read them over XCP" \
+    "$out/errors" && [ ! -e "$out/long" ]
+result $? "refused: a frame that is longer than what a channel takes: $(cat "$out/errors")"
+long 251 --real double && ! long 252 --real double
+result $? "and one of 254 doubles"
+real float
+
 other "$out/cart_pole.scene" --step 2ms && refused 'another plant, method, step or type' "another step"
 other "$out/cart_pole.scene" --method heun && refused 'another plant, method, step or type' "another method"
 mkdir -p "$out/changed" && sed 's/after 5 ticks/after 6 ticks/' "$out/cart_pole.scene" >"$out/changed/cart_pole.scene"

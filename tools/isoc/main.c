@@ -240,6 +240,9 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
         fprintf(stderr, "%s: error: the equations contain %g; %s\n", o->scene, culprit, real_advice(o->is_double));
         return false;
     }
+    if (o->is_linked && !link_fits(p, o->scene)) {
+        return false;
+    }
     cost_summary(p, g, &summary);
     file_list_add(&files, arena_format(memory, "%s.h", names.prefix), &header);
     file_list_add(&files, arena_format(memory, "%s.c", names.prefix), &source_text);

@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <inttypes.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
@@ -71,6 +72,7 @@ static void emit_interface(const plant *p, const naming *names, const text *wire
         emit_calibration(p, names, lock, identity, out);
     }
     text_add(out, "static uint8_t received[ISO_LINK_BYTES(WIRES, %s_OUTPUTS)], sent[sizeof received];\n", capitals);
+    text_add(out, "_Static_assert(sizeof received <= ISO_CHANNEL_BYTES, \"a channel takes a frame at once\");\n");
     text_add(out, "static unsigned char record[ISO_SNAPSHOT_BYTES(sizeof(%s_memory))];\n\n", names->prefix);
     text_add(out, "const iso_interface iso_the_interface = {\n    .identity = UINT64_C(0x%016" PRIx64 "),\n", identity);
     text_add(out, "%s", any ? "    .wires = wires,\n    .wire_count = WIRES,\n    .values = values,\n" : "");
@@ -271,6 +273,23 @@ static void emit_client_module(const terminals *t, text *out)
     emit_dictionary("INPUTS", t->inputs, t->input_count, out);
     emit_dictionary("OUTPUTS", t->outputs, t->output_count, out);
     text_add(out, "\n%s", embedded_text(client_files, "tools/isoc/client/client.py"));
+}
+
+bool link_fits(const plant *p, const char *path)
+{
+    /* As core/link/frame.h counts them: a tick, the reals, type and CRC; in COBS, between two zeros. */
+    enum { CHANNEL_BYTES = 2048, TICK_BYTES = 8, FRAMING_BYTES = 3, COBS_BLOCK = 254, ENDS = 3 };
+    const bool is_in = p->m->wire_count > p->output_count;
+    const int reals = is_in ? p->m->wire_count : p->output_count;
+    const int bytes = TICK_BYTES + reals * (p->is_double ? 8 : 4) + FRAMING_BYTES;
+    const int frame = bytes + bytes / COBS_BLOCK + ENDS;
+    if (frame > CHANNEL_BYTES) {
+        fprintf(
+            stderr,
+            "%s: error: a frame of its %d %s has %d bytes, and a channel takes %d at once; leave some of them out%s\n",
+            path, reals, is_in ? "inputs" : "outputs", frame, CHANNEL_BYTES, is_in ? "" : ", or read them over XCP");
+    }
+    return frame <= CHANNEL_BYTES;
 }
 
 void emit_link(const plant *p, const naming *names, const char *lock, file_list *files)
