@@ -154,6 +154,7 @@ CONNECT = build/link -o $(OUT) --header "$$(ls $(LINKED)/*_link.h)" $(MODE:%=--m
 
 link: $(LINKED_PROGRAM) $(if $(XCP),$(A2L)) build/trace build/link
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
+	$(if $(XCP),@echo a2l $(A2L))
 	$(Q)$(CONNECT)$(if $(KEEP), >$(OUT)/summary.txt && cat $(OUT)/summary.txt)
 	$(Q)$(KEEP_RUN)
 
