@@ -1,6 +1,6 @@
 #!/bin/sh
 # Outputs of every n-th tick: in the row of a tick whose number is a multiple of n they are what the same output of each tick is,
-# and in between what they were; in a snapshot, across 2^32 ticks and where an output is not finite; on the board the same rows,
+# and in between what they were; in a snapshot, across 2^32 ticks, where an output is not finite, and over a link; on the board the same rows,
 # and one number of instructions for all steps. What is of each tick anyhow has the bytes that it had.
 . tests/host/test.sh
 begin outputs/rates
@@ -47,6 +47,12 @@ build/isoc $scene --name rates -o "$out" >"$out/summary" && grep -q '^outputs_ev
 result $? "isoc tells the operations of each rate: $(grep -c '^outputs_every' "$out/summary") rates"
 EXTRA="-I$out" program rates tests/outputs/rates.c tests/host/report.c "$out/rates.c" core/runtime/snapshot.c && "$out/rates" >"$out/told"
 result $? "the program of the outputs: $(grep -c '^ok' "$out/told") tests $(grep '^not ok' "$out/told")"
+
+sed 's/^tunable divisor.*/&\ninput push N*m/; s/start 20 deg/&; drive push/' $scene >"$out/wired.scene"
+build/isoc "$out/wired.scene" -o "$out/wired" --link >"$out/summary" &&
+    make -s link SCENE="$out/wired.scene" SECONDS=0.06 CONTROLLER="python3 $PWD/tests/outputs/controller.py $PWD/$out/wired" >"$out/summary" 2>"$out/errors" &&
+    grep -q '^rows 60 wrong 0$' "$out/summary"
+result $? "a controller at the other end of a wire sees the same: $(grep '^rows' "$out/summary")"
 
 sed 's/ every .*/ every 1 ticks/' $scene >"$out/one.scene"
 build/isoc "$out/one.scene" --name same -o "$out/one" >"$out/summary" && build/isoc "$out/fast.scene" --name same -o "$out/fast" >"$out/summary" &&
