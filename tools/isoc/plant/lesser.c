@@ -53,11 +53,15 @@ const lesser *lesser_on_rung(const plant *p, int rung)
     return dropped > 0 ? &p->lessers[dropped - 1] : NULL;
 }
 
+/* The method is in the name where it is not that of the scene, and where the rung is there for it: so no two rungs are called
+ * alike. */
 const char *rung_suffix(const plant *p, int rung, arena *memory)
 {
-    const unsigned recipe = p->m->policies.rungs[rung];
+    const policies *of = &p->m->policies;
+    const unsigned recipe = of->rungs[rung];
     const lesser *left = lesser_on_rung(p, rung);
-    const bool is_of_scene = left != NULL && recipe == p->m->recipe;
-    const char *method = is_of_scene ? "" : arena_format(memory, "_%s", method_names[ISO_METHOD_OF(recipe)]);
+    const bool drops = of->dropped[rung] > (rung > 0 ? of->dropped[rung - 1] : 0);
+    const char *method =
+        drops && recipe == p->m->recipe ? "" : arena_format(memory, "_%s", method_names[ISO_METHOD_OF(recipe)]);
     return arena_format(memory, "%s%s", method, left == NULL ? "" : left->suffix);
 }
