@@ -134,6 +134,9 @@ enum {
 /* Whether discontinuities are detected: if steps are checked, and the method has a history. */
 #define ISO_IS_WATCHED(recipe) (ISO_IS_CHECKED(recipe) && !ISO_IS_VARYING(recipe) && ISO_PAST_KEPT(recipe) > 0)
 
+/* Whether some of the states can take sub-steps within a step (core/methods/multirate.h): an explicit method of one step. */
+#define ISO_TAKES_SUBSTEPS(recipe) (ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4))
+
 /* Whether a step reports its progress. */
 #define ISO_HAS_PROGRESS(recipe) (ISO_IS_CHECKED(recipe) || ISO_IS_ITERATING(recipe) || ISO_IS_VARYING(recipe))
 

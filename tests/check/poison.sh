@@ -75,6 +75,7 @@ done
 generated tests/inputs/waveforms.scene rk4
 generated tests/tunables/chain.scene rk4
 generated tests/effects/all.scene rk4
+generated tests/rates/motor.scene rk4
 { cat models/pendulum.scene && printf '%s\n' 'overrun degrade { method euler; hold; after 9 ticks }' 'grace 10 ticks' 'publish next_tick' histogram 'substeps 4'; } >"$out/policies.scene"
 generated "$out/policies.scene" rk4
 joined "examined" watch
@@ -96,6 +97,7 @@ for method in $METHODS; do
 done
 generated "$out/tree_checked.scene" rosenbrock --factors looped
 generated tests/effects/all.scene rk4
+generated tests/rates/motor.scene rk4
 joined "by clang" watch
 
 # planted KIND TESTS NAME: memcheck finds it with every method, in the tests of these numbers of three and no other.

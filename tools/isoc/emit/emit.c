@@ -62,6 +62,7 @@ static void emit_beginning(const emission *e, const text *rest)
                  capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->recipe)]));
     }
     text_add(e->out, "#include \"core/methods/method.h\"\n");
+    text_add(e->out, "%s", e->p->fast.count > 0 ? "#include \"core/methods/multirate.h\"\n" : "");
     text_add(e->out, "%s", e->p->j.looped != NULL ? "#include \"core/methods/sparse.h\"\n" : "");
     text_add(e->out, "%s#include \"core/runtime/tick.h\"\n",
              m->policies.any && e->names->is_program ? "#include \"core/runtime/policy.h\"\n" : "");

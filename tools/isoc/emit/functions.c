@@ -218,6 +218,16 @@ static void emit_rates(emission *e)
     e->in_step = false;
 }
 
+/* dx of the states with sub-steps of their own, one after the other. */
+static void emit_fast(emission *e)
+{
+    const fast_part *fast = &e->p->fast;
+    const code made = code_of(e, numbered(e, "dx", fast->count), fast->derivatives, fast->count);
+    e->in_step = true;
+    emit_function(e, arena_format(e->out->memory, "fast_derivative%s", e->suffix), "dx", "", &made);
+    e->in_step = false;
+}
+
 void emit_arrays(const emission *e, const code *made)
 {
     const mechanism *m = e->p->m;
@@ -541,6 +551,9 @@ static void emit_lesser_functions(emission *e, const lesser *left)
 {
     emission other = emission_of(e, left);
     emit_derivative(&other);
+    if (other.p->fast.count > 0) {
+        emit_fast(&other);
+    }
     emit_output(&other);
     if (other.p->m->memory_count > 0) {
         emit_advance(&other);
@@ -569,6 +582,9 @@ void emit_functions(emission *e)
     }
     if (p->rate_count > 0) {
         emit_rates(e);
+    }
+    if (p->fast.count > 0) {
+        emit_fast(e);
     }
     if (p->after.count > 0) {
         emit_settle(e);

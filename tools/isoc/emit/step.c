@@ -113,6 +113,39 @@ static void emit_equations(emission *e)
     text_add(e->out, "%s};\n\n", ISO_IS_VARYING(p->m->recipe) ? "    .adams = &options,\n" : "");
 }
 
+static void emit_places_of(emission *e, const char *array, const int *states, int count)
+{
+    text_add(e->out, "static const uint16_t %s%s[%d] = {", array, e->suffix, count);
+    for (int i = 0; i < count; i++) {
+        text_add(e->out, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[states[i]].place);
+    }
+    text_add(e->out, "};\n");
+}
+
+/* The states with sub-steps of their own. */
+static void emit_fast_states(emission *e)
+{
+    const fast_part *fast = &e->p->fast;
+    text_add(e->out, "/* States that move in %d sub-steps of a step, and the others that these read. */\n",
+             e->p->m->fast_substeps);
+    emit_places_of(e, "fast_states", fast->states, fast->count);
+    if (fast->read_count > 0) {
+        emit_places_of(e, "fast_reads", fast->reads, fast->read_count);
+    }
+    text_add(e->out, "static const bool is_fast%s[%s_STATES] = {\n", e->suffix, e->names->capitals);
+    for (int i = 0; i < fast->count; i++) {
+        text_add(e->out, "    [%s] = true,\n", e->names->leaves.states[fast->states[i]].place);
+    }
+    text_add(e->out, "};\nstatic const iso_fast fast%s = {\n    .derivative = fast_derivative%s,\n", e->suffix,
+             e->suffix);
+    text_add(e->out, "    .states = fast_states%s,\n    .count = %d,\n    .is_fast = is_fast%s,\n", e->suffix,
+             fast->count, e->suffix);
+    if (fast->read_count > 0) {
+        text_add(e->out, "    .reads = fast_reads%s,\n    .read_count = %d,\n", e->suffix, fast->read_count);
+    }
+    text_add(e->out, "    .substeps = %d,\n};\n\n", e->p->m->fast_substeps);
+}
+
 /* Whether there is something that discontinuity() compares with. */
 static bool remembers(const plant *p)
 {
@@ -158,6 +191,19 @@ static unsigned step_recipe(const emission *e)
     return e->p->m->recipe | (e->p->after.count > 0 ? ISO_SETTLED : 0U);
 }
 
+/* What does not change in a step is computed; returns where that stands, or the tunables. */
+static const char *emit_held(emission *e)
+{
+    const held *h = &e->p->held;
+    const char *kept = h->tuned > 0 ? arena_format(e->out->memory, "memory->h%s", e->suffix) : "h";
+    text_add(e->out, "%s",
+             h->count > 0 && h->tuned == 0 ? arena_format(e->out->memory, "    real h[%d];\n", h->count) : "");
+    if (h->count > h->tuned) {
+        text_add(e->out, "    hold%s(%s, memory->u);\n", e->suffix, kept);
+    }
+    return h->count > 0 ? kept : array_or_null(e->p->m->parameter_count, "memory->p");
+}
+
 /* The call of iso_method_step or iso_method_prime, with what it works on. */
 static void emit_call(emission *e, const char *function, const char *size)
 {
@@ -168,19 +214,24 @@ static void emit_call(emission *e, const char *function, const char *size)
     if (ISO_IS_IMPLICIT(m->recipe)) {
         text_add(e->out, "    real lu[%d];\n", e->p->j.factor_count);
     }
-    const held *h = &e->p->held;
-    const char *kept = h->tuned > 0 ? arena_format(e->out->memory, "memory->h%s", e->suffix) : "h";
-    text_add(e->out, "%s",
-             h->count > 0 && h->tuned == 0 ? arena_format(e->out->memory, "    real h[%d];\n", h->count) : "");
-    if (h->count > h->tuned) {
-        text_add(e->out, "    hold%s(%s, memory->u);\n", e->suffix, kept);
-    }
+    const char *parameters = emit_held(e);
     text_add(e->out, "    %s(%s, %s_STATES, &equations%s, %s, memory->x, %s, %s, %s, work,\n", function, recipe,
              capitals, e->suffix, code_literal(e->out->memory, method_step(m), e->p->is_double),
-             array_or_null(held_count(m), "memory->u"),
-             h->count > 0 ? kept : array_or_null(m->parameter_count, "memory->p"),
-             ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
+             array_or_null(held_count(m), "memory->u"), parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
     text_add(e->out, "                    %s);\n", progress_of(m));
+}
+
+/* The call of iso_multirate_step. */
+static void emit_multirate_call(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char *recipe = recipe_symbol(e->out->memory, m->recipe), *capitals = e->names->capitals;
+    text_add(e->out, "    real work[ISO_MULTIRATE_WORK(%s, %s_STATES, %d, %d)];\n", recipe, capitals, e->p->fast.count,
+             e->p->fast.read_count);
+    const char *parameters = emit_held(e);
+    text_add(e->out, "    iso_multirate_step(%s, %s_STATES, &equations%s, &fast%s, %s, memory->x, %s, %s, work);\n",
+             recipe, capitals, e->suffix, e->suffix, code_literal(e->out->memory, method_step(m), e->p->is_double),
+             array_or_null(held_count(m), "memory->u"), parameters);
 }
 
 /* What is done about the samples of smooth inputs before a step or a restart. */
@@ -322,7 +373,11 @@ static void emit_step_function(emission *e, const char *suffix)
                                    has_parts ? "part" : "step", suffix));
     for_turns(e, emit_before_turn);
     emit_samples(e, "iso_method_sample");
-    emit_call(e, "iso_method_step", "ISO_METHOD_WORK");
+    if (e->p->fast.count > 0) {
+        emit_multirate_call(e);
+    } else {
+        emit_call(e, "iso_method_step", "ISO_METHOD_WORK");
+    }
     emit_after(e);
     text_add(e->out, "}\n\n");
     if (has_parts) {
@@ -376,9 +431,15 @@ void emit_step(emission *e)
         emit_adams(e);
     }
     emit_equations(e);
+    if (e->p->fast.count > 0) {
+        emit_fast_states(e);
+    }
     for (int i = 0; i < e->p->lesser_count; i++) {
         emission other = emission_of(e, &e->p->lessers[i]);
         emit_equations(&other);
+        if (other.p->fast.count > 0) {
+            emit_fast_states(&other);
+        }
     }
     if (remembers(e->p)) {
         emit_remember(e);

@@ -124,6 +124,9 @@ size_t count_forces(const scene *written);
 void count_effects(builder *b);
 void build_effects(builder *b);
 
+/* substeps.c: the effects with sub-steps of their own, when their states are known. */
+void build_substeps(builder *b);
+
 /* streams.c: the functions of time outside of inputs, before there are inputs; and their inputs. */
 void find_streams(builder *b);
 void build_streams(builder *b);

@@ -224,6 +224,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     regroup(&b);
     build_inputs(&b);
     build_effects(&b);
+    build_substeps(&b);
     build_outputs(&b);
     finish_pasts(&b);
     show_pasts(&b);

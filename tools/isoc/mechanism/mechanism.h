@@ -273,6 +273,8 @@ typedef struct mechanism {
     clocks clocks;                  /* of motions: states between the links' positions and the speeds */
     effect_quantity *effect_states; /* states behind the clocks */
     int effect_state_count, first_effect_state;
+    bool *fast_effects;        /* [effects] those whose states take sub-steps in a step, */
+    int fast_substeps;         /* and how many; 0: none do */
     effect_quantity *memories; /* of effects: numbers that a tick sets at its end, behind the inputs */
     int memory_count;
     node *efforts;               /* [degrees of freedom] of effects: */
@@ -354,6 +356,13 @@ static inline int dofs_of(joint_kind kind)
 static inline int state_count(const mechanism *m)
 {
     return m->position_count + m->dof_count;
+}
+
+/* Whether this state takes sub-steps of its own. */
+static inline bool is_fast_state(const mechanism *m, int state)
+{
+    const int i = state - m->first_effect_state;
+    return m->fast_substeps > 0 && i >= 0 && i < m->effect_state_count && m->fast_effects[m->effect_states[i].effect];
 }
 
 /* What is constant within a step: inputs and memories. */

@@ -5,6 +5,7 @@
 #include "tools/isoc/base/eigenvalues.h"
 #include "tools/isoc/base/elementary.h"
 #include "tools/isoc/mechanism/growth.h"
+#include "tools/isoc/plant/two_rates.h"
 
 /* Growth per step that is none: as in tests/stability. */
 static const double slack = 1e-3;
@@ -85,19 +86,28 @@ static double *semi_implicit_map(arena *memory, const slopes *s, double h)
     return map;
 }
 
-/* Its map has eigenvalues of its own, which are not those of J one by one: a spring and its damper count together. */
-static int count_growing_maps(arena *memory, const modes *m, double step)
+/* Whether some states take sub-steps of their own. */
+static bool has_two_rates(const modes *m, unsigned recipe)
+{
+    return m->of.substeps > 0 && ISO_TAKES_SUBSTEPS(recipe);
+}
+
+/* Such a map has eigenvalues of its own, which are not those of J one by one: a spring and its damper count together. */
+static int count_growing_maps(arena *memory, const modes *m, unsigned recipe, double step)
 {
     const int n = m->of.n;
     const size_t size = (size_t)(n * n) + 1;
-    double *map = semi_implicit_map(memory, &m->of, step);
+    const bool is_lenient = grows_on_axis(recipe) || ISO_IS(recipe, ISO_SEMI_IMPLICIT);
+    double *map = has_two_rates(m, recipe)
+                      ? two_rates_map(memory, m->of.at, n, m->of.is_fast, m->of.substeps, recipe, step)
+                      : semi_implicit_map(memory, &m->of, step);
     double *re = arena_take(memory, (size_t)n + 1, sizeof *re), *im = arena_take(memory, (size_t)n + 1, sizeof *im);
     const double own = own_growth_of(m, step);
     int count = 0;
     if (eigenvalues(memory, map, n, re, im)) {
         for (int i = 0; i < n; i++) {
             /* Forces that follow the speeds across, as of a gyroscope, are those of euler. */
-            const double turned = im[i] == 0.0 ? 0.0 : usual_damping * size_of(re[i] - 1.0, im[i]);
+            const double turned = im[i] == 0.0 || !is_lenient ? 0.0 : usual_damping * size_of(re[i] - 1.0, im[i]);
             count += size_of(re[i], im[i]) > own * exponential(turned) + slack;
         }
     }
@@ -105,22 +115,57 @@ static int count_growing_maps(arena *memory, const modes *m, double step)
     return count;
 }
 
+/* The fastest of the modes that decay, but so many; -1 where there is none. */
+static int fastest_but(const modes *m, int others)
+{
+    int found = -1;
+    double below = HUGE_VAL;
+    for (int skipped = 0; skipped <= others; skipped++) {
+        double largest = -1.0;
+        found = -1;
+        for (int i = 0; i < m->of.n; i++) {
+            const double size = size_of(m->re[i], m->im[i]);
+            if (m->re[i] <= own_growth * size && size > largest && size < below) {
+                largest = size;
+                found = i;
+            }
+        }
+        below = largest;
+    }
+    return found;
+}
+
+/* The mode that a map is told by. With two rates, one that is too fast for a sub-step; or, as those of the fast states are
+ * not, the next. */
+static int mode_of_map(const modes *m, unsigned recipe, double step)
+{
+    const int first = fastest_but(m, 0), next = fastest_but(m, m->of.fast_count);
+    const double part = step / (double)(m->of.substeps > 0 ? m->of.substeps : 1);
+    const bool is_told = !has_two_rates(m, recipe) || next < 0 ||
+                         (first >= 0 && is_growing(recipe, part * m->re[first], part * m->im[first], 1.0));
+    return is_told ? first : next;
+}
+
 int count_growing(arena *memory, const modes *m, unsigned recipe, double step, int *fastest)
 {
-    const bool is_map = ISO_IS(recipe, ISO_SEMI_IMPLICIT);
+    const bool is_map = ISO_IS(recipe, ISO_SEMI_IMPLICIT) || has_two_rates(m, recipe);
     const double own = own_growth_of(m, step);
     int count = 0;
     double largest = -1.0;
+    if (is_map) {
+        const int told = mode_of_map(m, recipe, step);
+        *fastest = told >= 0 ? told : *fastest;
+        return count_growing_maps(memory, m, recipe, step);
+    }
     for (int i = 0; i < m->of.n; i++) {
         const double size = size_of(m->re[i], m->im[i]);
-        const bool is_decaying = m->re[i] <= own_growth * size;
-        if (is_map ? is_decaying : is_growing(recipe, step * m->re[i], step * m->im[i], own)) {
+        if (is_growing(recipe, step * m->re[i], step * m->im[i], own)) {
             count++;
             *fastest = size > largest ? i : *fastest;
             largest = fmax(largest, size);
         }
     }
-    return is_map ? count_growing_maps(memory, m, step) : count;
+    return count;
 }
 
 double largest_step(arena *memory, const modes *m, unsigned recipe)
@@ -132,11 +177,12 @@ double largest_step(arena *memory, const modes *m, unsigned recipe)
     for (int i = 0; i < m->of.n; i++) {
         fastest = fmax(fastest, size_of(m->re[i], m->im[i]));
     }
+    const double reach = has_two_rates(m, recipe) ? beyond * (double)m->of.substeps : beyond;
     double low = 0.0, high = least / fastest;
     while (count_growing(memory, m, recipe, high, &which) == 0) {
         low = high;
         high *= factor;
-        if (!(high * fastest < beyond)) {
+        if (!(high * fastest < reach)) {
             return HUGE_VAL;
         }
     }

@@ -60,7 +60,12 @@ static bool is_flat(const plant *p, const graph *g)
     const int most = p->is_double ? MOST_DOUBLE : MOST_FLOAT;
     const operations n = count_operations(g, p->derivatives, (size_t)state_count(m));
     const int evaluations = ISO_IS_VARYING(m->recipe) ? 1 : ISO_EVALUATIONS_OF(m->recipe);
-    return evaluations * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) <= most;
+    const fast_part fast = fast_build(g, m, p->derivatives);
+    const operations part = count_operations(g, fast.derivatives, (size_t)fast.count);
+    const int copies = evaluations > 1 ? evaluations * (evaluations - 1) : 1; /* in the sub-steps of each later stage */
+    return evaluations * (n.add + n.mul + n.div + OF_SINCOS * n.sincos) +
+               copies * (part.add + part.mul + part.div + OF_SINCOS * part.sincos) <=
+           most;
 }
 
 /* The derivatives, and the factors of an implicit method, as functions of what is held. Where all calls are inlined, the
@@ -175,6 +180,7 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted)
     specific_forces_resolve(&p, g);
     outputs_build(&p, g);
     hold(&p, g);
+    p.fast = fast_build(g, m, p.held_derivatives);
     p.violation = m->violation_limit > 0.0 && p.d->loops.held.count > 0
                       ? largest_violation(&p.d->k, &p.d->loops.held, false)
                       : -1;

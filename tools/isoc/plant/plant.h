@@ -5,6 +5,7 @@
 #include "tools/isoc/dynamics/dynamics.h"
 #include "tools/isoc/dynamics/settled.h"
 #include "tools/isoc/graph/operations.h"
+#include "tools/isoc/plant/fast.h"
 #include "tools/isoc/plant/held.h"
 #include "tools/isoc/plant/jacobian.h"
 
@@ -42,6 +43,7 @@ typedef struct plant {
     bool is_flat;                /* a step is small: its calls are inlined */
     held held;                   /* what the step computes once */
     node *held_derivatives;      /* the derivatives by that; where nothing is held, themselves */
+    fast_part fast;              /* of these derivatives: the states with sub-steps of their own */
     node energy;
     node violation; /* of the closures, where the loop counts it; else -1 */
     bool is_double;

@@ -76,6 +76,18 @@ static void clear_quaternions(const mechanism *m, slopes *s)
     }
 }
 
+static void find_fast(const mechanism *m, const turning *all, int count, arena *memory, slopes *s)
+{
+    s->is_fast = arena_take(memory, (size_t)s->n + 1, sizeof *s->is_fast);
+    s->substeps = m->fast_substeps;
+    for (int i = 0; i < count; i++) {
+        if (is_fast_state(m, all[i].state)) {
+            s->is_fast[all[i].reduced] = true;
+            s->fast_count++;
+        }
+    }
+}
+
 slopes slopes_at(const linearised *l, const double *x, const double *u)
 {
     const mechanism *m = l->m;
@@ -88,6 +100,7 @@ slopes slopes_at(const linearised *l, const double *x, const double *u)
     turning *all = arena_take(g->memory, 4 * (size_t)states + 1, sizeof *all);
     made.at = arena_take(g->memory, (size_t)(made.n * made.n) + 1, sizeof *made.at);
     const int count = list_turnings(m, x, all);
+    find_fast(m, all, count, g->memory, &made);
     const evaluation at = {.x = x, .u = given, .p = m->defaults};
     for (int i = 0; i < inputs; i++) {
         given[i] = u[i];

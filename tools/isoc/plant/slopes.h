@@ -18,7 +18,9 @@ linearised linearise(const graph *of, const mechanism *m, const node *roots, siz
 typedef struct slopes {
     int n, positions; /* the first rows are of positions, the others of speeds */
     double *at;
-    int infinite; /* a state whose column is not finite, or -1 */
+    int infinite;  /* a state whose column is not finite, or -1 */
+    bool *is_fast; /* [n] those that take sub-steps of their own, so many of them; 0 sub-steps: none does */
+    int fast_count, substeps;
 } slopes;
 
 slopes slopes_at(const linearised *l, const double *x, const double *u);

@@ -81,11 +81,13 @@ static void warn(const source *s, arena *memory, const plant *p, const modes *m,
     count_growing(memory, m, of->recipe, method_step(of), &fastest);
     const double im = fabs(m->im[fastest]);
     const char *oscillation = im == 0.0 ? "" : arena_format(memory, " +- %.4g i", im);
+    const char *parts =
+        of->fast_substeps == 0 ? "" : arena_format(memory, ", %d sub-steps of it for effects", of->fast_substeps);
     source_warn(
         s, c.at,
-        "the %s '%s' is too fast for %s with a step of %.4g ms: the Jacobian %s has the eigenvalue %.4g%s 1/s; the "
+        "the %s '%s' is too fast for %s with a step of %.4g ms%s: the Jacobian %s has the eigenvalue %.4g%s 1/s; the "
         "largest stable steps: %s",
-        c.sort, c.name, method_names[ISO_METHOD_OF(of->recipe)], 1e3 * method_step(of), at->when, m->re[fastest],
+        c.sort, c.name, method_names[ISO_METHOD_OF(of->recipe)], 1e3 * method_step(of), parts, at->when, m->re[fastest],
         oscillation, steps_text(memory, m));
 }
 

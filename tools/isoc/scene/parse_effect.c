@@ -197,6 +197,15 @@ static void parse_definition(parser *p, scene *made, name called)
 
 /* --- uses --- */
 
+/* substeps NUMBER: no operand, but how often in a step the states of the effect move. */
+static void parse_substeps(parser *p, effect_use *use, name word)
+{
+    if (use->substeps != NULL) {
+        source_problem(p->s, word.at, "a second 'substeps'");
+    }
+    use->substeps = parse_formula(p);
+}
+
 /* { operand value; ... }: which operands there are, only the definition knows, and that may come later. */
 static void parse_operands(parser *p, effect_use *use)
 {
@@ -213,6 +222,10 @@ static void parse_operands(parser *p, effect_use *use)
             return;
         }
         p->next++;
+        if (strcmp(given.name.text, "substeps") == 0) {
+            parse_substeps(p, use, given.name);
+            continue;
+        }
         given.value = parse_formula(p);
         if (!p->failed && take_word(p, "at")) {
             given.point = parse_formula(p);

@@ -213,6 +213,7 @@ typedef struct effect_use {
     name kind;
     quantity *operands; /* each with its name and value */
     size_t operand_count, operand_room;
+    formula *substeps; /* of its states in a step; NULL: none of its own */
     bool broken;
     bool left_out; /* it does nothing, and what it shows is zero */
     bool dropped;  /* the same for some rungs of a ladder: its states and memories stay where they are */

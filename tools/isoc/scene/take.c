@@ -85,7 +85,8 @@ static void refuse_dot(parser *p, name n)
 name take_inner_name(parser *p, const char *expected)
 {
     const name n = take_name(p, expected);
-    if (n.text != NULL && (strcmp(n.text, "pi") == 0 || strcmp(n.text, "time") == 0)) {
+    if (n.text != NULL &&
+        (strcmp(n.text, "pi") == 0 || strcmp(n.text, "time") == 0 || strcmp(n.text, "substeps") == 0)) {
         source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
     }
     refuse_dot(p, n);

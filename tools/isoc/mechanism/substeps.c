@@ -1,0 +1,89 @@
+/* Effects whose states take sub-steps of their own in a step: core/methods/multirate.h. */
+#include <math.h>
+
+#include "tools/isoc/mechanism/builder.h"
+
+enum { MOST_SUBSTEPS = 1000 };
+
+/* Their number in a use; 0 after noting a problem. */
+static int number_of_substeps(builder *b, const effect_use *use)
+{
+    const double count = value_constant(&b->values, use->substeps, no_unit, "the number of sub-steps", 2.0);
+    if (!(count >= 2.0 && count <= MOST_SUBSTEPS) || count != floor(count)) {
+        source_problem(b->s, use->substeps->at,
+                       "the number of sub-steps of an effect must be a whole number from 2 to %d", MOST_SUBSTEPS);
+        return 0;
+    }
+    return (int)count;
+}
+
+/* Whether the method, or a rung below it, has stages in the middle of a step. */
+static bool has_middle(const mechanism *m)
+{
+    bool has = ISO_IS(m->recipe, ISO_RK4);
+    for (int i = 0; i < m->policies.rung_count; i++) {
+        has = has || (m->policies.rungs[i] != ISO_METHODS && ISO_IS(m->policies.rungs[i], ISO_RK4));
+    }
+    return has;
+}
+
+/* What else the scene asks for that a step of two rates has not. */
+static void check_method(builder *b, const effect_use *use)
+{
+    const unsigned recipe = b->made.recipe;
+    const place at = use->substeps->at;
+    if (!ISO_TAKES_SUBSTEPS(recipe)) {
+        source_problem(
+            b->s, at, "sub-steps of an effect are for the methods euler, heun and rk4; with %s leave them out%s",
+            method_names[ISO_METHOD_OF(recipe)], ISO_IS_IMPLICIT(recipe) ? ", as it holds what is fast by itself" : "");
+    }
+    if (ISO_IS_CHECKED(recipe)) {
+        source_problem(b->s, at, "the local error is that of steps of one rate: leave out substeps, or the check");
+    }
+    for (size_t i = 0; i < b->written->input_count; i++) {
+        if (b->written->inputs[i].smooth) {
+            source_problem(b->s, b->written->inputs[i].name.at,
+                           "a smooth input is for steps of one rate: let it be held, or leave out the substeps of '%s'",
+                           use->name.text);
+        }
+    }
+    if (b->made.fast_substeps % 2 != 0 && has_middle(&b->made)) {
+        source_problem(b->s, at, "rk4 needs an even number of sub-steps: half of them lead to the middle of the step");
+    }
+}
+
+static bool has_states(const mechanism *m, int effect)
+{
+    bool has = false;
+    for (int i = 0; i < m->effect_state_count; i++) {
+        has = has || m->effect_states[i].effect == effect;
+    }
+    return has;
+}
+
+void build_substeps(builder *b)
+{
+    mechanism *made = &b->made;
+    made->fast_effects = arena_take(b->s->memory, (size_t)made->effect_count + 1, sizeof *made->fast_effects);
+    for (int i = 0; i < made->effect_count; i++) {
+        const effect_use *use = &b->written->effects[i];
+        if (use->substeps == NULL || use->left_out || use->dropped || use->broken || b->is_effect_broken) {
+            continue;
+        }
+        const int count = number_of_substeps(b, use);
+        const bool is_first = made->fast_substeps == 0;
+        if (count > 0 && !has_states(made, i)) {
+            source_problem(b->s, use->substeps->at,
+                           "'%s' has no states, which alone take sub-steps: leave out substeps", use->name.text);
+        } else if (count > 0 && !is_first && count != made->fast_substeps) {
+            source_problem(b->s, use->substeps->at,
+                           "effects with sub-steps have the same number of them: another has %d", made->fast_substeps);
+        } else if (count > 0) {
+            made->fast_effects[i] = true;
+            made->fast_substeps = count;
+            if (is_first) {
+                check_method(b, use);
+            }
+        }
+    }
+}
