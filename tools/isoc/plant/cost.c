@@ -137,11 +137,14 @@ static operations fast_operations(const plant *p, const graph *g)
     const int passes = p->m->fast_substeps * (ISO_IS(recipe, ISO_RK4) ? 3 : 2) / 2;
     const operations derivative = count_operations(g, p->fast.derivatives, (size_t)count);
     operations one = plus((operations){0}, stages, derivative);
+    if (count == 0) {
+        return one;
+    }
     one = plus(one, count,
                (operations){.add = ISO_SUMS_OF(recipe) + stages + 1, .mul = ISO_PRODUCTS_OF(recipe) + stages / 2});
     one = plus(one, places, (operations){.mul = 1});
     one = plus(one, places * p->fast.read_count, (operations){.add = 2, .mul = 2});
-    return count == 0 ? (operations){0} : plus((operations){0}, passes, one);
+    return plus((operations){0}, passes, one);
 }
 
 operations cost_of_step(const plant *p, const graph *g)
