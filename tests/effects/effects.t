@@ -69,13 +69,13 @@ slip "$out/slip.scene"
 ! "$out/slip.run" >"$out/tap" && grep -q '^not ok 1' "$out/tap"
 result $? 'found: a hundredth newton more at rest'
 
-# stop METHOD TOLERANCE: a block between stops, as stiff as the method allows. The tolerance is of an impact in which the
+# stop METHOD TOLERANCE [SCENE]: a block between stops, as stiff as the method allows. The tolerance is of an impact in which the
 # motion turns by half an oscillation at a third of the limit of the method.
 stop()
 {
-    build/isoc tests/effects/stop.scene -o "$out/stop" --method "$1" --real "$real" >"$out/stop.summary" &&
+    build/isoc "${3-tests/effects/stop.scene}" -o "$out/stop" --method "$1" --real "$real" >"$out/stop.summary" &&
         EXTRA="-DPLANT=\"$out/stop/plant.c\" -DTOLERANCE=$2" program stop.run tests/effects/stop.c tests/host/report.c
-    joined "$1, $real" "$out/stop.run"
+    joined "${3:+two bumpers, }$1, $real" "$out/stop.run"
 }
 real float
 stop euler 0.2
@@ -86,6 +86,9 @@ stop ab4 0.1
 stop bdf4 0.1
 real double
 stop rk4 0.1
+sed 's/stop { along rail; lower -0.1 m; upper 0.15 m;/bumper { along rail; place 0.15 m;/p; s/ends bumper/start bumper/
+    s/place 0.15 m/side -1; place -0.1 m/' tests/effects/stop.scene >"$out/bumpers.scene"
+stop rk4 0.1 "$out/bumpers.scene"
 watched 5 stop.run
 
 # plant NAME: compiles the scene on stdin.

@@ -128,7 +128,7 @@ static void check_gear(const double torque)
 
 /* --- a slide, its sensor, and a jam --- */
 
-static double sensed_off, jam_off, caught_at, caught_speed;
+static double sensed_off, walked, jam_off, caught_at, caught_speed;
 
 static void check_slide(const uint32_t tick, const double push)
 {
@@ -137,7 +137,7 @@ static void check_slide(const uint32_t tick, const double push)
         const double force = push / 2.0 + 0.1, noise = (double)iso_noise(tick, 1);
         sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_X) - force) / (16.0 * ULP));
         sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_Y) - 0.1 - 0.5 * noise) / (16.0 * ULP));
-        sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_Z) - 0.1) / (16.0 * ULP));
+        sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_Z) - 0.1 - walked) / ((16.0 + 0.5 * tick) * ULP));
         sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_SPIN_Y) - 0.2) / (16.0 * ULP));
     } else if (tick >= JAM_AT && tick < PUSH_AT) {
         /* Caught with critical damping: x = v t exp(-rate t). rk4 leaves out (rate h)^5 / 120 of it in a step. */
@@ -145,6 +145,7 @@ static void check_slide(const uint32_t tick, const double push)
         const double expected = caught_at + caught_speed * t * exp(-rate * t);
         jam_off = larger_off(jam_off, fabs(shown(PLANT_Y_SLIDE) - expected) / way);
     }
+    walked += 0.2 * sqrt(h) * (double)iso_noise(tick, 1);
     if (tick + 1 == JAM_AT) {
         caught_at = shown(PLANT_Y_SLIDE);
         caught_speed = (double)plant->x[PLANT_X_RAIL_SPEED];

@@ -9,7 +9,7 @@
 enum { TICKS = 50000, PARTS = 4, PERIODS = 5 };
 
 static const long double h = 1e-4L, mass = 2.0L, stiffness = 200.0L, sliding = 3.0L, at_rest = 4.0L, drawn = 0.05L,
-                         fall = 0.014L, creep = CREEP;
+                         fall = 0.014L, creep = (long double)CREEP;
 
 /* The times at which the speed rises through that of the spring's end: each a slip that begins. */
 typedef struct slips {
