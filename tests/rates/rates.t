@@ -39,7 +39,6 @@ stable()
 stable rk4 0 no
 stable rk4 6 no
 stable rk4 8 yes
-stable heun 8 no
 stable heun 16 yes
 stable euler 16 yes
 # A sub-step is held up to 2.785 times 50 us.
@@ -76,6 +75,15 @@ plain=$(value bench.cortex-m4f instructions_per_step) parted=$(value parted.cort
 whole=$(value whole.cortex-m4f instructions_per_step)
 [ "$parted" -gt "$plain" ] && [ "$parted" -lt $((whole * 3 / 4)) ]
 result $? "a step of dc_motor_bench takes $plain instructions, with 4 sub-steps of the motor $parted, one number, of the whole plant $whole"
+
+# Under a ladder each rung has its own step of both rates, and one that drops all effects with sub-steps a plain one. The top
+# costs what it does alone, and the 13 instructions of a ladder.
+{ cat "$out/parted.scene" && echo 'overrun degrade { method heun; drop drive; after 10 ticks }'; } >"$out/ladder.scene"
+run ladder cortex-m4f
+ladder=$(value ladder.cortex-m4f instructions_per_step)
+[ "$(value ladder.cortex-m4f hash)" = "$(value parted.cortex-m4f hash)" ] && [ "$ladder" -le $((parted + 13)) ] &&
+    [ "$(grep -c '  iso_multirate_step(ISO_RK4\|  iso_multirate_step(ISO_HEUN\|  iso_method_step(ISO_HEUN' "$(dirname "$(value ladder.cortex-m4f trace)")/plant.c")" -eq 3 ]
+result $? "the steps of a ladder: at its top $ladder instructions"
 
 # Nothing of it where it is not asked for.
 build/isoc "$out/apart.scene" --without 'drive; slow; twin' -o "$out/left" --name same >"$out/summary" &&

@@ -218,10 +218,14 @@ static void emit_rates(emission *e)
     e->in_step = false;
 }
 
-/* dx of the states with sub-steps of their own, one after the other. */
+/* dx of the states with sub-steps of their own, one after the other. In a small step gcc inlines it into the steps of a ladder
+ * only where it is told so of the function too. */
 static void emit_fast(emission *e)
 {
     const fast_part *fast = &e->p->fast;
+    if (e->p->is_flat) {
+        text_add(e->out, "static inline iso_derivative fast_derivative%s;\n", e->suffix);
+    }
     const code made = code_of(e, numbered(e, "dx", fast->count), fast->derivatives, fast->count);
     e->in_step = true;
     emit_function(e, arena_format(e->out->memory, "fast_derivative%s", e->suffix), "dx", "", &made);
