@@ -135,21 +135,42 @@ instructions="$(sed -n 's/^instructions_per_step //p' "$out/top") $(sed -n 's/^i
 [ "${instructions% *}" -gt "${instructions#* }" ]
 result $? "at the top and on rung 2 a step takes so many instructions: $instructions"
 
-# What follows from tunables is kept for each rung; it is computed anew when one changes. The effect does nothing in the first
-# tick, after which it is dropped: so the run is that of the scene without it.
-scene=tests/tunables/chain.scene
-change='at 0.3 s set length = 0.25 m'
+# of COLUMNS FILE: these columns of a table.
+of()
+{
+    awk -F , -v wanted="$1" '
+        NR == 1 { n = split(wanted, name, ","); for (i = 1; i <= NF; i++) at[$i] = i }
+        { line = $at[name[1]]; for (i = 2; i <= n; i++) line = line "," $at[name[i]]; print line }' "$2"
+}
+
+# alike NAME EFFECT STATEMENTS: an effect that does nothing in the first tick, after which it is dropped: so the run is that of
+# the scene without it.
 echo slow 1 2ms >"$out/script"
-build chain "overrun degrade { drop motor; after 1000000 ticks }
-$change" && run chain "$out/script" && grep -q '^degraded 999 to rung 1$' "$out/summary" &&
-    grep -q 'tune_without_motor(memory->h_without_motor' "$out/chain/plant.c"
-result $? "a plant with tunables runs on a rung that drops its motor: $(grep '^degraded' "$out/summary")"
-build chain_alone "overrun count
-$change" --without motor && run chain_alone &&
-    [ "$(wc -l <"$out/chain/trace.csv")" = 1002 ] && cmp "$out/chain/trace.csv" "$out/chain_alone/trace.csv" >&2
-result $? "and moves as the scene without the motor"
-run chain && ! cmp -s "$out/chain/trace.csv" "$out/chain_alone/trace.csv"
-result $? "found: the motor"
+alike()
+{
+    alike_name=$1
+    alike_effect=$2
+    alike_more=$3
+    build "$alike_name" "overrun degrade { drop $alike_effect; after 1000000 ticks }
+$alike_more" && run "$alike_name" "$out/script" && grep -q '^degraded 999 to rung 1$' "$out/summary"
+    result $? "$alike_name: runs on a rung without $alike_effect"
+    build alone "overrun count
+$alike_more" --without "$alike_effect" && run alone && [ "$(wc -l <"$out/alone/trace.csv")" = 1002 ] &&
+        columns=$(head -n 1 "$out/alone/trace.csv") && of "$columns" "$out/$alike_name/trace.csv" | cmp - "$out/alone/trace.csv" >&2
+    result $? "$alike_name: moves and shows what the scene without $alike_effect does"
+    run "$alike_name" && ! of "$columns" "$out/$alike_name/trace.csv" | cmp -s - "$out/alone/trace.csv"
+    result $? "found: $alike_effect in $alike_name"
+}
+
+# What follows from tunables is kept for each rung, and computed anew when one changes. Smooth inputs are so on each.
+scene=tests/tunables/chain.scene
+alike chain motor 'at 0.3 s set length = 0.25 m'
+sed 's/1 s: 0 m, 1.4 s/0.1 s: 0 m, 0.5 s/; s/1.42 s/0.52 s/' models/quarter_car.scene >"$out/smooth.scene"
+scene=$out/smooth.scene
+alike smooth buffers ''
+grep -q 'tune_without_motor(memory->h_without_motor' "$out/chain/plant.c" &&
+    grep -q 'iso_method_sample(.*equations_without_buffers' "$out/smooth/plant.c"
+result $? "tunables and samples of the one and of the other stand in the memory"
 scene=tests/policy/pendulum.scene
 
 # A ladder and snapshots: the rung, and the good ticks on it, are in the record; a reset begins anew.

@@ -394,12 +394,25 @@ static const char *emit_step_of_rung(emission *e, int rung)
     emission other = emission_of(e, lesser_on_rung(e->p, rung));
     mechanism by = *other.p->m;
     plant with = *other.p;
-    by.recipe = e->p->m->policies.rungs[rung];
+    by.recipe = rung_recipe(e->p, rung);
     with.m = &by;
     other.p = &with;
     emit_step_function(&other, suffix);
     e->culprit = other.culprit;
     return suffix;
+}
+
+/* Samples of smooth inputs are taken without a step too: those of the ticks before the next one. */
+static void emit_rest(emission *e)
+{
+    text_add(e->out, "/* No step: the states stay. */\n");
+    if (ISO_IS_SMOOTH(e->p->m->recipe)) {
+        begin_function(e, "static void rest");
+        emit_samples(e, "iso_method_sample");
+        text_add(e->out, "}\n\n");
+    } else {
+        text_add(e->out, "static void rest(void *const instance)\n{\n    (void)instance;\n}\n\n");
+    }
 }
 
 /* The steps of a ladder, from the top. */
@@ -410,8 +423,7 @@ static void emit_ladder(emission *e)
     for (int i = 0; i < of->rung_count; i++) {
         const bool rests = of->rungs[i] == ISO_METHODS;
         if (rests) {
-            text_add(e->out, "/* No step: the states stay. */\n");
-            text_add(e->out, "static void rest(void *const instance)\n{\n    (void)instance;\n}\n\n");
+            emit_rest(e);
         } else {
             last = emit_step_of_rung(e, i);
         }

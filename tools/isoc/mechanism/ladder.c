@@ -35,7 +35,13 @@ static unsigned method_of_rung(builder *b, name rung)
             source_problem(b->s, rung.at, "'%s' is a rung already", rung.text);
         }
     }
-    return method | (b->made.recipe & ~(unsigned)ISO_METHOD_BITS);
+    for (size_t i = 0; i < b->written->input_count && method != ISO_METHOD_OF(b->made.recipe); i++) {
+        if (b->written->inputs[i].smooth) {
+            source_problem(b->s, rung.at, "the smooth input '%s' is sampled for %s: let it be held, or leave out '%s'",
+                           b->written->inputs[i].name.text, method_names[ISO_METHOD_OF(b->made.recipe)], rung.text);
+        }
+    }
+    return method;
 }
 
 /* No step. */
@@ -134,8 +140,8 @@ static void build_ladder(builder *b)
 {
     const running *written = &b->written->running;
     policies *to = &b->made.policies;
-    unsigned recipe = b->made.recipe;
-    if (!is_plain(recipe) || ISO_IS_CHECKED(recipe)) {
+    unsigned method = ISO_METHOD_OF(b->made.recipe);
+    if (!is_plain(method) || ISO_IS_CHECKED(b->made.recipe)) {
         source_problem(b->s, written->overrun_at,
                        "a ladder is for the methods euler, heun and rk4, without a check: others keep a history");
     }
@@ -146,20 +152,20 @@ static void build_ladder(builder *b)
         const name rung = written->rungs[i];
         switch (written->rung_kinds[i]) {
         case RUNG_METHOD:
-            recipe = method_of_rung(b, rung);
+            method = method_of_rung(b, rung);
             break;
         case RUNG_DROP:
-            if (recipe == ISO_METHODS) {
+            if (method == ISO_METHODS) {
                 source_problem(b->s, rung.at, "no step is made below hold: put 'drop %s' above it", rung.text);
             }
             drop(b, rung);
             break;
         case RUNG_HOLD:
             check_hold(b, rung);
-            recipe = ISO_METHODS;
+            method = ISO_METHODS;
             break;
         }
-        to->rungs[i] = recipe;
+        to->rungs[i] = method;
         to->dropped[i] = to->drop_count;
     }
     to->rung_count = (int)written->rung_count;

@@ -243,7 +243,7 @@ typedef struct policies {
     bool any;
     overrun_kind overrun;
     double catch_up, grace;     /* ticks */
-    unsigned rungs[MOST_RUNGS]; /* of a ladder: recipes; ISO_METHODS: no step */
+    unsigned rungs[MOST_RUNGS]; /* of a ladder: methods, with the options of the recipe; ISO_METHODS: no step */
     int dropped[MOST_RUNGS];    /* so many of the drops are in force on a rung */
     int rung_count;
     int drops[MOST_RUNGS]; /* effects */

@@ -207,7 +207,7 @@ void cost_summary(const plant *p, const graph *g, text *out)
             const lesser *left = lesser_on_rung(p, i);
             mechanism by = *m;
             plant with = left == NULL ? *p : *left->p;
-            by.recipe = m->policies.rungs[i];
+            by.recipe = rung_recipe(p, i);
             with.m = &by;
             const operations rung = plus(cost_of_step(&with, left == NULL ? g : left->g), settles, settle);
             count_line(out, arena_format(out->memory, "step%s", rung_suffix(p, i, out->memory)),

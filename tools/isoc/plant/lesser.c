@@ -53,15 +53,20 @@ const lesser *lesser_on_rung(const plant *p, int rung)
     return dropped > 0 ? &p->lessers[dropped - 1] : NULL;
 }
 
+unsigned rung_recipe(const plant *p, int rung)
+{
+    return p->m->policies.rungs[rung] | (p->m->recipe & ~(unsigned)ISO_METHOD_BITS);
+}
+
 /* The method is in the name where it is not that of the scene, and where the rung is there for it: so no two rungs are called
  * alike. */
 const char *rung_suffix(const plant *p, int rung, arena *memory)
 {
     const policies *of = &p->m->policies;
-    const unsigned recipe = of->rungs[rung];
+    const unsigned method = of->rungs[rung];
     const lesser *left = lesser_on_rung(p, rung);
     const bool drops = of->dropped[rung] > (rung > 0 ? of->dropped[rung - 1] : 0);
-    const char *method =
-        drops && recipe == p->m->recipe ? "" : arena_format(memory, "_%s", method_names[ISO_METHOD_OF(recipe)]);
-    return arena_format(memory, "%s%s", method, left == NULL ? "" : left->suffix);
+    const char *called =
+        drops && method == ISO_METHOD_OF(p->m->recipe) ? "" : arena_format(memory, "_%s", method_names[method]);
+    return arena_format(memory, "%s%s", called, left == NULL ? "" : left->suffix);
 }

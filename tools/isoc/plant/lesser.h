@@ -9,9 +9,10 @@
  * they were left out, but with their states, inputs, memories and tunables in their places. */
 void lessers_build(source *s, const scene *written, plant *p, wishes wanted);
 
-/* What is left on a rung, counted from 0; NULL where nothing is dropped. And what its step is called behind `step`:
- * _heun_without_rub. */
+/* What is left on a rung, counted from 0; NULL where nothing is dropped. The recipe of its step, and what
+ * that is called behind `step`: _heun_without_rub. */
 const lesser *lesser_on_rung(const plant *p, int rung);
+unsigned rung_recipe(const plant *p, int rung);
 const char *rung_suffix(const plant *p, int rung, arena *memory);
 
 #endif
