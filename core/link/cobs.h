@@ -8,38 +8,31 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 enum { ISO_COBS_FULL = 255 };
 
 /* The most bytes that so many become. */
 #define ISO_COBS_ROOM(count) ((count) + (count) / (ISO_COBS_FULL - 1) + 1)
 
-/* Bytes on their way. */
-typedef struct iso_cobs {
-    uint8_t *to;
-    size_t used; /* bytes of `to` */
-    size_t code; /* where that of the present block stands */
-} iso_cobs;
-
-static inline void iso_cobs_open(iso_cobs *const c)
+/* Encodes the count bytes from bytes[1] on in their place, with ISO_COBS_ROOM(count) bytes from bytes[0] on. Returns how many these
+ * are. Every zero becomes the code of a block, so that all else stays where it is, but behind a block that is full. */
+static inline size_t iso_cobs_encode(uint8_t *const bytes, const size_t count)
 {
-    c->code = c->used++;
-}
-
-static inline void iso_cobs_close(iso_cobs *const c)
-{
-    c->to[c->code] = (uint8_t)(c->used - c->code);
-}
-
-static inline void iso_cobs_put(iso_cobs *const c, const uint8_t byte)
-{
-    if (byte != 0) {
-        c->to[c->used++] = byte;
+    size_t end = 1 + count, code = 0;
+    for (size_t i = 1; i < end; i++) {
+        if (bytes[i] == 0) {
+            bytes[code] = (uint8_t)(i - code);
+            code = i;
+        } else if (i - code == ISO_COBS_FULL - 1) {
+            bytes[code] = ISO_COBS_FULL;
+            code = ++i;
+            memmove(bytes + i + 1, bytes + i, end - i);
+            end++;
+        }
     }
-    if (byte == 0 || c->used - c->code == ISO_COBS_FULL) {
-        iso_cobs_close(c);
-        iso_cobs_open(c);
-    }
+    bytes[code] = (uint8_t)(end - code);
+    return end;
 }
 
 /* Puts count bytes back to what they were, in their place. Returns how many these are; 0 if a block ends behind them. */

@@ -10,20 +10,17 @@
 
 #define ISO_CRC16_START UINT16_C(0xFFFF)
 
-/* The CRC continued over a byte: a division by the polynomial, eight bits at once. */
-static inline uint16_t iso_crc16_byte(const uint16_t crc, const uint8_t byte)
+/* The CRC continued over bytes: a division by the polynomial, eight bits at once. What is above the 16 bits is of no use, and
+ * goes at the end. */
+static inline uint16_t iso_crc16(const uint16_t start, const uint8_t *const bytes, const size_t count)
 {
-    uint32_t x = (uint32_t)(crc >> 8) ^ byte;
-    x ^= x >> 4;
-    return (uint16_t)((uint32_t)crc << 8 ^ x << 12 ^ x << 5 ^ x);
-}
-
-static inline uint16_t iso_crc16(uint16_t crc, const uint8_t *const bytes, const size_t count)
-{
+    uint32_t crc = start;
     for (size_t i = 0; i < count; i++) {
-        crc = iso_crc16_byte(crc, bytes[i]);
+        uint32_t x = (crc >> 8 & 0xFF) ^ bytes[i];
+        x ^= x >> 4;
+        crc = crc << 8 ^ x << 12 ^ x << 5 ^ x;
     }
-    return crc;
+    return (uint16_t)(crc & 0xFFFF);
 }
 
 #endif

@@ -5,18 +5,30 @@
 /* The type, and the CRC. */
 enum { TYPE_BYTES = 1, CRC_BYTES = 2 };
 
-static void put_byte(iso_frame_writer *const w, const uint8_t byte)
+/* Behind a zero, and the code of the first block. */
+enum { FRAME_AT = 2 };
+
+/* Least significant byte first; a compiler makes one store of it where it may. */
+static void put_word(uint8_t *const to, const uint32_t word)
 {
-    w->crc = iso_crc16_byte(w->crc, byte);
-    iso_cobs_put(&w->cobs, byte);
+    to[0] = (uint8_t)(word & 0xFF);
+    to[1] = (uint8_t)(word >> 8 & 0xFF);
+    to[2] = (uint8_t)(word >> 16 & 0xFF);
+    to[3] = (uint8_t)(word >> 24);
 }
 
 void iso_frame_put(iso_frame_writer *const w, uint64_t number, const size_t bytes)
 {
-    for (size_t i = 0; i < bytes; i++) {
-        put_byte(w, (uint8_t)(number & 0xFF));
-        number >>= 8;
+    uint8_t *at = w->buffer + w->used;
+    const uint8_t *const end = at + bytes;
+    for (; end - at >= 4; at += 4) {
+        put_word(at, (uint32_t)number);
+        number >>= 32;
     }
+    for (uint32_t rest = (uint32_t)number; at < end; rest >>= 8) {
+        *at++ = (uint8_t)(rest & 0xFF);
+    }
+    w->used += bytes;
 }
 
 void iso_frame_put_reals(iso_frame_writer *const w, const real *const x, const size_t n)
@@ -29,17 +41,32 @@ void iso_frame_put_reals(iso_frame_writer *const w, const real *const x, const s
 void iso_frame_begin(iso_frame_writer *const w, uint8_t *const buffer, const uint8_t type)
 {
     buffer[0] = 0;
-    *w = (iso_frame_writer){.cobs = {.to = buffer, .used = 1}, .crc = ISO_CRC16_START};
-    iso_cobs_open(&w->cobs);
-    put_byte(w, type);
+    buffer[FRAME_AT] = type;
+    *w = (iso_frame_writer){.buffer = buffer, .used = FRAME_AT + TYPE_BYTES};
 }
 
 size_t iso_frame_end(iso_frame_writer *const w)
 {
-    iso_frame_put(w, w->crc, CRC_BYTES);
-    iso_cobs_close(&w->cobs);
-    w->cobs.to[w->cobs.used++] = 0;
-    return w->cobs.used;
+    iso_frame_put(w, iso_crc16(ISO_CRC16_START, w->buffer + FRAME_AT, w->used - FRAME_AT), CRC_BYTES);
+    w->used = 1 + iso_cobs_encode(w->buffer + 1, w->used - FRAME_AT);
+    w->buffer[w->used++] = 0;
+    return w->used;
+}
+
+size_t iso_frame_take_run(iso_frame_reader *const r, const uint8_t *const bytes, const size_t count)
+{
+    size_t length = 0;
+    while (length < count && bytes[length] != 0) {
+        length++;
+    }
+    if (length > 0) {
+        const bool fits = r->used <= r->room && length <= r->room - r->used;
+        if (fits) {
+            memcpy(r->buffer + r->used, bytes, length);
+        }
+        r->used = fits ? r->used + length : r->room + 1;
+    }
+    return length;
 }
 
 iso_frame_state iso_frame_take(iso_frame_reader *const r, const uint8_t byte, size_t *const length)

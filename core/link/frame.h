@@ -17,10 +17,10 @@
 /* Bytes of a buffer for frames of up to so many bytes of payload. */
 #define ISO_FRAME_BYTES(payload) (ISO_COBS_ROOM(1 + (payload) + 2) + 2)
 
-/* A frame that is being written. */
+/* A frame that is being written: its bytes, as they are until it ends. */
 typedef struct iso_frame_writer {
-    iso_cobs cobs;
-    uint16_t crc;
+    uint8_t *buffer;
+    size_t used;
 } iso_frame_writer;
 
 void iso_frame_begin(iso_frame_writer *w, uint8_t *buffer, uint8_t type);
@@ -42,6 +42,10 @@ typedef enum iso_frame_state { ISO_FRAME_OPEN, ISO_FRAME_WHOLE, ISO_FRAME_DAMAGE
 /* Takes a byte. Where it ends a frame that is whole, buffer[0] is the type, and behind it are *length bytes of payload, until the
  * next byte is taken. */
 iso_frame_state iso_frame_take(iso_frame_reader *r, uint8_t byte, size_t *length);
+
+/* Takes the bytes before the first zero, which none of them ends. Returns how many these are: at once what iso_frame_take does byte
+ * by byte. */
+size_t iso_frame_take_run(iso_frame_reader *r, const uint8_t *bytes, size_t count);
 
 /* Numbers of a payload. */
 uint64_t iso_frame_number(const uint8_t *from, size_t bytes);

@@ -220,7 +220,8 @@ static void receive(iso_link *const link)
     size_t count = sizeof bytes;
     for (int chunk = 0; chunk < CHUNKS && count == sizeof bytes; chunk++) {
         count = iso_port_receive(ISO_CHANNEL_CONTROLLER, bytes, sizeof bytes);
-        for (size_t i = 0; i < count; i++) {
+        for (size_t i = iso_frame_take_run(&link->reader, bytes, count); i < count;
+             i += 1 + iso_frame_take_run(&link->reader, bytes + i + 1, count - i - 1)) {
             size_t length = 0;
             const iso_frame_state state = iso_frame_take(&link->reader, bytes[i], &length);
             link->statistics.damaged += state == ISO_FRAME_DAMAGED;

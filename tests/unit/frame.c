@@ -53,13 +53,8 @@ static void test_crc(void)
 
 static size_t encode(uint8_t *const to, const uint8_t *const from, const size_t count)
 {
-    iso_cobs c = {.to = to};
-    iso_cobs_open(&c);
-    for (size_t i = 0; i < count; i++) {
-        iso_cobs_put(&c, from[i]);
-    }
-    iso_cobs_close(&c);
-    return c.used;
+    memcpy(to + 1, from, count);
+    return iso_cobs_encode(to, count);
 }
 
 static bool is_encoded(const uint8_t *const from, const size_t count, const uint8_t *const wanted, const size_t length)
