@@ -272,11 +272,22 @@ static inline void iso_client_begin(iso_client *c, char type)
     iso_client_put_byte(c, (uint8_t)type);
 }
 
-/* Hands out the frame that has been begun; or the last one again. */
+/* Bytes to a socket, or to a file that is none. No signal where the plant has closed the link. */
+static inline ssize_t iso_client_send(const iso_client *c, const uint8_t *from, size_t count)
+{
+    const ssize_t sent = send(c->file, from, count, MSG_NOSIGNAL);
+    return sent < 0 && errno == ENOTSOCK ? write(c->file, from, count) : sent;
+}
+
+/* Hands out the frame that has been begun; or the last one again. A plant that has closed the link may have said before how
+ * the run ended: what it sent is still to be read. */
 static inline bool iso_client_write(iso_client *c)
 {
     for (size_t done = 0; done < c->sent_used;) {
-        const ssize_t count = write(c->file, c->sent + done, c->sent_used - done);
+        const ssize_t count = iso_client_send(c, c->sent + done, c->sent_used - done);
+        if (count < 0 && (errno == EPIPE || errno == ECONNRESET)) {
+            return true;
+        }
         if (count < 0 && errno != EINTR) {
             return iso_client_fail(c, "the link", strerror(errno));
         }

@@ -233,9 +233,13 @@ class Link:
         self._write()
 
     def _write(self):
+        """A plant that has closed the link may have said before how the run ended: what it sent is still to be read."""
         data = self.sent
-        while data:
-            data = data[os.write(self.file, data):]
+        try:
+            while data:
+                data = data[os.write(self.file, data):]
+        except (BrokenPipeError, ConnectionResetError):
+            pass
 
     def _receive(self, patience):
         """The next whole frame; None after so many seconds without a byte. What is damaged is dropped."""
@@ -246,7 +250,10 @@ class Link:
                     return data[:-2]
             if not select.select([self.file], [], [], patience)[0]:
                 return None
-            data = os.read(self.file, 4096)
+            try:
+                data = os.read(self.file, 4096)
+            except ConnectionResetError:
+                data = b""
             if not data:
                 raise LinkError("the plant has closed the link")
             pieces = (bytes(self.piece) + data).split(b"\0")
