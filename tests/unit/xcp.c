@@ -1,9 +1,10 @@
 /* core/xcp without a channel: each command by its bytes, as the standard has them; what must be refused; samples; frames on a
  * damaged line. */
+#include "tests/unit/xcp/channel.h"
+
 #include "core/link/link.h"
 #include "core/xcp/service.h"
 #include "tests/tap.h"
-#include "tests/unit/xcp/channel.h"
 
 enum { STATES = 3, TUNABLES = 5, OUTPUTS = 2, BEYOND = 4 };
 

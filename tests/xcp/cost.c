@@ -1,10 +1,11 @@
 /* What measurement and calibration take of a tick on the board: instructions, by its clock, without those of the port's channel,
  * whose place a script has. */
+#include "tests/unit/xcp/channel.h"
+
 #include "core/link/link.h"
 #include "core/xcp/service.h"
 #include "port/port.h"
 #include "tests/tap.h"
-#include "tests/unit/xcp/channel.h"
 
 enum { VALUES = 8, TICKS = 50, TICK_NS = 1000000 };
 
