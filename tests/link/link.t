@@ -41,13 +41,14 @@ for real in float double; do
 done
 real float
 
-# A wire that damages one byte of 270: all is sent again until it has come.
+# A wire that damages one byte of 270: all is sent again until it has come, but for the outputs of the last tick, behind which
+# the end comes.
 seed=$(cksum <core/link/link.c | cut -d ' ' -f 1)
 "$out/float/alone" 500 >"$out/alone.txt"
 for controller in "$out/float/controller" "python3 tests/link/controller.py $out/float"; do
     # shellcheck disable=SC2086
     "$out/join" "$out/float/program" -- "$out/noise" "$seed" $controller 500 10 >"$out/joined.txt" 2>"$out/errors" &&
-        cmp "$out/alone.txt" "$out/joined.txt"
+        [ "$(cut -d ' ' -f 1,2 "$out/joined.txt")" = "$(cut -d ' ' -f 1,2 "$out/alone.txt")" ]
     result $? "the same over a bad wire, ${controller%% *}: $(cat "$out/errors")"
 done
 
