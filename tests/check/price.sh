@@ -83,6 +83,32 @@ lacking all dc_motor current_sense friction stop lag &&
     left all 'drive; sense; bearing; ends; slow' && same all written left
 result $? "without any: the bytes of an isoc that lacks all of them"
 
+# Every kind of the library, an eighth by turns: an isoc that lacks it refuses the models that use it, and writes the others to the
+# same bytes of plant, which is all that firmware follows from.
+turn=$(turn_of 8 "${1-}" models tools/isoc)
+echo "# turn $turn of the kinds of effects"
+models='pendulum dc_motor_bench quarter_car cart_pole_drive hopper crane'
+for model in $models; do
+    build/isoc "models/$model.scene" -o "$out/models/$model" >"$out/models.txt"
+done
+number=0
+for kind in $(ls models/effects | sed 's/[.]scene$//'); do
+    number=$((number + 1))
+    [ "$turn" = all ] || [ $((number % 8)) -eq "$turn" ] || continue
+    lacking rest "$kind"
+    used='' equal=''
+    for model in $models; do
+        if "$out/rest/isoc" "models/$model.scene" -o "$out/rest/$model" >"$out/rest.txt" 2>"$out/errors"; then
+            cmp -s "$out/rest/$model/plant.c" "$out/models/$model/plant.c" &&
+                cmp -s "$out/rest/$model/plant.h" "$out/models/$model/plant.h" && equal="$equal $model"
+        elif grep -q "no effect of the kind '$kind' is defined" "$out/errors"; then
+            used="$used $model"
+        fi
+    done
+    [ "$(echo $equal $used | wc -w)" -eq 6 ] && [ -n "$equal" ]
+    result $? "without $kind: the same bytes of$equal${used:+; refused:$used}"
+done
+
 # refused WITHOUT PATTERN
 refused()
 {
