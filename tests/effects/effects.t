@@ -34,6 +34,29 @@ build/isoc tests/effects/measured.scene -o "$out/measured" --real double >"$out/
 joined accelerometer "$out/measured.run"
 watched 3 measured.run
 
+# cell MODEL JOINT CONNECTION BODY [EDIT]: load cells in a joint and in another connection of a model, to which a plate is
+# welded; EDIT is of sed.
+cell()
+{
+    plate='body plate { mass 0.4 kg; com (10, 0, 30) mm; inertia (1e-3, 2e-3, 1.5e-3) kg*m^2 }'
+    mount="joint mount fixed { parent $4 at (0, 0, 56) mm rotate 30 deg about x; child plate }"
+    printf '%s\n' "$plate" "$mount" | cat "models/$1.scene" - tests/effects/cell.scene |
+        sed "s/JOINT/$2/; s/CONNECTION/$3/; ${5-}" >"$out/$1.scene"
+    build/isoc "$out/$1.scene" -o "$out/$1" --real "$real" >"$out/$1.summary" &&
+        EXTRA="-O0 -DPLANT=\"$out/$1/plant.c\"" program cell.run tests/effects/cell.c tests/host/report.c
+}
+for number in float double; do
+    real $number
+    cell arm6 elbow mount flange
+    joined "load cell, arm6, $number" "$out/cell.run"
+    cell four_bar motor_shaft rocker_pin rocker
+    joined "load cell, four_bar, $number" "$out/cell.run"
+done
+cell arm6 elbow mount flange 's/next felt = /&1.000001 * /; s/next turned = /&-/; s/next passed = /&1.000001 * /'
+"$out/cell.run" >"$out/tap"
+test "$(grep -c '^not ok [123]' "$out/tap")" = 3
+result $? 'found: a load cell a millionth off, and a moment on the other side'
+
 # friction METHOD: a block with friction as steep as the method allows.
 friction()
 {

@@ -138,8 +138,10 @@ void show_pasts(builder *b);
 /* The value of a formula over all that the scene has; a signal, say. */
 value value_in_scene(builder *b, const formula *f);
 
-/* outputs.c: what the outputs show; the link of a joint of one coordinate, or of a part of a joint; -1 if there is none. */
+/* outputs.c: what the outputs show; the link of a joint of one coordinate, or of a part of a joint; -1 if there is none;
+ * the child of a joint, or a closure between bodies, and -1 for the other; false after noting a problem. */
 int link_called(const mechanism *made, name n);
+bool find_connection(builder *b, name n, int *child, int *loop);
 void build_outputs(builder *b);
 
 /* recipe.c: the method with its options, and the step. A method by its name; rk4 after noting a problem. */

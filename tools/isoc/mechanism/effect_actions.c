@@ -28,7 +28,7 @@ static bool needs_accelerations(world *w, const node *roots, size_t count)
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
-        const bool is_asked = n->op == OP_ASKED && w->b->made.asked[n->index / 3].kind == ASKED_SPECIFIC_FORCE;
+        const bool is_asked = n->op == OP_ASKED && asks_for_acceleration(w->b->made.asked[n->index / 3].kind);
         found = found || (needed[i] && (is_asked || n->op == OP_DERIVATIVE));
     }
     return found;

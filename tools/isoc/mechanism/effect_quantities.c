@@ -30,18 +30,23 @@ static const struct {
     {"specific_force", ASKED_SPECIFIC_FORCE, {0, 1, -2, 0, 0, 0}},
 };
 
-vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body)
+static vector leaves_of(world *w, asked of)
 {
     mechanism *made = &w->b->made;
     vector leaves;
     made->asked =
         arena_grow(w->b->s->memory, made->asked, (size_t)made->asked_count, &made->asked_room, sizeof *made->asked);
-    made->asked[made->asked_count] = (asked){kind, which, point, in_body};
+    made->asked[made->asked_count] = of;
     for (int i = 0; i < 3; i++) {
         leaves.at[i] = leaf(w->b->g, OP_ASKED, 3 * made->asked_count + i);
     }
     made->asked_count++;
     return leaves;
+}
+
+vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body)
+{
+    return leaves_of(w, (asked){kind, which, point, in_body, -1});
 }
 
 /* Whether the answer is in the axes of the body, which the formula may choose. */
@@ -159,9 +164,52 @@ static bool find_account(world *w, const formula *f, value *found)
     return word < WORDS;
 }
 
+/* The body that the joint of a link carries: its own links lead from that body's to the parent's. */
+static int child_of(const mechanism *made, int at)
+{
+    int found = -1;
+    for (int child = 0; child < made->body_count; child++) {
+        const member *of = &made->members[child];
+        const int stop = of->parent == GROUND ? GROUND : made->frames[of->parent].link;
+        for (int i = made->frames[child].link; made->frames[child].placed && i != stop; i = made->links[i].parent) {
+            found = i == at ? child : found;
+        }
+    }
+    return found;
+}
+
+/* force of JOINT, moment of CLOSURE and the like: a fixed joint, which is no operand of an effect, is one of the scene. */
+static value reaction_value(world *w, const formula *f)
+{
+    builder *b = w->b;
+    const name called = {f->parts[0]->name, f->parts[0]->at};
+    const bool is_force = strcmp(f->name, "force") == 0;
+    int child = -1, loop = -1;
+    if (w->within == NULL) {
+        find_connection(b, called, &child, &loop);
+    } else {
+        const int l = link_of(w, called);
+        child = l < 0 ? -1 : child_of(&b->made, l);
+    }
+    if (f->axes.text != NULL) {
+        source_problem(b->s, f->axes.at, "a %s of a joint is in the axes of the ground", f->name);
+    }
+    if (loop < 0 && (child < 0 || !b->made.frames[child].placed)) {
+        return nothing;
+    }
+    const vector zero = vector_zero(b->g);
+    const vector leaves = leaves_of(w, (asked){is_force ? ASKED_FORCE : ASKED_MOMENT, child, zero, false, loop});
+    value found = {.count = 3, .of = is_force ? newton : newton_metre};
+    memcpy(found.parts, leaves.at, sizeof leaves.at);
+    return found;
+}
+
 value quantity_value(void *of, const formula *f)
 {
     world *w = of;
+    if (strcmp(f->name, "force") == 0 || strcmp(f->name, "moment") == 0) {
+        return reaction_value(w, f);
+    }
     value account;
     if (find_account(w, f, &account)) {
         return account;
@@ -195,7 +243,8 @@ value quantity_value(void *of, const formula *f)
         return found;
     }
     if (strcmp(f->name, "position") != 0 && strcmp(f->name, "speed") != 0) {
-        source_problem(w->b->s, f->at, "a joint has no %s: its position, speed, acceleration or inertia", f->name);
+        source_problem(w->b->s, f->at, "a joint has no %s: its position, speed, acceleration, inertia, force or moment",
+                       f->name);
         return nothing;
     }
     const bool is_speed = strcmp(f->name, "speed") == 0;

@@ -72,13 +72,21 @@ typedef enum asked_kind {
     ASKED_Y_AXIS,
     ASKED_Z_AXIS,
     ASKED_SPECIFIC_FORCE, /* what an accelerometer measures; known with the accelerations: plant/accelerations.h */
+    ASKED_FORCE,          /* likewise: what a joint or a closure gives to its child */
+    ASKED_MOMENT,
 } asked_kind;
+
+static inline bool asks_for_acceleration(asked_kind kind)
+{
+    return kind >= ASKED_SPECIFIC_FORCE;
+}
 
 typedef struct asked {
     asked_kind kind;
-    int body;
+    int body;     /* of a reaction the joint's child */
     vector point; /* in the body's frame */
     bool in_body; /* in its axes, not those of the ground */
+    int cut;      /* of a reaction: the closure; -1: that of the joint */
 } asked;
 
 /* A point whose inertia formulas ask for: that of a body, moved by a vector in the same axes as the answer. A leaf OP_INERTIA

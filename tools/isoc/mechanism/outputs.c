@@ -66,16 +66,15 @@ static bool find_operand(builder *b, const output *o, shown *made)
     return true;
 }
 
-/* A joint, which is known by its child, or a closure between bodies. */
-static bool find_connection(builder *b, const output *o, shown *made)
+bool find_connection(builder *b, name n, int *child, int *loop)
 {
     bool is_joint;
-    const int of = find_joint_or_closure(b->s, b->written, o->of, &is_joint);
+    const int of = find_joint_or_closure(b->s, b->written, n, &is_joint);
     if (of >= 0 && !is_joint && acts_along_joints(b->written->closures[of].kind)) {
-        source_problem(b->s, o->of.at, "'%s' has no force between bodies: show effort of %s", o->of.text, o->of.text);
+        source_problem(b->s, n.at, "'%s' has no force between bodies: show effort of %s", n.text, n.text);
     }
-    made->body = of >= 0 && is_joint ? b->children[of] : -1;
-    made->cut = of >= 0 && !is_joint ? of : -1;
+    *child = of >= 0 && is_joint ? b->children[of] : -1;
+    *loop = of >= 0 && !is_joint ? of : -1;
     return of >= 0;
 }
 
@@ -145,7 +144,7 @@ static void build_output(builder *b, const output *o, shown *made)
         source_problem(b->s, o->kind_at, "a scene without closures has no violation");
     }
     if (of >= OF_COORDINATE && o->of.text != NULL) {
-        const bool found = of == OF_CONNECTION     ? find_connection(b, o, made)
+        const bool found = of == OF_CONNECTION     ? find_connection(b, o->of, &made->body, &made->cut)
                            : of == OF_TRANSMISSION ? find_transmission(b, o, made)
                                                    : find_operand(b, o, made);
         if (found) {

@@ -1,6 +1,5 @@
 #include "tools/isoc/plant/accelerations.h"
 
-#include "tools/isoc/dynamics/reaction.h"
 #include "tools/isoc/graph/differentiate.h"
 
 /* With the ground accelerated by -gravity, as the accelerations of the links are. */
@@ -20,35 +19,46 @@ static vector specific_force(const plant *p, graph *g, const asked *of)
                        : outward_axes(k, frame->link, GROUND, in_link);
 }
 
-static bool any_asks(const mechanism *m)
+wrench reaction_of(plant *p, graph *g, int child, int loop)
 {
-    bool any = false;
-    for (int i = 0; i < m->asked_count; i++) {
-        any = any || m->asked[i].kind == ASKED_SPECIFIC_FORCE;
-    }
-    return any;
-}
-
-void specific_forces_resolve(plant *p, graph *g)
-{
-    const mechanism *m = p->m;
-    if (!any_asks(m)) {
-        return;
+    if (loop >= 0) {
+        return closure_reaction(p->d, loop);
     }
     p->accelerations = p->accelerations == NULL ? reaction_accelerations(p->d) : p->accelerations;
-    graph_section(g, "Specific forces");
-    node *answers = arena_take(g->memory, 3 * (size_t)m->asked_count, sizeof *answers);
+    graph_section(g, "Reactions");
+    return joint_reaction(p->d, p->accelerations, child);
+}
+
+static vector answer(plant *p, graph *g, const asked *of, asked_kind before)
+{
+    if (of->kind == ASKED_SPECIFIC_FORCE) {
+        p->accelerations = p->accelerations == NULL ? reaction_accelerations(p->d) : p->accelerations;
+        if (before != of->kind) {
+            graph_section(g, "Specific forces");
+        }
+        return specific_force(p, g, of);
+    }
+    const wrench passed = reaction_of(p, g, of->body, of->cut);
+    return of->kind == ASKED_FORCE ? passed.force : passed.moment;
+}
+
+void accelerations_resolve(plant *p, graph *g)
+{
+    const mechanism *m = p->m;
+    node *answers = arena_take(g->memory, 3 * (size_t)m->asked_count + 1, sizeof *answers);
+    asked_kind before = ASKED_POSITION;
     for (int i = 0; i < m->asked_count; i++) {
-        const bool is_asked = m->asked[i].kind == ASKED_SPECIFIC_FORCE;
-        const vector force = is_asked ? specific_force(p, g, &m->asked[i]) : vector_zero(g);
+        const bool is_asked = asks_for_acceleration(m->asked[i].kind);
+        const vector found = is_asked ? answer(p, g, &m->asked[i], before) : vector_zero(g);
+        before = is_asked ? m->asked[i].kind : before;
         for (int n = 0; n < 3; n++) {
-            answers[3 * i + n] = force.at[n];
+            answers[3 * i + n] = found.at[n];
         }
     }
-    for (int i = 0; i < m->memory_count; i++) {
+    for (int i = 0; i < m->memory_count && before != ASKED_POSITION; i++) {
         replace_leaves(g, &m->memories[i].next, 1, OP_ASKED, answers);
     }
-    for (size_t i = 0; i < m->output_count; i++) {
+    for (size_t i = 0; i < m->output_count && before != ASKED_POSITION; i++) {
         if (m->outputs[i].kind == OUTPUT_FORMULA) {
             replace_leaves(g, &m->outputs[i].formula, 1, OP_ASKED, answers);
         }

@@ -1,7 +1,7 @@
 #include "tools/isoc/plant/outputs.h"
 
 #include "tools/isoc/dynamics/account.h"
-#include "tools/isoc/dynamics/reaction.h"
+#include "tools/isoc/plant/accelerations.h"
 
 /* --- one function for each kind, or for a few that differ little --- */
 
@@ -108,25 +108,14 @@ static void show_spin(plant *p, graph *g, const shown *o)
     show_vector(p, g, o, matrix_apply(g, matrix_transpose(frame->turn), omega));
 }
 
-/* What a joint or a closure gives to its child. */
-static wrench reaction(plant *p, graph *g, const shown *o)
-{
-    if (o->cut >= 0) {
-        return closure_reaction(p->d, o->cut);
-    }
-    p->accelerations = p->accelerations == NULL ? reaction_accelerations(p->d) : p->accelerations;
-    graph_section(g, "Reactions");
-    return joint_reaction(p->d, p->accelerations, o->body);
-}
-
 static void show_force(plant *p, graph *g, const shown *o)
 {
-    show_vector(p, g, o, reaction(p, g, o).force);
+    show_vector(p, g, o, reaction_of(p, g, o->body, o->cut).force);
 }
 
 static void show_moment(plant *p, graph *g, const shown *o)
 {
-    show_vector(p, g, o, reaction(p, g, o).moment);
+    show_vector(p, g, o, reaction_of(p, g, o->body, o->cut).moment);
 }
 
 static void show_effort(plant *p, graph *g, const shown *o)

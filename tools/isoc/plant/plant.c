@@ -177,7 +177,7 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted)
     build_cheapest(&p, g, wanted.formulation);
     p.is_curved = ISO_IS(m->recipe, ISO_ROSENBROCK) && ISO_IS_SMOOTH(m->recipe) && is_curved(g, &p);
     p.after = settled_build(g, p.d);
-    specific_forces_resolve(&p, g);
+    accelerations_resolve(&p, g);
     outputs_build(&p, g);
     hold(&p, g);
     p.fast = fast_build(g, m, p.held_derivatives);

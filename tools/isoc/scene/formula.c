@@ -227,7 +227,7 @@ static formula *parse_parenthesis(parser *p)
 
 static formula *parse_primary(parser *p);
 
-/* speed of JOINT, velocity of BODY [in body], spin of BODY [in ground], inertia of BODY [at VECTOR] [in body] */
+/* speed of JOINT, force of CLOSURE, velocity of BODY [in body], spin of BODY [in ground], inertia of BODY [at VECTOR] [in body] */
 static formula *parse_quantity(parser *p)
 {
     formula *f = formula_new(p, FORMULA_OF, p->next->at);
@@ -254,9 +254,9 @@ static formula *parse_quantity(parser *p)
 
 bool next_is_quantity(const parser *p)
 {
-    static const char *const words[] = {"position", "speed",  "velocity", "spin",         "x_axis",
-                                        "y_axis",   "z_axis", "inertia",  "acceleration", "specific_force",
-                                        "power",    "energy", "loss",     "work"};
+    static const char *const words[] = {"position", "speed",   "velocity",     "spin",           "x_axis", "y_axis",
+                                        "z_axis",   "inertia", "acceleration", "specific_force", "power",  "energy",
+                                        "loss",     "work",    "force",        "moment"};
     bool is = false;
     for (size_t i = 0; i < COUNT_OF(words); i++) {
         is = is || next_is_word(p, words[i]);

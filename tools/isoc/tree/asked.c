@@ -54,7 +54,7 @@ void asked_resolve(graph *g, mechanism *m)
     graph_section(g, "Points of effects, in the ground's frame");
     node *points = arena_take(g->memory, 3 * (size_t)m->asked_count + 1, sizeof *points);
     for (int i = 0; i < m->asked_count; i++) {
-        const bool is_later = m->asked[i].kind == ASKED_SPECIFIC_FORCE;
+        const bool is_later = asks_for_acceleration(m->asked[i].kind);
         const vector a = is_later ? vector_zero(g) : answer(&k, &m->asked[i]);
         for (int n = 0; n < 3; n++) {
             points[3 * i + n] = is_later ? leaf(g, OP_ASKED, 3 * i + n) : a.at[n];
