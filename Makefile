@@ -99,6 +99,10 @@ require = @for tool in $(1); do \
         esac || { echo "$$tool is missing. Install it with: $(2)" >&2; exit 1; }; \
     done
 
+# Links what follows into the target: beside it, then in its place, so that whoever runs it meanwhile runs the one before or
+# the new one, whole.
+link = $(Q)$(1) -o $@.$$$$ && mv -f $@.$$$$ $@ || { rm -f $@.$$$$; exit 1; }
+
 .PHONY: always
 always:
 
@@ -305,9 +309,13 @@ build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJEC
 build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
     build/obj/tools/flags
 TOOLS := build/isoc build/trace build/plot build/link build/monitor build/accuracy $(SMALL_TOOLS)
+.PHONY: tools
+tools: $(TOOLS)
+	@:
+
 $(TOOLS):
 	$(call say,LINK,$@)
-	$(Q)$(CC) $(CFLAGS) $(filter %.o,$^) -o $@ -lm
+	$(call link,$(CC) $(CFLAGS) $(filter %.o,$^) -lm)
 
 # --- Objects that programs share ---------------------------------------------------------------------------------
 

@@ -6,8 +6,20 @@
 #
 # What it prints is kept then as well, under build/tests/passed/. If the harness found that it passed, with the hash $TEST_STATE
 # of all that a test follows from (tests/host/state.sh), it is printed again and the test is not run.
+#
+# Tools and programs that have changed are built first; not under the harness, which has built all, and says so in $TEST_BUILT.
 name=$1
 kept=${TEST_KEPT:-build/tests/passed}/$(echo "$name" | tr / :)
+if [ -z "${TEST_BUILT-}" ]; then
+    mkdir -p build
+    case $1 in
+    build/tests/*/float/* | build/tests/*/double/*) goals="tools $1" ;;
+    *) goals=tools ;;
+    esac
+    # shellcheck disable=SC2086
+    (unset MAKEFLAGS MAKELEVEL && flock build/lock make -s $goals >&2) || exit 1
+    export TEST_BUILT=yes
+fi
 case $1 in
 build/tests/memcheck/*)
     set -- valgrind --quiet --error-exitcode=99 --leak-check=full --show-leak-kinds=all \

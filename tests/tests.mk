@@ -69,7 +69,7 @@ $(foreach part,$(TEST_UNIT_PARTS),$(eval build/tests/$(1)/$(2)/$(notdir $(patsub
 
 build/tests/$(1)/$(2)/%: private TEST_PORT_OBJECTS := $$(TEST_PORT_OBJECTS)
 build/tests/$(1)/$(2)/%: build/tests/$(1)/$(2)/tests/unit/%.o $$(TEST_PORT_OBJECTS) $$(wildcard port/mps2/*.ld)
-	@$$(TEST_CC_$(1)) $$(TEST_LINK_$(1)) $$(filter %.o,$$^) -lm -o $$@
+	$$(call link,$$(TEST_CC_$(1)) $$(TEST_LINK_$(1)) $$(filter %.o,$$^) -lm)
 
 TEST_OBJECTS += $$(TEST_PORT_OBJECTS) $$(TEST_UNITS:%=$$(TEST_DIR)/tests/unit/%.o) $$(TEST_UNIT_PARTS:%.c=$$(TEST_DIR)/%.o)
 TEST_PROGRAMS_$(1) += $$(TEST_UNITS:%=build/tests/$(1)/$(2)/%)
@@ -89,10 +89,10 @@ build/tests/memcheck/%: build/tests/plain/%
 TEST_PROGRAMS_exhaustive := $(foreach real,$(TEST_REALS),$(TEST_EXHAUSTIVE:%=build/tests/exhaustive/$(real)/%))
 build/tests/exhaustive/float/%: tests/exhaustive/%.c $(wildcard core/*/*.h tests/exhaustive/*.h) build/tests/plain/float/command
 	@mkdir -p $(@D)
-	@$(CC) $(TEST_FLAGS) $< -o $@ -lm
+	$(call link,$(CC) $(TEST_FLAGS) $< -lm)
 build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h tests/exhaustive/*.h) build/tests/plain/double/command
 	@mkdir -p $(@D)
-	@$(CC) $(TEST_FLAGS) -DISO_REAL_DOUBLE $< -o $@ -lm
+	$(call link,$(CC) $(TEST_FLAGS) -DISO_REAL_DOUBLE $< -lm)
 
 -include $(TEST_OBJECTS:.o=.d)
 
@@ -112,7 +112,7 @@ $(TEST_ONCE)/once: tests/host/once.c build/tests/plain/float/command
 TEST_FAST := $(filter build/tests/plain/float/% build/tests/m4f/float/%,$(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f))
 TEST_ALL := $(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f) $(TEST_PROGRAMS_exhaustive) $(TEST_PROGRAMS_memcheck) $(TEST_PROGRAMS_asan)
 TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' \) -mtime +2 -delete; export TEST_STATE=$$(sh tests/host/state.sh); \
-    rm -rf build/tests/times && mkdir build/tests/times; TEST_TIMES=$(CURDIR)/build/tests/times \
+    rm -rf build/tests/times && mkdir build/tests/times; TEST_BUILT=yes TEST_TIMES=$(CURDIR)/build/tests/times \
     PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
 
 # All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole domains, checkers, models. A few minutes.

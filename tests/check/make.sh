@@ -1,5 +1,6 @@
 #!/bin/sh
-# What make does with its variables and with paths, and with many makes at once.
+# What make does with its variables and with paths, and with many makes at once; that a program that is linked is there meanwhile,
+# and that a test has the tools of its sources.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/make
@@ -148,4 +149,66 @@ PATH=$PWD/$out/bin:$PATH
 together 3
 ! sort "$out/together" | cmp -s - "$out/expected"
 result $? "found: makes that do not lock their folder"
+
+# A linker that has begun to write, and waits until what stands at the tool's place has run; or that fails then.
+compiler=${CC%% *}
+cat >"$out/bin/${compiler##*/}" <<END
+#!/bin/sh
+for argument; do
+    [ "\$before" != -o ] || output=\$argument
+    before=\$argument
+done
+case \$output in
+*.o | '') ;;
+*)
+    echo partly >"\$output"
+    build/duration ns 3 1 1e18 >>"$PWD/$out/ran" 2>&1
+    [ ! -e "$PWD/$out/fails" ] || exit 1
+    ;;
+esac
+exec "$(command -v "$compiler")" "\$@"
+END
+chmod +x "$out/bin/${compiler##*/}"
+# relinked: the tool is linked again; fails as make does.
+relinked()
+{
+    : >"$out/ran"
+    touch "$out/project/build/obj/tools/build/duration.o"
+    call build/duration
+}
+# left: the files of the tool, with what was left behind.
+left()
+{
+    (cd "$out/project/build" && ls -d duration*)
+}
+call tools
+before=$(ls -i "$out/project/build/duration")
+relinked && [ "$(cat "$out/ran")" = 3000000000 ]
+expect $? "while a tool is linked, the one before runs: $(cat "$out/ran")"
+[ "$(ls -i "$out/project/build/duration")" != "$before" ] && [ "$(left)" = duration ]
+result $? "the new one is another file, and nothing else is left: $(left)"
+touch "$out/fails"
+before=$(ls -i "$out/project/build/duration")
+! relinked && [ "$(ls -i "$out/project/build/duration")" = "$before" ] && [ "$(left)" = duration ]
+result $? "a tool that cannot be linked leaves the one before: $(left)"
+rm "$out/fails"
+sed 's|^link = .*|link = $(Q)$(1) -o $@|' Makefile >"$out/project/Makefile"
+relinked
+[ "$(cat "$out/ran")" != 3000000000 ]
+result $? "found: a tool that is linked in place: $(sed 's/.*: //' "$out/ran" | tail -n 1)"
+cp Makefile "$out/project/Makefile"
+
+# A test that is run alone has the tools of its sources.
+sed 's/printf("%.0f/printf("changed %.0f/' tools/build/duration.c >"$out/project/tools/build/duration.c"
+echo 'echo "ok 1 - $(build/duration ns 3 1 1e18)"; echo 1..1' >"$out/project/tests/language/tool.t"
+alone=$(cd "$out/project" && TEST_BUILT=yes TEST_TIMES='' sh tests/exec.sh tests/language/tool.t)
+! echo "$alone" | grep -q changed
+result $? "under the harness a test builds nothing: $(echo "$alone" | head -n 1)"
+alone=$(cd "$out/project" && TEST_BUILT='' TEST_TIMES='' sh tests/exec.sh tests/language/tool.t 2>&1)
+echo "$alone" | grep -q '^ok 1 - changed'
+result $? "alone it builds the tools first: $(echo "$alone" | grep "^ok")"
+echo '#error planted' >>"$out/project/tools/build/duration.c"
+! (cd "$out/project" && TEST_BUILT='' TEST_TIMES='' sh tests/exec.sh tests/language/tool.t) >"$out/output" 2>"$out/errors" &&
+    grep -q 'error.*planted' "$out/errors" && ! grep -q '^ok' "$out/output"
+result $? "and does not run where they cannot be built"
 finish

@@ -63,14 +63,16 @@ $(OUT)/plant.o: $(OUT)/choice $(OBJ)/flags $(if $(filter %/plant.c,$(PLANT)),$(P
 	$(call say,CC,$(PLANT))
 	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -MMD -MP -c $(call quote,$(PLANT)) -o $@
 
-LINK := $(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(OUT)/plant.o $(OBJECTS) $(PORT_LIBRARIES) -o $(PROGRAM)
+# The command that links objects.
+of_objects = $(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(1) $(PORT_LIBRARIES)
+LINK := $(call of_objects,$(OUT)/plant.o $(OBJECTS))
 
 $(OUT)/link: always
 	$(call remember,$(call quote,$(LINK)))
 
 $(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
 	$(call say,LINK,$@)
-	$(Q)$(LINK)
+	$(call link,$(LINK))
 
 # The same plant with a link, in a folder of its own: with interface.c, and NAME_link.h and NAME_link.py for a controller. On
 # the host its addresses are below 4 GB, as those of a board are. With XCP it has measurement and calibration too.
@@ -91,7 +93,7 @@ $(LINKED)/plant.o $(LINKED)/interface.o: $(LINKED)/%.o: $(LINKED)/interface.c $(
 
 $(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
 	$(call say,LINK,$@)
-	$(Q)$(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(PORT_LINK_LINKED) $(filter %.o,$^) $(PORT_LIBRARIES) -o $@
+	$(call link,$(call of_objects,$(PORT_LINK_LINKED) $(filter %.o,$^)))
 
 # The A2L, beside the program: what isoc wrote, with the addresses of the linked program.
 A2L := $(OUT)/$(NAME).a2l
@@ -130,7 +132,7 @@ $(OUT)/recorded/request.o: $(OUT)/recorded/request.c $(OBJ)/flags
 
 $(RECORDED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(OUT)/recorded/request.o $(RECORDED_OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
 	$(call say,LINK,$@)
-	$(Q)$(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(filter %.o,$^) $(PORT_LIBRARIES) -o $@
+	$(call link,$(call of_objects,$(filter %.o,$^)))
 
 ifneq ($(SNAPSHOT)$(RESTORE),)
 run: PROGRAM := $(RECORDED_PROGRAM)
@@ -160,7 +162,7 @@ link: $(LINKED_PROGRAM) $(if $(XCP),$(A2L)) build/trace build/link
 
 $(OUT)/controller: models/hil/controller.c $(LINKED)/interface.c build/obj/tools/flags
 	$(call say,CC,$<)
-	$(Q)$(CC) $(WARNINGS) -O2 $(NUMERICS) -I$(LINKED) $(CFLAGS) $< -o $@ -lm
+	$(call link,$(CC) $(WARNINGS) -O2 $(NUMERICS) -I$(LINKED) $(CFLAGS) $< -lm)
 
 hil: CONTROLLER := $(or $(CONTROLLER),$(OUT)/controller)
 hil: $(LINKED_PROGRAM) $(OUT)/controller build/trace build/link build/plot
