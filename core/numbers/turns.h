@@ -44,6 +44,13 @@ static inline int32_t iso_take_turns(real *const angle, real *const rest)
     return (int32_t)(uint32_t)(iso_bits_of(rounded) - iso_bits_of(ISO_TURN_ROUNDER));
 }
 
+/* The count of turns with those that were taken. It wraps: behind 2147483647 comes -2147483648, so that the difference of
+ * two counts is right, modulo 2^32, however long the joint has turned. */
+static inline int32_t iso_counted_turns(const int32_t count, const int32_t taken)
+{
+    return (int32_t)((uint32_t)count + (uint32_t)taken);
+}
+
 /* The angle and the speed of a joint at the begin of a tick. */
 typedef struct iso_turning {
     real angle;

@@ -48,9 +48,27 @@ static void test_direction(void)
     tap_count(miscounted, 0, "turns and what is left add up to the angle");
 }
 
+/* Around the largest and the least count; signed overflow, which C leaves undefined, is one that the sanitizer finds. */
+static void test_count(void)
+{
+    int32_t count = INT32_MAX - 1;
+    for (int i = 0; i < 4; i++) {
+        real angle = R(4.0), rest = R(0.0);
+        count = iso_counted_turns(count, iso_take_turns(&angle, &rest));
+    }
+    tap_ok(count == INT32_MIN + 2, "behind the largest count comes the least");
+    tap_ok((int32_t)((uint32_t)count - (uint32_t)(INT32_MAX - 1)) == 4, "so the difference of two counts is right");
+    for (int i = 0; i < 4; i++) {
+        real angle = R(-4.0), rest = R(0.0);
+        count = iso_counted_turns(count, iso_take_turns(&angle, &rest));
+    }
+    tap_ok(count == INT32_MAX - 1, "and back");
+}
+
 int main(void)
 {
     test_known();
+    test_count();
     test_direction();
     tap_done();
 }

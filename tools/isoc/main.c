@@ -6,6 +6,7 @@
 #include "tools/isoc/dynamics/assembly.h"
 #include "tools/isoc/emit/emit.h"
 #include "tools/isoc/emit/link.h"
+#include "tools/isoc/emit/prefix.h"
 #include "tools/isoc/emit/standalone.h"
 #include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/lesser.h"
@@ -166,9 +167,6 @@ static bool read_options(char **arguments, options *o)
                                    : "--effects makes no plant: leave out -o",
                         o->directory);
     }
-    if (o->name != NULL && !naming_allows(o->name)) {
-        return complain("--name is a word of a-z, 0-9 and _, at most 40, that does not begin with iso; not", o->name);
-    }
     if (o->is_linked && (o->name != NULL || o->is_standalone || makes_none)) {
         return complain("--link is of a whole program: leave out", o->name != NULL    ? "--name"
                                                                    : o->is_standalone ? "--standalone"
@@ -196,6 +194,12 @@ static bool read_options(char **arguments, options *o)
         return complain("--factors must be full, sparse or looped, not", factors_name);
     }
     return true;
+}
+
+static bool check_prefix(arena *memory, const char *prefix)
+{
+    const char *fault = prefix == NULL ? NULL : prefix_fault(prefix, memory);
+    return fault == NULL || complain(arena_format(memory, "--name of a plant: %s; not", fault), prefix);
 }
 
 /* Reads --step, --method and --tolerance as statements of the scene, and reports their problems at once. */
@@ -318,6 +322,9 @@ static bool compile(arena *memory, const options *o)
     graph_start(&g, memory);
     graph_section(&g, "Constants of the scene");
     mechanism m = mechanism_build(&s, &g, &written, o->is_double, NULL);
+    if (o->name != NULL || o->is_standalone) {
+        mechanism_without_loop(&s, &written);
+    }
     if (s.problem_count == 0 && o->tolerance != NULL && !ISO_IS(m.recipe, ISO_ADAMS)) {
         return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m.recipe)]);
     }
@@ -350,9 +357,7 @@ static bool compile(arena *memory, const options *o)
             if (o->inputs == NULL) {
                 samples_check(&s, &g, &written, &p);
             }
-            if (o->name == NULL) {
-                lessers_build(&s, &written, &p, o->wanted);
-            }
+            lessers_build(&s, &written, &p, o->wanted);
             return write_plant(memory, o, &p, &g);
         }
     }
@@ -383,7 +388,7 @@ static bool run(arena *memory, char **arguments)
         }
     }
     options o = {0};
-    return read_options(arguments, &o) && compile(memory, &o);
+    return read_options(arguments, &o) && check_prefix(memory, o.name) && compile(memory, &o);
 }
 
 int main(int count, char **arguments)

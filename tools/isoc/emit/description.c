@@ -93,12 +93,12 @@ void emit_model(emission *e)
     add_if(e, can_restart(p), "    .discontinuity = discontinuity,\n");
     add_if(e, is_primed(p), "    .prime = prime,\n");
     text_add(e->out, "    .step = step,\n");
-    const bool has_ladder = m->policies.rung_count > 0 && e->names->is_program;
+    const bool has_ladder = m->policies.rung_count > 0;
     add_if(e, has_ladder, "    .attempt = attempt,\n");
     add_if(e, !has_ladder && (can_restart(p) || ISO_IS_WATCHED(m->recipe)), "    .attempt = iso_plant_attempt,\n");
     add_if(e, p->violation >= 0 || ISO_HAS_PROGRESS(m->recipe), "    .tell = iso_plant_tell,\n");
     text_add(e->out, "    .finish = finish%s,\n", by_rung);
-    add_if(e, m->policies.any && e->names->is_program, "    .policy = &policy,\n");
+    add_if(e, m->policies.any, "    .policy = &policy,\n");
     text_add(e->out, "};\n");
 }
 

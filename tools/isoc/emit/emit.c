@@ -65,7 +65,7 @@ static void emit_beginning(const emission *e, const text *rest)
     text_add(e->out, "%s", e->p->fast.count > 0 ? "#include \"core/methods/multirate.h\"\n" : "");
     text_add(e->out, "%s", e->p->j.looped != NULL ? "#include \"core/methods/sparse.h\"\n" : "");
     text_add(e->out, "%s#include \"core/runtime/tick.h\"\n",
-             m->policies.any && e->names->is_program ? "#include \"core/runtime/policy.h\"\n" : "");
+             m->policies.any ? "#include \"core/runtime/policy.h\"\n" : "");
     emit_calls_included(rest, e->out);
     if (strstr(rest->bytes, "iso_noise(") != NULL) {
         text_add(e->out, "#include \"core/numbers/noise.h\"\n");
@@ -98,7 +98,7 @@ bool emit_source(const plant *p, graph *g, const naming *names, text *out, doubl
     emit_data(&e);
     emit_functions(&e);
     emit_step(&e);
-    if (p->m->policies.any && names->is_program) {
+    if (p->m->policies.any) {
         emit_policies(&e);
     }
     emit_model(&e);

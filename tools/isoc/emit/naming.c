@@ -3,8 +3,6 @@
 #include <ctype.h>
 #include <string.h>
 
-enum { LONGEST_PREFIX = 40 };
-
 const char *capitals_of(arena *memory, const char *word)
 {
     char *copy = arena_copy(memory, word, strlen(word));
@@ -12,14 +10,6 @@ const char *capitals_of(arena *memory, const char *word)
         *c = (char)toupper((unsigned char)*c);
     }
     return copy;
-}
-
-bool naming_allows(const char *prefix)
-{
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyz", others[] = "abcdefghijklmnopqrstuvwxyz0123456789_";
-    const size_t length = strlen(prefix);
-    return length <= LONGEST_PREFIX && strspn(prefix, letters) > 0 && strspn(prefix, others) == length &&
-           strncmp(prefix, "iso", 3) != 0;
 }
 
 /* CART_X_RAIL */

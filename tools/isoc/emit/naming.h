@@ -19,9 +19,6 @@ typedef struct naming {
 /* With this prefix, or as the plant of the program where it is NULL. */
 naming naming_of(const plant *p, arena *memory, const char *prefix);
 
-/* Whether isoc can make files and identifiers with this prefix. */
-bool naming_allows(const char *prefix);
-
 /* A word in capitals. */
 const char *capitals_of(arena *memory, const char *word);
 

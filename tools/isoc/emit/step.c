@@ -311,8 +311,10 @@ static void emit_turn(emission *e, const link *l, int number)
 
 static void emit_take_turns(emission *e, const link *l, int number)
 {
-    text_add(e->out, "    memory->turns[%d] += iso_take_turns(&memory->x[%s], &memory->rests[%d]);\n", number,
-             state_place(e, l->position), number);
+    text_add(e->out,
+             "    memory->turns[%d] =\n        iso_counted_turns(memory->turns[%d], iso_take_turns(&memory->x[%s], "
+             "&memory->rests[%d]));\n",
+             number, number, state_place(e, l->position), number);
 }
 
 /* The plant's states are put right; a local error that is told is that of what they are then. */
@@ -463,7 +465,7 @@ void emit_step(emission *e)
         emit_prime(e);
     }
     emit_step_function(e, "");
-    if (e->p->m->policies.rung_count > 0 && e->names->is_program) {
+    if (e->p->m->policies.rung_count > 0) {
         emit_ladder(e);
     }
 }

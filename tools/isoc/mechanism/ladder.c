@@ -186,3 +186,26 @@ void build_policies(builder *b)
         build_ladder(b);
     }
 }
+
+void mechanism_without_loop(source *s, const scene *written)
+{
+    const running *of = &written->running;
+    const struct {
+        bool is_there;
+        place at;
+        const char *words;
+    } statements[] = {
+        {of->overrun != OVERRUN_COUNT, of->overrun_at, "overrun"},
+        {of->grace != NULL, of->grace == NULL ? 0 : of->grace->at, "grace"},
+        {of->delayed, of->publish_at, "publish next_tick"},
+        {of->histogram, of->histogram_at, "histogram"},
+    };
+    for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {
+        if (statements[i].is_there) {
+            source_problem(s, statements[i].at,
+                           "%s is of the loop that `make run` builds; with --name or --standalone a plant has "
+                           "none, and the firmware that calls iso_plant_tick times its ticks: leave it out",
+                           statements[i].words);
+        }
+    }
+}

@@ -387,4 +387,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
 /* Only the method and the step, for a scene that has nothing else; notes problems. */
 void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double);
 
+/* Notes each policy of the scene as a problem: of a plant in firmware that has no loop of core. */
+void mechanism_without_loop(source *s, const scene *written);
+
 #endif

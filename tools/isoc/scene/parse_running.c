@@ -72,15 +72,15 @@ void read_grace(parser *p, const token *word, void *slot)
 
 void read_publish(parser *p, const token *word, void *slot)
 {
-    (void)word;
     running *to = slot;
+    to->publish_at = word->at;
     to->delayed = take_one_of(p, publish_names, COUNT_OF(publish_names)) == 1;
 }
 
 void read_histogram(parser *p, const token *word, void *slot)
 {
     (void)p;
-    (void)word;
     running *to = slot;
+    to->histogram_at = word->at;
     to->histogram = true;
 }

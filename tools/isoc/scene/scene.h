@@ -246,7 +246,7 @@ enum { MOST_RUNGS = 8 };
 
 typedef struct running {
     overrun_kind overrun;
-    place overrun_at;
+    place overrun_at, publish_at, histogram_at;
     formula *catch_up, *grace; /* ticks; NULL where none is given */
     name rungs[MOST_RUNGS];    /* of degrade, in their order: a method, an effect, or the word `hold` */
     rung_kind rung_kinds[MOST_RUNGS];

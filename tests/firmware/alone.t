@@ -1,0 +1,196 @@
+#!/bin/sh
+# A plant beside other firmware, by what its scene says of the loop and by what it is called. Each policy is refused with its
+# place, with and without --name; what is accepted compiles alone in an empty folder, by gcc and by clang, and moves bit for
+# bit as with make run, also where there are two. A name is refused, or hides nothing: names of the headers of three
+# compilers, keywords, headers of core, and words that the generated code itself begins with.
+. tests/host/test.sh
+. tests/host/project.sh
+begin firmware_alone
+project
+root=$PWD
+strict="-std=c11 -Wall -Wextra -Wpedantic -Werror -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize"
+
+# policy NAME LINE...: the scene with these lines, $out/NAME.scene.
+policy()
+{
+    policy_name=$1
+    shift
+    { cat "$base" && printf '%s\n' "$@"; } >"$out/$policy_name.scene"
+}
+
+# standalone NAME [OPTION...]: isoc on that scene, into an empty folder, $out/alone.
+standalone()
+{
+    standalone_scene=$out/$1.scene
+    shift
+    rm -rf "$out/alone"
+    build/isoc "$standalone_scene" -o "$out/alone" --standalone "$@" >"$out/summary" 2>"$out/errors"
+}
+
+# moves COMPILER FLAGS INSTANCES: the folder compiles alone, and each instance ends with the hash of make run.
+moves()
+{
+    cp tests/firmware/alone.c core/application/hash.h "$out/alone"
+    # shellcheck disable=SC2086
+    (cd "$out/alone" && $1 $strict -O1 $2 -I. ./*.c core/numbers/self_check.c -o alone && ./alone >hashes) 2>"$out/errors" &&
+        [ "$(sort -u "$out/alone/hashes")" = "$hash" ] && [ "$(wc -l <"$out/alone/hashes")" -eq "$3" ]
+}
+
+while read -r base seconds; do
+    policy accepted ''
+    call run SCENE="$root/$out/accepted.scene" SECONDS=$seconds && [ "$(value ticks)" = 1000 ]
+    expect $? "$(basename $base .scene): make run, $(value hash)"
+    hash=$(value hash)
+    for compiler in gcc clang; do
+        standalone accepted && moves $compiler '' 1
+        result $? "the same alone, by $compiler"
+        standalone accepted --name swing && moves $compiler -DNAMED 2
+        result $? "twice with a name, by $compiler"
+    done
+    [ -e "$out/swinging" ] || echo "$hash" >"$out/swinging"
+    for name in '' '--name swing'; do
+        # shellcheck disable=SC2086
+        policy accepted '' && standalone accepted $name && rm -rf "$out/without" && mv "$out/alone" "$out/without" &&
+            policy accepted 'overrun count; publish at_once' && standalone accepted $name &&
+            diff -r "$out/without" "$out/alone" >"$out/errors"
+        result $? "${name:-without --name}: what the defaults say adds no byte"
+    done
+    count=$(wc -l <$base)
+    while read -r column line; do
+        policy refused "$line"
+        for name in '' '--name swing'; do
+            # shellcheck disable=SC2086
+            ! standalone refused $name && [ ! -e "$out/alone" ] &&
+                grep -q "refused.scene:$((count + 1)):$column: error: .*--standalone" "$out/errors"
+            expect $? "$(basename $base .scene) ${name:-without --name}: refused with its place: $line"
+        done
+    done <<POLICIES
+1 overrun catch_up 3
+1 overrun stop
+1 overrun degrade { method euler; after 9 ticks }
+1 overrun degrade { hold; after 9 ticks }
+7 grace 10 ticks
+1 publish next_tick
+1 histogram
+POLICIES
+done <<END
+models/pendulum.scene 1
+models/dc_motor_bench.scene 0.1
+END
+base=models/pendulum.scene
+policy refused histogram 'publish next_tick'
+! standalone refused && [ "$(grep -c ': error: ' "$out/errors")" -eq 2 ]
+result $? "two policies are two errors"
+! build/isoc "$out/refused.scene" -o "$out/alone" --name swing >"$out/summary" 2>"$out/errors" && [ ! -e "$out/alone" ]
+result $? "refused also with --name alone"
+
+# A plant that is other than the program's own is found.
+policy other 'substeps 2'
+hash=$(cat "$out/swinging") && standalone other --name swing && ! moves gcc -DNAMED 2 && [ -s "$out/alone/hashes" ]
+result $? "found: a plant that moves otherwise"
+
+# refused WORD: as a name, and nothing is written.
+refused()
+{
+    ! build/isoc models/pendulum.scene -o "$out/named" --name "$1" >"$out/summary" 2>"$out/errors" &&
+        grep -q -- '--name' "$out/errors" && [ ! -e "$out/named" ]
+}
+
+# all_refused WHAT: each of the words that are read.
+all_refused()
+{
+    accepted=
+    read_words=0
+    while read -r word; do
+        read_words=$((read_words + 1))
+        refused "$word" || { accepted="$accepted $word" && rm -rf "$out/named"; }
+    done
+    [ -z "$accepted" ] && [ $read_words -gt 0 ]
+    result $? "refused: $read_words $1${accepted:+, but for$accepted}"
+}
+
+# What the headers of C need, of each compiler, as far as a file beside the program could hide it.
+c_headers="assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg stdatomic
+    stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype"
+echo "$c_headers" | tr -s ' ' '\n' >"$out/headers"
+for header in $c_headers; do
+    printf '#if __has_include(<%s.h>)\n#include <%s.h>\n#endif\n' "$header" "$header"
+done >"$out/c.c"
+for compiler in gcc clang arm-none-eabi-gcc; do
+    roots=$($compiler -xc -E -v - </dev/null 2>&1 | sed -n '/^#include </,/^End/s/^ //p' | xargs realpath)
+    $compiler -M -MG "$out/c.c" | tr -s ' \\' '\n\n' | grep '\.h$' | xargs realpath -q | while read -r path; do
+        ! echo "$roots" | grep -qxF "${path%/*}" || basename "$path" .h
+    done
+done | grep -xE '[a-z][a-z0-9_]*' >>"$out/headers"
+sort -u "$out/headers" >"$out/words"
+all_refused "names of headers that gcc, clang and the board's compiler read for those of C" <"$out/words"
+[ "$(wc -l <"$out/words")" -gt 33 ] && grep -qx features "$out/words"
+result $? "among them those that others include"
+for path in core/numbers/*.h core/methods/*.h core/runtime/plant.h core/runtime/tick.h; do
+    basename "$path" .h
+done | all_refused "headers of core"
+# A word is a keyword where it cannot be the name of a variable.
+tr -cs 'a-z0-9_' '\n' <tools/isoc/emit/prefix.c | grep -xE '[a-z][a-z0-9_]*[a-z0-9]' | sort -u >"$out/candidates"
+sed 's/.*/int &;/' "$out/candidates" >"$out/word.c"
+{
+    gcc -std=c11 -fsyntax-only "$out/word.c" 2>&1
+    clang++ -std=c++20 -ferror-limit=0 -xc++ -fsyntax-only "$out/word.c" 2>&1
+} | sed -n 's/.*word\.c:\([0-9]*\):.*error: .*/\1p/p' | sort -u >"$out/lines"
+sed -n -f "$out/lines" "$out/candidates" >"$out/words"
+[ "$(wc -l <"$out/words")" -gt 80 ]
+result $? "gcc and clang++ know $(wc -l <"$out/words") keywords"
+all_refused "of them" <"$out/words"
+printf '%s\n' main cart_ a__b iso isolated | all_refused "other words"
+
+# Words that the code of a plant begins with.
+build/isoc models/cart_pole_drive.scene -o "$out/words.d" --name swing >"$out/summary" 2>"$out/errors"
+grep -ohE '\b[a-z][a-z0-9]*_' "$out/words.d/swing.c" "$out/words.d/swing.h" | sort -u | sed 's/_$//' | grep -v '^iso\|^swing' >"$out/words"
+bad=
+tried=0
+turn=$(turn_of 5 "${1-}" core tools/isoc)
+echo "# turn $turn of the words"
+while read -r word; do
+    [ "$turn" = all ] || [ $(($(echo "$word" | cksum | cut -d ' ' -f 1) % 5)) -eq "$turn" ] || continue
+    refused "$word" || {
+        tried=$((tried + 1))
+        build/isoc models/cart_pole_drive.scene -o "$out/named" --name "$word" --standalone >"$out/summary" 2>"$out/errors" &&
+            printf '#include "%s.h"\n#include "core/runtime/tick.h"\n#include <stdio.h>\n#include <stdlib.h>\nint main(void) { return 0; }\n' \
+                "$word" >"$out/named/user.c" &&
+            # shellcheck disable=SC2086
+            (cd "$out/named" && clang $strict -fsyntax-only -I. "$word.c" && clang $strict -fsyntax-only -I. user.c) 2>"$out/errors" ||
+            bad="$bad $word"
+    }
+    rm -rf "$out/named"
+done <"$out/words"
+[ -z "$bad" ] && [ $tried -gt 0 ]
+expect $? "$tried words that the generated code begins with are good names${bad:+, but for$bad}"
+
+# The count of turns around its limit, in a plant that a sanitizer watches.
+mkdir -p "$out/turns"
+sed 's/^    axis z.*/&; continuous; speed 3000 rpm/' models/pendulum.scene | sed 's/^    start.*//' >"$out/turns.scene"
+echo 'output turned = turns of pivot' >>"$out/turns.scene"
+build/isoc "$out/turns.scene" -o "$out/turns" --name swing --standalone >"$out/summary" 2>"$out/errors" &&
+    cat >"$out/turns/turns.c" <<'END' &&
+#include "swing.h"
+#include "core/runtime/tick.h"
+int main(void)
+{
+    static swing_memory memory;
+    const iso_plant swing = swing_plant(&memory);
+    iso_plant_start(&swing);
+    memory.turns[0] = INT32_MAX - 1;
+    for (uint32_t tick = 0; tick < 100; tick++) {
+        if (iso_plant_tick(&swing, tick) < SWING_STATES) {
+            return 1;
+        }
+    }
+    return !(memory.turns[0] < INT32_MIN + 8 && memory.turns[0] > INT32_MIN && swing.y[SWING_Y_TURNED] < (real)-2e9);
+}
+END
+    (cd "$out/turns" && gcc $strict -fsanitize=undefined -fno-sanitize-recover=all -I. ./*.c -o turns && ./turns) 2>"$out/errors"
+expect $? "turns go on behind the largest count"
+sed -i 's/iso_counted_turns(\(memory->turns\[0\]\), /(\1 + /' "$out/turns/swing.c"
+! (cd "$out/turns" && gcc $strict -fsanitize=undefined -fno-sanitize-recover=all -I. ./*.c -o turns && ./turns) 2>"$out/errors" &&
+    grep -q 'signed integer overflow' "$out/errors"
+expect $? "found: a count that overflows"
+finish
