@@ -175,6 +175,10 @@ static bool is_unit(const values *v, const formula *f, value *found)
         return false;
     }
     *found = scalar(constant(v->g, u.numerator / u.denominator), u.of);
+    if (u.zero != 0.0) {
+        source_problem(v->s, f->at, "'%s' stands alone behind a number, as in 20 %s", f->name, f->name);
+        *found = nothing();
+    }
     return true;
 }
 
@@ -207,13 +211,15 @@ static value evaluate_name(values *v, const formula *f)
 
 static value evaluate_number(values *v, const formula *f)
 {
-    const double number = f->number * f->unit.numerator / f->unit.denominator;
+    const double multiple = f->number * f->unit.numerator / f->unit.denominator;
+    const double number = f->unit.zero == 0.0 ? multiple : (multiple * 100 + f->unit.zero) / 100;
     value r = scalar(constant(v->g, isfinite(number) ? number : 0.0), f->unit.of);
     if (!isfinite(number)) {
         source_problem(v->s, f->at, "the number is too large in SI units: a double ends at 1.8e308");
         return nothing();
     }
     r.any = f->number == 0.0 && dimension_equal(f->unit.of, plain);
+    r.on_scale = f->unit.zero != 0.0;
     return r;
 }
 
@@ -260,9 +266,24 @@ static value evaluate_scale(values *v, const formula *f)
         r.parts[i] = is_constant(v->g, scaled) ? constant(v->g, constant_value(v->g, scaled) / f->unit.denominator)
                                                : divide(v->g, scaled, constant(v->g, f->unit.denominator));
     }
+    for (int i = 0; i < r.count && f->unit.zero != 0.0; i++) {
+        r.parts[i] = add(v->g, r.parts[i], constant(v->g, f->unit.zero / 100));
+    }
     r.of = f->unit.of;
     r.any = false;
+    r.on_scale = f->unit.zero != 0.0;
     return r;
+}
+
+/* 2 * 20 degC, 20 degC + 5 degC: what they mean depends on where the scale begins. False after noting it. */
+static bool is_free_of_scale(values *v, const formula *f, bool on_scale)
+{
+    if (on_scale) {
+        source_problem(v->s, f->at,
+                       "a temperature in degC is no factor, power or term of a sum of two, and has no "
+                       "minus before its parentheses: give a difference in K");
+    }
+    return !on_scale;
 }
 
 bool agree(const values *v, dimension a, dimension b)
@@ -281,7 +302,11 @@ static value evaluate_sum(values *v, const formula *f, value a, value b)
                        dimension_text(v->s->memory, b.of));
         return nothing();
     }
+    if (!is_free_of_scale(v, f, f->sign == '+' && a.on_scale && b.on_scale)) {
+        return nothing();
+    }
     value r = a.any ? b : a;
+    r.on_scale = f->sign == '+' ? a.on_scale || b.on_scale : a.on_scale && !b.on_scale;
     for (int i = 0; i < a.count; i++) {
         r.parts[i] = f->sign == '+' ? add(v->g, a.parts[i], b.parts[i]) : sub(v->g, a.parts[i], b.parts[i]);
     }
@@ -297,6 +322,9 @@ static value evaluate_product(values *v, const formula *f, value a, value b)
     const bool is_known = v->around == NULL || is_constant(v->g, b.parts[0]);
     if (f->sign == '/' && is_known && value_now(v, b.parts[0]) == 0.0) {
         source_problem(v->s, f->at, "division by zero");
+        return nothing();
+    }
+    if (!is_free_of_scale(v, f, a.on_scale || b.on_scale)) {
         return nothing();
     }
     const value wide = a.count != 1 ? a : b;
@@ -336,6 +364,9 @@ static value evaluate_power(values *v, const formula *f)
         source_problem(v->s, f->at, "a vector cannot be raised to a power");
         return nothing();
     }
+    if (!is_free_of_scale(v, f, r.on_scale)) {
+        return nothing();
+    }
     if (r.count == 1) {
         const dimension of = r.of;
         r.parts[0] = power(v->g, r.parts[0], (int)f->number);
@@ -366,7 +397,9 @@ value value_any(values *v, const formula *f)
     case FORMULA_NUMBER:
         return evaluate_number(v, f);
     case FORMULA_NAME:
-        return evaluate_name(v, f);
+        r = evaluate_name(v, f);
+        r.on_scale = false;
+        return r;
     case FORMULA_VECTOR:
         return evaluate_vector(v, f);
     case FORMULA_SCALE:
@@ -376,7 +409,9 @@ value value_any(values *v, const formula *f)
     case FORMULA_POWER:
         return evaluate_power(v, f);
     case FORMULA_CALL:
-        return call_of_formula(v, f);
+        r = call_of_formula(v, f);
+        r.on_scale = false;
+        return r;
     case FORMULA_OF:
         return quantity_of_formula(v, f);
     case FORMULA_ORDER:
@@ -388,6 +423,9 @@ value value_any(values *v, const formula *f)
         break;
     }
     r = value_any(v, f->parts[0]);
+    if (!is_free_of_scale(v, f, r.on_scale)) {
+        return nothing();
+    }
     for (int i = 0; i < r.count; i++) {
         r.parts[i] = neg(v->g, r.parts[i]);
     }

@@ -12,7 +12,8 @@ typedef struct value {
     int count; /* of parts: 1 a scalar, 3 a vector, 2, 4 or 6; 0: a problem has been noted */
     node parts[VALUE_PARTS];
     dimension of;
-    bool any; /* a plain zero, which is zero in every unit */
+    bool any;      /* a plain zero, which is zero in every unit */
+    bool on_scale; /* written in degC: not to be multiplied */
 } value;
 
 /* How far the value of a parameter is. */

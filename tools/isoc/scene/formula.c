@@ -34,28 +34,46 @@ static bool next_is_connective(const parser *p)
     return block_has_word(p->within, p->next);
 }
 
-static bool next_is_unit(const parser *p)
+static bool is_unit(const token *t)
 {
     unit u;
-    return p->next->kind == TOKEN_NAME && !p->next->first_on_line && unit_find(p->next->text, &u);
+    return t->kind == TOKEN_NAME && unit_find(t->text, &u);
+}
+
+/* 1/s, which stands behind a number like any unit. */
+static bool next_is_inverse(const parser *p)
+{
+    const token *t = p->next;
+    return t->kind == TOKEN_NUMBER && strcmp(t->text, "1") == 0 && t[1].sign == '/' && is_unit(t + 2);
+}
+
+static bool next_is_unit(const parser *p)
+{
+    return !p->next->first_on_line && (is_unit(p->next) || next_is_inverse(p));
 }
 
 /* After `*` or `/` a unit continues only if the name of a unit follows: in 2 N * sin(3 Hz) it ends at N. */
 static bool unit_goes_on(const parser *p)
 {
     const token *after = p->next + 1;
-    unit u;
-    return (next_is_sign(p, '*') || next_is_sign(p, '/')) && after->kind == TOKEN_NAME && unit_find(after->text, &u) &&
-           after[1].sign != '(';
+    return (next_is_sign(p, '*') || next_is_sign(p, '/')) && is_unit(after) && after[1].sign != '(';
+}
+
+/* 20 degC is a place on a scale and no multiple of a unit: it is not multiplied, so the scale stands alone. */
+static bool refuse_scale(parser *p, place at, const char *called)
+{
+    source_problem(p->s, at, "'%s' stands alone behind a number, as in 20 degC; a difference of temperatures is in K",
+                   called);
+    p->failed = true;
+    return false;
 }
 
 /* unit name [^ [-] digit] */
-static bool parse_unit_factor(parser *p, unit *product, bool divide)
+static bool parse_unit_factor(parser *p, unit *product, bool divide, bool is_first)
 {
     unit u;
     unit_find(p->next->text, &u);
-    const place at = p->next->at;
-    p->next++;
+    const token *word = p->next++;
     int power = divide ? -1 : 1;
     if (take_sign(p, '^')) {
         power = take_sign(p, '-') ? -power : power;
@@ -75,24 +93,28 @@ static bool parse_unit_factor(parser *p, unit *product, bool divide)
         product->denominator *= u.numerator;
     }
     if (!dimension_times(&product->of, u.of, power)) {
-        source_problem(p->s, at, "the power of a unit must be within -9 and 9");
+        source_problem(p->s, word->at, "the power of a unit must be within -9 and 9");
         p->failed = true;
         return false;
     }
-    return true;
+    product->zero = u.zero;
+    return u.zero == 0.0 || (is_first && !divide && p->next == word + 1 && !unit_goes_on(p)) ||
+           refuse_scale(p, word->at, word->text);
 }
 
-/* unit { (* | /) unit } */
+/* unit { (* | /) unit }, or 1 / unit { (* | /) unit } */
 static unit parse_unit(parser *p)
 {
-    unit product = {1, 1, {0, 0, 0, 0, 0, 0}};
-    bool going = parse_unit_factor(p, &product, false);
+    unit product = unit_one;
+    const bool inverse = next_is_inverse(p);
+    p->next += inverse ? 2 : 0;
+    bool going = parse_unit_factor(p, &product, inverse, true);
     while (going && unit_goes_on(p)) {
         const bool divide = next_is_sign(p, '/');
         p->next++;
         p->factors = arena_grow(p->s->memory, p->factors, p->factor_count, &p->factor_room, sizeof *p->factors);
         p->factors[p->factor_count++] = (name){p->next->text, p->next->at};
-        going = parse_unit_factor(p, &product, divide);
+        going = parse_unit_factor(p, &product, divide, false);
     }
     return product;
 }
@@ -100,10 +122,24 @@ static unit parse_unit(parser *p)
 bool take_unit(parser *p, unit *taken)
 {
     const bool is = next_is_unit(p);
+    const token *first = p->next;
     if (is) {
         *taken = parse_unit(p);
     }
+    if (is && !p->failed && taken->zero != 0.0) {
+        refuse_scale(p, first->at, first->text);
+    }
     return is;
+}
+
+void refuse_factor(parser *p, size_t from, const char *called)
+{
+    for (size_t i = from; i < p->factor_count && called != NULL; i++) {
+        if (strcmp(called, p->factors[i].text) == 0) {
+            source_problem(p->s, p->factors[i].at,
+                           "after a unit, '%s' is a unit too, and not what is called so: write that first", called);
+        }
+    }
 }
 
 /* Reports a word that stands where only a unit can. */
@@ -123,7 +159,7 @@ static formula *parse_number(parser *p)
 {
     formula *f = formula_new(p, FORMULA_NUMBER, p->next->at);
     f->number = p->next->number;
-    f->unit = (unit){1, 1, {0, 0, 0, 0, 0, 0}};
+    f->unit = unit_one;
     p->next++;
     if (next_is_unit(p)) {
         f->unit = parse_unit(p);
@@ -277,7 +313,7 @@ static formula *parse_name_or_call(parser *p)
     if (index != NULL) {
         f->kind = FORMULA_NUMBER;
         f->number = *index;
-        f->unit = (unit){1, 1, {0, 0, 0, 0, 0, 0}};
+        f->unit = unit_one;
     } else if (!call) {
         f->name = take_indices(p, f->name);
     }
@@ -344,8 +380,12 @@ static formula *parse_signed(parser *p)
     if (++p->depth > DEEPEST) {
         parse_problem(p, arena_format(p->s->memory, "parentheses and signs nested more than %d deep", DEEPEST));
     } else if (take_sign(p, '-')) {
+        const bool is_number = p->next->kind == TOKEN_NUMBER;
         formula *inner = parse_signed(p);
-        if (inner != NULL) {
+        if (inner != NULL && is_number && inner->kind == FORMULA_NUMBER && inner->unit.zero != 0.0) {
+            f = inner; /* -20 degC */
+            f->number = -f->number;
+        } else if (inner != NULL) {
             f = formula_new(p, FORMULA_NEGATE, at);
             add_part(p, f, inner);
         }
@@ -407,7 +447,7 @@ formula *parse_axis(parser *p)
     formula *f = formula_new(p, FORMULA_VECTOR, p->next->at);
     for (char letter = 'x'; letter <= 'z'; letter++) {
         formula *part = formula_new(p, FORMULA_NUMBER, p->next->at);
-        part->unit = (unit){1, 1, {0, 0, 0, 0, 0, 0}};
+        part->unit = unit_one;
         part->number = letter != t->text[0] ? 0 : next_is_sign(p, '-') ? -1 : 1;
         add_part(p, f, part);
     }

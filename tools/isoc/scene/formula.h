@@ -17,4 +17,7 @@ bool next_is_quantity(const parser *p);
 /* Takes a unit, such as N*m/A, where the next token begins one. Returns whether it does. */
 bool take_unit(parser *p, unit *taken);
 
+/* 2 N * ks: a unit, though something is called so too. Notes it for all such factors from this one on. */
+void refuse_factor(parser *p, size_t from, const char *called);
+
 #endif

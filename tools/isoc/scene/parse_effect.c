@@ -189,7 +189,12 @@ static const block definition = {.what = "effect", .properties = lines, .propert
 static void parse_definition(parser *p, scene *made, name called)
 {
     effect_kind kind = {.name = called};
+    const size_t factors = p->factor_count;
     kind.broken = !parse_block(p, &definition, 0, called, &kind);
+    for (size_t i = 0; i < kind.line_count; i++) {
+        refuse_factor(p, factors, kind.lines[i].kind == EFFECT_OUTPUT ? NULL : kind.lines[i].name.text);
+    }
+    p->factor_count = factors;
     made->effect_kinds =
         arena_grow(p->s->memory, made->effect_kinds, made->effect_kind_count, &made->effect_kind_room, sizeof kind);
     made->effect_kinds[made->effect_kind_count++] = kind;

@@ -140,19 +140,10 @@ static const property statements[] = {
 };
 #undef IN
 
-/* 2 N * ks: a unit, though a parameter may be called so too. */
-static void check_factors(const parser *p, const scene *made)
+static void refuse_factors(parser *p, const quantity *all, size_t count)
 {
-    for (size_t i = 0; i < p->factor_count; i++) {
-        const name *unit_read = &p->factors[i];
-        for (size_t j = 0; j < made->parameter_count; j++) {
-            const char *called = made->parameters[j].name.text;
-            if (called != NULL && strcmp(called, unit_read->text) == 0) {
-                source_problem(p->s, unit_read->at,
-                               "after a unit, '%s' is a unit too, and not the parameter: write the parameter first",
-                               called);
-            }
-        }
+    for (size_t i = 0; i < count; i++) {
+        refuse_factor(p, 0, all[i].name.text);
     }
 }
 
@@ -183,7 +174,9 @@ scene parse_scene(source *s)
     const bool read = parse_statements(&p, &whole, &made);
     made.broken |= !read;
     read_library(&p, &made);
-    check_factors(&p, &made);
+    refuse_factors(&p, made.parameters, made.parameter_count);
+    refuse_factors(&p, made.inputs, made.input_count);
+    refuse_factors(&p, made.signals, made.signal_count);
     check_indices(&p);
     return made;
 }

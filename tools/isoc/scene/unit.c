@@ -10,21 +10,25 @@ typedef struct named_unit {
     double numerator, denominator;
     dimension of;
     bool takes_prefix;
+    double zero; /* of its scale, in hundredths of the SI unit */
 } named_unit;
 
-/* Le Systeme international d'unites (BIPM 2019), tables 2, 4 and 8. */
+/* Le Systeme international d'unites (BIPM 2019), tables 2, 4 and 8; Ah: IEC 60050-482. */
 static const named_unit units[] = {
-    {"m", 1, 1, {0, 1, 0, 0, 0, 0}, true},         {"g", 1, 1000, {1, 0, 0, 0, 0, 0}, true},
-    {"s", 1, 1, {0, 0, 1, 0, 0, 0}, true},         {"N", 1, 1, {1, 1, -2, 0, 0, 0}, true},
-    {"J", 1, 1, {1, 2, -2, 0, 0, 0}, true},        {"W", 1, 1, {1, 2, -3, 0, 0, 0}, true},
-    {"Pa", 1, 1, {1, -1, -2, 0, 0, 0}, true},      {"Hz", 1, 1, {0, 0, -1, 0, 0, 0}, true},
-    {"rad", 1, 1, {0, 0, 0, 1, 0, 0}, true},       {"deg", pi, 180, {0, 0, 0, 1, 0, 0}, false},
-    {"rev", 2 * pi, 1, {0, 0, 0, 1, 0, 0}, false}, {"rpm", 2 * pi, 60, {0, 0, -1, 1, 0, 0}, false},
-    {"min", 60, 1, {0, 0, 1, 0, 0, 0}, false},     {"h", 3600, 1, {0, 0, 1, 0, 0, 0}, false},
-    {"t", 1000, 1, {1, 0, 0, 0, 0, 0}, false},     {"A", 1, 1, {0, 0, 0, 0, 1, 0}, true},
-    {"K", 1, 1, {0, 0, 0, 0, 0, 1}, true},         {"V", 1, 1, {1, 2, -3, 0, -1, 0}, true},
-    {"Ohm", 1, 1, {1, 2, -3, 0, -2, 0}, true},     {"H", 1, 1, {1, 2, -2, 0, -2, 0}, true},
-    {"F", 1, 1, {-1, -2, 4, 0, 2, 0}, true},       {"Wb", 1, 1, {1, 2, -2, 0, -1, 0}, true},
+    {"m", 1, 1, {0, 1, 0, 0, 0, 0}, true, 0},         {"g", 1, 1000, {1, 0, 0, 0, 0, 0}, true, 0},
+    {"s", 1, 1, {0, 0, 1, 0, 0, 0}, true, 0},         {"N", 1, 1, {1, 1, -2, 0, 0, 0}, true, 0},
+    {"J", 1, 1, {1, 2, -2, 0, 0, 0}, true, 0},        {"W", 1, 1, {1, 2, -3, 0, 0, 0}, true, 0},
+    {"Pa", 1, 1, {1, -1, -2, 0, 0, 0}, true, 0},      {"Hz", 1, 1, {0, 0, -1, 0, 0, 0}, true, 0},
+    {"rad", 1, 1, {0, 0, 0, 1, 0, 0}, true, 0},       {"deg", pi, 180, {0, 0, 0, 1, 0, 0}, false, 0},
+    {"rev", 2 * pi, 1, {0, 0, 0, 1, 0, 0}, false, 0}, {"rpm", 2 * pi, 60, {0, 0, -1, 1, 0, 0}, false, 0},
+    {"min", 60, 1, {0, 0, 1, 0, 0, 0}, false, 0},     {"h", 3600, 1, {0, 0, 1, 0, 0, 0}, false, 0},
+    {"t", 1000, 1, {1, 0, 0, 0, 0, 0}, false, 0},     {"A", 1, 1, {0, 0, 0, 0, 1, 0}, true, 0},
+    {"K", 1, 1, {0, 0, 0, 0, 0, 1}, true, 0},         {"V", 1, 1, {1, 2, -3, 0, -1, 0}, true, 0},
+    {"Ohm", 1, 1, {1, 2, -3, 0, -2, 0}, true, 0},     {"H", 1, 1, {1, 2, -2, 0, -2, 0}, true, 0},
+    {"F", 1, 1, {-1, -2, 4, 0, 2, 0}, true, 0},       {"Wb", 1, 1, {1, 2, -2, 0, -1, 0}, true, 0},
+    {"T", 1, 1, {1, 0, -2, 0, -1, 0}, true, 0},       {"bar", 1e5, 1, {1, -1, -2, 0, 0, 0}, true, 0},
+    {"L", 1, 1000, {0, 3, 0, 0, 0, 0}, true, 0},      {"Ah", 3600, 1, {0, 0, 1, 0, 1, 0}, true, 0},
+    {"degC", 1, 1, {0, 0, 0, 0, 0, 1}, false, 27315},
 };
 
 typedef struct prefix {
@@ -64,75 +68,6 @@ bool dimension_times(dimension *a, dimension b, int n)
     return kg && m && s && rad && ampere && kelvin;
 }
 
-/* Dimensions that have a customary unit. Where torque and energy agree, torque is meant. */
-static const struct {
-    const char *text;
-    dimension of;
-} customary[] = {
-
-    {"N", {1, 1, -2, 0, 0, 0}},      {"N*m", {1, 2, -2, 0, 0, 0}},      {"N/m", {1, 0, -2, 0, 0, 0}},
-    {"N*s/m", {1, 0, -1, 0, 0, 0}},  {"N*m/rad", {1, 2, -2, -1, 0, 0}}, {"N*m*s/rad", {1, 2, -1, -1, 0, 0}},
-    {"kg*m^2", {1, 2, 0, 0, 0, 0}},  {"m/s", {0, 1, -1, 0, 0, 0}},      {"m/s^2", {0, 1, -2, 0, 0, 0}},
-    {"rad/s", {0, 0, -1, 1, 0, 0}},  {"Hz", {0, 0, -1, 0, 0, 0}},       {"N*m*s", {1, 2, -1, 0, 0, 0}},
-    {"W", {1, 2, -3, 0, 0, 0}},      {"Pa", {1, -1, -2, 0, 0, 0}},      {"V", {1, 2, -3, 0, -1, 0}},
-    {"Ohm", {1, 2, -3, 0, -2, 0}},   {"H", {1, 2, -2, 0, -2, 0}},       {"F", {-1, -2, 4, 0, 2, 0}},
-    {"N*m/A", {1, 2, -2, 0, -1, 0}},
-};
-
-static const char *append_power(arena *memory, const char *text, const char *name, int exponent)
-{
-    const char *separator = text[0] == '\0' ? "" : "*";
-    if (exponent == 0) {
-        return text;
-    }
-    return exponent == 1 ? arena_format(memory, "%s%s%s", text, separator, name)
-                         : arena_format(memory, "%s%s%s^%d", text, separator, name, exponent);
-}
-
-const char *dimension_phrase(arena *memory, dimension d)
-{
-    const dimension none = {0, 0, 0, 0, 0, 0};
-    return dimension_equal(d, none) ? "has no unit" : arena_format(memory, "is in %s", dimension_text(memory, d));
-}
-
-static const char *customary_text(const dimension d)
-{
-    for (size_t i = 0; i < sizeof customary / sizeof customary[0]; i++) {
-        if (dimension_equal(customary[i].of, d)) {
-            return customary[i].text;
-        }
-    }
-    return NULL;
-}
-
-const char *dimension_text_but_angle(arena *memory, dimension d)
-{
-    dimension plain = d;
-    plain.rad = 0;
-    return dimension_text(memory, customary_text(d) == NULL && customary_text(plain) != NULL ? plain : d);
-}
-
-const char *dimension_text(arena *memory, dimension d)
-{
-    const char *const name = customary_text(d);
-    if (name != NULL) {
-        return name;
-    }
-    const char *text = append_power(memory, "", "kg", d.kg);
-    text = append_power(memory, text, "m", d.m);
-    text = append_power(memory, text, "s", d.s);
-    text = append_power(memory, text, "rad", d.rad);
-    text = append_power(memory, text, "A", d.A);
-    text = append_power(memory, text, "K", d.K);
-    return text[0] == '\0' ? "a plain number" : text;
-}
-
-const char *dimension_unit(arena *memory, dimension d)
-{
-    const dimension none = {0};
-    return dimension_equal(d, none) ? "1" : dimension_text(memory, d);
-}
-
 static const named_unit *find_plain(const char *name)
 {
     for (size_t i = 0; i < UNITS; i++) {
@@ -142,6 +77,8 @@ static const named_unit *find_plain(const char *name)
     }
     return NULL;
 }
+
+const unit unit_one = {1, 1, {0, 0, 0, 0, 0, 0}, 0};
 
 bool unit_find(const char *name, unit *found)
 {
@@ -159,15 +96,15 @@ bool unit_find(const char *name, unit *found)
     if (u == NULL) {
         return false;
     }
-    *found = (unit){u->numerator * scale.numerator, u->denominator * scale.denominator, u->of};
+    *found = (unit){u->numerator * scale.numerator, u->denominator * scale.denominator, u->of, u->zero};
     return true;
 }
 
 const char *const *unit_names(size_t *count)
 {
-    static const char *const names[] = {"m",    "mm",  "cm",  "km",  "g",   "kg", "s",  "ms",  "us",
-                                        "N",    "kN",  "mN",  "J",   "W",   "Pa", "Hz", "kHz", "rad",
-                                        "mrad", "deg", "rev", "rpm", "min", "h",  "t",  "Ohm"};
+    static const char *const names[] = {"m",   "mm",  "cm",  "km", "g",  "kg",  "s",   "ms",   "us",   "N",
+                                        "kN",  "mN",  "J",   "W",  "Pa", "Hz",  "kHz", "rad",  "mrad", "deg",
+                                        "rev", "rpm", "min", "h",  "t",  "Ohm", "bar", "degC", "Ah"};
     *count = sizeof names / sizeof names[0];
     return names;
 }

@@ -13,11 +13,15 @@ typedef struct dimension {
 } dimension;
 
 /* A unit is numerator / denominator times the SI unit of its dimension: mm is 1/1000 m, deg is pi/180 rad; two numbers
- * keep 431.8 mm the nearest double to 0.4318 m. */
+ * keep 431.8 mm the nearest double to 0.4318 m. `zero` is where its scale begins, in hundredths of the SI unit: 27315 of degC. */
 typedef struct unit {
     double numerator, denominator;
     dimension of;
+    double zero;
 } unit;
+
+/* That of a plain number. */
+extern const unit unit_one;
 
 bool dimension_equal(dimension a, dimension b);
 
@@ -27,10 +31,11 @@ bool dimension_equal_but_angle(dimension a, dimension b);
 /* a times b to the power n. Returns false where an exponent leaves -9 .. 9. */
 bool dimension_times(dimension *a, dimension b, int n);
 
-/* The dimension as a person writes its unit: N*m/rad, kg*m^2, or "a plain number". */
+/* The dimension as its field writes its unit, which the scene language reads as the same dimension: N*m/rad, V*s/rad,
+ * 1/m, kg*m^2; or "a plain number". Where torque and energy agree, torque is meant. */
 const char *dimension_text(arena *memory, dimension d);
 
-/* The same; and where it has a customary unit only without its powers of radians, as torques of formulas may, this one. */
+/* The same without the radians that a product of formulas has gathered: N*m of N*m*rad, m/s of m*rad/s. */
 const char *dimension_text_but_angle(arena *memory, dimension d);
 
 /* Its unit in a header or a trace: N*m/rad, or 1. */
