@@ -88,6 +88,59 @@ expect $? "the double pendulum with the new method"
 awk -v whole="$whole" -v half="$half" 'BEGIN { exit !(half > 0 && whole > 3.5 * half && whole < 4.5 * half) }'
 result $? "its error is of order 2: $whole at a step of 2 ms, $half at 1 ms"
 
+# What isoc says of it follows from its kernel: every method of two stages and order two has the stability of heun.
+cat >"$out/project/stiff.scene" <<'SCENE'
+gravity (0, -9.81, 0) m/s^2
+step 10 ms
+body b {
+    mass 1 kg
+    com (0, -1, 0) m
+}
+joint p revolute {
+    parent ground
+    child b
+    axis z
+    start 10 deg
+    spring 400000 N*m/rad
+    damping 40 N*m*s/rad
+}
+effect drag friction { along p; sliding 1 N*m }
+effect ends stop { along p; lower -1 rad; upper 1 rad; impact 1 rad/s }
+output a = position of p
+SCENE
+
+# advice METHOD: compiles the scene with it; the warnings are in $out/advice, the summary in $out/summary.
+advice()
+{
+    "$out/project/build/isoc" "$out/project/stiff.scene" -o "$out/stiff" --method "$1" >"$out/summary" 2>"$out/advice"
+}
+
+# stable METHOD: its largest step of the last advice.
+stable()
+{
+    sed -n "s/.*[ ,]$1 \([^,]*\).*/\1/p" "$out/advice" | head -n 1
+}
+
+# advised METHOD: whether what isoc says of the new method is what it says of this one.
+advised()
+{
+    advice "$1" && sed "s/too fast for $1 /too fast for ralston /" "$out/advice" | diff - "$out/ralston.advice" >"$out/diff" &&
+        [ "$(grep '^stable' "$out/summary")" = "$(grep '^stable' "$out/ralston")" ]
+}
+advice ralston && grep -q 'too fast for ralston with a step of 10 ms' "$out/advice" && grep -q '^stable drag.creep' "$out/summary" && grep -q '^stable ends.stiffness' "$out/summary" &&
+    [ -n "$(stable ralston)" ] && [ "$(stable ralston)" = "$(stable heun)" ] && [ "$(stable ralston)" != "$(stable rk4)" ]
+expect $? "isoc warns of it where it is too fast, with its largest step: $(stable ralston), of heun $(stable heun)"
+cp "$out/summary" "$out/ralston"
+cp "$out/advice" "$out/ralston.advice"
+advised heun
+expect $? "what isoc says of it, and the effects that follow from its step, are those of heun"
+! advised rk4
+result $? "control: those of rk4 are others"
+call run SCENE=stiff.scene METHOD=ralston STEP=1ms SECONDS=1
+expect $? "a run with a step that it holds"
+! call run SCENE=stiff.scene METHOD=ralston SECONDS=1 && grep -q 'guard' "$out/errors"
+expect $? "the guard stops a run with the step that it warns of"
+
 # families: the families of the legend of a report with these methods.
 families()
 {

@@ -160,6 +160,32 @@ static void test_known(arena *memory)
     report_ok(!eigenvalues(memory, wrong, 2, re, im), "a matrix that is not finite has none");
 }
 
+/* The step of a mechanism: bodies that move freely, blocks of 1 and h beside each other, h to 10^4, of which rounding moves a
+ * pair by the norm times the root of n epsilon; and what decays. The iterations end. */
+static void test_clusters(arena *memory, int n)
+{
+    double worst = 0.0;
+    int ended = 0;
+    for (int t = 0; t < TRIES; t++) {
+        double a[MOST * MOST] = {0.0};
+        double complex wanted[MOST];
+        for (int i = 0; i < n; i++) {
+            const bool is_free = i < n / 2 * 2 - 2;
+            wanted[i] = is_free ? 1.0 : uniform();
+            a[i * n + i] = creal(wanted[i]);
+            if (is_free && i % 2 == 0) {
+                a[i * n + i + 1] = pow(10.0, 4.0 * uniform());
+            }
+        }
+        turn(a, n);
+        ended += eigenvalues(memory, a, n, re, im);
+        worst = fmax(worst, distance(wanted, n));
+    }
+    report_ok(ended == TRIES && worst <= 1e4 * sqrt(ROUNDINGS * n * DBL_EPSILON),
+              "%d matrices of size %d with eigenvalues that are all but equal: the iterations end for %d, to %.1e",
+              TRIES, n, ended, worst);
+}
+
 int main(void)
 {
     arena *memory = arena_new();
@@ -172,6 +198,9 @@ int main(void)
     test_polynomials(memory, 3);
     test_polynomials(memory, 8);
     test_known(memory);
+    test_clusters(memory, 6);
+    test_clusters(memory, 12);
+    test_clusters(memory, 30);
     arena_free(memory);
     return report_done();
 }

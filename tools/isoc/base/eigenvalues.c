@@ -3,7 +3,7 @@
 #include <float.h>
 #include <math.h>
 
-enum { ITERATIONS = 60, EXCEPTIONAL = 10 };
+enum { ITERATIONS = 300, EXCEPTIONAL = 10 };
 
 typedef struct square {
     double *at; /* [n][n] */
@@ -128,9 +128,12 @@ static void francis(const square *m, int low, int high, bool exceptional)
     const double a = *entry(m, high - 1, high - 1), b = *entry(m, high - 1, high);
     const double c = *entry(m, high, high - 1), d = *entry(m, high, high);
     const double off = fabs(c) + fabs(*entry(m, high - 1, high - 2));
-    const double sum = exceptional ? 1.5 * off : a + d, product = exceptional ? off * off : a * d - b * c;
     const double h11 = *entry(m, low, low), h21 = *entry(m, low + 1, low), h22 = *entry(m, low + 1, low + 1);
-    double v[3] = {h11 * h11 + *entry(m, low, low + 1) * h21 - sum * h11 + product, h21 * (h11 + h22 - sum),
+    /* The shifts less h11, their sum and their product; exceptional ones are beside the last entry. */
+    const double first = a - h11, last = d - h11;
+    const double sum = exceptional ? 2.0 * last + 1.5 * off : first + last;
+    const double product = exceptional ? last * last + 1.5 * off * last + off * off : first * last - b * c;
+    double v[3] = {*entry(m, low, low + 1) * h21 + product, h21 * ((h22 - h11) - sum),
                    h21 * *entry(m, low + 2, low + 1)};
     for (int k = low; k < high; k++) {
         const int count = k < high - 1 ? 3 : 2, left = k > low ? k - 1 : low;

@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-#include "tools/isoc/mechanism/limits.h"
-
 static const value nothing = {0};
 
 const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output)
@@ -126,12 +124,14 @@ static bool find_limit(world *w, const char *called, value *found)
     static const dimension hertz = {0, 0, -1, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0};
     static const double margin = 0.5; /* of the limit: what is linear here turns over elsewhere */
     const mechanism *made = &w->b->made;
-    const stability_limits of = limits_of(made->recipe);
     const bool is_step = strcmp(called, "step") == 0, is_rate = strcmp(called, "stable_rate") == 0;
     if (!is_step && !is_rate && strcmp(called, "stable_frequency") != 0) {
         return false;
     }
-    const double limit = margin * (is_rate ? of.rate : of.frequency) / method_step(made);
+    if (!is_step && w->limits.rate == 0.0) {
+        w->limits = limits_of(made->recipe);
+    }
+    const double limit = margin * (is_rate ? w->limits.rate : w->limits.frequency) / method_step(made);
     *found = (value){.count = 1, .of = is_step ? second : is_rate ? hertz : speed};
     found->parts[0] = constant(w->b->g, is_step ? made->step : limit);
     return true;

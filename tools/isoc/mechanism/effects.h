@@ -7,6 +7,7 @@
 #define ISOC_MECHANISM_EFFECTS_H
 
 #include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/mechanism/limits.h"
 
 enum { DEEPEST_EFFECT = 200, MOST_MEMORIES = 65535 /* and inputs, of a plant */ };
 
@@ -32,7 +33,8 @@ typedef struct world {
     const instance *within;
     const char *path[DEEPEST_EFFECT]; /* what is being evaluated, each for the one before */
     int depth;
-    bool is_done; /* all lines: what is built next are outputs */
+    bool is_done;            /* all lines: what is built next are outputs */
+    stability_limits limits; /* of the method; a rate of 0 before a formula names one */
 } world;
 
 /* --- past.c: previous(x) and the like --- */

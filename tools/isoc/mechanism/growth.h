@@ -1,19 +1,20 @@
-/* Where methods are stable, from their coefficients alone: x' = lambda x, z = h lambda.
+/* Where methods are stable: x' = lambda x, z = h lambda, by the step that the kernel itself makes (step_map.h).
  *
- * A multistep method turns x' = lambda x into a recurrence, whose characteristic polynomial in zeta has coefficients
- * linear or more in z; a one-step method multiplies x by R(z). Growth per step is the largest |zeta|, or |R(z)|. Hairer
- * and Wanner (1996), Solving Ordinary Differential Equations II, IV.2, IV.7 and V.1.
+ * Growth per step is the largest modulus of an eigenvalue of that step: |R(z)| of a one-step method, of a multistep method the
+ * largest root of its characteristic polynomial. Hairer and Wanner (1996), Solving Ordinary Differential Equations II,
+ * IV.2, IV.7 and V.1.
  */
 #ifndef ISOC_MECHANISM_GROWTH_H
 #define ISOC_MECHANISM_GROWTH_H
 
-#include <complex.h>
+#include "tools/isoc/base/arena.h"
 
-/* The imaginary unit in double. */
-#define GROWTH_I ((double complex)I)
+/* The growth per step of a recipe at z = re + i im: of a speed v' = re v, or of the oscillation q' = |z| v, v' = 2 re v - |z| q,
+ * whose eigenvalues are z and its conjugate. Infinite where the step is not finite. An option of the recipe makes no
+ * difference but for the iterations. */
+double growth_of(arena *memory, unsigned recipe, double re, double im);
 
-/* The growth per step of a recipe's method at z: of x' = lambda x; for semi_implicit of q'' = lambda^2 q on the
- * imaginary axis and of q' = v, v' = lambda v on the real one. */
-double growth_of(unsigned recipe, double complex z);
+/* The largest modulus of an eigenvalue of a step [n n]; infinite where it is not finite. */
+double growth_of_map(arena *memory, const double *map, int n);
 
 #endif

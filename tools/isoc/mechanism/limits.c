@@ -1,19 +1,44 @@
 #include "tools/isoc/mechanism/limits.h"
 
-#include "core/methods/recipe.h"
+#include <math.h>
 
-/* From the root loci of the methods (Hairer and Wanner, 1996, Solving Ordinary Differential Equations II, IV.2 and V.1);
- * tests/stability/stability.c compares. An implicit method has no limit of a rate; its limit here is how well a fixed
- * number of iterations follows what changes within a step, and of bdf4 where a lightly damped oscillation grows. The sub-steps of adams follow its error: it has
- * the limits of abm4. */
-static const stability_limits limits[ISO_METHODS] = {
-    [ISO_EULER] = {2.0, 0.2},          [ISO_HEUN] = {2.0, 1.0498},           [ISO_RK4] = {2.7853, 2.9509},
-    [ISO_AB4] = {0.3, 0.4077},         [ISO_SEMI_IMPLICIT] = {2.0, 1.80998}, [ISO_ABM4] = {1.2848, 0.9101},
-    [ISO_ABM4_PEC] = {0.1579, 0.2066}, [ISO_ABM4_PECECE] = {1.0538, 1.0688}, [ISO_BDF4] = {4.0, 0.8},
-    [ISO_ROSENBROCK] = {4.0, 2.0},     [ISO_ADAMS] = {1.2848, 0.9101},
-};
+#include "core/methods/recipe.h"
+#include "tools/isoc/mechanism/growth.h"
+
+/* No region of an explicit method reaches so far. */
+static const double beyond = 50.0, rate_followed = 4.0, frequency_followed = 2.0;
+
+static const double damping = 0.1;
+
+/* Rounding of a growth of one. */
+static const double rounding = 1e-9;
+
+/* The first r up to `end` where r (re + i im) grows, to four decimals. */
+static double first_growth(unsigned recipe, double re, double im, double end)
+{
+    const double least = 0.05, factor = 1.05, fine = 1e-7, decimals = 1e4;
+    arena *memory = arena_new();
+    double low = 0.0, high = least;
+    while (high < end && growth_of(memory, recipe, high * re, high * im) <= 1.0 + rounding) {
+        low = high;
+        high *= factor;
+    }
+    if (high < end) {
+        while (high - low > fine) {
+            const double middle = 0.5 * (low + high);
+            *(growth_of(memory, recipe, middle * re, middle * im) <= 1.0 + rounding ? &low : &high) = middle;
+        }
+    } else {
+        low = end;
+    }
+    arena_free(memory);
+    return floor(low * decimals + 0.5) / decimals;
+}
 
 stability_limits limits_of(unsigned recipe)
 {
-    return limits[ISO_METHOD_OF(recipe)];
+    const bool knows = ISO_IS_IMPLICIT(recipe);
+    return (stability_limits){
+        first_growth(recipe, -1.0, 0.0, knows ? rate_followed : beyond),
+        first_growth(recipe, -damping, sqrt(1.0 - damping * damping), knows ? frequency_followed : beyond)};
 }

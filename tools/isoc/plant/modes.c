@@ -5,7 +5,7 @@
 #include "tools/isoc/base/eigenvalues.h"
 #include "tools/isoc/base/elementary.h"
 #include "tools/isoc/mechanism/growth.h"
-#include "tools/isoc/plant/two_rates.h"
+#include "tools/isoc/mechanism/step_map.h"
 
 /* Growth per step that is none: as in tests/stability. */
 static const double slack = 1e-3;
@@ -37,9 +37,9 @@ static double exponential(double x)
 }
 
 /* Whether it lets an undamped oscillation grow however small the step is. */
-static bool grows_on_axis(unsigned recipe)
+static bool grows_on_axis(arena *memory, unsigned recipe)
 {
-    return growth_of(recipe, 0.05 * GROWTH_I) > 1.0 + 1e-12;
+    return growth_of(memory, recipe, 0.0, 0.05) > 1.0 + 1e-12;
 }
 
 /* The growth per step of what grows fastest by itself, at least 1: a method is blamed for no less. */
@@ -52,38 +52,24 @@ static double own_growth_of(const modes *m, double step)
     return exponential(step * rate);
 }
 
-static bool is_growing(unsigned recipe, double re, double im, double own)
+/* What a method is held against: growth per step of what grows by itself, and whether undamped oscillations all grow. */
+typedef struct scale {
+    unsigned recipe;
+    double own;
+    bool is_lenient;
+} scale;
+
+static bool is_growing(arena *memory, const scale *by, double re, double im)
 {
     const double size = size_of(re, im);
-    if (re > own_growth * size) {
+    if (size == 0.0 || re > own_growth * size) {
         return false;
     }
-    if (size > beyond && !ISO_IS_IMPLICIT(recipe)) {
+    if (size > beyond && !ISO_IS_IMPLICIT(by->recipe)) {
         return true;
     }
-    const bool is_lenient = im != 0.0 && grows_on_axis(recipe);
-    const double missing = is_lenient ? fmax(usual_damping * size + fmin(re, 0.0), 0.0) : 0.0;
-    return growth_of(recipe, re + im * GROWTH_I) > own * exponential(missing) + slack;
-}
-
-/* What semi_implicit does to speeds and positions: v += h (J_vq q + J_vv v), then q += h (J_qq q + J_qv v). */
-static double *semi_implicit_map(arena *memory, const slopes *s, double h)
-{
-    const int n = s->n;
-    double *map = arena_take(memory, (size_t)(n * n) + 1, sizeof *map);
-    for (int row = n - 1; row >= 0; row--) {
-        for (int column = 0; column < n; column++) {
-            double sum = row == column ? 1.0 : 0.0;
-            if (row >= s->positions || column < s->positions) {
-                sum += h * s->at[row * n + column];
-            }
-            for (int v = s->positions; row < s->positions && v < n; v++) {
-                sum += h * s->at[row * n + v] * map[v * n + column];
-            }
-            map[row * n + column] = sum;
-        }
-    }
-    return map;
+    const double missing = by->is_lenient && im != 0.0 ? fmax(usual_damping * size + fmin(re, 0.0), 0.0) : 0.0;
+    return growth_of(memory, by->recipe, re, im) > by->own * exponential(missing) + slack;
 }
 
 /* Whether some states take sub-steps of their own. */
@@ -95,12 +81,11 @@ static bool has_two_rates(const modes *m, unsigned recipe)
 /* Such a map has eigenvalues of its own, which are not those of J one by one: a spring and its damper count together. */
 static int count_growing_maps(arena *memory, const modes *m, unsigned recipe, double step)
 {
-    const int n = m->of.n;
-    const size_t size = (size_t)(n * n) + 1;
-    const bool is_lenient = grows_on_axis(recipe) || ISO_IS(recipe, ISO_SEMI_IMPLICIT);
-    double *map = has_two_rates(m, recipe)
-                      ? two_rates_map(memory, m->of.at, n, m->of.is_fast, m->of.substeps, recipe, step)
-                      : semi_implicit_map(memory, &m->of, step);
+    const linear_plant of = {m->of.at, m->of.n, m->of.positions};
+    const bool is_lenient = grows_on_axis(memory, recipe) || ISO_IS(recipe, ISO_SEMI_IMPLICIT);
+    int n = m->of.n;
+    double *map = has_two_rates(m, recipe) ? two_rates_map(memory, recipe, &of, m->of.is_fast, m->of.substeps, step)
+                                           : step_map(memory, ISO_METHOD_OF(recipe), &of, step, &n);
     double *re = arena_take(memory, (size_t)n + 1, sizeof *re), *im = arena_take(memory, (size_t)n + 1, sizeof *im);
     const double own = own_growth_of(m, step);
     int count = 0;
@@ -111,7 +96,6 @@ static int count_growing_maps(arena *memory, const modes *m, unsigned recipe, do
             count += size_of(re[i], im[i]) > own * exponential(turned) + slack;
         }
     }
-    arena_return(memory, map, size, sizeof *map);
     return count;
 }
 
@@ -137,30 +121,26 @@ static int fastest_but(const modes *m, int others)
 
 /* The mode that a map is told by. With two rates, one that is too fast for a sub-step; or, as those of the fast states are
  * not, the next. */
-static int mode_of_map(const modes *m, unsigned recipe, double step)
+static int mode_of_map(arena *memory, const modes *m, unsigned recipe, double step)
 {
     const int first = fastest_but(m, 0), next = fastest_but(m, m->of.fast_count);
     const double part = step / (double)(m->of.substeps > 0 ? m->of.substeps : 1);
+    const scale by = {recipe, 1.0, grows_on_axis(memory, recipe)};
     const bool is_told = !has_two_rates(m, recipe) || next < 0 ||
-                         (first >= 0 && is_growing(recipe, part * m->re[first], part * m->im[first], 1.0));
+                         (first >= 0 && is_growing(memory, &by, part * m->re[first], part * m->im[first]));
     return is_told ? first : next;
 }
 
-int count_growing(arena *memory, const modes *m, unsigned recipe, double step, int *fastest)
+/* One after the other; both of a pair. */
+static int count_growing_modes(arena *memory, const modes *m, unsigned recipe, double step, int *fastest)
 {
-    const bool is_map = ISO_IS(recipe, ISO_SEMI_IMPLICIT) || has_two_rates(m, recipe);
-    const double own = own_growth_of(m, step);
+    const scale by = {recipe, own_growth_of(m, step), grows_on_axis(memory, recipe)};
     int count = 0;
     double largest = -1.0;
-    if (is_map) {
-        const int told = mode_of_map(m, recipe, step);
-        *fastest = told >= 0 ? told : *fastest;
-        return count_growing_maps(memory, m, recipe, step);
-    }
     for (int i = 0; i < m->of.n; i++) {
         const double size = size_of(m->re[i], m->im[i]);
-        if (is_growing(recipe, step * m->re[i], step * m->im[i], own)) {
-            count++;
+        if (m->im[i] >= 0.0 && is_growing(memory, &by, step * m->re[i], step * m->im[i])) {
+            count += m->im[i] > 0.0 ? 2 : 1;
             *fastest = size > largest ? i : *fastest;
             largest = fmax(largest, size);
         }
@@ -168,7 +148,22 @@ int count_growing(arena *memory, const modes *m, unsigned recipe, double step, i
     return count;
 }
 
-double largest_step(arena *memory, const modes *m, unsigned recipe)
+int count_growing(const modes *m, unsigned recipe, double step, int *fastest)
+{
+    arena *memory = arena_new();
+    int count;
+    if (ISO_IS(recipe, ISO_SEMI_IMPLICIT) || has_two_rates(m, recipe)) {
+        const int told = mode_of_map(memory, m, recipe, step);
+        *fastest = told >= 0 ? told : *fastest;
+        count = count_growing_maps(memory, m, recipe, step);
+    } else {
+        count = count_growing_modes(memory, m, recipe, step, fastest);
+    }
+    arena_free(memory);
+    return count;
+}
+
+double largest_step(const modes *m, unsigned recipe)
 {
     enum { HALVINGS = 12 };
     const double least = 0.01, factor = 1.1;
@@ -179,7 +174,7 @@ double largest_step(arena *memory, const modes *m, unsigned recipe)
     }
     const double reach = has_two_rates(m, recipe) ? beyond * (double)m->of.substeps : beyond;
     double low = 0.0, high = least / fastest;
-    while (count_growing(memory, m, recipe, high, &which) == 0) {
+    while (count_growing(m, recipe, high, &which) == 0) {
         low = high;
         high *= factor;
         if (!(high * fastest < reach)) {
@@ -188,7 +183,7 @@ double largest_step(arena *memory, const modes *m, unsigned recipe)
     }
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = 0.5 * (low + high);
-        *(count_growing(memory, m, recipe, middle, &which) == 0 ? &low : &high) = middle;
+        *(count_growing(m, recipe, middle, &which) == 0 ? &low : &high) = middle;
     }
     return low;
 }

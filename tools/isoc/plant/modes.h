@@ -13,9 +13,9 @@ typedef struct modes {
 modes modes_of(arena *memory, slopes of);
 
 /* How many of them grow by the method alone, and the fastest of these. A mode that grows by itself is none of them. */
-int count_growing(arena *memory, const modes *m, unsigned recipe, double step, int *fastest);
+int count_growing(const modes *m, unsigned recipe, double step, int *fastest);
 
 /* The largest step up to which none does; infinite where there is no such limit. */
-double largest_step(arena *memory, const modes *m, unsigned recipe);
+double largest_step(const modes *m, unsigned recipe);
 
 #endif

@@ -39,13 +39,12 @@ static modes modes_without(const graph *g, const mechanism *m, formulation kept,
 static int find_cause(const graph *g, const plant *p, bool *gone, const point *at, modes *left)
 {
     const mechanism *m = p->m;
-    int found = -1, fastest, least = count_growing(g->memory, left, m->recipe, method_step(m), &fastest);
+    int found = -1, fastest, least = count_growing(left, m->recipe, method_step(m), &fastest);
     for (int i = 0; i < cause_count(m) && least > 0; i++) {
         if (!gone[i]) {
             gone[i] = true;
             const modes tried = modes_without(g, m, p->formulations.kept, gone, at);
-            const int count =
-                tried.found ? count_growing(g->memory, &tried, m->recipe, method_step(m), &fastest) : least;
+            const int count = tried.found ? count_growing(&tried, m->recipe, method_step(m), &fastest) : least;
             gone[i] = false;
             if (count < least) {
                 least = count;
@@ -62,7 +61,7 @@ static const char *steps_text(arena *memory, const modes *m)
 {
     const char *all = "";
     for (unsigned method = 0; method < ISO_METHODS; method++) {
-        const double step = ISO_IS_VARYING(method) ? 0.0 : largest_step(memory, m, method);
+        const double step = ISO_IS_VARYING(method) ? 0.0 : largest_step(m, method);
         if (!ISO_IS_VARYING(method)) {
             const char *before = all[0] == '\0' ? "" : ", ";
             all = isinf(step) ? arena_format(memory, "%s%s%s any", all, before, method_names[method])
@@ -78,7 +77,7 @@ static void warn(const source *s, arena *memory, const plant *p, const modes *m,
     const cause none = {"mechanism", of->name, of->links[0].at};
     const cause c = which < 0 ? none : cause_of(of, which);
     int fastest = 0;
-    count_growing(memory, m, of->recipe, method_step(of), &fastest);
+    count_growing(m, of->recipe, method_step(of), &fastest);
     const double im = fabs(m->im[fastest]);
     const char *oscillation = im == 0.0 ? "" : arena_format(memory, " +- %.4g i", im);
     const char *parts =
@@ -98,7 +97,7 @@ static bool check_point(const source *s, const graph *g, const plant *p, slopes 
     modes before = modes_of(g->memory, of);
     int fastest;
     bool any = false;
-    while (before.found && count_growing(g->memory, &before, p->m->recipe, method_step(p->m), &fastest) > 0) {
+    while (before.found && count_growing(&before, p->m->recipe, method_step(p->m), &fastest) > 0) {
         modes left = before;
         const int which = find_cause(g, p, gone, at, &left);
         warn(s, g->memory, p, &before, which, at);
