@@ -49,11 +49,13 @@ typedef struct iso_model {
     const char *output_names; /* likewise; always known */
     const char *output_units; /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL where nobody knows */
     const real *start;        /* the state at tick 0 */
-    const real *memory_start; /* of the memories */
-    const real *defaults;     /* of the parameters */
-    const real *range;   /* [states] each may be this large, for the guard; NULL where all may be any finite number,
+    void (*begin)(
+        void *memory);    /* sets the states and memories whose start is a formula of the others, of the inputs and
+                                    the parameters at tick 0, and memories that do not start at 0; NULL where all do */
+    const real *defaults; /* of the parameters */
+    const real *range;    /* [states] each may be this large, for the guard; NULL where all may be any finite number,
                                  ISO_REAL_MAX where one may. ISO_ANGLE_RANGE for an angle whose sine is taken */
-    size_t memory_bytes; /* of a plant: all that a snapshot must hold */
+    size_t memory_bytes;  /* of a plant: all that a snapshot must hold */
 
     iso_derivative *derivative;
     void (*output)(void *memory);          /* y from x, u, p */
@@ -64,8 +66,8 @@ typedef struct iso_model {
                                                    itself to what they are at a tick; NULL without such inputs and
                                                    states */
     iso_refused (*admit)(void *memory);         /* checks what came in; NULL without inputs and parameters */
-    void (*advance)(void *memory); /* sets the memories at the end of a tick, from the states there and the inputs of
-                                      the tick; NULL without memories */
+    void (*advance)(void *memory); /* begins a row: sets what it shows of the functions of time, and the memories, from
+                                      the states there; NULL without both */
     bool (*discontinuity)(void *memory); /* whether an input or a parameter has one, or something happened that ends
                                             the smooth motion: then what `prime` made is of no use. NULL where that is
                                             nothing */
@@ -110,9 +112,6 @@ static inline void iso_plant_start(const iso_plant *const plant)
         memset(plant->memory, 0, model->memory_bytes);
     }
     memcpy(plant->x, model->start, model->states * sizeof *plant->x);
-    if (model->memories > 0) {
-        memcpy(plant->u + model->inputs, model->memory_start, model->memories * sizeof *plant->u);
-    }
     if (model->parameters > 0) {
         memcpy(plant->p, model->defaults, model->parameters * sizeof *plant->p);
     }
@@ -120,6 +119,9 @@ static inline void iso_plant_start(const iso_plant *const plant)
         model->drive(plant->memory, 0);
     }
     (void)iso_plant_admit(plant);
+    if (model->begin != NULL) {
+        model->begin(plant->memory);
+    }
     if (model->prime != NULL) {
         model->prime(plant->memory);
     }

@@ -106,33 +106,31 @@ static void expect_bits(const uint64_t tick)
     }
 }
 
-/* Of a row of the trace: what stood there some rows before. */
-static void expect_past(const uint64_t tick)
+/* What stood in a row some rows before; before the first one what that has, or a start. */
+static void expect_past(const uint64_t row)
 {
     static real ramp[TICKS], wave[TICKS], turn[TICKS];
-    ramp[tick] = plant->y[PLANT_Y_RAMP];
-    wave[tick] = plant->y[PLANT_Y_WAVE];
-    turn[tick] = plant->y[PLANT_Y_TURN];
-    const real zero = R(0.0);
-    /* A row ends a tick: the row of tick n is at the time n + 1. */
-    const uint64_t of_7 = (tick + 1) / 7 * 7, of_20 = (tick + 1) / 20 * 20;
-    expect(PLANT_Y_PAST, (long double)(tick >= 1 ? ramp[tick - 1] : zero), 0.0L);
-    expect(PLANT_Y_DELAYED, (long double)(tick >= 5 ? ramp[tick - 5] : R(7.0)), 0.0L);
-    expect(PLANT_Y_TWICE, (long double)(tick >= 3 ? ramp[tick - 3] : zero), 0.0L);
-    expect(PLANT_Y_TAKEN, (long double)(of_7 > 0 ? ramp[of_7 - 1] : R(-1.0)), 0.0L);
-    expect(PLANT_Y_STEPS, 1.0L + (long double)tick, 0.0L);
-    expect(PLANT_Y_HELD_WAVE, (long double)(of_7 > 0 ? wave[of_7 - 1] : zero), 0.0L);
-    expect(PLANT_Y_LONG_AGO, (long double)(tick >= 300 ? wave[tick - 300] : zero), 0.0L);
-    expect(PLANT_Y_TURNED, (long double)(tick >= 1 ? turn[tick - 1] : R(1.0)), 0.0L);
-    expect(PLANT_Y_TURNED_BEFORE, (long double)(tick >= 20 ? turn[tick - 20] : zero), 0.0L);
-    expect(PLANT_Y_TURN_TAKEN, (long double)(of_20 > 0 ? turn[of_20 - 1] : zero), 0.0L);
-    expect(PLANT_Y_MOVED, (long double)(turn[tick] - (tick >= 1 ? turn[tick - 1] : zero)), 0.0L);
-    expect(PLANT_Y_RAMP, (long double)tick, 2.0L * ULP * tick);
-    expect(PLANT_Y_WAVE, sinl(6.28318530717958647693L * 0.003L * tick), 4.0L * ULP + tick * (long double)DBL_EPSILON);
-    expect(PLANT_Y_TURN, 1.0L + 0.002L * (tick + 1), (tick + 1) * ULP * 11.0L);
+    ramp[row] = plant->y[PLANT_Y_RAMP];
+    wave[row] = plant->y[PLANT_Y_WAVE];
+    turn[row] = plant->y[PLANT_Y_TURN];
+    const uint64_t of_7 = row / 7 * 7, of_20 = row / 20 * 20;
+    expect(PLANT_Y_PAST, (long double)ramp[row >= 1 ? row - 1 : 0], 0.0L);
+    expect(PLANT_Y_DELAYED, (long double)(row >= 5 ? ramp[row - 5] : R(7.0)), 0.0L);
+    expect(PLANT_Y_TWICE, (long double)ramp[row >= 3 ? row - 3 : 0], 0.0L);
+    expect(PLANT_Y_TAKEN, (long double)(of_7 > 0 ? ramp[of_7] : R(-1.0)), 0.0L);
+    expect(PLANT_Y_STEPS, 1.0L + (long double)row, 0.0L);
+    expect(PLANT_Y_HELD_WAVE, (long double)wave[of_7], 0.0L);
+    expect(PLANT_Y_LONG_AGO, (long double)wave[row >= 300 ? row - 300 : 0], 0.0L);
+    expect(PLANT_Y_TURNED, (long double)(row >= 1 ? turn[row - 1] : R(1.0)), 0.0L);
+    expect(PLANT_Y_TURNED_BEFORE, (long double)turn[row >= 20 ? row - 20 : 0], 0.0L);
+    expect(PLANT_Y_TURN_TAKEN, (long double)turn[of_20], 0.0L);
+    expect(PLANT_Y_MOVED, (long double)(turn[row] - turn[row >= 1 ? row - 1 : 0]), 0.0L);
+    expect(PLANT_Y_RAMP, (long double)row, 2.0L * ULP * row);
+    expect(PLANT_Y_WAVE, sinl(6.28318530717958647693L * 0.003L * row), 4.0L * ULP + row * (long double)DBL_EPSILON);
+    expect(PLANT_Y_TURN, 1.0L + 0.002L * row, row * ULP * 11.0L);
 }
 
-static void expect_tick(const uint64_t tick)
+static void expect_row(const uint64_t tick)
 {
     expect_edges(tick);
     expect_bits(tick);
@@ -163,9 +161,11 @@ int main(void)
     plant = &iso_the_plant;
     for (int run = 0; run < 2; run++) {
         iso_plant_start(plant);
-        for (uint64_t tick = 0; tick < TICKS; tick++) {
+        (void)iso_plant_output(plant);
+        expect_row(0);
+        for (uint64_t tick = 0; tick < TICKS - 1; tick++) {
             (void)iso_plant_tick(plant, tick);
-            expect_tick(tick);
+            expect_row(tick + 1);
         }
         if (run == 0) {
             memcpy(memory_of_first, plant->memory, sizeof memory_of_first);

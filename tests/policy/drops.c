@@ -35,7 +35,6 @@ static void hand_down(void)
 
 static void hand_up(const int rung)
 {
-    const real before = all.u[BY_ALL_U_KEPT_PREVIOUS_1];
     if (rung == 1) {
         all.x[BY_ALL_X_PIVOT] = less.x[BY_LESS_X_PIVOT];
         all.x[BY_ALL_X_PIVOT_SPEED] = less.x[BY_LESS_X_PIVOT_SPEED];
@@ -47,8 +46,8 @@ static void hand_up(const int rung)
         all.u[BY_ALL_U_AIR_SWING] = least.u[BY_LEAST_U_AIR_SWING];
     }
     if (rung > 0) {
-        all.u[BY_ALL_U_KEPT_PREVIOUS_1_SHOWN] = before;
-        all.u[BY_ALL_U_KEPT_PREVIOUS_1] = all.x[BY_ALL_X_HINGE_BEND];
+        all.u[BY_ALL_U_KEPT_PREVIOUS_1] = all.past_3[0];
+        all.past_3[0] = all.x[BY_ALL_X_HINGE_BEND];
     }
 }
 

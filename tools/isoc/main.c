@@ -12,6 +12,7 @@
 #include "tools/isoc/plant/lesser.h"
 #include "tools/isoc/plant/pivots.h"
 #include "tools/isoc/plant/range.h"
+#include "tools/isoc/plant/rows.h"
 #include "tools/isoc/plant/samples.h"
 #include "tools/isoc/plant/stability.h"
 #include "tools/isoc/plant/start.h"
@@ -343,7 +344,10 @@ static bool compile(arena *memory, const options *o)
     /* Constants of the equations may depend on the start: so that comes first. */
     if (s.problem_count == 0) {
         plant p = plant_build(&g, &m, o->is_double, o->wanted);
-        pivots_check(&s, &g, &p);
+        rows_build(&s, &g, &p, NULL);
+        if (s.problem_count == 0) {
+            pivots_check(&s, &g, &p);
+        }
         if (s.problem_count == 0) {
             range_check(&s, &g, &p);
         }

@@ -74,13 +74,6 @@ void emit_data(emission *e)
         }
         text_add(e->out, "};\n\n");
     }
-    if (m->memory_count > 0) {
-        text_add(e->out, "static const real memory_start[] = {\n");
-        for (int i = 0; i < m->memory_count; i++) {
-            text_add(e->out, "    %s,\n", literal(e, m->memories[i].about.start));
-        }
-        text_add(e->out, "};\n\n");
-    }
     if (m->parameter_count > 0) {
         begin_array(e, "defaults", "PARAMETERS");
         for (int i = 0; i < m->parameter_count; i++) {

@@ -76,8 +76,8 @@ void emit_model(emission *e)
     emit_list(e, "output_names", p->output_names, p->output_count);
     emit_list(e, "output_units", p->output_units, p->output_count);
     text_add(e->out, "    .start = start,\n");
-    add_if(e, m->memory_count > 0,
-           arena_format(e->out->memory, "    .memories = %d,\n    .memory_start = memory_start,\n", m->memory_count));
+    add_if(e, m->memory_count > 0, arena_format(e->out->memory, "    .memories = %d,\n", m->memory_count));
+    add_if(e, has_begin(e), "    .begin = begin,\n");
     add_if(e, m->parameter_count > 0, "    .defaults = defaults,\n");
     add_if(e, has_range(e), "    .range = range,\n");
     const char *by_rung = p->lesser_count > 0 ? "_on_rung" : "";
@@ -87,9 +87,9 @@ void emit_model(emission *e)
         text_add(e->out, "    .violation = violation,\n    .violation_limit = %s,\n",
                  code_literal(e->out->memory, m->violation_limit, p->is_double));
     }
-    add_if(e, is_driven(m), "    .drive = drive,\n");
+    add_if(e, is_driven(p), "    .drive = drive,\n");
     add_if(e, m->input_count + m->parameter_count > 0, "    .admit = admit,\n");
-    add_if(e, m->memory_count > 0, "    .advance = advance,\n");
+    add_if(e, sets_rows(p), "    .advance = advance,\n");
     add_if(e, can_restart(p), "    .discontinuity = discontinuity,\n");
     add_if(e, is_primed(p), "    .prime = prime,\n");
     text_add(e->out, "    .step = step,\n");

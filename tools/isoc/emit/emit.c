@@ -6,24 +6,6 @@
 #include "tools/isoc/graph/operations.h"
 #include "tools/isoc/plant/rates.h"
 
-bool keeps_tick(const mechanism *m)
-{
-    bool any = has_slow_outputs(m);
-    for (int i = 0; i < m->memory_count; i++) {
-        any = any || m->memories[i].kept >= KEPT_SAMPLE;
-    }
-    return any;
-}
-
-bool is_driven(const mechanism *m)
-{
-    bool any = m->clocks.count + m->change_count > 0 || keeps_tick(m);
-    for (int i = 0; i < m->input_count; i++) {
-        any = any || m->driven[i];
-    }
-    return any;
-}
-
 /* The files of core that have the functions which the rest of the source calls, each once. */
 static void emit_calls_included(const text *rest, text *out)
 {
@@ -42,7 +24,7 @@ static bool uses_waveform(const emission *e)
 {
     static const operation waveforms[] = {OP_FROM, OP_SQUARE, OP_SQUARE_OF_PHASE, OP_PRBS, OP_CHIRP, OP_LINES};
     const mechanism *m = e->p->m;
-    bool any = keeps_tick(m);
+    bool any = keeps_rows(e->p);
     for (size_t i = 0; i < sizeof waveforms / sizeof waveforms[0]; i++) {
         any = any || uses_operation(e->g, m->drives, (size_t)m->input_count, waveforms[i]);
     }

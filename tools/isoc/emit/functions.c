@@ -330,89 +330,6 @@ static void emit_solver(emission *e)
     text_add(e->out, "}\n\n");
 }
 
-/* What a tick sets: inputs that are functions of time, then clocks. */
-typedef struct driving {
-    const char **targets, **quotes;
-    node *roots;
-    int count;
-} driving;
-
-static void add_driven(driving *d, const char *target, const char *quote, node root)
-{
-    d->targets[d->count] = target;
-    d->quotes[d->count] = quote;
-    d->roots[d->count++] = root;
-}
-
-static driving driving_of(const emission *e)
-{
-    const mechanism *m = e->p->m;
-    arena *memory = e->out->memory;
-    const size_t room = (size_t)(m->input_count + m->clocks.count) + 1;
-    driving d = {arena_take(memory, room, sizeof *d.targets), arena_take(memory, room, sizeof *d.quotes),
-                 arena_take(memory, room, sizeof *d.roots), 0};
-    for (int i = 0; i < m->input_count; i++) {
-        if (m->driven[i]) {
-            add_driven(&d, arena_format(memory, "memory->u[%s]", e->names->leaves.inputs[i].place), m->inputs[i].quote,
-                       m->drives[i]);
-        }
-    }
-    for (int i = 0; i < m->clocks.count; i++) {
-        const leaf_name *leaf = &e->names->leaves.states[m->clocks.first + i];
-        add_driven(&d, arena_format(memory, "memory->x[%s]", leaf->place), NULL, m->drives[m->input_count + i]);
-    }
-    return d;
-}
-
-/* What of the inputs jumps by itself, at any tick. */
-static void emit_edges(emission *e)
-{
-    const mechanism *m = e->p->m;
-    const code made = code_of(e, numbered(e, "now", m->edge_count), m->edges, m->edge_count);
-    text_add(e->out, "/* What jumps at ticks that are known. */\n");
-    text_add(e->out, "static void find_edges(real *const now, const uint64_t tick)\n{\n");
-    emit_code(e, &made);
-    text_add(e->out, "}\n\n");
-}
-
-static void emit_drive(emission *e)
-{
-    const mechanism *m = e->p->m;
-    const driving d = driving_of(e);
-    emit_tick_tables(e, d.roots, (size_t)d.count);
-    if (watches_edges(m)) {
-        emit_edges(e);
-    }
-    code made = code_of(e, d.targets, d.roots, d.count);
-    made.quotes = d.quotes;
-    text_add(e->out, "/* What is a function of time; other inputs stay as they are set. */\n");
-    text_add(e->out, "static void drive(void *const instance, const uint64_t tick)\n{\n");
-    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
-    if (keeps_tick(m)) {
-        text_add(e->out, "    memory->tick = tick;\n");
-    } else if (!uses_time(e->g, d.roots, (size_t)d.count) && m->change_count == 0) {
-        text_add(e->out, "    (void)tick;\n");
-    }
-    if (code_uses(e, &made, OP_PARAMETER)) {
-        text_add(e->out, "    const real *const p = memory->p;\n");
-    }
-    emit_code(e, &made);
-    if (watches_edges(m)) {
-        text_add(e->out, "    real now[%d], before[%d];\n    find_edges(now, tick);\n", m->edge_count, m->edge_count);
-        text_add(e->out, "    find_edges(before, tick - (tick > 0));\n");
-        text_add(e->out, "    memory->edge = iso_any_changed(now, before, %d);\n", m->edge_count);
-    }
-    for (int i = 0; i < m->change_count; i++) {
-        const switching *c = &m->changes[i];
-        const char *at = e->names->leaves.parameters[c->parameter].place;
-        text_add(
-            e->out,
-            "    memory->p[%s] =\n        iso_select((iso_bits)0 - (tick == UINT32_C(%.0f)), %s, memory->p[%s]);\n", at,
-            c->tick, code_literal(e->out->memory, c->value, e->p->is_double), at);
-    }
-    text_add(e->out, "}\n\n");
-}
-
 /* What checks inputs and tunables, with the limits that the scene gives. */
 static void emit_admit(emission *e)
 {
@@ -433,84 +350,6 @@ static void emit_admit(emission *e)
                  watches_parameters(e->p) ? "&memory->changed" : "NULL");
     }
     text_add(e->out, ";\n}\n\n");
-}
-
-unsigned long last_of_ring(const effect_quantity *of)
-{
-    unsigned long places = 1;
-    while ((double)places < of->ticks) {
-        places *= 2;
-    }
-    return places - 1;
-}
-
-/* Where the next value of a memory goes: there, or first to where it waits. */
-static const char *target_of_memory(const emission *e, int i)
-{
-    const mechanism *m = e->p->m;
-    arena *memory = e->out->memory;
-    const effect_quantity *of = &m->memories[i];
-    return of->kept == KEPT_SAMPLE ? arena_format(memory, "sampled_%d", i)
-           : of->kept == KEPT_DELAY
-               ? arena_format(memory, "memory->past_%d[memory->tick & UINT32_C(%lu)]", i, last_of_ring(of))
-               : arena_format(memory, "memory->u[%s]", e->names->leaves.inputs[m->input_count + i].place);
-}
-
-/* A sample is taken where the tick ends at a multiple of its time. A delayed value is an older one of a ring, whose place
- * follows from the tick, never from data; before there is one, it is the start. */
-static void emit_kept(emission *e, int i)
-{
-    const mechanism *m = e->p->m;
-    const effect_quantity *of = &m->memories[i];
-    const char *at = e->names->leaves.inputs[m->input_count + i].place;
-    if (of->kept == KEPT_SAMPLE) {
-        text_add(e->out, "    memory->u[%s] = iso_select(\n        (iso_bits)0 - (iso_tick_modulo(memory->tick + 1, ",
-                 at);
-        text_add(e->out, "UINT32_C(%.0f)) == 0), sampled_%d, memory->u[%s]);\n", of->ticks, i, at);
-    } else if (of->kept == KEPT_DELAY) {
-        const char *older =
-            arena_format(e->out->memory, "memory->past_%d[(memory->tick + 1 - UINT32_C(%.0f)) & UINT32_C(%lu)]", i,
-                         of->ticks, last_of_ring(of));
-        if (of->about.start == 0.0) {
-            text_add(e->out, "    memory->u[%s] = %s;\n", at, older);
-        } else {
-            text_add(e->out, "    memory->u[%s] = iso_select(\n        (iso_bits)0 - (iso_bits)(", at);
-            text_add(e->out, "(memory->tick + 1 - UINT32_C(%.0f)) >> 63), %s,\n        %s);\n", of->ticks,
-                     code_literal(e->out->memory, of->about.start, e->p->is_double), older);
-        }
-    }
-}
-
-/* What the memories are from the next tick on. */
-static void emit_advance(emission *e)
-{
-    const mechanism *m = e->p->m;
-    arena *memory = e->out->memory;
-    const size_t room = (size_t)m->memory_count;
-    const char **targets = arena_take(memory, room, sizeof *targets),
-               **quotes = arena_take(memory, room, sizeof *quotes);
-    node *roots = arena_take(memory, room, sizeof *roots);
-    for (int i = 0; i < m->memory_count; i++) {
-        targets[i] = target_of_memory(e, i);
-        quotes[i] = m->memories[i].about.quote;
-        roots[i] = m->memories[i].next;
-    }
-    code made = code_of(e, targets, roots, m->memory_count);
-    made.quotes = quotes;
-    text_add(e->out, "/* The memories at the end of a tick. */\nstatic void advance%s(void *const instance)\n{\n",
-             e->suffix);
-    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
-    emit_arrays(e, &made);
-    for (int i = 0; i < m->memory_count; i++) {
-        if (m->memories[i].kept == KEPT_SAMPLE) {
-            text_add(e->out, "    real sampled_%d;\n", i);
-        }
-    }
-    emit_code(e, &made);
-    for (int i = 0; i < m->memory_count; i++) {
-        emit_kept(e, i);
-    }
-    text_add(e->out, "}\n\n");
 }
 
 /* What is put right after a step, in place. */
@@ -538,7 +377,7 @@ static void emit_finish(emission *e)
     text_add(e->out, "static uint32_t finish%s(void *const instance)\n{\n", e->suffix);
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
     text_add(e->out, "    return iso_finish(memory, memory->x, %s, %s_STATES, %s, output%s%s,\n",
-             has_range(e) ? "range" : "NULL", capitals, m->memory_count > 0 ? advance : "NULL",
+             has_range(e) ? "range" : "NULL", capitals, sets_rows(e->p) ? advance : "NULL",
              has_slow_outputs(m) ? "_due" : "", e->suffix);
     text_add(e->out, "                      memory->y, memory->good");
     if (m->input_count > 0) {
@@ -559,7 +398,7 @@ static void emit_lesser_functions(emission *e, const lesser *left)
         emit_fast(&other);
     }
     emit_output(&other);
-    if (other.p->m->memory_count > 0) {
+    if (sets_rows(other.p)) {
         emit_advance(&other);
     }
     emit_finish(&other);
@@ -571,14 +410,17 @@ void emit_functions(emission *e)
     const plant *p = e->p;
     emit_derivative(e);
     emit_output(e);
-    if (is_driven(p->m)) {
+    if (is_driven(p)) {
         emit_drive(e);
     }
     if (p->m->input_count + p->m->parameter_count > 0) {
         emit_admit(e);
     }
-    if (p->m->memory_count > 0) {
+    if (sets_rows(p)) {
         emit_advance(e);
+    }
+    if (has_begin(e)) {
+        emit_begin(e);
     }
     emit_finish(e);
     if (ISO_IS_IMPLICIT(p->m->recipe)) {

@@ -106,10 +106,10 @@ static void add_rings(memory_layout *list)
     const mechanism *m = list->e->p->m;
     arena *memory = list->e->out->memory;
     for (int i = 0; i < m->memory_count; i++) {
-        if (m->memories[i].kept == KEPT_DELAY) {
+        if (is_late(&m->memories[i])) {
             const size_t places = last_of_ring(&m->memories[i]) + 1;
             add_reals(list, arena_format(memory, "past_%d", i), arena_format(memory, "%zu", places), places,
-                      arena_format(memory, "the last ones of %s", m->memories[i].about.name));
+                      arena_format(memory, "what %s shows in later rows", m->memories[i].about.name));
         }
     }
 }
@@ -128,21 +128,21 @@ static void add_good(memory_layout *list)
                            has_tunables ? " tunables," : ""));
 }
 
-/* Counts of whole turns, and the tick: whole numbers of 4 and of 8 bytes, behind all that is as large as a real. */
+/* Counts of whole turns, and the row: whole numbers of 4 and of 8 bytes, behind all that is as large as a real. */
 static void add_counts(memory_layout *list)
 {
     const plant *p = list->e->p;
     arena *memory = list->e->out->memory;
-    const bool with_tick = keeps_tick(p->m);
+    const bool with_rows = keeps_rows(p);
     if (p->turn_count > 0) {
         add_member(list, arena_format(memory, "int32_t turns[%d]", p->turn_count), "of the continuous joints",
                    (size_t)p->turn_count * sizeof(int32_t));
     }
-    if (list->bytes % sizeof(uint64_t) != 0 && (p->is_double || with_tick)) {
+    if (list->bytes % sizeof(uint64_t) != 0 && (p->is_double || with_rows)) {
         add_member(list, "uint32_t unused", "no byte of the memory is without a name", sizeof(uint32_t));
     }
-    if (with_tick) {
-        add_member(list, "uint64_t tick", NULL, sizeof(uint64_t));
+    if (with_rows) {
+        add_member(list, "uint64_t row", "that the tick ends with; after it that which has begun", sizeof(uint64_t));
     }
 }
 

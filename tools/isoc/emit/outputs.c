@@ -33,7 +33,7 @@ static void emit_due(emission *e, const output_rates *rates)
         const double every = rates->all[i].every;
         if (every > 1.0) {
             text_add(e->out,
-                     "    if (iso_tick_modulo(memory->tick + 1, UINT32_C(%.0f)) == 0) {\n        "
+                     "    if (iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0) {\n        "
                      "output_every_%.0f%s(instance);\n    }\n",
                      every, every, e->suffix);
         } else {

@@ -30,14 +30,21 @@ bool watches_edges(const mechanism *m);
 /* Where a step tells how it went; NULL, as C, where it does not. */
 const char *progress_of(const mechanism *m);
 
-/* Whether what some memory is follows from the tick too, or whether an output is due. */
-bool keeps_tick(const mechanism *m);
+/* Whether the number of the row counts: for what a memory is, for an output that is due, or for a function of time that a
+ * memory or an output reads. */
+bool keeps_rows(const plant *p);
 
-/* The last place in the ring of a delay, whose number of places is a power of two: a tick is a place by its last bits. */
+/* Whether a row sets something besides the outputs. */
+bool sets_rows(const plant *p);
+
+/* Whether some start is more than a constant of the tables: then `begin` sets it. */
+bool has_begin(const emission *e);
+
+/* The last place in the ring of a delay, whose number of places is a power of two: a row is a place by its last bits. */
 unsigned long last_of_ring(const effect_quantity *of);
 
 /* Whether something is a function of time, that every tick sets. */
-bool is_driven(const mechanism *m);
+bool is_driven(const plant *p);
 
 /* The size of u as C: the inputs, and the memories behind them. */
 const char *held_size(const emission *e);
@@ -77,6 +84,11 @@ code code_of(const emission *e, const char *const *targets, const node *roots, i
 bool code_uses(const emission *e, const code *made, operation op);
 void emit_arrays(const emission *e, const code *made);
 void emit_code(emission *e, const code *made);
+
+/* rows.c: what a row sets: functions of time, at the begin of a tick and for what its end shows; memories; and the starts. */
+void emit_drive(emission *e);
+void emit_advance(emission *e);
+void emit_begin(emission *e);
 
 /* outputs.c: the outputs. */
 void emit_output(emission *e);

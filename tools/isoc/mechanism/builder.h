@@ -30,7 +30,7 @@ typedef struct past {
     const void *within;
     int memory;
     dimension in;
-    bool is_done;
+    bool has_start, is_done;
 } past;
 
 /* A function of time outside of the inputs, and the effect whose definition has it; NULL: the scene. */
@@ -131,9 +131,8 @@ void build_substeps(builder *b);
 void find_streams(builder *b);
 void build_streams(builder *b);
 
-/* past.c: what the memories of formulas are of, when all formulas are known; and what outputs show of them. */
+/* past.c: what the memories of formulas are of, when all formulas are known. */
 void finish_pasts(builder *b);
-void show_pasts(builder *b);
 
 /* The value of a formula over all that the scene has; a signal, say. */
 value value_in_scene(builder *b, const formula *f);

@@ -101,17 +101,10 @@ static value operand_value(world *w, const instance *in, const effect_line *line
     return found;
 }
 
-/* What a state or a memory has at the start gives its dimension. */
+/* What a state or a memory has at the start, which gives its dimension. */
 static value start_value(world *w, const instance *in, const effect_line *line)
 {
-    value found = checked(w, in, line, line->value, evaluate(w, in, line->value, line->name.text));
-    for (int i = 0; i < found.count; i++) {
-        if (!is_constant(w->b->g, found.parts[i])) {
-            source_problem(w->b->s, line->value->at, "the start of '%s' must be a constant", line->name.text);
-            return nothing;
-        }
-    }
-    return found;
+    return checked(w, in, line, line->value, evaluate(w, in, line->value, line->name.text));
 }
 
 /* A state or a memory that begins so: its numbers from the first on are the leaves of this operation from `index` on. */
@@ -127,7 +120,7 @@ static value begun(world *w, const instance *in, const effect_line *line, effect
         *about =
             (variable){.name = called, .quote = source_quote(s, line->name.at), .least = -HUGE_VAL, .most = HUGE_VAL};
         about->unit = found.count == 0 ? "1" : dimension_unit(s->memory, found.of);
-        about->start = found.count == 0 ? 0.0 : constant_value(w->b->g, found.parts[i]);
+        first[i].begin = found.count == 0 ? constant(w->b->g, 0.0) : found.parts[i];
         first[i].at = in->use->name.at;
         found.parts[i] = leaf(w->b->g, op, index + i);
     }

@@ -227,7 +227,6 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_substeps(&b);
     build_outputs(&b);
     finish_pasts(&b);
-    show_pasts(&b);
     check_inputs(&b);
     build_parameters(&b);
     build_changes(&b);

@@ -198,20 +198,25 @@ typedef struct variable {
     const char *spoken;  /* of a fault: EFFECT.FAULT */
 } variable;
 
-/* How a memory follows its `next`: at once; one that is of a formula's past likewise, or at ticks that are multiples of a
- * number, or so many ticks later. */
-typedef enum keeping { KEPT_NEXT, KEPT_PREVIOUS, KEPT_SAMPLE, KEPT_DELAY } keeping;
+/* How a memory follows its `next`: one of an effect is its next, of what was before; what is kept of a formula is that in
+ * rows whose number is a multiple of some ticks, or that of so many ticks before. */
+typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_PREVIOUS, KEPT_DELAY } keeping;
 
-/* A state of an effect, or a memory of one: what it is called, and its rate, or what it is after the next tick. */
+/* A state of an effect, or a memory of one: what it is called, its start, and its rate, or its next. */
 typedef struct effect_quantity {
-    variable about;
-    place at;   /* of the effect, */
-    int effect; /* and which */
-    node next;
-    keeping kept;  /* of a memory; and of what is sampled or delayed the ticks */
-    bool is_shown; /* of a memory: outputs show a copy of it, another memory */
-    double ticks;
+    variable about; /* its start as a number: plant/rows.h */
+    place at;       /* of the effect, or of the formula that it keeps, */
+    int effect;     /* and which effect */
+    node begin, next;
+    keeping kept; /* of a memory; */
+    double ticks; /* and of what is kept of a formula: 1 of previous */
 } effect_quantity;
+
+/* Whether it is what a formula was in an earlier row. */
+static inline bool is_late(const effect_quantity *of)
+{
+    return of->kept >= KEPT_PREVIOUS;
+}
 
 /* What an effect adds to the effort of a degree of freedom. */
 typedef struct effect_effort {
@@ -283,7 +288,7 @@ typedef struct mechanism {
     int effect_state_count, first_effect_state;
     bool *fast_effects;        /* [effects] those whose states take sub-steps in a step, */
     int fast_substeps;         /* and how many; 0: none do */
-    effect_quantity *memories; /* of effects: numbers that a tick sets at its end, behind the inputs */
+    effect_quantity *memories; /* of effects and of formulas: numbers that a row sets, behind the inputs */
     int memory_count;
     node *efforts;               /* [degrees of freedom] of effects: */
     effect_effort *effort_parts; /* the sums of these */

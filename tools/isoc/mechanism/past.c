@@ -42,8 +42,8 @@ static bool is_number(world *w, const formula *f, const value *found)
     return found->count == 1;
 }
 
-/* A new memory with its start, a constant. */
-static int add_past(world *w, const formula *f, double start, dimension of, double ticks)
+/* A new memory; `start` is its start, or -1 where that is what the formula is at the start. */
+static int add_past(world *w, const formula *f, node start, dimension of, double ticks)
 {
     builder *b = w->b;
     mechanism *made = &b->made;
@@ -51,16 +51,16 @@ static int add_past(world *w, const formula *f, double start, dimension of, doub
     made->memories = arena_grow(b->s->memory, made->memories, count, &b->memory_room, sizeof *made->memories);
     b->pasts = arena_grow(b->s->memory, b->pasts, b->past_count, &b->past_room, sizeof *b->pasts);
     effect_quantity *m = &made->memories[count];
-    *m = (effect_quantity){.next = constant(b->g, start), .at = f->at};
+    *m = (effect_quantity){.begin = start < 0 ? constant(b->g, 0.0) : start, .at = f->at};
+    m->next = m->begin;
     m->about = (variable){.name = arena_format(b->s->memory, "kept_%s_%zu", f->name, b->past_count + 1),
                           .unit = dimension_equal_but_angle(of, no_unit) ? "1" : dimension_text(b->s->memory, of),
                           .quote = source_quote(b->s, f->at),
                           .least = -HUGE_VAL,
-                          .most = HUGE_VAL,
-                          .start = start};
+                          .most = HUGE_VAL};
     m->kept = f->name[0] == 's' ? KEPT_SAMPLE : f->name[0] == 'd' ? KEPT_DELAY : KEPT_PREVIOUS;
     m->ticks = ticks;
-    b->pasts[b->past_count++] = (past){f, w->within, made->memory_count, of, false};
+    b->pasts[b->past_count++] = (past){f, w->within, made->memory_count, of, start >= 0, false};
     return made->memory_count++;
 }
 
@@ -90,7 +90,7 @@ value past_value(void *of, const formula *f)
         source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
         return nothing;
     }
-    const int memory = add_past(w, f, has_start ? constant_value(b->g, first.parts[0]) : 0.0, first.of, ticks);
+    const int memory = add_past(w, f, has_start ? first.parts[0] : -1, first.of, ticks);
     return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->made.input_count + memory)}, .of = first.of};
 }
 
@@ -112,46 +112,9 @@ void finish_pasts(builder *b)
             source_problem(b->s, p.of->parts[0]->at, "a %s that starts with %s is of the same; this %s", p.of->name,
                            dimension_text(b->s->memory, p.in), dimension_phrase(b->s->memory, found.of));
         }
-        b->made.memories[p.memory].next = found.parts[0];
+        effect_quantity *kept = &b->made.memories[p.memory];
+        kept->next = found.parts[0];
+        kept->begin = p.has_start ? kept->begin : found.parts[0];
     }
     b->values.around = NULL;
-}
-
-/* The outputs are made when the memories have changed already: of previous and delay they show what these were in the
- * tick, by a memory of the memory. */
-void show_pasts(builder *b)
-{
-    mechanism *made = &b->made;
-    const int count = made->memory_count;
-    const size_t inputs = (size_t)(made->input_count + count);
-    node *to = arena_take(b->s->memory, inputs + 1, sizeof *to);
-    bool any = false;
-    for (size_t i = 0; i < inputs; i++) {
-        to[i] = leaf(b->g, OP_INPUT, (int)i);
-    }
-    for (int i = 0; i < count; i++) {
-        const node is = to[made->input_count + i];
-        bool is_shown = b->whole != NULL && b->whole->memories[i].is_shown;
-        for (size_t o = 0; o < made->output_count; o++) {
-            const shown *out = &made->outputs[o];
-            is_shown = is_shown || (out->kind == OUTPUT_FORMULA && uses_leaf(b->g, &out->formula, 1, is));
-        }
-        if (is_shown && (made->memories[i].kept == KEPT_PREVIOUS || made->memories[i].kept == KEPT_DELAY)) {
-            made->memories = arena_grow(b->s->memory, made->memories, (size_t)made->memory_count, &b->memory_room,
-                                        sizeof *made->memories);
-            effect_quantity shadow = made->memories[i];
-            made->memories[i].is_shown = true;
-            shadow.about.name = arena_format(b->s->memory, "%s_shown", shadow.about.name);
-            shadow.kept = KEPT_NEXT;
-            shadow.next = is;
-            to[made->input_count + i] = leaf(b->g, OP_INPUT, made->input_count + made->memory_count);
-            made->memories[made->memory_count++] = shadow;
-            any = true;
-        }
-    }
-    for (size_t o = 0; any && o < made->output_count; o++) {
-        if (made->outputs[o].kind == OUTPUT_FORMULA) {
-            replace_leaves(b->g, &made->outputs[o].formula, 1, OP_INPUT, to);
-        }
-    }
 }

@@ -57,6 +57,10 @@ void accelerations_resolve(plant *p, graph *g)
     }
     for (int i = 0; i < m->memory_count && before != ASKED_POSITION; i++) {
         replace_leaves(g, &m->memories[i].next, 1, OP_ASKED, answers);
+        replace_leaves(g, &m->memories[i].begin, 1, OP_ASKED, answers);
+    }
+    for (int i = 0; i < m->effect_state_count && before != ASKED_POSITION; i++) {
+        replace_leaves(g, &m->effect_states[i].begin, 1, OP_ASKED, answers);
     }
     for (size_t i = 0; i < m->output_count && before != ASKED_POSITION; i++) {
         if (m->outputs[i].kind == OUTPUT_FORMULA) {

@@ -1,6 +1,7 @@
 #include "tools/isoc/plant/lesser.h"
 
 #include "tools/isoc/dynamics/assembly.h"
+#include "tools/isoc/plant/rows.h"
 #include "tools/isoc/tree/asked.h"
 
 /* The scene, in which the first drops of the ladder are done. */
@@ -31,6 +32,7 @@ static lesser build(source *s, const scene *written, const plant *p, wishes want
     assemble(s, made.g, m);
     asked_resolve(made.g, m);
     *without = plant_build(made.g, m, p->is_double, wanted);
+    rows_build(s, made.g, without, p);
     made.suffix = "_without";
     for (int i = 0; i < drops; i++) {
         made.suffix = arena_format(memory, "%s_%s", made.suffix, m->effects[of->drops[i]].text);

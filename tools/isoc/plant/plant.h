@@ -16,6 +16,24 @@ typedef struct choice {
     operations of[FORMULATIONS];
 } choice;
 
+/* States and memories in the order in which they are set; those of one level follow from those of the levels before. A memory
+ * is told from a state by its number, which begins behind those of the states. */
+typedef struct row_order {
+    int *all, *level;
+    int count, levels;
+} row_order;
+
+/* What a row sets besides the memories of effects (tools/isoc/plant/rows.h). */
+typedef struct row_plan {
+    node *sees; /* [inputs] what an input that is a function of time is in the row, within its limits, where a memory or
+                         an output reads it; else -1 */
+    bool *
+        sees_again; /* [inputs] one of these that is not what the step gets: that checks its limits or reads tunables */
+    bool any;       /* there is one, or something is set at a time */
+    row_order early, late; /* samples, before the memories of effects and after */
+    row_order starts;
+} row_plan;
+
 /* A plant on the lower rungs of a ladder that drops effects: on the memory of the whole, with a graph of its own. */
 typedef struct lesser {
     const struct plant *p;
@@ -44,6 +62,7 @@ typedef struct plant {
     held held;                   /* what the step computes once */
     node *held_derivatives;      /* the derivatives by that; where nothing is held, themselves */
     fast_part fast;              /* of these derivatives: the states with sub-steps of their own */
+    row_plan rows;               /* what each row sets */
     node energy;
     node violation; /* of the closures, where the loop counts it; else -1 */
     bool is_double;

@@ -40,13 +40,6 @@ static void parse_optional_value(parser *p, effect_line *line)
     }
 }
 
-/* (0, 0, 0) m */
-static bool is_vector(const formula *f)
-{
-    const formula *of = f != NULL && f->kind == FORMULA_SCALE ? f->parts[0] : f;
-    return of != NULL && of->kind == FORMULA_VECTOR && of->count == 3;
-}
-
 /* What a line has besides its name. */
 static void parse_rest(parser *p, effect_line *line)
 {
@@ -69,7 +62,6 @@ static void parse_rest(parser *p, effect_line *line)
     case EFFECT_MEMORY:
         line->has_unit = take_unit(p, &line->unit);
         parse_equals(p, line, "state current A = 0 A");
-        line->parts = is_vector(line->value) ? 3 : 1;
         break;
     case EFFECT_FORCE:
     case EFFECT_MOMENT:
@@ -186,6 +178,76 @@ static const property lines[] = {
 
 static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};
 
+/* --- what starts with a vector --- */
+
+static bool is_vector(const effect_kind *of, const formula *f, size_t depth);
+
+/* A name of the definition: a let, a state or a memory, by its formula. `depth`: names on the way, which may need each other
+ * in a loop that is an error for others to tell. */
+static bool names_vector(const effect_kind *of, const char *called, size_t depth)
+{
+    bool is = false;
+    for (size_t i = 0; i < of->line_count && depth <= of->line_count && !is; i++) {
+        const effect_line *line = &of->lines[i];
+        const bool has_value = line->kind == EFFECT_LET || line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY;
+        is = has_value && line->name.text != NULL && strcmp(line->name.text, called) == 0 &&
+             is_vector(of, line->value, depth + 1);
+    }
+    return is;
+}
+
+/* What is asked of a body, and a force or a moment of a joint. */
+static bool asks_for_vector(const effect_kind *of, const formula *f)
+{
+    bool is = strcmp(f->name, "force") == 0 || strcmp(f->name, "moment") == 0;
+    for (size_t i = 0; i < of->line_count && f->parts[0]->name != NULL && !is; i++) {
+        const effect_line *line = &of->lines[i];
+        is = line->kind == EFFECT_BODY && line->name.text != NULL && strcmp(line->name.text, f->parts[0]->name) == 0;
+    }
+    return is;
+}
+
+/* Whether a formula is a vector, by its form. */
+static bool is_vector(const effect_kind *of, const formula *f, size_t depth)
+{
+    if (f == NULL) {
+        return false;
+    }
+    switch (f->kind) {
+    case FORMULA_VECTOR:
+        return f->count == 3;
+    case FORMULA_NAME:
+        return names_vector(of, f->name, depth);
+    case FORMULA_OF:
+        return asks_for_vector(of, f);
+    case FORMULA_CALL:
+        return strcmp(f->name, "cross") == 0;
+    case FORMULA_SCALE:
+    case FORMULA_NEGATE:
+    case FORMULA_STEP:
+        return is_vector(of, f->parts[0], depth);
+    case FORMULA_CHAIN:
+        break;
+    default:
+        return false;
+    }
+    bool is = false;
+    for (size_t i = 0; i < f->count && !is; i++) {
+        is = is_vector(of, f->parts[i], depth);
+    }
+    return is;
+}
+
+/* States and memories that start with a vector have three numbers. */
+static void find_vectors(effect_kind *of)
+{
+    for (size_t i = 0; i < of->line_count; i++) {
+        effect_line *line = &of->lines[i];
+        const bool has_start = line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY;
+        line->parts = has_start && is_vector(of, line->value, 0) ? 3 : 1;
+    }
+}
+
 static void parse_definition(parser *p, scene *made, name called)
 {
     effect_kind kind = {.name = called};
@@ -195,6 +257,7 @@ static void parse_definition(parser *p, scene *made, name called)
         refuse_factor(p, factors, kind.lines[i].kind == EFFECT_OUTPUT ? NULL : kind.lines[i].name.text);
     }
     p->factor_count = factors;
+    find_vectors(&kind);
     made->effect_kinds =
         arena_grow(p->s->memory, made->effect_kinds, made->effect_kind_count, &made->effect_kind_room, sizeof kind);
     made->effect_kinds[made->effect_kind_count++] = kind;

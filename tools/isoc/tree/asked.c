@@ -74,9 +74,11 @@ void asked_resolve(graph *g, mechanism *m)
     }
     for (int i = 0; i < m->effect_state_count; i++) {
         replace(g, &m->effect_states[i].next, 1, &all);
+        replace(g, &m->effect_states[i].begin, 1, &all);
     }
     for (int i = 0; i < m->memory_count; i++) {
         replace(g, &m->memories[i].next, 1, &all);
+        replace(g, &m->memories[i].begin, 1, &all);
     }
     for (size_t i = 0; i < m->output_count; i++) {
         if (m->outputs[i].kind == OUTPUT_FORMULA) {

@@ -1,0 +1,403 @@
+/* What a row sets, in the order of tools/isoc/plant/rows.h. */
+#include <math.h>
+
+#include "tools/isoc/emit/parts.h"
+#include "tools/isoc/plant/rates.h"
+
+bool keeps_rows(const plant *p)
+{
+    bool any = has_slow_outputs(p->m) || p->rows.any;
+    for (int i = 0; i < p->m->memory_count; i++) {
+        const effect_quantity *of = &p->m->memories[i];
+        any = any || of->kept == KEPT_SAMPLE || (of->kept == KEPT_DELAY && of->ticks > 1.0);
+    }
+    return any;
+}
+
+bool sets_rows(const plant *p)
+{
+    return p->m->memory_count > 0 || keeps_rows(p);
+}
+
+bool is_driven(const plant *p)
+{
+    bool any = p->m->clocks.count > 0 || keeps_rows(p);
+    for (int i = 0; i < p->m->input_count; i++) {
+        any = any || p->m->driven[i];
+    }
+    return any;
+}
+
+unsigned long last_of_ring(const effect_quantity *of)
+{
+    unsigned long places = 1;
+    while ((double)places < of->ticks) {
+        places *= 2;
+    }
+    return places - 1;
+}
+
+/* --- lists of assignments --- */
+
+typedef struct assignments {
+    const char **targets, **quotes;
+    node *roots;
+    int count;
+} assignments;
+
+static assignments room_for(const emission *e, int count)
+{
+    arena *memory = e->out->memory;
+    const size_t room = (size_t)count + 1;
+    return (assignments){arena_take(memory, room, sizeof(char *)), arena_take(memory, room, sizeof(char *)),
+                         arena_take(memory, room, sizeof(node)), 0};
+}
+
+static void assign(assignments *to, const char *target, const char *quote, node root)
+{
+    to->targets[to->count] = target;
+    to->quotes[to->count] = quote;
+    to->roots[to->count++] = root;
+}
+
+static code code_of_assignments(const emission *e, const assignments *all)
+{
+    code made = code_of(e, all->targets, all->roots, all->count);
+    made.quotes = all->quotes;
+    return made;
+}
+
+static const char *input_place(const emission *e, int i)
+{
+    return arena_format(e->out->memory, "memory->u[%s]", e->names->leaves.inputs[i].place);
+}
+
+static const char *memory_target(const emission *e, int i)
+{
+    return input_place(e, e->p->m->input_count + i);
+}
+
+/* Where a ring has what is of so many rows ago, once the row has begun. */
+static const char *ring_place(const emission *e, int i, double ago)
+{
+    const unsigned long last = last_of_ring(&e->p->m->memories[i]);
+    return last == 0    ? arena_format(e->out->memory, "memory->past_%d[0]", i)
+           : ago == 0.0 ? arena_format(e->out->memory, "memory->past_%d[memory->row & UINT32_C(%lu)]", i, last)
+                        : arena_format(e->out->memory,
+                                       "memory->past_%d[(memory->row - UINT32_C(%.0f)) & UINT32_C(%lu)]", i, ago, last);
+}
+
+static void begin_rows_function(emission *e, const char *head, const char *function)
+{
+    text_add(e->out, "%sstatic void %s%s(void *const instance)\n{\n", head, function, e->suffix);
+    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+}
+
+/* --- functions of time --- */
+
+/* What the step gets at the begin of a tick; or with `is_row` what the row shows, where the step gets it too. */
+static assignments functions_of_time(const emission *e, bool is_row)
+{
+    const mechanism *m = e->p->m;
+    assignments made = room_for(e, m->input_count + m->clocks.count);
+    for (int i = 0; i < m->input_count; i++) {
+        const bool is_seen = e->p->rows.sees[i] >= 0, is_again = is_seen && e->p->rows.sees_again[i];
+        if (m->driven[i] && (is_row ? is_seen : !is_seen || is_again)) {
+            assign(&made, input_place(e, i), m->inputs[i].quote, is_row ? e->p->rows.sees[i] : m->drives[i]);
+        }
+    }
+    for (int i = 0; i < m->clocks.count && !is_row; i++) {
+        const leaf_name *leaf = &e->names->leaves.states[m->clocks.first + i];
+        assign(&made, arena_format(e->out->memory, "memory->x[%s]", leaf->place), NULL, m->drives[m->input_count + i]);
+    }
+    return made;
+}
+
+/* What of the inputs jumps by itself, at any tick. */
+static void emit_edges(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char **targets = arena_take(e->out->memory, (size_t)m->edge_count + 1, sizeof *targets);
+    for (int i = 0; i < m->edge_count; i++) {
+        targets[i] = arena_format(e->out->memory, "now[%d]", i);
+    }
+    const code made = code_of(e, targets, m->edges, m->edge_count);
+    text_add(e->out, "/* What jumps at ticks that are known. */\n");
+    text_add(e->out, "static void find_edges(real *const now, const uint64_t tick)\n{\n");
+    emit_code(e, &made);
+    text_add(e->out, "}\n\n");
+}
+
+static void emit_parameters(const emission *e, const code *made)
+{
+    if (code_uses(e, made, OP_PARAMETER)) {
+        text_add(e->out, "    const real *const p = memory->p;\n");
+    }
+}
+
+/* What is set at times, then what outputs and memories read of the functions of time. */
+static void emit_seen(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const assignments all = functions_of_time(e, true);
+    const code made = code_of_assignments(e, &all);
+    text_add(e->out, "/* What a row shows of the functions of time; the step from there gets it too. */\n");
+    text_add(e->out, "static void see(%s_memory *const memory, const uint64_t tick)\n{\n", e->names->prefix);
+    for (int i = 0; i < m->change_count; i++) {
+        const switching *c = &m->changes[i];
+        const char *at = e->names->leaves.parameters[c->parameter].place;
+        text_add(
+            e->out,
+            "    memory->p[%s] =\n        iso_select((iso_bits)0 - (tick == UINT32_C(%.0f)), %s, memory->p[%s]);\n", at,
+            c->tick, code_literal(e->out->memory, c->value, e->p->is_double), at);
+    }
+    emit_parameters(e, &made);
+    emit_code(e, &made);
+    text_add(e->out, "}\n\n");
+}
+
+void emit_drive(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const assignments all = functions_of_time(e, false);
+    node *drives = arena_take(e->out->memory, (size_t)(m->input_count + m->clocks.count) + 1, sizeof *drives);
+    int count = 0;
+    for (int i = 0; i < m->input_count + m->clocks.count; i++) {
+        if (i >= m->input_count || m->driven[i]) {
+            drives[count++] = m->drives[i];
+        }
+    }
+    emit_tick_tables(e, drives, (size_t)count);
+    if (watches_edges(m)) {
+        emit_edges(e);
+    }
+    if (e->p->rows.any) {
+        emit_seen(e);
+    }
+    const code made = code_of_assignments(e, &all);
+    text_add(e->out, "/* What is a function of time; other inputs stay as they are set. */\n");
+    text_add(e->out, "static void drive(void *const instance, const uint64_t tick)\n{\n");
+    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    if (e->p->rows.any) {
+        text_add(e->out,
+                 "    if (memory->row != tick) {\n        memory->row = tick;\n        see(memory, tick);\n    }\n");
+    } else if (keeps_rows(e->p)) {
+        text_add(e->out, "    memory->row = tick + 1;\n");
+    } else if (!uses_time(e->g, all.roots, (size_t)all.count)) {
+        text_add(e->out, "    (void)tick;\n");
+    }
+    emit_parameters(e, &made);
+    emit_code(e, &made);
+    if (watches_edges(m)) {
+        text_add(e->out, "    real now[%d], before[%d];\n    find_edges(now, tick);\n", m->edge_count, m->edge_count);
+        text_add(e->out, "    find_edges(before, tick - (tick > 0));\n");
+        text_add(e->out, "    memory->edge = iso_any_changed(now, before, %d);\n", m->edge_count);
+    }
+    text_add(e->out, "}\n\n");
+}
+
+/* --- memories --- */
+
+/* A part of what a row sets, as a function of its own below a comment. */
+static void emit_part(emission *e, const char *about, const char *function, const assignments *all)
+{
+    const code made = code_of_assignments(e, all);
+    text_add(e->out, "/* %s */\n", about);
+    begin_rows_function(e, "", function);
+    emit_arrays(e, &made);
+    emit_code(e, &made);
+    text_add(e->out, "}\n\n");
+}
+
+/* Samples of a level: taken where the row is a multiple of their ticks. */
+static void emit_samples_of(emission *e, const row_order *order, int level, const char *function)
+{
+    const mechanism *m = e->p->m;
+    assignments all = room_for(e, order->count);
+    begin_rows_function(e, "/* Samples, in the rows that these are of. */\n", function);
+    for (int n = 0; n < order->count; n++) {
+        const int i = order->all[n] - state_count(m);
+        if (order->level[n] == level) {
+            text_add(e->out, "    real sampled_%d;\n", i);
+            assign(&all, arena_format(e->out->memory, "sampled_%d", i), m->memories[i].about.quote,
+                   m->memories[i].next);
+        }
+    }
+    const code made = code_of_assignments(e, &all);
+    emit_arrays(e, &made);
+    emit_code(e, &made);
+    for (int n = 0; n < order->count; n++) {
+        const int i = order->all[n] - state_count(m);
+        if (order->level[n] == level) {
+            const char *at = memory_target(e, i);
+            text_add(e->out, "    %s = iso_select(\n        (iso_bits)0 - (iso_tick_modulo(memory->row, ", at);
+            text_add(e->out, "UINT32_C(%.0f)) == 0), sampled_%d, %s);\n", m->memories[i].ticks, i, at);
+        }
+    }
+    text_add(e->out, "}\n\n");
+}
+
+static void emit_samples(emission *e, const row_order *order, const char *function)
+{
+    for (int level = 0; level < order->levels; level++) {
+        emit_samples_of(e, order, level, arena_format(e->out->memory, "%s_%d", function, level + 1));
+    }
+}
+
+static void call_samples(emission *e, const row_order *order, const char *function)
+{
+    for (int level = 0; level < order->levels; level++) {
+        text_add(e->out, "    %s_%d%s(memory);\n", function, level + 1, e->suffix);
+    }
+}
+
+/* The next values of effects' memories; and of the formulas of which the past is kept, what they are in the row. */
+static assignments nexts_of(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    assignments made = room_for(e, m->memory_count);
+    for (int i = 0; i < m->memory_count; i++) {
+        if (m->memories[i].kept == KEPT_NEXT) {
+            assign(&made, memory_target(e, i), m->memories[i].about.quote, m->memories[i].next);
+        }
+    }
+    return made;
+}
+
+static assignments kept_of(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    assignments made = room_for(e, m->memory_count);
+    for (int i = 0; i < m->memory_count; i++) {
+        if (is_late(&m->memories[i])) {
+            assign(&made, ring_place(e, i, 0.0), m->memories[i].about.quote, m->memories[i].next);
+        }
+    }
+    return made;
+}
+
+/* What was kept in an earlier row is shown. */
+static void emit_shifts(emission *e)
+{
+    const mechanism *m = e->p->m;
+    for (int i = 0; i < m->memory_count; i++) {
+        if (is_late(&m->memories[i])) {
+            text_add(e->out, "    %s = %s;\n", memory_target(e, i), ring_place(e, i, m->memories[i].ticks));
+        }
+    }
+}
+
+void emit_advance(emission *e)
+{
+    static const char about[] = "The memories of a row.";
+    const row_plan *of = &e->p->rows;
+    const assignments nexts = nexts_of(e), kept = kept_of(e);
+    const bool is_all = kept.count + of->early.count + of->late.count == 0 && !keeps_rows(e->p);
+    if (is_all) {
+        emit_part(e, about, "advance", &nexts);
+        return;
+    }
+    emit_samples(e, &of->early, "sample_early");
+    if (nexts.count > 0) {
+        emit_part(e, "The memories of effects.", "follow", &nexts);
+    }
+    emit_samples(e, &of->late, "sample");
+    if (kept.count > 0) {
+        emit_part(e, "What later rows show.", "keep", &kept);
+    }
+    begin_rows_function(e, arena_format(e->out->memory, "/* %s */\n", about), "advance");
+    text_add(e->out, "%s", of->any ? "    memory->row++;\n    see(memory, memory->row);\n" : "");
+    emit_shifts(e);
+    call_samples(e, &of->early, "sample_early");
+    text_add(e->out, "%s", nexts.count > 0 ? arena_format(e->out->memory, "    follow%s(memory);\n", e->suffix) : "");
+    call_samples(e, &of->late, "sample");
+    text_add(e->out, "%s", kept.count > 0 ? arena_format(e->out->memory, "    keep%s(memory);\n", e->suffix) : "");
+    text_add(e->out, "}\n\n");
+}
+
+/* --- starts --- */
+
+/* Whether a memory does not begin with the zero of an empty plant. */
+static bool begins(const emission *e, const effect_quantity *of)
+{
+    return !is_zero(e->g, of->begin);
+}
+
+bool has_begin(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    bool any = e->p->rows.starts.count > 0 || e->p->rows.any;
+    for (int i = 0; i < m->memory_count; i++) {
+        any = any || begins(e, &m->memories[i]) || is_late(&m->memories[i]);
+    }
+    return any;
+}
+
+/* Constants that are not zero. */
+static assignments constant_starts(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    assignments made = room_for(e, m->memory_count);
+    for (int i = 0; i < m->memory_count; i++) {
+        const effect_quantity *of = &m->memories[i];
+        if (is_constant(e->g, of->begin) && begins(e, of)) {
+            assign(&made, memory_target(e, i), of->about.quote, of->begin);
+        }
+    }
+    return made;
+}
+
+static assignments starts_of_level(const emission *e, int level)
+{
+    const mechanism *m = e->p->m;
+    const row_order *order = &e->p->rows.starts;
+    assignments made = room_for(e, order->count);
+    for (int n = 0; n < order->count; n++) {
+        const int which = order->all[n], i = which - state_count(m);
+        if (order->level[n] == level && i < 0) {
+            const effect_quantity *of = &m->effect_states[which - m->first_effect_state];
+            const char *at = e->names->leaves.states[which].place;
+            assign(&made, arena_format(e->out->memory, "memory->x[%s]", at), of->about.quote, of->begin);
+        } else if (order->level[n] == level) {
+            assign(&made, memory_target(e, i), m->memories[i].about.quote, m->memories[i].begin);
+        }
+    }
+    return made;
+}
+
+/* Before its first row a ring shows the start; one of a single place is kept at once. */
+static void emit_rings(emission *e)
+{
+    const mechanism *m = e->p->m;
+    for (int i = 0; i < m->memory_count; i++) {
+        const unsigned long places = last_of_ring(&m->memories[i]) + 1;
+        if (is_late(&m->memories[i]) && begins(e, &m->memories[i]) && places > 1) {
+            text_add(e->out, "    for (uint32_t i = 0; i < %lu; i++) {\n        memory->past_%d[i] = %s;\n    }\n",
+                     places, i, memory_target(e, i));
+        }
+    }
+}
+
+void emit_begin(emission *e)
+{
+    const assignments constants = constant_starts(e);
+    const int levels = e->p->rows.starts.levels;
+    for (int level = 0; level < levels; level++) {
+        const assignments of = starts_of_level(e, level);
+        emit_part(e, "Starts, each after what it follows from.", arena_format(e->out->memory, "begin_%d", level + 1),
+                  &of);
+    }
+    const code made = code_of_assignments(e, &constants);
+    begin_rows_function(e, "/* What row 0 has besides constants of states, and zeros. */\n", "begin");
+    if (e->p->rows.any) {
+        text_add(e->out, "    see(memory, 0);\n");
+    } else if (keeps_rows(e->p)) {
+        text_add(e->out, "    memory->row = 0;\n");
+    }
+    emit_code(e, &made);
+    for (int level = 0; level < levels; level++) {
+        text_add(e->out, "    begin_%d(memory);\n", level + 1);
+    }
+    emit_rings(e);
+    text_add(e->out, "%s}\n\n", kept_of(e).count > 0 ? "    keep(memory);\n" : "");
+}

@@ -1,0 +1,308 @@
+#include "tools/isoc/plant/rows.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/graph/operations.h"
+#include "tools/isoc/mechanism/states.h"
+
+/* What a formula reads: states, inputs and memories. */
+typedef struct readings {
+    bool *states, *held;
+} readings;
+
+typedef struct rows_builder {
+    source *s;
+    graph *g;
+    plant *p;
+    readings of_derivative; /* of an acceleration */
+} rows_builder;
+
+static readings no_readings(const rows_builder *b)
+{
+    const mechanism *m = b->p->m;
+    return (readings){arena_take(b->g->memory, (size_t)state_count(m) + 1, sizeof(bool)),
+                      arena_take(b->g->memory, (size_t)held_count(m) + 1, sizeof(bool))};
+}
+
+/* Adds what these roots read, an acceleration with all that it follows from. */
+static void add_readings(const rows_builder *b, const node *roots, size_t count, readings *to)
+{
+    const graph *g = b->g;
+    const mechanism *m = b->p->m;
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed), derives = false;
+    graph_reach(g, roots, count, needed);
+    for (size_t i = 0; i < g->count; i++) {
+        const graph_node *n = &g->nodes[i];
+        if (needed[i] && n->op == OP_STATE) {
+            to->states[n->index] = true;
+        } else if (needed[i] && n->op == OP_INPUT) {
+            to->held[n->index] = true;
+        }
+        derives = derives || (needed[i] && n->op == OP_DERIVATIVE);
+    }
+    for (int i = 0; derives && i < state_count(m); i++) {
+        to->states[i] = to->states[i] || b->of_derivative.states[i];
+    }
+    for (int i = 0; derives && i < held_count(m); i++) {
+        to->held[i] = to->held[i] || b->of_derivative.held[i];
+    }
+    arena_return(g->memory, needed, g->count, sizeof *needed);
+}
+
+static readings readings_of(const rows_builder *b, node root)
+{
+    readings made = no_readings(b);
+    add_readings(b, &root, 1, &made);
+    return made;
+}
+
+/* --- orders --- */
+
+static effect_quantity *quantity_of(const mechanism *m, int which)
+{
+    return which < state_count(m) ? &m->effect_states[which - m->first_effect_state]
+                                  : &m->memories[which - state_count(m)];
+}
+
+/* Whether something that waits still is among what is read. */
+static bool reads_any(const mechanism *m, const readings *of, const bool *waits)
+{
+    bool any = false;
+    for (int i = 0; i < state_count(m); i++) {
+        any = any || (of->states[i] && waits[i]);
+    }
+    for (int i = 0; i < m->memory_count; i++) {
+        any = any || (of->held[m->input_count + i] && waits[state_count(m) + i]);
+    }
+    return any;
+}
+
+/* Puts those that wait in an order in which each follows from those before, by what it reads. Returns one that cannot, or
+ * -1. */
+static int put_in_order(const rows_builder *b, bool *waits, const readings *reads, row_order *made)
+{
+    const mechanism *m = b->p->m;
+    const int all = state_count(m) + m->memory_count;
+    made->all = arena_take(b->g->memory, (size_t)all + 1, sizeof *made->all);
+    made->level = arena_take(b->g->memory, (size_t)all + 1, sizeof *made->level);
+    int first = -1;
+    for (int before = -1; before < made->count; made->levels++) {
+        before = made->count;
+        for (int i = 0; i < all; i++) {
+            if (waits[i] && !reads_any(m, &reads[i], waits)) {
+                made->all[made->count] = i;
+                made->level[made->count++] = made->levels;
+            }
+        }
+        for (int i = before; i < made->count; i++) {
+            waits[made->all[i]] = false;
+        }
+    }
+    made->levels = made->count == 0 ? 0 : made->level[made->count - 1] + 1;
+    for (int i = all; i-- > 0;) {
+        first = waits[i] ? i : first;
+    }
+    return first;
+}
+
+static readings *room_for_readings(const rows_builder *b)
+{
+    const mechanism *m = b->p->m;
+    return arena_take(b->g->memory, (size_t)(state_count(m) + m->memory_count) + 1, sizeof(readings));
+}
+
+/* --- samples --- */
+
+/* Marks the samples that a `next` reads, and those that these read. */
+static void find_early(const rows_builder *b, bool *is_early)
+{
+    const mechanism *m = b->p->m;
+    readings of = no_readings(b);
+    for (int i = 0; i < m->memory_count; i++) {
+        if (m->memories[i].kept == KEPT_NEXT) {
+            add_readings(b, &m->memories[i].next, 1, &of);
+        }
+    }
+    for (bool more = true; more;) {
+        more = false;
+        for (int i = 0; i < m->memory_count; i++) {
+            bool *is = &is_early[state_count(m) + i];
+            if (m->memories[i].kept == KEPT_SAMPLE && of.held[m->input_count + i] && !*is) {
+                *is = more = true;
+                add_readings(b, &m->memories[i].next, 1, &of);
+            }
+        }
+    }
+}
+
+/* Whether what a formula reads is set after the early samples. */
+static bool reads_new(const mechanism *m, const readings *of, const bool *is_late_sample)
+{
+    bool any = false;
+    for (int i = 0; i < m->memory_count; i++) {
+        any = any || (of->held[m->input_count + i] &&
+                      (m->memories[i].kept == KEPT_NEXT || is_late_sample[state_count(m) + i]));
+    }
+    return any;
+}
+
+static void order_samples(rows_builder *b)
+{
+    const mechanism *m = b->p->m;
+    const int states = state_count(m);
+    const size_t all = (size_t)(states + m->memory_count) + 1;
+    bool *is_early = arena_take(b->g->memory, all, sizeof *is_early),
+         *is_after = arena_take(b->g->memory, all, sizeof *is_after);
+    readings *reads = room_for_readings(b);
+    find_early(b, is_early);
+    for (int i = 0; i < m->memory_count; i++) {
+        if (m->memories[i].kept == KEPT_SAMPLE) {
+            reads[states + i] = readings_of(b, m->memories[i].next);
+            is_after[states + i] = !is_early[states + i];
+        }
+    }
+    for (bool more = true; more;) {
+        more = false;
+        for (int i = 0; i < m->memory_count; i++) {
+            const bool is_new = m->memories[i].kept == KEPT_SAMPLE && !is_after[states + i] &&
+                                reads_new(m, &reads[states + i], is_after);
+            is_after[states + i] = is_after[states + i] || is_new;
+            more = more || is_new;
+        }
+    }
+    const int stuck = put_in_order(b, is_early, reads, &b->p->rows.early);
+    const int stuck_after = put_in_order(b, is_after, reads, &b->p->rows.late);
+    if (stuck >= 0 || stuck_after >= 0) {
+        source_problem(b->s, quantity_of(m, stuck >= 0 ? stuck : stuck_after)->at,
+                       "an algebraic loop: in a row that it samples, this needs itself; previous(x, START) breaks it");
+    }
+}
+
+/* --- starts --- */
+
+/* The numbers of a level, from those before it. */
+static void evaluate_level(rows_builder *b, const row_order *order, int level, double *x, double *u)
+{
+    const mechanism *m = b->p->m;
+    graph g = graph_copy(b->g);
+    node *roots = arena_take(g.memory, (size_t)order->count + 1, sizeof *roots);
+    for (int i = 0; i < order->count; i++) {
+        roots[i] = quantity_of(m, order->all[i])->begin;
+    }
+    if (uses_operation(&g, roots, (size_t)order->count, OP_DERIVATIVE)) {
+        replace_leaves(&g, roots, (size_t)order->count, OP_DERIVATIVE, b->p->derivatives);
+    }
+    double *numbers = arena_take(g.memory, g.count, sizeof *numbers);
+    graph_evaluate(&g, 0, &(evaluation){.x = x, .u = u, .p = m->defaults}, numbers);
+    for (int i = 0; i < order->count; i++) {
+        const int which = order->all[i];
+        if (order->level[i] == level) {
+            double *to = which < state_count(m) ? &x[which] : &u[m->input_count + which - state_count(m)];
+            *to = quantity_of(m, which)->about.start = numbers[roots[i]];
+        }
+    }
+    arena_return(g.memory, numbers, g.count, sizeof *numbers);
+    graph_free(&g);
+}
+
+static void find_start_numbers(rows_builder *b, const row_order *order)
+{
+    const mechanism *m = b->p->m;
+    double *u = arena_take(b->g->memory, (size_t)held_count(m) + 1, sizeof *u);
+    double *numbers = arena_take(b->g->memory, b->g->count, sizeof *numbers);
+    for (int i = state_count(m); i < state_count(m) + m->memory_count; i++) {
+        u[m->input_count + i - state_count(m)] = quantity_of(m, i)->about.start;
+    }
+    double *x = mechanism_start(m, b->g->memory);
+    graph_evaluate(b->g, 0, &(evaluation){.x = x, .p = m->defaults}, numbers);
+    for (int i = 0; i < m->input_count; i++) {
+        u[i] = m->driven[i] ? numbers[m->drives[i]] : 0.0;
+    }
+    for (int level = 0; level < order->levels; level++) {
+        evaluate_level(b, order, level, x, u);
+    }
+}
+
+/* A constant is known; of the rest each follows what it reads. */
+static void order_starts(rows_builder *b)
+{
+    const mechanism *m = b->p->m;
+    const int states = state_count(m);
+    bool *waits = arena_take(b->g->memory, (size_t)(states + m->memory_count) + 1, sizeof *waits);
+    readings *reads = room_for_readings(b);
+    for (int n = 0; n < m->effect_state_count + m->memory_count; n++) {
+        const int i = n < m->effect_state_count ? m->first_effect_state + n : states + n - m->effect_state_count;
+        effect_quantity *of = quantity_of(m, i);
+        waits[i] = !is_constant(b->g, of->begin);
+        of->about.start = waits[i] ? 0.0 : constant_value(b->g, of->begin);
+        if (waits[i]) {
+            reads[i] = readings_of(b, of->begin);
+        }
+    }
+    const int stuck = put_in_order(b, waits, reads, &b->p->rows.starts);
+    if (stuck >= 0) {
+        source_problem(b->s, quantity_of(m, stuck)->at,
+                       "an algebraic loop: the start of '%s' needs itself; a memory with a start of its own, or "
+                       "previous(x, START), breaks it",
+                       quantity_of(m, stuck)->about.name);
+        return;
+    }
+    find_start_numbers(b, &b->p->rows.starts);
+}
+
+/* --- functions of time --- */
+
+/* Whether an input can come from a link. */
+static bool is_wired(const mechanism *m, int input)
+{
+    bool is = false;
+    for (int i = 0; i < m->wire_count; i++) {
+        is = is || m->wires[i].input == input;
+    }
+    return is;
+}
+
+static node within_limits(graph *g, const variable *v, node n)
+{
+    const node below = isinf(v->most) ? n : function(g, OP_MIN, n, constant(g, v->most));
+    return isinf(v->least) ? below : larger(g, below, constant(g, v->least));
+}
+
+static void find_seen(rows_builder *b, const plant *whole)
+{
+    const mechanism *m = b->p->m;
+    row_plan *made = &b->p->rows;
+    if (whole != NULL) {
+        made->sees = whole->rows.sees;
+        made->sees_again = whole->rows.sees_again;
+        made->any = whole->rows.any;
+        return;
+    }
+    readings of = no_readings(b);
+    add_readings(b, b->p->outputs, (size_t)b->p->output_count, &of);
+    for (int i = 0; i < m->memory_count; i++) {
+        add_readings(b, &m->memories[i].next, 1, &of);
+    }
+    made->sees = arena_take(b->g->memory, (size_t)m->input_count + 1, sizeof *made->sees);
+    made->sees_again = arena_take(b->g->memory, (size_t)m->input_count + 1, sizeof *made->sees_again);
+    made->any = m->change_count > 0;
+    for (int i = 0; i < m->input_count; i++) {
+        const bool is = of.held[i] && m->driven[i] && !is_constant(b->g, m->drives[i]) && !is_wired(m, i);
+        made->sees[i] = is ? within_limits(b->g, &m->inputs[i], m->drives[i]) : -1;
+        made->sees_again[i] =
+            is && (made->sees[i] != m->drives[i] || uses_operation(b->g, &m->drives[i], 1, OP_PARAMETER));
+        made->any = made->any || is;
+    }
+}
+
+void rows_build(source *s, graph *g, plant *p, const plant *whole)
+{
+    rows_builder b = {.s = s, .g = g, .p = p};
+    b.of_derivative = no_readings(&b);
+    add_readings(&b, p->derivatives, (size_t)state_count(p->m), &b.of_derivative);
+    order_samples(&b);
+    order_starts(&b);
+    find_seen(&b, whole);
+}
