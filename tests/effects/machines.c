@@ -134,7 +134,7 @@ static void check_slide(const uint32_t tick, const double push)
 {
     const double rate = (double)JAM_RATE;
     if (tick > 0 && tick < JAM_AT) {
-        const double force = push / 2.0 + 0.1, noise = (double)iso_noise(tick, 1);
+        const double force = push / 2.0 + 0.1, noise = (double)iso_noise(tick + 1, 1);
         sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_X) - force) / (16.0 * ULP));
         sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_Y) - 0.1 - 0.5 * noise) / (16.0 * ULP));
         sensed_off = larger_off(sensed_off, fabs(shown(PLANT_Y_FORCE_Z) - 0.1 - walked) / ((16.0 + 0.5 * tick) * ULP));
@@ -145,7 +145,7 @@ static void check_slide(const uint32_t tick, const double push)
         const double expected = caught_at + caught_speed * t * exp(-rate * t);
         jam_off = larger_off(jam_off, fabs(shown(PLANT_Y_SLIDE) - expected) / way);
     }
-    walked += 0.2 * sqrt(h) * (double)iso_noise(tick, 1);
+    walked += 0.2 * sqrt(h) * (double)iso_noise(tick + 1, 1);
     if (tick + 1 == JAM_AT) {
         caught_at = shown(PLANT_Y_SLIDE);
         caught_speed = (double)plant->x[PLANT_X_RAIL_SPEED];

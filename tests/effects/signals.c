@@ -128,8 +128,7 @@ static void expect_faults(const long double u, const long double noise, const ui
     expect(PLANT_Y_SHIFTED, on ? u + 0.3L : u, one);
     expect(PLANT_Y_SCALED, on ? u * 1.5L : u, one);
     expect(PLANT_Y_NOISY, on ? u + 0.1L * noise : u, one);
-    /* The outputs see the memory after the tick, whose first sample is that of this tick. */
-    expect(PLANT_Y_DELAYED, on ? past[tick - 3] : u, one);
+    expect(PLANT_Y_DELAYED, on ? past[tick - 4] : u, one);
     expect(PLANT_Y_WEAK, on ? u / 4.0L : u, one);
     expect(PLANT_Y_DEAD, on ? 0.0L : u, one);
 }
@@ -150,7 +149,8 @@ static void run(void)
         plant->u[PLANT_U_VOLTS] = (real)(2.0 * sin(0.011 * tick) + (tick / 333 % 2 == 0 ? 1.0 : -1.0));
         plant->u[PLANT_U_AMPS] = (real)(0.35 + 2.6 * sin(0.04 * tick));
         const long double u = (long double)plant->u[PLANT_U_VOLTS], amps = (long double)plant->u[PLANT_U_AMPS];
-        const long double noise_1 = (long double)iso_noise(tick, 1), noise_2 = (long double)iso_noise(tick, 2);
+        const long double noise_1 = (long double)iso_noise(tick + 1, 1),
+                          noise_2 = (long double)iso_noise(tick + 1, 2);
         (void)iso_plant_tick(plant, tick);
         past[tick] = u;
         make_step(y, u, amps);
