@@ -54,8 +54,7 @@ static bool share_dimension(values *v, const formula *f, size_t first, const val
                            dimension_text(v->s->memory, made->of), dimension_text(v->s->memory, given[i].of));
             return false;
         }
-        made->of = made->any ? given[i].of : made->of;
-        made->any = made->any && given[i].any;
+        gather(made, &given[i]);
     }
     return true;
 }
@@ -86,7 +85,7 @@ static bool turn_of(values *v, const formula *f, const value *given, node *sine_
     static const double sines[] = {0.0, 1.0, 0.0, -1.0};
     const node angle = given[0].parts[0];
     const double now = value_now(v, angle), quarters = floor(now / half_pi + 0.5);
-    if (!(fabs(now) <= largest_angle)) {
+    if (is_known(v, angle) && !(fabs(now) <= largest_angle)) {
         source_problem(v->s, f->parts[0]->at, "an angle must be within %g rad", largest_angle);
         return false;
     }
@@ -102,25 +101,25 @@ static bool turn_of(values *v, const formula *f, const value *given, node *sine_
     return true;
 }
 
-static bool is_angle(const value *given)
+static bool is_angle(const values *v, const value *given)
 {
-    return given[0].any || dimension_equal(given[0].of, radian);
+    return given[0].any || agree(v, given[0].of, radian);
 }
 
-static bool is_frequency(const value *given)
+static bool is_frequency(const values *v, const value *given)
 {
     static const dimension hertz = {0, 0, -1, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0};
-    return dimension_equal(given[0].of, hertz) || dimension_equal(given[0].of, speed);
+    return agree(v, given[0].of, hertz) || agree(v, given[0].of, speed);
 }
 
 /* Of an angle; of a frequency it is a wave, which may have a phase. */
 static value call_sine(values *v, const formula *f, const value *given)
 {
     node s, c;
-    if (f->count == 2 || is_frequency(given)) {
+    if (f->count == 2 || is_frequency(v, given)) {
         return wave_of_formula(v, f);
     }
-    if (!is_angle(given)) {
+    if (!is_angle(v, given)) {
         source_problem(v->s, f->parts[0]->at, "%s is of an angle, as in %s(30 deg), or of a frequency; this %s",
                        f->name, f->name, dimension_phrase(v->s->memory, given[0].of));
         return nothing;
@@ -134,7 +133,7 @@ static value call_tangent(values *v, const formula *f, const value *given)
     if (!has_dimension(v, f, 0, given, radian) || !turn_of(v, f, given, &s, &c)) {
         return nothing;
     }
-    if (value_now(v, c) == 0.0) {
+    if (is_known(v, c) && value_now(v, c) == 0.0) {
         source_problem(v->s, f->parts[0]->at, "the tangent of a quarter turn is infinite");
         return nothing;
     }
@@ -182,7 +181,9 @@ static value call_root(values *v, const formula *f, const value *given)
 {
     const dimension of = given[0].of;
     const node x = given[0].parts[0];
-    if (of.kg % 2 != 0 || of.m % 2 != 0 || of.s % 2 != 0 || of.rad % 2 != 0 || of.A % 2 != 0 || of.K % 2 != 0) {
+    const bool halves = of.rad % 2 == 0;
+    if (of.kg % 2 != 0 || of.m % 2 != 0 || of.s % 2 != 0 || (!halves && v->around == NULL) || of.A % 2 != 0 ||
+        of.K % 2 != 0) {
         source_problem(v->s, f->parts[0]->at, "the root of %s has no unit: each power must be even",
                        dimension_text(v->s->memory, of));
         return nothing;
@@ -193,7 +194,7 @@ static value call_root(values *v, const formula *f, const value *given)
     }
     value made = given[0];
     made.parts[0] = function(v->g, OP_SQRT, x, 0);
-    made.of = (dimension){of.kg / 2, of.m / 2, of.s / 2, of.rad / 2, of.A / 2, of.K / 2};
+    made.of = (dimension){of.kg / 2, of.m / 2, of.s / 2, halves ? of.rad / 2 : 0, of.A / 2, of.K / 2};
     return made;
 }
 
@@ -371,21 +372,10 @@ static vector vector_of_value(const value *v)
     return (vector){{v->parts[0], v->parts[1], v->parts[2]}};
 }
 
-/* The dimension of a product; false after noting a problem. */
-static bool multiply_dimensions(values *v, const formula *f, const value *given, size_t other, dimension *of)
-{
-    *of = given[0].of;
-    const bool fits = dimension_times(of, given[other].of, 1);
-    if (!fits) {
-        source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
-    }
-    return fits;
-}
-
 static value call_dot(values *v, const formula *f, const value *given)
 {
-    dimension of;
-    if (!multiply_dimensions(v, f, given, 1, &of)) {
+    dimension of = given[0].of;
+    if (!multiply(v, f, &of, given[1].of, 1)) {
         return nothing;
     }
     return scalar(vector_dot(v->g, vector_of_value(&given[0]), vector_of_value(&given[1])), of);
@@ -393,8 +383,8 @@ static value call_dot(values *v, const formula *f, const value *given)
 
 static value call_cross(values *v, const formula *f, const value *given)
 {
-    value made = {.count = 3};
-    if (!multiply_dimensions(v, f, given, 1, &made.of)) {
+    value made = {.count = 3, .of = given[0].of};
+    if (!multiply(v, f, &made.of, given[1].of, 1)) {
         return nothing;
     }
     const vector product = vector_cross(v->g, vector_of_value(&given[0]), vector_of_value(&given[1]));

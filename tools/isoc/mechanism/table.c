@@ -13,14 +13,14 @@ static node part_before(graph *g, node x, double from, double length)
     return divide(g, limited, constant(g, length));
 }
 
-/* The value of a point; it has the dimension of those before it. */
-static value value_at_point(values *v, const formula *f, const value *before)
+/* The value of a point; it has the dimension of all before it. */
+static value value_at_point(values *v, const formula *f, const value *all)
 {
     const value here = value_any(v, f);
     if (here.count == 0) {
         return nothing;
     }
-    if (here.count != 1 || (!here.any && !before->any && !agree(v, here.of, before->of))) {
+    if (here.count != 1 || (!here.any && !all->any && !agree(v, here.of, all->of))) {
         source_problem(v->s, f->at, "the values of a table must be numbers of the same dimension");
         return nothing;
     }
@@ -71,8 +71,7 @@ value table_of_formula(values *v, const formula *f)
         }
         const node rise = sub(g, here.parts[0], last.parts[0]);
         sum.parts[0] = add(g, sum.parts[0], mul(g, rise, part_before(g, x.parts[0], from, to - from)));
-        sum.of = sum.any ? here.of : sum.of;
-        sum.any = sum.any && here.any;
+        gather(&sum, &here);
         last = here;
         from = to;
     }
@@ -127,8 +126,7 @@ static node *values_of_grid(values *v, const formula *f, size_t columns, value *
                 return NULL;
             }
             cells[j * columns + i] = here.parts[0];
-            of->of = of->any ? here.of : of->of;
-            of->any = of->any && here.any;
+            gather(of, &here);
         }
     }
     return cells;

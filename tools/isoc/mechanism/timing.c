@@ -154,7 +154,7 @@ value points_of_formula(values *v, const formula *f)
         if (here.count == 0) {
             return nothing;
         }
-        if (here.count != 1 || last.count != 1 || (!here.any && !last.any && !dimension_equal(here.of, last.of))) {
+        if (here.count != 1 || last.count != 1 || (!here.any && !last.any && !agree(v, here.of, last.of))) {
             source_problem(v->s, f->parts[i + 1]->at, "the values of a %s must be numbers of the same dimension",
                            f->name);
             return nothing;
@@ -173,8 +173,7 @@ value points_of_formula(values *v, const formula *f)
         const node weight = is_smooth ? rise : divide(v->g, rise, constant(v->g, ticks));
         const node part = is_smooth ? smooth_part(v, first, last_time, ticks) : timed(v->g, OP_RAMP, last_time, ticks);
         sum.parts[0] = add(v->g, sum.parts[0], mul(v->g, weight, part));
-        sum.of = here.any ? last.of : here.of;
-        sum.any = here.any && last.any;
+        gather(&sum, &here);
         last = here;
         last.of = sum.of;
         last.any = sum.any;

@@ -223,6 +223,34 @@ static value evaluate_number(values *v, const formula *f)
     return r;
 }
 
+bool agree(const values *v, dimension a, dimension b)
+{
+    return v->around == NULL ? dimension_equal(a, b) : dimension_equal_but_angle(a, b);
+}
+
+void gather(value *all, const value *next)
+{
+    if (all->any) {
+        all->of = next->of;
+    } else if (!next->any && all->of.rad != next->of.rad) {
+        all->of.rad = 0;
+    }
+    all->any = all->any && next->any;
+}
+
+bool multiply(values *v, const formula *f, dimension *a, dimension b, int n)
+{
+    dimension angle = {.rad = a->rad};
+    const bool shows = dimension_times(&angle, (dimension){.rad = b.rad}, n), counts = v->around == NULL;
+    a->rad = b.rad = 0;
+    const bool fits = dimension_times(a, b, n) && (shows || !counts);
+    a->rad = shows ? angle.rad : 0;
+    if (!fits) {
+        source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
+    }
+    return fits;
+}
+
 /* Parts of one dimension, but for plain zeros. */
 static value evaluate_vector(values *v, const formula *f)
 {
@@ -240,15 +268,12 @@ static value evaluate_vector(values *v, const formula *f)
             source_problem(v->s, f->parts[i]->at, "a part of a vector must be one number");
             return nothing();
         }
-        if (!part.any && !r.any && !dimension_equal(part.of, r.of)) {
+        if (!part.any && !r.any && !agree(v, part.of, r.of)) {
             source_problem(v->s, f->parts[i]->at, "%s and %s in one vector: its parts must have the same unit",
                            dimension_text(v->s->memory, part.of), dimension_text(v->s->memory, r.of));
             return nothing();
         }
-        if (!part.any) {
-            r.of = part.of;
-            r.any = false;
-        }
+        gather(&r, &part);
         r.parts[r.count++] = part.parts[0];
     }
     return r;
@@ -257,7 +282,7 @@ static value evaluate_vector(values *v, const formula *f)
 static value evaluate_scale(values *v, const formula *f)
 {
     value r = value_any(v, f->parts[0]);
-    if (r.count > 0 && !dimension_equal(r.of, plain)) {
+    if (r.count > 0 && !agree(v, r.of, plain)) {
         source_problem(v->s, f->at, "units inside the parentheses and after them: write only one of both");
         return nothing();
     }
@@ -286,11 +311,6 @@ static bool is_free_of_scale(values *v, const formula *f, bool on_scale)
     return !on_scale;
 }
 
-bool agree(const values *v, dimension a, dimension b)
-{
-    return v->around == NULL ? dimension_equal(a, b) : dimension_equal_but_angle(a, b);
-}
-
 static value evaluate_sum(values *v, const formula *f, value a, value b)
 {
     if (a.count != b.count) {
@@ -305,7 +325,8 @@ static value evaluate_sum(values *v, const formula *f, value a, value b)
     if (!is_free_of_scale(v, f, f->sign == '+' && a.on_scale && b.on_scale)) {
         return nothing();
     }
-    value r = a.any ? b : a;
+    value r = a;
+    gather(&r, &b);
     r.on_scale = f->sign == '+' ? a.on_scale || b.on_scale : a.on_scale && !b.on_scale;
     for (int i = 0; i < a.count; i++) {
         r.parts[i] = f->sign == '+' ? add(v->g, a.parts[i], b.parts[i]) : sub(v->g, a.parts[i], b.parts[i]);
@@ -333,11 +354,7 @@ static value evaluate_product(values *v, const formula *f, value a, value b)
         const node left = a.parts[a.count == 1 ? 0 : i], right = b.parts[b.count == 1 ? 0 : i];
         r.parts[i] = f->sign == '*' ? mul(v->g, left, right) : divide(v->g, left, right);
     }
-    if (!dimension_times(&r.of, b.of, f->sign == '*' ? 1 : -1)) {
-        source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
-        return nothing();
-    }
-    return r;
+    return multiply(v, f, &r.of, b.of, f->sign == '*' ? 1 : -1) ? r : nothing();
 }
 
 static value evaluate_chain(values *v, const formula *f)
@@ -372,10 +389,7 @@ static value evaluate_power(values *v, const formula *f)
         r.parts[0] = power(v->g, r.parts[0], (int)f->number);
         r.of = plain;
         r.any = false;
-        if (!dimension_times(&r.of, of, (int)f->number)) {
-            source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
-            return nothing();
-        }
+        return multiply(v, f, &r.of, of, (int)f->number) ? r : nothing();
     }
     return r;
 }

@@ -74,8 +74,16 @@ void values_resolve(values *v);
 /* The value of f, whatever it is. Count 0 after noting a problem. */
 value value_any(values *v, const formula *f);
 
-/* Whether two dimensions are the same, in these surroundings. */
+/* Whether two dimensions are the same, in these surroundings: in formulas of effects, signals and outputs a radian is the
+ * number one, and never decides what is accepted. It is carried along for the units that are shown. */
 bool agree(const values *v, dimension a, dimension b);
+
+/* Gives `all` the dimension of what is either of two that agree: without radians where these differ in them. A plain zero
+ * has that of the other. */
+void gather(value *all, const value *next);
+
+/* a times b to the power n, of the formula f. False after noting that a power is beyond 9. */
+bool multiply(values *v, const formula *f, dimension *a, dimension b, int n);
 
 /* The value of f, which must have this dimension and number of parts (1 to 4; 0 for an inertia, which has 3
  * or 6).
