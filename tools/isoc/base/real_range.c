@@ -9,8 +9,10 @@ bool real_holds(double number, bool is_double)
     return number == 0.0 || (fabs(number) >= least && fabs(number) <= largest);
 }
 
-const char *real_advice(bool is_double)
+const char *real_advice(double number, bool is_double)
 {
     return is_double ? "a double holds 0 and 2.2e-308 to 1.8e308: choose another number"
-                     : "a float holds 0 and 1.2e-38 to 3.4e38: choose another number, or --real double";
+           : !real_holds(number, true)
+               ? "a float holds 0 and 1.2e-38 to 3.4e38: choose another number"
+               : "a float holds 0 and 1.2e-38 to 3.4e38: choose another number, or --real double";
 }

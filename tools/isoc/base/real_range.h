@@ -7,6 +7,6 @@
 bool real_holds(double number, bool is_double);
 
 /* What a message says of a number that it does not hold: the range, and what would be right. */
-const char *real_advice(bool is_double);
+const char *real_advice(double number, bool is_double);
 
 #endif

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "tools/isoc/scene/names.h"
+
 static const value nothing = {0};
 
 const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output)
@@ -190,7 +192,8 @@ static value output_of_effect(world *w, const formula *f, const char *dot)
         }
         return found;
     }
-    source_problem(s, f->at, "no effect is called '%.*s'", (int)length, f->name);
+    const char *typed = arena_copy(s->memory, f->name, length);
+    source_problem(s, f->at, "no effect is called '%s'%s", typed, suggest_effect(s, w->b->written, typed));
     return nothing;
 }
 

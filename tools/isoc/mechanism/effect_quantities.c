@@ -3,6 +3,7 @@
 
 #include "tools/isoc/graph/operations.h"
 #include "tools/isoc/mechanism/effects.h"
+#include "tools/isoc/scene/names.h"
 
 static const value nothing = {0};
 
@@ -159,7 +160,8 @@ static bool find_account(world *w, const formula *f, value *found)
         }
     }
     if (word < WORDS) {
-        source_problem(w->b->s, f->at, "no effect is called '%s'", called);
+        source_problem(w->b->s, f->at, "no effect is called '%s'%s", called,
+                       suggest_effect(w->b->s, w->b->written, called));
     }
     return word < WORDS;
 }

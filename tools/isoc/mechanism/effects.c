@@ -146,7 +146,8 @@ static void build_instance(world *w, instance *in, int *states, int *memories)
     builder *b = w->b;
     in->kind = find_effect_kind(b->written, in->use->kind);
     if (in->kind == NULL && in->use->kind.text != NULL) {
-        source_problem(b->s, in->use->kind.at, "no effect of the kind '%s' is defined", in->use->kind.text);
+        source_problem(b->s, in->use->kind.at, "no effect of the kind '%s' is defined%s", in->use->kind.text,
+                       suggest_kind(b->s, b->written, in->use->kind.text));
     }
     if (in->kind == NULL || in->kind->broken || in->use->broken || !check_operands(b, in)) {
         in->kind = NULL;

@@ -90,7 +90,7 @@ static bool add_point(values *v, const formula *f, points *all, const char *line
     }
     if (!real_holds(number, v->is_double)) {
         source_problem(v->s, f->text_at + (size_t)(skip_blanks(field) - f->file->text), "the value is %g; %s", number,
-                       real_advice(v->is_double));
+                       real_advice(number, v->is_double));
         return false;
     }
     if (all->count == MOST_POINTS) {

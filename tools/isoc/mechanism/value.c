@@ -8,6 +8,7 @@
 #include "tools/isoc/mechanism/functions.h"
 #include "tools/isoc/mechanism/measured.h"
 #include "tools/isoc/mechanism/timing.h"
+#include "tools/isoc/scene/names.h"
 
 static const dimension plain = {0, 0, 0, 0, 0, 0};
 static const double pi = 3.14159265358979323846;
@@ -46,7 +47,7 @@ static bool check_range(const values *v, const formula *f, const char *what, dou
 {
     const bool holds = real_holds(number, v->is_double);
     if (!holds) {
-        source_problem(v->s, f->at, "%s is %g in SI units; %s", what, number, real_advice(v->is_double));
+        source_problem(v->s, f->at, "%s is %g in SI units; %s", what, number, real_advice(number, v->is_double));
     }
     return holds;
 }
@@ -155,15 +156,9 @@ void values_resolve(values *v)
 
 static value refuse_name(values *v, const formula *f)
 {
-    const size_t count = v->scene->parameter_count;
-    const char **names = arena_take(v->s->memory, count + 1, sizeof *names);
-    for (size_t i = 0; i < count; i++) {
-        const char *text = v->scene->parameters[i].name.text;
-        names[i] = text == NULL ? "" : text;
-    }
     source_problem(v->s, f->at, "no constant%s is called '%s'%s",
                    v->around == NULL ? " or tunable" : ", tunable, input or signal", f->name,
-                   source_suggestion(v->s, f->name, names, count));
+                   suggest_number(v->s, v->scene, f->name, v->around != NULL));
     return nothing();
 }
 

@@ -92,8 +92,13 @@ void range_check(source *s, const graph *g, const plant *p)
             continue;
         }
         const char *found = quantity_of(g, i, needed), *shown_as = found == NULL ? "an output" : found;
-        source_problem(s, place_of(p->m, shown_as), "the equations contain %g, as a part of %s; %s",
-                       constant_value(g, (node)i), shown_as, real_advice(p->is_double));
+        if (isfinite(constant_value(g, (node)i))) {
+            source_problem(s, place_of(p->m, shown_as), "the equations contain %g, as a part of %s; %s",
+                           constant_value(g, (node)i), shown_as, real_advice(constant_value(g, (node)i), p->is_double));
+        } else {
+            source_problem(s, place_of(p->m, shown_as), "the equations divide by zero, in a part of %s: %s", shown_as,
+                           "a formula has a divisor that is zero in every position");
+        }
         return;
     }
 }

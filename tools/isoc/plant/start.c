@@ -58,6 +58,51 @@ static bool check_springs(source *s, const graph *g, const plant *p, const evalu
     return met;
 }
 
+/* The first node that a root needs and that is not finite, though its operands are. */
+static node first_fault(const graph *g, node root, const double *numbers)
+{
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    size_t n = 0;
+    graph_reach(g, &root, 1, needed);
+    while (n < (size_t)root && (!needed[n] || isfinite(numbers[n]))) {
+        n++;
+    }
+    arena_return(g->memory, needed, g->count, sizeof *needed);
+    return (node)n;
+}
+
+/* The tunable that a divisor which is zero depends on, one that is zero before any other; -1 if there is none. */
+static int tunable_of(const graph *g, const plant *p, node divisor)
+{
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    int found = -1;
+    graph_reach(g, &divisor, 1, needed);
+    for (size_t n = 0; n <= (size_t)divisor; n++) {
+        const int index = g->nodes[n].index;
+        if (needed[n] && g->nodes[n].op == OP_PARAMETER && (found < 0 || p->m->defaults[index] == 0.0)) {
+            found = index;
+        }
+    }
+    arena_return(g->memory, needed, g->count, sizeof *needed);
+    return found;
+}
+
+/* Why a root is not finite, and what helps: a division by zero, or a float that is too small for it. */
+static const char *reason(const graph *g, const plant *p, const evaluation *at, node root, double *numbers)
+{
+    const graph_node *of = &g->nodes[first_fault(g, root, numbers)];
+    if (of->op == OP_DIV && numbers[of->b] == 0.0) {
+        const int tunable = tunable_of(g, p, of->b);
+        return tunable < 0 ? ": a division by what is zero at the start"
+                           : arena_format(g->memory, ": a division by zero, as the tunable '%s' is %g",
+                                          p->m->parameters[tunable].name, p->m->defaults[tunable]);
+    }
+    evaluation exact = *at;
+    exact.rounds_to_float = false;
+    graph_evaluate(g, 0, &exact, numbers);
+    return isfinite(numbers[root]) ? advice(p) : "";
+}
+
 /* The derivative, in the order in which it is emitted. */
 static void check_derivative(source *s, const graph *of, const plant *p, const evaluation *at)
 {
@@ -68,11 +113,12 @@ static void check_derivative(source *s, const graph *of, const plant *p, const e
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     graph_evaluate(g, 0, at, numbers);
     for (int f = 0; f < m->dof_count; f++) {
-        const double derivative = numbers[roots[m->position_count + f]];
-        const link *l = &m->links[m->dofs[f].link];
+        const node root = roots[m->position_count + f];
+        const double derivative = numbers[root];
         if (!isfinite(derivative)) {
-            source_problem(s, l->at, "the acceleration of '%s' at the start is %g in %s%s", m->dofs[f].name, derivative,
-                           name_of_real(p), advice(p));
+            source_problem(s, m->links[m->dofs[f].link].at, "the acceleration of '%s' at the start is %s in %s%s",
+                           m->dofs[f].name, isnan(derivative) ? "no number" : "infinite", name_of_real(p),
+                           reason(g, p, at, root, numbers));
             break;
         }
     }

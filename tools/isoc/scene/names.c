@@ -4,6 +4,8 @@
 #include <string.h>
 #include <strings.h>
 
+#include "tools/isoc/base/embedded.h"
+
 void listing_add(source *s, listing *l, name n)
 {
     if (n.text != NULL) {
@@ -212,6 +214,50 @@ static size_t collect(const char **names, group g)
     return found;
 }
 
+/* The nearest to a mistyped name among these groups, and `more` further names. */
+static const char *suggest_among(source *s, const group *groups, size_t count, const char *typed, const char **more,
+                                 size_t more_count)
+{
+    size_t room = more_count, listed = more_count;
+    for (size_t i = 0; i < count; i++) {
+        room += groups[i].count;
+    }
+    const char **names = arena_take(s->memory, room + 1, sizeof *names);
+    for (size_t i = 0; i < more_count; i++) {
+        names[i] = more[i];
+    }
+    for (size_t i = 0; i < count; i++) {
+        listed += collect(names + listed, groups[i]);
+    }
+    return source_suggestion(s, typed, names, listed);
+}
+
+const char *suggest_kind(source *s, const scene *written, const char *typed)
+{
+    const group kinds = GROUP(written, effect_kinds, effect_kind_count);
+    size_t count = 0, room = 0;
+    const char **library = NULL;
+    for (const embedded_file *f = effect_files; f->path != NULL; f++) {
+        const char *base = strrchr(f->path, '/') + 1;
+        library = arena_grow(s->memory, library, count, &room, sizeof *library);
+        library[count++] = arena_copy(s->memory, base, strcspn(base, "."));
+    }
+    return suggest_among(s, &kinds, 1, typed, library, count);
+}
+
+const char *suggest_effect(source *s, const scene *written, const char *typed)
+{
+    const group effects = GROUP(written, effects, effect_count);
+    return suggest_among(s, &effects, 1, typed, NULL, 0);
+}
+
+const char *suggest_number(source *s, const scene *written, const char *typed, bool in_formula)
+{
+    const group groups[] = {GROUP(written, parameters, parameter_count), GROUP(written, inputs, input_count),
+                            GROUP(written, signals, signal_count)};
+    return suggest_among(s, groups, in_formula ? 3 : 1, typed, NULL, 0);
+}
+
 /* The index in these groups, one after the other; `more` is a further name to suggest. */
 static int find_in(source *s, const group *groups, size_t count, const char *more, name n, const char *what)
 {
@@ -223,15 +269,8 @@ static int find_in(source *s, const group *groups, size_t count, const char *mor
         }
         before += groups[i].count;
     }
-    const char **names = arena_take(s->memory, before + 1, sizeof *names);
-    size_t listed = 0;
-    for (size_t i = 0; i < count; i++) {
-        listed += collect(names + listed, groups[i]);
-    }
-    if (more != NULL) {
-        names[listed++] = more;
-    }
-    source_problem(s, n.at, "no %s is called '%s'%s", what, n.text, source_suggestion(s, n.text, names, listed));
+    source_problem(s, n.at, "no %s is called '%s'%s", what, n.text,
+                   suggest_among(s, groups, count, n.text, &more, more != NULL));
     return -1;
 }
 
