@@ -128,6 +128,17 @@ program()
     "$CC" $FLAGS $REAL_FLAG ${EXTRA-} "$@" -o "$out/$program_file" -lm
 }
 
+# waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives.
+waited()
+{
+    waited_for=$1
+    shift
+    until "$@"; do
+        kill -0 "$waited_for" 2>/dev/null || return 1
+        sleep 0.05
+    done
+}
+
 # joined NAME COMMAND...: runs a command that prints TAP and joins its results, each headed by NAME.
 joined()
 {

@@ -14,13 +14,14 @@
 #include "tools/monitor/record.h"
 #include "tools/monitor/snapshot.h"
 
-enum { COMMANDS_MAX = 64, LINE_BYTES = 256, WAIT_MS = 10 };
+enum { COMMANDS_MAX = 64, LINE_BYTES = 256, WAIT_MS = 10, PATIENCE_S_MAX = 1000000 };
 
 typedef struct options {
     const char *a2l, *address, *record, *replay;
     const char *commands[COMMANDS_MAX];
     size_t command_count;
-    double seconds; /* 0: until q */
+    double seconds, ticks; /* that it looks on for, both; 0: not asked for */
+    double patience;       /* s */
     bool once, is_serial;
 } options;
 
@@ -33,6 +34,7 @@ typedef struct session {
     record record;
     char line[LINE_BYTES]; /* a command that is being typed behind ':' */
     bool is_typing, is_terminal, leaves, rests;
+    double tick; /* of the plant, when its values were read last */
     char said[sizeof(((master *)0)->problem)];
 } session;
 
@@ -47,7 +49,9 @@ static const char usage[] =
     "    --do COMMAND       does a command first: set NAME = VALUE, pause, run, step N, record FILE, stop,\n"
     "                       snapshot FILE, restore FILE\n"
     "    --record FILE      writes outputs and inputs of every tick to FILE, in the form of trace.csv\n"
-    "    --seconds N        ends after so many seconds\n"
+    "    --seconds N        looks on for so many seconds, then ends\n"
+    "    --ticks N          looks on until the plant has done so many ticks since it connected, then ends\n"
+    "    --patience N       seconds that it waits for an answer of the plant; 5, unless told\n"
     "    --replay FILE      shows what was recorded\n"
     "    --serial           ADDRESS is a serial line, such as that of QEMU\n"
     "\n"
@@ -84,6 +88,10 @@ static bool take_valued(options *const chosen, const char *const name, const cha
         chosen->replay = value;
     } else if (strcmp(name, "--seconds") == 0) {
         return take_number(&chosen->seconds, value);
+    } else if (strcmp(name, "--ticks") == 0) {
+        return take_number(&chosen->ticks, value);
+    } else if (strcmp(name, "--patience") == 0) {
+        return take_number(&chosen->patience, value) && chosen->patience <= PATIENCE_S_MAX;
     } else if (strcmp(name, "--do") == 0 && chosen->command_count < COMMANDS_MAX) {
         chosen->commands[chosen->command_count++] = value;
     } else {
@@ -112,8 +120,8 @@ static bool take_options(options *const chosen, const int argc, char **const arg
             return false;
         }
     }
-    const bool has_live =
-        chosen->record != NULL || chosen->command_count > 0 || chosen->seconds > 0 || chosen->is_serial;
+    const bool has_live = chosen->record != NULL || chosen->command_count > 0 || chosen->seconds > 0 ||
+                          chosen->ticks > 0 || chosen->patience > 0 || chosen->is_serial;
     return chosen->a2l != NULL &&
            (chosen->replay == NULL ? chosen->address != NULL : chosen->address == NULL && !has_live);
 }
@@ -178,6 +186,7 @@ static bool read_values(session *const s)
             table_row *const row = s->order[k];
             table_set(row, a2l_value(row->of->type, bytes + (row->of->address - address)));
             if (strcmp(row->of->name, "statistics.tick") == 0) {
+                s->tick = row->value;
                 s->table.time = row->value * s->of.step;
             } else if (strcmp(row->of->name, "statistics.ticks_left") == 0) {
                 s->rests = row->value <= 0;
@@ -383,12 +392,14 @@ static void take_keys(session *const s)
 
 /* --- What is asked for ------------------------------------------------------------------------------------------- */
 
-/* Until q, or for so many seconds. A table only at the end where there is no terminal. */
-static bool watch(session *const s)
+/* Until q; or for so many seconds, with all values of that time, and so many ticks from the one on that was the first. The
+ * table is printed only at the end where there is no terminal. */
+static bool watch(session *const s, const double first)
 {
-    const double begin = now();
+    const bool has_end = s->chosen->seconds > 0 || s->chosen->ticks > 0;
+    const double begin = now(), end = begin + s->chosen->seconds;
     double due = begin;
-    while (!s->leaves && (s->chosen->seconds == 0 || now() - begin < s->chosen->seconds)) {
+    while (!s->leaves && !(has_end && due >= end && now() >= end && s->tick - first >= s->chosen->ticks)) {
         if (!master_wait(&s->master, WAIT_MS)) {
             return false;
         }
@@ -411,9 +422,14 @@ static bool watch(session *const s)
 static int live(session *const s)
 {
     const options *const chosen = s->chosen;
+    s->master.patience_ms = chosen->patience > 0 ? (int)(1000 * chosen->patience) : MASTER_PATIENCE_MS;
     if (!master_connect(&s->master, chosen->address, chosen->is_serial, s->of.epk)) {
         return fail(s->master.problem);
     }
+    if (chosen->ticks > 0 && !read_values(s)) {
+        return fail(s->master.problem);
+    }
+    const double first = s->tick;
     for (size_t i = 0; i < chosen->command_count; i++) {
         if (!obey(s, chosen->commands[i])) {
             return fail(s->said);
@@ -425,7 +441,7 @@ static int live(session *const s)
     if (s->is_terminal) {
         prepare_terminal();
     }
-    bool good = s->is_terminal || chosen->seconds > 0 ? watch(s) : true;
+    bool good = s->is_terminal || chosen->seconds > 0 || chosen->ticks > 0 ? watch(s, first) : true;
     good = good && read_values(s);
     if (s->record.file != NULL) {
         good = end_record(s) && good;

@@ -185,7 +185,7 @@ static const char *reason(const uint8_t error)
 /* A response that is none of an error; its length goes to *length. */
 static bool answered(master *const m, uint8_t packet[ISO_XCP_MAX_DTO], size_t *const length)
 {
-    *length = get(m, packet, MASTER_PATIENCE_MS);
+    *length = get(m, packet, m->patience_ms);
     if (*length == 0) {
         return m->problem[0] != '\0' ? false : fail(m, "the plant does not answer");
     }
@@ -248,7 +248,7 @@ bool master_connect(master *const m, const char *const address, const bool is_se
 {
     const uint8_t command[] = {ISO_XCP_CONNECT, 0};
     uint8_t packet[ISO_XCP_MAX_DTO];
-    *m = (master){.is_serial = is_serial};
+    *m = (master){.patience_ms = m->patience_ms, .is_serial = is_serial};
     return open_line(m, address) && ask(m, command, sizeof command, packet) && has_epk(m, epk);
 }
 

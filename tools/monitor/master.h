@@ -13,7 +13,8 @@ typedef void master_sample(void *context, const uint8_t *packet, size_t length);
 
 typedef struct master {
     int file;
-    bool is_serial; /* frames are those of a serial line (core/xcp/transport.h) */
+    int patience_ms; /* how long an answer is waited for */
+    bool is_serial;  /* frames are those of a serial line (core/xcp/transport.h) */
     uint16_t counter;
     uint8_t data[MASTER_ROOM]; /* that has come and was not taken */
     size_t used;
@@ -22,7 +23,8 @@ typedef struct master {
     void *context;
 } master;
 
-/* Connects to unix:PATH, tcp:HOST:PORT or udp:HOST:PORT, and makes sure that the plant is that of the A2L. */
+/* Connects to unix:PATH, tcp:HOST:PORT or udp:HOST:PORT, and makes sure that the plant is that of the A2L; with the patience that
+ * was set. */
 bool master_connect(master *m, const char *address, bool is_serial, const char *epk);
 bool master_disconnect(master *m);
 
