@@ -1,7 +1,7 @@
 #!/bin/sh
 # Runs a test where its folder says: exec.sh build/tests/VARIANT/REAL/PROGRAM, or a script. A program of a whole domain is
 # told how few numbers to try, and a number made of the text of core, which says whose turn it is.
-# Whatever runs for more than ten minutes is killed, has no plan, and counts as failed. What it takes of the processor, as
+# Whatever runs for more than half an hour is killed, has no plan, and counts as failed. What it takes of the processor, as
 # `times` prints it, goes to $TEST_TIMES/NAME, if that is set.
 #
 # What it prints is kept then as well, under build/tests/passed/. If the harness found that it passed, with the hash $TEST_STATE
@@ -37,7 +37,7 @@ build/tests/exhaustive/*)
     set -- sh "$@"
     ;;
 esac
-[ -n "${TEST_TIMES-}" ] || exec timeout 600 "$@"
+[ -n "${TEST_TIMES-}" ] || exec timeout 1800 "$@"
 
 if [ -n "${TEST_STATE-}" ] && [ "$(cat "$kept/state" 2>/dev/null)" = "$TEST_STATE" ]; then
     cp "$kept/times" "$TEST_TIMES/${kept##*/}"
@@ -46,7 +46,7 @@ if [ -n "${TEST_STATE-}" ] && [ "$(cat "$kept/state" 2>/dev/null)" = "$TEST_STAT
 fi
 rm -rf "$kept"
 mkdir -p "$kept"
-timeout 600 "$@" >"$kept/output" 2>&1
+timeout 1800 "$@" >"$kept/output" 2>&1
 status=$?
 times >"$kept/times"
 cp "$kept/times" "$TEST_TIMES/${kept##*/}"

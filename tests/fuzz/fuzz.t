@@ -34,7 +34,7 @@ fuzz()
 {
     fuzz_name=$1
     shift
-    FUZZ_OUT=$out/plant "$out/$fuzz_name" -close_fd_mask=3 -timeout=20 -rss_limit_mb=1500 -artifact_prefix="$out/" "$@" \
+    FUZZ_OUT=$out/plant "$out/$fuzz_name" -close_fd_mask=3 -timeout=300 -rss_limit_mb=1500 -artifact_prefix="$out/" "$@" \
         >"$out/said" 2>&1
 }
 
@@ -71,14 +71,14 @@ mkdir -p "$out/others" && cp "$out"/scene_objects/*.o "$out/others" && rm "$out"
     objects planted "$out/lexer.c" "$out/parse_output.c"
 result $? "two planted defects"
 
-# control NAME OTHER ERROR: NAME.c with its defect, and the other file as it is; NAME.scene finds it.
+# control NAME OTHER ERROR [OPTION]: NAME.c with its defect, and the other file as it is; NAME.scene finds it.
 control()
 {
     linked "planted_$1" "$out"/others/*.o "$out"/planted/*"$1.c.o" "$out"/scene_objects/*"$2.c.o" &&
-        ! fuzz "planted_$1" -timeout=2 "tests/fuzz/scene/$1.scene" && grep -q "ERROR: .*$3" "$out/said"
+        ! fuzz "planted_$1" ${4-} "tests/fuzz/scene/$1.scene" && grep -q "ERROR: .*$3" "$out/said"
     result $? "control: the defect of $1 is found"
 }
-control lexer parse_output timeout
+control lexer parse_output timeout -timeout=2
 control parse_output lexer stack-buffer-overflow
 
 # Packets and frames of XCP. A defect: the last packet of a block may be shorter than what it says.

@@ -3,7 +3,7 @@
  *     join PLANT [ARGUMENT...] -- CONTROLLER [ARGUMENT...]
  *
  * The last -- is the one between them. Each has an end as descriptor 3, and knows. The exit status is 0 if that of both is; a plant that was not told how long to
- * run is ended when the controller has. After 60 s all end. */
+ * run is ended when the controller has. What a failure leaves ends with the time that a test has (tests/exec.sh). */
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -13,13 +13,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { WIRE = 3 };
+enum { WIRE = 3, MOST_SECONDS = 1800 };
 
 static pid_t started(char **const command, const int end)
 {
     const pid_t child = fork();
     if (child == 0) {
-        alarm(60);
+        alarm(MOST_SECONDS);
         if (end != WIRE) {
             (void)dup2(end, WIRE);
         }

@@ -13,24 +13,30 @@ call run TARGET=posix SECONDS=0.3 && [ "$(value hash)" = "$hash" ]
 expect $? "make run TARGET=posix has the same hash"
 cmp -s "$out/project/build/posix/float/double_pendulum/trace.csv" "$out/host.csv"
 result $? "and the same trace"
-[ "$(value ticks)" = 300 ] && [ "$(value lost)" -lt 300 ] && [ "$(value late)" -le 300 ] && [ "$(value overruns)" -le "$(value late)" ]
+[ "$(value ticks)" = 300 ] && [ "$(value lost)" -lt 300 ] && [ "$(value late)" -le 300 ] && [ "$(value overruns)" -le $(($(value late) + 1)) ]
 expect $? "the account: 300 ticks, of which $(value lost) lost, $(value late) late, $(value overruns) overruns"
 ! call run TARGET=posix SCRIPT=script && grep -q 'SCRIPT has no effect on TARGET=posix' "$out/errors"
 expect $? "SCRIPT is refused"
 
-# Stopped for 0.2 s of 2 s: at least 199 ticks were due meanwhile, all but one reported with a later one.
+# Stopped for 0.2 s: at least 199 ticks were due meanwhile, all but one reported with a later one. Between plant and trace stands
+# what stops it, in the first half of its 2 s at the latest: behind its first bytes, when it cannot be further ahead than a page.
 plant=$out/project/build/posix/float/double_pendulum/double_pendulum
 mkdir -p "$out/stalled"
-cat >"$out/stall.sh" <<'S'
-"$1" 2000000000 &
-plant=$!
-sleep 0.1
-kill -STOP $plant
-sleep 0.2
-kill -CONT $plant
-wait $plant
+cat >"$out/stall.py" <<'S'
+import fcntl, os, shutil, signal, subprocess, sys, time
+ends = os.pipe()
+fcntl.fcntl(ends[1], 1031, 4096)  # F_SETPIPE_SZ
+plant = subprocess.Popen([sys.argv[1], "2000000000"], stdout=ends[1])
+os.close(ends[1])
+stream = open(ends[0], "rb", buffering=0)
+sys.stdout.buffer.write(stream.read(2048))
+plant.send_signal(signal.SIGSTOP)
+time.sleep(0.2)
+plant.send_signal(signal.SIGCONT)
+shutil.copyfileobj(stream, sys.stdout.buffer)
+sys.exit(plant.wait())
 S
-build/trace -o "$out/stalled" -- sh "$out/stall.sh" "$plant" >"$out/output" 2>"$out/errors" && [ "$(value ticks)" = 2000 ] &&
+build/trace -o "$out/stalled" -- python3 "$out/stall.py" "$plant" >"$out/output" 2>"$out/errors" && [ "$(value ticks)" = 2000 ] &&
     [ "$(value lost)" -ge 150 ] && [ "$(value late)" -ge "$(value lost)" ]
 expect $? "stopped for 0.2 s: $(value lost) ticks were lost, and caught up"
 head -n 302 "$out/stalled/trace.csv" | cmp -s - "$out/host.csv"

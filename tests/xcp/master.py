@@ -12,6 +12,9 @@ ERRORS = {
 }
 
 
+PATIENCE = 1800.0  # s: as long as a test may take (tests/exec.sh)
+
+
 class Refused(Exception):
     """ERR of the slave; its argument is the name of the error."""
 
@@ -33,7 +36,7 @@ def connect(address):
 
 
 class Master:
-    def __init__(self, address, is_serial, patience=5.0):
+    def __init__(self, address, is_serial, patience=PATIENCE):
         self.line, self.is_serial, self.patience = connect(address), is_serial, patience
         self.is_datagram = self.line.type == socket.SOCK_DGRAM
         self.counter, self.data, self.samples, self.counters = 0, b"", [], []

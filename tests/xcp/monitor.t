@@ -1,7 +1,7 @@
 #!/bin/sh
 # The monitor at a plant of the host: its table, a tunable that is set, a record against the trace of the same run, its replay, and
 # what it says of mistakes. Nothing here is of a length of time: the run lasts until it is ended, whoever looks on does until so many
-# ticks are done, and whoever waits waits for an event, or for the ten minutes that a test has (tests/exec.sh).
+# ticks are done, and whoever waits waits for an event, or for the time that a test has (tests/exec.sh).
 . tests/host/test.sh
 . tests/host/project.sh
 begin xcp/monitor
@@ -20,7 +20,7 @@ monitor()
 {
     case $* in
     *--replay*) build/monitor "$@" ;;
-    *) build/monitor "$@" --patience 600 ;;
+    *) build/monitor "$@" --patience 1800 ;;
     esac
 }
 
@@ -40,7 +40,7 @@ refused()
 ISOCHRON_CONTROLLER=unix:$out/controller ISOCHRON_CALIBRATION=tcp:0 build/trace -o "$out" -- "$program" 1000000000000000 \
     >"$out/summary" 2>"$out/said" &
 plant=$!
-waited $plant grep -q tcp: "$out/said"
+waited "$plant" grep -q tcp: "$out/said"
 at=$(sed -n 's/.* waiting at \(tcp:.*\)/\1/p' "$out/said")
 
 monitor "$a2l" "$at" --once >"$out/table" && grep -q '^p.rod_mass  *0.2 kg ' "$out/table" &&

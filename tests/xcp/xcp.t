@@ -20,20 +20,10 @@ made()
     expect $status "$1: the plant with its A2L is built"
 }
 
-# waited COMMAND...: waits until it succeeds.
-waited()
-{
-    tries=0
-    while ! "$@" && [ $tries -lt 50 ]; do
-        tries=$((tries + 1))
-        sleep 0.2
-    done
-}
-
 # session NAME KIND SECONDS CALIBRATION: what the master finds at the plant that was started.
 session()
 {
-    waited test -S "$out/$1/controller"
+    waited "$plant" test -S "$out/$1/controller"
     joined "$1" python3 -B tests/xcp/session.py "$out/$1/cart.a2l" "$out/$1" "unix:$out/$1/controller" "$4" "$2" "$3"
     kill "$plant"
     wait "$plant" 2>/dev/null
@@ -47,7 +37,7 @@ host()
     rm -f "$out/$1/controller"
     ISOCHRON_CONTROLLER=unix:$out/$1/controller ISOCHRON_CALIBRATION=${2-tcp}:0 "$out/$1/cart" 2>"$out/said" &
     plant=$!
-    waited grep -q "${2-tcp}:" "$out/said"
+    waited "$plant" grep -q "${2-tcp}:" "$out/said"
     port=$(sed -n 's/.* waiting at \(\(tcp\|udp\):.*\)/\1/p' "$out/said")
 }
 
@@ -59,7 +49,7 @@ session host datagram 1 "$port"
 grep -A1 'begin XCP_ON_UDP_IP' "$out/host/cart.a2l" | grep -q '0x0100 5555 ADDRESS "127.0.0.1"'
 result $? "the A2L has it too"
 for bad in ISOCHRON_CONTROLLER=udp:0 ISOCHRON_CALIBRATION=udp:x ISOCHRON_CALIBRATION=udp:1.2.3:5; do
-    ! env "$bad" timeout 5 "$out/host/cart" 2>"$out/errors" && grep -q "^$bad: \(udp is for ISOCHRON_CALIBRATION\|expected udp:PORT or udp:ADDRESS:PORT\)" "$out/errors"
+    ! env "$bad" timeout 60 "$out/host/cart" 2>"$out/errors" && grep -q "^$bad: \(udp is for ISOCHRON_CALIBRATION\|expected udp:PORT or udp:ADDRESS:PORT\)" "$out/errors"
     result $? "refused: $bad"
 done
 
@@ -81,7 +71,7 @@ qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none
     -serial "unix:$out/board/controller,server=on,wait=off" -serial "unix:$out/board/calibration,server=on,wait=off" \
     -semihosting-config enable=on,target=native,arg=plant -kernel "$out/board/cart.elf" >"$out/said" 2>&1 &
 plant=$!
-waited test -S "$out/board/calibration"
+waited "$plant" test -S "$out/board/calibration"
 session board serial "$seconds" "unix:$out/board/calibration"
 
 # A slave with two defects: limits are not looked at, and a tick has the time stamp of another.
