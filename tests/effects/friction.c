@@ -18,16 +18,15 @@ static void run(const iso_plant *const plant, const double push, const int ticks
     }
 }
 
-/* level(v) v / sqrt(v^2 + creep^2) = push, by bisection, for a push below the largest effort. */
+/* static w (3 - w^2) / 2 = push, w = v / creep, by bisection. */
 static double creep_speed(const double push)
 {
-    double low = 0.0, high = CREEP;
+    double low = 0.0, high = 1.0;
     for (int i = 0; i < 60; i++) {
-        const double v = 0.5 * (low + high), part = v / (10.0 * CREEP);
-        const double level = sliding + (static_effort - sliding) / (1.0 + part * part);
-        *(level * v / sqrt(v * v + CREEP * CREEP) < push ? &low : &high) = v;
+        const double w = 0.5 * (low + high);
+        *(static_effort * w * (3.0 - w * w) / 2.0 < push ? &low : &high) = w;
     }
-    return low;
+    return low * CREEP;
 }
 
 int main(void)

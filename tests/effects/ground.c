@@ -5,6 +5,7 @@
 
 #include PLANT
 #include "core/runtime/tick.h"
+#include "tests/effects/impact.h"
 #include "tests/host/report.h"
 
 #ifdef ISO_REAL_DOUBLE
@@ -23,18 +24,6 @@ static double shown(const int output)
     return (double)plant->y[output];
 }
 
-/* The speed after an impact with the law F = -k x (1 + d x'), whatever k is: Marhefka, Orin (1999), IEEE Trans. SMC A
- * 29(6), eq. 24. */
-static double speed_after(const double v, const double d)
-{
-    double low = 0.0, high = v;
-    for (int i = 0; i < 60; i++) {
-        const double w = 0.5 * (low + high);
-        *(d * (v + w) < log((1.0 + d * v) / (1.0 - d * w)) ? &high : &low) = w;
-    }
-    return low;
-}
-
 /* The speed with which the ball meets the ground, and left it, by its height and speed in flight. */
 static double impacts_off;
 static int impacts;
@@ -46,7 +35,7 @@ static void check_bounce(void)
                  at_ground = sqrt(fmax(v * v + 2.0 * g * z, 0.0));
     if (z > 0.0) {
         if (v > 0.0 && last < 0.0 && impacts < 3) {
-            const double expected = speed_after(-last, 1.5 * 0.2 / 2.0);
+            const double expected = speed_after(-last, damping_of(0.8) / 2.0);
             impacts_off = fmax(impacts_off, fabs(at_ground - expected) / expected);
             impacts++;
         }

@@ -6,6 +6,7 @@
 #include PLANT
 #include "core/numbers/noise.h"
 #include "core/runtime/tick.h"
+#include "tests/effects/impact.h"
 #include "tests/host/report.h"
 
 #ifdef ISO_REAL_DOUBLE
@@ -53,18 +54,6 @@ static void check_encoders(const double t)
 
 /* --- impacts --- */
 
-/* The speed after an impact with the law F = -k x (1 + d x'), whatever k is: Marhefka, Orin (1999), IEEE Trans. SMC A
- * 29(6), eq. 24. */
-static double speed_after(const double v, const double d)
-{
-    double low = 0.0, high = v;
-    for (int i = 0; i < 60; i++) {
-        const double w = 0.5 * (low + high);
-        *(d * (v + w) < log((1.0 + d * v) / (1.0 - d * w)) ? &high : &low) = w;
-    }
-    return low;
-}
-
 static int impacts;
 static double last_rate = 10.0, impacts_off, momentum_off;
 
@@ -73,7 +62,7 @@ static void check_backlash(void)
 {
     const double apart = shown(PLANT_Y_APART), rate = shown(PLANT_Y_APART_RATE);
     if (fabs(apart) < 0.05 && rate * last_rate < 0.0) {
-        const double expected = speed_after(fabs(last_rate), 1.5 * (1.0 - 0.8) / 10.0);
+        const double expected = speed_after(fabs(last_rate), damping_of(0.8) / 10.0);
         impacts_off = larger_off(impacts_off, fabs(fabs(rate) - expected) / expected);
         last_rate = rate;
         impacts++;

@@ -99,7 +99,7 @@ static void expect_states(const long double y[STATES], const long double amps)
     const long double i = (long double)plant->y[PLANT_Y_LIMITED_CURRENT],
                       t = (long double)plant->y[PLANT_Y_TEMPERATURE];
     expect(PLANT_Y_HEAT, 2.0L * (1.0L + 0.00393L * (t - 293.15L)) * i * i, 16.0L * ULP * 30.0L);
-    /* The table has the curve at its places; between them it is off by its second difference. */
+    /* Of the charge of a tick before, which differs by CHANGE. */
     expect(PLANT_Y_REST, 3.0L * cell((long double)plant->y[PLANT_Y_CHARGE]) - 0.1L * amps, 3.0L * 0.02L);
 }
 

@@ -33,18 +33,10 @@ static long double period_of(const slips *const s)
 
 static long double friction(const long double v)
 {
-    const long double level = sliding + (at_rest - sliding) / (1.0L + (v / fall) * (v / fall));
-    return level * v / sqrtl(v * v + creep * creep);
-}
-
-/* The most that the curve holds: a little less than at_rest, as it falls while it rises. */
-static long double most(void)
-{
-    long double found = 0.0L;
-    for (int i = 1; i < 10000; i++) {
-        found = fmaxl(found, friction(fall * i / 10000.0L));
-    }
-    return found;
+    const long double beyond = fmaxl(fabsl(v) - creep, 0.0L) / fall;
+    const long double level = sliding + (at_rest - sliding) / (1.0L + beyond * beyond);
+    const long double near = fminl(fmaxl(v / creep, -1.0L), 1.0L);
+    return level * near * (3.0L - near * near) / 2.0L;
 }
 
 static void move(long double *const x, long double *const v, const long double end, const long double by)
@@ -83,7 +75,7 @@ int main(void)
     /* While it slips it swings about the place where the spring holds the sliding friction, from a stretch beyond that by `far`
      * to one short of it by as much, at which it has the speed of the spring's end again. A friction that falls over some speed
      * takes more time to let go. */
-    const long double far = (most() - sliding) / stiffness, w = sqrtl(stiffness / mass);
+    const long double far = (at_rest - sliding) / stiffness, w = sqrtl(stiffness / mass);
     const long double closed = 2.0L * far / drawn + 2.0L / w * (acosl(-1.0L) - atanl(far * w / drawn));
     report_ok(is > closed && is < 1.1L * closed, "at least the %.4Lg s of the closed form", closed);
     return report_done();

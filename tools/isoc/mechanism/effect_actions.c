@@ -243,6 +243,12 @@ static bool reads_signal(const instance *in, const formula *f)
     return is;
 }
 
+static bool is_ordered(world *w, node a, node b, bool is_strict)
+{
+    const double least = value_now(&w->b->values, a), most = value_now(&w->b->values, b);
+    return is_strict ? least < most : least <= most;
+}
+
 /* At the defaults of the tunables; of a signal where it is a constant. */
 static void do_require(world *w, const instance *in, const effect_line *line)
 {
@@ -259,7 +265,7 @@ static void do_require(world *w, const instance *in, const effect_line *line)
         source_problem(s, line->at, "%s and %s cannot be compared", dimension_text(s->memory, least.of),
                        dimension_text(s->memory, most.of));
     } else if (!by_inertia(w, least) && !by_inertia(w, most) &&
-               value_now(&w->b->values, least.parts[0]) > value_now(&w->b->values, most.parts[0])) {
+               !is_ordered(w, least.parts[0], most.parts[0], line->is_strict)) {
         enter(w, NULL);
         source_problem(s, in->use->name.at, "'%s' breaks what its effect requires in %s: %s", in->use->name.text,
                        source_line(s, line->at), source_quote(s, line->at));

@@ -6,6 +6,7 @@
 
 #include "tools/isoc/base/elementary.h"
 #include "tools/isoc/graph/vector.h"
+#include "tools/isoc/mechanism/impact.h"
 #include "tools/isoc/mechanism/table.h"
 #include "tools/isoc/mechanism/timing.h"
 #include "tools/isoc/mechanism/waveform.h"
@@ -232,6 +233,20 @@ static value call_tanh(values *v, const formula *f, const value *given)
                                                 : nothing;
 }
 
+static value call_impact(values *v, const formula *f, const value *given)
+{
+    const node e = given[0].parts[0];
+    if (!has_dimension(v, f, 0, given, plain)) {
+        return nothing;
+    }
+    if (is_known(v, e) && !(value_now(v, e) >= LEAST_RESTITUTION && value_now(v, e) <= 1.0)) {
+        source_problem(v->s, f->parts[0]->at, "%s is of a restitution from %g to 1; this is %g", f->name,
+                       LEAST_RESTITUTION, value_now(v, e));
+        return nothing;
+    }
+    return scalar(impact_damping(v->g, e), plain);
+}
+
 /* What has a corner is no function of time in a motion. */
 static bool refuses_corner(values *v, const formula *f, const value *given, size_t count)
 {
@@ -420,6 +435,7 @@ static const function_row functions[] = {
     {"max", "max(1 m, 2 m)", 2, ANY_NUMBER, 1, call_extreme},
     {"abs", "abs(-1 m)", 1, 1, 1, call_abs},
     {"tanh", "tanh(0.5)", 1, 1, 1, call_tanh},
+    {"impact_damping", "impact_damping(0.8), of a restitution", 1, 1, 1, call_impact},
     {"sign", "sign(-1 m)", 1, 1, 1, call_sign},
     {"floor", "floor(2.5)", 1, 1, 1, call_whole},
     {"round", "round(2.5)", 1, 1, 1, call_whole},

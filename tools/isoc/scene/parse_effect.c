@@ -150,13 +150,14 @@ static void read_require(parser *p, const token *word, void *slot)
         effect_line line = {.kind = EFFECT_REQUIRE, .at = word->at};
         formula *left = parse_formula(p);
         const bool rises = next_is_sign(p, '<');
-        if (!p->failed && ((!rises && !next_is_sign(p, '>')) || p->next[1].sign != '=')) {
-            parse_problem(p, "expected <= or >=");
+        if (!p->failed && !rises && !next_is_sign(p, '>')) {
+            parse_problem(p, "expected <=, >=, < or >");
         }
         if (p->failed) {
             return;
         }
-        p->next += 2;
+        line.is_strict = p->next[1].sign != '=';
+        p->next += line.is_strict ? 1 : 2;
         formula *right = parse_formula(p);
         line.value = rises ? left : right;
         line.most = rises ? right : left;

@@ -196,6 +196,7 @@ typedef struct effect_line {
     name against;       /* of a force or a moment: the body that it pushes the other way; or NULL */
     bool has_unit;
     unit unit;
+    bool is_strict;        /* of a require: less than `most`, not equal */
     formula *value, *most; /* NULL where none is given */
 } effect_line;
 

@@ -1,0 +1,35 @@
+#!/bin/sh
+# Impacts: stops, bumpers, backlash and contacts leave the rest that is written, for random masses, speeds and stiffnesses.
+. tests/host/test.sh
+begin effects_rest
+optimised -O1
+seed=$(cat models/effects/*.scene | cksum | cut -d ' ' -f 1)
+echo "# seed $seed"
+python3 tests/effects/rest.py "$seed" "$out/rest.scene" "$out/table.h"
+
+# impacts SCENE: its program in the present number type.
+impacts()
+{
+    build/isoc "$1" -o "$out/plant" --real "$real" >"$out/summary" 2>"$out/told" &&
+        EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program rest tests/effects/rest.c tests/host/report.c
+}
+for number in double float; do
+    real $number
+    impacts "$out/rest.scene"
+    joined "$number" "$out/rest"
+done
+# planted KIND SED: found with the effect so changed.
+planted()
+{
+    { sed "$2" "models/effects/$1.scene" && cat "$out/rest.scene"; } >"$out/planted.scene"
+    ! sed "$2" "models/effects/$1.scene" | cmp -s - "models/effects/$1.scene" && impacts "$out/planted.scene" &&
+        ! "$out/rest" >"$out/tap" && ! grep '^not ok' "$out/tap" | grep -v "$1\|account" >"$out/others"
+    result $? "found in $1: $2"
+}
+real double
+for kind in stop bumper backlash contact; do
+    planted $kind 's/impact_damping(rest)/1.5 * (1 - rest)/'
+done
+planted stop 's/max(1 + v, 0)/(1 + v)/; s/max(1 - v, 0)/(1 - v)/'
+planted bumper 's/push) \* speed/1.01 * push) * speed/'
+finish
