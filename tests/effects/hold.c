@@ -1,4 +1,4 @@
-/* Dry friction: the largest effort over all speeds is `static`, and at `creep` it is that, for the values of hold.py. Each
+/* Dry friction: the largest effort over all speeds is `static`, that just below `creep`, for the values of hold.py. Each
  * factor of the formula is rounded once: three ulp. */
 #include <float.h>
 #include <math.h>
@@ -28,7 +28,9 @@ int main(void)
     for (int i = 0; i < COUNT; i++) {
         double found = 0.0, wrong = 0.0;
         for (int n = -SPEEDS; n <= SPEEDS; n++) {
-            const double part = 1e-6 * pow(1e12, fabs((double)n) / SPEEDS), v = n == 0 ? 1.0 : n < 0 ? -part : part;
+            const double part = 1e-6 * pow(1e12, fabs((double)n) / SPEEDS), v = n == 0  ? 1.0 - 8.0 * ULP
+                                                                                : n < 0 ? -part
+                                                                                        : part;
             plant->x[all[i].speed] = (real)(v * all[i].creep);
             plant->model->output(plant->memory);
             const double effort = (double)plant->y[all[i].effort];

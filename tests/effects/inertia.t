@@ -33,7 +33,7 @@ near()
 }
 contact='gravity (0, 0, -9.81) m/s^2; step 1 ms; method rk4; output energy = energy'
 ball='body ball { sphere 5 cm of 0.3 kg }; joint air free { parent ground; child ball; start at (0, 0, 0.3) m }
-effect floor contact { ball ball; radius 5 cm; impact 1 m/s; friction 0.4 }'
+effect floor contact { ball ball; radius 5 cm; impact 1 m/s; rest 1; friction 0.4 }'
 printf '%s\n' "$contact" "$ball" >"$out/ball.scene"
 build/isoc "$out/ball.scene" -o "$out" >"$out/summary" && near "$(chosen load)" 0.3 &&
     near "$(chosen stiffness)" '0.3 * (2.9509 * 500)^2 / 2' && near "$(chosen grip)" '0.3 / 4 * 2.7853 * 500'

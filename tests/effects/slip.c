@@ -33,8 +33,8 @@ static long double period_of(const slips *const s)
 
 static long double friction(const long double v)
 {
-    const long double beyond = fmaxl(fabsl(v) - creep, 0.0L) / fall;
-    const long double level = sliding + (at_rest - sliding) / (1.0L + beyond * beyond);
+    const long double beyond = fmaxl(v * v - creep * creep, 0.0L);
+    const long double level = sliding + (at_rest - sliding) / (1.0L + beyond / (fall * fall));
     const long double near = fminl(fmaxl(v / creep, -1.0L), 1.0L);
     return level * near * (3.0L - near * near) / 2.0L;
 }
