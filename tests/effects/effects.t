@@ -121,10 +121,10 @@ plant()
     build/isoc "$out/$1.scene" -o "$out" --name "$1" --real double >"$out/$1.summary"
 }
 
-# same NAME: whether the plants `old` and `new` end every tick with the same bits.
+# same NAME: whether the plants `old` and `other` end every tick with the same bits.
 same()
 {
-    program same tests/effects/same.c "$out/old.c" "$out/new.c" && "$out/same"
+    program same tests/effects/same.c "$out/old.c" "$out/other.c" && "$out/same"
     result $? "$1"
 }
 EXTRA="-I$out"
@@ -155,7 +155,7 @@ own()
 {
     for method in rk4 semi_implicit bdf4; do
         printf '%s\n' "$pendulum" "method $method" "$input" "$joint; $1 }" | plant old
-        printf '%s\n' "$pendulum" "method $method" "$input" "$joint }" "$2" "$3" | plant new
+        printf '%s\n' "$pendulum" "method $method" "$input" "$joint }" "$2" "$3" | plant other
         same "$method: '$1' of a joint is the same as an effect"
     done
 }
@@ -177,13 +177,13 @@ for of in 'time / 1 s' 'step(0.3 s)' 'square(7 Hz)' 'prbs(7, 10 ms)' 'chirp(1 Hz
 method ab4
 $joint }"
     printf '%s\n' "$head" "input push = $of" "$driven" 'effect motor driven { along pivot; by push }' | plant old
-    printf '%s\n' "$head" "effect driven { joint along; effort on along = 0.3 N*m * ($of) }" 'effect motor driven { along pivot }' | plant new
+    printf '%s\n' "$head" "effect driven { joint along; effort on along = 0.3 N*m * ($of) }" 'effect motor driven { along pivot }' | plant other
     same "$of in a definition"
-    printf '%s\n' "$head" "$driven" "signal push = $of" 'effect motor driven { along pivot; by push }' | plant new
+    printf '%s\n' "$head" "$driven" "signal push = $of" 'effect motor driven { along pivot; by push }' | plant other
     same "$of in a signal"
 done 2>"$out/told"
-printf '%s\n' "$head" "$driven" 'signal push = 1.01 * file "road.csv"' 'effect motor driven { along pivot; by push }' | plant new 2>"$out/told"
-program same tests/effects/same.c "$out/old.c" "$out/new.c" && ! "$out/same"
+printf '%s\n' "$head" "$driven" 'signal push = 1.01 * file "road.csv"' 'effect motor driven { along pivot; by push }' | plant other 2>"$out/told"
+program same tests/effects/same.c "$out/old.c" "$out/other.c" && ! "$out/same"
 result $? 'found: another function of time'
 plant old <<END 2>"$out/told"
 $pendulum
@@ -191,14 +191,14 @@ method bdf4
 $joint; damping 0.1 N*m*s/rad }
 END
 
-plant new <<END
+plant other <<END
 $pendulum
 method bdf4
 $joint }
 $viscous
 effect bearing viscous { along pivot; factor 0.11 N*m*s/rad }
 END
-! "$out/same" || program same tests/effects/same.c "$out/old.c" "$out/new.c" && ! "$out/same"
+! "$out/same" || program same tests/effects/same.c "$out/old.c" "$out/other.c" && ! "$out/same"
 result $? 'found: a tenth more damping'
 
 cp "$out/old.c" "$out/kept.c"
@@ -222,8 +222,8 @@ output current = drive.current'
 for method in rk4 ab4; do
     printf '%s\nmethod %s\n' "$motor" $method | plant old
     printf '%s\nmethod %s\nat 0.1 s set drive.open = 1; at 0.2 s set drive.open = 0\nat 300 ms set load = 20 mN*m*s/rad\n' \
-        "$motor" $method | plant new
-    program switched tests/effects/switched.c "$out/old.c" "$out/new.c" && "$out/switched"
+        "$motor" $method | plant other
+    program switched tests/effects/switched.c "$out/old.c" "$out/other.c" && "$out/switched"
     result $? "$method: what the scene sets at a tick is what the program sets before it"
 done
 printf '%s\n' "$motor" | sed 's/load = 10/load = 12/' | plant old
@@ -248,7 +248,7 @@ plant old <<END
 $drone
 force rotor { body frame at (0.2, 0.1, 0) m; axis z; drive thrust; moment 16 mm }
 END
-plant new <<END
+plant other <<END
 $drone
 effect rotor {
     body on; signal thrust N; value lever m
@@ -257,7 +257,7 @@ effect rotor {
 effect first rotor { on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }
 END
 same 'a force of an effect in the axes of its body is that of the statement force'
-plant new <<END
+plant other <<END
 $drone
 effect rotor {
     body on; signal thrust N; value lever m
@@ -265,7 +265,7 @@ effect rotor {
 }
 effect first rotor { on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }
 END
-program near tests/effects/near.c tests/host/report.c "$out/old.c" "$out/new.c" && joined 'in the axes of the ground' "$out/near"
+program near tests/effects/near.c tests/host/report.c "$out/old.c" "$out/other.c" && joined 'in the axes of the ground' "$out/near"
 
 # A vector that is kept is three numbers, with the bits of three.
 parts='effect pull {
@@ -287,9 +287,9 @@ whole='effect pull {
 pulled='force first { body frame; axis x; drive thrust }
 effect pulled pull { on frame at (0.1, 0, 0) m }'
 printf '%s\n' "$drone" "$parts" "$pulled" | plant old
-printf '%s\n' "$drone" "$whole" "$pulled" | plant new
+printf '%s\n' "$drone" "$whole" "$pulled" | plant other
 same 'a vector that is kept has the bits of three numbers'
-printf '%s\n' "$drone" "$whole" "$pulled" | sed 's/(0, 1, 2) m/(0, 1, 2.01) m/' | plant new
-! program same tests/effects/same.c "$out/old.c" "$out/new.c" || ! "$out/same"
+printf '%s\n' "$drone" "$whole" "$pulled" | sed 's/(0, 1, 2) m/(0, 1, 2.01) m/' | plant other
+! program same tests/effects/same.c "$out/old.c" "$out/other.c" || ! "$out/same"
 result $? 'found: another start of it'
 finish
