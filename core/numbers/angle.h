@@ -47,14 +47,14 @@ static inline real iso_atan_tail(const real z)
 static inline real iso_atan2(const real y, const real x)
 {
     const iso_bits up = iso_bits_of(y) & ~ISO_SIGN_BIT, right = iso_bits_of(x) & ~ISO_SIGN_BIT;
-    const iso_bits steep = (iso_bits)0 - ((right - up) >> ISO_SIGN_SHIFT); /* |y| > |x| */
-    const iso_bits back = (iso_bits)0 - (iso_bits_of(x) >> ISO_SIGN_SHIFT);
+    const iso_bits steep = iso_mask_of_sign(right - up); /* |y| > |x| */
+    const iso_bits back = iso_mask_of_sign(iso_bits_of(x));
     const iso_bits swap = (up ^ right) & steep;
     const real low = iso_real_of(up ^ swap), high = iso_real_of(right ^ swap);
 
     /* Above tan(pi/8) the angle less pi/4; 0 / 0 becomes 0 / 1. */
     const iso_bits turned = iso_less(high * R(0.414213562373095049), low);
-    const iso_bits none = (iso_bits)0 - ((iso_bits_of(high) - 1) >> ISO_SIGN_SHIFT);
+    const iso_bits none = iso_mask_of_sign(iso_bits_of(high) - 1);
     const real over = low - iso_real_of(iso_bits_of(high) & turned);
     const real under =
         iso_real_of(iso_bits_of(high) | (iso_bits_of(R(1.0)) & none)) + iso_real_of(iso_bits_of(low) & turned);

@@ -8,7 +8,7 @@
 static inline real iso_sign(const real x)
 {
     const iso_bits sign = iso_bits_of(x) & ISO_SIGN_BIT, size = iso_bits_of(x) ^ sign;
-    const iso_bits any = (iso_bits)0 - (((iso_bits)0 - size) >> ISO_SIGN_SHIFT);
+    const iso_bits any = iso_mask_of_sign((iso_bits)0 - size);
     return iso_real_of(sign | (any & iso_bits_of(R(1.0))));
 }
 
@@ -29,7 +29,7 @@ static inline real iso_round(const real x)
 {
     const real whole = R(1.0) / ISO_REAL_EPSILON;
     const iso_bits sign = iso_bits_of(x) & ISO_SIGN_BIT, size = iso_bits_of(x) ^ sign;
-    const iso_bits is_small = (iso_bits)0 - ((size - iso_bits_of(whole)) >> ISO_SIGN_SHIFT);
+    const iso_bits is_small = iso_mask_of_sign(size - iso_bits_of(whole));
     const real rounder = iso_real_of((iso_bits_of(whole) & is_small) | sign);
     return (x + rounder) - rounder;
 }

@@ -77,21 +77,40 @@ static inline real iso_real_of(const iso_bits b)
     return x;
 }
 
-/* All ones if a < b, else zero; for a and b that are not NaN and not the same infinity; -0 is below 0. The sign of
- * a - b is exact with denormals kept: a - b is zero only for a = b. */
-static inline iso_bits iso_less(const real a, const real b)
-{
-    return (iso_bits)0 - (iso_bits_of(a - b) >> ISO_SIGN_SHIFT);
-}
-
-/* a where the mask is all ones, b where it is zero. From clang, which on x86 makes a branch of that, an empty statement
- * hides that the mask is one of two; on the Cortex-M4F it would keep gcc from the cheapest selection. */
-static inline real iso_select(iso_bits mask, const real a, const real b)
+/* A mask as it is. From clang, which on x86 makes a branch of what it knows to be one of two numbers, an empty statement hides
+ * that all bits of it are equal; on the Cortex-M4F it would keep gcc from the cheapest selection. Every mask is made, or
+ * selects, through it. */
+static inline iso_bits iso_hidden(iso_bits mask)
 {
 #ifdef __clang__
     __asm__("" : "+r"(mask));
 #endif
-    return iso_real_of((iso_bits_of(a) & mask) | (iso_bits_of(b) & ~mask));
+    return mask;
+}
+
+/* All ones where the sign bit of b is set, else zero; and the same of its lowest bit. */
+static inline iso_bits iso_mask_of_sign(const iso_bits b)
+{
+    return iso_hidden((iso_bits)0 - (b >> ISO_SIGN_SHIFT));
+}
+
+static inline iso_bits iso_mask_of_lowest(const iso_bits b)
+{
+    return iso_hidden((iso_bits)0 - (b & 1));
+}
+
+/* All ones if a < b, else zero; for a and b that are not NaN and not the same infinity; -0 is below 0. The sign of
+ * a - b is exact with denormals kept: a - b is zero only for a = b. */
+static inline iso_bits iso_less(const real a, const real b)
+{
+    return iso_mask_of_sign(iso_bits_of(a - b));
+}
+
+/* a where the mask is all ones, b where it is zero. */
+static inline real iso_select(const iso_bits mask, const real a, const real b)
+{
+    const iso_bits hidden = iso_hidden(mask);
+    return iso_real_of((iso_bits_of(a) & hidden) | (iso_bits_of(b) & ~hidden));
 }
 
 static inline real iso_min(const real a, const real b)
@@ -107,13 +126,13 @@ static inline real iso_max(const real a, const real b)
 /* x where it is above 0, else +0: the larger of both. */
 static inline real iso_positive(const real x)
 {
-    return iso_real_of(iso_bits_of(x) & ~((iso_bits)0 - (iso_bits_of(x) >> ISO_SIGN_SHIFT)));
+    return iso_real_of(iso_bits_of(x) & ~iso_mask_of_sign(iso_bits_of(x)));
 }
 
 /* x where it is below 0, also where it is -0, else +0: the smaller of both. On the Cortex-M4F an instruction less. */
 static inline real iso_negative(const real x)
 {
-    return iso_real_of(iso_bits_of(x) & ((iso_bits)0 - (iso_bits_of(x) >> ISO_SIGN_SHIFT)));
+    return iso_real_of(iso_bits_of(x) & iso_mask_of_sign(iso_bits_of(x)));
 }
 
 /* 1 if a > b, else 0; for a and b that are not NaN and not the same infinity. The zeros are equal: d & (d - 1) has the
@@ -121,7 +140,7 @@ static inline real iso_negative(const real x)
 static inline real iso_above(const real a, const real b)
 {
     const iso_bits d = iso_bits_of(b - a);
-    return iso_real_of(((iso_bits)0 - ((d & (d - 1)) >> ISO_SIGN_SHIFT)) & iso_bits_of(R(1.0)));
+    return iso_real_of(iso_mask_of_sign(d & (d - 1)) & iso_bits_of(R(1.0)));
 }
 
 /* x limited to [low, high], for low <= high. */
@@ -135,7 +154,7 @@ static inline real iso_clamp(const real x, const real low, const real high)
 static inline real iso_limited(const real x, const real most)
 {
     const iso_bits excess = (iso_bits_of(x) & ~ISO_SIGN_BIT) - iso_bits_of(most);
-    return iso_real_of(iso_bits_of(x) - (excess & ~((iso_bits)0 - (excess >> ISO_SIGN_SHIFT))));
+    return iso_real_of(iso_bits_of(x) - (excess & ~iso_mask_of_sign(excess)));
 }
 
 static inline real iso_abs(const real x)
@@ -148,14 +167,14 @@ static inline iso_bits iso_not_finite(const real x)
 {
     const iso_bits exponent = iso_bits_of(x) & ISO_EXPONENT_BITS;
     const iso_bits lowest = ISO_EXPONENT_BITS & (~ISO_EXPONENT_BITS + 1);
-    return (iso_bits)0 - ((exponent + lowest) >> ISO_SIGN_SHIFT);
+    return iso_mask_of_sign(exponent + lowest);
 }
 
 /* All ones if |x| is beyond range > 0, finite, or if x is no number, else zero: without their sign, the bits of reals
  * are in the order of their sizes, and those of an infinity or a NaN above all. */
 static inline iso_bits iso_beyond(const real x, const real range)
 {
-    return (iso_bits)0 - ((iso_bits_of(range) - (iso_bits_of(x) & ~ISO_SIGN_BIT)) >> ISO_SIGN_SHIFT);
+    return iso_mask_of_sign(iso_bits_of(range) - (iso_bits_of(x) & ~ISO_SIGN_BIT));
 }
 
 #endif

@@ -90,7 +90,7 @@ static inline iso_sine_cosine iso_sincos(const real x)
 
     /* An odd quadrant swaps the two. Bit 1 of k negates the sine, bit 1 of k + 1 the cosine: both have the sign of the
      * sine, and the cosine one more where k is odd. */
-    const iso_bits odd = (iso_bits)0 - (quadrant & 1);
+    const iso_bits odd = iso_mask_of_lowest(quadrant);
     const iso_bits sine_sign = (quadrant << (ISO_SIGN_SHIFT - 1)) & ISO_SIGN_BIT;
     const iso_bits change = ((s ^ c) & odd) ^ sine_sign;
     const iso_sine_cosine result = {
