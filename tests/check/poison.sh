@@ -3,55 +3,8 @@
 # undefined, for every scene and the plant written by hand, with each method, in float and in double.
 . tests/host/test.sh
 begin check/poison
+. tests/host/poison.sh
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] |.*/\1/p')
-
-# batch DIR float|double [COMPILER]: begins a program of many plants in that real.
-batch()
-{
-    folder=$out/$1
-    real "$2"
-    compiler=${3:-$CC}
-    count=0
-    mkdir -p "$folder"
-}
-
-# add NAME PLANT [FLAG...]: the plant's object, under a symbol of its own, and a line of the list of cases.
-add()
-{
-    count=$((count + 1))
-    printf '%s\n' "    {\"$1\", &plant_$count}," >>"$folder/cases"
-    echo "extern const iso_plant plant_$count;" >>"$folder/plants"
-    shift
-    # shellcheck disable=SC2086
-    $compiler $FLAGS $REAL_FLAG -c "$@" -o "$folder/$count.o" &&
-        objcopy --redefine-sym "iso_the_plant_$real=plant_$count" --keep-global-symbol "plant_$count" "$folder/$count.o" || rm -f "$folder/$count.o"
-}
-
-# generated SCENE METHOD [OPTION...]: the plant of a scene, with these options of isoc.
-generated()
-{
-    generated_of=$1
-    generated_by=$2
-    shift 2
-    build/isoc "$generated_of" -o "$folder/plant" --method "$generated_by" --real "$real" "$@" >/dev/null
-    add "$(basename "$generated_of" .scene), $generated_by${1:+, $*}, $real" "$folder/plant/plant.c"
-}
-
-# watch: the program of all that was added, under memcheck; no program where one was not built.
-watch()
-{
-    {
-        echo '#include "tests/check/poison.h"'
-        cat "$folder/plants"
-        echo 'const poison_case poison_cases[] = {'
-        cat "$folder/cases"
-        echo '    {NULL, NULL},'
-        echo '};'
-    } >"$folder/list.c"
-    # shellcheck disable=SC2086
-    $CC $FLAGS $REAL_FLAG -gdwarf-4 tests/check/poison.c "$folder/list.c" "$folder"/*.o -o "$folder/program" &&
-        valgrind --quiet "$folder/program" 2>"$folder/errors"
-}
 
 # On the models that are tried in depth every kernel, one of the methods that share it, those that are not one-step methods
 # from a table by turns, with the argument `all` all; and rk4 on all models. Every method in double, and with a check,

@@ -1,0 +1,89 @@
+#!/bin/sh
+# Random scenes (write_scene.py), by gcc and by clang: no branch and no address of a step, of memories and of outputs depends on
+# data, and a run has the same bits by both compilers, with and without optimisation, and on the Cortex-M4F, where each step
+# takes one number of instructions. A few seeds by turns; with `all` 60; with a number that seed alone:
+#
+#     tests/random/random.t all
+. tests/host/test.sh
+. tests/host/project.sh
+begin random
+. tests/host/poison.sh
+. tests/host/bits.sh
+seeds=2
+case ${1-} in
+[0-9]*) first=$1 seeds=1 ;;
+*)
+    turn=$(turn_of 1000 "${1-}" core tools/isoc)
+    [ "$turn" != all ] || turn=0 seeds=60
+    first=$((turn * seeds + 1))
+    ;;
+esac
+last=$((first + seeds - 1))
+echo "# seeds $first to $last"
+
+# method_of SEED: that of its scene.
+method_of()
+{
+    sed -n 's/^method //p' "$out/random_$1.scene"
+}
+
+written=0
+for seed in $(seq "$first" "$last"); do
+    python3 tests/random/write_scene.py "$seed" >"$out/random_$seed.scene" &&
+        build/isoc "$out/random_$seed.scene" -o "$out/plant/$seed" >"$out/output" 2>"$out/errors" && written=$((written + 1)) || explain
+done
+result $((written != seeds)) "$written of $seeds scenes are compiled"
+
+for compiler in gcc clang; do
+    batch $compiler float $compiler
+    generated tests/random/selections.scene rk4 2>"$out/errors"
+    for seed in $(seq "$first" "$last"); do
+        generated "$out/random_$seed.scene" "$(method_of "$seed")" 2>"$out/errors"
+    done
+    joined "by $compiler" watch
+done
+
+# Bits. Half a second, or less where the guard ends the run, then on all in the same tick.
+while read -r variant; do
+    # shellcheck disable=SC2086
+    variant $variant
+    result $? "$variant: core and port compile"
+    for seed in $(seq "$first" "$last"); do
+        runs "$out/plant/$seed/plant.c" 200000000
+        [ -f "$out/hash/$seed" ] || value hash >"$out/hash/$seed"
+        value hash | grep -Eqx '[0-9a-f]{16}' && [ "$(value hash)" = "$(cat "$out/hash/$seed")" ]
+        expect $? "seed $seed, $(method_of "$seed"): $variant, $(value hash)"
+        [ "$port" != mps2 ] || {
+            counted "$(method_of "$seed")"
+            expect $? "seed $seed: $(value instructions_per_step) instructions on every step"
+        }
+    done
+done <<END
+gcc sim gcc -O0
+gcc-O2 sim gcc -O2
+clang sim clang -O2
+Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)
+END
+[ "$(cat "$out"/hash/* | sort -u | wc -l)" -eq "$seeds" ]
+result $? "the hashes tell the scenes apart"
+
+# Controls. A branch in the outputs of a random scene; and clang on a core that hides no mask from it.
+planted='static volatile int met; if (((plant_memory *)instance)->x[0] > R(0.25)) { met++; }'
+for compiler in gcc clang; do
+    batch planted_$compiler float $compiler
+    sed "/^static void output(void \*const instance)\$/{n;s/{/{ $planted/;}" "$out/plant/$first/plant.c" >"$out/plant/planted.c"
+    cp "$out/plant/$first/plant.h" "$out/plant"
+    add "planted" "$out/plant/planted.c"
+    ! watch >"$out/tap" && [ "$(grep '^not ok' "$out/tap")" = "not ok 3 - planted: nor do the memories and the outputs" ]
+    result $? "found: a branch in the outputs of seed $first, by $compiler"
+done
+batch bare float clang
+mkdir -p "$out/bare_core"
+cp -r core "$out/bare_core"
+sed -i '/__asm__/d' "$out/bare_core/core/numbers/real.h"
+build/isoc tests/random/selections.scene -o "$out/plant/bare" >"$out/summary" 2>"$out/errors"
+FLAGS=$(echo "$FLAGS" | sed "s| -I\.| -I$out/bare_core -I.|")
+add "bare" "$out/plant/bare/plant.c"
+! watch >"$out/tap" && grep -q '^not ok 3' "$out/tap"
+result $? "found: what clang makes of masks that are not hidden"
+finish
