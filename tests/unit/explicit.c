@@ -180,8 +180,61 @@ static void test_unrolled(void)
     compare_unrolled(&iso_tableau_rk4, table, n, "rk4: unrolled and run-time size give the same bits");
 }
 
+/* x += h/6 (((k_1 + 2 k_2) + 2 k_3) + k_4), as the formula is read, and Heun's x += h/2 (k_1 + k_2): where a sum has another
+ * order, or a product another place, the bits are others. */
+static void rk4_as_written(real *const x, const real by)
+{
+    real k[4][N_MAX], at[N_MAX];
+    lorenz(k[0], x, NULL, NULL);
+    for (size_t s = 0; s < N_MAX; s++) {
+        at[s] = x[s] + by / R(2.0) * k[0][s];
+    }
+    lorenz(k[1], at, NULL, NULL);
+    for (size_t s = 0; s < N_MAX; s++) {
+        at[s] = x[s] + by / R(2.0) * k[1][s];
+    }
+    lorenz(k[2], at, NULL, NULL);
+    for (size_t s = 0; s < N_MAX; s++) {
+        at[s] = x[s] + by * k[2][s];
+    }
+    lorenz(k[3], at, NULL, NULL);
+    for (size_t s = 0; s < N_MAX; s++) {
+        x[s] += by / R(6.0) * (((k[0][s] + R(2.0) * k[1][s]) + R(2.0) * k[2][s]) + k[3][s]);
+    }
+}
+
+static void heun_as_written(real *const x, const real by)
+{
+    real k[2][N_MAX], at[N_MAX];
+    lorenz(k[0], x, NULL, NULL);
+    for (size_t s = 0; s < N_MAX; s++) {
+        at[s] = x[s] + by * k[0][s];
+    }
+    lorenz(k[1], at, NULL, NULL);
+    for (size_t s = 0; s < N_MAX; s++) {
+        x[s] += by / R(2.0) * (k[0][s] + k[1][s]);
+    }
+}
+
+static void test_order_of_sums(void)
+{
+    static void (*const written[])(real * x, real by) = {rk4_as_written, heun_as_written};
+    const iso_tableau *const tables[] = {&iso_tableau_rk4, &iso_tableau_heun};
+    for (size_t m = 0; m < 2; m++) {
+        real work[ISO_EXPLICIT_VECTORS * N_MAX];
+        real x[N_MAX] = {R(1.0), R(1.0), R(1.0)}, y[N_MAX] = {R(1.0), R(1.0), R(1.0)};
+        for (unsigned i = 0; i < 200; i++) {
+            step(tables[m], N_MAX, lorenz, R(0.01), x, NULL, NULL, work);
+            written[m](y, R(0.01));
+        }
+        tap_ok(memcmp(x, y, sizeof x) == 0, m == 0 ? "rk4: the bits of the formula as it is written"
+                                                   : "heun: the bits of the formula as it is written");
+    }
+}
+
 int main(void)
 {
+    test_order_of_sums();
     test_euler();
     test_heun();
     test_rk4();
