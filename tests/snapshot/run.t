@@ -54,6 +54,27 @@ refused 'does not come by the tick of the snapshot' "$PWD/$out/765.bin" SNAPSHOT
 refused 'the snapshot is of another plant' "$PWD/$out/765.bin" METHOD=heun
 refused 'SNAPSHOT=1e3 is no tick' "$PWD/$out/765.bin" SNAPSHOT=1e3
 refused 'they are for scenes' "$PWD/$out/765.bin" SCENE=models/oscillator.c
+# A method whose memory has the same size, and another step.
+call run SCENE=$scene METHOD=heun SECONDS=2 SNAPSHOT=765 && mv "$of_host/snapshot.bin" "$out/heun.bin" &&
+    cp "$of_host/trace.csv" "$out/kept.csv"
+expect $? "by heun: runs"
+refused 'the snapshot is of another plant' "$PWD/$out/heun.bin" METHOD=euler
+refused 'the snapshot is of another plant' "$PWD/$out/heun.bin" METHOD=heun STEP=2ms SECONDS=4
+# identity ARGUMENT...: of the plant with these options.
+identity()
+{
+    build/isoc $scene -o "$out/identity" --link "$@" >/dev/null 2>"$out/errors" && sed -n 's/.*\.identity = //p' "$out/identity/interface.c"
+}
+for method in $(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p'); do
+    for step in 1ms 2ms; do
+        identity --method "$method" --step $step $([ "$method" = adams ] && echo --tolerance 1e-6)
+    done
+done >"$out/identities"
+identity --real double >>"$out/identities"
+[ "$(wc -l <"$out/identities")" -ge 23 ] && [ -z "$(sort "$out/identities" | uniq -d)" ]
+expect $? "$(wc -l <"$out/identities") identities, by method, step and numbers, are different"
+[ -n "$(identity)" ] && [ "$(identity)" = "$(identity)" ]
+expect $? "the same plant has the same"
 ! call size SNAPSHOT=3 && grep -q 'SNAPSHOT has no effect on .make size.' "$out/errors"
 expect $? "SNAPSHOT is of make run"
 
