@@ -109,8 +109,22 @@ static void test_degrade(void)
     tap_ok(counts.lowest == 2 && counts.degraded == 10, "degrade: the lowest rung, and the ticks below the top");
 }
 
+/* A run that begins has no counts of the one before, nor bins. */
+static void test_reset(void)
+{
+    iso_policy_histogram histogram = {.counts = {.skipped = 3, .latency = 9, .rung = 2, .lowest = 2}, .width = 7};
+    histogram.bins[LAST] = 5;
+    const iso_policy policy = {
+        .counts = &histogram.counts, .count = sizeof histogram / sizeof(uint64_t), .delays = true};
+    iso_policy_reset(&policy);
+    iso_policy_histogram begun = {.counts = {.latency = 1}};
+    tap_ok(memcmp(&histogram, &begun, sizeof begun) == 0,
+           "reset: nothing is counted, and the latency is that of the policy");
+}
+
 int main(void)
 {
+    test_reset();
     test_histogram();
     test_grace();
     test_catch_up();
