@@ -118,7 +118,7 @@ given = ["(push / 1 V)", "hiss", "share"]
 seen = []
 for e in range(r.randint(1, 3)):
     joint, kind = r.choice(joints)
-    own = ["z", "m", "last", "s", "c", "noise(3)"] + joint_leaves("along", kind)
+    own = ["z", "held", "last", "s", "c", "noise(3)"] + joint_leaves("along", kind)
     effort = "N" if kind == "prismatic" else "N*m"
     lines += [
         f"effect kind{e} {{",
@@ -128,8 +128,8 @@ for e in range(r.randint(1, 3)):
         "    fault stuck",
         "    state z = 0.1",
         f"    rate z = ({bounded(own, 4)} - z) / {number(10, 100)} ms",
-        "    memory m = 0.2",
-        f"    next m = {bounded(own, 4)}",
+        "    memory held = 0.2",
+        f"    next held = {bounded(own, 4)}",
         f"    let last = {r.choice(['previous(z)', 'delay(z, 5 ms)', 'sample(z, every 2 ms)'])}",
         f"    effort on along = {number(0.1, 2)} {effort} * (1 - stuck) * {bounded(own, 5)}",
         f"    output shown = {formula(own, 4)}",

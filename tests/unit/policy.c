@@ -93,8 +93,8 @@ static void test_degrade(void)
         bool overran;
         uint8_t rung;
     } ticks[] = {
-        {true, 0},  {false, 0}, {true, 1},  {false, 1}, {false, 1}, {true, 2},  {true, 2},  {false, 2},
-        {false, 2}, {false, 1}, {false, 1}, {false, 1}, {false, 0}, {false, 0}, {false, 0}, {true, 1},
+        {true, 0},  {false, 0}, {true, 1},  {false, 1}, {false, 1}, {true, 2},  {true, 2},  {false, 2}, {false, 2},
+        {false, 1}, {false, 1}, {false, 1}, {false, 0}, {false, 0}, {false, 0}, {false, 0}, {true, 1},
     };
     iso_loop loop = {.tick = 0};
     iso_policy_counts counts = {.rung = 0};
