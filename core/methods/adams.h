@@ -29,7 +29,7 @@ enum {
     ISO_ADAMS_BUDGET_HOST = 1 << 30,       /* practically no limit */
 };
 
-/* Defaults of the tolerance: the local error of a sub-step may be the first plus |x| times the second. */
+/* The tolerance of a scene: the local error of a sub-step may be T (1 + |x|) in each state x, that at its start. */
 #ifndef ISO_ADAMS_TOLERANCE
 #define ISO_ADAMS_TOLERANCE R(1e-6)
 #endif
@@ -46,8 +46,8 @@ enum {
 enum { ISO_ADAMS_VECTORS = 4, ISO_ADAMS_ERRORS = 3 }; /* of work space; the last one has the errors of a tick */
 
 typedef struct iso_adams_options {
-    real tolerance_absolute; /* above zero; infinity: the step is never reduced */
-    real tolerance_relative;
+    real tolerance_absolute; /* above zero; infinity: the step is never reduced; the local error may be this, */
+    real tolerance_relative; /* plus |x| times this */
     uint32_t budget; /* sub-steps that may be tried in a tick, at least 1; evaluations are at most twice that, */
     bool driven; /* and one more where inputs change from tick to tick: the derivative at its start is evaluated anew */
     uint8_t level_max; /* at most ISO_ADAMS_LEVELS */

@@ -249,6 +249,36 @@ static void test_estimate(void)
     tap_ok(iso_adams_correct(&run).higher > R(1.0), "estimate, control: a correction of before that is not right");
 }
 
+/* A tolerance T is T (1 + |x|), x at the start of the sub-step, in every state: of states that stand elsewhere, with the same
+ * motion. All numbers but the reciprocal are exact. */
+static void test_tolerance(void)
+{
+    static const real places[] = {R(0.0), R(1.0), R(-1.0), R(3.0), R(-1023.0)};
+    const real correction = R(0.375) / R(24.0);
+    bool good = true, accepted = true, absolute = true;
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        for (real t = R(5.0); t > R(1e-5); t *= R(0.125)) {
+            const real size = iso_abs(places[i]);
+            adams_memory m;
+            in_the_middle(&m, 3);
+            m.x[1] = places[i];
+            m.options = iso_adams_default;
+            m.options.tolerance_absolute = t * (m.options.tolerance_absolute / ISO_ADAMS_TOLERANCE);
+            m.options.tolerance_relative = t * (m.options.tolerance_relative / ISO_ADAMS_TOLERANCE);
+            iso_adams_run run = adams_walk(&m, cubic, R(1.0));
+            const real estimate = iso_adams_try(&run), allowed = t * (R(1.0) + size);
+            const real near = R(8.0) * ISO_REAL_EPSILON * estimate;
+            good = good && iso_abs(estimate - correction / allowed) <= near;
+            iso_adams_attempt(&run);
+            accepted = accepted && (m.state.rejected > 0) == (correction > allowed);
+            absolute = absolute && iso_abs(estimate - correction / t) <= near;
+        }
+    }
+    tap_ok(good, "tolerance: the estimate is over T (1 + |x|)");
+    tap_ok(accepted, "tolerance: above it a sub-step is refused");
+    tap_ok(!absolute, "tolerance, control: an absolute one is another");
+}
+
 /* The rows of a quartic at 7/2 where the parabola was: at order 3 through the derivatives at 7/2, 3 and 5/2, at order 4
  * as they are. */
 static void test_orders(void)
@@ -526,6 +556,7 @@ int main(void)
     test_predict();
     test_exact();
     test_estimate();
+    test_tolerance();
     test_orders();
     test_scale();
     test_ends_on_ticks();
