@@ -78,23 +78,33 @@ static bool has_two_rates(const modes *m, unsigned recipe)
     return m->of.substeps > 0 && ISO_TAKES_SUBSTEPS(recipe);
 }
 
-/* Such a map has eigenvalues of its own, which are not those of J one by one: a spring and its damper count together. */
-static int count_growing_maps(arena *memory, const modes *m, unsigned recipe, double step)
+/* Whether a step is looked at as a whole. */
+static bool has_map(const modes *m, unsigned recipe)
+{
+    return ISO_IS(recipe, ISO_SEMI_IMPLICIT) || has_two_rates(m, recipe);
+}
+
+/* Such a step has eigenvalues of its own, which are not those of J one by one: a spring and its damper count together. */
+static modes modes_of_map(arena *memory, const modes *m, unsigned recipe, double step)
 {
     const linear_plant of = {m->of.at, m->of.n, m->of.positions};
+    slopes s = m->of;
+    s.at = has_two_rates(m, recipe) ? two_rates_map(memory, recipe, &of, m->of.is_fast, m->of.substeps, step)
+                                    : step_map(memory, ISO_METHOD_OF(recipe), &of, step, &s.n);
+    return modes_of(memory, s);
+}
+
+static int count_growing_maps(arena *memory, const modes *m, unsigned recipe, double step)
+{
     const bool is_lenient = grows_on_axis(memory, recipe) || ISO_IS(recipe, ISO_SEMI_IMPLICIT);
-    int n = m->of.n;
-    double *map = has_two_rates(m, recipe) ? two_rates_map(memory, recipe, &of, m->of.is_fast, m->of.substeps, step)
-                                           : step_map(memory, ISO_METHOD_OF(recipe), &of, step, &n);
-    double *re = arena_take(memory, (size_t)n + 1, sizeof *re), *im = arena_take(memory, (size_t)n + 1, sizeof *im);
+    const modes map = modes_of_map(memory, m, recipe, step);
     const double own = own_growth_of(m, step);
     int count = 0;
-    if (eigenvalues(memory, map, n, re, im)) {
-        for (int i = 0; i < n; i++) {
-            /* Forces that follow the speeds across, as of a gyroscope, are those of euler. */
-            const double turned = im[i] == 0.0 || !is_lenient ? 0.0 : usual_damping * size_of(re[i] - 1.0, im[i]);
-            count += size_of(re[i], im[i]) > own * exponential(turned) + slack;
-        }
+    for (int i = 0; map.found && i < map.of.n; i++) {
+        /* Forces that follow the speeds across, as of a gyroscope, are those of euler. */
+        const double turned =
+            map.im[i] == 0.0 || !is_lenient ? 0.0 : usual_damping * size_of(map.re[i] - 1.0, map.im[i]);
+        count += size_of(map.re[i], map.im[i]) > own * exponential(turned) + slack;
     }
     return count;
 }
@@ -152,7 +162,7 @@ int count_growing(const modes *m, unsigned recipe, double step, int *fastest)
 {
     arena *memory = arena_new();
     int count;
-    if (ISO_IS(recipe, ISO_SEMI_IMPLICIT) || has_two_rates(m, recipe)) {
+    if (has_map(m, recipe)) {
         const int told = mode_of_map(memory, m, recipe, step);
         *fastest = told >= 0 ? told : *fastest;
         count = count_growing_maps(memory, m, recipe, step);
@@ -161,6 +171,32 @@ int count_growing(const modes *m, unsigned recipe, double step, int *fastest)
     }
     arena_free(memory);
     return count;
+}
+
+/* Of a growth per step, beyond what grows by itself: the faster one. */
+static drift faster(drift than, double growth, double frequency, double own, double step)
+{
+    const double rate = growth > own ? elementary_log(growth / own) / step : 0.0;
+    return rate > than.rate ? (drift){rate, frequency} : than;
+}
+
+drift drift_of(const modes *m, unsigned recipe, double step)
+{
+    arena *memory = arena_new();
+    const bool is_map = has_map(m, recipe);
+    const modes all = is_map ? modes_of_map(memory, m, recipe, step) : *m;
+    const double own = own_growth_of(m, step);
+    drift found = {0.0, 0.0};
+    for (int i = 0; all.found && i < all.of.n; i++) {
+        const double re = all.re[i], im = all.im[i], size = size_of(re, im);
+        if (im > 0.0 && is_map) {
+            found = faster(found, size, elementary_atan2(im, re) / step, own, step);
+        } else if (im > 0.0 && re <= own_growth * size) {
+            found = faster(found, growth_of(memory, recipe, step * re, step * im), im, own, step);
+        }
+    }
+    arena_free(memory);
+    return found;
 }
 
 double largest_step(const modes *m, unsigned recipe)

@@ -9,6 +9,9 @@
 
 enum { MOST_STATES = 60 };
 
+/* As long as `make run` runs a scene that does not say otherwise. */
+static const double life = 10.0;
+
 /* Where the Jacobian is evaluated. */
 typedef struct point {
     const char *when;
@@ -111,6 +114,50 @@ static bool check_point(const source *s, const graph *g, const plant *p, slopes 
     return any;
 }
 
+/* The cause without which the drift is the slowest, if that is none within a life; -1 where there is none. */
+static int find_cause_of_drift(const graph *g, const plant *p, const point *at, double least)
+{
+    const mechanism *m = p->m;
+    bool *gone = arena_take(g->memory, (size_t)cause_count(m) + 1, sizeof *gone);
+    int found = -1;
+    for (int i = 0; i < cause_count(m); i++) {
+        gone[i] = true;
+        const modes tried = modes_without(g, m, p->formulations.kept, gone, at);
+        const double rate = tried.found ? drift_of(&tried, m->recipe, method_step(m)).rate : least;
+        gone[i] = false;
+        if (rate < least && rate * life < 1.0) {
+            least = rate;
+            found = i;
+        }
+    }
+    return found;
+}
+
+/* Warns of an oscillation that is not too fast for the method, but that it lets grow by e within a life. */
+static void check_drift(const source *s, const graph *g, const plant *p, slopes of, const point *at)
+{
+    const mechanism *m = p->m;
+    const modes all = modes_of(g->memory, of);
+    const drift found = all.found ? drift_of(&all, m->recipe, method_step(m)) : (drift){0.0, 0.0};
+    if (found.rate * life < 1.0) {
+        return;
+    }
+    const int which = find_cause_of_drift(g, p, at, found.rate);
+    const cause c = which < 0 ? (cause){"mechanism", m->name, m->links[0].at} : cause_of(m, which);
+    const char *others = "";
+    for (unsigned method = 0; method < ISO_METHODS; method++) {
+        if (!ISO_IS_VARYING(method) && drift_of(&all, method, method_step(m)).rate * life < 1.0) {
+            others = arena_format(g->memory, "%s%s%s", others, others[0] == '\0' ? "" : ", ", method_names[method]);
+        }
+    }
+    source_warn(
+        s, c.at,
+        "the oscillation of %.4g rad/s by the %s '%s' grows by e in %.3g s with %s and a step of %.4g ms, by the "
+        "method alone; take a shorter step%s%s",
+        found.frequency, c.sort, c.name, 1.0 / found.rate, method_names[ISO_METHOD_OF(m->recipe)], 1e3 * method_step(m),
+        others[0] == '\0' ? "" : ", or ", others);
+}
+
 /* Inputs that are functions of the tick as they begin, each function of it counting as zero; those of the port zero; and
  * memories as they begin. */
 static point start_of(const graph *g, const mechanism *m)
@@ -182,9 +229,11 @@ void stability_check(source *s, const graph *g, const plant *p)
     const slopes first = slopes_at(&l, at.x, at.u);
     if (first.infinite >= 0 && ISO_IS_IMPLICIT(m->recipe)) {
         refuse(s, m, g->memory, first.infinite);
-    } else if (!check_point(s, g, p, first, &at) && !check_steepest(s, g, p, &l, &at) && stop_at(m, &at) &&
-               !check_point(s, g, p, slopes_at(&l, at.x, at.u), &at)) {
-        (void)check_steepest(s, g, p, &l, &at);
+    } else if (!check_point(s, g, p, first, &at) && !check_steepest(s, g, p, &l, &at)) {
+        check_drift(s, g, p, first, &at);
+        if (stop_at(m, &at) && !check_point(s, g, p, slopes_at(&l, at.x, at.u), &at)) {
+            (void)check_steepest(s, g, p, &l, &at);
+        }
     }
     graph_free(&l.g);
 }
