@@ -11,26 +11,26 @@ mkdir -p "$out"
 list()
 {
     cat <<'END'
-sin and cos|sincos|1|iso_sincos(x[0])|0.74 of 1.0|up to 10,000|up to 10,000|meaningless; NaN of an infinity
-exp|exp|1|iso_exp(x[0])|exp bound|up to 87.33|up to 708.39|the value at the end of the domain
-log|log|1|iso_log(x[0])|log bound|from 1.2e-38|from 2.2e-308|below: the value there; below 0: NaN
-tanh|tanh|1|iso_tanh(x[0])|tanh bound|all|all|
-atan2|angle|2|iso_atan2(x[0], x[1])|angle bound|all|all|of two infinities: NaN
+sin and cos|sincos|1|iso_sincos(x[0])|0.74 of 1.0|up to 10,000|up to 10,000|meaningless; NaN of an infinity and of a NaN
+exp|exp|1|iso_exp(x[0])|exp bound|up to 87.33|up to 708.39|the value at the end of the domain; of a NaN too, by its sign
+log|log|1|iso_log(x[0])|log bound|from 1.2e-38|from 2.2e-308|below: the value there; below 0: NaN; of an infinity that of the largest number; of a NaN up to 0.7 more, or NaN, by its sign
+tanh|tanh|1|iso_tanh(x[0])|tanh bound|all|all|of a NaN 1, with its sign
+atan2|angle|2|iso_atan2(x[0], x[1])|angle bound|all|all|of two zeros: 0, or pi where x is -0, with the sign of y; of two infinities, or a NaN: NaN
 asin|angle|1|iso_asin(x[0])|angle inverse_bound|up to 1|up to 1|NaN
 acos|angle|1|iso_acos(x[0])|angle inverse_bound|up to 1|up to 1|NaN
-sqrt|sqrt|1|iso_sqrt(x[0])|0.5|from 0|from 0|NaN
-1 / sqrt|root|1|iso_inverse_root(x[0])|1.5|from 1.2e-38|from 2.2e-308|finite at 0; below 0: meaningless
-floor|pieces|1|iso_floor(x[0])|exact|all|all|
-round|pieces|1|iso_round(x[0])|exact|all|all|
-sign|pieces|1|iso_sign(x[0])|exact|all|all|
-abs|real|1|iso_abs(x[0])|exact|all|all|
-min, max|real|2|iso_min(x[0], x[1])|exact|all|all|
-max(x, 0)|real|1|iso_positive(x[0])|exact|all|all|
-min(x, 0)|real|1|iso_negative(x[0])|exact|all|all|
-clamp|real|3|iso_clamp(x[0], x[1], x[2])|exact|all|all|
-comparison|real|2|iso_above(x[0], x[1])|exact|all|all|of one infinity with itself: 0 or 1
+sqrt|sqrt|1|iso_sqrt(x[0])|0.5|from 0|from 0|NaN; -0 of -0
+1 / sqrt|root|1|iso_inverse_root(x[0])|1.5|from 1.2e-38|from 2.2e-308|finite at 0; below 0: meaningless; of an infinity or a NaN: NaN
+floor|pieces|1|iso_floor(x[0])|exact|all|all|an infinity and a NaN stay
+round|pieces|1|iso_round(x[0])|exact|all|all|an infinity and a NaN stay
+sign|pieces|1|iso_sign(x[0])|exact|all|all|of a NaN 1, with its sign
+abs|real|1|iso_abs(x[0])|exact|all|all|of a NaN: NaN
+min, max|real|2|iso_min(x[0], x[1])|exact|all|all|of a NaN: it or the other number
+max(x, 0)|real|1|iso_positive(x[0])|exact|all|all|of a NaN: it or 0, by its sign
+min(x, 0)|real|1|iso_negative(x[0])|exact|all|all|of a NaN: 0 or it, by its sign
+clamp|real|3|iso_clamp(x[0], x[1], x[2])|exact|all|all|of a NaN: it or a limit
+comparison|real|2|iso_above(x[0], x[1])|exact|all|all|of a NaN, or of an infinity with itself: 0 or 1
 noise, once a tick|noise|1|iso_noise(iso_bits_of(x[0]), 7)|mean 0, variance 1|all ticks|all ticks|
-if|pieces|3|iso_where(x[0], x[1]) + iso_unless(x[0], x[2])|exact|all|all|
+if|pieces|3|iso_where(x[0], x[1]) + iso_unless(x[0], x[2])|exact|all|all|a condition that is a NaN holds or does not
 END
 }
 
