@@ -40,7 +40,7 @@ static void add_moving(memory_layout *list)
     arena *memory = list->e->out->memory;
     const char *capitals = list->e->names->capitals;
     const size_t states = (size_t)state_count(m), vectors = ISO_METHOD_STATE(m->recipe, states) / states;
-    const size_t inputs = (size_t)held_count(m), samples = ISO_METHOD_SAMPLES(m->recipe, (size_t)m->input_count);
+    const size_t inputs = (size_t)held_count(m), samples = ISO_METHOD_SAMPLES(m->recipe, (size_t)m->sampled_count);
     if (vectors > 1) {
         add_reals(
             list, "x", arena_format(memory, "%s_STATES * %zu", capitals, vectors), states * vectors,
@@ -49,10 +49,10 @@ static void add_moving(memory_layout *list)
         add_reals(list, "x", arena_format(memory, "%s_STATES", capitals), states, NULL);
     }
     if (ISO_IS_SMOOTH(m->recipe)) {
-        add_reals(
-            list, "u",
-            arena_format(memory, "%s + %s_INPUTS * %d + 1", held_size(list->e), capitals, ISO_DEGREE(m->recipe) + 1),
-            inputs + samples, "behind the inputs their samples");
+        add_reals(list, "u",
+                  arena_format(memory, "%s + %s * %d + 1", held_size(list->e), sampled_size(list->e),
+                               ISO_DEGREE(m->recipe) + 1),
+                  inputs + samples, "behind the inputs their samples");
     } else {
         add_reals(list, "u", held_size(list->e), inputs, NULL);
     }

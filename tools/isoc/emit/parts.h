@@ -49,6 +49,9 @@ bool is_driven(const plant *p);
 /* The size of u as C: the inputs, and the memories behind them. */
 const char *held_size(const emission *e);
 
+/* How many of these can be samples of continuous signals. */
+const char *sampled_size(const emission *e);
+
 /* Whether one of these quantities has a limit. */
 bool has_limits(const variable *all, int count);
 

@@ -84,8 +84,8 @@ static void emit_adams(emission *e)
 static void emit_smooth(emission *e)
 {
     const mechanism *m = e->p->m;
-    text_add(e->out, "static const bool smooth[%s_INPUTS] = {\n", e->names->capitals);
-    for (int i = 0; i < m->input_count; i++) {
+    text_add(e->out, "static const bool smooth[%s] = {\n", sampled_size(e));
+    for (int i = 0; i < m->sampled_count; i++) {
         if (m->smooth[i]) {
             text_add(e->out, "    [%s] = true,\n", e->names->leaves.inputs[i].place);
         }
@@ -106,8 +106,7 @@ static void emit_equations(emission *e)
         text_add(e->out, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
     }
     if (ISO_IS_SMOOTH(p->m->recipe)) {
-        text_add(e->out, "    .held = %s,\n    .inputs = %s_INPUTS,\n    .smooth = smooth,\n", held_size(e),
-                 e->names->capitals);
+        text_add(e->out, "    .held = %s,\n    .inputs = %s,\n    .smooth = smooth,\n", held_size(e), sampled_size(e));
         text_add(e->out, "%s", p->is_curved ? "    .curved = true,\n" : "");
     }
     text_add(e->out, "%s};\n\n", ISO_IS_VARYING(p->m->recipe) ? "    .adams = &options,\n" : "");
@@ -357,11 +356,9 @@ static void emit_check(emission *e)
              e->names->prefix, recipe_symbol(e->out->memory, e->p->m->recipe), e->names->capitals);
     text_add(e->out, "    \"made for another version of core/methods/method.h\");\n\n");
     if (ISO_IS_SMOOTH(e->p->m->recipe)) {
-        const char *capitals = e->names->capitals;
-        text_add(
-            e->out,
-            "_Static_assert(sizeof((%s_memory *)0)->u == (%s + ISO_METHOD_SAMPLES(%s, %s_INPUTS)) * sizeof(real),\n",
-            e->names->prefix, held_size(e), recipe_symbol(e->out->memory, e->p->m->recipe), capitals);
+        text_add(e->out,
+                 "_Static_assert(sizeof((%s_memory *)0)->u == (%s + ISO_METHOD_SAMPLES(%s, %s)) * sizeof(real),\n",
+                 e->names->prefix, held_size(e), recipe_symbol(e->out->memory, e->p->m->recipe), sampled_size(e));
         text_add(e->out, "    \"made for another version of core/methods/inputs.h\");\n\n");
     }
 }

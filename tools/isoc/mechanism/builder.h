@@ -134,6 +134,9 @@ void build_streams(builder *b);
 /* past.c: what the memories of formulas are of, when all formulas are known. */
 void finish_pasts(builder *b);
 
+/* delays.c: which delays are samples of continuous signals, when all equations are known. */
+void build_delays(builder *b);
+
 /* The value of a formula over all that the scene has; a signal, say. */
 value value_in_scene(builder *b, const formula *f);
 

@@ -210,6 +210,7 @@ typedef struct effect_quantity {
     node begin, next;
     keeping kept; /* of a memory; */
     double ticks; /* and of what is kept of a formula: 1 of previous */
+    bool lags;    /* of a delay of what moves, in the equations: it is constant within a step all the same */
 } effect_quantity;
 
 /* Whether it is what a formula was in an earlier row. */
@@ -315,11 +316,12 @@ typedef struct mechanism {
 
     int input_count;
     variable *inputs;
-    bool *driven;  /* inputs that are functions of time; the others are the port's */
-    node *drives;  /* the inputs as functions of time, then the clocks */
-    double *jumps; /* the change of an input that restarts the method; 0: none */
-    bool *smooth;  /* inputs that are samples of continuous signals */
-    int *streamed; /* of an input that is made of a function of time in a formula, which; else -1 */
+    bool *driven;      /* inputs that are functions of time; the others are the port's */
+    node *drives;      /* the inputs as functions of time, then the clocks */
+    double *jumps;     /* the change of an input that restarts the method; 0: none */
+    bool *smooth;      /* inputs, and delays in the equations, that are samples of continuous signals; */
+    int sampled_count; /* so many of u can be: the inputs, or where a delay is one, all */
+    int *streamed;     /* of an input that is made of a function of time in a formula, which; else -1 */
     streamed *streams;
     int stream_count;
     wire *wires; /* inputs that come in over a link: all that are not driven, and those that have a safe value */

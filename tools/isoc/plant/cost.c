@@ -28,7 +28,7 @@ static operations smooth_operations(const mechanism *m)
         one.mul += ISO_IS(m->recipe, ISO_RK4) ? degree : 0;
     }
     operations all = {0};
-    for (int i = 0; i < m->input_count && degree > 0; i++) {
+    for (int i = 0; i < m->sampled_count && degree > 0; i++) {
         all = plus(all, m->smooth[i], one);
     }
     return all;

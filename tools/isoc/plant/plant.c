@@ -156,10 +156,10 @@ static bool is_curved(const graph *of, const plant *p)
     graph g = graph_copy(of);
     node *slopes = arena_take(g.memory, states, sizeof *slopes);
     bool curved = false;
-    for (int i = 0; i < m->input_count; i++) {
+    for (int i = 0; i < m->sampled_count; i++) {
         if (m->smooth[i]) {
             differentiate(&g, p->derivatives, states, leaf(&g, OP_INPUT, i), slopes);
-            for (int j = 0; j < m->input_count; j++) {
+            for (int j = 0; j < m->sampled_count; j++) {
                 curved = curved || (m->smooth[j] && uses_leaf(&g, slopes, states, leaf(&g, OP_INPUT, j)));
             }
         }

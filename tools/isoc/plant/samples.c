@@ -80,9 +80,23 @@ static void check_streams(const source *s, const graph *g, const plant *p)
     }
 }
 
+/* A delay of what moves that the steps have no samples of. */
+static void check_delays(const source *s, const mechanism *m)
+{
+    for (int i = 0; i < m->memory_count; i++) {
+        if (m->memories[i].lags) {
+            source_warn(s, m->memories[i].at,
+                        "this delay is constant within a step, and so half a step longer in the mean: to act at each "
+                        "stage it is of states alone, without inputs and memories, in a scene without sub-steps and "
+                        "without a ladder");
+        }
+    }
+}
+
 void samples_check(const source *s, const graph *g, const scene *written, const plant *p)
 {
     check_inputs(s, written, p->m->recipe);
+    check_delays(s, p->m);
     if (ISO_PAST_KEPT(p->m->recipe) > 0 && p->m->stream_count > 0) {
         check_streams(s, g, p);
     }

@@ -1,0 +1,116 @@
+#!/bin/sh
+# Sampled time (tools/isoc/README.md): what rows 0 to 7 have of memories, pasts, starts, functions of time and settings, worked
+# out by hand; and the order of each method with a delay in the equations.
+. tests/host/test.sh
+begin sampled
+
+# rows NAME ROW...: of the scene on standard input; each row is its outputs.
+rows()
+{
+    name=$1
+    shift
+    { echo 'step 1 ms'; cat; } >"$out/rows.scene"
+    build/isoc "$out/rows.scene" -o "$out/rows.plant" --real $real >"$out/summary" &&
+        EXTRA="-DPLANT=\"$out/rows.plant/plant.c\"" program rows tests/sampled/rows.c && "$out/rows" >"$out/shown"
+    printf '%s\n' "$@" >"$out/expected"
+    head -n $# "$out/shown" | cmp -s - "$out/expected"
+    same=$?
+    result $same "$real: $name"
+    [ $same -eq 0 ] || head -n $# "$out/shown" | sed 's/^/# /'
+}
+cart='body b { mass 1 kg }; joint j prismatic { parent ground; child b; axis x; start 1 m; speed 1 m/s }'
+counter='effect counter { memory n = 5; next n = n + 1; output n }; effect c counter { }'
+
+for number in float double; do
+    real $number
+    rows 'previous, delay and sample of a memory' '5 5 5 5' '6 5 5 5' '7 6 5 5' '8 7 6 8' '9 8 7 8' '10 9 8 8' '11 10 9 11' <<END
+$cart; $counter
+output n = c.n; output p = previous(c.n); output d = delay(c.n, 2 ms); output s = sample(c.n, every 3 ms)
+END
+    rows 'with a start of their own' '0 1 2 3 1' '5 0 2 3 2' '6 5 0 3 3' '7 6 5 8 4' '8 7 6 8 5' <<END
+$cart; $counter; signal m = previous(c.n, 0); signal count = 1 + previous(count, 0)
+output a = m; output p = previous(m, 1); output d = delay(m, 2 ms, 2); output s = sample(c.n, every 3 ms, 3); output c = count
+END
+    rows 'of each other, and in a next' '5 5 5 5' '6 5 5 5' '7 5 5 5' '8 6 5 8' '9 7 5 8' '10 8 8 8' '11 9 8 11' <<END
+$cart; $counter
+effect follow { signal x; memory m = x; next m = sample(x, every 3 ms); output m }
+effect f follow { x c.n }
+output n = c.n; output pp = previous(previous(c.n)); output ds = delay(sample(c.n, every 3 ms), 2 ms); output sp = sample(delay(c.n, 1 ms) + 1 - 1 * (c.n < 6), every 3 ms)
+END
+    rows 'functions of time and a setting are those of the row' '0 0 1 0' '1 1 1 0' '2 3 2 0' '3 6 2 1' '4 10 2 2' <<END
+$cart; tunable k = 1
+effect sum { signal x; memory s = 0; next s = s + x; output s }
+effect all sum { x time / 1 ms }
+at 2 ms set k = 2
+output now = time / 1 ms; output s = all.s; output k = k; output late = delay(time / 1 ms, 2 ms)
+END
+    rows 'starts follow from one another' '1 3 4 2' '1 3 4 2' '1 3 4 2' <<END
+body b { mass 1 kg }; joint j prismatic { parent ground; child b; axis x; start 1 m }
+tunable two = 2
+effect chain { joint along; value k; memory c = b + a; next c = c; memory b = a + k; next b = b; memory a = position of along / 1 m; next a = a
+  state z = k * 1; rate z = 0 Hz; output a; output b; output c; output z }
+effect e chain { along j; k two }
+output a = e.a; output b = e.b; output c = e.c; output z = e.z
+END
+done
+
+real float
+rows 'sensors begin with what they sense' '1.99951172 2.00195312 1111 -0.5' '1.99951172 2.00195312 1111 -0.5' <<END
+body b { mass 2 kg; inertia (0.1, 0.2, 0.3) kg*m^2 }
+joint j revolute { parent ground; child b; axis z; start 200 deg; speed 1 rad/s }
+input i A = 2 A
+effect c current_sense { current i; range 5 V }
+effect a adc { input i; lower -10 A; upper 10 A }
+effect e encoder { shaft j; lines 500 }
+effect u imu { on b at (0.5, 0, 0) m }
+output c = c.value; output a = a.value; output e = e.count; output fx = u.force_x
+END
+cp "$out/rows.plant/plant.c" "$out/rows.plant/good.c"
+sed 's/    begin_1(memory);/    (void)memory, (void)begin_1;/' "$out/rows.plant/good.c" >"$out/rows.plant/plant.c"
+! cmp -s "$out/rows.plant/good.c" "$out/rows.plant/plant.c" &&
+    EXTRA="-DPLANT=\"$out/rows.plant/plant.c\"" program rows tests/sampled/rows.c && "$out/rows" >"$out/shown" &&
+    ! head -n 2 "$out/shown" | cmp -s - "$out/expected"
+result $? 'found: sensors without their starts'
+
+printf '%s\n' 'step 1 ms' "$cart" 'effect a { signal x; memory m = x; next m = x; output m }' 'effect one a { x two.m }' \
+    'effect two a { x one.m }' 'output m = one.m' >"$out/loop.scene"
+build/isoc "$out/loop.scene" -o "$out/loop" >"$out/summary" 2>"$out/errors"
+[ $? -eq 1 ] && grep -q 'algebraic loop' "$out/errors" && [ ! -e "$out/loop" ]
+result $? 'starts that need each other are refused'
+printf '%s\n' 'step 1 ms' "$cart" 'signal m = 1 + sample(m, every 5 ms, 0)' 'output m = m' >"$out/loop.scene"
+build/isoc "$out/loop.scene" -o "$out/loop" >"$out/summary" 2>"$out/errors"
+[ $? -eq 1 ] && grep -q 'loop.scene:3:.*algebraic loop' "$out/errors" && [ ! -e "$out/loop" ]
+result $? 'so is a sample that needs itself'
+
+# delayed METHOD STEP EFFORT: the error of x'' = -w^2 x(t - tau).
+real double
+delayed()
+{
+    printf '%s\n' "step $2 ms" "method $1" 'body b { mass 1 kg }' \
+        'joint j prismatic { parent ground; child b; axis x; start 1 m }' \
+        'effect pull { joint along; memory none N = 0 N; next none = none' "effort on along = $3 }" 'effect p pull { along j }' \
+        'output x = position of j' >"$out/delay.scene"
+    build/isoc "$out/delay.scene" -o "$out/delay.plant" --real double >"$out/summary" 2>"$out/errors" &&
+        EXTRA="-DPLANT=\"$out/delay.plant/plant.c\" -DTAU=0.04L" program delay tests/sampled/delay.c && "$out/delay"
+}
+# order METHOD LEAST MOST EFFORT: the errors with 10 and 5 ms fall by a power of two.
+order()
+{
+    coarse=$(delayed "$1" 10 "$4") && fine=$(delayed "$1" 5 "$4")
+    found=$(echo "$coarse $fine" | awk '{ print log($1 / $2) / log(2) }')
+    echo "$found $2 $3" | awk '{ exit !($1 >= $2 && $1 <= $3) }'
+    result $? "$1: the error falls with the power $found of the step, from $2 to $3"
+}
+at_stages='-25 N/m * delay(position of along, 40 ms)'
+for method in 'euler 1' 'semi_implicit 1' 'heun 2' 'rosenbrock 3' 'rk4 4' 'ab4 4' 'abm4 4' 'bdf4 4'; do
+    power=${method#* }
+    order "${method% *}" "$(awk "BEGIN { print $power - 0.3 }")" "$(awk "BEGIN { print $power + 0.5 }")" "$at_stages"
+done
+held='-25 N/m * delay(position of along + none / 25 N * 1 m, 40 ms)'
+order rk4 0.7 1.7 "$held" # the control: not of order four
+grep -q 'delay.scene:.*constant within a step, and so half a step longer' "$out/errors"
+result $? 'a delay of a memory too is constant within a step: isoc warns'
+delayed rk4 5 "$at_stages" >"$out/shown"
+[ ! -s "$out/errors" ]
+result $? 'of a state alone it acts at each stage: no warning'
+finish
