@@ -149,8 +149,7 @@ static void run(void)
         plant->u[PLANT_U_VOLTS] = (real)(2.0 * sin(0.011 * tick) + (tick / 333 % 2 == 0 ? 1.0 : -1.0));
         plant->u[PLANT_U_AMPS] = (real)(0.35 + 2.6 * sin(0.04 * tick));
         const long double u = (long double)plant->u[PLANT_U_VOLTS], amps = (long double)plant->u[PLANT_U_AMPS];
-        const long double noise_1 = (long double)iso_noise(tick + 1, 1),
-                          noise_2 = (long double)iso_noise(tick + 1, 2);
+        const long double noise_1 = (long double)iso_noise(tick + 1, 1), noise_2 = (long double)iso_noise(tick + 1, 2);
         (void)iso_plant_tick(plant, tick);
         past[tick] = u;
         make_step(y, u, amps);
