@@ -15,8 +15,8 @@ typedef struct iso_limits {
     real least, most;
 } iso_limits;
 
-/* Of all that came in: how often a number was not finite, and the last good one stayed; and how often one was beyond its
- * limits, and was set to the nearer. */
+/* Of all that came in: how often a number was not finite, and the last good one stayed, or tunables broke a condition of
+ * the scene, and all stayed; and how often one was beyond its limits, and was set to the nearer. */
 typedef struct iso_refusals {
     uint64_t held;
     uint64_t clamped;
@@ -48,6 +48,16 @@ static inline uint32_t iso_admit(real *const v, real *const good, const iso_limi
         v[i] = good[i] = x;
     }
     return refused;
+}
+
+/* Where `broken` is all ones, v[n] and good[n] are again what they were `before`; returns 1 there, else 0. */
+static inline uint32_t iso_put_back(real *const v, real *const good, const real *const before, const uint16_t n,
+                                    const iso_bits broken)
+{
+    for (uint16_t i = 0; i < n; i++) {
+        v[i] = good[i] = iso_select(broken, before[i], v[i]);
+    }
+    return (uint32_t)broken & 1;
 }
 
 /* Of inputs, or of parameters: what iso_admit returned. */

@@ -248,17 +248,17 @@ void emit_arrays(const emission *e, const code *made)
     }
 }
 
-/* How far off its closures a plant is. */
-static void emit_violation(emission *e)
+/* A function of the memory that returns one number. */
+static void emit_number(emission *e, const char *function, const node *root)
 {
-    static const char *const target = "off";
-    const code made = code_of(e, &target, &e->p->violation, 1);
-    text_add(e->out, "static real violation(const void *const instance)\n{\n");
+    static const char *const target = "number";
+    const code made = code_of(e, &target, root, 1);
+    text_add(e->out, "static real %s(const void *const instance)\n{\n", function);
     text_add(e->out, "    const %s_memory *const memory = instance;\n", e->names->prefix);
     emit_arrays(e, &made);
-    text_add(e->out, "    real off;\n");
+    text_add(e->out, "    real number;\n");
     emit_code(e, &made);
-    text_add(e->out, "    return off;\n}\n\n");
+    text_add(e->out, "    return number;\n}\n\n");
 }
 
 static void emit_numbers(const emission *e, const char *type, const char *array, const int *numbers, int count)
@@ -330,26 +330,44 @@ static void emit_solver(emission *e)
     text_add(e->out, "}\n\n");
 }
 
-/* What checks inputs and tunables, with the limits that the scene gives. */
+/* What checks inputs and tunables, with the limits that the scene gives, and with its conditions. */
 static void emit_admit(emission *e)
 {
     const mechanism *m = e->p->m;
     const char *capitals = e->names->capitals;
+    const bool has_conditions = e->p->broken >= 0, watches = watches_parameters(e->p);
+    const char *inputs = m->input_count > 0 ? arena_format(e->out->memory, " + %s_INPUTS", capitals) : "";
+    if (has_conditions) {
+        emit_number(e, "broken", &e->p->broken);
+    }
     text_add(e->out, "/* What comes in from outside is finite, and within its limits. */\n");
     text_add(e->out, "static iso_refused admit(void *const instance)\n{\n");
-    text_add(e->out, "    %s_memory *const memory = instance;\n    return", e->names->prefix);
+    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    if (has_conditions) {
+        text_add(e->out, "    real before[%s_PARAMETERS];\n    memcpy(before, memory->good%s, sizeof before);\n%s",
+                 capitals, inputs, watches ? "    iso_bits changed = 0;\n" : "");
+    }
+    text_add(e->out, has_conditions ? "    const iso_refused refused =" : "    return");
     if (m->input_count > 0) {
         text_add(e->out, " iso_admit(memory->u, memory->good, %s, %s_INPUTS, NULL)%s",
                  has_limits(m->inputs, m->input_count) ? "input_limits" : "NULL", capitals,
                  m->parameter_count > 0 ? " |\n          " : "");
     }
     if (m->parameter_count > 0) {
-        text_add(e->out, " (iso_refused)iso_admit(memory->p, memory->good%s, %s, %s_PARAMETERS, %s) << 32",
-                 m->input_count > 0 ? arena_format(e->out->memory, " + %s_INPUTS", capitals) : "",
+        const char *changed = has_conditions ? "&changed" : "&memory->changed";
+        text_add(e->out, " (iso_refused)iso_admit(memory->p, memory->good%s, %s, %s_PARAMETERS, %s) << 32", inputs,
                  has_limits(m->parameters, m->parameter_count) ? "parameter_limits" : "NULL", capitals,
-                 watches_parameters(e->p) ? "&memory->changed" : "NULL");
+                 watches ? changed : "NULL");
     }
-    text_add(e->out, ";\n}\n\n");
+    text_add(e->out, ";\n");
+    if (has_conditions) {
+        text_add(e->out, "    const iso_bits mask = iso_less(R(0.0), broken(memory));\n%s",
+                 watches ? "    memory->changed |= changed & ~mask;\n" : "");
+        text_add(e->out, "    return refused + ((iso_refused)iso_put_back(memory->p, memory->good%s, before,\n",
+                 inputs);
+        text_add(e->out, "                                                %s_PARAMETERS, mask) << 32);\n", capitals);
+    }
+    text_add(e->out, "}\n\n");
 }
 
 /* What is put right after a step, in place. */
@@ -436,7 +454,7 @@ void emit_functions(emission *e)
         emit_settle(e);
     }
     if (p->violation >= 0) {
-        emit_violation(e);
+        emit_number(e, "violation", &p->violation);
     }
     for (int i = 0; i < p->lesser_count; i++) {
         emit_lesser_functions(e, &p->lessers[i]);

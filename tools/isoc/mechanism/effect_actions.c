@@ -223,12 +223,6 @@ static void do_push(world *w, const instance *in, const effect_line *line)
     }
 }
 
-/* Whether it follows from an inertia, which is not known yet. */
-static bool by_inertia(world *w, value of)
-{
-    return uses_operation(w->b->g, of.parts, 1, OP_INERTIA);
-}
-
 /* Whether a formula reads a signal, by itself or through a let. */
 static bool reads_signal(const instance *in, const formula *f)
 {
@@ -241,12 +235,6 @@ static bool reads_signal(const instance *in, const formula *f)
         is = reads_signal(in, f->parts[i]);
     }
     return is;
-}
-
-static bool is_ordered(world *w, node a, node b, bool is_strict)
-{
-    const double least = value_now(&w->b->values, a), most = value_now(&w->b->values, b);
-    return is_strict ? least < most : least <= most;
 }
 
 /* At the defaults of the tunables; of a signal where it is a constant. */
@@ -264,8 +252,7 @@ static void do_require(world *w, const instance *in, const effect_line *line)
     } else if (!least.any && !most.any && !dimension_equal_but_angle(least.of, most.of)) {
         source_problem(s, line->at, "%s and %s cannot be compared", dimension_text(s->memory, least.of),
                        dimension_text(s->memory, most.of));
-    } else if (!by_inertia(w, least) && !by_inertia(w, most) &&
-               !is_ordered(w, least.parts[0], most.parts[0], line->is_strict)) {
+    } else if (!keeps(&w->b->values, (condition){least.parts[0], most.parts[0], line->is_strict})) {
         enter(w, NULL);
         source_problem(s, in->use->name.at, "'%s' breaks what its effect requires in %s: %s", in->use->name.text,
                        source_line(s, line->at), source_quote(s, line->at));

@@ -71,10 +71,18 @@ static bool depends_on_time(values *v, node n)
     return found;
 }
 
-/* Whether a number is known before the plant runs, with the tunables at their defaults. */
-static bool is_known(values *v, node n)
+/* Whether a number stays within these limits, as far as tunables and constants tell; a limit is excluded with is_strict. */
+static bool stays_within(values *v, node x, double least, double most, bool is_strict)
 {
-    return is_constant(v->g, n) || (v->around == NULL && !depends_on_time(v, n));
+    const node low = constant(v->g, least), high = constant(v->g, most);
+    const bool is_above = keeps(v, (condition){low, x, is_strict}),
+               is_below = keeps(v, (condition){x, high, is_strict});
+    return is_above && is_below;
+}
+
+static bool stays_above(values *v, node x, double least, bool is_strict)
+{
+    return keeps(v, (condition){constant(v->g, least), x, is_strict});
 }
 
 /* --- of angles --- */
@@ -86,7 +94,7 @@ static bool turn_of(values *v, const formula *f, const value *given, node *sine_
     static const double sines[] = {0.0, 1.0, 0.0, -1.0};
     const node angle = given[0].parts[0];
     const double now = value_now(v, angle), quarters = floor(now / half_pi + 0.5);
-    if (is_known(v, angle) && !(fabs(now) <= largest_angle)) {
+    if (!stays_within(v, angle, -largest_angle, largest_angle, false)) {
         source_problem(v->s, f->parts[0]->at, "an angle must be within %g rad", largest_angle);
         return false;
     }
@@ -134,7 +142,7 @@ static value call_tangent(values *v, const formula *f, const value *given)
     if (!has_dimension(v, f, 0, given, radian) || !turn_of(v, f, given, &s, &c)) {
         return nothing;
     }
-    if (is_known(v, c) && value_now(v, c) == 0.0) {
+    if (is_parametric(v, c) && value_now(v, c) == 0.0) {
         source_problem(v->s, f->parts[0]->at, "the tangent of a quarter turn is infinite");
         return nothing;
     }
@@ -149,7 +157,7 @@ static value call_inverse(values *v, const formula *f, const value *given)
     if (!has_dimension(v, f, 0, given, plain)) {
         return nothing;
     }
-    if (is_known(v, x) && !(fabs(value_now(v, x)) <= 1.0 + 4 * DBL_EPSILON)) {
+    if (!stays_within(v, x, -1.0 - 4 * DBL_EPSILON, 1.0 + 4 * DBL_EPSILON, false)) {
         source_problem(v->s, f->parts[0]->at, "%s is of a number from -1 to 1; this is %g", f->name, value_now(v, x));
         return nothing;
     }
@@ -169,7 +177,7 @@ static value call_direction(values *v, const formula *f, const value *given)
     if (!share_dimension(v, f, 0, given, &both)) {
         return nothing;
     }
-    if (is_known(v, y) && is_known(v, x) && value_now(v, y) == 0.0 && value_now(v, x) == 0.0) {
+    if (is_parametric(v, y) && is_parametric(v, x) && value_now(v, y) == 0.0 && value_now(v, x) == 0.0) {
         source_problem(v->s, f->at, "atan2 of 0 and 0: that point has no direction");
         return nothing;
     }
@@ -189,7 +197,7 @@ static value call_root(values *v, const formula *f, const value *given)
                        dimension_text(v->s->memory, of));
         return nothing;
     }
-    if (is_known(v, x) && !(value_now(v, x) >= 0.0)) {
+    if (!stays_above(v, x, 0.0, false)) {
         source_problem(v->s, f->parts[0]->at, "the root of a negative number: %g", value_now(v, x));
         return nothing;
     }
@@ -206,7 +214,7 @@ static value call_exp(values *v, const formula *f, const value *given)
     if (!has_dimension(v, f, 0, given, plain)) {
         return nothing;
     }
-    if (is_known(v, x) && !(fabs(value_now(v, x)) <= largest)) {
+    if (!stays_within(v, x, -largest, largest, false)) {
         source_problem(v->s, f->parts[0]->at, "exp is of a number from -%g to %g; this is %g", largest, largest,
                        value_now(v, x));
         return nothing;
@@ -220,7 +228,7 @@ static value call_log(values *v, const formula *f, const value *given)
     if (!has_dimension(v, f, 0, given, plain)) {
         return nothing;
     }
-    if (is_known(v, x) && !(value_now(v, x) >= DBL_MIN)) {
+    if (!stays_above(v, x, 0.0, true)) {
         source_problem(v->s, f->parts[0]->at, "log is of a number larger than zero; this is %g", value_now(v, x));
         return nothing;
     }
@@ -239,7 +247,7 @@ static value call_impact(values *v, const formula *f, const value *given)
     if (!has_dimension(v, f, 0, given, plain)) {
         return nothing;
     }
-    if (is_known(v, e) && !(value_now(v, e) >= LEAST_RESTITUTION && value_now(v, e) <= 1.0)) {
+    if (!stays_within(v, e, LEAST_RESTITUTION, 1.0, false)) {
         source_problem(v->s, f->parts[0]->at, "%s is of a restitution from %g to 1; this is %g", f->name,
                        LEAST_RESTITUTION, value_now(v, e));
         return nothing;
@@ -290,7 +298,7 @@ static value call_clamp(values *v, const formula *f, const value *given)
     if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given, f->count)) {
         return nothing;
     }
-    if (is_known(v, least) && is_known(v, most) && value_now(v, least) > value_now(v, most)) {
+    if (!keeps(v, (condition){least, most, false})) {
         source_problem(v->s, f->parts[1]->at, "the limits are in the wrong order: clamp(x, LEAST, MOST)");
         return nothing;
     }

@@ -234,6 +234,8 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     states_check(s, &b.made);
     b.made.tables = b.values.tables;
     b.made.table_count = (int)b.values.table_count;
+    b.made.conditions = b.values.conditions;
+    b.made.condition_count = (int)b.values.condition_count;
 
     if (written->broken) {
         return b.made;

@@ -339,6 +339,8 @@ typedef struct mechanism {
     const double *defaults;
     switching *changes; /* of parameters, at given ticks */
     int change_count;
+    const condition *conditions; /* that a change of a tunable must keep */
+    int condition_count;
 
     policies policies;
     unsigned recipe;  /* method and options: core/methods/recipe.h */

@@ -247,11 +247,43 @@ static int parameter_called(builder *b, name n)
     return -1;
 }
 
+/* What the scene sets at a tick keeps the conditions, with all that it has set until then. */
+static void check_changes(builder *b, const formula *const *to)
+{
+    const mechanism *made = &b->made;
+    arena *memory = b->s->memory;
+    double *p = arena_take(memory, (size_t)made->parameter_count + 1, sizeof *p);
+    double *numbers = arena_take(memory, b->g->count + 1, sizeof *numbers);
+    for (int i = 0; i < made->change_count; i++) {
+        const double tick = made->changes[i].tick;
+        double *latest = arena_take(memory, (size_t)made->parameter_count + 1, sizeof *latest);
+        memcpy(p, made->defaults, (size_t)made->parameter_count * sizeof *p);
+        for (int j = 0; j < made->change_count; j++) {
+            const switching *c = &made->changes[j];
+            if (c->tick <= tick && c->tick >= latest[c->parameter]) {
+                latest[c->parameter] = c->tick;
+                p[c->parameter] = c->value;
+            }
+        }
+        graph_evaluate(b->g, 0, &(evaluation){.p = p}, numbers);
+        for (size_t j = 0; j < b->values.condition_count; j++) {
+            const condition *of = &b->values.conditions[j];
+            const double least = numbers[of->least], most = numbers[of->most];
+            if (of->is_strict ? !(least < most) : !(least <= most)) {
+                source_problem(b->s, to[i]->at, "this breaks a condition of the formulas: %g is not %s %g", most,
+                               of->is_strict ? "above" : "at least", least);
+                break;
+            }
+        }
+    }
+}
+
 void build_changes(builder *b)
 {
     static const double most_ticks = 4294967295.0;
     mechanism *made = &b->made;
     made->changes = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *made->changes);
+    const formula **to_values = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *to_values);
     for (size_t i = 0; i < b->written->setting_count; i++) {
         const setting *set = &b->written->settings[i];
         const int parameter = set->value == NULL ? -1 : parameter_called(b, set->what);
@@ -268,6 +300,8 @@ void build_changes(builder *b)
             source_problem(b->s, set->value->at, "'%s' is from %g to %g, in SI units", set->what.text, of->least,
                            of->most);
         }
+        to_values[made->change_count] = set->value;
         made->changes[made->change_count++] = (switching){ticks, parameter, to};
     }
+    check_changes(b, to_values);
 }

@@ -522,3 +522,36 @@ double value_now(values *v, node n)
     v->number_count = v->g->count;
     return v->numbers[n];
 }
+
+bool is_parametric(values *v, node n)
+{
+    const size_t count = (size_t)n + 1;
+    bool *needed = arena_take(v->s->memory, v->g->count, sizeof *needed), found = true;
+    graph_reach(v->g, &n, 1, needed);
+    for (size_t i = 0; i < count; i++) {
+        const operation op = v->g->nodes[i].op;
+        const bool is_leaf = operators[op].operands == 0;
+        found = found && !(needed[i] && is_leaf && op != OP_PARAMETER && op != OP_CONSTANT);
+    }
+    arena_return(v->s->memory, needed, v->g->count, sizeof *needed);
+    return found;
+}
+
+bool keeps(values *v, condition of)
+{
+    if (!is_parametric(v, of.least) || !is_parametric(v, of.most)) {
+        return true;
+    }
+    const double least = value_now(v, of.least), most = value_now(v, of.most);
+    bool is_new = !is_constant(v->g, of.least) || !is_constant(v->g, of.most);
+    for (size_t i = 0; i < v->condition_count; i++) {
+        const condition *known = &v->conditions[i];
+        is_new = is_new && (known->least != of.least || known->most != of.most || known->is_strict != of.is_strict);
+    }
+    if (is_new) {
+        v->conditions =
+            arena_grow(v->s->memory, v->conditions, v->condition_count, &v->condition_room, sizeof *v->conditions);
+        v->conditions[v->condition_count++] = of;
+    }
+    return of.is_strict ? least < most : least <= most;
+}

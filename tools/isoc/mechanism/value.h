@@ -41,6 +41,12 @@ typedef struct tick_table {
     double curve, ticks;
 } tick_table;
 
+/* What must hold of tunables: least <= most, or with is_strict least < most. */
+typedef struct condition {
+    node least, most;
+    bool is_strict;
+} condition;
+
 /* The scene's parameters and the graph that formulas become nodes of. */
 typedef struct values {
     source *s;
@@ -63,6 +69,8 @@ typedef struct values {
     size_t number_count, number_room;
     tick_table *tables; /* of functions of the tick, which know theirs by its index */
     size_t table_count, table_room;
+    condition *conditions; /* that tunables could break */
+    size_t condition_count, condition_room;
 } values;
 
 /* With room for so many tunables besides those that are written. */
@@ -98,5 +106,12 @@ double value_displacement(values *v, const formula *f, const char *what, double 
 
 /* The number that a node has with the tunables at their defaults. */
 double value_now(values *v, node n);
+
+/* Whether a number follows from constants and tunables alone. */
+bool is_parametric(values *v, node n);
+
+/* Whether a condition on such numbers holds with the tunables at their defaults; one of others may hold. What a tunable could
+ * break is kept: a plant refuses a change that breaks it. */
+bool keeps(values *v, condition of);
 
 #endif

@@ -168,6 +168,19 @@ static bool is_curved(const graph *of, const plant *p)
     return curved;
 }
 
+/* How many conditions the tunables break; -1 where there are none. */
+static node count_broken(graph *g, const mechanism *m)
+{
+    node count = constant(g, 0.0);
+    graph_section(g, "Conditions on tunables: how many are broken");
+    for (int i = 0; i < m->condition_count; i++) {
+        const condition *of = &m->conditions[i];
+        const node is_ordered = of->is_strict ? above(g, of->most, of->least) : above(g, of->least, of->most);
+        count = add(g, count, of->is_strict ? sub(g, constant(g, 1.0), is_ordered) : is_ordered);
+    }
+    return m->condition_count > 0 ? count : -1;
+}
+
 plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted)
 {
     plant p = {.m = m, .input_count = m->input_count, .is_double = is_double, .factors = wanted.factors};
@@ -184,5 +197,6 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted)
     p.violation = m->violation_limit > 0.0 && p.d->loops.held.count > 0
                       ? largest_violation(&p.d->k, &p.d->loops.held, false)
                       : -1;
+    p.broken = count_broken(g, m);
     return p;
 }

@@ -65,6 +65,7 @@ typedef struct plant {
     row_plan rows;               /* what each row sets */
     node energy;
     node violation; /* of the closures, where the loop counts it; else -1 */
+    node broken;    /* how many conditions the tunables break; -1: there are none */
     bool is_double;
     lesser *lessers; /* of a program: without the first drop of its ladder, without the first two, ... */
     int lesser_count;

@@ -15,7 +15,7 @@ static void reach(const graph *g, const plant *p, bool *needed)
         {p->derivatives, state_count(p->m)}, {p->outputs, p->output_count},
         {p->after.values, p->after.count},   {p->m->drives, p->m->input_count + p->m->clocks.count},
         {p->j.factors, p->j.factor_count},   {p->j.solution, p->j.solution != NULL ? state_count(p->m) : 0},
-        {&p->violation, p->violation >= 0},
+        {&p->violation, p->violation >= 0},  {&p->broken, p->broken >= 0},
     };
     bool *one = arena_take(g->memory, g->count, sizeof *one);
     for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++) {
