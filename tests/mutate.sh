@@ -7,7 +7,7 @@
 #     MUTATIONS  so many of each file, drawn with SEED; default: all
 #     SECONDS    for all files together; what is left is told; default: no limit
 #     TESTS      these tests, instead of those that follow from the file (tests/mutate/mutate.py says which)
-#     AGAIN      yes: also mutations that an earlier call has tried; else their results are taken over from build/mutate/results
+#     AGAIN      yes: also mutations that an earlier call has tried; else their results are taken over from build/tests/mutations/results
 #
 # Exit status 1 if a mutation survives that tests/mutate/equivalent.txt does not have.
 set -e
@@ -15,5 +15,5 @@ set -e
     sed -n '2,/^$/s/^#\( \|$\)//p' "$0"
     exit 1
 }
-mkdir -p build/mutate
+mkdir -p build/tests/mutations
 exec python3 tests/mutate/mutate.py "$@"

@@ -16,7 +16,7 @@ import sys
 import time
 
 ROOT = pathlib.Path.cwd()
-WORK = ROOT / "build/mutate"
+WORK = ROOT / "build/tests/mutations"
 COPY = WORK / "project"
 RESULTS = WORK / "results"
 KNOWN = ROOT / "tests/mutate/equivalent.txt"

@@ -40,7 +40,7 @@ result $? "and it finds the other two"
 unit 'toy(3, 1) == 2 && toy(1, 3) == 7 && toy(2, 2) == 7'
 AGAIN=yes mutate && grep -q ': 4 killed, 0 survived' "$out/answer"
 result $? "a better test finds all"
-sed -i 's/tests\/unit\/toy.c$/survived/' "$mini/build/mutate/results"
+sed -i 's/tests\/unit\/toy.c$/survived/' "$mini/build/tests/mutations/results"
 ! mutate && grep -q ', 4 survived' "$out/answer"
 result $? "what is tried is taken over from the results"
 unit 'false'

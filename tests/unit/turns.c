@@ -65,9 +65,44 @@ static void test_count(void)
     tap_ok(count == INT32_MAX - 1, "and back");
 }
 
+/* The end of a tick of h + h_rest seconds. */
+typedef struct turned {
+    real angle, rest;
+} turned;
+
+static turned turn(const real angle, const iso_turning before, const real speed, const real h, const real h_rest)
+{
+    turned made = {.angle = angle, .rest = R(0.0)};
+    iso_turn(&made.angle, &made.rest, before, speed, h, h_rest);
+    return made;
+}
+
+/* Numbers of which every sum and product is known: e is the distance from 1 to the next. */
+static void test_turn(void)
+{
+    const real e = ISO_REAL_EPSILON, h = R(0.5), h_rest = R(0.25);
+    const iso_turning slow = {.angle = R(1.0), .speed = R(1.5) * e}, fast = {.angle = R(1.0), .speed = R(1.0)};
+    turned at = turn(R(1.0) + e, slow, slow.speed, h, h_rest);
+    tap_same(at.angle, R(1.0) + e, "steady: 1 + 0.75 e is 1 + e");
+    tap_same(at.rest, R(0.125) * e, "steady: the rest has what is too much of it, and the way in h_rest");
+    at = turn(R(1.5) + R(8.0) * e, fast, fast.speed, h, R(0.0));
+    tap_same(at.angle, R(1.5), "steady: the way is the product, where the method is off by rounding");
+    at = turn(R(1.5), fast, R(1.0) + R(4.0) * e, h, h_rest);
+    tap_same(at.angle, R(1.5), "steady but for rounding: the way is that of the speed before");
+    tap_same(at.rest, R(0.25) + e, "steady but for rounding: half of the change is in the rest");
+    at = turn(R(1.5), fast, R(1.0) + R(16.0) * e, h, h_rest);
+    tap_same(at.rest, R(0.25), "another speed: the way of the method, which lacks that in h_rest");
+    at = turn(R(1.75), fast, fast.speed, h, h_rest);
+    tap_same(at.angle, R(1.75), "another way: that of the method");
+    tap_same(at.rest, R(0.25), "another way: nothing but h_rest is lacking");
+    at = turn(R(1.5) + R(16.0) * e, fast, fast.speed, h, R(0.0));
+    tap_same(at.angle, R(1.5) + R(16.0) * e, "another way: just beyond rounding");
+}
+
 int main(void)
 {
     test_known();
+    test_turn();
     test_count();
     test_direction();
     tap_done();
