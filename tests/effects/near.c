@@ -4,8 +4,8 @@
 #include <math.h>
 
 #include "core/runtime/tick.h"
-#include "other.h"
 #include "old.h"
+#include "other.h"
 #include "tests/host/report.h"
 
 int main(void)

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "core/runtime/tick.h"
-#include "other.h"
 #include "old.h"
+#include "other.h"
 
 int main(void)
 {
