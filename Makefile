@@ -70,12 +70,12 @@ MAKEFLAGS += --no-builtin-rules
 # The goals that build and run plants; each works in one folder.
 GOALS := run plot link hil size stack ticks a2l cost chains flags report bench drift
 
-.PHONY: help shared digits functions tables pictures compare clean $(GOALS)
+.PHONY: help shared digits functions tables pictures compare monitor clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
-	@sed -n 's/^\([a-z0-9]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | while read -r target text; do \
-	    printf '    make %-8s %s\n' $$target "$$text"; done
+	@sed -n 's/^\([a-z0-9-]*\):.*## \(.*\)/\1 \2/p' $(MAKEFILE_LIST) | while read -r target text; do \
+	    printf '    make %-10s %s\n' $$target "$$text"; done
 
 # --- Helpers -----------------------------------------------------------------------------------------------------
 
@@ -152,7 +152,7 @@ no_effect = $(error $(1) has no effect on `make $(2)`; it has one on: $(strip $(
     check tables compare,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
 ifeq ($(MAKELEVEL),0)
 $(foreach name,$(filter-out $(EFFECTS) MAKEFLAGS SHELL,$(GIVEN)),$(call unknown,$(name),$(call nearest,$(name))))
-ifeq ($(filter-out $(GOALS) test check tables compare pictures help clean digits functions,$(or $(MAKECMDGOALS),help)),)
+ifeq ($(filter-out $(GOALS) test check tables compare pictures help clean digits functions monitor,$(or $(MAKECMDGOALS),help)),)
 $(foreach name,$(filter $(GIVEN),$(filter-out V CC CFLAGS,$(EFFECTS))),$(if $($(name)),$(if $(filter $(name),$(foreach \
     goal,$(MAKECMDGOALS),$(EFFECTS_$(goal)))),,$(call no_effect,$(name),$(or $(MAKECMDGOALS),help)))))
 endif
@@ -384,6 +384,8 @@ $(GOALS):
 	@flock -n $(call folder_of,$@)/lock true || echo '  WAIT until another make is done in $(call folder_of,$@)' >&2
 	@ISOCHRON_LOCKED='$@ $(call folder_of,$@)' flock $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@
 endif
+
+monitor: build/monitor ## build the terminal of measurement and calibration; then: build/monitor A2L tcp:127.0.0.1:5555 (core/xcp)
 
 compare: build/plot ## draw two runs that were kept, one over the other, in build/compare/, and print their differences
 	$(call require,gnuplot,apt-get install gnuplot-nox)

@@ -116,12 +116,12 @@ TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' \) -mtime 
     PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
 
 # All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole domains, checkers, models. A few minutes.
-test:
+test: ## run all tests, but for those that passed before and follow from nothing that has changed; some minutes
 	@tests/tools.sh
 	@$(MAKE) --no-print-directory -j$(TEST_JOBS) test-run
 
 # The fast part: units in float, and the checkers that are quick.
-check:
+check: ## run the fast tests
 	@tests/tools.sh
 	@$(MAKE) --no-print-directory -j$(TEST_JOBS) check-run
 
@@ -132,5 +132,5 @@ check-run: $(TEST_FAST) $(TOOLS) $(TEST_ONCE)/once
 	@export TEST_STRIDE=11 TALLY_MOST=$(TEST_QUICK); $(TEST_PROVE) $(TEST_FAST) $(TEST_SCRIPTS)
 
 # What each test of the last `make test` took. `make test-times >tests/times` keeps it: an order, and what is quick.
-test-times:
+test-times: ## print the processor time of each test of the last make test
 	@cat build/tests/times.txt

@@ -26,6 +26,23 @@ runs()
     expect $? "$name: runs"
 }
 
+# helped FILE...: whether make help lists every goal that these files name as a command.
+helped()
+{
+    make --no-print-directory help >"$out/help" &&
+        grep -oh '`make [a-z0-9-]*[` ]' "$@" | tr -d '`' | cut -d ' ' -f 2 | sort -u >"$out/goals" && [ -s "$out/goals" ] &&
+        while read -r goal; do
+            grep -q "^    make $goal " "$out/help" || { echo "# make $goal" && false; } || return 1
+        done <"$out/goals"
+}
+find . -path ./build -prune -o -name '*.md' -print >"$out/texts"
+# shellcheck disable=SC2046
+helped $(cat "$out/texts") && grep -qx test "$out/goals" && grep -qx check "$out/goals" && grep -qx monitor "$out/goals"
+result $? "make help lists every goal that a text names: $(tr '\n' ' ' <"$out/goals")"
+echo '`make tea`' >"$out/tea.md"
+! helped "$out/tea.md" >"$out/output"
+result $? "control: a goal that it does not list is noticed"
+
 told "SCEEN is not known (did you mean SCENE?)" run SCEEN=models/pendulum.scene
 told "STEPS is not known (did you mean STEP?)" STEPS=1ms
 told "SCEEN is not known (did you mean SCENE?)" clean SCEEN=models/pendulum.scene
