@@ -70,6 +70,21 @@ adapted()
 
 call report METHODS="$methods"
 expect $? "make report"
+sed -n 's/^make report: \([0-9]*\) of 15: [a-z0-9]* in [a-z]*$/\1/p' "$out/errors" | sort -n | tr '\n' ' ' >"$out/progress"
+[ "$(cat "$out/progress")" = "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 " ]
+expect $? "it shows its progress"
+
+# A warning of many kinds and methods is told once, with the place in the scene.
+printf 'DIR/%s/a.scene:3:1: warning: %s\n    text\n    ^\n' one first one second >"$out/warned"
+(
+    SCENE=models/a.scene dir=$out/told && mkdir -p "$dir/told" && . tools/report/common.sh
+    for kind in one two; do
+        sed "s|DIR/one|$dir/$kind|" "$out/warned" >"$out/warned.$kind"
+        tell "$out/warned.$kind" "$dir/$kind/a.scene"
+    done
+) 2>"$out/told.text"
+printf 'models/a.scene:3:1: warning: %s\n    text\n    ^\n' first second | diff - "$out/told.text" >"$out/diff"
+result $? "two warnings of two kinds are told once each"
 for file in report.txt report.tsv work_precision.svg work_precision.png; do
     [ -s "$folder/$file" ] && grep -qx "build/report/double_pendulum/$file" "$out/output"
     result $? "$file is there, and named"

@@ -24,6 +24,7 @@ fail()
 prepare()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"
+    rm -rf "$dir/told" && mkdir -p "$dir/told" || exit 1
     for kind in float compensated double reference smooth_float smooth smooth_reference; do
         mkdir -p "$dir/$kind" || exit 1
         case $kind in
@@ -59,6 +60,16 @@ reading()
     esac
 }
 
+# tell FILE SOURCE: on stderr what isoc said of the source, each warning once, with the place in SCENE: of many kinds and
+# methods at once the first that makes its folder.
+tell()
+{
+    sed "s|^$2:|$SCENE:|" "$1" | awk '/^[^ ]*:[0-9]+:[0-9]+: / && NR > 1 { print "" } { printf "%s\001", $0 } END { print "" }' | while IFS= read -r text; do
+        said=$(printf '%s' "$text" | cksum | tr ' ' -)
+        [ -z "$text" ] || ! mkdir "$dir/told/$said" 2>/dev/null || printf '%s' "$text" | tr '\001' '\n' >&2
+    done
+}
+
 # build KIND METHOD FOLDER [FLAG...]: the program FOLDER/drive, its plant compiled with these flags as well.
 build()
 {
@@ -82,7 +93,10 @@ build()
         ;;
     *)
         build/isoc "$source" -o "$folder" --method "$build_method" --inputs "$(reading "$build_kind")" --real $real ${STEP:+--step "$STEP"} \
-            ${TOLERANCE:+--tolerance "$TOLERANCE"} >"$folder/plant.txt" || exit 1
+            ${TOLERANCE:+--tolerance "$TOLERANCE"} >"$folder/plant.txt" 2>"$folder/told"
+        built=$?
+        tell "$folder/told" "$source"
+        [ $built -eq 0 ] || exit 1
         source=$folder/plant.c
         ;;
     esac
@@ -184,8 +198,10 @@ instructions_m4f()
     seconds=${TOLERANCE:+$time}
     seconds=${seconds:-$(awk -v step="$step" 'BEGIN { printf "%.9f\n", 50 * step }')}
     "${MAKE:-make}" --no-print-directory run TARGET=cortex-m4f REAL=float OUT="$m4f" SCENE="$(source_of "$1")" METHOD="$2" \
-        INPUTS="$([ "${inputs:-0}" -eq 0 ] || reading "$1")" STEP="$STEP" TOLERANCE="$TOLERANCE" SECONDS="$seconds" >"$m4f/run" </dev/null ||
-        fail "$2 does not run on the Cortex-M4F; see $m4f/run"
+        INPUTS="$([ "${inputs:-0}" -eq 0 ] || reading "$1")" STEP="$STEP" TOLERANCE="$TOLERANCE" SECONDS="$seconds" >"$m4f/run" 2>"$m4f/told" </dev/null
+    ran=$?
+    tell "$m4f/told" "$(source_of "$1")"
+    [ $ran -eq 0 ] || fail "$2 does not run on the Cortex-M4F; see $m4f/run"
     awk '
         $1 == "ticks" { ticks = $2 }
         $1 == "execution" { least = $2; mean = $3; most = $4; n++ }
@@ -213,11 +229,27 @@ instructions_host()
         "$count/counted" || fail "$count/counted has not one count"
 }
 
+# progress KIND METHOD: on stderr how many of all have been measured, by the folders that count them; ends where the command
+# before it failed.
+progress()
+{
+    # shellcheck disable=SC2181
+    [ $? -eq 0 ] || exit 1
+    count=1
+    while ! mkdir "$dir/done/$count" 2>/dev/null; do
+        count=$((count + 1))
+    done
+    echo "$WHAT: $count of $total: $2 in $1" >&2
+}
+
 # each COMMAND: runs `sh COMMAND KIND METHOD` for the lines of kinds and methods on the input, a few at once.
 each()
 {
-    WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick \
-        xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh "$1" || exit 1
+    cat >"$dir/each"
+    total=$(grep -c . "$dir/each")
+    rm -rf "$dir/done" && mkdir "$dir/done" || exit 1
+    WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick total=$total \
+        xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh "$1" <"$dir/each" || exit 1
 }
 
 # A program for the board, so that those that are made at once find the objects that they share.

@@ -12,3 +12,4 @@ take "$2"
     instructions_m4f float "$2" || exit 255
     awk '{ said[$1] = $2 } END { if (said["substeps"]) printf "%.2f\n", said["evaluations"] / said["substeps"] }' "$m4f/run"
 } >"$dir/float-$2/instructions"
+progress "$@"

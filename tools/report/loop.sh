@@ -17,3 +17,4 @@ mkdir -p "$dir/smooth_float-$2"
     fi
 } >"$dir/double-$2/loop"
 instructions_m4f smooth_float "$2" >"$dir/smooth_float-$2/instructions" || exit 255
+progress "$@"

@@ -20,3 +20,4 @@ if [ -s "$dir/smooth.txt" ]; then
     (variable smooth "$method") || fail "$method with smooth inputs cannot be built for $SCENE"
     lines smooth smooth smooth "$coarsest" >"$dir/double-$method/looped-smooth"
 fi
+progress "$@"

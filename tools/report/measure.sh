@@ -40,3 +40,4 @@ fi >"$of/costs"
 # shellcheck disable=SC2086
 "$of/drive" "$time" $points >"$of/points" || fail "$method in $kind does not run"
 paste -d ' ' "$of/costs" "$of/points" >"$of/measured"
+progress "$@"

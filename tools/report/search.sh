@@ -13,3 +13,4 @@ if [ -n "$TOLERANCE" ]; then
 else
     build/accuracy fewest "$of/drive" "$time" "$coarsest" "$error" "$dir/reference.txt"
 fi >"$of/bench" || exit 255
+progress "$@"
