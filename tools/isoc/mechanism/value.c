@@ -85,6 +85,11 @@ static void evaluate_parameter(values *v, size_t i)
 {
     const quantity *q = &v->scene->parameters[i];
     value result = q->value == NULL ? nothing() : value_any(v, q->value);
+    const char *called = q->name.text;
+    if (result.count > 1 && called != NULL && called[0] >= 'x' && called[0] <= 'z' && called[1] == '\0') {
+        source_problem(v->s, q->name.at, "a vector '%s' would be read as the axis: choose another name", called);
+        result = nothing();
+    }
     if (result.count > 0 && q->tunable) {
         const int index = v->tunable_index[i];
         if (result.count != 1 || !is_constant(v->g, result.parts[0])) {

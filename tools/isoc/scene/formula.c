@@ -274,18 +274,24 @@ static formula *parse_quantity(parser *p)
     p->next++;
     of->name = take_indices(p, of->name);
     add_part(p, f, of);
-    if (strcmp(f->name, "inertia") == 0 && take_word(p, "at")) {
+    if (strcmp(f->name, "inertia") == 0 && take_option(p, "at")) {
         formula *beside = parse_primary(p);
         if (beside == NULL) {
             return NULL;
         }
         add_part(p, f, beside);
     }
-    if (next_is_word(p, "in") && p->next[1].kind == TOKEN_NAME) {
+    if (next_is_word(p, "in") && !p->next->first_on_line && p->next[1].kind == TOKEN_NAME) {
         f->axes = (name){p->next[1].text, p->next[1].at};
         p->next += 2;
     }
     return f;
+}
+
+bool next_is_owned(const parser *p)
+{
+    const token *after = p->next + 1;
+    return after->kind == TOKEN_NAME && !after->first_on_line && strcmp(after->text, "of") == 0;
 }
 
 bool next_is_quantity(const parser *p)
@@ -297,7 +303,7 @@ bool next_is_quantity(const parser *p)
     for (size_t i = 0; i < COUNT_OF(words); i++) {
         is = is || next_is_word(p, words[i]);
     }
-    return is && p->next[1].kind == TOKEN_NAME && strcmp(p->next[1].text, "of") == 0 && p->next[2].kind == TOKEN_NAME;
+    return is && next_is_owned(p) && p->next[2].kind == TOKEN_NAME;
 }
 
 static formula *parse_name_or_call(parser *p)
@@ -341,7 +347,7 @@ static formula *parse_file(parser *p)
         return NULL;
     }
     f->text_at = source_passage(p->s, f->file, 0, f->file->length, NULL);
-    if (take_word(p, "column")) {
+    if (take_option(p, "column")) {
         f->number = p->next->number;
         if (p->next->kind != TOKEN_NUMBER || !(f->number >= 2.0 && f->number <= MOST_COLUMNS) ||
             f->number != (int)f->number) {

@@ -11,6 +11,9 @@ formula *parse_formula(parser *p);
 /* x, y, z, -x, -y, -z or a vector. */
 formula *parse_axis(parser *p);
 
+/* Whether `of` follows the next word on its line. */
+bool next_is_owned(const parser *p);
+
 /* Whether the next words are those of a quantity: speed of NAME. */
 bool next_is_quantity(const parser *p);
 

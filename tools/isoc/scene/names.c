@@ -168,6 +168,22 @@ static void list_components(source *s, listing *l, const scene *written, const o
     }
 }
 
+/* output NAME = power, where an input is called so: it is the power of the mechanism, and perhaps not what is meant. */
+static void refuse_doubtful(source *s, const scene *written, const output *o)
+{
+    const group numbers[] = {GROUP(written, parameters, parameter_count), GROUP(written, inputs, input_count),
+                             GROUP(written, signals, signal_count)};
+    const char *word = output_rows[o->kind].word;
+    for (size_t i = 0; i < 3 && o->formula == NULL && output_rows[o->kind].of < OF_COORDINATE; i++) {
+        if (find_among(numbers[i], (name){word, o->kind_at}) >= 0) {
+            source_problem(s, o->kind_at,
+                           "'%s' is of the mechanism, but something else is called so too: for that one "
+                           "write 1 * %s, or choose another name for it",
+                           word, word);
+        }
+    }
+}
+
 /* Outputs have a name space of their own: an output may have the name of what it shows. */
 void names_check(source *s, const scene *written)
 {
@@ -188,6 +204,7 @@ void names_check(source *s, const scene *written)
     list_group(s, &outputs, GROUP(written, outputs, output_count));
     for (size_t i = 0; i < written->output_count; i++) {
         list_components(s, &outputs, written, &written->outputs[i]);
+        refuse_doubtful(s, written, &written->outputs[i]);
     }
     for (size_t i = 0; i < written->joint_count; i++) {
         list_parts(s, &things, &written->joints[i]);

@@ -8,7 +8,7 @@
 /* [at FORMULA] { rotate FORMULA about AXIS } */
 static placement parse_place_and_turns(parser *p, const char *what)
 {
-    const pose read = parse_pose(p, true);
+    const pose read = parse_pose(p, true, false);
     if (read.quaternion != NULL) {
         source_problem(p->s, read.quaternion->at,
                        "a quaternion is only for a start; turn %s like this: rotate 90 deg about x", what);

@@ -11,7 +11,7 @@
 static void parse_unit_or_like(parser *p, effect_line *line)
 {
     static const char *const words[] = {"effort", "speed", "position"};
-    if (!take_word(p, "like")) {
+    if (!take_option(p, "like")) {
         line->has_unit = take_unit(p, &line->unit);
         return;
     }
@@ -45,7 +45,7 @@ static void parse_rest(parser *p, effect_line *line)
 {
     switch (line->kind) {
     case EFFECT_JOINT:
-        line->is_bounded = take_word(p, "not");
+        line->is_bounded = take_option(p, "not");
         if (line->is_bounded && !take_word(p, "continuous")) {
             parse_problem(p, "expected 'continuous', as in: joint along not continuous");
         }
@@ -65,11 +65,11 @@ static void parse_rest(parser *p, effect_line *line)
         break;
     case EFFECT_FORCE:
     case EFFECT_MOMENT:
-        if (take_word(p, "in")) {
+        if (take_option(p, "in")) {
             static const char *const words[] = {"body", "ground"};
             line->in_body = take_one_of(p, words, COUNT_OF(words)) == 0;
         }
-        if (!p->failed && take_word(p, "against")) {
+        if (!p->failed && take_option(p, "against")) {
             line->against = take_name(p, "expected the name of the other body");
         }
         parse_equals(p, line, "force on wheel = (0, 0, 1 N)");
@@ -162,7 +162,7 @@ static void read_require(parser *p, const token *word, void *slot)
         line.value = rises ? left : right;
         line.most = rises ? right : left;
         add_line(p, slot, line);
-    } while (!p->failed && take_word(p, "and"));
+    } while (!p->failed && take_option(p, "and"));
 }
 
 static const property lines[] = {
@@ -296,7 +296,7 @@ static void parse_operands(parser *p, effect_use *use)
             continue;
         }
         given.value = parse_formula(p);
-        if (!p->failed && take_word(p, "at")) {
+        if (!p->failed && take_option(p, "at")) {
             given.point = parse_formula(p);
         }
         use->operands = arena_grow(p->s->memory, use->operands, use->operand_count, &use->operand_room, sizeof given);

@@ -60,7 +60,7 @@ static void read_start(parser *p, const token *word, void *slot)
     const start_form form = form_of(j->kind);
     const bool parts = next_is_word(p, "at") || next_is_word(p, "rotate") || next_is_word(p, "quaternion");
     if (parts) {
-        j->start = parse_pose(p, form.own_axes);
+        j->start = parse_pose(p, form.own_axes, true);
     } else {
         j->start = (pose){.is_rough = take_word(p, "about")};
         j->start.coordinate = parse_formula(p);
@@ -79,7 +79,7 @@ static void read_spring(parser *p, const token *word, void *slot)
 {
     joint *j = slot;
     read_formula(p, word, &j->spring);
-    if (!p->failed && take_word(p, "rest")) {
+    if (!p->failed && take_option(p, "rest")) {
         read_formula(p, word, &j->rest);
     }
 }
@@ -89,7 +89,7 @@ static void read_spin(parser *p, const token *word, void *slot)
 {
     joint *j = slot;
     read_formula(p, word, &j->spin);
-    if (!p->failed && take_word(p, "in")) {
+    if (!p->failed && take_option(p, "in")) {
         static const char *const axes[] = {"ground"};
         j->spin_axes_at = p->next->at;
         j->spin_in_ground = take_one_of(p, axes, COUNT_OF(axes)) == 0;

@@ -9,7 +9,7 @@
 static bool next_is_output_kind(const parser *p)
 {
     const token *last = p->next;
-    const bool has_owner = last[1].kind == TOKEN_NAME && strcmp(last[1].text, "of") == 0;
+    const bool has_owner = next_is_owned(p);
     bool is_known = false;
     for (output_kind kind = 0; kind < OUTPUT_FORMULA; kind++) {
         const bool is_owned = output_rows[kind].of >= OF_COORDINATE;
@@ -62,11 +62,11 @@ static void parse_owner(parser *p, output *o)
     }
     o->of = take_name(p, arena_format(p->s->memory, "expected the name of %s", wanted));
     o->point_at = p->next->at;
-    if (!p->failed && take_word(p, "at")) {
+    if (!p->failed && take_option(p, "at")) {
         o->point = parse_formula(p);
     }
     o->along_at = p->next->at;
-    if (!p->failed && take_word(p, "along")) {
+    if (!p->failed && take_option(p, "along")) {
         static const char *const axes[] = {"x", "y", "z"};
         o->along = (int)take_one_of(p, axes, COUNT_OF(axes));
     }
@@ -103,7 +103,7 @@ void read_output(parser *p, const token *word, void *slot)
     if (!p->failed && output_rows[o.kind].of >= OF_COORDINATE) {
         parse_owner(p, &o);
     }
-    if (!p->failed && take_word(p, "every")) {
+    if (!p->failed && take_option(p, "every")) {
         parse_rate(p, &o);
     }
     if (!p->failed) {

@@ -29,7 +29,7 @@ static void read_parameter(parser *p, const token *word, void *slot)
         parse_problem(p, "expected = and a value");
     }
     q.value = p->failed ? NULL : parse_formula(p);
-    if (!p->failed && q.tunable && take_word(p, "in")) {
+    if (!p->failed && q.tunable && take_option(p, "in")) {
         read_limits(p, &q);
     }
     made->parameters =
@@ -75,17 +75,17 @@ static void read_input_statement(parser *p, const token *word, void *slot)
     scene *made = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the input")};
     q.has_unit = !p->failed && take_unit(p, &q.unit);
-    q.smooth = !p->failed && !take_word(p, "held") && take_word(p, "smooth");
-    if (!p->failed && take_word(p, "jump")) {
+    q.smooth = !p->failed && !take_option(p, "held") && take_option(p, "smooth");
+    if (!p->failed && take_option(p, "jump")) {
         q.jump = parse_formula(p);
     }
     if (!p->failed && take_sign(p, '=')) {
         q.value = parse_formula(p);
     }
-    if (!p->failed && take_word(p, "in")) {
+    if (!p->failed && take_option(p, "in")) {
         read_limits(p, &q);
     }
-    if (!p->failed && take_word(p, "safe")) {
+    if (!p->failed && take_option(p, "safe")) {
         read_safe(p, &q);
     }
     refuse_input_word(p);

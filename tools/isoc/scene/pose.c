@@ -21,7 +21,7 @@ static void parse_turn(parser *p, pose *to, const token *word, bool axis_needed)
     to->turns = arena_grow(p->s->memory, to->turns, to->turn_count, &to->turn_room, sizeof *to->turns);
     turn *made = &to->turns[to->turn_count++];
     *made = (turn){.at = word->at, .angle = parse_formula(p)};
-    if (!p->failed && take_word(p, "about")) {
+    if (!p->failed && (axis_needed ? take_word(p, "about") : take_option(p, "about"))) {
         made->axis = parse_axis(p);
     } else if (axis_needed) {
         parse_problem(p, "expected 'about' and an axis: rotate 90 deg about x");
@@ -37,11 +37,12 @@ static void parse_quaternion(parser *p, pose *to, const token *word)
     to->quaternion = parse_formula(p);
 }
 
-pose parse_pose(parser *p, bool axis_needed)
+pose parse_pose(parser *p, bool axis_needed, bool part_needed)
 {
     pose read = {0};
-    const token *word = p->next;
-    while (!p->failed && (take_word(p, "at") || take_word(p, "rotate") || take_word(p, "quaternion"))) {
+    const token *const first = p->next, *word = first;
+    while (!p->failed && (!word->first_on_line || (part_needed && word == first)) &&
+           (take_word(p, "at") || take_word(p, "rotate") || take_word(p, "quaternion"))) {
         if (word->text[0] == 'a') {
             parse_place(p, &read, word);
         } else if (word->text[0] == 'r') {
@@ -65,7 +66,7 @@ void read_placement(parser *p, const token *word, void *slot)
     if (p->failed) {
         return;
     }
-    const pose read = parse_pose(p, true);
+    const pose read = parse_pose(p, true, false);
     if (read.quaternion != NULL) {
         source_problem(p->s, read.quaternion->at,
                        "a quaternion is only for a start; turn a %s like this: rotate 90 deg about x", word->text);

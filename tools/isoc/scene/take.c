@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "tools/isoc/scene/block.h"
 #include "tools/isoc/scene/repeat.h"
 
 void parse_problem(parser *p, const char *message)
@@ -38,6 +39,11 @@ bool take_word(parser *p, const char *word)
     return is;
 }
 
+bool take_option(parser *p, const char *word)
+{
+    return !p->next->first_on_line && take_word(p, word);
+}
+
 size_t take_one_of(parser *p, const char *const *words, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -63,16 +69,19 @@ name take_name(parser *p, const char *expected)
     return n;
 }
 
-/* Words that stand for something wherever a name can. */
-static bool is_own_word(const char *word)
+/* Words that are names already: the ground where a body can stand, and the numbers that a formula can name. */
+static const char *const own_words[] = {"ground", "pi", "time"};
+
+/* Words that would be read as what they begin: start about 60 deg, start at (1, 2, 0) m. */
+static const char *const beginning_words[] = {"at", "about", "rotate", "quaternion"};
+
+static void refuse_word(parser *p, name n, const char *const *words, size_t count)
 {
-    static const char *const own[] = {"x",      "y",    "z",     "ground", "pi",         "at",  "about",
-                                      "rotate", "rest", "along", "of",     "quaternion", "time"};
-    bool is = false;
-    for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
-        is = is || strcmp(word, own[i]) == 0;
+    for (size_t i = 0; i < count && n.text != NULL; i++) {
+        if (strcmp(n.text, words[i]) == 0) {
+            source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
+        }
     }
-    return is;
 }
 
 static void refuse_dot(parser *p, name n)
@@ -84,11 +93,9 @@ static void refuse_dot(parser *p, name n)
 
 name take_inner_name(parser *p, const char *expected)
 {
+    static const char *const words[] = {"pi", "time", "substeps"};
     const name n = take_name(p, expected);
-    if (n.text != NULL &&
-        (strcmp(n.text, "pi") == 0 || strcmp(n.text, "time") == 0 || strcmp(n.text, "substeps") == 0)) {
-        source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
-    }
+    refuse_word(p, n, words, COUNT_OF(words));
     refuse_dot(p, n);
     return n;
 }
@@ -96,9 +103,7 @@ name take_inner_name(parser *p, const char *expected)
 name take_new_name(parser *p, const char *expected)
 {
     const name n = take_name(p, expected);
-    if (n.text != NULL && is_own_word(n.text)) {
-        source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
-    }
+    refuse_word(p, n, own_words, COUNT_OF(own_words));
     refuse_dot(p, n);
     return n;
 }
@@ -106,6 +111,7 @@ name take_new_name(parser *p, const char *expected)
 name take_parameter_name(parser *p, const char *expected)
 {
     const name n = take_new_name(p, expected);
+    refuse_word(p, n, beginning_words, COUNT_OF(beginning_words));
     size_t count;
     const char *const *units = unit_names(&count);
     for (size_t i = 0; i < count && n.text != NULL; i++) {

@@ -56,6 +56,9 @@ bool next_is_word(const parser *p, const char *word);
 bool take_sign(parser *p, char sign);
 bool take_word(parser *p, const char *word);
 
+/* The same of a word that a statement may go on with where it is complete: not across the end of a line. */
+bool take_option(parser *p, const char *word);
+
 /* The index of the next token among words, which is taken; or count, with a problem that lists them. */
 size_t take_one_of(parser *p, const char *const *words, size_t count);
 

@@ -1,0 +1,73 @@
+#!/bin/sh
+# Statements stand in any order, and none is read across the end of a line where it is complete: pairs of statements give
+# the plant that they give with a semicolon between them, and in the other order. And names: each word of the language is
+# a name where the grammar is not ambiguous.
+. tests/host/test.sh
+begin language/lines
+python3 -B tests/language/lines.py build/isoc "$out" 20261122 30
+result $? 'pairs of statements, with a line between them, a semicolon, and in the other order'
+
+# names SORT SCENE: the words that can be names of it give the plant that another name gives; the others are refused.
+words='x y z ground pi time at about rotate quaternion rest along of in to and set like safe after ticks every jump held
+    smooth on against from column body joint frame effect signal value state rate memory next output input energy power
+    speed position inertia step method start axis length mass spring force file table sin'
+names()
+{
+    sort=$1 reserved=$2 scene=$3 bad=
+    mkdir -p "$out/a" "$out/b"
+    name_in()
+    {
+        printf '%s\n' "$scene" | sed "s/NAME/$1/g" >"$out/names.scene"
+        build/isoc "$out/names.scene" -o "$2" >"$out/said" 2>&1
+    }
+    name_in neutral "$out/a" || bad=neutral
+    sed 's|/\*.*\*/||; s/neutral/WORD/g; s/NEUTRAL/WORD/g' "$out/a/plant.c" >"$out/a.c"
+    for word in $words; do
+        case " $reserved " in
+        *" $word "*) ! name_in "$word" "$out/b" && grep -q "'$word' is a word of the language" "$out/said" ;;
+        *)
+            name_in "$word" "$out/b" &&
+                sed 's|/\*.*\*/||; s/neutral/WORD/g' "$out/b/plant.c" | sed "s/[A-Za-z0-9_]*_$word\([^A-Za-z0-9]\)/WORD\1/g" >"$out/b.c" &&
+                [ "$(tr -cd '(){};=*+/-' <"$out/a.c")" = "$(tr -cd '(){};=*+/-' <"$out/b.c")" ]
+            ;;
+        esac || bad="$bad $word"
+    done
+    [ -z "$bad" ] || echo "# $sort:$bad" "$(head -n 2 "$out/said")"
+    [ -z "$bad" ]
+    result $? "$sort called like words of the language; reserved are $reserved"
+}
+begun='step 1 ms
+body bob { mass 1 kg; com (0, -1, 0) m; inertia (1, 1, 1) kg*m^2 }'
+hinge='joint pivot revolute { parent ground; child bob; axis z; start 1 deg }
+output angle = position of pivot'
+names 'a constant' 'ground pi time at about rotate quaternion' "$begun
+constant NAME = 2
+body more { mass NAME * 1 kg; com (1, 1, 0) m }
+joint pivot revolute { parent ground; child bob; axis z; start NAME * 1 deg }
+joint second revolute { parent bob at (NAME, 0, 0) m; child more; axis x; spring NAME * 1 N*m/rad rest NAME * 1 deg }
+output angle = position of pivot
+output number = NAME * 2"
+names 'a body' 'ground pi time' "step 1 ms
+body NAME { mass 1 kg; com (0, -1, 0) m; inertia (1, 1, 1) kg*m^2 }
+joint pivot revolute { parent ground; child NAME at (0, 1, 0) m; axis z }
+output tip = position of NAME at (0, 1, 0) m
+output across = velocity of NAME along y
+output square = dot(velocity of NAME, velocity of NAME in body)"
+names 'a joint' 'ground pi time' "$begun
+joint NAME revolute { parent ground; child bob; axis z; start 1 deg }
+output angle = position of NAME
+output other = 2 * speed of NAME"
+names 'an input' 'ground pi time' "$begun
+$hinge
+input NAME V smooth = 1 V in 0 V to 2 V
+output volts = 2 * NAME"
+names 'a signal' 'ground pi time' "$begun
+$hinge
+signal NAME = speed of pivot
+output fast = 2 * NAME"
+names 'an operand of an effect' 'pi time substeps' "$begun
+$hinge
+effect kind { joint j; value NAME = 1; let twice = NAME * 2; effort on j = 1 N*m * twice * NAME }
+effect use kind { j pivot
+NAME 2 }"
+finish
