@@ -204,7 +204,7 @@ static void test_hopper(void)
     free(r.rows);
 }
 
-/* On the ground the unit reads g, on average but for four times 0.05 m/s^2 / sqrt(500) of its noise; it hovers on a lift of
+/* On the ground the unit reads g, on average but for four times 0.045 m/s^2 / sqrt(500) of its noise; it hovers on a lift of
  * its weight, but for the drag of its tilt. */
 static void test_quadrotor(void)
 {

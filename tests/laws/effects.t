@@ -25,7 +25,7 @@ for seed in 0 1 2 3 4 5 6 7 8 9; do
         real $number
         rm -f "$out/rows"
         build/isoc "$out/effects.scene" -o "$out/plant" --real $number >"$out/summary" &&
-            optimised -O0 && EXTRA="-I$out/plant" program show tests/laws/rows.c "$out/plant/plant.c" && "$out/show" >"$out/rows" &&
+            optimised -O0 && EXTRA="-I$out/plant" program show tests/laws/rows.c "$out/plant/plant.c" && "$out/show" 24 >"$out/rows" &&
             compare $number "$out/rows"
         result $? "$number: ten random effects of seed $seed are what their text says"
     done

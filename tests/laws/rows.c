@@ -1,11 +1,10 @@
-/* The outputs of a plant in rows 0 to ROWS, one row on a line. */
+/* The outputs of a plant in rows 0 to N, one row on a line. usage: rows N */
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "plant.h"
 
 #include "core/runtime/tick.h"
-
-enum { ROWS = 24 };
 
 static void show(const iso_plant *const p)
 {
@@ -15,14 +14,15 @@ static void show(const iso_plant *const p)
     printf("\n");
 }
 
-int main(void)
+int main(const int argc, char **const argv)
 {
     static iso_plant p;
+    const uint64_t rows = argc > 1 ? strtoull(argv[1], NULL, 10) : 0;
     p = iso_the_plant;
     iso_plant_start(&p);
     p.model->output(p.memory);
     show(&p);
-    for (uint64_t tick = 0; tick < ROWS; tick++) {
+    for (uint64_t tick = 0; tick < rows; tick++) {
         (void)iso_plant_tick(&p, tick);
         show(&p);
     }

@@ -2,7 +2,7 @@
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/mechanism/inertia.h"
 
-static const dimension moment_of_inertia = {1, 2, 0, 0, 0, 0};
+static const dimension moment_of_inertia = {1, 2, 0, 0, 0, 0, 0};
 
 /* A tensor that must be possible; zero where nothing is written. */
 static tensor inertia_value(builder *b, const formula *f, const char *whose)

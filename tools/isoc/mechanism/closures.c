@@ -175,7 +175,7 @@ static double option(builder *b, const formula *f, dimension of, const char *wha
  * which moves the end of the step alone, by its local error at most. */
 static void build_stabilisation(builder *b)
 {
-    static const dimension rate = {0, 0, -1, 0, 0, 0};
+    static const dimension rate = {0, 0, -1, 0, 0, 0, 0};
     const stabilisation *written = &b->written->stabilisation;
     mechanism *made = &b->made;
     const char *kind = written->kind.text == NULL ? "projection" : written->kind.text;

@@ -123,7 +123,7 @@ value refuse_loop(world *w, place at, const char *called)
 /* What the step and the method allow: step, stable_rate, stable_frequency. */
 static bool find_limit(world *w, const char *called, value *found)
 {
-    static const dimension hertz = {0, 0, -1, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0};
+    static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
     static const double margin = 0.5; /* of the limit: what is linear here turns over elsewhere */
     const mechanism *made = &w->b->made;
     const bool is_step = strcmp(called, "step") == 0, is_rate = strcmp(called, "stable_rate") == 0;

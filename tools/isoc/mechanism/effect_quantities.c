@@ -22,13 +22,13 @@ static const struct {
     asked_kind kind;
     dimension of;
 } of_bodies[] = {
-    {"position", ASKED_POSITION, {0, 1, 0, 0, 0, 0}},
-    {"velocity", ASKED_VELOCITY, {0, 1, -1, 0, 0, 0}},
-    {"spin", ASKED_SPIN, {0, 0, -1, 1, 0, 0}},
-    {"x_axis", ASKED_X_AXIS, {0, 0, 0, 0, 0, 0}},
-    {"y_axis", ASKED_Y_AXIS, {0, 0, 0, 0, 0, 0}},
-    {"z_axis", ASKED_Z_AXIS, {0, 0, 0, 0, 0, 0}},
-    {"specific_force", ASKED_SPECIFIC_FORCE, {0, 1, -2, 0, 0, 0}},
+    {"position", ASKED_POSITION, {0, 1, 0, 0, 0, 0, 0}},
+    {"velocity", ASKED_VELOCITY, {0, 1, -1, 0, 0, 0, 0}},
+    {"spin", ASKED_SPIN, {0, 0, -1, 1, 0, 0, 0}},
+    {"x_axis", ASKED_X_AXIS, {0, 0, 0, 0, 0, 0, 0}},
+    {"y_axis", ASKED_Y_AXIS, {0, 0, 0, 0, 0, 0, 0}},
+    {"z_axis", ASKED_Z_AXIS, {0, 0, 0, 0, 0, 0, 0}},
+    {"specific_force", ASKED_SPECIFIC_FORCE, {0, 1, -2, 0, 0, 0, 0}},
 };
 
 static vector leaves_of(world *w, asked of)
@@ -234,7 +234,7 @@ value quantity_value(void *of, const formula *f)
     }
     const link *l = &made->links[i];
     if (strcmp(f->name, "inertia") == 0) {
-        static const dimension turning = {1, 2, 0, 0, 0, 0};
+        static const dimension turning = {1, 2, 0, 0, 0, 0, 0};
         return (value){
             .count = 1, .parts = {leaf(g, OP_INERTIA, l->dof)}, .of = l->kind == JOINT_REVOLUTE ? turning : kilogram};
     }

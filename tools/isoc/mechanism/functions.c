@@ -11,7 +11,7 @@
 #include "tools/isoc/mechanism/timing.h"
 #include "tools/isoc/mechanism/waveform.h"
 
-static const dimension plain = {0, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0};
+static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 static const double half_pi = 1.57079632679489661923;
 static const value nothing = {0};
@@ -117,7 +117,7 @@ static bool is_angle(const values *v, const value *given)
 
 static bool is_frequency(const values *v, const value *given)
 {
-    static const dimension hertz = {0, 0, -1, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0};
+    static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
     return agree(v, given[0].of, hertz) || agree(v, given[0].of, speed);
 }
 
@@ -191,9 +191,10 @@ static value call_root(values *v, const formula *f, const value *given)
     const dimension of = given[0].of;
     const node x = given[0].parts[0];
     const bool halves = of.rad % 2 == 0;
-    if (of.kg % 2 != 0 || of.m % 2 != 0 || of.s % 2 != 0 || (!halves && v->around == NULL) || of.A % 2 != 0 ||
-        of.K % 2 != 0) {
-        source_problem(v->s, f->parts[0]->at, "the root of %s has no unit: each power must be even",
+    dimension even = of, root;
+    even.rad = halves || v->around == NULL ? of.rad : 0;
+    if (!dimension_root(even, &root)) {
+        source_problem(v->s, f->parts[0]->at, "the root of %s has no unit: each power but that of a time must be even",
                        dimension_text(v->s->memory, of));
         return nothing;
     }
@@ -203,7 +204,7 @@ static value call_root(values *v, const formula *f, const value *given)
     }
     value made = given[0];
     made.parts[0] = function(v->g, OP_SQRT, x, 0);
-    made.of = (dimension){of.kg / 2, of.m / 2, of.s / 2, halves ? of.rad / 2 : 0, of.A / 2, of.K / 2};
+    made.of = root;
     return made;
 }
 

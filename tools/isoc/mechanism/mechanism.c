@@ -9,7 +9,7 @@
 #include "tools/isoc/scene/counts.h"
 #include "tools/isoc/scene/names.h"
 
-static const dimension acceleration = {0, 1, -2, 0, 0, 0};
+static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
 
 vector vector_value(builder *b, const formula *f, dimension of, const char *what)
 {

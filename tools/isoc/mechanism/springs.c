@@ -1,7 +1,7 @@
 /* Springs and dampers between points of bodies. */
 #include "tools/isoc/mechanism/builder.h"
 
-static const dimension per_metre = {1, 0, -2, 0, 0, 0}, per_speed = {1, 0, -1, 0, 0, 0};
+static const dimension per_metre = {1, 0, -2, 0, 0, 0, 0}, per_speed = {1, 0, -1, 0, 0, 0, 0};
 
 static node positive(builder *b, const formula *f, dimension of, const char *what)
 {

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-static const dimension plain = {0, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0};
+static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0, 0};
 static const double pi = 3.14159265358979323846;
 
 static const double most_ticks = 4e9; /* of 2^32 */
@@ -38,7 +38,7 @@ value time_of_formula(values *v, const formula *f)
 
 bool turns_in_tick(values *v, const formula *f, double *turns)
 {
-    static const dimension hertz = {0, 0, -1, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0};
+    static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
     value frequency = value_any(v, f);
     if (frequency.count == 1 && dimension_equal(frequency.of, speed)) {
         frequency.parts[0] = divide(v->g, frequency.parts[0], constant(v->g, 2 * pi));
@@ -62,7 +62,7 @@ bool turns_in_tick(values *v, const formula *f, double *turns)
 /* A phase that grows with the ticks. */
 value wave_of_formula(values *v, const formula *f)
 {
-    static const dimension radian = {0, 0, 0, 1, 0, 0};
+    static const dimension radian = {0, 0, 0, 1, 0, 0, 0};
     if (refuses_time(v, f)) {
         return nothing;
     }

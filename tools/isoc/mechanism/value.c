@@ -10,7 +10,7 @@
 #include "tools/isoc/mechanism/timing.h"
 #include "tools/isoc/scene/names.h"
 
-static const dimension plain = {0, 0, 0, 0, 0, 0};
+static const dimension plain = {0, 0, 0, 0, 0, 0, 0};
 static const double pi = 3.14159265358979323846;
 
 void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double)
@@ -513,7 +513,7 @@ double value_constant(values *v, const formula *f, dimension of, const char *wha
 
 double value_displacement(values *v, const formula *f, const char *what, double fallback)
 {
-    static const dimension metre = {0, 1, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0};
+    static const dimension metre = {0, 1, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
     const value found = f == NULL ? nothing() : value_any(v, f);
     const dimension of = dimension_equal(found.of, radian) ? radian : metre;
     return found.count == 0 ? fallback : value_constant(v, f, of, what, fallback);

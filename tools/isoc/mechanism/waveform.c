@@ -6,7 +6,7 @@
 
 #include "tools/isoc/mechanism/timing.h"
 
-static const dimension plain = {0, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0};
+static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
 static const double pi = 3.14159265358979323846;
 static const double most_ticks = 4e9;           /* of 2^32 */
 static const double most_repeated = 16777216.0; /* ticks, of core/numbers/waveform.h */

@@ -1,5 +1,6 @@
 #include "tools/isoc/scene/formula.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "tools/isoc/scene/block.h"
@@ -40,11 +41,21 @@ static bool is_unit(const token *t)
     return t->kind == TOKEN_NAME && unit_find(t->text, &u);
 }
 
+/* sqrt(Hz), sqrt(s) and the like, in a density of noise. */
+static bool is_root_of_time(const token *t)
+{
+    unit u;
+    dimension time = {.s = 1}, rate = {.s = -1};
+    return t->kind == TOKEN_NAME && strcmp(t->text, "sqrt") == 0 && t[1].sign == '(' && is_unit(t + 2) &&
+           t[3].sign == ')' && unit_find(t[2].text, &u) && (dimension_equal(u.of, time) || dimension_equal(u.of, rate));
+}
+
 /* 1/s, which stands behind a number like any unit. */
 static bool next_is_inverse(const parser *p)
 {
     const token *t = p->next;
-    return t->kind == TOKEN_NUMBER && strcmp(t->text, "1") == 0 && t[1].sign == '/' && is_unit(t + 2);
+    return t->kind == TOKEN_NUMBER && strcmp(t->text, "1") == 0 && t[1].sign == '/' &&
+           (is_unit(t + 2) || is_root_of_time(t + 2));
 }
 
 static bool next_is_unit(const parser *p)
@@ -56,7 +67,8 @@ static bool next_is_unit(const parser *p)
 static bool unit_goes_on(const parser *p)
 {
     const token *after = p->next + 1;
-    return (next_is_sign(p, '*') || next_is_sign(p, '/')) && is_unit(after) && after[1].sign != '(';
+    return (next_is_sign(p, '*') || next_is_sign(p, '/')) &&
+           ((is_unit(after) && after[1].sign != '(') || is_root_of_time(after));
 }
 
 /* 20 degC is a place on a scale and no multiple of a unit: it is not multiplied, so the scale stands alone. */
@@ -68,13 +80,30 @@ static bool refuse_scale(parser *p, place at, const char *called)
     return false;
 }
 
-/* unit name [^ [-] digit] */
+/* ( unit ), behind sqrt. */
+static bool multiply_root(parser *p, unit *product, int power)
+{
+    unit u;
+    dimension root;
+    unit_find(p->next[1].text, &u);
+    const double size = sqrt(u.numerator / u.denominator);
+    const bool fits = dimension_root(u.of, &root) && dimension_times(&product->of, root, power);
+    product->numerator *= power > 0 ? size : 1.0;
+    product->denominator *= power > 0 ? 1.0 : size;
+    p->next += 3;
+    return fits;
+}
+
+/* unit name [^ [-] digit], or sqrt(unit) */
 static bool parse_unit_factor(parser *p, unit *product, bool divide, bool is_first)
 {
     unit u;
     unit_find(p->next->text, &u);
     const token *word = p->next++;
     int power = divide ? -1 : 1;
+    if (is_root_of_time(word)) {
+        return multiply_root(p, product, power);
+    }
     if (take_sign(p, '^')) {
         power = take_sign(p, '-') ? -power : power;
         if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {

@@ -21,7 +21,7 @@ enum {
 /* The number of a formula of plain numbers and of constants above that are; false if it is none. */
 static bool plain_number(const parser *p, const formula *f, double *number)
 {
-    static const dimension plain = {0, 0, 0, 0, 0, 0};
+    static const dimension plain = {0, 0, 0, 0, 0, 0, 0};
     const int *known;
     double part;
     switch (f->kind) {

@@ -7,9 +7,10 @@
 
 #include "tools/isoc/base/arena.h"
 
-/* Exponents. The angle is a dimension, so that N*m and N*m/rad are different. */
+/* Exponents. The angle is a dimension, so that N*m and N*m/rad are different. Of a time there are half powers, for the
+ * densities of noise: its exponent is s + root_s / 2, with root_s 0 or 1. */
 typedef struct dimension {
-    int8_t kg, m, s, rad, A, K;
+    int8_t kg, m, s, rad, A, K, root_s;
 } dimension;
 
 /* A unit is numerator / denominator times the SI unit of its dimension: mm is 1/1000 m, deg is pi/180 rad; two numbers
@@ -43,6 +44,9 @@ const char *dimension_unit(arena *memory, dimension d);
 
 /* "is in N*m/rad", or "has no unit". */
 const char *dimension_phrase(arena *memory, dimension d);
+
+/* The root of a dimension. Returns false where a power other than that of the time is odd. */
+bool dimension_root(dimension d, dimension *root);
 
 /* Finds a unit by name, with an SI prefix where it takes one. */
 bool unit_find(const char *name, unit *found);

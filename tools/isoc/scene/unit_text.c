@@ -13,8 +13,8 @@ static const struct {
     const char *text;
     dimension of;
 } customary[] = {
-    {"Hz", {0, 0, -1, 0, 0, 0}},     {"N*s/m", {1, 0, -1, 0, 0, 0}}, {"N*m*s^2/rad^2", {1, 2, 0, -2, 0, 0}},
-    {"N*m/A", {1, 2, -2, 0, -1, 0}}, {"J/K", {1, 2, -2, 0, 0, -1}},  {"J/kg/K", {0, 2, -2, 0, 0, -1}},
+    {"Hz", {0, 0, -1, 0, 0, 0, 0}},     {"N*s/m", {1, 0, -1, 0, 0, 0, 0}}, {"N*m*s^2/rad^2", {1, 2, 0, -2, 0, 0, 0}},
+    {"N*m/A", {1, 2, -2, 0, -1, 0, 0}}, {"J/K", {1, 2, -2, 0, 0, -1, 0}},  {"J/kg/K", {0, 2, -2, 0, 0, -1, 0}},
 };
 
 /* Derived units, where two are as short the first. Heat is no matter of forces: a thermal conductivity is W/m/K. */
@@ -23,9 +23,9 @@ static const struct {
     dimension of;
     int cost_of_heat;
 } derived[] = {
-    {"N", {1, 1, -2, 0, 0, 0}, 1},   {"V", {1, 2, -3, 0, -1, 0}, 0}, {"W", {1, 2, -3, 0, 0, 0}, 0},
-    {"Pa", {1, -1, -2, 0, 0, 0}, 1}, {"T", {1, 0, -2, 0, -1, 0}, 0}, {"Ohm", {1, 2, -3, 0, -2, 0}, 0},
-    {"H", {1, 2, -2, 0, -2, 0}, 0},  {"F", {-1, -2, 4, 0, 2, 0}, 0},
+    {"N", {1, 1, -2, 0, 0, 0, 0}, 1},   {"V", {1, 2, -3, 0, -1, 0, 0}, 0}, {"W", {1, 2, -3, 0, 0, 0, 0}, 0},
+    {"Pa", {1, -1, -2, 0, 0, 0, 0}, 1}, {"T", {1, 0, -2, 0, -1, 0, 0}, 0}, {"Ohm", {1, 2, -3, 0, -2, 0, 0}, 0},
+    {"H", {1, 2, -2, 0, -2, 0, 0}, 0},  {"F", {-1, -2, 4, 0, 2, 0, 0}, 0},
 };
 
 /* A derived unit and its power, 0 where there is none, with what is left in base units. */
@@ -104,6 +104,11 @@ const char *dimension_text(arena *memory, dimension d)
         if (dimension_equal(customary[i].of, d)) {
             return customary[i].text;
         }
+    }
+    if (d.root_s != 0) {
+        d.root_s = 0;
+        const bool is_plain = dimension_equal(d, unit_one.of);
+        return arena_format(memory, "%s/sqrt(Hz)", is_plain ? "1" : dimension_text(memory, d));
     }
     const product made = shortest(d);
     return made.cost == 0 ? "a plain number" : text_of(memory, &made);
