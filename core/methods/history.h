@@ -44,14 +44,9 @@ static inline void iso_check_centred(const iso_history *const history, const siz
     history->check[2 * n + s] += outer;
 }
 
-/* x[s] += dx. Compensated: what rounding takes from the sum is added in the next step (Kahan 1965; Moller 1965). */
-static inline void iso_advance(const iso_history *const history, const size_t s, const real dx)
+/* x[s] += dx. Compensated: what rounding takes from the sum is added with the next one (Kahan 1965; Moller 1965). */
+static inline void iso_add(const iso_history *const history, const size_t s, const real dx)
 {
-    if (history->centred) {
-        iso_check_centred(history, s, dx);
-    } else if (history->checked > 0) {
-        history->check[s] = dx - history->check[s];
-    }
     if (history->compensation == NULL) {
         history->x[s] += dx;
     } else {
@@ -61,6 +56,17 @@ static inline void iso_advance(const iso_history *const history, const size_t s,
         history->compensation[s] = iso_rest_of_sum(x, add, sum);
         history->x[s] = sum;
     }
+}
+
+/* x[s] += dx, the increment of a step. */
+static inline void iso_advance(const iso_history *const history, const size_t s, const real dx)
+{
+    if (history->centred) {
+        iso_check_centred(history, s, dx);
+    } else if (history->checked > 0) {
+        history->check[s] = dx - history->check[s];
+    }
+    iso_add(history, s, dx);
 }
 
 /* h b[j] / over if j is before `end`, else zero. */

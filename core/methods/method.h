@@ -109,6 +109,18 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     }
 }
 
+/* x[at[i]] += moved[i], i < count: what a plant moves its states by after a step, with the compensation of the sums of the
+ * step. */
+ISO_INLINE void iso_method_move(const unsigned recipe, const size_t n, real *const x, const uint16_t *const at,
+                                const real *const moved, const size_t count)
+{
+    const iso_history history = iso_history_of(recipe, n, x);
+    ISO_UNROLL
+    for (size_t i = 0; i < count; i++) {
+        iso_add(&history, at[i], moved[i]);
+    }
+}
+
 /* Where a plant puts its states right after a step, onto constraints or the unit length, the local error is that of what it
  * keeps. These two stand before and behind that, for a recipe with ISO_SETTLED; eq, x and work are those of the step. To
  * the first order what moves the states is the part of their error that it removes. */

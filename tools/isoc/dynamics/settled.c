@@ -10,23 +10,34 @@ static void put(settled *made, int state, node to)
     made->values[made->count++] = to;
 }
 
+/* A state that changes by so much. */
+static void put_change(graph *g, settled *made, int state, node from, node change)
+{
+    put(made, state, made->adds ? change : add(g, from, change));
+}
+
 /* A quaternion of length one; where the projection moves it, turned by small angles about the link's axes. */
 static void put_quaternion(graph *g, settled *made, const dynamics *d, int i, const node *moved)
 {
     const link *l = &d->m->links[i];
-    node q[4], rates[4];
+    node q[4], turned[4], normed[4];
     for (int n = 0; n < 4; n++) {
         q[n] = d->k.motions[i].q[n];
+        turned[n] = constant(g, 0.0);
     }
     if (moved != NULL) {
-        quaternion_rates(g, q, moved + l->dof, rates);
-        for (int n = 0; n < 4; n++) {
-            q[n] = add(g, q[n], rates[n]);
-        }
+        quaternion_rates(g, q, moved + l->dof, turned);
     }
-    quaternion_normalise(g, q, q);
     for (int n = 0; n < 4; n++) {
-        put(made, l->position + n, q[n]);
+        q[n] = add(g, q[n], turned[n]);
+    }
+    if (made->adds) {
+        quaternion_lengthening(g, q, normed);
+    } else {
+        quaternion_normalise(g, q, normed);
+    }
+    for (int n = 0; n < 4; n++) {
+        put(made, l->position + n, made->adds ? add(g, turned[n], normed[n]) : normed[n]);
     }
 }
 
@@ -84,7 +95,8 @@ settled settled_build(graph *g, const dynamics *d)
     const mechanism *m = d->m;
     const bool projected = m->projections > 0 && d->loops.held.count > 0;
     const size_t states = (size_t)state_count(m), n = (size_t)m->dof_count;
-    settled made = {.states = arena_take(g->memory, states, sizeof *made.states)};
+    settled made = {.adds = ISO_IS_COMPENSATED(m->recipe)};
+    made.states = arena_take(g->memory, states, sizeof *made.states);
     made.values = arena_take(g->memory, states, sizeof *made.values);
     node *moved = arena_take(g->memory, n, sizeof *moved), *sped = arena_take(g->memory, n, sizeof *sped);
     if (projected) {
@@ -96,13 +108,13 @@ settled settled_build(graph *g, const dynamics *d)
         if (l->kind == JOINT_SPHERICAL) {
             put_quaternion(g, &made, d, i, projected ? moved : NULL);
         } else if (projected && !is_zero(g, moved[l->dof])) {
-            put(&made, l->position, add(g, d->k.motions[i].q[0], moved[l->dof]));
+            put_change(g, &made, l->position, d->k.motions[i].q[0], moved[l->dof]);
         }
     }
     for (int f = 0; f < m->dof_count && projected; f++) {
         if (!is_zero(g, sped[f])) {
-            const node speed = leaf(g, OP_STATE, m->position_count + f);
-            put(&made, m->position_count + f, add(g, speed, sped[f]));
+            const int state = m->position_count + f;
+            put_change(g, &made, state, leaf(g, OP_STATE, state), sped[f]);
         }
     }
     return made;

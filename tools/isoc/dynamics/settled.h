@@ -1,5 +1,6 @@
 /* The states at the end of a step, from those that the method computed, as nodes: quaternions of length one, and with
- * projection, positions and speeds that satisfy the closures. */
+ * projection, positions and speeds that satisfy the closures. Where sums are compensated, the changes of the states, so that
+ * these are added with the compensation too: a sum that is rounded without it, once a step, would undo what it gains. */
 #ifndef ISOC_DYNAMICS_SETTLED_H
 #define ISOC_DYNAMICS_SETTLED_H
 
@@ -9,6 +10,7 @@ typedef struct settled {
     int count;
     int *states; /* which */
     node *values;
+    bool adds; /* the values are added to the states */
 } settled;
 
 settled settled_build(graph *g, const dynamics *d);

@@ -370,18 +370,41 @@ static void emit_admit(emission *e)
     text_add(e->out, "}\n\n");
 }
 
+/* The states that are put right after a step by what is added to them. */
+static void emit_settled_states(emission *e)
+{
+    const settled *after = &e->p->after;
+    text_add(e->out, "static const uint16_t settled_states[%d] = {", after->count);
+    for (int i = 0; i < after->count; i++) {
+        text_add(e->out, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[after->states[i]].place);
+    }
+    text_add(e->out, "};\n\n");
+}
+
 /* What is put right after a step, in place. */
 static void emit_settle(emission *e)
 {
     const settled *after = &e->p->after;
-    const char **targets = arena_take(e->out->memory, (size_t)after->count + 1, sizeof *targets);
+    arena *memory = e->out->memory;
+    const char **targets = arena_take(memory, (size_t)after->count + 1, sizeof *targets);
     for (int i = 0; i < after->count; i++) {
-        targets[i] = arena_format(e->out->memory, "x[%s]", e->names->leaves.states[after->states[i]].place);
+        targets[i] = after->adds ? arena_format(memory, "moved[%d]", i)
+                                 : arena_format(memory, "x[%s]", e->names->leaves.states[after->states[i]].place);
     }
     const code made = code_of(e, targets, after->values, after->count);
+    if (after->adds) {
+        emit_settled_states(e);
+    }
     text_add(e->out, "static void settle(real *const x%s)\n{\n",
              settles_by_parameters(e->p, e->g) ? ", const real *const p" : "");
+    if (after->adds) {
+        text_add(e->out, "    real moved[%d];\n", after->count);
+    }
     emit_code(e, &made);
+    if (after->adds) {
+        text_add(e->out, "    iso_method_move(%s, %s_STATES, x, settled_states, moved, %d);\n",
+                 recipe_symbol(memory, e->p->m->recipe), e->names->capitals, after->count);
+    }
     text_add(e->out, "}\n\n");
 }
 

@@ -30,6 +30,9 @@ bool watches_edges(const mechanism *m);
 /* Where a step tells how it went; NULL, as C, where it does not. */
 const char *progress_of(const mechanism *m);
 
+/* The recipe as C: ISO_RK4 | ISO_CHECKED. */
+const char *recipe_symbol(arena *memory, unsigned recipe);
+
 /* Whether the number of the row counts: for what a memory is, for an output that is due, or for a function of time that a
  * memory or an output reads. */
 bool keeps_rows(const plant *p);

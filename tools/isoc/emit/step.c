@@ -50,8 +50,7 @@ const char *progress_of(const mechanism *m)
                                         : "&memory->progress";
 }
 
-/* The recipe as C: ISO_RK4 | ISO_CHECKED. */
-static const char *recipe_symbol(arena *memory, unsigned recipe)
+const char *recipe_symbol(arena *memory, unsigned recipe)
 {
     const char *options = ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "";
     options = arena_format(memory, "%s%s", options, ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "");

@@ -82,6 +82,14 @@ void quaternion_rates(graph *g, const node q[4], const node omega[3], node rates
     quaternion_product(g, q, half, rates);
 }
 
+void quaternion_lengthening(graph *g, const node q[4], node change[4])
+{
+    const node half = constant(g, 0.5), part = sub(g, half, mul(g, half, square_of(g, q)));
+    for (int i = 0; i < 4; i++) {
+        change[i] = mul(g, q[i], part);
+    }
+}
+
 void quaternion_normalise(graph *g, const node q[4], node normed[4])
 {
     const node square = square_of(g, q);

@@ -24,6 +24,9 @@ void quaternion_rates(graph *g, const node q[4], const node omega[3], node rates
  */
 void quaternion_normalise(graph *g, const node q[4], node normed[4]);
 
+/* The same as the change of q, of which rounding then takes a part instead of one of q. */
+void quaternion_lengthening(graph *g, const node q[4], node change[4]);
+
 /* The quaternion of a constant turn (Shepperd 1978, Quaternion from rotation matrix, J. Guidance and Control 1(3)). */
 void quaternion_of_matrix(double r[3][3], double q[4]);
 void quaternion_of_constant(graph *g, matrix r, node q[4]);

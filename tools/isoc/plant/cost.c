@@ -34,6 +34,12 @@ static operations smooth_operations(const mechanism *m)
     return all;
 }
 
+/* x += dx, or with what rounding took away. */
+static int sums_of_addition(unsigned recipe)
+{
+    return ISO_IS_COMPENSATED(recipe) ? 7 : 1;
+}
+
 /* A step of n states with its options, by the row of its method. */
 static operations step_operations(unsigned recipe, int n, operations derivative, implicit_cost cost)
 {
@@ -49,8 +55,15 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
     } else if (ISO_IS_CHECKED(recipe)) {
         total.mul++; /* the error by the difference to the predictor */
     }
-    /* x += dx, or with what rounding took away */
-    return plus(total, ISO_IS_COMPENSATED(recipe) ? 7 * n : n, one_sum);
+    return plus(total, sums_of_addition(recipe) * n, one_sum);
+}
+
+/* What follows the method in a step. */
+static operations cost_of_settling(const plant *p, const graph *g)
+{
+    const operations changes = count_operations(g, p->after.values, (size_t)p->after.count);
+    const operations additions = {.add = sums_of_addition(p->m->recipe)};
+    return plus(changes, p->after.adds ? p->after.count : 0, additions);
 }
 
 static void count_line(text *out, const char *what, operations n)
@@ -196,7 +209,7 @@ void cost_summary(const plant *p, const graph *g, text *out)
         text_add(out, "factors %d %s\n", p->j.factor_count, factoring_names[p->j.kind]);
     }
     if (!ISO_IS_VARYING(m->recipe)) { /* whose sub-steps are as many as it needs */
-        const operations settle = count_operations(g, p->after.values, (size_t)p->after.count);
+        const operations settle = cost_of_settling(p, g);
         const int settles = m->projections > 1 ? m->projections : 1;
         const operations part = plus(cost_of_step(p, g), settles, settle);
         count_line(out, "step", plus(part, m->parts - 1, part));
