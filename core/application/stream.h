@@ -41,6 +41,7 @@ enum {
     X(real, sizeof(real) == sizeof(float) ? "float" : "double")                                                        \
     X(state_names, model->state_names)                                                                                 \
     X(names, model->output_names)                                                                                      \
+    X(closure_names, model->closure_names)                                                                             \
     X(units, model->output_units)
 #define ISO_STREAM_NUMBERS(X)                                                                                          \
     X(period_ns, model->period_ns)                                                                                     \
@@ -66,7 +67,10 @@ enum {
     X(inputs_clamped, inputs.clamped)                                                                                  \
     X(tunables_held, parameters.held)                                                                                  \
     X(tunables_clamped, parameters.clamped)                                                                            \
-    X(outputs_held, outputs_held)
+    X(outputs_held, outputs_held)                                                                                      \
+    X(near_singular, near_singular)                                                                                    \
+    X(near_singular_first, near_singular_first)                                                                        \
+    X(near_singular_closure, near_singular_closure)
 
 /* Then come these, 64 bits each: what the reader calls them, and what the writer puts there. */
 #define ISO_STREAM_WORDS(X)                                                                                            \

@@ -60,7 +60,7 @@ static iso_control_answer run_or_rest(iso_control *const control, const bool is_
 
 static bool is_stopped(const iso_control *const control)
 {
-    return control->loop->guard < control->loop->plant->model->states;
+    return control->loop->guard != control->loop->plant->model->states;
 }
 
 /* The guard's stop ends with the state that it was for. */

@@ -350,7 +350,7 @@ bool iso_link_tick(iso_link *const link)
     serve_before(link);
     link->stopped = !iso_loop_end(loop);
     keep_admitted(link);
-    if (loop->guard < plant->model->states) {
+    if (loop->guard != plant->model->states) {
         return false;
     }
     iso_control_done(&link->control, iso_hash_reals(link->control.hash, plant->x, plant->model->states));

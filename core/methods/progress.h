@@ -35,6 +35,19 @@ typedef struct iso_adams_state {
     uint32_t evaluations;
 } iso_adams_state;
 
+/* Whether steps came near a singular position of closed loops: iso_watch_pivots. Zeros before the first start. */
+typedef struct iso_nearness {
+    uint32_t
+        closure; /* 0: none did; else 1 and the closure of the last that did, until it is put to 0 by what reads it */
+    uint32_t known; /* all ones where the pivots before a step are known, else 0 */
+} iso_nearness;
+
+/* The energy that steps near a singular position keep: iso_hold_energy. Zeros before the first start. */
+typedef struct iso_held_energy {
+    real energy;   /* J, behind the last step that was not near, nor after one */
+    iso_bits near; /* all ones where the last step was near, else 0 */
+} iso_held_energy;
+
 /* Of any method. */
 typedef union iso_any_progress {
     iso_progress progress;

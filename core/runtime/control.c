@@ -9,7 +9,7 @@ void iso_control_reset(iso_control *const control)
 iso_control_answer iso_control_take(iso_control *const control)
 {
     const iso_loop *const loop = control->loop;
-    if (loop->guard < loop->plant->model->states) {
+    if (loop->guard != loop->plant->model->states) {
         return ISO_CONTROL_BAD_STATE;
     }
     if (control->record_bytes < ISO_SNAPSHOT_BYTES(loop->plant->model->memory_bytes)) {

@@ -135,6 +135,9 @@ ISO_APART ISO_RARE static bool accept(iso_loop *const loop, const uint32_t finis
     if (good) {
         loop->statistics.outputs_held++;
     } else {
+        if (loop->plant->nearness != NULL) {
+            iso_plant_tell_nearness(loop->plant, loop->tick, &loop->statistics);
+        }
         iso_port_safe();
     }
     return good;
@@ -179,7 +182,7 @@ ISO_INLINE bool end_tick(iso_loop *const loop, const iso_plant *const plant)
     }
     iso_port_publish(plant->y, loop->at_once);
     if (model->tell != NULL) {
-        model->tell(plant, &loop->statistics);
+        model->tell(plant, loop->tick, &loop->statistics);
     }
     t.end = iso_port_clock();
     return book(loop, &t, restarted);

@@ -31,9 +31,11 @@ typedef struct iso_loop {
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
     uint16_t
-        at_once;    /* outputs that are published when they are computed: all; or none, but when the next tick begins */
-    uint16_t guard; /* the first state that is not finite or out of range; plant->model->states if there is none */
-    uint32_t used;  /* a tick without news ends at most so long after it was due, */
+        at_once; /* outputs that are published when they are computed: all; or none, but when the next tick begins */
+    uint16_t
+        guard; /* the first state that is not finite or out of range; plant->model->states if there is none; one more near
+                       a singular position that stops the run */
+    uint32_t used;          /* a tick without news ends at most so long after it was due, */
     uint32_t execution_min; /* and its execution is between these: those of the statistics */
     uint32_t execution_max;
     iso_statistics statistics;

@@ -44,11 +44,12 @@ typedef struct iso_model {
     uint16_t inputs;
     uint16_t outputs;
     uint16_t parameters;
-    uint16_t memories;        /* numbers behind the inputs in u, which `advance` sets */
-    const char *state_names;  /* separated by commas; NULL where nobody knows */
-    const char *output_names; /* likewise; always known */
-    const char *output_units; /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL where nobody knows */
-    const real *start;        /* the state at tick 0 */
+    uint16_t memories;         /* numbers behind the inputs in u, which `advance` sets */
+    const char *state_names;   /* separated by commas; NULL where nobody knows */
+    const char *output_names;  /* likewise; always known */
+    const char *output_units;  /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL where nobody knows */
+    const char *closure_names; /* likewise, where steps are watched for singular positions of closures; else NULL */
+    const real *start;         /* the state at tick 0 */
     void (*begin)(
         void *memory);    /* sets the states and memories whose start is a formula of the others, of the inputs and
                                     the parameters at tick 0, and memories that do not start at 0; NULL where all do */
@@ -77,7 +78,7 @@ typedef struct iso_model {
     bool (*attempt)(const struct iso_plant *plant); /* a step that may begin with a new history, or be made again:
                                                        iso_plant_attempt; NULL where it is `step` alone */
     void (*tell)(
-        const struct iso_plant *plant,
+        const struct iso_plant *plant, uint64_t tick,
         iso_statistics *statistics);  /* what there is to tell of a tick: iso_plant_tell; NULL where nothing is */
     uint32_t (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
     const struct iso_policy *policy;  /* core/runtime/policy.h; NULL where the scene asks for nothing of it */
@@ -92,6 +93,7 @@ typedef struct iso_plant {
     real *p;                      /* tunable parameters, seen by iso_plant_admit, */
     real *y;                      /* outputs, */
     iso_progress *progress;       /* how the last step went; NULL where nothing asks, */
+    iso_nearness *nearness;       /* whether steps came near a singular position; NULL where nothing watches */
     const iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/methods/adams.h) */
     void *before; /* [memory_bytes] for a snapshot from before a step that is made again after a discontinuity, where
                      the method watches for one; NULL where no step is */

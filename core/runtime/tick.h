@@ -50,10 +50,29 @@ static inline bool iso_plant_step(const iso_plant *const plant)
     return false;
 }
 
-/* 5. What there is to tell: how far off its closures the plant is, and the local error of its steps. */
-static inline void iso_plant_tell(const iso_plant *const plant, iso_statistics *const statistics)
+/* Counts a tick, number `tick` from 1 on, with a step near a singular position, which is then told. No branch on
+ * it. */
+static inline void iso_plant_tell_nearness(const iso_plant *const plant, const uint64_t tick,
+                                           iso_statistics *const statistics)
+{
+    const uint32_t closure = plant->nearness->closure;
+    const uint64_t near = (closure | (0 - closure)) >> 31;
+    const uint64_t before = statistics->near_singular;
+    const uint64_t first = (0 - near) & (((before | (0 - before)) >> 63) - 1);
+    statistics->near_singular += near;
+    statistics->near_singular_first |= first & tick;
+    statistics->near_singular_closure |= first & (closure - 1);
+    plant->nearness->closure = 0;
+}
+
+/* 5. What there is to tell: how far off its closures the plant is, whether they are near a singular position, and the local
+ * error of its steps. */
+static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t tick, iso_statistics *const statistics)
 {
     const iso_model *const model = plant->model;
+    if (plant->nearness != NULL) {
+        iso_plant_tell_nearness(plant, tick, statistics);
+    }
     if (model->violation != NULL) {
         const real off = model->violation(plant->memory);
         statistics->violated += (uint32_t)(iso_less(model->violation_limit, off) & 1);
@@ -69,7 +88,8 @@ static inline void iso_plant_tell(const iso_plant *const plant, iso_statistics *
 enum {
     ISO_WELL = 0,
     ISO_HELD = 1, /* an output is not finite: the last good ones stand in the place of all */
-    ISO_BAD = 2   /* a state is not finite or out of its range: memories and outputs stay as they were */
+    ISO_BAD = 2,  /* a state is not finite or out of its range: memories and outputs stay as they were */
+    ISO_NEAR = 3  /* likewise, after a step near a singular position, where the scene says `near stop` */
 };
 
 /* Not zero if one of x[n] is not finite, or beyond its range; without a branch on them. range is NULL where there is none. */
@@ -110,10 +130,14 @@ ISO_INLINE uint32_t iso_finish(void *const memory, const real *const x, const re
     return held ? ISO_HELD : ISO_WELL;
 }
 
-/* With what it returned: the first state that is not finite or out of its range; model->states if none is. */
+/* With what it returned: the first state that is not finite or out of its range; model->states if none is; one more near a
+ * singular position that stops the plant. */
 static inline uint16_t iso_plant_guard(const iso_plant *const plant, const uint32_t finished)
 {
     const real *const range = plant->model->range;
+    if (finished == ISO_NEAR) {
+        return (uint16_t)(plant->model->states + 1);
+    }
     uint16_t i = finished == ISO_BAD ? 0 : plant->model->states;
     while (i < plant->model->states && iso_beyond(plant->x[i], range == NULL ? ISO_REAL_MAX : range[i]) == 0) {
         i++;
@@ -137,8 +161,9 @@ static inline bool iso_plant_output(const iso_plant *const plant)
 typedef struct iso_tick_counts {
     iso_refusals inputs;
     iso_refusals parameters;
-    uint64_t outputs_held; /* ticks in which an output was not finite: the last good ones stand */
-    uint64_t restarts;     /* with a new history of the method, after a discontinuity */
+    uint64_t outputs_held;  /* ticks in which an output was not finite: the last good ones stand */
+    uint64_t restarts;      /* with a new history of the method, after a discontinuity */
+    uint64_t near_singular; /* ticks with a step near a singular position of closures */
 } iso_tick_counts;
 
 /* All of it, from `tick` (0 after iso_plant_start) to the next; inputs that are no functions of time are those in
@@ -154,13 +179,17 @@ static inline uint16_t iso_plant_tick_counted(const iso_plant *const plant, cons
     counts->restarts += iso_plant_step(plant);
     const uint32_t finished = plant->model->finish(plant->memory);
     counts->outputs_held += finished == ISO_HELD;
+    if (plant->nearness != NULL) {
+        counts->near_singular += plant->nearness->closure != 0;
+        plant->nearness->closure = 0;
+    }
     return iso_plant_guard(plant, finished);
 }
 
 /* The same, where nobody asks for the counts. */
 static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint64_t tick)
 {
-    iso_tick_counts unused = {{0, 0}, {0, 0}, 0, 0};
+    iso_tick_counts unused = {{0, 0}, {0, 0}, 0, 0, 0};
     return iso_plant_tick_counted(plant, tick, &unused);
 }
 

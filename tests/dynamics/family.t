@@ -54,8 +54,10 @@ member()
     }
     settle=
     if grep -q '^static void settle' "$out/$name.c"; then
-        settle="settle(x$(grep -q '^static void settle.*\bp)' "$out/$name.c" && echo ', p'));"
+        pivots=$(pivots_in "$out/$name.c")
+        settle="settle(x$(grep -q '^static void settle.*\bp[,)]' "$out/$name.c" && echo ', p')${pivots:+, pivots});"
         ! grep -q 'iterations 2' "$out/$name.scene" || settle="$settle $settle"
+        settle="${pivots:+real pivots[$pivots];} $settle"
     fi
     # What the equations read of tunables and inputs: the plant keeps what follows from tunables, a step the rest.
     kept=$(sed -n 's/^    real h\[\([0-9]*\)\];$/static real kept[\1];/p' "$out/$name.c" | head -n 1)

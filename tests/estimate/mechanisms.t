@@ -10,7 +10,8 @@ result $? "tests/estimate/mechanisms.c compiles"
 # plant NAME SOURCE [FLAG]: the program of a plant in C.
 plant()
 {
-    EXTRA="-O0 -DPLANT=\"$2\" ${3-}" program "$1.run" tests/order/settled.c "$out/mechanisms.o" tests/host/report.c
+    pivots=$(pivots_in "$2")
+    EXTRA="-O0 -DPLANT=\"$2\" ${3-} ${pivots:+-DPIVOTS=$pivots}" program "$1.run" tests/order/settled.c "$out/mechanisms.o" tests/host/report.c
     result $? "$1 builds"
 }
 

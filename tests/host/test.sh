@@ -139,6 +139,12 @@ waited()
     done
 }
 
+# pivots_in FILE: of how many pivots the settle of this plant tells; empty where of none.
+pivots_in()
+{
+    sed -n 's/^    real pivots\[\([0-9]*\)\];$/\1/p' "$1" | head -n 1
+}
+
 # joined NAME COMMAND...: runs a command that prints TAP and joins its results, each headed by NAME.
 joined()
 {

@@ -13,7 +13,8 @@ looped()
     sed '/^stabilisation/d' "$1" >"$out/$name.scene"
     shift
     build/isoc "$out/$name.scene" -o "$out/$name" --real double --method bdf4 >"$out/$name.summary" 2>&1 &&
-        EXTRA="-O0 -DPLANT=\"$out/$name/plant.c\"" program "$name.run" tests/order/settled.c "$out/loops.o" tests/host/report.c
+        pivots=$(pivots_in "$out/$name/plant.c") &&
+        EXTRA="-O0 -DPLANT=\"$out/$name/plant.c\" ${pivots:+-DPIVOTS=$pivots}" program "$name.run" tests/order/settled.c "$out/loops.o" tests/host/report.c
     result $? "$name builds"
     joined "$name" "$out/$name.run" "$@"
 }

@@ -246,6 +246,12 @@ static void print_summary(const stream *const run, const char *const unit, const
     if (strcmp(stream_value(run, header->states + 1, text), "0") != 0) {
         printf("violation %s\nviolated %" PRIu64 "\n", text, end->violated);
     }
+    if (end->near_singular > 0) {
+        char closure[STREAM_TEXT_BYTES];
+        printf("near_singular %" PRIu64 " from %.9g s in %s\n", end->near_singular,
+               (double)end->near_singular_first * header->step_size,
+               stream_closure_name(run, end->near_singular_closure, closure));
+    }
     const struct {
         const char *key;
         uint64_t value;
@@ -429,6 +435,12 @@ int main(int argc, char **argv)
                 run.header.state_names[0] == '\0' ? "" : " ", stream_state_name(&run, run.end.guard, name),
                 run.end.tick,
                 isfinite(strtod(stream_value(&run, run.end.guard, text), NULL)) ? "out of range" : "not finite");
+        return EXIT_FAILURE;
+    }
+    if (run.end.guard > run.header.states) {
+        static char closure[STREAM_TEXT_BYTES];
+        fprintf(stderr, "trace: guard at tick %" PRIu64 ": near a singular position of closure %s\n", run.end.tick,
+                stream_closure_name(&run, run.end.near_singular_closure, closure));
         return EXIT_FAILURE;
     }
     if (run.policy.counted.counts.stopped > 0) {

@@ -239,12 +239,22 @@ const char *stream_value(const stream *const run, const size_t i, char *const te
     return decimal_of_double(value, text);
 }
 
-const char *stream_state_name(const stream *const run, const size_t i, char *const text)
+/* Name i of a list. */
+static const char *name_of(const char *name, const size_t i, char *const text)
 {
-    const char *name = run->header.state_names;
     for (size_t before = 0; before < i && *name != '\0'; name++) {
         before += *name == ',';
     }
     snprintf(text, STREAM_TEXT_BYTES, "%.*s", (int)strcspn(name, ","), name);
     return text;
+}
+
+const char *stream_state_name(const stream *const run, const size_t i, char *const text)
+{
+    return name_of(run->header.state_names, i, text);
+}
+
+const char *stream_closure_name(const stream *const run, const size_t i, char *const text)
+{
+    return name_of(run->header.closure_names, i, text);
 }

@@ -18,11 +18,12 @@ typedef struct stream_header {
     char method[16];
     char step[64];
     char real[16];
-    char state_names[STREAM_TEXT_BYTES]; /* separated by commas; empty where nobody knows them */
-    char names[STREAM_TEXT_BYTES];       /* of the outputs */
-    char units[STREAM_TEXT_BYTES];       /* as many; empty where nobody knows them */
-    double step_size;                    /* s */
-    size_t real_bytes;                   /* 4 or 8 */
+    char state_names[STREAM_TEXT_BYTES];   /* separated by commas; empty where nobody knows them */
+    char names[STREAM_TEXT_BYTES];         /* of the outputs */
+    char closure_names[STREAM_TEXT_BYTES]; /* empty where nothing watches for singular positions */
+    char units[STREAM_TEXT_BYTES];         /* as many; empty where nobody knows them */
+    double step_size;                      /* s */
+    size_t real_bytes;                     /* 4 or 8 */
 #define STREAM_HEADER_NUMBER(key, value) uint64_t key;
     ISO_STREAM_NUMBERS(STREAM_HEADER_NUMBER) /* duration_ns is 0 where there is no end */
 } stream_header;
@@ -67,6 +68,9 @@ stream_record stream_read(stream *run);
 
 /* The name of state i, or an empty one; text[STREAM_TEXT_BYTES]. */
 const char *stream_state_name(const stream *run, size_t i, char *text);
+
+/* The name of closure i, likewise. */
+const char *stream_closure_name(const stream *run, size_t i, char *text);
 
 /* Value i of values as the shortest decimal that reads back; text[DECIMAL_BYTES]. */
 const char *stream_value(const stream *run, size_t i, char *text);

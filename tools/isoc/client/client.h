@@ -52,6 +52,9 @@ enum { ISO_CLIENT_FREE, ISO_CLIENT_LOCKSTEP }; /* modes of a run */
     X(tunables_held)                                                                                                   \
     X(tunables_clamped)                                                                                                \
     X(outputs_held)                                                                                                    \
+    X(near_singular)                                                                                                   \
+    X(near_singular_first)                                                                                             \
+    X(near_singular_closure)                                                                                           \
     X(guard)                                                                                                           \
     X(tick)                                                                                                            \
     X(adams_restarts)                                                                                                  \

@@ -36,10 +36,10 @@ ANSWERS = {
 }
 # How a run went, in the order of the frame.
 END = (
-    "ticks late lost overruns restarts violated margin execution_min execution_max execution_sum restart_max inputs_held "
-    "inputs_clamped tunables_held tunables_clamped outputs_held guard tick adams_restarts substeps rejected budget_bound "
-    "evaluations hash link_inputs link_late link_repeated link_stale link_missing link_safe link_damaged link_refused "
-    "link_unsent"
+    "ticks late lost overruns restarts violated margin execution_min execution_max execution_sum restart_max "
+    "inputs_held inputs_clamped tunables_held tunables_clamped outputs_held near_singular near_singular_first "
+    "near_singular_closure guard tick adams_restarts substeps rejected budget_bound evaluations hash link_inputs "
+    "link_late link_repeated link_stale link_missing link_safe link_damaged link_refused link_unsent"
 ).split()
 
 

@@ -61,6 +61,21 @@ static node *along_moves(graph *g, const dynamics *d, const node *moved)
     return along;
 }
 
+/* The pivots that vary, without the regularisation, which would hide how small they are. */
+static void put_pivots(graph *g, const augmented *over, settled *made)
+{
+    const size_t count = (size_t)over->held.count;
+    made->pivots = arena_take(g->memory, count, sizeof *made->pivots);
+    made->pivot_closures = arena_take(g->memory, count, sizeof *made->pivot_closures);
+    for (int r = 0; r < over->held.count; r++) {
+        const node bare = sub(g, over->pivots[r], over->regularisation);
+        if (!is_constant(g, bare)) {
+            made->pivots[made->pivot_count] = bare;
+            made->pivot_closures[made->pivot_count++] = over->held.all[r].cut;
+        }
+    }
+}
+
 /* The changes of positions and speeds with which the closures hold, to first order and with the least kinetic energy:
  * Eich (1993), "Convergence results for a coordinate projection method applied to mechanical systems with algebraic
  * constraints", SIAM J. Numerical Analysis 30(5). With an implicit method stiffness counts as well as inertia. There
@@ -69,7 +84,7 @@ static node *along_moves(graph *g, const dynamics *d, const node *moved)
  *
  * The speeds are those that the closures demand where the positions move to: the rates change on the way by as much as
  * the local error times the speed, which would be left from every step to the next. */
-static void build_changes(graph *g, const dynamics *d, node *moved, node *sped)
+static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, settled *made)
 {
     const constraints *held = &d->loops.held;
     const size_t count = (size_t)held->count;
@@ -88,6 +103,7 @@ static void build_changes(graph *g, const dynamics *d, node *moved, node *sped)
         gap[r] = add(g, rates[r], gap[r]);
     }
     augmented_project(&over, gap, sped);
+    put_pivots(g, &over, made);
 }
 
 settled settled_build(graph *g, const dynamics *d)
@@ -100,7 +116,7 @@ settled settled_build(graph *g, const dynamics *d)
     made.values = arena_take(g->memory, states, sizeof *made.values);
     node *moved = arena_take(g->memory, n, sizeof *moved), *sped = arena_take(g->memory, n, sizeof *sped);
     if (projected) {
-        build_changes(g, d, moved, sped);
+        build_changes(g, d, moved, sped, &made);
     }
     graph_section(g, "Where the step ends; a quaternion's length by one step of Newton's method for 1 / norm");
     for (int i = 0; i < m->link_count; i++) {

@@ -54,6 +54,17 @@ static const char *const *state_names(emission *e)
     return names;
 }
 
+/* The names of the closures: what a singular position is near. */
+static const char *const *closure_names(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char **names = arena_take(e->out->memory, (size_t)m->cut_count, sizeof *names);
+    for (int i = 0; i < m->cut_count; i++) {
+        names[i] = m->cuts[i].name;
+    }
+    return names;
+}
+
 void emit_model(emission *e)
 {
     const plant *p = e->p;
@@ -64,6 +75,9 @@ void emit_model(emission *e)
     emit_long_list(e, "state_names", names_of_states, state_count(m));
     emit_long_list(e, "output_names", p->output_names, p->output_count);
     emit_long_list(e, "output_units", p->output_units, p->output_count);
+    if (p->after.pivot_count > 0) {
+        emit_long_list(e, "closure_names", closure_names(e), m->cut_count);
+    }
     text_add(e->out, "const iso_model %s_model = {\n", e->names->prefix);
     text_add(e->out, "    .name = \"%s\",\n    .method = \"%s\",\n", m->name, method_names[ISO_METHOD_OF(m->recipe)]);
     text_add(e->out, "    .step_text = \"%.*s\",\n    .step_size = %s,\n", (int)strlen(seconds) - 3, seconds + 2,
@@ -75,6 +89,9 @@ void emit_model(emission *e)
     emit_list(e, "state_names", names_of_states, state_count(m));
     emit_list(e, "output_names", p->output_names, p->output_count);
     emit_list(e, "output_units", p->output_units, p->output_count);
+    if (p->after.pivot_count > 0) {
+        emit_list(e, "closure_names", closure_names(e), m->cut_count);
+    }
     text_add(e->out, "    .start = start,\n");
     add_if(e, m->memory_count > 0, arena_format(e->out->memory, "    .memories = %d,\n", m->memory_count));
     add_if(e, has_begin(e), "    .begin = begin,\n");
@@ -96,7 +113,8 @@ void emit_model(emission *e)
     const bool has_ladder = m->policies.rung_count > 0;
     add_if(e, has_ladder, "    .attempt = attempt,\n");
     add_if(e, !has_ladder && (can_restart(p) || ISO_IS_WATCHED(m->recipe)), "    .attempt = iso_plant_attempt,\n");
-    add_if(e, p->violation >= 0 || ISO_HAS_PROGRESS(m->recipe), "    .tell = iso_plant_tell,\n");
+    add_if(e, p->violation >= 0 || p->after.pivot_count > 0 || ISO_HAS_PROGRESS(m->recipe),
+           "    .tell = iso_plant_tell,\n");
     text_add(e->out, "    .finish = finish%s,\n", by_rung);
     add_if(e, m->policies.any, "    .policy = &policy,\n");
     text_add(e->out, "};\n");
@@ -117,6 +135,7 @@ void emit_plant(emission *e)
     } else if (ISO_HAS_PROGRESS(m->recipe)) {
         text_add(e->out, "    .progress = &memory.progress,\n");
     }
+    add_if(e, e->p->after.pivot_count > 0, "    .nearness = &memory.nearness,\n");
     add_if(e, ISO_IS_WATCHED(m->recipe), "    .before = &before,\n");
     text_add(e->out, "    .good = memory.good,\n};\n");
 }

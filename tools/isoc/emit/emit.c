@@ -45,6 +45,10 @@ static void emit_beginning(const emission *e, const text *rest)
     }
     text_add(e->out, "#include \"core/methods/method.h\"\n");
     text_add(e->out, "%s", e->p->fast.count > 0 ? "#include \"core/methods/multirate.h\"\n" : "");
+    text_add(e->out, "%s",
+             e->p->after.pivot_count == 0 ? ""
+             : m->near_holds              ? "#include \"core/methods/hold_energy.h\"\n"
+                                          : "#include \"core/methods/pivots.h\"\n");
     text_add(e->out, "%s", e->p->j.looped != NULL ? "#include \"core/methods/sparse.h\"\n" : "");
     text_add(e->out, "%s#include \"core/runtime/tick.h\"\n",
              m->policies.any ? "#include \"core/runtime/policy.h\"\n" : "");

@@ -370,44 +370,6 @@ static void emit_admit(emission *e)
     text_add(e->out, "}\n\n");
 }
 
-/* The states that are put right after a step by what is added to them. */
-static void emit_settled_states(emission *e)
-{
-    const settled *after = &e->p->after;
-    text_add(e->out, "static const uint16_t settled_states[%d] = {", after->count);
-    for (int i = 0; i < after->count; i++) {
-        text_add(e->out, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[after->states[i]].place);
-    }
-    text_add(e->out, "};\n\n");
-}
-
-/* What is put right after a step, in place. */
-static void emit_settle(emission *e)
-{
-    const settled *after = &e->p->after;
-    arena *memory = e->out->memory;
-    const char **targets = arena_take(memory, (size_t)after->count + 1, sizeof *targets);
-    for (int i = 0; i < after->count; i++) {
-        targets[i] = after->adds ? arena_format(memory, "moved[%d]", i)
-                                 : arena_format(memory, "x[%s]", e->names->leaves.states[after->states[i]].place);
-    }
-    const code made = code_of(e, targets, after->values, after->count);
-    if (after->adds) {
-        emit_settled_states(e);
-    }
-    text_add(e->out, "static void settle(real *const x%s)\n{\n",
-             settles_by_parameters(e->p, e->g) ? ", const real *const p" : "");
-    if (after->adds) {
-        text_add(e->out, "    real moved[%d];\n", after->count);
-    }
-    emit_code(e, &made);
-    if (after->adds) {
-        text_add(e->out, "    iso_method_move(%s, %s_STATES, x, settled_states, moved, %d);\n",
-                 recipe_symbol(memory, e->p->m->recipe), e->names->capitals, after->count);
-    }
-    text_add(e->out, "}\n\n");
-}
-
 /* The rest of a tick, with the sizes of this plant. */
 static void emit_finish(emission *e)
 {
@@ -417,6 +379,9 @@ static void emit_finish(emission *e)
     const char *advance = arena_format(e->out->memory, "advance%s", e->suffix);
     text_add(e->out, "static uint32_t finish%s(void *const instance)\n{\n", e->suffix);
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    if (m->near_stops && e->p->after.pivot_count > 0) {
+        text_add(e->out, "    if (memory->nearness.closure != 0) {\n        return ISO_NEAR;\n    }\n");
+    }
     text_add(e->out, "    return iso_finish(memory, memory->x, %s, %s_STATES, %s, output%s%s,\n",
              has_range(e) ? "range" : "NULL", capitals, sets_rows(e->p) ? advance : "NULL",
              has_slow_outputs(m) ? "_due" : "", e->suffix);

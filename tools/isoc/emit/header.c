@@ -124,6 +124,7 @@ static void emit_instance(const emission *e)
     text_add(e->out, "        %s,\n", held_count(m) > 0 ? "memory->u" : "NULL");
     text_add(e->out, "        %s,\n", m->parameter_count > 0 ? "memory->p" : "NULL");
     text_add(e->out, "        memory->y,\n        %s,\n", progress_of(m));
+    text_add(e->out, "        %s,\n", e->p->after.pivot_count > 0 ? "&memory->nearness" : "NULL");
     text_add(e->out, "        %s,\n", ISO_IS_VARYING(m->recipe) ? "&memory->adams" : "NULL");
     text_add(e->out, "        %s,\n        memory->good,\n    };\n    return plant;\n}\n\n",
              watched ? "before" : "NULL");

@@ -69,6 +69,17 @@ static void add_progress(memory_layout *list)
     }
 }
 
+/* What steps are watched by for singular positions: iso_watch_pivots. */
+static void add_pivots(memory_layout *list)
+{
+    const int pivots = list->e->p->after.pivot_count;
+    add_reals(list, "pivots", arena_format(list->e->out->memory, "%d", pivots), (size_t)pivots,
+              "of the closures, at the end of the last step");
+    if (pivots > 0 && list->e->p->m->near_holds) {
+        add_member(list, "iso_held_energy held_energy", NULL, 2 * list->real_size);
+    }
+}
+
 /* What a restart is found by. */
 static void add_last(memory_layout *list)
 {
@@ -134,6 +145,9 @@ static void add_counts(memory_layout *list)
     const plant *p = list->e->p;
     arena *memory = list->e->out->memory;
     const bool with_rows = keeps_rows(p);
+    if (p->after.pivot_count > 0) {
+        add_member(list, "iso_nearness nearness", NULL, 2 * sizeof(uint32_t));
+    }
     if (p->turn_count > 0) {
         add_member(list, arena_format(memory, "int32_t turns[%d]", p->turn_count), "of the continuous joints",
                    (size_t)p->turn_count * sizeof(int32_t));
@@ -159,6 +173,7 @@ static memory_layout layout_of(const emission *e)
     add_reals(&list, "rests", arena_format(e->out->memory, "%d", e->p->turn_count), (size_t)e->p->turn_count,
               "what rounding has taken from the angles of continuous joints");
     add_progress(&list);
+    add_pivots(&list);
     add_last(&list);
     add_rings(&list);
     add_good(&list);

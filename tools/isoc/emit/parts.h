@@ -95,6 +95,8 @@ void emit_code(emission *e, const code *made);
 void emit_drive(emission *e);
 void emit_advance(emission *e);
 void emit_begin(emission *e);
+/* settle.c: what follows the method in a step. */
+void emit_settle(emission *e);
 
 /* outputs.c: the outputs. */
 void emit_output(emission *e);

@@ -319,16 +319,30 @@ static void emit_take_turns(emission *e, const link *l, int number)
 static void emit_settling(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char *more = settles_by_parameters(e->p, e->g) ? ", memory->p" : "";
+    const int pivots = e->p->after.pivot_count;
+    const char *more = arena_format(e->out->memory, "%s%s", settles_by_parameters(e->p, e->g) ? ", memory->p" : "",
+                                    pivots > 0 ? ", pivots" : "");
     const char *recipe = recipe_symbol(e->out->memory, step_recipe(e)), *capitals = e->names->capitals;
     if (ISO_IS_SETTLED(step_recipe(e))) {
         text_add(e->out, "    iso_method_settles(%s, %s_STATES, &equations, memory->x, work);\n", recipe, capitals);
+    }
+    if (pivots > 0) {
+        text_add(e->out, "    real pivots[%d];\n", pivots);
     }
     if (m->projections > 1) {
         text_add(e->out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n", m->projections,
                  more);
     } else {
         text_add(e->out, "    settle(memory->x%s);\n", more);
+    }
+    if (pivots > 0) {
+        const char *watch = arena_format(
+            e->out->memory, "iso_watch_pivots(memory->pivots, pivots, pivot_closures, %d, &memory->nearness)", pivots);
+        if (m->near_holds) {
+            text_add(e->out, "    hold_energy(memory, %s);\n", watch);
+        } else {
+            text_add(e->out, "    (void)%s;\n", watch);
+        }
     }
     if (ISO_IS_SETTLED(step_recipe(e))) {
         text_add(e->out,

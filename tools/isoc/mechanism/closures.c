@@ -166,6 +166,31 @@ static double option(builder *b, const formula *f, dimension of, const char *wha
     return number;
 }
 
+/* What is done about a tick near a singular position. The energy can be held where closures do no work, and where the step is
+ * made from its start alone: what a history keeps of a step near there would act later. */
+static void build_near(builder *b, const name *near)
+{
+    mechanism *made = &b->made;
+    if (near->text == NULL) {
+        return;
+    }
+    made->near_stops = strcmp(near->text, "stop") == 0;
+    made->near_holds = strcmp(near->text, "hold") == 0;
+    if (made->projections == 0) {
+        source_problem(b->s, near->at,
+                       "only a projection watches for singular positions: leave out omega and mu, or near");
+    }
+    if (made->near_holds && (ISO_PAST_KEPT(made->recipe) > 0 || ISO_IS_VARYING(made->recipe))) {
+        source_problem(b->s, near->at, "near hold needs a method without a history, such as rk4 or rosenbrock");
+    }
+    for (int i = 0; i < made->cut_count && made->near_holds; i++) {
+        if (made->cuts[i].kind == CLOSE_MOTION) {
+            source_problem(b->s, near->at, "near hold needs closures that do no work: '%s' is a motion",
+                           made->cuts[i].name);
+        }
+    }
+}
+
 /* Baumgarte's alpha = beta = 1 / (10 h) removes a violation in some tens of steps, and is stable with every method: its
  * double root -1 / (10 h) is within the stability limit of ab4, 0.3 / h. The augmented Lagrangian has no feedback, but
  * where the scene asks for it; then it uses the same value as Omega, with mu = 1, so that gamma is the same.
@@ -197,6 +222,7 @@ static void build_stabilisation(builder *b)
     } else if (strcmp(kind, "projection") == 0) {
         made->projections = (int)option(b, written->iterations, no_unit, "the number of iterations", 1.0, 1.0);
     }
+    build_near(b, &written->near);
     made->violation_limit = value_displacement(&b->values, written->limit, "the limit", 0.0);
     if (made->violation_limit < 0.0) {
         source_problem(b->s, written->limit->at, "the limit must be at least 0");

@@ -284,6 +284,8 @@ typedef struct mechanism {
     int multiplier_iterations;      /* of the augmented Lagrangian; else 1 */
     int projections;                /* iterations of the projection after a step */
     double violation_limit;         /* m or rad; 0: none */
+    bool near_stops;                /* a tick near a singular position of the closures is the guard's; */
+    bool near_holds;                /* or a step there keeps the energy */
     clocks clocks;                  /* of motions: states between the links' positions and the speeds */
     effect_quantity *effect_states; /* states behind the clocks */
     int effect_state_count, first_effect_state;

@@ -62,8 +62,10 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
 static operations cost_of_settling(const plant *p, const graph *g)
 {
     const operations changes = count_operations(g, p->after.values, (size_t)p->after.count);
-    const operations additions = {.add = sums_of_addition(p->m->recipe)};
-    return plus(changes, p->after.adds ? p->after.count : 0, additions);
+    const operations additions = {.add = sums_of_addition(p->m->recipe)}, watch = {.add = 2, .mul = 2};
+    const operations total = plus(changes, p->after.adds ? p->after.count : 0, additions);
+    const operations energy = count_operations(g, &p->energy, 1);
+    return plus(plus(total, p->after.pivot_count, watch), p->m->near_holds ? 2 : 0, energy);
 }
 
 static void count_line(text *out, const char *what, operations n)

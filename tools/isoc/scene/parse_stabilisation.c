@@ -7,6 +7,16 @@ static const char *const kind_names[] = {"baumgarte", "projection", "lagrangian"
 
 enum { BAUMGARTE = 1, PROJECTION = 2, LAGRANGIAN = 4 };
 
+static const char *const near_names[] = {"count", "stop", "hold"};
+
+/* near count, near stop, near hold: what is done about a tick near a singular position. */
+static void read_near(parser *p, const token *word, void *slot)
+{
+    name *to = slot;
+    const size_t chosen = take_one_of(p, near_names, COUNT_OF(near_names));
+    *to = (name){chosen < COUNT_OF(near_names) ? near_names[chosen] : NULL, word->at};
+}
+
 #define IN(member) offsetof(stabilisation, member)
 static const property properties[] = {
     {"alpha", read_formula, IN(alpha), BAUMGARTE, NULL},
@@ -16,6 +26,7 @@ static const property properties[] = {
     {"mu", read_formula, IN(mu), LAGRANGIAN, NULL},
     {"iterations", read_formula, IN(iterations), PROJECTION | LAGRANGIAN, NULL},
     {"limit", read_formula, IN(limit), EVERY_KIND, NULL},
+    {"near", read_near, IN(near), PROJECTION | LAGRANGIAN, "near stop"},
 };
 #undef IN
 

@@ -145,6 +145,7 @@ typedef struct stabilisation {
     formula *iterations;           /* of projection and lagrangian */
     formula *penalty, *omega, *mu; /* of lagrangian: kg, 1/s, a number */
     formula *limit;                /* of the violation, in m or rad: above it a tick is counted */
+    name near;                     /* count, stop, hold: a tick near a singular position; NULL as text: count */
 } stabilisation;
 
 typedef struct quantity {

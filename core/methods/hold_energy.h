@@ -1,0 +1,33 @@
+/* The energy of a mechanism held through steps near a singular position of its closures (core/methods/pivots.h). There the
+ * forces of the closures turn within less than a step, and what a method makes of them is no motion: the positions and the
+ * direction of the speeds may be another branch's, as they may be of the mechanism itself for a change of the start that
+ * rounding makes, and the size of the speeds has no bound. The closures do no work, so that the size follows from the energy:
+ * the speeds are scaled until it is that of before. With one freedom that is all of the motion but its branch. What inputs,
+ * losses and effects do to the energy in such a step is left out. */
+#ifndef ISO_CORE_METHODS_HOLD_ENERGY_H
+#define ISO_CORE_METHODS_HOLD_ENERGY_H
+
+#include "core/methods/pivots.h"
+#include "core/numbers/sqrt.h"
+
+/* After a step with `near` of iso_watch_pivots: scales speeds[count], where this step or the last one was near, so that
+ * `total`, the energy of the states, becomes that of before; `rest` is the energy with all speeds zero (J). The speeds then
+ * satisfy the closures as before, since these are linear in them. The step after one that was near belongs to it: the middle
+ * one of a passing can begin and end with the same pivots. No branch on any of them. */
+ISO_INLINE void iso_hold_energy(iso_held_energy *const held, const iso_bits near, const real total, const real rest,
+                                real *const speeds, const size_t count)
+{
+    const iso_bits holds = near | held->near;
+    const real kinetic = total - rest;
+    const iso_bits moves = iso_less(ISO_REAL_LEAST, kinetic);
+    const real ratio = iso_positive(held->energy - rest) / iso_select(moves, kinetic, R(1.0));
+    const real scale = iso_select(holds & moves, iso_sqrt(ratio), R(1.0));
+    ISO_UNROLL
+    for (size_t s = 0; s < count; s++) {
+        speeds[s] *= scale;
+    }
+    held->energy = iso_select(holds, held->energy, total);
+    held->near = near;
+}
+
+#endif

@@ -1,0 +1,40 @@
+/* The watch over the pivots of closed loops. With the closures' Jacobian J and the mass matrix M, a step solves with A = J
+ * M^-1 J' = L D L'. Near a position where the closures lose rank a pivot D falls to nearly nothing and rises again, as the
+ * square of the way to that position, and the forces of the closures turn within that way. A step that is not short against it
+ * passes without having seen them: the closures hold behind it, their rates too, and the energy is another one. So each
+ * pivot is compared with itself, a step before: its unit and its usual size do not matter. */
+#ifndef ISO_CORE_METHODS_PIVOTS_H
+#define ISO_CORE_METHODS_PIVOTS_H
+
+#include "core/methods/progress.h"
+#include "core/numbers/real.h"
+#include "core/numbers/unroll.h"
+
+/* A step in which no pivot changes by this factor resolves the passing: tests/singular/singular.t. */
+#define ISO_PIVOT_CHANGE R(1.25)
+
+/* The pivots now[count] behind a step, compared with last[count] before it, which they replace; closures[k] is the closure of
+ * pivot k, and those of a closure stand together. Where one has changed by more than ISO_PIVOT_CHANGE, or is not positive,
+ * `nearness` says so. Returns all ones then, else 0. No branch on them. */
+ISO_INLINE iso_bits iso_watch_pivots(real *const last, const real *const now, const uint16_t *const closures,
+                                     const size_t count, iso_nearness *const nearness)
+{
+    uint32_t near = nearness->closure, any = 0;
+    iso_bits apart = 0;
+    ISO_UNROLL
+    for (size_t k = 0; k < count; k++) {
+        apart |= iso_bits_of(ISO_PIVOT_CHANGE * last[k] - now[k]) | iso_bits_of(ISO_PIVOT_CHANGE * now[k] - last[k]);
+        last[k] = now[k];
+        if (k + 1 == count || closures[k + 1] != closures[k]) {
+            const uint32_t changed = (0 - (uint32_t)(apart >> ISO_SIGN_SHIFT)) & nearness->known;
+            near = (changed & (closures[k] + 1U)) | (~changed & near);
+            any |= changed;
+            apart = 0;
+        }
+    }
+    nearness->closure = near;
+    nearness->known = UINT32_MAX;
+    return (iso_bits)0 - (iso_bits)(any & 1U);
+}
+
+#endif

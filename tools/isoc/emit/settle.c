@@ -1,0 +1,96 @@
+#include "tools/isoc/emit/parts.h"
+
+/* The states that are put right after a step by what is added to them. */
+static void emit_settled_states(const emission *e)
+{
+    const settled *after = &e->p->after;
+    text_add(e->out, "static const uint16_t settled_states[%d] = {", after->count);
+    for (int i = 0; i < after->count; i++) {
+        text_add(e->out, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[after->states[i]].place);
+    }
+    text_add(e->out, "};\n\n");
+}
+
+/* The closure of each pivot, by its place in the list of their names. */
+static void emit_pivot_closures(const emission *e)
+{
+    const settled *after = &e->p->after;
+    text_add(e->out, "static const uint16_t pivot_closures[%d] = {", after->pivot_count);
+    for (int i = 0; i < after->pivot_count; i++) {
+        text_add(e->out, "%s%d", i == 0 ? "" : ", ", after->pivot_closures[i]);
+    }
+    text_add(e->out, "};\n\n");
+}
+
+/* The targets of what is put right, then those of the pivots. */
+static const char *const *settled_targets(const emission *e)
+{
+    const settled *after = &e->p->after;
+    arena *memory = e->out->memory;
+    const char **targets = arena_take(memory, (size_t)(after->count + after->pivot_count), sizeof *targets);
+    for (int i = 0; i < after->count; i++) {
+        targets[i] = after->adds ? arena_format(memory, "moved[%d]", i)
+                                 : arena_format(memory, "x[%s]", e->names->leaves.states[after->states[i]].place);
+    }
+    for (int i = 0; i < after->pivot_count; i++) {
+        targets[after->count + i] = arena_format(memory, "pivots[%d]", i);
+    }
+    return targets;
+}
+
+/* The energy, of any states; and what holds it in a step. */
+static void emit_hold_energy(emission *e)
+{
+    static const char *const target = "energy";
+    const mechanism *m = e->p->m;
+    const code made = code_of(e, &target, &e->p->energy, 1);
+    text_add(e->out, "static real energy_of(const real *const x, const real *const u, const real *const p)\n{\n");
+    text_add(e->out, "%s", code_uses(e, &made, OP_STATE) ? "" : "    (void)x;\n");
+    text_add(e->out, "%s", code_uses(e, &made, OP_INPUT) ? "" : "    (void)u;\n");
+    text_add(e->out, "%s", code_uses(e, &made, OP_PARAMETER) ? "" : "    (void)p;\n");
+    text_add(e->out, "    real energy;\n");
+    emit_code(e, &made);
+    text_add(e->out, "    return energy;\n}\n\n");
+    const char *prefix = e->names->prefix, *capitals = e->names->capitals;
+    const char *more = arena_format(e->out->memory, "%s, %s", held_count(m) > 0 ? "memory->u" : "NULL",
+                                    m->parameter_count > 0 ? "memory->p" : "NULL");
+    text_add(e->out, "static void hold_energy(%s_memory *const memory, const iso_bits near)\n{\n", prefix);
+    text_add(e->out, "    real rest[%s_STATES];\n    memcpy(rest, memory->x, sizeof rest);\n", capitals);
+    text_add(e->out, "    memset(rest + %d, 0, %d * sizeof *rest);\n", m->position_count, m->dof_count);
+    text_add(e->out, "    iso_hold_energy(&memory->held_energy, near, energy_of(memory->x, %s), energy_of(rest, %s),\n",
+             more, more);
+    text_add(e->out, "                    memory->x + %d, %d);\n}\n\n", m->position_count, m->dof_count);
+}
+
+/* What is put right after a step, in place; and the pivots of the closures. */
+void emit_settle(emission *e)
+{
+    const settled *after = &e->p->after;
+    const int count = after->count + after->pivot_count;
+    node *roots = arena_take(e->out->memory, (size_t)count, sizeof *roots);
+    for (int i = 0; i < count; i++) {
+        roots[i] = i < after->count ? after->values[i] : after->pivots[i - after->count];
+    }
+    const code made = code_of(e, settled_targets(e), roots, count);
+    if (after->adds) {
+        emit_settled_states(e);
+    }
+    text_add(e->out, "static void settle(real *const x%s%s)\n{\n",
+             settles_by_parameters(e->p, e->g) ? ", const real *const p" : "",
+             after->pivot_count > 0 ? ", real *const pivots" : "");
+    if (after->adds) {
+        text_add(e->out, "    real moved[%d];\n", after->count);
+    }
+    emit_code(e, &made);
+    if (after->adds) {
+        text_add(e->out, "    iso_method_move(%s, %s_STATES, x, settled_states, moved, %d);\n",
+                 recipe_symbol(e->out->memory, e->p->m->recipe), e->names->capitals, after->count);
+    }
+    text_add(e->out, "}\n\n");
+    if (after->pivot_count > 0) {
+        emit_pivot_closures(e);
+    }
+    if (after->pivot_count > 0 && e->p->m->near_holds) {
+        emit_hold_energy(e);
+    }
+}
