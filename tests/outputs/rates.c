@@ -49,7 +49,7 @@ static bool keeps_rate(const iso_plant *const plant, const uint64_t from, const 
 /* An output that is not finite is so at its own ticks: then the last good ones of all stand, and that is counted. */
 static bool is_held(const iso_plant *const plant)
 {
-    iso_tick_counts counts = {{0, 0}, {0, 0}, 0, 0};
+    iso_tick_counts counts = {.restarts = 0};
     bool is = true;
     iso_plant_start(plant);
     plant->model->output(plant->memory);

@@ -29,7 +29,7 @@ int main(const int count, char **const arguments)
     }
     printf(guard < states ? "lost" : "%.1e", most);
     printf(" %llu %s\n", (unsigned long long)counts.near_singular,
-           guard == states ? "good"
+           guard == states  ? "good"
            : guard < states ? "bad"
                             : "near");
     return 0;

@@ -19,7 +19,7 @@ static fixed_memory of_fixed;
 
 static uint64_t restarts_of_tick(const iso_plant *const plant, const uint64_t tick)
 {
-    iso_tick_counts counts = {{0, 0}, {0, 0}, 0, 0};
+    iso_tick_counts counts = {.restarts = 0};
     (void)iso_plant_tick_counted(plant, tick, &counts);
     return counts.restarts;
 }
