@@ -113,4 +113,14 @@ result $? 'a delay of a memory too is constant within a step: isoc warns'
 delayed rk4 5 "$at_stages" >"$out/shown"
 [ ! -s "$out/errors" ]
 result $? 'of a state alone it acts at each stage: no warning'
+# memories OUTPUT: of a pendulum with a unit of which this is shown.
+memories()
+{
+    printf '%s\n' 'gravity (0, -9.81, 0) m/s^2' 'step 1 ms' 'body bob { mass 1 kg; com (0, -1, 0) m }' \
+        'joint pivot revolute { parent ground; child bob; axis z; start 90 deg }' 'effect unit imu { on bob }' "output shown = $1" >"$out/read.scene"
+    build/isoc "$out/read.scene" -o "$out/read" | sed -n 's/^memories //p'
+}
+[ "$(memories unit.spin_z)" = 1 ] && ! grep -q 'derivative(dx' "$out/read/plant.c" && [ "$(memories 'unit.spin_z + unit.force_x / (1 m/s)')" = 2 ] &&
+    grep -q 'derivative(dx' "$out/read/plant.c"
+result $? 'of a unit only the components that are read are there'
 finish

@@ -135,6 +135,9 @@ void build_streams(builder *b);
 /* past.c: what the memories of formulas are of, when all formulas are known. */
 void finish_pasts(builder *b);
 
+/* unread.c: leaves out what nothing reads. */
+void drop_unread(builder *b);
+
 /* delays.c: which delays are samples of continuous signals, when all equations are known. */
 void build_delays(builder *b);
 

@@ -227,6 +227,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_substeps(&b);
     build_outputs(&b);
     finish_pasts(&b);
+    drop_unread(&b);
     build_delays(&b);
     check_inputs(&b);
     build_parameters(&b);

@@ -293,6 +293,7 @@ typedef struct mechanism {
     int fast_substeps;         /* and how many; 0: none do */
     effect_quantity *memories; /* of effects and of formulas: numbers that a row sets, behind the inputs */
     int memory_count;
+    bool *is_read;               /* [inputs and memories that were written] */
     node *efforts;               /* [degrees of freedom] of effects: */
     effect_effort *effort_parts; /* the sums of these */
     int effort_part_count;
