@@ -91,6 +91,10 @@ sed 's/near hold/near stop/' "$out/flat.scene" >"$out/stop.scene"
     grep -q '^trace: guard at tick [0-9]*: near a singular position of closure follower_pin$' "$out/errors"
 expect $? "parallelogram, near stop: $(grep -o 'guard at tick.*' "$out/errors")"
 
+# The option may be left out of a block.
+built $near double 'projection { iterations 2 }' && built $near double 'lagrangian { penalty 1e5 kg }'
+result $? "blocks without near"
+
 # What cannot be held is refused.
 refused()
 {

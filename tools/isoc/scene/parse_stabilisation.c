@@ -26,7 +26,7 @@ static const property properties[] = {
     {"mu", read_formula, IN(mu), LAGRANGIAN, NULL},
     {"iterations", read_formula, IN(iterations), PROJECTION | LAGRANGIAN, NULL},
     {"limit", read_formula, IN(limit), EVERY_KIND, NULL},
-    {"near", read_near, IN(near), PROJECTION | LAGRANGIAN, "near stop"},
+    {"near", read_near, IN(near), PROJECTION | LAGRANGIAN, NULL},
 };
 #undef IN
 
