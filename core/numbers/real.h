@@ -162,6 +162,12 @@ static inline real iso_abs(const real x)
     return iso_real_of(iso_bits_of(x) & ~ISO_SIGN_BIT);
 }
 
+/* Integers, modulo 2^32 or 2^64, in the order of the reals: that of -0 is one less than that of +0, which is 0. */
+static inline iso_bits iso_order(const real x)
+{
+    return iso_bits_of(x) ^ (((iso_bits)0 - (iso_bits_of(x) >> ISO_SIGN_SHIFT)) >> 1);
+}
+
 /* All ones if x is an infinity or a NaN, else zero: an exponent of all ones plus one carries into the sign. */
 static inline iso_bits iso_not_finite(const real x)
 {

@@ -66,7 +66,11 @@ typedef struct iso_model {
     void (*drive)(void *memory, uint64_t tick); /* sets u to the scene's functions of time, and the states that are time
                                                    itself to what they are at a tick; NULL without such inputs and
                                                    states */
-    iso_refused (*admit)(void *memory);         /* checks what came in; NULL without inputs and parameters */
+    iso_bits (*amiss)(const void *memory);      /* 0 if nothing that came in is to be put right, and no parameter is
+                                                   another than before; then `admit` is not called, and `finish` keeps
+                                                   the inputs. NULL: `admit` is always called */
+    iso_refused (*admit)(void *memory);         /* checks what came in, puts it right and keeps it; NULL without inputs
+                                                   and parameters */
     void (*advance)(void *memory); /* begins a row: sets what it shows of the functions of time, and the memories, from
                                       the states there; NULL without both */
     bool (*discontinuity)(void *memory); /* whether an input or a parameter has one, or something happened that ends
@@ -100,10 +104,14 @@ typedef struct iso_plant {
     real *good;   /* in the memory: the last good inputs, parameters and outputs */
 } iso_plant;
 
-/* Checks what came in from outside: puts right and keeps. Returns what was refused. */
+/* Checks what came in from outside: puts right and keeps. Returns what was refused. Most ticks have nothing to put right. */
 static inline iso_refused iso_plant_admit(const iso_plant *const plant)
 {
-    return plant->model->admit == NULL ? 0 : plant->model->admit(plant->memory);
+    const iso_model *const model = plant->model;
+    if (model->admit == NULL || (model->amiss != NULL && model->amiss(plant->memory) == 0)) {
+        return 0;
+    }
+    return model->admit(plant->memory);
 }
 
 /* Puts everything to tick 0: state, parameters, inputs, and what the method keeps. */
@@ -120,7 +128,9 @@ static inline void iso_plant_start(const iso_plant *const plant)
     if (model->drive != NULL) {
         model->drive(plant->memory, 0);
     }
-    (void)iso_plant_admit(plant);
+    if (model->admit != NULL) {
+        (void)model->admit(plant->memory);
+    }
     if (model->begin != NULL) {
         model->begin(plant->memory);
     }

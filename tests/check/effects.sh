@@ -90,12 +90,12 @@ while IFS= read -r effect; do
     ! cmp -s "$out/without/pendulum.scene" $base && object without && same without
     result $? "commented out: the same object as without: $effect"
     case $effect in
-    "damping, tunable") holds "$effect" "admit defaults range" 64 "$name" ;;
+    "damping, tunable") holds "$effect" "admit amiss defaults range" 64 "$name" ;;
     # The last sample, three differences, and whether there is one.
-    "input, smooth") holds "$effect" "admit prime range" 84 "$name" ;;
-    "input, "*) holds "$effect" "admit drive range" 64 "$name" ;;
+    "input, smooth") holds "$effect" "admit amiss prime range" 84 "$name" ;;
+    "input, "*) holds "$effect" "admit amiss drive range" 64 "$name" ;;
     # An input and its last good value; that nobody drives: it is the port's.
-    input) holds "$effect" "admit range" 64 "$name" ;;
+    input) holds "$effect" "admit amiss range" 64 "$name" ;;
     # An angle that is kept within a turn has no range to be guarded.
     continuous) holds "$effect" "" 64 "$name" ;;
     "continuous, output of turns") holds "$effect" "" 72 "$name" ;;

@@ -27,7 +27,7 @@ count()
 {
     echo "tick $(count iso_loop_tick_float $plant tick_interrupt)"
     echo "no_port $(count iso_loop_tick_float $plant tick_interrupt $port)"
-    echo "loop $(count iso_loop_tick_float $plant tick_interrupt $port admit finish finish_on_rung)"
+    echo "loop $(count iso_loop_tick_float $plant tick_interrupt $port amiss admit finish finish_on_rung)"
     echo "interrupt $(count tick_interrupt)"
 } | awk '
     NF != 3 { failed = 1 }

@@ -105,7 +105,7 @@ void emit_model(emission *e)
                  code_literal(e->out->memory, m->violation_limit, p->is_double));
     }
     add_if(e, is_driven(p), "    .drive = drive,\n");
-    add_if(e, m->input_count + m->parameter_count > 0, "    .admit = admit,\n");
+    add_if(e, m->input_count + m->parameter_count > 0, "    .amiss = amiss,\n    .admit = admit,\n");
     add_if(e, sets_rows(p), "    .advance = advance,\n");
     add_if(e, can_restart(p), "    .discontinuity = discontinuity,\n");
     add_if(e, is_primed(p), "    .prime = prime,\n");

@@ -341,6 +341,17 @@ static void emit_admit(emission *e)
         emit_number(e, "broken", &e->p->broken);
     }
     text_add(e->out, "/* What comes in from outside is finite, and within its limits. */\n");
+    text_add(e->out, "static iso_bits amiss(const void *const instance)\n{\n");
+    text_add(e->out, "    const %s_memory *const memory = instance;\n    return", e->names->prefix);
+    if (m->input_count > 0) {
+        text_add(e->out, " iso_any_amiss(memory->u, %s, %s_INPUTS)%s",
+                 has_limits(m->inputs, m->input_count) ? "input_limits" : "NULL", capitals,
+                 m->parameter_count > 0 ? " |\n          " : "");
+    }
+    if (m->parameter_count > 0) {
+        text_add(e->out, " iso_any_changed(memory->p, memory->good%s, %s_PARAMETERS)", inputs, capitals);
+    }
+    text_add(e->out, ";\n}\n\n");
     text_add(e->out, "static iso_refused admit(void *const instance)\n{\n");
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
     if (has_conditions) {
@@ -370,7 +381,7 @@ static void emit_admit(emission *e)
     text_add(e->out, "}\n\n");
 }
 
-/* The rest of a tick, with the sizes of this plant. */
+/* The rest of a tick, with the sizes of this plant: keeps the inputs of the step, which are good; then iso_finish. */
 static void emit_finish(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -379,6 +390,9 @@ static void emit_finish(emission *e)
     const char *advance = arena_format(e->out->memory, "advance%s", e->suffix);
     text_add(e->out, "static uint32_t finish%s(void *const instance)\n{\n", e->suffix);
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    if (m->input_count > 0) {
+        text_add(e->out, "    iso_copy(memory->good, memory->u, %s_INPUTS);\n", capitals);
+    }
     if (m->near_stops && e->p->after.pivot_count > 0) {
         text_add(e->out, "    if (memory->nearness.closure != 0) {\n        return ISO_NEAR;\n    }\n");
     }
