@@ -125,6 +125,13 @@ ISO_RARE static void put_words(const void *const from, const size_t count)
     }
 }
 
+ISO_RARE void iso_stream_times(const iso_times *const times)
+{
+    const uint64_t words[] = {times->tick_min, times->tick_max, times->beside};
+    put_byte(ISO_STREAM_TIMES);
+    put_words(words, sizeof words / sizeof words[0]);
+}
+
 ISO_RARE void iso_stream_end(const iso_loop *const loop, const uint64_t hash)
 {
     static const iso_adams_state none;

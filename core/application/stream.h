@@ -4,6 +4,7 @@
  *     from     ISO_STREAM_FROM, the tick that the first row is of, 64 bits; without it that is 0
  *     row      ISO_STREAM_ROW, the outputs of a tick; the first are those of tick 0, the start
  *     snapshot ISO_STREAM_SNAPSHOT, its size, 64 bits, and the record (core/runtime/snapshot.h) of the tick of the last row
+ *     times    ISO_STREAM_TIMES, the least and the most that a whole tick took, and all that was beside, 64 bits each
  *     end      ISO_STREAM_END, the statistics, the hash, the guard, the state, the largest local error and violation; then, to
  *              the end of the stream, the counts of the policies (core/runtime/policy.h), if the scene has some
  *
@@ -13,12 +14,14 @@
 #ifndef ISO_CORE_APPLICATION_STREAM_H
 #define ISO_CORE_APPLICATION_STREAM_H
 
+#include "core/application/times.h"
 #include "core/runtime/loop.h"
 
 #define iso_stream_header ISO_REAL_NAME(iso_stream_header)
 #define iso_stream_bail_out ISO_REAL_NAME(iso_stream_bail_out)
 #define iso_stream_from ISO_REAL_NAME(iso_stream_from)
 #define iso_stream_snapshot ISO_REAL_NAME(iso_stream_snapshot)
+#define iso_stream_times ISO_REAL_NAME(iso_stream_times)
 #define iso_stream_row ISO_REAL_NAME(iso_stream_row)
 #define iso_stream_end ISO_REAL_NAME(iso_stream_end)
 
@@ -28,6 +31,7 @@ enum {
     ISO_STREAM_FROM = 'f',
     ISO_STREAM_ROW = 'r',
     ISO_STREAM_SNAPSHOT = 's',
+    ISO_STREAM_TIMES = 't',
     ISO_STREAM_END = 'e',
     ISO_STREAM_BAIL_OUT = 'B'
 };
@@ -97,6 +101,9 @@ void iso_stream_from(uint64_t tick);
 
 /* A snapshot that was taken: behind the row of its tick. */
 void iso_stream_snapshot(const unsigned char *record, size_t bytes);
+
+/* What the ticks took, and what was beside them. */
+void iso_stream_times(const iso_times *times);
 
 /* Ends the stream: how the loop kept its time, where it stopped, and the hash of the trajectory. */
 void iso_stream_end(const iso_loop *loop, uint64_t hash);

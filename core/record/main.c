@@ -2,6 +2,7 @@
  * identity of the plant, and the room for a record, are those that it has with a link. */
 #include "core/application/hash.h"
 #include "core/application/stream.h"
+#include "core/application/times.h"
 #include "core/link/interface.h"
 #include "core/numbers/self_check.h"
 #include "core/record/request.h"
@@ -71,6 +72,7 @@ int main(int argc, char **argv)
     const uint64_t duration = iso_port_duration(argc, argv), period = plant->model->period_ns;
     const uint64_t end = duration == 0 ? UINT64_MAX : duration / period + (duration % period > 0);
     bool good = true;
+    iso_times times = {0};
 
     if (!iso_self_check()) {
         give_up("the processor or a flag of the compiler changes the bits of results; compile with "
@@ -85,10 +87,13 @@ int main(int argc, char **argv)
     while (good && loop.tick < end) {
         good = iso_loop_tick(&loop);
         if (loop.guard == plant->model->states) { /* a run that a policy stops ends with a good tick */
+            iso_times_done(&times, &loop);
             hash = iso_hash_reals(hash, plant->x, plant->model->states);
             write_tick(hash);
+            iso_times_go_on(&times, &loop);
         }
     }
+    iso_stream_times(&times);
     iso_stream_end(&loop, hash);
     iso_port_exit(good ? 0 : 1);
 }

@@ -206,12 +206,17 @@ bool iso_loop_tick(iso_loop *const loop)
     return end_tick(loop, plant);
 }
 
+void iso_loop_pass(iso_loop *const loop, const uint64_t ticks)
+{
+    loop->rested += ticks;
+    loop->due += ticks * loop->period;
+}
+
 void iso_loop_rest(iso_loop *const loop)
 {
     const uint64_t passed = iso_port_wait() - loop->rested - loop->tick;
-    loop->rested += passed;
+    iso_loop_pass(loop, passed);
     loop->reported = loop->tick;
-    loop->due += passed * loop->period;
 }
 
 void iso_loop_restart(iso_loop *const loop)

@@ -16,6 +16,7 @@
 #define iso_loop_begin ISO_REAL_NAME(iso_loop_begin)
 #define iso_loop_end ISO_REAL_NAME(iso_loop_end)
 #define iso_loop_rest ISO_REAL_NAME(iso_loop_rest)
+#define iso_loop_pass ISO_REAL_NAME(iso_loop_pass)
 #define iso_loop_restart ISO_REAL_NAME(iso_loop_restart)
 #define iso_loop_jump ISO_REAL_NAME(iso_loop_jump)
 
@@ -57,6 +58,10 @@ bool iso_loop_end(iso_loop *loop);
 /* The plant rests: waits for the next tick of the port; it, and all that were to be caught up, pass without a step, and
  * count neither as lost nor as late. */
 void iso_loop_rest(iso_loop *loop);
+
+/* Between two ticks: so many ticks of the port, which came since the last one was done, pass without a step, and count neither as
+ * lost nor as late. */
+void iso_loop_pass(iso_loop *loop, uint64_t ticks);
 
 /* Rests for a tick; then sets the plant to its start, publishes its outputs of tick 0, and begins the account anew. */
 void iso_loop_restart(iso_loop *loop);

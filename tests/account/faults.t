@@ -44,7 +44,7 @@ controlled()
 }
 optimised -O0
 controlled "a jump that forgets the ticks to be caught up" core/runtime/loop.c 'loop->reported += tick - loop->tick;' ''
-controlled "ticks at rest that count" core/runtime/loop.c 'loop->rested += passed;' ''
+controlled "ticks at rest that count" core/runtime/loop.c 'loop->rested += ticks;' ''
 controlled "a damaged record that is taken" core/runtime/snapshot.c 'return check ==' 'return bytes > 0 || check =='
 controlled "a record that is taken in part" core/runtime/snapshot.c \
     'memcpy(plant->memory, record + sizeof head, head.memory_bytes)' 'memcpy(plant->memory, record + sizeof head, 4)'

@@ -25,10 +25,41 @@ result $? "the interrupt of the timer at most 20: $(value one interrupt)"
 [ "$(value one tick)" = $((beside + $(value one port))) ] && [ "$(value one tick)" -le 230 ]
 result $? "with the clock and the wait of the port at most 230: $(value one tick)"
 
+# A satellite: 11 inputs with limits, 13 states, 18 outputs.
+ticks satellite tests/ticks/satellite.scene
+[ "$(value satellite checks)" -le 320 ] && [ "$(value satellite checks)" -gt 0 ]
+result $? "the checks of 11 inputs with limits, 13 states and 18 outputs take at most 320: $(value satellite checks)"
+[ "$(value satellite loop)" = "$(value one loop)" ] && [ "$(value satellite interrupt)" = "$(value one interrupt)" ]
+result $? "and all else what it takes with one: $(tr '\n' ' ' <"$out/satellite")"
+
 { cat tests/ticks/one.scene && for i in 1 2 3 4 5 6 7 8; do echo "output more_$i = speed of pivot"; done; } >"$out/more.scene"
 ticks more "$out/more.scene"
 [ $(($(value more loop) + $(value more checks))) -gt 150 ] && [ "$(value more loop)" -lt $((beside + 1)) ]
 result $? "found: eight outputs more take longer to check"
+# A run: the whole tick beside its step, and the trace beside the tick, which makes no tick late, lost or of another time, also where
+# the period has room for the tick, and not for both.
+# run STEP [TARGET]: the summary in $out/run; `told KEY` is what it says.
+run()
+{
+    make -s run SCENE=models/pendulum.scene STEP="$1" TARGET="${2-cortex-m4f}" SECONDS=0.1 >"$out/run" 2>"$out/errors"
+}
+told()
+{
+    sed -n "s/^$1 //p" "$out/run" | head -n 1
+}
+for step in 1ms 50us; do
+    run $step && [ "$(told late) $(told lost) $(told overruns)" = '0 0 0' ]
+    result $? "a step of $step: no tick is late"
+    tick=$(told tick)
+    [ "$(told instructions_per_step)" = 205 ] && [ "${tick%% *}" -gt 400 ] && [ "$(echo "$tick" | cut -d ' ' -f 2)" -lt 650 ] &&
+        [ "$(told tracing | cut -d . -f 1)" -gt 400 ]
+    result $? "of $(told instructions_per_step) instructions, with a tick of $tick; its trace takes $(told tracing)"
+done
+run 10us && [ "$(told late)" -gt 0 ] && [ "$(told overruns)" -gt 0 ]
+result $? "found: a step of 10us is shorter than a tick: $(told late) late, $(told overruns) overruns"
+run 1ms host && [ -n "$(told hash)" ] && ! grep -qE '^(execution|margin|tick|tracing|instructions_per_step) ' "$out/run"
+result $? "what is not measured on the host is not told"
+
 ! build/cycles iso_loop_tick_float /dev/null </dev/null 2>"$out/errors" && grep -q 'no function iso_loop_tick_float' "$out/errors"
 result $? "found: a program without a loop"
 finish

@@ -170,19 +170,25 @@ static bool write_table(FILE *const table, stream *const run)
     return record == STREAM_END;
 }
 
-/* How long steps took: those with a restart of the method apart, since the others are all alike. */
-static void print_execution(const stream_end *const end, const char *const unit)
+/* How long steps took: those with a restart of the method apart, since the others are all alike; and whole ticks, and what the
+ * trace of one takes. In virtual time nothing takes any, and nothing of it is told. */
+static void print_execution(const stream *const run, const char *const unit)
 {
+    const stream_end *const end = &run->end;
     const uint64_t steady = end->ticks - end->restarts;
-    if (steady > 0) {
+    if (steady > 0 && end->execution_max > 0) {
         printf("execution %" PRIu64 " %.1f %" PRIu64 " %s\n", end->execution_min,
                (double)end->execution_sum / (double)steady, end->execution_max, unit);
     }
-    if (end->restarts > 0) {
+    if (end->restarts > 0 && end->restart_max > 0) {
         printf("restart_execution %" PRIu64 " %s\n", end->restart_max, unit);
     }
-    if (end->ticks > 0) {
+    if (end->ticks > 0 && (end->execution_max > 0 || end->margin != run->header.period_ns)) {
         printf("margin %" PRId64 " %s\n", (int64_t)end->margin, unit);
+    }
+    if (run->tick_max > 0) {
+        printf("tick %" PRIu64 " %" PRIu64 " %s\n", run->tick_min, run->tick_max, unit);
+        printf("tracing %.1f %s\n", (double)run->beside / (double)end->ticks, unit);
     }
 }
 
@@ -227,7 +233,7 @@ static void print_summary(const stream *const run, const char *const unit, const
     }
     printf("ticks %" PRIu64 "\nlate %" PRIu64 "\nlost %" PRIu64 "\noverruns %" PRIu64 "\n", end->ticks, end->late,
            end->lost, end->overruns);
-    print_execution(end, unit);
+    print_execution(run, unit);
     printf("state");
     for (size_t i = 0; i < header->states; i++) {
         printf(" %s", stream_value(run, i, text));

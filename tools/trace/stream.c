@@ -186,6 +186,10 @@ static int read_tag(stream *const run)
         const int tag = fgetc(run->file);
         if (tag == ISO_STREAM_FROM) {
             run->from = read_number(run->file, sizeof run->from);
+        } else if (tag == ISO_STREAM_TIMES) {
+            run->tick_min = read_number(run->file, sizeof run->tick_min);
+            run->tick_max = read_number(run->file, sizeof run->tick_max);
+            run->beside = read_number(run->file, sizeof run->beside);
         } else if (tag != ISO_STREAM_SNAPSHOT || !read_snapshot(run)) {
             return tag;
         }

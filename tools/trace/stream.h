@@ -49,9 +49,10 @@ typedef struct stream {
     stream_header header;
     stream_end end;
     stream_policy policy;
-    size_t policy_words; /* of it: none, those without a histogram, or all */
-    uint64_t from;       /* the tick of the first row */
-    uint8_t *snapshot;   /* [snapshot_bytes] that was taken; NULL if none was */
+    size_t policy_words;                 /* of it: none, those without a histogram, or all */
+    uint64_t tick_min, tick_max, beside; /* counts, as in iso_times */
+    uint64_t from;                       /* the tick of the first row */
+    uint8_t *snapshot;                   /* [snapshot_bytes] that was taken; NULL if none was */
     size_t snapshot_bytes;
     uint8_t values[(STREAM_VALUES_MAX + 2) *
                    sizeof(double)]; /* of the last row, or the final state, local error, violation */

@@ -1,0 +1,42 @@
+/* What whole ticks took, and what a run takes beside them: its rows and its hash. That is no time of the plant's: ticks of the
+ * port that come meanwhile pass, so that a late tick is one that the plant made late. */
+#ifndef ISO_CORE_APPLICATION_TIMES_H
+#define ISO_CORE_APPLICATION_TIMES_H
+
+#include "core/runtime/loop.h"
+#include "port/port.h"
+
+/* In counts of the port's clock. */
+typedef struct iso_times {
+    uint64_t tick_min, tick_max; /* from when a tick was due to its end; 0 in virtual time */
+    uint64_t beside;             /* all that was done between ticks */
+    uint64_t done;               /* when the last tick was done, */
+    uint64_t next;               /* and when the first tick of the port behind it is due */
+} iso_times;
+
+/* A tick is done. */
+static inline void iso_times_done(iso_times *const times, const iso_loop *const loop)
+{
+    times->done = iso_port_clock();
+    const uint64_t tick = times->done - loop->due;
+    times->tick_min = tick < times->tick_min || times->tick_max == 0 ? tick : times->tick_min;
+    times->tick_max = tick > times->tick_max ? tick : times->tick_max;
+    while (times->next <= times->done) {
+        times->next += loop->period;
+    }
+}
+
+/* What is beside it is done as well. A tick of the port that comes at once passes too: before it is waited for, it would be late. */
+static inline void iso_times_go_on(iso_times *const times, iso_loop *const loop)
+{
+    const uint64_t now = iso_port_clock();
+    uint64_t passed = 0;
+    times->beside += now - times->done;
+    while (times->next <= now + (loop->period >> ISO_LATE_SHIFT)) {
+        times->next += loop->period;
+        passed++;
+    }
+    iso_loop_pass(loop, passed);
+}
+
+#endif
