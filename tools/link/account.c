@@ -29,12 +29,25 @@ static void take_end(account *const a, const uint8_t *const payload)
     a->ended = true;
 }
 
+static void add_turn(account *const a, const uint64_t turn)
+{
+    if (a->turn_count == a->turn_room) {
+        a->turns = doubled(a->turns, a->turn_count, sizeof *a->turns);
+        a->turn_room = 2 * a->turn_count + 1;
+    }
+    a->turns[a->turn_count++] = turn;
+}
+
 void account_plant(account *const a, const uint8_t type, const uint8_t *const payload, const size_t length,
                    const uint64_t now)
 {
     if (type == ISO_LINK_OUTPUTS && length >= TICK_BYTES) {
         const uint64_t tick = iso_frame_number(payload, TICK_BYTES);
         if (tick > a->newest || tick == 0) {
+            if (tick == a->newest + 1) {
+                add_turn(a, now - a->seen);
+            }
+            a->seen = now;
             a->newest = tick;
             a->shown[tick % ACCOUNT_OPEN] = now;
         }
@@ -88,12 +101,18 @@ account_trips account_sum(account *const a)
         sum.median = a->trips[sum.count / 2];
         sum.longest = a->trips[sum.count - 1];
     }
+    if (a->turn_count > 0) {
+        qsort(a->turns, a->turn_count, sizeof *a->turns, compare);
+        sum.whole_median = a->turns[a->turn_count / 2];
+        sum.whole_longest = a->turns[a->turn_count - 1];
+    }
     return sum;
 }
 
 void account_free(account *const a)
 {
     free(a->trips);
+    free(a->turns);
     free(a->answered);
     free(a->inputs);
 }

@@ -21,11 +21,13 @@ typedef struct account_end {
 
 typedef struct account {
     uint64_t newest;              /* tick of the latest outputs, */
-    uint64_t shown[ACCOUNT_OPEN]; /* and when those of a tick were seen, in ns; 0: answered, or not seen */
-    uint64_t *trips;              /* [exchanges] ns from outputs to the inputs that answer them */
-    uint64_t *answered;           /* [exchanges] the tick of them */
-    uint8_t *inputs;              /* [exchanges * input_bytes] as they came */
-    size_t exchanges, room, input_bytes;
+    uint64_t seen;                /* when they were, in ns, */
+    uint64_t shown[ACCOUNT_OPEN]; /* and when those of a tick were; 0: answered, or not seen */
+    uint64_t *trips;    /* [exchanges] ns from outputs to the inputs that answer them: the controller's part */
+    uint64_t *turns;    /* [turn_count] ns from the outputs of a tick to those of the next: the whole exchange */
+    uint64_t *answered; /* [exchanges] the tick of them */
+    uint8_t *inputs;    /* [exchanges * input_bytes] as they came */
+    size_t exchanges, room, input_bytes, turn_count, turn_room;
     bool ended;
     account_end end;
 } account;
@@ -37,10 +39,11 @@ void account_controller(account *a, uint8_t type, const uint8_t *payload, size_t
 /* The exchanges that led to a tick: the outputs of the last one may have been answered as well. In ns, 0 if there were none. */
 typedef struct account_trips {
     size_t count;
-    uint64_t median, longest;
+    uint64_t median, longest;             /* the controller's part */
+    uint64_t whole_median, whole_longest; /* with the plant's, to the outputs of the next tick */
 } account_trips;
 
-/* Sorts the trips. */
+/* Sorts both. */
 account_trips account_sum(account *a);
 
 void account_free(account *a);

@@ -166,9 +166,10 @@ static void print_summary(account *const a)
     }
     ISO_LINK_COUNTS(PRINT_COUNT)
     const account_trips trips = account_sum(a);
-    printf("round_trip_max %.3g ms\n", 1e-6 * (double)trips.longest);
-    printf("exchanges %zu, round trip median %.3g ms, missed %" PRIu64 "\n", trips.count, 1e-6 * (double)trips.median,
-           a->end.link.missing);
+    printf("controller_max %.3g ms\nexchange_max %.3g ms\n", 1e-6 * (double)trips.longest,
+           1e-6 * (double)trips.whole_longest);
+    printf("exchanges %zu, median %.3g ms, of which the controller %.3g ms, missed %" PRIu64 "\n", trips.count,
+           1e-6 * (double)trips.whole_median, 1e-6 * (double)trips.median, a->end.link.missing);
 }
 
 /* The number of the file, which another one of its name does not have; 0 if there is none. */
