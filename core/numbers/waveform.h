@@ -93,14 +93,4 @@ static inline real iso_on_lines(const uint64_t tick, const iso_lines *const t)
     return t->value[at] + t->slope[at] * (real)(uint32_t)(tick - t->first[at]);
 }
 
-/* Not zero if any of n numbers is another than it was. */
-static inline iso_bits iso_any_changed(const real *const now, const real *const before, const uint32_t n)
-{
-    iso_bits changed = 0;
-    for (uint32_t i = 0; i < n; i++) {
-        changed |= iso_bits_of(now[i]) ^ iso_bits_of(before[i]);
-    }
-    return changed;
-}
-
 #endif

@@ -78,13 +78,13 @@ ISO_INLINE iso_bits iso_any_amiss(const real *const v, const iso_limits *const l
     return amiss;
 }
 
-/* Not 0 if one of v[n] has changed since it was good. */
-ISO_INLINE iso_bits iso_any_changed(const real *const v, const real *const good, const uint32_t n)
+/* Not 0 if one of n numbers is another than it was. */
+ISO_INLINE iso_bits iso_any_changed(const real *const now, const real *const before, const uint32_t n)
 {
     iso_bits changed = 0;
     ISO_UNROLL_LONG
     for (uint32_t i = 0; i < n; i++) {
-        changed |= iso_bits_of(v[i]) ^ iso_bits_of(good[i]);
+        changed |= iso_bits_of(now[i]) ^ iso_bits_of(before[i]);
     }
     return changed;
 }
