@@ -26,13 +26,15 @@ static inline void iso_times_done(iso_times *const times, const iso_loop *const 
     }
 }
 
-/* What is beside it is done as well. A tick of the port that comes at once passes too: before it is waited for, it would be late. */
+/* What is beside it is done as well. If that took time, a tick of the port that comes at once passes too: before it is
+ * waited for, it would be late. */
 static inline void iso_times_go_on(iso_times *const times, iso_loop *const loop)
 {
     const uint64_t now = iso_port_clock();
     uint64_t passed = 0;
     times->beside += now - times->done;
-    while (times->next <= now + (loop->period >> ISO_LATE_SHIFT)) {
+    const uint64_t soon = now > times->done ? now + (loop->period >> ISO_LATE_SHIFT) : now;
+    while (times->next <= soon) {
         times->next += loop->period;
         passed++;
     }
