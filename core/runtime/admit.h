@@ -1,6 +1,6 @@
 /* What comes into a plant from outside, inputs and tunables: never a number that is not finite. The plant keeps the last good
  * ones. Nothing here branches on a number. Most ticks have nothing to put right: that is what iso_plant_admit asks first, its one
- * branch. On the Cortex-M4F an input then costs 5 instructions a tick, with limits 10, and a tunable 4; a tick with something to
+ * branch. On the Cortex-M4F an input then costs 6 instructions a tick, with limits 12, and a tunable 4; a tick with something to
  * put right, or with another value of a tunable, 14 more for each, with limits 35. A plant without inputs and tunables has none
  * of it. */
 #ifndef ISO_CORE_RUNTIME_ADMIT_H
