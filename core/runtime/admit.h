@@ -61,6 +61,8 @@ static inline uint32_t iso_put_back(real *const v, real *const good, const real 
         v[i] = good[i] = iso_select(broken, before[i], v[i]);
     }
     return (uint32_t)broken & 1;
+}
+
 /* Not 0 unless each of v[n] is finite and within its limits, so that iso_admit would let it be, and keep it. -0 where the limit
  * is 0 may count as beyond. In the order of iso_order a NaN or an infinity is beyond all limits. */
 ISO_INLINE iso_bits iso_any_amiss(const real *const v, const iso_limits *const limits, const uint32_t n)
