@@ -242,7 +242,8 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
     double culprit = 0.0;
     emit_header(p, &names, &header);
     if (!emit_source(p, g, &names, &source_text, &culprit)) {
-        fprintf(stderr, "%s: error: the equations contain %g; %s\n", o->scene, culprit, real_advice(culprit, o->is_double));
+        fprintf(stderr, "%s: error: the equations contain %g; %s\n", o->scene, culprit,
+                real_advice(culprit, o->is_double));
         return false;
     }
     if (o->is_linked && !link_fits(p, o->scene)) {
