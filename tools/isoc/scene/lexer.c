@@ -119,6 +119,8 @@ static void lex_garbage(lexer *l)
     const unsigned char c = (unsigned char)l->of->text[l->at];
     if (c == '\0') {
         note(l, l->at, "a NUL byte: a scene is plain text");
+    } else if (l->at == 0 && c == 0xEF && (unsigned char)look(l, 1) == 0xBB && (unsigned char)look(l, 2) == 0xBF) {
+        note(l, l->at, "a byte-order mark (EF BB BF): save the scene as UTF-8 without one");
     } else if (c < ' ' || c > '~') {
         source_problem(l->s, l->from + l->at, "a byte 0x%02X outside a comment: a scene is plain ASCII text",
                        (unsigned)c);
