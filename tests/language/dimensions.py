@@ -235,13 +235,14 @@ body slide { mass 1 kg }
 joint j revolute { parent slide; child b at (0.1, 0.2, 0.3) m; axis (1, 2, 3) }
 joint k prismatic { parent ground; child slide; axis (2, -1, 3) }
 input volts V
-tunable c = 1 kg
+input c kg
 output used = volts
+output used_too = c
 '''
 PLACES = {
     'output': 'output shown = {}\n',
     'signal': 'signal between = {}\noutput shown = between\n',
-    'effect': 'effect kind { joint j; joint k; body b; signal volts V; value c kg; let found = {}; output found }\n'
+    'effect': 'effect kind { joint j; joint k; body b; signal volts V; signal c kg; let found = {}; output found }\n'
               'effect e kind {{ j j; k k; b b; volts volts; c c }}\noutput shown = e.found\n',
 }
 
