@@ -212,7 +212,7 @@ cmp "$out/old.c" "$out/kept.c"
 result $? 'an effect that is defined and not used leaves the plant as it is'
 
 # Faults and tunables that are set at ticks, with a method that restarts then; and values from the command line.
-motor='step 1 ms
+motor='step 0.25 ms
 input volts V = 6 V
 tunable load = 10 mN*m*s/rad
 body rotor { mass 1 kg; inertia (1, 1, 1) g*m^2 }
@@ -221,7 +221,7 @@ effect drive dc_motor { shaft shaft; supply volts; resistance 2 Ohm; inductance 
 output current = drive.current'
 for method in rk4 ab4; do
     printf '%s\nmethod %s\n' "$motor" $method | plant old
-    printf '%s\nmethod %s\nat 0.1 s set drive.open = 1; at 0.2 s set drive.open = 0\nat 300 ms set load = 20 mN*m*s/rad\n' \
+    printf '%s\nmethod %s\nat 25 ms set drive.open = 1; at 50 ms set drive.open = 0\nat 75 ms set load = 20 mN*m*s/rad\n' \
         "$motor" $method | plant other
     program switched tests/effects/switched.c "$out/old.c" "$out/other.c" && "$out/switched"
     result $? "$method: what the scene sets at a tick is what the program sets before it"

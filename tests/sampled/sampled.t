@@ -117,7 +117,7 @@ result $? 'of a state alone it acts at each stage: no warning'
 memories()
 {
     printf '%s\n' 'gravity (0, -9.81, 0) m/s^2' 'step 1 ms' 'body bob { mass 1 kg; com (0, -1, 0) m }' \
-        'joint pivot revolute { parent ground; child bob; axis z; start 90 deg }' 'effect unit imu { on bob }' "output shown = $1" >"$out/read.scene"
+        'joint pivot revolute { parent ground; child bob; axis z; start 90 deg }' 'effect unit imu { on bob at (0, -1, 0) m }' "output shown = $1" >"$out/read.scene"
     build/isoc "$out/read.scene" -o "$out/read" | sed -n 's/^memories //p'
 }
 [ "$(memories unit.spin_z)" = 1 ] && ! grep -q 'derivative(dx' "$out/read/plant.c" && [ "$(memories 'unit.spin_z + unit.force_x / (1 m/s)')" = 2 ] &&
