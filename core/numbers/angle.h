@@ -50,7 +50,10 @@ static inline real iso_atan2(const real y, const real x)
     const iso_bits steep = iso_mask_of_sign(right - up); /* |y| > |x| */
     const iso_bits back = iso_mask_of_sign(iso_bits_of(x));
     const iso_bits swap = (up ^ right) & steep;
-    const real low = iso_real_of(up ^ swap), high = iso_real_of(right ^ swap);
+    /* Halves of what is so large that the sum of both could be infinite: their quotient is the same. */
+    const iso_bits large = iso_mask_of_sign(iso_bits_of(ISO_REAL_MAX * R(0.5)) - (right ^ swap));
+    const real scale = iso_real_of(iso_bits_of(R(1.0)) - (large & ((iso_bits)1 << ISO_EXPONENT_SHIFT)));
+    const real low = iso_real_of(up ^ swap) * scale, high = iso_real_of(right ^ swap) * scale;
 
     /* Above tan(pi/8) the angle less pi/4; 0 / 0 becomes 0 / 1. */
     const iso_bits turned = iso_less(high * R(0.414213562373095049), low);

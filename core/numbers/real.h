@@ -17,8 +17,13 @@
     defined __NO_SIGNED_ZEROS__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)
 #error "Isochron: -ffast-math and its parts change results; compile without them and without -Ofast"
 #endif
-#if FLT_EVAL_METHOD != 0
-#error "Isochron: float is computed in a wider type, as on x87; compile with -msse2 -mfpmath=sse"
+#if FLT_EVAL_METHOD == 1
+#error "Isochron: float is computed in double (FLT_EVAL_METHOD is 1), as on s390x; compile with -fexcess-precision=fast"
+#elif FLT_EVAL_METHOD == 2
+#error                                                                                                                 \
+    "Isochron: float is computed in long double (FLT_EVAL_METHOD is 2), as by the x87; compile with -msse2 -mfpmath=sse"
+#elif FLT_EVAL_METHOD != 0
+#error "Isochron: the type in which float is computed is not known (FLT_EVAL_METHOD is neither 0, 1 nor 2)"
 #endif
 #if CHAR_BIT != 8 || FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128 || FLT_MIN_EXP != -125
 #error "Isochron: bytes of 8 bits and float of IEEE 754 binary32 are needed"

@@ -49,6 +49,10 @@ for real in float double; do
         checked kept "$real $optimisation: kept" "$CC" -std=c11 $optimisation -ffp-contract=off $REAL_FLAG
     done
     refused 'without them and without -Ofast' "$real: -ffast-math" "$CC" -ffast-math $REAL_FLAG
+    refused '-fexcess-precision=fast' "$real: float computed in double, as on s390x" "$CC" -U__FLT_EVAL_METHOD__ \
+        -D__FLT_EVAL_METHOD__=1 $REAL_FLAG
+    refused 'is not known' "$real: float computed in a type that is not known" "$CC" -U__FLT_EVAL_METHOD__ \
+        -D__FLT_EVAL_METHOD__=-1 $REAL_FLAG
     refused 'without them and without -Ofast' "$real: a part of it" "$CC" -ffinite-math-only $REAL_FLAG
     case $(uname -m) in
     x86_64)

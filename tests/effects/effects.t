@@ -234,8 +234,19 @@ sed 's|/\*.*\*/||' "$out/old.c" >"$out/old.text"
 sed 's|/\*.*\*/||' "$out/kept.c" | cmp - "$out/old.text"
 result $? '--set is another value in the scene'
 ! build/isoc "$out/old.scene" -o "$out" --set 'lod = 1' 2>"$out/errors" &&
-    grep -q "^--set:1:1: error: no constant or tunable is called 'lod' (did you mean 'load'?)" "$out/errors"
+    grep -q "^--set:1:1: error: no constant, tunable or fault is called 'lod' (did you mean 'load'?)" "$out/errors"
 result $? '--set of an unknown name is told'
+for fault in drive_open drive.open; do
+    build/isoc "$out/old.scene" -o "$out" --name old --set "$fault = 1" >"$out/summary" 2>"$out/errors" &&
+        sed -n '/defaults\[/,/}/p' "$out/old.c" | grep -q 'R(1.0)'
+    result $? "--set $fault = 1: the fault is there from the start"
+done
+! build/isoc "$out/old.scene" -o "$out" --set 'drive.open = 2' 2>"$out/errors" &&
+    grep -q "^--set:1:14: error: 'drive.open' is from 0 to 1" "$out/errors"
+result $? '--set of a fault beyond its range is told'
+! build/isoc "$out/old.scene" -o "$out" --set 'drive.opn = 1' 2>"$out/errors" &&
+    grep -q "^--set:1:1: .* called 'drive.opn' (did you mean 'drive.open'?)" "$out/errors"
+result $? '--set of an unknown fault is told'
 
 # A force along an axis of its body, with a moment about it, is that of the statement `force`.
 drone='gravity (0, 0, -9.81) m/s^2

@@ -31,6 +31,16 @@ static void each_tangent(const real x)
     }
 }
 
+/* The largest points, whose sum |x| + |y| is infinite, and those near them. */
+static void each_large(const real x)
+{
+    static const real parts[] = {R(1.0), R(0.75), R(0.5), R(0.42), R(0.41), R(1e-6)};
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        compare_point(x, ISO_REAL_MAX * parts[i]);
+        compare_point(ISO_REAL_MAX * parts[i], -x);
+    }
+}
+
 static void each_sine(const real x)
 {
     compare(&of_asin, iso_asin(x), WIDE(asin)((wide)x), x);
@@ -58,6 +68,10 @@ int main(const int argc, char **const argv)
     static const real sines[] = {R(0.70710678), R(0.5), R(0.9), R(0.99), R(0.38268343), R(0.923879533)};
     const uint64_t stride = stride_of(argc, argv);
     sweep(8 * stride, ISO_REAL_MAX, seams, sizeof seams / sizeof seams[0], each_tangent);
+    for (int i = 0; i < 100000; i++) {
+        const real part = (real)i * R(1e-5);
+        each_large(ISO_REAL_MAX * (R(0.2) + R(0.8) * part));
+    }
     sweep(4 * stride, R(1.0), sines, sizeof sines / sizeof sines[0], each_sine);
     bounded(of_atan2, bound, "atan2");
     bounded(of_asin, inverse_bound, "asin");

@@ -128,7 +128,8 @@ all_refused "names of headers that gcc, clang and the board's compiler read for 
 result $? "among them those that others include"
 for path in core/numbers/*.h core/methods/*.h core/runtime/plant.h core/runtime/tick.h; do
     basename "$path" .h
-done | all_refused "headers of core"
+done >"$out/words"
+all_refused "headers of core" <"$out/words"
 # A word is a keyword where it cannot be the name of a variable.
 tr -cs 'a-z0-9_' '\n' <tools/isoc/emit/prefix.c | grep -xE '[a-z][a-z0-9_]*[a-z0-9]' | sort -u >"$out/candidates"
 sed 's/.*/int &;/' "$out/candidates" >"$out/word.c"
@@ -140,7 +141,8 @@ sed -n -f "$out/lines" "$out/candidates" >"$out/words"
 [ "$(wc -l <"$out/words")" -gt 80 ]
 result $? "gcc and clang++ know $(wc -l <"$out/words") keywords"
 all_refused "of them" <"$out/words"
-printf '%s\n' main cart_ a__b iso isolated | all_refused "other words"
+printf '%s\n' main cart_ a__b iso isolated >"$out/words"
+all_refused "other words" <"$out/words"
 
 # Words that the code of a plant begins with.
 build/isoc models/cart_pole_drive.scene -o "$out/words.d" --name swing >"$out/summary" 2>"$out/errors"

@@ -23,7 +23,7 @@ static bool keeps(const real *const p)
 int main(void)
 {
     const iso_plant *const plant = &iso_the_plant;
-    iso_tick_counts counts = {{0, 0}, {0, 0}, 0, 0};
+    iso_tick_counts counts = {.restarts = 0};
     real kept[PLANT_PARAMETERS];
     uint64_t refused = 0, good = 0;
     bool is_same = true, is_finite = true;

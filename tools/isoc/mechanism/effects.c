@@ -128,16 +128,35 @@ static bool check_operands(builder *b, const instance *in)
     return s->problem_count == problems;
 }
 
+/* What a fault is at the start: 0, or what --set says. */
+static double start_of_fault(builder *b, const char *spoken)
+{
+    double start = 0.0;
+    for (size_t i = 0; i < b->written->fault_start_count; i++) {
+        const setting *set = &b->written->fault_starts[i];
+        if (set->value != NULL && strcmp(set->what.text, spoken) == 0) {
+            start = value_constant(&b->values, set->value, no_unit, spoken, 0.0);
+            if (!(start >= 0.0 && start <= 1.0)) {
+                source_problem(b->s, set->value->at, "'%s' is from 0 to 1", spoken);
+            }
+        }
+    }
+    return start;
+}
+
 /* A switch: a tunable of its own, which is 0 until somebody sets it to 1. */
 static int add_fault(builder *b, const effect_use *use, const effect_line *line)
 {
     const char *called = arena_format(b->s->memory, "%s_%s", use->name.text, line->name.text);
-    b->faults[b->fault_count++] =
-        (variable){.name = called,
-                   .unit = "1",
-                   .spoken = arena_format(b->s->memory, "%s.%s", use->name.text, line->name.text),
-                   .quote = source_quote(b->s, line->name.at),
-                   .most = 1.0};
+    const char *spoken = arena_format(b->s->memory, "%s.%s", use->name.text, line->name.text);
+    const double start = start_of_fault(b, spoken);
+    b->values.defaults[b->values.tunables] = start;
+    b->faults[b->fault_count++] = (variable){.name = called,
+                                             .unit = "1",
+                                             .spoken = spoken,
+                                             .quote = source_quote(b->s, line->name.at),
+                                             .start = start,
+                                             .most = 1.0};
     return b->values.tunables++;
 }
 

@@ -181,19 +181,53 @@ scene parse_scene(source *s)
     return made;
 }
 
-/* Takes the place of the value of a parameter. */
+/* Adds a start of a fault of this effect, if one is called so: EFFECT.FAULT, or EFFECT_FAULT as in the header of the plant. Lists
+ * the names of the others. */
+static bool set_fault(parser *p, scene *made, const effect_use *use, const token *called, formula *value,
+                      listing *names)
+{
+    const effect_kind *kind = use->name.text == NULL ? NULL : find_effect_kind(made, use->kind);
+    for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
+        const effect_line *line = &kind->lines[i];
+        if (line->kind != EFFECT_FAULT || line->name.text == NULL) {
+            continue;
+        }
+        const char *spoken = arena_format(p->s->memory, "%s.%s", use->name.text, line->name.text);
+        const char *written = arena_format(p->s->memory, "%s_%s", use->name.text, line->name.text);
+        if (strcmp(called->text, spoken) == 0 || strcmp(called->text, written) == 0) {
+            made->fault_starts = arena_grow(p->s->memory, made->fault_starts, made->fault_start_count,
+                                            &made->fault_start_room, sizeof *made->fault_starts);
+            made->fault_starts[made->fault_start_count++] = (setting){.what = {spoken, called->at}, .value = value};
+            return true;
+        }
+        listing_add(p->s, names, (name){spoken, called->at});
+    }
+    return false;
+}
+
+/* Takes the place of the value of a parameter, or is the start of a fault. */
 static void set_parameter(parser *p, scene *made, const token *called, formula *value)
 {
-    const char **names = arena_take(p->s->memory, made->parameter_count + 1, sizeof *names);
+    listing names = {0};
     for (size_t i = 0; i < made->parameter_count; i++) {
-        names[i] = made->parameters[i].name.text == NULL ? "" : made->parameters[i].name.text;
-        if (strcmp(names[i], called->text) == 0) {
+        const name n = made->parameters[i].name;
+        if (n.text != NULL && strcmp(n.text, called->text) == 0) {
             made->parameters[i].value = value;
             return;
         }
+        listing_add(p->s, &names, n);
     }
-    source_problem(p->s, called->at, "no constant or tunable is called '%s'%s", called->text,
-                   source_suggestion(p->s, called->text, names, made->parameter_count));
+    for (size_t i = 0; i < made->effect_count; i++) {
+        if (set_fault(p, made, &made->effects[i], called, value, &names)) {
+            return;
+        }
+    }
+    const char **texts = arena_take(p->s->memory, names.count + 1, sizeof *texts);
+    for (size_t i = 0; i < names.count; i++) {
+        texts[i] = names.names[i].text == NULL ? "" : names.names[i].text;
+    }
+    source_problem(p->s, called->at, "no constant, tunable or fault is called '%s'%s", called->text,
+                   source_suggestion(p->s, called->text, texts, names.count));
 }
 
 void scene_set(source *s, scene *made, const script *of)

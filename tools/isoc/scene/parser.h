@@ -39,7 +39,8 @@
 /* What the source says, as far as it can be understood; the rest is noted as problems. */
 scene parse_scene(source *s);
 
-/* NAME = VALUE; ...: values that take the place of those of the constants and tunables that have these names. */
+/* NAME = VALUE; ...: values that take the place of those of the constants and tunables that have these names, and starts of the
+ * faults EFFECT.FAULT, which are 0 without. */
 void scene_set(source *s, scene *made, const script *of);
 
 #endif

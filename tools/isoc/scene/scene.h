@@ -276,12 +276,13 @@ typedef struct scene {
     effect_kind *effect_kinds;
     effect_use *effects;
     setting *settings;
+    setting *fault_starts; /* without a time: what --set makes of faults */
     output *outputs;
     size_t body_count, frame_count, spring_count, joint_count, closure_count, force_count, parameter_count, input_count,
-        output_count, signal_count, effect_kind_count, effect_count, setting_count;
+        output_count, signal_count, effect_kind_count, effect_count, setting_count, fault_start_count;
     size_t left_input_count; /* behind the inputs: those that only effects read that are left out */
     size_t body_room, frame_room, spring_room, joint_room, closure_room, force_room, parameter_room, input_room,
-        output_room, signal_room, effect_kind_room, effect_room, setting_room;
+        output_room, signal_room, effect_kind_room, effect_room, setting_room, fault_start_room;
 } scene;
 
 #endif
