@@ -16,6 +16,7 @@
 #include "tools/isoc/plant/samples.h"
 #include "tools/isoc/plant/stability.h"
 #include "tools/isoc/plant/start.h"
+#include "tools/isoc/plant/switching.h"
 #include "tools/isoc/scene/dot.h"
 #include "tools/isoc/scene/leave_out.h"
 #include "tools/isoc/scene/parser.h"
@@ -362,6 +363,7 @@ static bool compile(arena *memory, const options *o)
             if (o->inputs == NULL) {
                 samples_check(&s, &g, &written, &p);
             }
+            switching_check(&s, &g, &p);
             lessers_build(&s, &written, &p, o->wanted);
             return write_plant(memory, o, &p, &g);
         }
