@@ -27,13 +27,13 @@ size()
     } | build/size yes >"$out/output" 2>"$out/errors"
 }
 
-size '8192 100 9628 0 0' 00000bf8
-expect $? "at the limits: 8192 of text, 3072 of the step, 512 of data and bss"
-! size '8193 100 9628 0 0' 00000bf8
+size '9216 100 9628 0 0' 00000bf8
+expect $? "at the limits: 9216 of text, 3072 of the step, 512 of data and bss"
+! size '9217 100 9628 0 0' 00000bf8
 expect $? "found: a byte of text too many"
-! size '8192 100 9628 0 0' 00000bf9
+! size '9216 100 9628 0 0' 00000bf9
 expect $? "found: a byte of the step too many"
-! size '8192 101 9628 0 0' 00000bf8
+! size '9216 101 9628 0 0' 00000bf8
 expect $? "found: a byte of data too many"
 ! build/size yes </dev/null >/dev/null 2>"$out/errors"
 expect $? "found: no sizes at all"

@@ -64,7 +64,7 @@ static bool show(const char *const name, const double bytes, const double limit)
 
 int main(int argc, char **argv)
 {
-    enum { TEXT_MOST = 8192, STEP_MOST = 3072, DATA_MOST = 512, SIZES_ROW = 1 };
+    enum { TEXT_MOST = 9216, STEP_MOST = 3072, DATA_MOST = 512, SIZES_ROW = 1 };
     table lines = table_read("-", ' ');
     sizes s = {0};
     for (size_t row = SIZES_ROW + 1; row < lines.rows; row++) {
