@@ -49,7 +49,7 @@ result $? '6 sub-steps hold a step of 0.83 ms, and not one of 0.84 ms: euler 0.6
 # What has no sub-steps is judged by the step.
 { cat $motor && echo 'effect bearing friction { along shaft; sliding 5 N*m; creep 1 rad/s }'; } >"$out/rough.scene"
 build/isoc "$out/rough.scene" -o "$out/rough" >"$out/summary" 2>"$out/told" &&
-    grep -q "the effect 'bearing' is too fast for rk4 with a step of 1 ms, 16 sub-steps of it for effects: .* -500[0-9]" "$out/told" &&
+    grep -q "the effect 'bearing' is too fast for rk4 with a step of 1 ms, 16 sub-steps of it for effects: .* -750[0-9]" "$out/told" &&
     ! grep -q "the effect '[dt]" "$out/told"
 result $? 'a friction that is too steep is told, and not the motors'
 
