@@ -81,12 +81,12 @@ ISO_INLINE iso_bits iso_any_amiss(const real *const v, const iso_limits *const l
 }
 
 /* Not 0 if one of n numbers is another than it was. */
-ISO_INLINE iso_bits iso_any_changed(const real *const now, const real *const before, const uint32_t n)
+ISO_INLINE iso_bits iso_any_changed(const real *const latest, const real *const before, const uint32_t n)
 {
     iso_bits changed = 0;
     ISO_UNROLL_LONG
     for (uint32_t i = 0; i < n; i++) {
-        changed |= iso_bits_of(now[i]) ^ iso_bits_of(before[i]);
+        changed |= iso_bits_of(latest[i]) ^ iso_bits_of(before[i]);
     }
     return changed;
 }
