@@ -3,7 +3,8 @@
  *
  * Mean 0 (within 1e-8) and variance 1 exactly, if the bits of the hash were random; excess kurtosis -0.084; at most 5.5 in
  * size (tests/exhaustive/noise.c). Indistinguishable from independent numbers (tests/exhaustive/white.c): the spectra of the
- * numbers and of their squares, pairs up to 64 ticks apart, and of two seeds, the coherence and the correlation at every lag.
+ * numbers and of their squares, pairs up to 64 ticks apart, and of two seeds, the coherence and the correlation at lags up to
+ * 2^14 ticks.
  *
  * Hash of 32 bits: a cubic polynomial of the tick, which is a bijection, and a round of a shift, a product and a shift. The
  * spectrum of the squares has a line where a multiple of the tick takes the place of the polynomial. The seed makes two keys,

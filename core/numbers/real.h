@@ -20,8 +20,7 @@
 #if FLT_EVAL_METHOD == 1
 #error "Isochron: float is computed in double (FLT_EVAL_METHOD is 1), as on s390x; compile with -fexcess-precision=fast"
 #elif FLT_EVAL_METHOD == 2
-#error                                                                                                                 \
-    "Isochron: float is computed in long double (FLT_EVAL_METHOD is 2), as by the x87; compile with -msse2 -mfpmath=sse"
+#error "Isochron: float is computed in long double (FLT_EVAL_METHOD is 2), as on x87; use -msse2 -mfpmath=sse"
 #elif FLT_EVAL_METHOD != 0
 #error "Isochron: the type in which float is computed is not known (FLT_EVAL_METHOD is neither 0, 1 nor 2)"
 #endif
@@ -170,7 +169,7 @@ static inline real iso_abs(const real x)
 /* Integers, modulo 2^32 or 2^64, in the order of the reals: that of -0 is one less than that of +0, which is 0. */
 static inline iso_bits iso_order(const real x)
 {
-    return iso_bits_of(x) ^ (((iso_bits)0 - (iso_bits_of(x) >> ISO_SIGN_SHIFT)) >> 1);
+    return iso_bits_of(x) ^ (iso_mask_of_sign(iso_bits_of(x)) >> 1);
 }
 
 /* All ones if x is an infinity or a NaN, else zero: an exponent of all ones plus one carries into the sign. */
