@@ -7,22 +7,16 @@ seed=$(cat models/effects/*.scene | cksum | cut -d ' ' -f 1)
 echo "# seed $seed"
 python3 tests/effects/rest.py "$seed" "$out/rest.scene" "$out/table.h"
 
-# impacts SCENE: its program in the present number type.
-impacts()
-{
-    build/isoc "$1" -o "$out/plant" --real "$real" >"$out/summary" 2>"$out/told" &&
-        EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program rest tests/effects/rest.c tests/host/report.c
-}
 for number in double float; do
     real $number
-    impacts "$out/rest.scene"
+    beside_table tests/effects/rest.c "$out/rest.scene"
     joined "$number" "$out/rest"
 done
 # planted KIND SED: found with the effect so changed.
 planted()
 {
     { sed "$2" "models/effects/$1.scene" && cat "$out/rest.scene"; } >"$out/planted.scene"
-    ! sed "$2" "models/effects/$1.scene" | cmp -s - "models/effects/$1.scene" && impacts "$out/planted.scene" &&
+    ! sed "$2" "models/effects/$1.scene" | cmp -s - "models/effects/$1.scene" && beside_table tests/effects/rest.c "$out/planted.scene" &&
         ! "$out/rest" >"$out/tap" && ! grep '^not ok' "$out/tap" | grep -v "$1\|account" >"$out/others"
     result $? "found in $1: $2"
 }

@@ -12,8 +12,7 @@ supply()
 {
     python3 tests/effects/supply.py "$seed" "$1" "$out/scene" "$out/table.h"
     { [ -z "${2-}" ] || sed "$3" "models/effects/$2.scene"; cat "$out/scene"; } >"$out/supply.scene"
-    build/isoc "$out/supply.scene" -o "$out/plant" --real "$real" >"$out/summary" 2>"$out/told" &&
-        EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program supply tests/effects/supply.c tests/host/report.c
+    beside_table tests/effects/supply.c "$out/supply.scene"
 }
 for step in 50 500 2000 5000; do
     supply $step

@@ -128,6 +128,14 @@ program()
     "$CC" $FLAGS $REAL_FLAG ${EXTRA-} "$@" -o "$out/$program_file" -lm
 }
 
+# beside_table SOURCE SCENE: the program of the source, named as that, with the plant of the scene and $out/table.h, which has what
+# is expected of it, in the present number type.
+beside_table()
+{
+    build/isoc "$2" -o "$out/plant" --real "$real" >"$out/summary" 2>"$out/told" &&
+        EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program "$(basename "$1" .c)" "$1" tests/host/report.c
+}
+
 # waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives.
 waited()
 {
