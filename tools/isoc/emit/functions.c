@@ -330,16 +330,18 @@ static void emit_solver(emission *e)
     text_add(e->out, "}\n\n");
 }
 
-/* What checks inputs and tunables, with the limits that the scene gives, and with its conditions. */
-static void emit_admit(emission *e)
+/* Behind memory->good: where the tunables stand. */
+static const char *good_inputs(const emission *e)
+{
+    const bool has_inputs = e->p->m->input_count > 0;
+    return has_inputs ? arena_format(e->out->memory, " + %s_INPUTS", e->names->capitals) : "";
+}
+
+/* What asks whether anything that came in is to be put right, or to be kept. */
+static void emit_amiss(emission *e)
 {
     const mechanism *m = e->p->m;
     const char *capitals = e->names->capitals;
-    const bool has_conditions = e->p->broken >= 0, watches = watches_parameters(e->p);
-    const char *inputs = m->input_count > 0 ? arena_format(e->out->memory, " + %s_INPUTS", capitals) : "";
-    if (has_conditions) {
-        emit_number(e, "broken", &e->p->broken);
-    }
     text_add(e->out, "/* What comes in from outside is finite, and within its limits. */\n");
     text_add(e->out, "static iso_bits amiss(const void *const instance)\n{\n");
     text_add(e->out, "    const %s_memory *const memory = instance;\n    return", e->names->prefix);
@@ -349,9 +351,17 @@ static void emit_admit(emission *e)
                  m->parameter_count > 0 ? " |\n          " : "");
     }
     if (m->parameter_count > 0) {
-        text_add(e->out, " iso_any_changed(memory->p, memory->good%s, %s_PARAMETERS)", inputs, capitals);
+        text_add(e->out, " iso_any_changed(memory->p, memory->good%s, %s_PARAMETERS)", good_inputs(e), capitals);
     }
     text_add(e->out, ";\n}\n\n");
+}
+
+/* What puts inputs and tunables right, with the limits that the scene gives, and with its conditions. */
+static void emit_admit(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char *capitals = e->names->capitals, *inputs = good_inputs(e);
+    const bool has_conditions = e->p->broken >= 0, watches = watches_parameters(e->p);
     text_add(e->out, "static iso_refused admit(void *const instance)\n{\n");
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
     if (has_conditions) {
@@ -433,7 +443,11 @@ void emit_functions(emission *e)
     if (is_driven(p)) {
         emit_drive(e);
     }
+    if (p->broken >= 0) {
+        emit_number(e, "broken", &p->broken);
+    }
     if (p->m->input_count + p->m->parameter_count > 0) {
+        emit_amiss(e);
         emit_admit(e);
     }
     if (sets_rows(p)) {
