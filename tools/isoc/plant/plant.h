@@ -16,6 +16,9 @@ typedef struct choice {
     operations of[FORMULATIONS];
 } choice;
 
+/* How long a run is that isoc looks ahead for, s: as long as `make run` runs a scene that does not say otherwise. */
+static const double life = 10.0;
+
 /* States and memories in the order in which they are set; those of one level follow from those of the levels before. A memory
  * is told from a state by its number, which begins behind those of the states. */
 typedef struct row_order {

@@ -9,9 +9,6 @@
 
 enum { MOST_STATES = 60 };
 
-/* As long as `make run` runs a scene that does not say otherwise. */
-static const double life = 10.0;
-
 /* Where the Jacobian is evaluated. */
 typedef struct point {
     const char *when;

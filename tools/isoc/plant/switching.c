@@ -13,8 +13,8 @@
 /* A run is looked at in windows of so many steps; a formula that jumps less often in one does not count as switching. */
 enum { WINDOW = 2000, FEWEST_JUMPS = 4 };
 
-/* As long as `make run` runs a scene that does not say otherwise, s; and nodes evaluated, some 50 ms of isoc. */
-static const double life = 10.0, most_evaluated = 1e7;
+/* Nodes evaluated: some 50 ms of isoc. */
+static const double most_evaluated = 1e7;
 
 /* Of what is switched, half a step at each jump may be so much. */
 static const double most_share = 0.01;
