@@ -268,6 +268,25 @@ const char *suggest_effect(source *s, const scene *written, const char *typed)
     return suggest_among(s, &effects, 1, typed, NULL, 0);
 }
 
+const char *suggest_setting(source *s, const scene *written, const char *typed)
+{
+    const group parameters = GROUP(written, parameters, parameter_count);
+    size_t count = 0, room = 0;
+    const char **faults = NULL;
+    for (size_t i = 0; i < written->effect_count; i++) {
+        const effect_use *use = &written->effects[i];
+        const effect_kind *kind = use->name.text == NULL ? NULL : find_effect_kind(written, use->kind);
+        for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
+            const effect_line *line = &kind->lines[n];
+            if (line->kind == EFFECT_FAULT && line->name.text != NULL) {
+                faults = arena_grow(s->memory, faults, count, &room, sizeof *faults);
+                faults[count++] = arena_format(s->memory, "%s.%s", use->name.text, line->name.text);
+            }
+        }
+    }
+    return suggest_among(s, &parameters, 1, typed, faults, count);
+}
+
 const char *suggest_number(source *s, const scene *written, const char *typed, bool in_formula)
 {
     const group groups[] = {GROUP(written, parameters, parameter_count), GROUP(written, inputs, input_count),

@@ -25,9 +25,10 @@ const char *output_components(const scene *written, const output *o);
 const effect_kind *find_effect_kind(const scene *written, name n);
 
 /* The nearest name to a mistyped one, as source_suggestion has it: of a kind of effect, in the scene or the library; of an
- * effect; of what a formula can name. */
+ * effect; of what --set can name, a fault as EFFECT.FAULT; of what a formula can name. */
 const char *suggest_kind(source *s, const scene *written, const char *typed);
 const char *suggest_effect(source *s, const scene *written, const char *typed);
+const char *suggest_setting(source *s, const scene *written, const char *typed);
 const char *suggest_number(source *s, const scene *written, const char *typed, bool in_formula);
 
 /* What the names of the numbers of a state or a memory end with: those of a vector, then that of one number. */

@@ -181,10 +181,8 @@ scene parse_scene(source *s)
     return made;
 }
 
-/* Adds a start of a fault of this effect, if one is called so: EFFECT.FAULT, or EFFECT_FAULT as in the header of the plant. Lists
- * the names of the others. */
-static bool set_fault(parser *p, scene *made, const effect_use *use, const token *called, formula *value,
-                      listing *names)
+/* Adds a start of a fault of this effect, if one is called so: EFFECT.FAULT, or EFFECT_FAULT as in the header of the plant. */
+static bool set_fault(parser *p, scene *made, const effect_use *use, const token *called, formula *value)
 {
     const effect_kind *kind = use->name.text == NULL ? NULL : find_effect_kind(made, use->kind);
     for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
@@ -200,7 +198,6 @@ static bool set_fault(parser *p, scene *made, const effect_use *use, const token
             made->fault_starts[made->fault_start_count++] = (setting){.what = {spoken, called->at}, .value = value};
             return true;
         }
-        listing_add(p->s, names, (name){spoken, called->at});
     }
     return false;
 }
@@ -208,26 +205,20 @@ static bool set_fault(parser *p, scene *made, const effect_use *use, const token
 /* Takes the place of the value of a parameter, or is the start of a fault. */
 static void set_parameter(parser *p, scene *made, const token *called, formula *value)
 {
-    listing names = {0};
     for (size_t i = 0; i < made->parameter_count; i++) {
         const name n = made->parameters[i].name;
         if (n.text != NULL && strcmp(n.text, called->text) == 0) {
             made->parameters[i].value = value;
             return;
         }
-        listing_add(p->s, &names, n);
     }
     for (size_t i = 0; i < made->effect_count; i++) {
-        if (set_fault(p, made, &made->effects[i], called, value, &names)) {
+        if (set_fault(p, made, &made->effects[i], called, value)) {
             return;
         }
     }
-    const char **texts = arena_take(p->s->memory, names.count + 1, sizeof *texts);
-    for (size_t i = 0; i < names.count; i++) {
-        texts[i] = names.names[i].text == NULL ? "" : names.names[i].text;
-    }
     source_problem(p->s, called->at, "no constant, tunable or fault is called '%s'%s", called->text,
-                   source_suggestion(p->s, called->text, texts, names.count));
+                   suggest_setting(p->s, made, called->text));
 }
 
 void scene_set(source *s, scene *made, const script *of)
