@@ -24,6 +24,6 @@ done
 # A variant with other bits is found: constants and products in the precision of long double.
 variant wide sim "$CC" -O0 -mfpmath=387
 model models/double_pendulum.scene rk4 2>/dev/null && [ "$(value hash)" != "$(cat "$out/hash/double_pendulum-rk4")" ] ||
-    grep -q "computed in a wider type" "$out/errors"
+    grep -q "float is computed in long double" "$out/errors"
 expect $? "found: x87 has other bits, or is refused"
 finish
