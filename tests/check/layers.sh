@@ -6,7 +6,7 @@
 begin check/layers
 
 CORE="numbers methods runtime application link record xcp"
-ISOC="base scene graph mechanism tree closure dynamics plant emit client"
+ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit client"
 
 # downto FOLDER LIST: the folders of the list up to this one, as alternatives of a pattern; all for a file that stands
 # above them.
@@ -92,7 +92,7 @@ planted tools/isoc/main.c '"port/port.h"'
 planted core/methods/euler.h '"core/runtime/plant.h"'
 planted core/runtime/loop.c '"core/application/stream.h"'
 planted tools/isoc/graph/graph.c '"tools/isoc/mechanism/mechanism.h"'
-planted tools/isoc/plant/jacobian.c '"tools/isoc/emit/code.h"'
+planted tools/isoc/implicit/jacobian.c '"tools/isoc/emit/code.h"'
 
 rm -rf "$out/tree"
 mkdir -p "$out/tree/core/runtime" "$out/tree/port/sim" "$out/tree/build/host/float/tree"

@@ -1,4 +1,4 @@
-/* What isoc derives from the kernels (tools/isoc/mechanism/growth.h, limits.h) against what is published (theory.h): growth at
+/* What isoc derives from the kernels (tools/isoc/method/growth.h, limits.h) against what is published (theory.h): growth at
  * random z, also of checked, compensated and smooth forms, and the limits. In double. */
 #include <math.h>
 #include <stdint.h>
@@ -6,9 +6,9 @@
 #include "core/methods/recipe.h"
 #include "tests/host/report.h"
 #include "tests/stability/theory.h"
-#include "tools/isoc/mechanism/growth.h"
-#include "tools/isoc/mechanism/limits.h"
-#include "tools/isoc/mechanism/step_map.h"
+#include "tools/isoc/method/growth.h"
+#include "tools/isoc/method/limits.h"
+#include "tools/isoc/method/step_map.h"
 
 enum { TRIES = 400 };
 

@@ -14,8 +14,8 @@ done
 # derived NAME: what isoc derives from the kernels.
 derived()
 {
-    program "$1" tests/stability/growth.c tests/stability/theory.c tools/isoc/mechanism/growth.c tools/isoc/mechanism/limits.c \
-        tools/isoc/mechanism/step_map.c tools/isoc/base/eigenvalues.c tools/isoc/base/arena.c tests/host/report.c
+    program "$1" tests/stability/growth.c tests/stability/theory.c tools/isoc/method/growth.c tools/isoc/method/limits.c \
+        tools/isoc/method/step_map.c tools/isoc/base/eigenvalues.c tools/isoc/base/arena.c tests/host/report.c
 }
 real double
 derived growth

@@ -2,7 +2,7 @@
 
 #include "tools/isoc/emit/parts.h"
 #include "tools/isoc/plant/cost.h"
-#include "tools/isoc/plant/lesser.h"
+#include "tools/isoc/plant/reduced_plant.h"
 
 /* Whether something that follows from tunables alone is kept. */
 static bool is_tuned(const plant *p)

@@ -13,8 +13,8 @@
 #define ISOC_MECHANISM_MECHANISM_H
 
 #include "core/methods/recipe.h"
+#include "tools/isoc/formula/value.h"
 #include "tools/isoc/graph/vector.h"
-#include "tools/isoc/mechanism/value.h"
 
 enum { GROUND = -1 };
 
@@ -63,7 +63,7 @@ typedef struct applied_force {
 } applied_force;
 
 /* What formulas ask of a point of a body: three components. A leaf OP_ASKED stands for each,
- * until tools/isoc/tree/asked.h puts what it is in its place. */
+ * until tools/isoc/tree/point_query.h puts what it is in its place. */
 typedef enum asked_kind {
     ASKED_POSITION,
     ASKED_VELOCITY,
@@ -90,7 +90,7 @@ typedef struct asked {
 } asked;
 
 /* A point whose inertia formulas ask for: that of a body, moved by a vector in the same axes as the answer. A leaf OP_INERTIA
- * stands for each of three components, behind those of the degrees of freedom, until tools/isoc/tree/offered.h puts what it
+ * stands for each of three components, behind those of the degrees of freedom, until tools/isoc/tree/effective_inertia.h puts what it
  * is in its place. */
 typedef struct asked_inertia {
     int body;

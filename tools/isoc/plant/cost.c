@@ -1,7 +1,7 @@
 #include "tools/isoc/plant/cost.h"
 
-#include "tools/isoc/plant/lesser.h"
 #include "tools/isoc/plant/rates.h"
+#include "tools/isoc/plant/reduced_plant.h"
 
 /* a + times * b */
 static operations plus(operations a, int times, operations b)

@@ -5,9 +5,9 @@
 #include "tools/isoc/dynamics/dynamics.h"
 #include "tools/isoc/dynamics/settled.h"
 #include "tools/isoc/graph/operations.h"
+#include "tools/isoc/implicit/jacobian.h"
 #include "tools/isoc/plant/fast.h"
 #include "tools/isoc/plant/held.h"
-#include "tools/isoc/plant/jacobian.h"
 
 /* The cost of the equations in each formulation that was tried, and which one is kept. */
 typedef struct choice {

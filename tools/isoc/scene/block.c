@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/parse_formula.h"
 
 /* A block as far as it is read. */
 typedef struct reading {

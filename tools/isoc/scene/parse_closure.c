@@ -1,7 +1,7 @@
 /* close NAME KIND { ... } and force NAME { ... } */
 #include <stddef.h>
 
-#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/parse_formula.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/statements.h"

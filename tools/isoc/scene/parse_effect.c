@@ -2,7 +2,7 @@
  * read, and who switches them: signal NAME = FORMULA, at TIME set NAME = VALUE. */
 #include <string.h>
 
-#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/parse_formula.h"
 #include "tools/isoc/scene/statements.h"
 
 /* --- lines of a definition --- */

@@ -2,7 +2,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/parse_formula.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/statements.h"

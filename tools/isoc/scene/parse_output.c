@@ -1,7 +1,7 @@
 /* output NAME = KIND [of NAME [at FORMULA] [along AXIS]] [every NUMBER ticks], or a formula in the place of the kind */
 #include <string.h>
 
-#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/parse_formula.h"
 #include "tools/isoc/scene/statements.h"
 
 /* Whether the next words are those of a row: position of hinge; and not those of a formula: 2 * position of hinge, or

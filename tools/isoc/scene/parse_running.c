@@ -1,7 +1,7 @@
 /* overrun KIND, grace NUMBER ticks, publish WHEN, histogram: how the loop runs the plant. */
 #include <string.h>
 
-#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/parse_formula.h"
 #include "tools/isoc/scene/statements.h"
 
 static const char *const overrun_names[] = {"count", "catch_up", "stop", "degrade"};

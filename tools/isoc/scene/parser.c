@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/scene/formula.h"
 #include "tools/isoc/scene/names.h"
+#include "tools/isoc/scene/parse_formula.h"
 #include "tools/isoc/scene/repeat.h"
 #include "tools/isoc/scene/statements.h"
 

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/parse_formula.h"
 
 static void parse_place(parser *p, pose *to, const token *word)
 {

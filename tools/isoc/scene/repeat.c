@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "tools/isoc/scene/block.h"
-#include "tools/isoc/scene/formula.h"
+#include "tools/isoc/scene/parse_formula.h"
 #include "tools/isoc/scene/statements.h"
 
 enum {

@@ -63,7 +63,7 @@ vector from_parent(const kinematics *k, int i, vector a)
 }
 
 /* Whether an implicit method differentiates products of R and R', which are one where |q| is: from the parent's axes to the
- * link's and back. The solved equations and the balance differ in them (tools/isoc/plant/jacobian.h), and a Jacobian of
+ * link's and back. The solved equations and the balance differ in them (tools/isoc/implicit/jacobian.h), and a Jacobian of
  * the one in the place of the other's takes an order from a linearly implicit method. */
 static bool is_turned_back(const mechanism *m, const link *l)
 {

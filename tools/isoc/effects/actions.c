@@ -1,0 +1,301 @@
+/* What the lines of an effect do to the mechanism. One that is dropped does nothing, and its states and memories stay as they
+ * are. But its formulas are evaluated, so that what they keep from tick to tick stands where it does with the effect. */
+#include "tools/isoc/effects/effects.h"
+
+#include <string.h>
+
+#include "tools/isoc/graph/operations.h"
+
+static const value nothing = {0};
+
+/* The line of this kind that a rate or a next is of. */
+static const effect_line *subject(world *w, const instance *in, const effect_line *line, effect_line_kind of,
+                                  const char *word)
+{
+    const effect_line *found = line->name.text == NULL ? NULL : line_called(in->kind, line->name.text, false);
+    if (found == NULL || found->kind != of) {
+        source_problem(w->b->s, line->name.at, "this effect has no %s '%s'", word, line->name.text);
+        return NULL;
+    }
+    return found;
+}
+
+/* Whether accelerations are needed, which are known only when all efforts are. */
+static bool needs_accelerations(world *w, const node *roots, size_t count)
+{
+    const graph *g = w->b->g;
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed), found = false;
+    graph_reach(g, roots, count, needed);
+    for (size_t i = 0; i < g->count; i++) {
+        const graph_node *n = &g->nodes[i];
+        const bool is_asked = n->op == OP_ASKED && asks_for_acceleration(w->b->made.asked[n->index / 3].kind);
+        found = found || (needed[i] && (is_asked || n->op == OP_DERIVATIVE));
+    }
+    return found;
+}
+
+/* Notes an effort or a rate that needs accelerations. */
+static bool refuse_accelerations(world *w, const effect_line *line, const node *roots, size_t count)
+{
+    const bool needs = line->kind != EFFECT_NEXT && needs_accelerations(w, roots, count);
+    if (needs) {
+        source_problem(w->b->s, line->value->at,
+                       "an algebraic loop: '%s' needs an acceleration, which depends on it; a memory breaks it",
+                       line->name.text);
+    }
+    return needs;
+}
+
+/* A formula of so many numbers of this dimension; zeros after noting a problem. */
+static value value_like(world *w, const instance *in, const effect_line *line, int parts, dimension of,
+                        const char *what)
+{
+    source *s = w->b->s;
+    value found = evaluate(w, in, line->value, line->name.text);
+    if (found.count > 0 && (found.count != parts || (!found.any && !dimension_equal_but_angle(found.of, of)))) {
+        source_problem(s, line->value->at, "%s '%s' %s; this %s", what, line->name.text,
+                       found.count < parts ? "is a vector" : dimension_phrase(s->memory, of),
+                       found.count > parts   ? "is a vector"
+                       : found.count < parts ? "is one number"
+                                             : dimension_phrase(s->memory, found.of));
+        found.count = 0;
+    }
+    const bool is_good = found.count == parts && !refuse_accelerations(w, line, found.parts, (size_t)parts);
+    for (int i = 0; i < parts && !is_good; i++) {
+        found.parts[i] = constant(w->b->g, 0.0);
+    }
+    return found;
+}
+
+/* One number of this dimension. */
+static node node_of(world *w, const instance *in, const effect_line *line, dimension of, const char *what)
+{
+    return value_like(w, in, line, 1, of, what).parts[0];
+}
+
+/* Which effect it is. */
+static int number_of(const world *w, const instance *in)
+{
+    return (int)(in - w->all);
+}
+
+static void do_rate(world *w, const instance *in, const effect_line *line)
+{
+    const effect_line *of = subject(w, in, line, EFFECT_STATE, "state");
+    if (of != NULL && line->value != NULL) {
+        dimension rate = line_value(w, in, of).of;
+        dimension_times(&rate, second, -1);
+        effect_quantity *made = &w->b->made.effect_states[in->places[of - in->kind->lines]];
+        const value found = value_like(w, in, line, of->parts, rate, "the rate of");
+        for (int i = 0; i < of->parts; i++) {
+            made[i].effect = number_of(w, in);
+            made[i].next = in->use->dropped ? constant(w->b->g, 0.0)
+                                            : graph_name(w->b->g, found.parts[i], "rate_%s", made[i].about.name);
+        }
+    }
+}
+
+static void do_next(world *w, const instance *in, const effect_line *line)
+{
+    const effect_line *of = subject(w, in, line, EFFECT_MEMORY, "memory");
+    if (of != NULL && line->value != NULL) {
+        const dimension same = line_value(w, in, of).of;
+        const value found = value_like(w, in, line, of->parts, same, "the next");
+        for (int i = 0; i < of->parts; i++) {
+            const int at = in->places[of - in->kind->lines] + i;
+            w->b->made.memories[at].next =
+                in->use->dropped ? leaf(w->b->g, OP_INPUT, w->b->made.input_count + at) : found.parts[i];
+        }
+    }
+}
+
+static void do_effort(world *w, const instance *in, const effect_line *line)
+{
+    const effect_line *of = subject(w, in, line, EFFECT_JOINT, "joint");
+    const int l = of == NULL ? -1 : in->links[of - in->kind->lines];
+    if (l >= 0 && line->value != NULL) {
+        graph *g = w->b->g;
+        const dimension effort = dimension_of_quantity("effort", &w->b->made.links[l]);
+        const node added =
+            graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
+        if (in->use->dropped) {
+            return;
+        }
+        node *sum = &w->b->made.efforts[w->b->made.links[l].dof];
+        *sum = add(g, *sum, added);
+        w->b->made.effort_parts[w->b->made.effort_part_count++] =
+            (effect_effort){number_of(w, in), w->b->made.links[l].dof, added};
+        const node speed = leaf(g, OP_STATE, w->b->made.position_count + w->b->made.links[l].dof);
+        in->account->power = add(g, in->account->power, mul(g, added, speed));
+    }
+}
+
+static void do_account(world *w, const instance *in, const effect_line *line)
+{
+    const bool is_stored = line->kind == EFFECT_ENERGY;
+    effect_account *of = in->account;
+    if (line->value != NULL) {
+        node *sum = is_stored ? &of->stored : line->kind == EFFECT_LOSS ? &of->loss : &of->work;
+        const node found = node_of(w, in, line, is_stored ? joule : watt, "the");
+        if (!in->use->dropped) {
+            *sum = add(w->b->g, *sum, found);
+            of->is_told = of->is_told || !is_stored;
+        }
+    }
+}
+
+/* The body that a line names, and its point; -1 where there is none. */
+static int body_of(world *w, name n, vector *point)
+{
+    int which;
+    if (!find_point(w, n.text, &which, point)) {
+        source_problem(w->b->s, n.at, "this effect has no body '%s'", n.text);
+    }
+    return which >= 0 && w->b->made.frames[which].placed ? which : -1;
+}
+
+/* The body that a frame stands on, or the body itself. */
+static int body_under(builder *b, int which)
+{
+    matrix turned;
+    vector origin;
+    const int frame = which - (int)b->written->body_count;
+    return frame < 0 ? which : stand_on(b, &b->written->frames[frame].on, &turned, &origin);
+}
+
+/* Adds a force, or a moment, on a body that moves. */
+static void push(world *w, const instance *in, int which, vector point, const effect_line *line, const value *along,
+                 double sign)
+{
+    graph *g = w->b->g;
+    mechanism *made = &w->b->made;
+    const body_frame *frame = &made->frames[which];
+    if (frame->link == GROUND) {
+        return;
+    }
+    applied_force f = {.body = body_under(w->b, which),
+                       .link = frame->link,
+                       .drive = -1,
+                       .effect = number_of(w, in),
+                       .in_ground = !line->in_body};
+    f.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
+    f.force = f.moment = vector_zero(g);
+    vector *to = line->kind == EFFECT_FORCE ? &f.force : &f.moment;
+    for (int i = 0; i < 3; i++) {
+        to->at[i] = sign < 0.0 ? neg(g, along->parts[i]) : along->parts[i];
+    }
+    const asked_kind moves = line->kind == EFFECT_FORCE ? ASKED_VELOCITY : ASKED_SPIN;
+    const vector moved = asked_of(w, moves, which, point, line->in_body);
+    in->account->power = add(g, in->account->power, vector_dot(g, *to, moved));
+    if (!f.in_ground) {
+        *to = matrix_apply(g, frame->turn, *to);
+    }
+    made->applied_forces[made->applied_force_count++] = f;
+}
+
+/* A force or a moment on a body, and the opposite one on another. */
+static void do_push(world *w, const instance *in, const effect_line *line)
+{
+    source *s = w->b->s;
+    const dimension of = line->kind == EFFECT_FORCE ? newton : newton_metre;
+    const char *what = line->kind == EFFECT_FORCE ? "force" : "moment";
+    vector point = vector_zero(w->b->g), other_point = point;
+    const int which = line->name.text == NULL ? -1 : body_of(w, line->name, &point);
+    const int other = line->against.text == NULL ? -1 : body_of(w, line->against, &other_point);
+    const value found = line->value == NULL ? nothing : evaluate(w, in, line->value, line->name.text);
+    if (found.count == 0 || which < 0) {
+        return;
+    }
+    if (line->in_body && other >= 0) {
+        source_problem(s, line->at, "a %s against another body is in the axes of the ground: leave out 'in body'",
+                       what);
+    } else if (found.count != 3) {
+        source_problem(s, line->value->at, "the %s on '%s' is a vector (x, y, z); this is one number", what,
+                       line->name.text);
+    } else if (!found.any && !dimension_equal_but_angle(found.of, of)) {
+        source_problem(s, line->value->at, "the %s on '%s' %s; this %s", what, line->name.text,
+                       dimension_phrase(s->memory, of), dimension_phrase(s->memory, found.of));
+    } else if (!refuse_accelerations(w, line, found.parts, 3) && !in->use->dropped) {
+        push(w, in, which, point, line, &found, 1.0);
+        if (other >= 0) {
+            push(w, in, other, other_point, line, &found, -1.0);
+        }
+    }
+}
+
+/* Whether a formula reads a signal, by itself or through a let. */
+static bool reads_signal(const instance *in, const formula *f)
+{
+    const effect_line *line = f->kind == FORMULA_NAME ? line_called(in->kind, f->name, false) : NULL;
+    bool is = line != NULL && line->kind == EFFECT_SIGNAL;
+    if (line != NULL && line->kind == EFFECT_LET && line->value != NULL) {
+        is = reads_signal(in, line->value);
+    }
+    for (size_t i = 0; i < f->count && !is; i++) {
+        is = reads_signal(in, f->parts[i]);
+    }
+    return is;
+}
+
+/* At the defaults of the tunables; of a signal where it is a constant. */
+static void do_require(world *w, const instance *in, const effect_line *line)
+{
+    source *s = w->b->s;
+    const value least = evaluate(w, in, line->value, "require"), most = evaluate(w, in, line->most, "require");
+    if (least.count != 1 || most.count != 1) {
+        return;
+    }
+    if (changes(w->b->g, least.parts[0]) || changes(w->b->g, most.parts[0])) {
+        if (!reads_signal(in, line->value) && !reads_signal(in, line->most)) {
+            source_problem(s, line->at, "only values and signals can be required, and no state or motion");
+        }
+    } else if (!least.any && !most.any && !dimension_equal_but_angle(least.of, most.of)) {
+        source_problem(s, line->at, "%s and %s cannot be compared", dimension_text(s->memory, least.of),
+                       dimension_text(s->memory, most.of));
+    } else if (!keeps(&w->b->values, (condition){least.parts[0], most.parts[0], line->is_strict})) {
+        enter(w, NULL);
+        source_problem(s, in->use->name.at, "'%s' breaks what its effect requires in %s: %s", in->use->name.text,
+                       source_line(s, line->at), source_quote(s, line->at));
+    }
+}
+
+void check_subjects(world *w, const instance *in)
+{
+    for (size_t i = 0; i < in->kind->line_count; i++) {
+        const effect_line *line = &in->kind->lines[i];
+        const bool is_state = line->kind == EFFECT_STATE;
+        const effect_line_kind wanted = is_state ? EFFECT_RATE : EFFECT_NEXT;
+        int found = 0;
+        for (size_t j = 0; j < in->kind->line_count; j++) {
+            const effect_line *other = &in->kind->lines[j];
+            found += other->kind == wanted && other->name.text != NULL && line->name.text != NULL &&
+                     strcmp(other->name.text, line->name.text) == 0;
+        }
+        if ((is_state || line->kind == EFFECT_MEMORY) && found != 1) {
+            source_problem(w->b->s, line->name.at, "the %s '%s' needs one %s, and has %d: %s %s = ...",
+                           is_state ? "state" : "memory", line->name.text, is_state ? "rate" : "next", found,
+                           is_state ? "rate" : "next", line->name.text);
+        }
+    }
+}
+
+void do_line(world *w, const instance *in, const effect_line *line)
+{
+    enter(w, in);
+    if (line->kind == EFFECT_RATE) {
+        do_rate(w, in, line);
+    } else if (line->kind == EFFECT_NEXT) {
+        do_next(w, in, line);
+    } else if (line->kind == EFFECT_EFFORT) {
+        do_effort(w, in, line);
+    } else if (line->kind == EFFECT_FORCE || line->kind == EFFECT_MOMENT) {
+        do_push(w, in, line);
+    } else if (line->kind >= EFFECT_ENERGY && line->kind <= EFFECT_WORK) {
+        do_account(w, in, line);
+    } else if (line->kind == EFFECT_REQUIRE) {
+        do_require(w, in, line);
+    } else if (line->kind > EFFECT_BODY) {
+        (void)line_value(w, in, line);
+    }
+    enter(w, NULL);
+}

@@ -1,0 +1,257 @@
+/* Effects: each use of one is its definition with the operands put in. */
+#include "tools/isoc/effects/effects.h"
+
+#include <string.h>
+
+#include "tools/isoc/scene/names.h"
+
+static int count_lines(const effect_kind *kind, effect_line_kind of)
+{
+    int count = 0;
+    for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
+        count += kind->lines[i].kind == of ? kind->lines[i].parts : 0;
+    }
+    return count;
+}
+
+static int count_all(const scene *written, effect_line_kind of)
+{
+    int count = 0;
+    for (size_t i = 0; i < written->effect_count; i++) {
+        const effect_use *use = &written->effects[i];
+        count += use->left_out ? 0 : count_lines(find_effect_kind(written, use->kind), of);
+    }
+    return count;
+}
+
+size_t count_faults(const scene *written)
+{
+    return (size_t)count_all(written, EFFECT_FAULT);
+}
+
+/* Each may act on two bodies. */
+size_t count_forces(const scene *written)
+{
+    return 2 * (size_t)(count_all(written, EFFECT_FORCE) + count_all(written, EFFECT_MOMENT));
+}
+
+void count_effects(builder *b)
+{
+    mechanism *made = &b->made;
+    arena *memory = b->s->memory;
+    made->first_effect_state = made->position_count;
+    made->effect_state_count = count_all(b->written, EFFECT_STATE);
+    made->memory_count = count_all(b->written, EFFECT_MEMORY);
+    made->position_count += made->effect_state_count;
+    made->effect_states = arena_take(memory, (size_t)made->effect_state_count + 1, sizeof *made->effect_states);
+    b->memory_room = (size_t)made->memory_count + 1;
+    made->memories = arena_take(memory, b->memory_room, sizeof *made->memories);
+    made->efforts = arena_take(memory, (size_t)made->dof_count + 1, sizeof *made->efforts);
+    const int parts = count_all(b->written, EFFECT_EFFORT);
+    made->effort_parts = arena_take(memory, (size_t)parts + 1, sizeof *made->effort_parts);
+    made->effect_count = (int)b->written->effect_count;
+    made->effects = arena_take(memory, b->written->effect_count + 1, sizeof *made->effects);
+    made->accounts = arena_take(memory, b->written->effect_count + 1, sizeof *made->accounts);
+    for (int i = 0; i < made->effect_count; i++) {
+        const node zero = constant(b->g, 0.0);
+        made->effects[i] = b->written->effects[i].name;
+        made->accounts[i] = (effect_account){.power = zero, .stored = zero, .loss = zero, .work = zero};
+    }
+    for (int f = 0; f < made->dof_count; f++) {
+        made->efforts[f] = constant(b->g, 0.0);
+    }
+}
+
+/* The joint that the use names for an operand. */
+static int bound_link(world *w, const instance *in, const effect_line *line)
+{
+    const quantity *given = operand_called(in, line->name.text);
+    if (given == NULL || given->value == NULL) {
+        return -1;
+    }
+    if (given->value->kind != FORMULA_NAME) {
+        source_problem(w->b->s, given->value->at, "expected the name of a joint for '%s'", line->name.text);
+        return -1;
+    }
+    const int found = link_of(w, (name){given->value->name, given->value->at});
+    if (found >= 0 && line->is_bounded && w->b->made.links[found].continuous) {
+        source_problem(w->b->s, given->value->at,
+                       "'%s' is continuous: its angle begins again at every turn, which the effect %s cannot follow",
+                       given->value->name, in->kind->name.text);
+    }
+    return found;
+}
+
+/* The body that it names, and its point. */
+static int bound_body(world *w, const instance *in, const effect_line *line, vector *point)
+{
+    const quantity *given = operand_called(in, line->name.text);
+    *point = vector_zero(w->b->g);
+    if (given == NULL || given->value == NULL) {
+        return -1;
+    }
+    if (given->value->kind != FORMULA_NAME) {
+        source_problem(w->b->s, given->value->at, "expected the name of a body for '%s'", line->name.text);
+        return -1;
+    }
+    *point = vector_value(w->b, given->point, metre, "a point");
+    const int found = find_body(w->b->s, w->b->written, (name){given->value->name, given->value->at});
+    if (found == -2) {
+        source_problem(w->b->s, given->value->at, "the ground does not move: '%s' is a body", line->name.text);
+    }
+    return found < 0 ? -1 : found;
+}
+
+/* Each operand once, none but those of the definition, and none missing that has no default. */
+static bool check_operands(builder *b, const instance *in)
+{
+    source *s = b->s;
+    const size_t problems = s->problem_count;
+    for (size_t i = 0; i < in->use->operand_count; i++) {
+        const quantity *given = &in->use->operands[i];
+        const effect_line *line = line_called(in->kind, given->name.text, false);
+        if (line == NULL || line->kind >= EFFECT_FAULT) {
+            source_problem(s, given->name.at, "the effect %s has no operand '%s'%s", in->kind->name.text,
+                           given->name.text, suggestion(s, in->kind, given->name.text, EFFECT_JOINT, EFFECT_VALUE));
+        } else if (operand_called(in, given->name.text) != given) {
+            source_problem(s, given->name.at, "a second '%s'", given->name.text);
+        }
+    }
+    for (size_t i = 0; i < in->kind->line_count; i++) {
+        const effect_line *line = &in->kind->lines[i];
+        if (line->kind < EFFECT_FAULT && line->value == NULL && line->name.text != NULL &&
+            operand_called(in, line->name.text) == NULL) {
+            source_problem(s, in->use->name.at, "'%s' has no %s: the effect %s needs it", in->use->name.text,
+                           line->name.text, in->kind->name.text);
+        }
+    }
+    return s->problem_count == problems;
+}
+
+/* What a fault is at the start: 0, or what --set says. */
+static double start_of_fault(builder *b, const char *spoken)
+{
+    double start = 0.0;
+    for (size_t i = 0; i < b->written->fault_start_count; i++) {
+        const setting *set = &b->written->fault_starts[i];
+        if (set->value != NULL && strcmp(set->what.text, spoken) == 0) {
+            start = value_constant(&b->values, set->value, no_unit, spoken, 0.0);
+            if (!(start >= 0.0 && start <= 1.0)) {
+                source_problem(b->s, set->value->at, "'%s' is from 0 to 1", spoken);
+            }
+        }
+    }
+    return start;
+}
+
+/* A switch: a tunable of its own, which is 0 until somebody sets it to 1. */
+static int add_fault(builder *b, const effect_use *use, const effect_line *line)
+{
+    const char *called = arena_format(b->s->memory, "%s_%s", use->name.text, line->name.text);
+    const char *spoken = arena_format(b->s->memory, "%s.%s", use->name.text, line->name.text);
+    const double start = start_of_fault(b, spoken);
+    b->values.defaults[b->values.tunables] = start;
+    b->faults[b->fault_count++] = (variable){.name = called,
+                                             .unit = "1",
+                                             .spoken = spoken,
+                                             .quote = source_quote(b->s, line->name.at),
+                                             .start = start,
+                                             .most = 1.0};
+    return b->values.tunables++;
+}
+
+static void build_instance(world *w, instance *in, int *states, int *memories)
+{
+    builder *b = w->b;
+    in->kind = find_effect_kind(b->written, in->use->kind);
+    if (in->kind == NULL && in->use->kind.text != NULL) {
+        source_problem(b->s, in->use->kind.at, "no effect of the kind '%s' is defined%s", in->use->kind.text,
+                       suggest_kind(b->s, b->written, in->use->kind.text));
+    }
+    if (in->kind == NULL || in->kind->broken || in->use->broken || !check_operands(b, in)) {
+        in->kind = NULL;
+        b->is_effect_broken = true;
+        return;
+    }
+    const size_t room = in->kind->line_count + 1;
+    in->values = arena_take(b->s->memory, room, sizeof *in->values);
+    in->progress = arena_take(b->s->memory, room, sizeof *in->progress);
+    in->links = arena_take(b->s->memory, room, sizeof *in->links);
+    in->bodies = arena_take(b->s->memory, room, sizeof *in->bodies);
+    in->points = arena_take(b->s->memory, room, sizeof *in->points);
+    in->places = arena_take(b->s->memory, room, sizeof *in->places);
+    for (size_t i = 0; i < in->kind->line_count; i++) {
+        const effect_line *line = &in->kind->lines[i];
+        in->links[i] = line->kind == EFFECT_JOINT ? bound_link(w, in, line) : -1;
+        in->bodies[i] = line->kind == EFFECT_BODY ? bound_body(w, in, line, &in->points[i]) : -1;
+        in->places[i] = -1;
+        if (in->use->left_out) {
+            continue;
+        }
+        if (line->kind == EFFECT_FAULT) {
+            in->places[i] = add_fault(b, in->use, line);
+        } else if (line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY) {
+            int *next = line->kind == EFFECT_STATE ? states : memories;
+            in->places[i] = *next;
+            *next += line->parts;
+        }
+    }
+}
+
+static world *world_of(builder *b)
+{
+    arena *memory = b->s->memory;
+    world *w = arena_take(memory, 1, sizeof *w);
+    w->b = b;
+    w->all = arena_take(memory, b->written->effect_count + 1, sizeof *w->all);
+    w->signals = arena_take(memory, b->written->signal_count + 1, sizeof *w->signals);
+    w->signal_progress = arena_take(memory, b->written->signal_count + 1, sizeof *w->signal_progress);
+    for (size_t i = 0; i < b->written->effect_count; i++) {
+        w->all[i].use = &b->written->effects[i];
+        w->all[i].account = &b->made.accounts[i];
+    }
+    return w;
+}
+
+void build_effects(builder *b)
+{
+    world *w = world_of(b);
+    surroundings *around = arena_take(b->s->memory, 1, sizeof *around);
+    *around = (surroundings){
+        .of = w, .find = find_name, .quantity = quantity_value, .past = past_value, .stream = stream_value};
+    b->around = around;
+    b->faults = arena_take(b->s->memory, count_faults(b->written) + 1, sizeof *b->faults);
+    int states = 0, memories = 0;
+    for (size_t i = 0; i < b->written->effect_count; i++) {
+        build_instance(w, &w->all[i], &states, &memories);
+    }
+    b->values.around = around;
+    graph_section(b->g, "Effects");
+    for (size_t i = 0; i < b->written->effect_count; i++) {
+        const instance *in = &w->all[i];
+        const bool is_there = in->kind != NULL && !in->use->left_out;
+        for (size_t j = 0; is_there && j < in->kind->line_count; j++) {
+            do_line(w, in, &in->kind->lines[j]);
+        }
+        if (is_there) {
+            enter(w, in);
+            check_subjects(w, in);
+            enter(w, NULL);
+        }
+    }
+    for (size_t i = 0; i < b->written->signal_count; i++) {
+        if (!b->written->signals[i].left_out) {
+            (void)signal_value(w, i);
+        }
+    }
+    w->is_done = true;
+    b->values.around = NULL;
+}
+
+value value_in_scene(builder *b, const formula *f)
+{
+    b->values.around = b->around;
+    const value found = value_any(&b->values, f);
+    b->values.around = NULL;
+    return found;
+}

@@ -1,0 +1,109 @@
+/* What the files of effects share: the uses of effects, and what the formulas in them mean.
+ *
+ * A formula is evaluated when something asks for it; so the lines of a definition may stand in any order, and what would
+ * need its own value is found.
+ */
+#ifndef ISOC_EFFECTS_EFFECTS_H
+#define ISOC_EFFECTS_EFFECTS_H
+
+#include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/method/limits.h"
+
+enum { DEEPEST_EFFECT = 200, MOST_MEMORIES = 65535 /* and inputs, of a plant */ };
+
+/* One effect of the scene: of each line of its definition, the value, or the link of a joint. */
+typedef struct instance {
+    const effect_use *use;
+    const effect_kind *kind; /* NULL: there is none */
+    value *values;
+    progress *progress;
+    int *links;  /* of joints; -1: none */
+    int *bodies; /* likewise; and of each its point */
+    vector *points;
+    effect_account *account; /* when all its lines are done */
+    int *places;             /* of a state, a memory or a fault: the first among all of its sort */
+} instance;
+
+/* All of them. `within` is the instance whose lines are being evaluated, NULL in formulas of the scene. */
+typedef struct world {
+    builder *b;
+    instance *all;
+    value *signals;
+    progress *signal_progress;
+    const instance *within;
+    const char *path[DEEPEST_EFFECT]; /* what is being evaluated, each for the one before */
+    int depth;
+    bool is_done;            /* all lines: what is built next are outputs */
+    stability_limits limits; /* of the method; a rate of 0 before a formula names one */
+} world;
+
+/* --- past.c: previous(x) and the like --- */
+
+value past_value(void *of, const formula *f);
+
+/* --- streams.c: noise(SEED), time and other functions of it --- */
+
+value stream_value(void *of, const formula *f);
+
+/* --- effect_names.c --- */
+
+/* The line that declares a name; or with `is_output` the one that shows it. NULL if there is none. */
+const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output);
+
+/* The nearest name among the lines of these kinds. */
+const char *suggestion(source *s, const effect_kind *kind, const char *typed, effect_line_kind from,
+                       effect_line_kind to);
+
+/* What the use gives for an operand, or NULL. */
+const quantity *operand_called(const instance *in, const char *called);
+
+/* From here on names are those of an instance, or of the scene where it is NULL, and problems are of it. Returns what it
+ * was before. */
+const instance *enter(world *w, const instance *in);
+
+/* The value of a formula that is called so. */
+value evaluate(world *w, const instance *in, const formula *f, const char *called);
+
+/* The link that a word stands for: an operand of the instance, or a joint of the scene; -1 after noting a problem. */
+int link_of(world *w, name n);
+
+/* A body as an operand of the instance, or of the scene, and its point. False: it is none. */
+bool find_point(world *w, const char *called, int *which, vector *point);
+
+/* The value of a name, as value.h asks for it. */
+bool find_name(void *of, const formula *f, value *found);
+
+/* The value of a signal of the scene. */
+value signal_value(world *w, size_t i);
+
+/* Notes a formula that needs its own value, with the path to it. */
+value refuse_loop(world *w, place at, const char *called);
+
+/* --- effect_quantities.c --- */
+
+/* Of the effort, the speed or the position of a joint. */
+dimension dimension_of_quantity(const char *word, const link *l);
+
+/* A quantity of a point of a body, as three leaves. */
+vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body);
+
+/* The value of `speed of NAME` and the like, as value.h asks for it. */
+value quantity_value(void *of, const formula *f);
+
+/* --- effect_lines.c --- */
+
+/* The value of an operand, a let, a state, a memory or an output. */
+value line_value(world *w, const instance *in, const effect_line *line);
+
+/* Whether a node can change while the parameters stay. */
+bool changes(const graph *g, node n);
+
+/* --- effect_actions.c --- */
+
+/* Does what a line says: a rate, an effort, a force. */
+void do_line(world *w, const instance *in, const effect_line *line);
+
+/* Notes what a definition lacks: each state has a rate, each memory a next. */
+void check_subjects(world *w, const instance *in);
+
+#endif

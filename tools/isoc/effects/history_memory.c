@@ -1,0 +1,120 @@
+/* What is kept of a formula from tick to tick: previous(x), sample(x, every 5 ms), delay(x, 5 ms). Each is a memory that
+ * no effect declares; what it is of is evaluated when all lines are, so that a formula may need its own past. */
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/effects/effects.h"
+#include "tools/isoc/formula/waveform.h"
+#include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/graph/operations.h"
+
+enum { LONGEST_DELAY = 65535 };
+
+static const value nothing = {0};
+static const double longest_sample = 16777215.0; /* ticks, of core/numbers/waveform.h */
+
+/* The whole ticks of the time that a call has; 1 of previous; 0 after noting a problem. */
+static double ticks_of(world *w, const formula *f, bool is_sample)
+{
+    source *s = w->b->s;
+    const double most = is_sample ? longest_sample : LONGEST_DELAY;
+    if (strcmp(f->name, "previous") == 0) {
+        return 1.0;
+    }
+    const size_t before = s->problem_count;
+    const double ticks = value_constant(&w->b->values, f->parts[1], second, "the time", 0.0) / w->b->made.step;
+    if (s->problem_count > before) {
+        return 0.0;
+    }
+    if (!is_whole_tick(ticks) || !(round(ticks) >= 1.0 && round(ticks) <= most)) {
+        source_problem(s, f->parts[1]->at, "the time of a %s is a whole number of steps, from 1 to %.0f; this is %.6g",
+                       f->name, most, ticks);
+        return 0.0;
+    }
+    return round(ticks);
+}
+
+static bool is_number(world *w, const formula *f, const value *found)
+{
+    if (found->count > 1) {
+        source_problem(w->b->s, f->parts[0]->at, "%s is of a number; this is a vector", f->name);
+    }
+    return found->count == 1;
+}
+
+/* A new memory; `start` is its start, or -1 where that is what the formula is at the start. */
+static int add_past(world *w, const formula *f, node start, dimension of, double ticks)
+{
+    builder *b = w->b;
+    mechanism *made = &b->made;
+    const size_t count = (size_t)made->memory_count;
+    made->memories = arena_grow(b->s->memory, made->memories, count, &b->memory_room, sizeof *made->memories);
+    b->pasts = arena_grow(b->s->memory, b->pasts, b->past_count, &b->past_room, sizeof *b->pasts);
+    effect_quantity *m = &made->memories[count];
+    *m = (effect_quantity){.begin = start < 0 ? constant(b->g, 0.0) : start, .at = f->at};
+    m->next = m->begin;
+    m->about = (variable){.name = arena_format(b->s->memory, "kept_%s_%zu", f->name, b->past_count + 1),
+                          .unit = dimension_equal_but_angle(of, no_unit) ? "1" : dimension_text(b->s->memory, of),
+                          .quote = source_quote(b->s, f->at),
+                          .least = -HUGE_VAL,
+                          .most = HUGE_VAL};
+    m->kept = f->name[0] == 's' ? KEPT_SAMPLE : f->name[0] == 'd' ? KEPT_DELAY : KEPT_PREVIOUS;
+    m->ticks = ticks;
+    b->pasts[b->past_count++] = (past){f, w->within, made->memory_count, of, start >= 0, false};
+    return made->memory_count++;
+}
+
+value past_value(void *of, const formula *f)
+{
+    world *w = of;
+    builder *b = w->b;
+    const bool is_previous = strcmp(f->name, "previous") == 0;
+    const size_t before = b->s->problem_count, at_start = is_previous ? 1 : 2;
+    for (size_t i = 0; i < b->past_count; i++) {
+        const past *p = &b->pasts[i];
+        if (p->of == f && p->within == w->within) {
+            return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->made.input_count + p->memory)}, .of = p->in};
+        }
+    }
+    const double ticks = ticks_of(w, f, f->name[0] == 's');
+    const bool has_start = f->count > at_start;
+    const value first = evaluate(w, w->within, f->parts[has_start ? at_start : 0], f->name);
+    if (ticks == 0.0 || b->s->problem_count > before || !is_number(w, f, &first)) {
+        return nothing;
+    }
+    if (has_start && !is_constant(b->g, first.parts[0])) {
+        source_problem(b->s, f->parts[at_start]->at, "the start of a %s must be a constant", f->name);
+        return nothing;
+    }
+    if (b->made.memory_count + b->made.input_count >= MOST_MEMORIES) {
+        source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
+        return nothing;
+    }
+    const int memory = add_past(w, f, has_start ? first.parts[0] : -1, first.of, ticks);
+    return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->made.input_count + memory)}, .of = first.of};
+}
+
+void finish_pasts(builder *b)
+{
+    world *w = b->around == NULL ? NULL : b->around->of;
+    b->values.around = b->around;
+    for (size_t i = 0; w != NULL && i < b->past_count; i++) {
+        const past p = b->pasts[i];
+        if (p.is_done) {
+            continue;
+        }
+        b->pasts[i].is_done = true;
+        const value found = evaluate(w, p.within, p.of->parts[0], p.of->name);
+        if (found.count == 0 || !is_number(w, p.of, &found)) {
+            continue;
+        }
+        if (!found.any && !dimension_equal_but_angle(found.of, p.in)) {
+            source_problem(b->s, p.of->parts[0]->at, "a %s that starts with %s is of the same; this %s", p.of->name,
+                           dimension_text(b->s->memory, p.in), dimension_phrase(b->s->memory, found.of));
+        }
+        effect_quantity *kept = &b->made.memories[p.memory];
+        kept->next = found.parts[0];
+        kept->begin = p.has_start ? kept->begin : found.parts[0];
+    }
+    b->values.around = NULL;
+}

@@ -1,0 +1,199 @@
+/* The values of the lines of an effect. */
+#include "tools/isoc/effects/effects.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/graph/operations.h"
+#include "tools/isoc/scene/names.h"
+
+static const value nothing = {0};
+
+/* The dimension that a line declares, by its unit, by what it is like, or by its default; or false. */
+static bool declared_dimension(world *w, const instance *in, const effect_line *line, const formula *f, dimension *of)
+{
+    const bool has_default = line->kind <= EFFECT_VALUE && line->value != NULL && line->value != f;
+    if (line->has_unit) {
+        *of = line->unit.of;
+    } else if (has_default && line->like.text == NULL) {
+        const value found = evaluate(w, in, line->value, line->name.text);
+        *of = found.of;
+        return found.count == 1;
+    } else if (line->like.text != NULL && line->like_of.text != NULL) {
+        const instance *before = enter(w, in);
+        const int l = link_of(w, line->like_of);
+        enter(w, before);
+        *of = l < 0 ? no_unit : dimension_of_quantity(line->like.text, &w->b->made.links[l]);
+    }
+    return line->has_unit || line->like.text != NULL;
+}
+
+/* One number, or a vector where it starts as one, of the dimension that the line declares, if it does. */
+static value checked(world *w, const instance *in, const effect_line *line, const formula *f, value found)
+{
+    dimension of;
+    source *s = w->b->s;
+    if (found.count > 0 && found.count != line->parts) {
+        source_problem(s, f->at, "'%s' is one number; this is %d", line->name.text, found.count);
+        return nothing;
+    }
+    if (found.count == 0 || !declared_dimension(w, in, line, f, &of)) {
+        return found;
+    }
+    if (!found.any && !dimension_equal_but_angle(found.of, of)) {
+        source_problem(s, f->at, "'%s' %s; this %s", line->name.text, dimension_phrase(s->memory, of),
+                       dimension_phrase(s->memory, found.of));
+        return nothing;
+    }
+    found.of = of;
+    found.any = false;
+    return found;
+}
+
+bool changes(const graph *g, node n)
+{
+    return uses_operation(g, &n, 1, OP_STATE) || uses_operation(g, &n, 1, OP_INPUT) ||
+           uses_operation(g, &n, 1, OP_ASKED) || uses_operation(g, &n, 1, OP_DERIVATIVE);
+}
+
+/* Whether a formula has a word of what step and method allow. */
+static bool names_limit(const formula *f)
+{
+    bool is = f->kind == FORMULA_NAME && strncmp(f->name, "stable_", strlen("stable_")) == 0;
+    for (size_t i = 0; i < f->count; i++) {
+        is = is || names_limit(f->parts[i]);
+    }
+    return is;
+}
+
+/* What isoc chose is told. */
+static void note_derived(world *w, const instance *in, const effect_line *line, value found)
+{
+    mechanism *made = &w->b->made;
+    arena *memory = w->b->s->memory;
+    made->derived =
+        arena_grow(memory, made->derived, (size_t)made->derived_count, &made->derived_room, sizeof *made->derived);
+    effect_quantity *next = &made->derived[made->derived_count++];
+    *next = (effect_quantity){.next = found.parts[0], .at = in->use->name.at};
+    next->about.name = arena_format(memory, "%s.%s", in->use->name.text, line->name.text);
+    next->about.unit = dimension_unit(memory, found.of);
+}
+
+/* A signal or a value: what the use gives, in the words of the scene, or the default, in those of the effect. */
+static value operand_value(world *w, const instance *in, const effect_line *line)
+{
+    const quantity *given = operand_called(in, line->name.text);
+    const formula *f = given != NULL ? given->value : line->value;
+    if (f == NULL) {
+        return nothing;
+    }
+    const instance *of = given != NULL ? NULL : in, *before = enter(w, of);
+    value found = checked(w, in, line, f, evaluate(w, of, f, line->name.text));
+    if (found.count == 1 && line->kind == EFFECT_VALUE && changes(w->b->g, found.parts[0])) {
+        source_problem(w->b->s, f->at, "'%s' is a constant or a tunable: it cannot change with time", line->name.text);
+        found = nothing;
+    }
+    if (found.count == 1 && given == NULL && !in->use->left_out &&
+        (uses_operation(w->b->g, found.parts, 1, OP_INERTIA) || names_limit(f))) {
+        note_derived(w, in, line, found);
+    }
+    enter(w, before);
+    return found;
+}
+
+/* What a state or a memory has at the start, which gives its dimension. */
+static value start_value(world *w, const instance *in, const effect_line *line)
+{
+    return checked(w, in, line, line->value, evaluate(w, in, line->value, line->name.text));
+}
+
+/* A state or a memory that begins so: its numbers from the first on are the leaves of this operation from `index` on. */
+static value begun(world *w, const instance *in, const effect_line *line, effect_quantity *first, operation op,
+                   int index)
+{
+    source *s = w->b->s;
+    value found = start_value(w, in, line);
+    for (int i = 0; i < line->parts; i++) {
+        variable *about = &first[i].about;
+        const char *called = arena_format(s->memory, "%s_%s%s", in->use->name.text, line->name.text,
+                                          effect_endings[line->parts == 3 ? i : 3]);
+        *about =
+            (variable){.name = called, .quote = source_quote(s, line->name.at), .least = -HUGE_VAL, .most = HUGE_VAL};
+        about->unit = found.count == 0 ? "1" : dimension_unit(s->memory, found.of);
+        first[i].begin = found.count == 0 ? constant(w->b->g, 0.0) : found.parts[i];
+        first[i].at = in->use->name.at;
+        found.parts[i] = leaf(w->b->g, op, index + i);
+    }
+    return found;
+}
+
+/* A state, a memory or a fault of an effect that is left out: zero, of its dimension. Its start, where that alone tells
+ * the dimension, may name what else comes later, and so change the order of the graph; but no operation of it stays. */
+static value absent_value(world *w, const instance *in, const effect_line *line)
+{
+    const bool is_known = line->kind == EFFECT_FAULT || line->has_unit;
+    value found = is_known ? (value){.count = line->parts, .of = line->unit.of} : start_value(w, in, line);
+    for (int i = 0; i < line->parts; i++) {
+        found.parts[i] = constant(w->b->g, 0.0);
+    }
+    return found;
+}
+
+static value new_value(world *w, const instance *in, const effect_line *line)
+{
+    graph *g = w->b->g;
+    mechanism *made = &w->b->made;
+    const size_t i = (size_t)(line - in->kind->lines);
+    if (in->use->left_out &&
+        (line->kind == EFFECT_FAULT || line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY)) {
+        return absent_value(w, in, line);
+    }
+    const int at = in->places[i];
+    switch (line->kind) {
+    case EFFECT_SIGNAL:
+    case EFFECT_VALUE:
+        return operand_value(w, in, line);
+    case EFFECT_FAULT:
+        return (value){.count = 1, .parts = {leaf(g, OP_PARAMETER, at)}};
+    case EFFECT_STATE:
+        return begun(w, in, line, &made->effect_states[at], OP_STATE, made->first_effect_state + at);
+    case EFFECT_MEMORY:
+        return begun(w, in, line, &made->memories[at], OP_INPUT, made->input_count + at);
+    default:
+        return line->value == NULL ? nothing : evaluate(w, in, line->value, line->name.text);
+    }
+}
+
+/* What an output without a formula shows: a line that has a name, or else the energy, the loss or the work. */
+static const effect_line *line_shown(const effect_kind *kind, const char *called)
+{
+    const effect_line *found = line_called(kind, called, false);
+    for (size_t i = 0; i < kind->line_count && found == NULL; i++) {
+        const effect_line *line = &kind->lines[i];
+        const bool is_account = line->kind >= EFFECT_ENERGY && line->kind <= EFFECT_WORK;
+        found = is_account && strcmp(line->name.text, called) == 0 ? line : NULL;
+    }
+    return found;
+}
+
+value line_value(world *w, const instance *in, const effect_line *line)
+{
+    const effect_line *meant = line;
+    if (line->kind == EFFECT_OUTPUT && line->value == NULL) {
+        meant = line_shown(in->kind, line->name.text);
+        if (meant == NULL || meant->kind <= EFFECT_BODY) {
+            source_problem(w->b->s, line->name.at, "this effect has no '%s' to show", line->name.text);
+            return nothing;
+        }
+    }
+    const size_t i = (size_t)(meant - in->kind->lines);
+    if (in->progress[i] == STARTED) {
+        return refuse_loop(w, meant->name.at, meant->name.text);
+    }
+    if (in->progress[i] == NOT_YET) {
+        in->progress[i] = STARTED;
+        in->values[i] = new_value(w, in, meant);
+        in->progress[i] = DONE;
+    }
+    return in->values[i];
+}

@@ -1,0 +1,265 @@
+/* What a formula of an effect, a signal or an output can name. */
+#include "tools/isoc/effects/effects.h"
+
+#include <string.h>
+
+#include "tools/isoc/scene/names.h"
+
+static const value nothing = {0};
+
+const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output)
+{
+    for (size_t i = 0; i < kind->line_count; i++) {
+        const effect_line *line = &kind->lines[i];
+        const bool names = line->kind <= EFFECT_STATE || line->kind == EFFECT_MEMORY;
+        if ((is_output ? line->kind == EFFECT_OUTPUT : names) && line->name.text != NULL &&
+            strcmp(line->name.text, called) == 0) {
+            return line;
+        }
+    }
+    return NULL;
+}
+
+const char *suggestion(source *s, const effect_kind *kind, const char *typed, effect_line_kind from,
+                       effect_line_kind to)
+{
+    const char **names = arena_take(s->memory, kind->line_count + 1, sizeof *names);
+    size_t count = 0;
+    for (size_t i = 0; i < kind->line_count; i++) {
+        const effect_line *line = &kind->lines[i];
+        if (line->kind >= from && line->kind <= to && line->name.text != NULL) {
+            names[count++] = line->name.text;
+        }
+    }
+    return source_suggestion(s, typed, names, count);
+}
+
+const quantity *operand_called(const instance *in, const char *called)
+{
+    for (size_t i = 0; i < in->use->operand_count; i++) {
+        if (strcmp(in->use->operands[i].name.text, called) == 0) {
+            return &in->use->operands[i];
+        }
+    }
+    return NULL;
+}
+
+const instance *enter(world *w, const instance *in)
+{
+    source *s = w->b->s;
+    const instance *before = w->within;
+    w->within = in;
+    s->used_by = in == NULL ? NULL
+                            : arena_format(s->memory, "in the effect '%s', %s", in->use->name.text,
+                                           source_line(s, in->use->name.at));
+    return before;
+}
+
+value evaluate(world *w, const instance *in, const formula *f, const char *called)
+{
+    if (w->depth >= DEEPEST_EFFECT) {
+        source_problem(w->b->s, f->at, "more than %d formulas that need one another", DEEPEST_EFFECT);
+        return nothing;
+    }
+    const instance *before = enter(w, in);
+    w->path[w->depth++] = called;
+    const value found = value_any(&w->b->values, f);
+    w->depth--;
+    enter(w, before);
+    return found;
+}
+
+int link_of(world *w, name n)
+{
+    const effect_line *line = w->within == NULL ? NULL : line_called(w->within->kind, n.text, false);
+    if (w->within == NULL) {
+        const int found = link_called(&w->b->made, n);
+        return found >= 0 ? found : coordinate_of(w->b, n);
+    }
+    if (line == NULL || line->kind != EFFECT_JOINT) {
+        source_problem(w->b->s, n.at, "'%s' is no joint of this effect: write 'joint %s' in it", n.text, n.text);
+        return -1;
+    }
+    return w->within->links[line - w->within->kind->lines];
+}
+
+bool find_point(world *w, const char *called, int *which, vector *point)
+{
+    const scene *written = w->b->written;
+    *point = vector_zero(w->b->g);
+    *which = -1;
+    if (w->within != NULL) {
+        const effect_line *line = line_called(w->within->kind, called, false);
+        const bool is = line != NULL && line->kind == EFFECT_BODY;
+        if (is) {
+            *which = w->within->bodies[line - w->within->kind->lines];
+            *point = w->within->points[line - w->within->kind->lines];
+        }
+        return is;
+    }
+    for (size_t i = 0; i < written->body_count + written->frame_count; i++) {
+        const char *other =
+            i < written->body_count ? written->bodies[i].name.text : written->frames[i - written->body_count].name.text;
+        *which = other != NULL && strcmp(other, called) == 0 ? (int)i : *which;
+    }
+    return *which >= 0;
+}
+
+value refuse_loop(world *w, place at, const char *called)
+{
+    int from = w->depth - 1;
+    while (from > 0 && strcmp(w->path[from], called) != 0) {
+        from--;
+    }
+    const char *path = called;
+    for (int i = from + 1; i < w->depth; i++) {
+        path = arena_format(w->b->s->memory, "%s, %s", path, w->path[i]);
+    }
+    source_problem(w->b->s, at, "an algebraic loop: %s, %s; a state, a memory or previous(x, START) breaks it", path,
+                   called);
+    return nothing;
+}
+
+/* What the step and the method allow: step, stable_rate, stable_frequency. */
+static bool find_limit(world *w, const char *called, value *found)
+{
+    static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
+    static const double margin = 0.5; /* of the limit: what is linear here turns over elsewhere */
+    const mechanism *made = &w->b->made;
+    const bool is_step = strcmp(called, "step") == 0, is_rate = strcmp(called, "stable_rate") == 0;
+    if (!is_step && !is_rate && strcmp(called, "stable_frequency") != 0) {
+        return false;
+    }
+    if (!is_step && w->limits.rate == 0.0) {
+        w->limits = limits_of(made->recipe);
+    }
+    const double limit = margin * (is_rate ? w->limits.rate : w->limits.frequency) / method_step(made);
+    *found = (value){.count = 1, .of = is_step ? second : is_rate ? hertz : speed};
+    found->parts[0] = constant(w->b->g, is_step ? made->step : limit);
+    return true;
+}
+
+static bool find_in_instance(world *w, const formula *f, value *found)
+{
+    const effect_line *line = line_called(w->within->kind, f->name, false);
+    if (line == NULL && find_limit(w, f->name, found)) {
+        return true;
+    }
+    if (line == NULL && strcmp(f->name, "pi") != 0 && strcmp(f->name, "time") != 0) {
+        unit u;
+        if (unit_find(f->name, &u)) {
+            return false;
+        }
+        source_problem(w->b->s, f->at, "this effect has no '%s': no operand, let, state or memory is called so%s",
+                       f->name, suggestion(w->b->s, w->within->kind, f->name, EFFECT_JOINT, EFFECT_MEMORY));
+        *found = nothing;
+        return true;
+    }
+    if (line != NULL) {
+        const bool is_number = line->kind > EFFECT_BODY;
+        *found = is_number ? line_value(w, w->within, line) : nothing;
+        if (!is_number) {
+            source_problem(w->b->s, f->at, "'%s' is a %s: write 'position of %s', say", f->name,
+                           line->kind == EFFECT_JOINT ? "joint" : "body", f->name);
+        }
+    }
+    return line != NULL;
+}
+
+/* EFFECT.OUTPUT, or a fault. */
+static value output_of_effect(world *w, const formula *f, const char *dot)
+{
+    source *s = w->b->s;
+    const size_t length = (size_t)(dot - f->name);
+    for (size_t i = 0; i < w->b->written->effect_count; i++) {
+        const instance *in = &w->all[i];
+        const char *called = in->use->name.text;
+        if (called == NULL || strlen(called) != length || strncmp(called, f->name, length) != 0) {
+            continue;
+        }
+        if (in->kind == NULL || in->use->broken) {
+            return nothing;
+        }
+        const effect_line *line = line_called(in->kind, dot + 1, true);
+        if (line == NULL) {
+            source_problem(s, f->at, "the effect '%s' has no output '%s'%s", called, dot + 1,
+                           suggestion(s, in->kind, dot + 1, EFFECT_OUTPUT, EFFECT_OUTPUT));
+            return nothing;
+        }
+        value found = line_value(w, in, line);
+        for (int part = 0; (in->use->left_out || in->use->dropped) && part < found.count; part++) {
+            found.parts[part] = constant(w->b->g, 0.0);
+        }
+        return found;
+    }
+    const char *typed = arena_copy(s->memory, f->name, length);
+    source_problem(s, f->at, "no effect is called '%s'%s", typed, suggest_effect(s, w->b->written, typed));
+    return nothing;
+}
+
+static value input_value(world *w, const formula *f, int i)
+{
+    w->b->is_input_used[i] = true;
+    if (!w->b->is_input_known[i]) {
+        source_problem(w->b->s, w->b->written->inputs[i].name.at, "the input '%s' has no unit: input %s V", f->name,
+                       f->name);
+        return nothing;
+    }
+    return (value){.count = 1, .parts = {leaf(w->b->g, OP_INPUT, i)}, .of = w->b->input_dimensions[i]};
+}
+
+/* Of an input that only effects read that are left out: nothing but its dimension. */
+static value left_input_value(world *w, const quantity *q)
+{
+    values *v = &w->b->values;
+    v->time_allowed = true;
+    value found = q->has_unit || q->value == NULL ? (value){.count = 1, .of = q->unit.of} : value_any(v, q->value);
+    v->time_allowed = false;
+    found.parts[0] = constant(w->b->g, 0.0);
+    return found;
+}
+
+value signal_value(world *w, size_t i)
+{
+    const quantity *q = &w->b->written->signals[i];
+    if (w->signal_progress[i] == STARTED) {
+        return refuse_loop(w, q->name.at, q->name.text);
+    }
+    if (w->signal_progress[i] == NOT_YET) {
+        w->signal_progress[i] = STARTED;
+        w->signals[i] = q->value == NULL ? nothing : evaluate(w, NULL, q->value, q->name.text);
+        w->signal_progress[i] = DONE;
+    }
+    return w->signals[i];
+}
+
+static bool find_in_scene(world *w, const formula *f, value *found)
+{
+    const scene *written = w->b->written;
+    const char *dot = strchr(f->name, '.');
+    if (dot != NULL) {
+        *found = output_of_effect(w, f, dot);
+        return true;
+    }
+    const size_t inputs = written->input_count;
+    for (size_t i = 0; i < inputs + written->left_input_count; i++) {
+        const quantity *q = &written->inputs[i];
+        if (q->name.text != NULL && strcmp(q->name.text, f->name) == 0) {
+            *found = i < inputs ? input_value(w, f, (int)i) : left_input_value(w, q);
+            return true;
+        }
+    }
+    for (size_t i = 0; i < written->signal_count; i++) {
+        if (written->signals[i].name.text != NULL && strcmp(written->signals[i].name.text, f->name) == 0) {
+            *found = signal_value(w, i);
+            return true;
+        }
+    }
+    return false;
+}
+
+bool find_name(void *of, const formula *f, value *found)
+{
+    world *w = of;
+    return w->within != NULL ? find_in_instance(w, f, found) : find_in_scene(w, f, found);
+}

@@ -1,0 +1,256 @@
+/* QUANTITY of NAME: what a formula of an effect, a signal or an output asks of a joint, a body or an effect. */
+#include <string.h>
+
+#include "tools/isoc/effects/effects.h"
+#include "tools/isoc/graph/operations.h"
+#include "tools/isoc/scene/names.h"
+
+static const value nothing = {0};
+
+dimension dimension_of_quantity(const char *word, const link *l)
+{
+    const bool turns = l->kind == JOINT_REVOLUTE;
+    dimension of = turns ? radian : metre;
+    if (strcmp(word, "speed") == 0) {
+        dimension_times(&of, second, -1);
+    }
+    return strcmp(word, "effort") == 0 ? (turns ? newton_metre : newton) : of;
+}
+
+static const struct {
+    const char *word;
+    asked_kind kind;
+    dimension of;
+} of_bodies[] = {
+    {"position", ASKED_POSITION, {0, 1, 0, 0, 0, 0, 0}},
+    {"velocity", ASKED_VELOCITY, {0, 1, -1, 0, 0, 0, 0}},
+    {"spin", ASKED_SPIN, {0, 0, -1, 1, 0, 0, 0}},
+    {"x_axis", ASKED_X_AXIS, {0, 0, 0, 0, 0, 0, 0}},
+    {"y_axis", ASKED_Y_AXIS, {0, 0, 0, 0, 0, 0, 0}},
+    {"z_axis", ASKED_Z_AXIS, {0, 0, 0, 0, 0, 0, 0}},
+    {"specific_force", ASKED_SPECIFIC_FORCE, {0, 1, -2, 0, 0, 0, 0}},
+};
+
+static vector leaves_of(world *w, asked of)
+{
+    mechanism *made = &w->b->made;
+    vector leaves;
+    made->asked =
+        arena_grow(w->b->s->memory, made->asked, (size_t)made->asked_count, &made->asked_room, sizeof *made->asked);
+    made->asked[made->asked_count] = of;
+    for (int i = 0; i < 3; i++) {
+        leaves.at[i] = leaf(w->b->g, OP_ASKED, 3 * made->asked_count + i);
+    }
+    made->asked_count++;
+    return leaves;
+}
+
+vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body)
+{
+    return leaves_of(w, (asked){kind, which, point, in_body, -1});
+}
+
+/* Whether the answer is in the axes of the body, which the formula may choose. */
+static bool in_body_axes(world *w, const formula *f, bool by_default)
+{
+    const bool is_body = f->axes.text != NULL && strcmp(f->axes.text, "body") == 0;
+    if (f->axes.text != NULL && !is_body && strcmp(f->axes.text, "ground") != 0) {
+        source_problem(w->b->s, f->axes.at, "expected 'in body' or 'in ground', the axes that it is in");
+    }
+    return f->axes.text == NULL ? by_default : is_body;
+}
+
+/* A constant vector from the point of a body; false after noting a problem. */
+static bool find_beside(world *w, const formula *f, vector *beside)
+{
+    source *s = w->b->s;
+    graph *g = w->b->g;
+    const value found = value_any(&w->b->values, f);
+    if (found.count == 0) {
+        return false;
+    }
+    if (found.count != 3 || (!found.any && !dimension_equal_but_angle(found.of, metre))) {
+        source_problem(s, f->at, "expected a vector (x, y, z) m, from the point of the body");
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        beside->at[i] = found.parts[i];
+        if (changes(g, found.parts[i]) || uses_operation(g, &found.parts[i], 1, OP_INERTIA)) {
+            source_problem(s, f->at, "the inertia is that at the start: 'at' is a constant or a tunable");
+            return false;
+        }
+    }
+    return true;
+}
+
+/* inertia of BODY: what a force along each axis alone moves at the start, as three masses. */
+static value inertia_of_point(world *w, const formula *f, int which, vector point)
+{
+    mechanism *made = &w->b->made;
+    asked_inertia of = {which, point, vector_zero(w->b->g), in_body_axes(w, f, false)};
+    if (which < 0 || !made->frames[which].placed || (f->count > 1 && !find_beside(w, f->parts[1], &of.beside))) {
+        return nothing;
+    }
+    if (made->frames[which].link == GROUND) {
+        source_problem(w->b->s, f->parts[0]->at, "'%s' is a part of the ground: no force moves it", f->parts[0]->name);
+        return nothing;
+    }
+    const int first = made->dof_count + 3 * made->asked_inertia_count;
+    made->asked_inertias = arena_grow(w->b->s->memory, made->asked_inertias, (size_t)made->asked_inertia_count,
+                                      &made->asked_inertia_room, sizeof *made->asked_inertias);
+    made->asked_inertias[made->asked_inertia_count++] = of;
+    value found = {.count = 3, .of = kilogram};
+    for (int i = 0; i < 3; i++) {
+        found.parts[i] = leaf(w->b->g, OP_INERTIA, first + i);
+    }
+    return found;
+}
+
+/* position of BODY, and the like */
+static value point_value(world *w, const formula *f, int which, vector point)
+{
+    const mechanism *made = &w->b->made;
+    const size_t count = sizeof of_bodies / sizeof of_bodies[0];
+    size_t row = 0;
+    while (row < count && strcmp(f->name, of_bodies[row].word) != 0) {
+        row++;
+    }
+    if (row == count) {
+        source_problem(
+            w->b->s, f->at,
+            "a body has no %s: its position, velocity, spin, specific_force, inertia, x_axis, y_axis or z_axis",
+            f->name);
+    }
+    const bool is_measured =
+        row < count && (of_bodies[row].kind == ASKED_SPIN || of_bodies[row].kind == ASKED_SPECIFIC_FORCE);
+    const bool in_body = in_body_axes(w, f, is_measured);
+    if (row < count && f->axes.text != NULL && of_bodies[row].kind != ASKED_VELOCITY && !is_measured) {
+        source_problem(w->b->s, f->axes.at, "only a velocity, a spin and a specific force have axes to choose");
+    }
+    if (row == count || which < 0 || !made->frames[which].placed) {
+        return nothing;
+    }
+    const vector leaves = asked_of(w, of_bodies[row].kind, which, point, in_body);
+    value found = {.count = 3, .of = of_bodies[row].of};
+    memcpy(found.parts, leaves.at, sizeof leaves.at);
+    return found;
+}
+
+/* power, energy, loss and work of EFFECT, in the scene alone: there all that it does is known. */
+static bool find_account(world *w, const formula *f, value *found)
+{
+    enum { POWER, ENERGY, LOSS, WORK, WORDS };
+    static const char *const words[WORDS] = {"power", "energy", "loss", "work"};
+    const char *called = f->parts[0]->name;
+    size_t word = POWER;
+    while (word < WORDS && strcmp(f->name, words[word]) != 0) {
+        word++;
+    }
+    *found = nothing;
+    if (word < WORDS && !w->is_done) {
+        source_problem(w->b->s, f->at, "the %s of '%s' is for outputs only", f->name, called);
+        return true;
+    }
+    for (size_t i = 0; i < w->b->written->effect_count && word < WORDS; i++) {
+        const instance *in = &w->all[i];
+        if (in->use->name.text != NULL && strcmp(in->use->name.text, called) == 0) {
+            const node all[WORDS] = {in->account->power, in->account->stored, in->account->loss, in->account->work};
+            *found = (value){.count = in->kind != NULL, .parts = {all[word]}, .of = word == ENERGY ? joule : watt};
+            return true;
+        }
+    }
+    if (word < WORDS) {
+        source_problem(w->b->s, f->at, "no effect is called '%s'%s", called,
+                       suggest_effect(w->b->s, w->b->written, called));
+    }
+    return word < WORDS;
+}
+
+/* The body that the joint of a link carries: its own links lead from that body's to the parent's. */
+static int child_of(const mechanism *made, int at)
+{
+    int found = -1;
+    for (int child = 0; child < made->body_count; child++) {
+        const member *of = &made->members[child];
+        const int stop = of->parent == GROUND ? GROUND : made->frames[of->parent].link;
+        for (int i = made->frames[child].link; made->frames[child].placed && i != stop; i = made->links[i].parent) {
+            found = i == at ? child : found;
+        }
+    }
+    return found;
+}
+
+/* force of JOINT, moment of CLOSURE and the like: a fixed joint, which is no operand of an effect, is one of the scene. */
+static value reaction_value(world *w, const formula *f)
+{
+    builder *b = w->b;
+    const name called = {f->parts[0]->name, f->parts[0]->at};
+    const bool is_force = strcmp(f->name, "force") == 0;
+    int child = -1, loop = -1;
+    if (w->within == NULL) {
+        find_connection(b, called, &child, &loop);
+    } else {
+        const int l = link_of(w, called);
+        child = l < 0 ? -1 : child_of(&b->made, l);
+    }
+    if (f->axes.text != NULL) {
+        source_problem(b->s, f->axes.at, "a %s of a joint is in the axes of the ground", f->name);
+    }
+    if (loop < 0 && (child < 0 || !b->made.frames[child].placed)) {
+        return nothing;
+    }
+    const vector zero = vector_zero(b->g);
+    const vector leaves = leaves_of(w, (asked){is_force ? ASKED_FORCE : ASKED_MOMENT, child, zero, false, loop});
+    value found = {.count = 3, .of = is_force ? newton : newton_metre};
+    memcpy(found.parts, leaves.at, sizeof leaves.at);
+    return found;
+}
+
+value quantity_value(void *of, const formula *f)
+{
+    world *w = of;
+    if (strcmp(f->name, "force") == 0 || strcmp(f->name, "moment") == 0) {
+        return reaction_value(w, f);
+    }
+    value account;
+    if (find_account(w, f, &account)) {
+        return account;
+    }
+    graph *g = w->b->g;
+    const mechanism *made = &w->b->made;
+    int which;
+    vector point;
+    if (find_point(w, f->parts[0]->name, &which, &point)) {
+        return strcmp(f->name, "inertia") == 0 ? inertia_of_point(w, f, which, point) : point_value(w, f, which, point);
+    }
+    if (f->count > 1) {
+        source_problem(w->b->s, f->parts[1]->at, "'%s' is no body: only the inertia of a body is at a point",
+                       f->parts[0]->name);
+        return nothing;
+    }
+    const int i = link_of(w, (name){f->parts[0]->name, f->parts[0]->at});
+    if (i < 0) {
+        return nothing;
+    }
+    const link *l = &made->links[i];
+    if (strcmp(f->name, "inertia") == 0) {
+        static const dimension turning = {1, 2, 0, 0, 0, 0, 0};
+        return (value){
+            .count = 1, .parts = {leaf(g, OP_INERTIA, l->dof)}, .of = l->kind == JOINT_REVOLUTE ? turning : kilogram};
+    }
+    if (strcmp(f->name, "acceleration") == 0) {
+        value found = {.count = 1, .of = dimension_of_quantity("speed", l)};
+        dimension_times(&found.of, second, -1);
+        found.parts[0] = leaf(g, OP_DERIVATIVE, made->position_count + l->dof);
+        return found;
+    }
+    if (strcmp(f->name, "position") != 0 && strcmp(f->name, "speed") != 0) {
+        source_problem(w->b->s, f->at, "a joint has no %s: its position, speed, acceleration, inertia, force or moment",
+                       f->name);
+        return nothing;
+    }
+    const bool is_speed = strcmp(f->name, "speed") == 0;
+    value found = {.count = 1, .of = dimension_of_quantity(f->name, l)};
+    found.parts[0] = leaf(g, OP_STATE, is_speed ? made->position_count + l->dof : l->position);
+    return found;
+}

@@ -1,0 +1,164 @@
+/* Functions of time in the formulas of effects, signals and outputs: each is an input of its own, which the scene drives with
+ * it; `time` itself is one for all. Inputs are numbered before any formula is evaluated, so these are looked for first. */
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/effects/effects.h"
+#include "tools/isoc/formula/timing.h"
+#include "tools/isoc/formula/waveform.h"
+#include "tools/isoc/scene/names.h"
+
+static const value nothing = {0};
+
+static bool is_time(const formula *f)
+{
+    return f->kind == FORMULA_NAME && strcmp(f->name, "time") == 0;
+}
+
+static bool is_stream(const formula *f)
+{
+    static const char *const words[] = {"noise", "step", "square", "prbs", "chirp"};
+    bool is = f->kind == FORMULA_FILE || is_time(f);
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        is = is || (f->kind == FORMULA_CALL && strcmp(f->name, words[i]) == 0);
+    }
+    return is;
+}
+
+static stream *stream_of(const builder *b, const formula *f, const effect_use *within)
+{
+    for (int i = 0; i < b->stream_count; i++) {
+        stream *of = &b->streams[i];
+        if (is_time(f) ? is_time(of->of) : of->of == f && of->within == within) {
+            return of;
+        }
+    }
+    return NULL;
+}
+
+static void add_streams(builder *b, const formula *f, const effect_use *within)
+{
+    if (f == NULL) {
+        return;
+    }
+    const size_t all = b->written->input_count + (size_t)(b->made.memory_count + b->stream_count);
+    const bool is_new = is_stream(f) && stream_of(b, f, within) == NULL;
+    if (is_new && all == MOST_MEMORIES) {
+        source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
+    }
+    if (is_new && all < MOST_MEMORIES) {
+        b->streams = arena_grow(b->s->memory, b->streams, (size_t)b->stream_count, &b->stream_room, sizeof *b->streams);
+        b->streams[b->stream_count++] = (stream){.of = f, .within = is_time(f) ? NULL : within};
+    }
+    for (size_t i = 0; i < f->count; i++) {
+        add_streams(b, f->parts[i], within);
+    }
+}
+
+/* Whether the use gives what a line would have as its default. */
+static bool is_given(const effect_use *use, const effect_line *line)
+{
+    bool is = false;
+    for (size_t i = 0; i < use->operand_count && line->kind < EFFECT_FAULT; i++) {
+        is = is || (line->name.text != NULL && strcmp(use->operands[i].name.text, line->name.text) == 0);
+    }
+    return is;
+}
+
+void find_streams(builder *b)
+{
+    const scene *written = b->written;
+    for (size_t i = 0; i < written->effect_count; i++) {
+        const effect_use *use = &written->effects[i];
+        const effect_kind *kind = use->left_out ? NULL : find_effect_kind(written, use->kind);
+        for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
+            if (!is_given(use, &kind->lines[n])) {
+                add_streams(b, kind->lines[n].value, use);
+                add_streams(b, kind->lines[n].most, use);
+            }
+        }
+        for (size_t n = 0; kind != NULL && n < use->operand_count; n++) {
+            add_streams(b, use->operands[n].value, NULL);
+        }
+    }
+    for (size_t i = 0; i < written->signal_count; i++) {
+        add_streams(b, written->signals[i].left_out ? NULL : written->signals[i].value, NULL);
+    }
+    for (size_t i = 0; i < written->output_count; i++) {
+        add_streams(b, written->outputs[i].formula, NULL);
+    }
+}
+
+void build_streams(builder *b)
+{
+    mechanism *made = &b->made;
+    const int first = (int)b->written->input_count;
+    made->streamed = arena_take(b->s->memory, (size_t)made->input_count + 1, sizeof *made->streamed);
+    made->streams = arena_take(b->s->memory, (size_t)b->stream_count + 1, sizeof *made->streams);
+    made->stream_count = b->stream_count;
+    for (int i = 0; i < first; i++) {
+        made->streamed[i] = -1;
+    }
+    for (int i = 0; i < b->stream_count; i++) {
+        const stream *of = &b->streams[i];
+        const name origin = of->within != NULL ? of->within->name : (name){NULL, of->of->at};
+        made->streamed[first + i] = i;
+        made->streams[i] = (streamed){of->of->name, origin};
+        made->inputs[first + i] = (variable){.name = arena_format(b->s->memory, "made_%s_%d", of->of->name, i + 1),
+                                             .unit = is_time(of->of) ? "s" : "1",
+                                             .quote = source_quote(b->s, of->of->at),
+                                             .least = -HUGE_VAL,
+                                             .most = HUGE_VAL};
+        made->driven[first + i] = true;
+        made->drives[first + i] = constant(b->g, 0.0);
+    }
+}
+
+/* Of an effect its seeds are its own: those of its name (FNV-1a: Fowler, Noll, Vo) and beyond, as the definition has them. */
+static uint32_t seed_of(const effect_use *within)
+{
+    uint32_t hash = UINT32_C(2166136261);
+    for (const char *c = within == NULL ? NULL : within->name.text; c != NULL && *c != '\0'; c++) {
+        hash = (hash ^ (unsigned char)*c) * UINT32_C(16777619);
+    }
+    return within == NULL ? 0 : hash;
+}
+
+/* What drives its input; count 0 after noting a problem. */
+static value drive_of(builder *b, const formula *f, const effect_use *within)
+{
+    const size_t before = b->s->problem_count;
+    if (f->kind == FORMULA_CALL && strcmp(f->name, "noise") == 0) {
+        uint32_t seed;
+        const bool is_seed = noise_seed(&b->values, f, &seed) && b->s->problem_count == before;
+        return is_seed ? (value){.count = 1, .parts = {noise_of_seed(b->g, seed_of(within) + seed)}} : nothing;
+    }
+    b->values.time_allowed = true;
+    const value found = value_any(&b->values, f);
+    b->values.time_allowed = false;
+    tables_forget(&b->values, f);
+    if (found.count == 1) {
+        find_edges(b, found.parts[0]);
+    }
+    return found;
+}
+
+value stream_value(void *of, const formula *f)
+{
+    const world *w = of;
+    builder *b = w->b;
+    const effect_use *within = w->within == NULL ? NULL : w->within->use;
+    stream *s = stream_of(b, f, within);
+    if (s == NULL) { /* only its dimension is asked for */
+        return (value){.count = 1, .parts = {constant(b->g, 0.0)}, .of = is_time(f) ? second : no_unit};
+    }
+    if (s->made.count == 0) {
+        const int input = (int)b->written->input_count + (int)(s - b->streams);
+        s->made = drive_of(b, f, within);
+        if (s->made.count == 1) {
+            b->made.drives[input] = s->made.parts[0];
+            s->made.parts[0] = leaf(b->g, OP_INPUT, input);
+        }
+    }
+    return s->made;
+}

@@ -1,0 +1,513 @@
+#include "tools/isoc/formula/functions.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/base/elementary.h"
+#include "tools/isoc/formula/impact.h"
+#include "tools/isoc/formula/table.h"
+#include "tools/isoc/formula/timing.h"
+#include "tools/isoc/formula/waveform.h"
+#include "tools/isoc/graph/vector.h"
+
+static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
+static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
+static const double half_pi = 1.57079632679489661923;
+static const value nothing = {0};
+
+/* A function: what it takes, and its value for arguments that are numbers. A problem of its own is noted at the call. */
+typedef struct function_row {
+    const char *name, *example;
+    size_t least, most; /* arguments */
+    int parts;          /* of each: 1, or those of a vector */
+    value (*call)(values *v, const formula *f, const value *given);
+} function_row;
+
+/* A comparison has no name. */
+static const char *name_of(const formula *f)
+{
+    return f->kind == FORMULA_ORDER ? "a comparison" : f->name;
+}
+
+static value scalar(node n, dimension of)
+{
+    return (value){.count = 1, .parts = {n}, .of = of};
+}
+
+static bool has_dimension(values *v, const formula *f, size_t i, const value *given, dimension of)
+{
+    if (!given[i].any && !agree(v, given[i].of, of)) {
+        source_problem(v->s, f->parts[i]->at, "%s %s; this %s", arena_format(v->s->memory, "what %s is of", f->name),
+                       dimension_phrase(v->s->memory, of), dimension_phrase(v->s->memory, given[i].of));
+        return false;
+    }
+    return true;
+}
+
+/* All arguments from this one on have one dimension, but for plain zeros. */
+static bool share_dimension(values *v, const formula *f, size_t first, const value *given, value *made)
+{
+    *made = given[first];
+    for (size_t i = first + 1; i < f->count; i++) {
+        if (!given[i].any && !made->any && !agree(v, given[i].of, made->of)) {
+            source_problem(v->s, f->parts[i]->at, "%s of %s and of %s: they must have the same unit", name_of(f),
+                           dimension_text(v->s->memory, made->of), dimension_text(v->s->memory, given[i].of));
+            return false;
+        }
+        gather(made, &given[i]);
+    }
+    return true;
+}
+
+static bool depends_on_time(values *v, node n)
+{
+    bool *needed = arena_take(v->s->memory, v->g->count, sizeof *needed), found = false;
+    graph_reach(v->g, &n, 1, needed);
+    for (size_t i = 0; i < v->g->count; i++) {
+        found = found || (needed[i] && is_timed(v->g, (node)i));
+    }
+    arena_return(v->s->memory, needed, v->g->count, sizeof *needed);
+    return found;
+}
+
+/* Whether a number stays within these limits, as far as tunables and constants tell; a limit is excluded with is_strict. */
+static bool stays_within(values *v, node x, double least, double most, bool is_strict)
+{
+    const node low = constant(v->g, least), high = constant(v->g, most);
+    const bool is_above = keeps(v, (condition){low, x, is_strict}),
+               is_below = keeps(v, (condition){x, high, is_strict});
+    return is_above && is_below;
+}
+
+static bool stays_above(values *v, node x, double least, bool is_strict)
+{
+    return keeps(v, (condition){constant(v->g, least), x, is_strict});
+}
+
+/* --- of angles --- */
+
+/* The sine and the cosine of an angle. One that is a whole number of quarter turns, to the rounding of its unit and of
+ * pi (2 ulp), counts as exactly that. */
+static bool turn_of(values *v, const formula *f, const value *given, node *sine_made, node *cosine_made)
+{
+    static const double sines[] = {0.0, 1.0, 0.0, -1.0};
+    const node angle = given[0].parts[0];
+    const double now = value_now(v, angle), quarters = floor(now / half_pi + 0.5);
+    if (!stays_within(v, angle, -largest_angle, largest_angle, false)) {
+        source_problem(v->s, f->parts[0]->at, "an angle must be within %g rad", largest_angle);
+        return false;
+    }
+    if (!is_constant(v->g, angle) && depends_on_time(v, angle)) {
+        source_problem(v->s, f->parts[0]->at, "an angle that depends on time is given by its frequency: %s(3 Hz)",
+                       f->name);
+        return false;
+    }
+    const bool exact = is_constant(v->g, angle) && fabs(now - quarters * half_pi) <= 2 * DBL_EPSILON * fabs(now);
+    const int quadrant = (int)quarters & 3;
+    *sine_made = exact ? constant(v->g, sines[quadrant]) : sine(v->g, angle);
+    *cosine_made = exact ? constant(v->g, sines[(quadrant + 1) & 3]) : cosine(v->g, angle);
+    return true;
+}
+
+static bool is_angle(const values *v, const value *given)
+{
+    return given[0].any || agree(v, given[0].of, radian);
+}
+
+static bool is_frequency(const values *v, const value *given)
+{
+    static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
+    return agree(v, given[0].of, hertz) || agree(v, given[0].of, speed);
+}
+
+/* Of an angle; of a frequency it is a wave, which may have a phase. */
+static value call_sine(values *v, const formula *f, const value *given)
+{
+    node s, c;
+    if (f->count == 2 || is_frequency(v, given)) {
+        return wave_of_formula(v, f);
+    }
+    if (!is_angle(v, given)) {
+        source_problem(v->s, f->parts[0]->at, "%s is of an angle, as in %s(30 deg), or of a frequency; this %s",
+                       f->name, f->name, dimension_phrase(v->s->memory, given[0].of));
+        return nothing;
+    }
+    return turn_of(v, f, given, &s, &c) ? scalar(f->name[0] == 's' ? s : c, plain) : nothing;
+}
+
+static value call_tangent(values *v, const formula *f, const value *given)
+{
+    node s, c;
+    if (!has_dimension(v, f, 0, given, radian) || !turn_of(v, f, given, &s, &c)) {
+        return nothing;
+    }
+    if (is_parametric(v, c) && value_now(v, c) == 0.0) {
+        source_problem(v->s, f->parts[0]->at, "the tangent of a quarter turn is infinite");
+        return nothing;
+    }
+    return scalar(divide(v->g, s, c), plain);
+}
+
+/* asin and acos: beyond 1 only by the rounding of what gave the argument. asin x is the angle of (sqrt(1 - x^2), x). */
+static value call_inverse(values *v, const formula *f, const value *given)
+{
+    const node x = given[0].parts[0], one = constant(v->g, 1.0);
+    const bool is_sine = f->name[1] == 's';
+    if (!has_dimension(v, f, 0, given, plain)) {
+        return nothing;
+    }
+    if (!stays_within(v, x, -1.0 - 4 * DBL_EPSILON, 1.0 + 4 * DBL_EPSILON, false)) {
+        source_problem(v->s, f->parts[0]->at, "%s is of a number from -1 to 1; this is %g", f->name, value_now(v, x));
+        return nothing;
+    }
+    if (is_constant(v->g, x)) {
+        const double limited = fmax(-1.0, fmin(constant_value(v->g, x), 1.0));
+        return scalar(constant(v->g, is_sine ? elementary_asin(limited) : elementary_acos(limited)), radian);
+    }
+    const node less = sub(v->g, one, x), more = add(v->g, one, x);
+    const node other = function(v->g, OP_SQRT, mul(v->g, less, more), 0);
+    return scalar(is_sine ? function(v->g, OP_ATAN2, x, other) : function(v->g, OP_ATAN2, other, x), radian);
+}
+
+static value call_direction(values *v, const formula *f, const value *given)
+{
+    const node y = given[0].parts[0], x = given[1].parts[0];
+    value both;
+    if (!share_dimension(v, f, 0, given, &both)) {
+        return nothing;
+    }
+    if (is_parametric(v, y) && is_parametric(v, x) && value_now(v, y) == 0.0 && value_now(v, x) == 0.0) {
+        source_problem(v->s, f->at, "atan2 of 0 and 0: that point has no direction");
+        return nothing;
+    }
+    return scalar(function(v->g, OP_ATAN2, y, x), radian);
+}
+
+/* --- of plain numbers, and of any --- */
+
+static value call_root(values *v, const formula *f, const value *given)
+{
+    const dimension of = given[0].of;
+    const node x = given[0].parts[0];
+    const bool halves = of.rad % 2 == 0;
+    dimension even = of, root;
+    even.rad = halves || v->around == NULL ? of.rad : 0;
+    if (!dimension_root(even, &root)) {
+        source_problem(v->s, f->parts[0]->at, "the root of %s has no unit: each power but that of a time must be even",
+                       dimension_text(v->s->memory, of));
+        return nothing;
+    }
+    if (!stays_above(v, x, 0.0, false)) {
+        source_problem(v->s, f->parts[0]->at, "the root of a negative number: %g", value_now(v, x));
+        return nothing;
+    }
+    value made = given[0];
+    made.parts[0] = function(v->g, OP_SQRT, x, 0);
+    made.of = root;
+    return made;
+}
+
+static value call_exp(values *v, const formula *f, const value *given)
+{
+    static const double largest = 700.0; /* e^709.8 is the largest double */
+    const node x = given[0].parts[0];
+    if (!has_dimension(v, f, 0, given, plain)) {
+        return nothing;
+    }
+    if (!stays_within(v, x, -largest, largest, false)) {
+        source_problem(v->s, f->parts[0]->at, "exp is of a number from -%g to %g; this is %g", largest, largest,
+                       value_now(v, x));
+        return nothing;
+    }
+    return scalar(function(v->g, OP_EXP, x, 0), plain);
+}
+
+static value call_log(values *v, const formula *f, const value *given)
+{
+    const node x = given[0].parts[0];
+    if (!has_dimension(v, f, 0, given, plain)) {
+        return nothing;
+    }
+    if (!stays_above(v, x, 0.0, true)) {
+        source_problem(v->s, f->parts[0]->at, "log is of a number larger than zero; this is %g", value_now(v, x));
+        return nothing;
+    }
+    return scalar(function(v->g, OP_LOG, x, 0), plain);
+}
+
+static value call_tanh(values *v, const formula *f, const value *given)
+{
+    return has_dimension(v, f, 0, given, plain) ? scalar(function(v->g, OP_TANH, given[0].parts[0], 0), plain)
+                                                : nothing;
+}
+
+static value call_impact(values *v, const formula *f, const value *given)
+{
+    const node e = given[0].parts[0];
+    if (!has_dimension(v, f, 0, given, plain)) {
+        return nothing;
+    }
+    if (!stays_within(v, e, LEAST_RESTITUTION, 1.0, false)) {
+        source_problem(v->s, f->parts[0]->at, "%s is of a restitution from %g to 1; this is %g", f->name,
+                       LEAST_RESTITUTION, value_now(v, e));
+        return nothing;
+    }
+    return scalar(impact_damping(v->g, e), plain);
+}
+
+/* What has a corner is no function of time in a motion. */
+static bool refuses_corner(values *v, const formula *f, const value *given, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (v->is_smooth && depends_on_time(v, given[i].parts[0])) {
+            source_problem(v->s, f->at, "a motion must be smooth, and %s has a corner", name_of(f));
+            return true;
+        }
+    }
+    return false;
+}
+
+static value call_abs(values *v, const formula *f, const value *given)
+{
+    value made = given[0];
+    if (refuses_corner(v, f, given, f->count)) {
+        return nothing;
+    }
+    made.parts[0] = magnitude(v->g, made.parts[0]);
+    return made;
+}
+
+static value call_extreme(values *v, const formula *f, const value *given)
+{
+    const bool largest = f->name[1] == 'a';
+    value made;
+    if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given, f->count)) {
+        return nothing;
+    }
+    for (size_t i = 1; i < f->count; i++) {
+        const node next = given[i].parts[0];
+        made.parts[0] = largest ? larger(v->g, made.parts[0], next) : function(v->g, OP_MIN, made.parts[0], next);
+    }
+    return made;
+}
+
+static value call_clamp(values *v, const formula *f, const value *given)
+{
+    value made;
+    const node least = given[1].parts[0], most = given[2].parts[0];
+    if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given, f->count)) {
+        return nothing;
+    }
+    if (!keeps(v, (condition){least, most, false})) {
+        source_problem(v->s, f->parts[1]->at, "the limits are in the wrong order: clamp(x, LEAST, MOST)");
+        return nothing;
+    }
+    made.parts[0] = function(v->g, OP_MIN, larger(v->g, made.parts[0], least), most);
+    return made;
+}
+
+static value call_sign(values *v, const formula *f, const value *given)
+{
+    return refuses_corner(v, f, given, f->count) ? nothing
+                                                 : scalar(function(v->g, OP_SIGN, given[0].parts[0], 0), plain);
+}
+
+static value call_whole(values *v, const formula *f, const value *given)
+{
+    const operation op = f->name[0] == 'f' ? OP_FLOOR : OP_ROUND;
+    if (!has_dimension(v, f, 0, given, plain) || refuses_corner(v, f, given, f->count)) {
+        return nothing;
+    }
+    return scalar(function(v->g, op, given[0].parts[0], 0), plain);
+}
+
+/* if(condition, a, b): a where the condition is 1, b where it is 0. Exactly one of both is added to zero. */
+static value call_if(values *v, const formula *f, const value *given)
+{
+    value made;
+    if (!has_dimension(v, f, 0, given, plain) || !share_dimension(v, f, 1, given, &made) ||
+        refuses_corner(v, f, given, f->count)) {
+        return nothing;
+    }
+    const node holds = function(v->g, OP_WHERE, given[0].parts[0], given[1].parts[0]);
+    const node fails = function(v->g, OP_UNLESS, given[0].parts[0], given[2].parts[0]);
+    made.parts[0] = add(v->g, holds, fails);
+    return made;
+}
+
+value order_of_formula(values *v, const formula *f)
+{
+    value given[2];
+    given[0] = value_any(v, f->parts[0]);
+    given[1] = value_any(v, f->parts[1]);
+    value both;
+    if (given[0].count == 0 || given[1].count == 0) {
+        return nothing;
+    }
+    if (given[0].count != 1 || given[1].count != 1) {
+        source_problem(v->s, f->at, "a comparison is of numbers; this is a vector");
+        return nothing;
+    }
+    if (!share_dimension(v, f, 0, given, &both) || refuses_corner(v, f, given, f->count)) {
+        return nothing;
+    }
+    const node a = given[0].parts[0], b = given[1].parts[0];
+    const bool or_equal = f->number > 0.0;
+    /* a <= b where a is not above b. */
+    const node is_above = (f->sign == '>') != or_equal ? above(v->g, a, b) : above(v->g, b, a);
+    return scalar(or_equal ? sub(v->g, constant(v->g, 1.0), is_above) : is_above, plain);
+}
+
+static value call_noise(values *v, const formula *f, const value *given)
+{
+    (void)given;
+    return noise_of_formula(v, f);
+}
+
+/* Of time, in an input: a motion is smooth. */
+static value call_waveform(values *v, const formula *f, const value *given)
+{
+    (void)given;
+    return waveform_of_formula(v, f);
+}
+
+static value call_table(values *v, const formula *f)
+{
+    const value made = f->number > 1.0 ? grid_of_formula(v, f) : table_of_formula(v, f);
+    return made.count > 0 && refuses_corner(v, f, &made, 1) ? nothing : made;
+}
+
+/* What is kept of a formula, which is not evaluated yet. */
+static value call_past(values *v, const formula *f)
+{
+    if (v->around == NULL) {
+        source_problem(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
+                       f->name);
+        return nothing;
+    }
+    return v->around->past(v->around->of, f);
+}
+
+/* --- of vectors --- */
+
+static vector vector_of_value(const value *v)
+{
+    return (vector){{v->parts[0], v->parts[1], v->parts[2]}};
+}
+
+static value call_dot(values *v, const formula *f, const value *given)
+{
+    dimension of = given[0].of;
+    if (!multiply(v, f, &of, given[1].of, 1)) {
+        return nothing;
+    }
+    return scalar(vector_dot(v->g, vector_of_value(&given[0]), vector_of_value(&given[1])), of);
+}
+
+static value call_cross(values *v, const formula *f, const value *given)
+{
+    value made = {.count = 3, .of = given[0].of};
+    if (!multiply(v, f, &made.of, given[1].of, 1)) {
+        return nothing;
+    }
+    const vector product = vector_cross(v->g, vector_of_value(&given[0]), vector_of_value(&given[1]));
+    memcpy(made.parts, product.at, sizeof product.at);
+    return made;
+}
+
+/* A number far below what the unit can mean keeps the derivative finite at zero. */
+static value call_norm(values *v, const formula *f, const value *given)
+{
+    static const double least = 1e-30;
+    const vector a = vector_of_value(&given[0]);
+    const node square = add(v->g, vector_dot(v->g, a, a), constant(v->g, least));
+    (void)f;
+    return scalar(function(v->g, OP_SQRT, square, 0), given[0].of);
+}
+
+/* --- all of them --- */
+
+enum { ANY_NUMBER = 64 };
+
+static const function_row functions[] = {
+    {"sqrt", "sqrt(2)", 1, 1, 1, call_root},
+    {"sin", "sin(30 deg), or in an input sin(3 Hz, 90 deg)", 1, 2, 1, call_sine},
+    {"cos", "cos(30 deg), or in an input cos(3 Hz, 90 deg)", 1, 2, 1, call_sine},
+    {"tan", "tan(30 deg)", 1, 1, 1, call_tangent},
+    {"asin", "asin(0.5)", 1, 1, 1, call_inverse},
+    {"acos", "acos(0.5)", 1, 1, 1, call_inverse},
+    {"atan2", "atan2(3 mm, 4 mm)", 2, 2, 1, call_direction},
+    {"exp", "exp(-1)", 1, 1, 1, call_exp},
+    {"log", "log(2)", 1, 1, 1, call_log},
+    {"min", "min(1 m, 2 m)", 2, ANY_NUMBER, 1, call_extreme},
+    {"max", "max(1 m, 2 m)", 2, ANY_NUMBER, 1, call_extreme},
+    {"abs", "abs(-1 m)", 1, 1, 1, call_abs},
+    {"tanh", "tanh(0.5)", 1, 1, 1, call_tanh},
+    {"impact_damping", "impact_damping(0.8), of a restitution", 1, 1, 1, call_impact},
+    {"sign", "sign(-1 m)", 1, 1, 1, call_sign},
+    {"floor", "floor(2.5)", 1, 1, 1, call_whole},
+    {"round", "round(2.5)", 1, 1, 1, call_whole},
+    {"clamp", "clamp(x, -1 m, 1 m)", 3, 3, 1, call_clamp},
+    {"if", "if(x > 0, 1 m, 2 m)", 3, 3, 1, call_if},
+    {"dot", "dot(a, b), of two vectors", 2, 2, 3, call_dot},
+    {"cross", "cross(a, b), of two vectors", 2, 2, 3, call_cross},
+    {"norm", "norm(a), of a vector", 1, 1, 3, call_norm},
+    {"noise", "noise(7), with a seed", 1, 1, 1, call_noise},
+    {"step", "step(0.5 s)", 1, 1, 1, call_waveform},
+    {"square", "square(2 Hz), or with a phase square(2 Hz, 90 deg)", 1, 2, 1, call_waveform},
+    {"prbs", "prbs(7), with a seed; or with the time of a bit and their order, prbs(7, 10 ms, 9)", 1, 3, 1,
+     call_waveform},
+    {"chirp", "chirp(1 Hz, 50 Hz, 10 s), from one frequency to another, and how long it takes", 3, 3, 1, call_waveform},
+    {"previous", "previous(x), or with a start previous(x, 0 V)", 1, 2, 0, NULL},
+    {"delay", "delay(x, 5 ms), or with a start delay(x, 5 ms, 0 V)", 2, 3, 0, NULL},
+    {"sample", "sample(x, every 5 ms), or with a start sample(x, every 5 ms, 0 V)", 2, 3, 0, NULL},
+    {"table", NULL, 0, 0, 1, NULL},
+    {"ramp", NULL, 0, 0, 1, NULL},
+};
+enum { FUNCTIONS = sizeof functions / sizeof functions[0] };
+
+static const function_row *find_function(values *v, const formula *f)
+{
+    const char *names[FUNCTIONS];
+    for (size_t i = 0; i < FUNCTIONS; i++) {
+        names[i] = functions[i].name;
+        if (strcmp(f->name, names[i]) == 0) {
+            return &functions[i];
+        }
+    }
+    source_problem(v->s, f->at, "no function is called '%s'%s", f->name,
+                   source_suggestion(v->s, f->name, names, FUNCTIONS));
+    return NULL;
+}
+
+value call_of_formula(values *v, const formula *f)
+{
+    const function_row *row = find_function(v, f);
+    if (row == NULL) {
+        return nothing;
+    }
+    if (row->call == NULL && row->example == NULL) {
+        return f->number > 0.0 && f->name[0] == 't' ? call_table(v, f) : points_of_formula(v, f);
+    }
+    if (f->count < row->least || f->count > row->most) {
+        source_problem(v->s, f->at, "%s is written like this: %s", f->name, row->example);
+        return nothing;
+    }
+    if (row->call == NULL) {
+        return call_past(v, f);
+    }
+    value given[ANY_NUMBER];
+    for (size_t i = 0; i < f->count; i++) {
+        given[i] = value_any(v, f->parts[i]);
+        if (given[i].count == 0) {
+            return nothing;
+        }
+        if (given[i].count != row->parts) {
+            source_problem(v->s, f->parts[i]->at, "%s is of %s; this is %s", f->name,
+                           row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "none");
+            return nothing;
+        }
+    }
+    return row->call(v, f, given);
+}

@@ -1,0 +1,172 @@
+#include "tools/isoc/formula/measured.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/isoc/base/real_range.h"
+#include "tools/isoc/formula/timing.h"
+#include "tools/isoc/formula/waveform.h"
+
+enum { MOST_POINTS = 65535, SHOWN = 40 };
+
+static const double most_ticks = 4e9; /* of 2^32 */
+static const value nothing = {0};
+static const char digits[] = "0123456789+-."; /* what a number begins with */
+
+/* The points of a file, in ticks and values. */
+typedef struct points {
+    double *ticks, *values;
+    size_t count, room, value_room;
+} points;
+
+static bool ends_field(char c)
+{
+    return c == ',' || c == ';' || c == '\n' || c == '\r' || c == '\0';
+}
+
+static const char *skip_blanks(const char *c)
+{
+    return c + strspn(c, " \t");
+}
+
+/* A field that is a decimal number and nothing else. */
+static bool number_of_field(const char *from, double *number)
+{
+    char *end;
+    const char *c = skip_blanks(from);
+    if (strchr(digits, *c) == NULL || *c == '\0' || (c[0] == '0' && (c[1] | 32) == 'x')) {
+        return false;
+    }
+    *number = strtod(c, &end);
+    return end > c && ends_field(*skip_blanks(end)) && isfinite(*number);
+}
+
+/* The field of this number, from 1 on; NULL where the line has none. */
+static const char *field_of(const char *line, int number)
+{
+    for (; number > 1; number--) {
+        line += strcspn(line, ",;\n\r");
+        if (*line != ',' && *line != ';') {
+            return NULL;
+        }
+        line++;
+    }
+    return line;
+}
+
+static void refuse_field(values *v, const formula *f, const char *field, const char *what)
+{
+    const char *c = skip_blanks(field);
+    size_t length = strcspn(c, ",;\n\r");
+    length = length < SHOWN ? length : SHOWN;
+    source_problem(v->s, f->text_at + (size_t)(c - f->file->text), "expected a number, %s; found '%.*s'", what,
+                   (int)length, c);
+}
+
+/* Adds the point of a line; false after noting a problem. */
+static bool add_point(values *v, const formula *f, points *all, const char *line)
+{
+    double time, number;
+    const char *field = field_of(line, (int)f->number);
+    const place at = f->text_at + (size_t)(skip_blanks(line) - f->file->text);
+    if (!number_of_field(line, &time)) {
+        refuse_field(v, f, line, "the time in s");
+        return false;
+    }
+    if (field == NULL) {
+        source_problem(v->s, at, "this line has no column %.0f", f->number);
+        return false;
+    }
+    if (!number_of_field(field, &number)) {
+        refuse_field(v, f, field, "a value");
+        return false;
+    }
+    const double ticks = time / v->step;
+    if (ticks < 0.0 || ticks > most_ticks || (all->count > 0 && !(ticks > all->ticks[all->count - 1]))) {
+        source_problem(v->s, at, "the times of a file increase, from 0 or later to %g s at most with this step",
+                       most_ticks * v->step);
+        return false;
+    }
+    if (!real_holds(number, v->is_double)) {
+        source_problem(v->s, f->text_at + (size_t)(skip_blanks(field) - f->file->text), "the value is %g; %s", number,
+                       real_advice(number, v->is_double));
+        return false;
+    }
+    if (all->count == MOST_POINTS) {
+        source_problem(v->s, at, "more than %d points", MOST_POINTS);
+        return false;
+    }
+    all->ticks = arena_grow(v->s->memory, all->ticks, all->count, &all->room, sizeof *all->ticks);
+    all->values = arena_grow(v->s->memory, all->values, all->count, &all->value_room, sizeof *all->values);
+    all->ticks[all->count] = ticks;
+    all->values[all->count++] = number;
+    return true;
+}
+
+/* Every line has a point, but for empty ones, comments, and a first one of names. */
+static bool read_points(values *v, const formula *f, points *all)
+{
+    bool is_first = true;
+    for (const char *line = f->file->text; *line != '\0';) {
+        const char *begins = skip_blanks(line);
+        const bool is_empty = *begins == '#' || *begins == '\n' || *begins == '\r' || *begins == '\0';
+        const bool is_heading = is_first && strchr(digits, *begins) == NULL;
+        if (!is_empty && !is_heading && !add_point(v, f, all, line)) {
+            return false;
+        }
+        is_first = is_first && is_empty;
+        line += strcspn(line, "\n");
+        line += *line == '\n';
+    }
+    if (all->count == 0) {
+        source_problem(v->s, f->at, "'%s' has no points: lines of time and value, with a comma between", f->file->path);
+    }
+    return all->count > 0;
+}
+
+static void add_line(tick_table *to, double first, double of, double slope)
+{
+    to->words[to->count] = (uint32_t)first;
+    to->values[to->count] = of;
+    to->slopes[to->count++] = slope;
+}
+
+/* Each line from the first tick that is not before its beginning, unless the next begins by then. */
+static void lines_of_points(values *v, const points *all, tick_table *to)
+{
+    to->words = arena_take(v->s->memory, all->count + 1, sizeof *to->words);
+    to->values = arena_take(v->s->memory, all->count + 1, sizeof *to->values);
+    to->slopes = arena_take(v->s->memory, all->count + 1, sizeof *to->slopes);
+    if (first_tick_of(all->ticks[0]) > 0.0) {
+        add_line(to, 0.0, all->values[0], 0.0);
+    }
+    for (size_t i = 0; i + 1 < all->count; i++) {
+        const double from = all->ticks[i], length = all->ticks[i + 1] - from, begins = first_tick_of(from);
+        const double slope = (all->values[i + 1] - all->values[i]) / length;
+        const double late = is_whole_tick(from) ? 0.0 : begins - from;
+        if (first_tick_of(all->ticks[i + 1]) > begins) {
+            add_line(to, begins, all->values[i] + slope * late, slope);
+        }
+    }
+    add_line(to, first_tick_of(all->ticks[all->count - 1]), all->values[all->count - 1], 0.0);
+}
+
+value file_of_formula(values *v, const formula *f)
+{
+    if (is_streamed(v)) {
+        return v->around->stream(v->around->of, f);
+    }
+    const tick_table *before = table_made(v, f);
+    points all = {0};
+    if (!is_in_input(v, f) || (before == NULL && !read_points(v, f, &all))) {
+        return nothing;
+    }
+    if (before == NULL) {
+        tick_table *made = table_new(v, f, OP_LINES);
+        made->made = timed_by_index(v->g, OP_LINES, 0.0, 0.0, (int)v->table_count - 1);
+        lines_of_points(v, &all, made);
+        before = made;
+    }
+    return (value){.count = 1, .parts = {before->made}};
+}

@@ -1,0 +1,117 @@
+/* The value of a formula: nodes with a dimension. */
+#ifndef ISOC_FORMULA_VALUE_H
+#define ISOC_FORMULA_VALUE_H
+
+#include "tools/isoc/base/dictionary.h"
+#include "tools/isoc/graph/graph.h"
+#include "tools/isoc/scene/scene.h"
+
+enum { VALUE_PARTS = 6 };
+
+typedef struct value {
+    int count; /* of parts: 1 a scalar, 3 a vector, 2, 4 or 6; 0: a problem has been noted */
+    node parts[VALUE_PARTS];
+    dimension of;
+    bool any;      /* a plain zero, which is zero in every unit */
+    bool on_scale; /* written in degC: not to be multiplied */
+} value;
+
+/* How far the value of a parameter is. */
+typedef enum progress { NOT_YET, STARTED, DONE } progress;
+
+/* What effects and signals can name besides parameters. There numbers change with the states, and a radian is the number
+ * one. */
+typedef struct surroundings {
+    void *of;
+    bool (*find)(void *of, const formula *f, value *found); /* false: there is no such name */
+    value (*quantity)(void *of, const formula *f);          /* position of JOINT */
+    value (*past)(void *of, const formula *f);              /* previous(x), sample(x, every T), delay(x, T) */
+    value (*stream)(void *of, const formula *f);            /* a function of time: noise(SEED), step(0.5 s), time */
+} surroundings;
+
+/* What a function of the tick reads: the bits of a sequence, the coefficients of a sweep, or straight lines. */
+typedef struct tick_table {
+    operation op; /* OP_PRBS, OP_CHIRP or OP_LINES */
+    const formula *of;
+    node made;
+    uint32_t *words; /* bits; or the ticks at which the lines begin */
+    double *values, *slopes;
+    size_t count;
+    double first, last; /* of a sweep, in turns: in its first tick, in a tick after it */
+    double curve, ticks;
+} tick_table;
+
+/* What must hold of tunables: least <= most, or with is_strict least < most. */
+typedef struct condition {
+    node least, most;
+    bool is_strict;
+} condition;
+
+/* The scene's parameters and the graph that formulas become nodes of. */
+typedef struct values {
+    source *s;
+    graph *g;
+    const scene *scene;
+    bool is_double;             /* the number type of the plant */
+    size_t scanned;             /* nodes that were looked at for constants out of its range */
+    bool is_foreign;            /* one of them is */
+    double step;                /* s; functions of time need it */
+    bool time_allowed;          /* in the formula of an input or a motion */
+    bool is_smooth;             /* of a motion */
+    const surroundings *around; /* NULL: nothing else */
+    value *parameters;          /* of the scene's, where resolved */
+    progress *progress;
+    dictionary names;   /* of the parameters */
+    int *tunable_index; /* of a parameter: how many tunables are before it */
+    double *defaults;   /* of the tunables, by index */
+    int tunables;
+    double *numbers; /* of the nodes so far, with the tunables at their defaults */
+    size_t number_count, number_room;
+    tick_table *tables; /* of functions of the tick, which know theirs by its index */
+    size_t table_count, table_room;
+    condition *conditions; /* that tunables could break */
+    size_t condition_count, condition_room;
+} values;
+
+/* With room for so many tunables besides those that are written. */
+void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double);
+
+/* All parameters, in the order of the scene; notes what is wrong with them. */
+void values_resolve(values *v);
+
+/* The value of f, whatever it is. Count 0 after noting a problem. */
+value value_any(values *v, const formula *f);
+
+/* Whether two dimensions are the same, in these surroundings: in formulas of effects, signals and outputs a radian is the
+ * number one, and never decides what is accepted. It is carried along for the units that are shown. */
+bool agree(const values *v, dimension a, dimension b);
+
+/* Gives `all` the dimension of what is either of two that agree: without radians where these differ in them. A plain zero
+ * has that of the other. */
+void gather(value *all, const value *next);
+
+/* a times b to the power n, of the formula f. False after noting that a power is beyond 9. */
+bool multiply(values *v, const formula *f, dimension *a, dimension b, int n);
+
+/* The value of f, which must have this dimension and number of parts (1 to 4; 0 for an inertia, which has 3
+ * or 6).
+ * `what` names the quantity in messages. Returns count 0 after noting a problem. */
+value value_of(values *v, const formula *f, dimension of, int parts, const char *what);
+
+/* A constant scalar; `fallback` where f is NULL or wrong. */
+double value_constant(values *v, const formula *f, dimension of, const char *what, double fallback);
+
+/* The same for what is in metres or in radians. */
+double value_displacement(values *v, const formula *f, const char *what, double fallback);
+
+/* The number that a node has with the tunables at their defaults. */
+double value_now(values *v, node n);
+
+/* Whether a number follows from constants and tunables alone. */
+bool is_parametric(values *v, node n);
+
+/* Whether a condition on such numbers holds with the tunables at their defaults; one of others may hold. What a tunable could
+ * break is kept: a plant refuses a change that breaks it. */
+bool keeps(values *v, condition of);
+
+#endif

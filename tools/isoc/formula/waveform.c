@@ -1,0 +1,211 @@
+#include "tools/isoc/formula/waveform.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/formula/timing.h"
+
+static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
+static const double pi = 3.14159265358979323846;
+static const double most_ticks = 4e9;           /* of 2^32 */
+static const double most_repeated = 16777216.0; /* ticks, of core/numbers/waveform.h */
+static const value nothing = {0};
+
+static value scalar(node n)
+{
+    return (value){.count = 1, .parts = {n}, .of = plain};
+}
+
+bool is_in_input(values *v, const formula *f)
+{
+    if (refuses_time(v, f)) {
+        return false;
+    }
+    if (v->is_smooth) {
+        source_problem(v->s, f->at, "'%s' is for inputs only, not for motions", f->name);
+    }
+    return !v->is_smooth;
+}
+
+/* Numbers with units and the step have a rounding each. */
+bool is_whole_tick(double ticks)
+{
+    return fabs(ticks - round(ticks)) <= 16 * DBL_EPSILON * fmax(1.0, fabs(ticks));
+}
+
+double first_tick_of(double ticks)
+{
+    return is_whole_tick(ticks) ? round(ticks) : ceil(ticks);
+}
+
+const tick_table *table_made(const values *v, const formula *f)
+{
+    for (size_t i = 0; i < v->table_count; i++) {
+        if (v->tables[i].of == f) {
+            return &v->tables[i];
+        }
+    }
+    return NULL;
+}
+
+void tables_forget(values *v, const formula *f)
+{
+    for (size_t i = 0; i < v->table_count; i++) {
+        v->tables[i].of = v->tables[i].of == f ? NULL : v->tables[i].of;
+    }
+}
+
+tick_table *table_new(values *v, const formula *f, operation op)
+{
+    v->tables = arena_grow(v->s->memory, v->tables, v->table_count, &v->table_room, sizeof *v->tables);
+    tick_table *made = &v->tables[v->table_count++];
+    *made = (tick_table){.op = op, .of = f};
+    return made;
+}
+
+/* A time in ticks, from `least` on. */
+static bool ticks_of(values *v, const formula *f, const char *what, double least, double *ticks)
+{
+    const size_t before = v->s->problem_count;
+    *ticks = value_constant(v, f, second, what, 0.0) / v->step;
+    if (v->s->problem_count == before && !(*ticks >= least && *ticks <= most_ticks)) {
+        source_problem(v->s, f->at, "%s is from %g to %g s with this step", what, least * v->step,
+                       most_ticks * v->step);
+    }
+    return v->s->problem_count == before;
+}
+
+static bool whole_ticks_of(values *v, const formula *f, const char *what, double *ticks)
+{
+    if (!ticks_of(v, f, what, 1.0, ticks)) {
+        return false;
+    }
+    if (!is_whole_tick(*ticks)) {
+        source_problem(v->s, f->at, "%s is a whole number of steps; this is %.6g", what, *ticks);
+        return false;
+    }
+    *ticks = round(*ticks);
+    return true;
+}
+
+static value step_of(values *v, const formula *f)
+{
+    double ticks;
+    return ticks_of(v, f->parts[0], "the time of a step", 0.0, &ticks)
+               ? scalar(timed(v->g, OP_FROM, first_tick_of(ticks), 0.0))
+               : nothing;
+}
+
+/* With a period of a whole number of ticks by counting them, so that no rounding moves an edge: with o ticks of the period
+ * over at tick 0, `at` and a rest r < 1, tick n is in the first half where (n + at) mod period < period / 2 - r. Any other period by a phase: an edge that falls on
+ * a tick is there and not behind it, as long as the phase is exact to the guard, a part of a turn. */
+static value square_of(values *v, const formula *f)
+{
+    static const double guard = 1e-9;
+    const size_t before = v->s->problem_count;
+    double turns;
+    const double phase = f->count == 2 ? value_constant(v, f->parts[1], radian, "the phase", 0.0) / (2 * pi) : 0.0;
+    if (!turns_in_tick(v, f->parts[0], &turns) || v->s->problem_count > before) {
+        return nothing;
+    }
+    if (!(turns > 0.0)) {
+        source_problem(v->s, f->parts[0]->at, "the frequency of a square is larger than zero");
+        return nothing;
+    }
+    const double period = 1.0 / turns;
+    if (!is_whole_tick(period) || period >= most_repeated) {
+        return scalar(timed(v->g, OP_SQUARE_OF_PHASE, turns, phase + guard));
+    }
+    const double whole = round(period), over = (phase - floor(phase)) * whole;
+    const double at = is_whole_tick(over) ? round(over) : floor(over), rest = is_whole_tick(over) ? 0.0 : over - at;
+    const double high = first_tick_of(0.5 * whole - rest);
+    return scalar(timed_by_index(v->g, OP_SQUARE, whole, fmod(at, whole), (int)high));
+}
+
+/* Registers with feedback from two places (ITU-T O.150; of 10, Golomb 1967, Shift Register Sequences). */
+static const struct {
+    unsigned order, other;
+} registers[] = {{7, 6}, {9, 5}, {10, 7}, {11, 9}, {15, 14}};
+
+/* The sequence that the register gives from this state on, of 2^order - 1 bits. */
+static uint32_t *bits_of_register(values *v, unsigned order, unsigned other, uint32_t state)
+{
+    const uint32_t length = (1U << order) - 1;
+    uint32_t *words = arena_take(v->s->memory, length / 32 + 1, sizeof *words);
+    for (uint32_t i = 0; i < length; i++) {
+        const uint32_t last = (state >> (order - 1)) & 1;
+        words[i / 32] |= last << (i % 32);
+        state = ((state << 1) | (last ^ ((state >> (other - 1)) & 1))) & length;
+    }
+    return words;
+}
+
+static value prbs_of(values *v, const formula *f)
+{
+    enum { REGISTERS = sizeof registers / sizeof registers[0] };
+    const size_t before = v->s->problem_count;
+    const double seed = value_constant(v, f->parts[0], plain, "the seed", 1.0);
+    const double order = f->count == 3 ? value_constant(v, f->parts[2], plain, "the order", 11.0) : 11.0;
+    double hold = 1.0;
+    if ((f->count > 1 && !whole_ticks_of(v, f->parts[1], "the time of a bit", &hold)) || v->s->problem_count > before) {
+        return nothing;
+    }
+    size_t of = 0;
+    while (of < REGISTERS && registers[of].order != order) {
+        of++;
+    }
+    if (of == REGISTERS) {
+        source_problem(v->s, f->parts[2]->at, "the order of a prbs is 7, 9, 10, 11 or 15");
+        return nothing;
+    }
+    const double length = ldexp(1.0, (int)order) - 1.0;
+    if (!(seed >= 1.0 && seed <= length && seed == floor(seed))) {
+        source_problem(v->s, f->parts[0]->at, "the seed of this prbs is a whole number from 1 to %.0f", length);
+        return nothing;
+    }
+    if (hold * length >= most_repeated) {
+        source_problem(v->s, f->parts[1]->at, "the time of a bit is too long: %.0f of them are at most %.0f steps",
+                       length, most_repeated - 1.0);
+        return nothing;
+    }
+    tick_table *made = table_new(v, f, OP_PRBS);
+    made->words = bits_of_register(v, registers[of].order, registers[of].other, (uint32_t)seed);
+    made->count = (size_t)length / 32 + 1;
+    made->made = timed_by_index(v->g, OP_PRBS, hold, length, (int)v->table_count - 1);
+    return scalar(made->made);
+}
+
+/* The sine of a phase of n first + n^2 curve turns, up to the end of the sweep; from there on the last frequency. */
+static value chirp_of(values *v, const formula *f)
+{
+    double first, last, ticks;
+    if (!turns_in_tick(v, f->parts[0], &first) || !turns_in_tick(v, f->parts[1], &last) ||
+        !whole_ticks_of(v, f->parts[2], "the duration of a chirp", &ticks)) {
+        return nothing;
+    }
+    tick_table *made = table_new(v, f, OP_CHIRP);
+    made->first = first;
+    made->last = last;
+    made->ticks = ticks;
+    made->curve = (last - first) / (2.0 * ticks);
+    const node angle = timed_by_index(v->g, OP_CHIRP, 0.0, 0.0, (int)v->table_count - 1);
+    made->made = sine(v->g, angle);
+    return scalar(made->made);
+}
+
+value waveform_of_formula(values *v, const formula *f)
+{
+    if (is_streamed(v)) {
+        return v->around->stream(v->around->of, f);
+    }
+    const tick_table *before = table_made(v, f);
+    if (!is_in_input(v, f)) {
+        return nothing;
+    }
+    return before != NULL      ? scalar(before->made)
+           : f->name[1] == 't' ? step_of(v, f)
+           : f->name[1] == 'q' ? square_of(v, f)
+           : f->name[0] == 'p' ? prbs_of(v, f)
+                               : chirp_of(v, f);
+}

@@ -1,0 +1,159 @@
+#include "tools/isoc/implicit/elimination.h"
+
+#include <string.h>
+
+enum { WORD = 64 };
+
+pattern pattern_start(arena *memory, int count)
+{
+    pattern p = {.memory = memory, .count = count, .words = ((size_t)count + WORD - 1) / WORD};
+    p.rows = arena_take(memory, (size_t)count * p.words, sizeof *p.rows);
+    return p;
+}
+
+static uint64_t *row_of(const pattern *p, int row)
+{
+    return p->rows + (size_t)row * p->words;
+}
+
+static bool has(const pattern *p, int row, int column)
+{
+    return (row_of(p, row)[column / WORD] >> (column % WORD) & 1) != 0;
+}
+
+void pattern_add(pattern *p, int row, int column)
+{
+    row_of(p, row)[column / WORD] |= UINT64_C(1) << (column % WORD);
+}
+
+/* How many of these columns a row has. */
+static long columns_in(const pattern *p, int row, const uint64_t *columns)
+{
+    long count = 0;
+    for (size_t word = 0; word < p->words; word++) {
+        for (uint64_t bits = row_of(p, row)[word] & columns[word]; bits != 0; bits &= bits - 1) {
+            count++;
+        }
+    }
+    return count;
+}
+
+/* How many rows that are left have this column. */
+static long rows_with(const pattern *p, int column, const int *turn)
+{
+    long count = 0;
+    for (int row = 0; row < p->count; row++) {
+        count += turn[row] < 0 && has(p, row, column);
+    }
+    return count;
+}
+
+/* The unknown of a group whose elimination changes the fewest places, (rows - 1) (columns - 1); the last of equals.
+ * Markowitz (1957), The elimination form of the inverse and its application to linear programming, Management Science 3;
+ * of symmetric matrices the minimum degree of Tinney and Walker (1967), Proc. IEEE 55. */
+static int cheapest(const pattern *p, const int *groups, int group, const int *turn, const uint64_t *left)
+{
+    int best = -1;
+    long least = 0;
+    for (int i = p->count - 1; i >= 0; i--) {
+        if (groups[i] == group && turn[i] < 0) {
+            const long cost = (rows_with(p, i, turn) - 1) * (columns_in(p, i, left) - 1);
+            best = best < 0 || cost < least ? i : best;
+            least = best == i ? cost : least;
+        }
+    }
+    return best;
+}
+
+/* The rows that are left and have the pivot's column get the columns of its row that are left. */
+static void eliminate(pattern *p, int pivot, const int *turn, uint64_t *left)
+{
+    left[pivot / WORD] &= ~(UINT64_C(1) << (pivot % WORD));
+    for (int row = 0; row < p->count; row++) {
+        if (turn[row] < 0 && has(p, row, pivot)) {
+            for (size_t word = 0; word < p->words; word++) {
+                row_of(p, row)[word] |= row_of(p, pivot)[word] & left[word];
+            }
+        }
+    }
+}
+
+static void find_order(pattern *p, elimination *e, const int *groups)
+{
+    uint64_t *left = arena_take(p->memory, p->words, sizeof *left);
+    int group = 0;
+    memset(left, -1, p->words * sizeof *left);
+    memset(e->turn, -1, (size_t)p->count * sizeof *e->turn);
+    for (int i = 0; i < p->count; i++) {
+        group = groups[i] > group ? groups[i] : group;
+    }
+    for (int made = 0; made < p->count; group--) {
+        for (int pivot; (pivot = cheapest(p, groups, group, e->turn, left)) >= 0; made++) {
+            e->order[made] = pivot;
+            e->turn[pivot] = made;
+            eliminate(p, pivot, e->turn, left);
+        }
+    }
+}
+
+/* The rows one after the other, each from left to right in the order of the elimination. */
+static void make_tables(const pattern *p, elimination *e)
+{
+    for (int i = 0; i < p->count; i++) {
+        e->row[i] = e->places;
+        for (int j = 0; j < p->count; j++) {
+            if (has(p, e->order[i], e->order[j])) {
+                e->column[e->places++] = j;
+                e->beyond[i] = j <= i ? e->places : e->beyond[i];
+                e->lower += j < i;
+            }
+        }
+    }
+    e->row[p->count] = e->places;
+}
+
+/* Row i less a multiple of row k, for each k that it has before its diagonal. */
+static void find_targets(arena *memory, elimination *e)
+{
+    size_t room = 0;
+    for (int i = 0; i < e->count; i++) {
+        for (int at = e->row[i]; at + 1 < e->beyond[i]; at++) {
+            const int k = e->column[at];
+            for (int from = e->beyond[k], to = at; from < e->row[k + 1]; from++) {
+                while (e->column[to] != e->column[from]) {
+                    to++;
+                }
+                e->target = arena_grow(memory, e->target, (size_t)e->products, &room, sizeof *e->target);
+                e->target[e->products++] = to - e->row[i];
+            }
+        }
+    }
+}
+
+elimination elimination_of(pattern *p, const int *groups)
+{
+    const size_t count = (size_t)p->count;
+    elimination e = {.count = p->count};
+    e.order = arena_take(p->memory, count, sizeof *e.order);
+    e.turn = arena_take(p->memory, count, sizeof *e.turn);
+    e.row = arena_take(p->memory, count + 1, sizeof *e.row);
+    e.beyond = arena_take(p->memory, count, sizeof *e.beyond);
+    find_order(p, &e, groups);
+    size_t places = 0;
+    for (size_t bit = 0; bit < count * p->words * WORD; bit++) {
+        places += p->rows[bit / WORD] >> (bit % WORD) & 1;
+    }
+    e.column = arena_take(p->memory, places, sizeof *e.column);
+    make_tables(p, &e);
+    find_targets(p->memory, &e);
+    return e;
+}
+
+int elimination_place(const elimination *e, int row, int column)
+{
+    int at = e->row[e->turn[row]];
+    while (e->column[at] != e->turn[column]) {
+        at++;
+    }
+    return at;
+}

@@ -1,0 +1,55 @@
+#include "tools/isoc/method/growth.h"
+
+#include <math.h>
+
+#include "core/methods/recipe.h"
+#include "tools/isoc/base/eigenvalues.h"
+#include "tools/isoc/method/step_map.h"
+
+/* A history passes what it keeps from place to place: eigenvalues that are zero, up to five in a row, as which rounding makes
+ * them its fifth root, and slow to find. In the power of eight they are zeros. */
+enum { SQUARINGS = 3 };
+
+static double *square_of(arena *memory, const double *a, int n)
+{
+    double *made = arena_take(memory, (size_t)(n * n), sizeof *made);
+    for (int row = 0; row < n; row++) {
+        for (int i = 0; i < n; i++) {
+            const double factor = a[row * n + i];
+            for (int column = 0; column < n && factor != 0.0; column++) {
+                made[row * n + column] += factor * a[i * n + column];
+            }
+        }
+    }
+    return made;
+}
+
+double growth_of_map(arena *memory, const double *map, int n)
+{
+    double *re = arena_take(memory, (size_t)n, sizeof *re), *im = arena_take(memory, (size_t)n, sizeof *im);
+    double largest = 0.0;
+    for (int i = 0; i < SQUARINGS; i++) {
+        map = square_of(memory, map, n);
+    }
+    if (!eigenvalues(memory, map, n, re, im)) {
+        return HUGE_VAL;
+    }
+    for (int i = 0; i < n; i++) {
+        largest = fmax(largest, sqrt(re[i] * re[i] + im[i] * im[i]));
+    }
+    for (int i = 0; i < SQUARINGS; i++) {
+        largest = sqrt(largest);
+    }
+    return largest;
+}
+
+double growth_of(arena *memory, unsigned recipe, double re, double im)
+{
+    const double size = sqrt(re * re + im * im), oscillation[] = {0.0, size, -size, 2.0 * re};
+    const bool turns = im != 0.0;
+    const linear_plant of = {turns ? oscillation : &re, turns ? 2 : 1, turns};
+    const unsigned options = ISO_COMPENSATED | ISO_CHECKED | ISO_SMOOTH | ISO_SETTLED;
+    int n;
+    const double *map = step_map(memory, recipe & ~options, &of, 1.0, &n);
+    return growth_of_map(memory, map, n);
+}

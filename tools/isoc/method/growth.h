@@ -1,0 +1,20 @@
+/* Where methods are stable: x' = lambda x, z = h lambda, by the step that the kernel itself makes (step_map.h).
+ *
+ * Growth per step is the largest modulus of an eigenvalue of that step: |R(z)| of a one-step method, of a multistep method the
+ * largest root of its characteristic polynomial. Hairer and Wanner (1996), Solving Ordinary Differential Equations II,
+ * IV.2, IV.7 and V.1.
+ */
+#ifndef ISOC_METHOD_GROWTH_H
+#define ISOC_METHOD_GROWTH_H
+
+#include "tools/isoc/base/arena.h"
+
+/* The growth per step of a recipe at z = re + i im: of a speed v' = re v, or of the oscillation q' = |z| v, v' = 2 re v - |z| q,
+ * whose eigenvalues are z and its conjugate. Infinite where the step is not finite. An option of the recipe makes no
+ * difference but for the iterations. */
+double growth_of(arena *memory, unsigned recipe, double re, double im);
+
+/* The largest modulus of an eigenvalue of a step [n n]; infinite where it is not finite. */
+double growth_of_map(arena *memory, const double *map, int n);
+
+#endif

@@ -1,0 +1,155 @@
+/* The compiler knows neither recipe nor n here: to unroll loops would take it most of its time, and changes no bit. */
+#define ISO_UNROLL
+
+#include "tools/isoc/method/step_map.h"
+
+#include <math.h>
+
+#include "core/methods/dense.h"
+#include "core/methods/method.h"
+#include "core/methods/multirate.h"
+
+/* Of the parameters: n, how many are positions, how many are fast, J row by row, and which are fast. */
+enum { STATES, POSITIONS, FAST, JACOBIAN };
+
+static double row_of(const double *p, const double *x, int row)
+{
+    const int n = (int)p[STATES];
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) {
+        sum += p[JACOBIAN + row * n + i] * x[i];
+    }
+    return sum;
+}
+
+static void derivative(double *restrict const dx, const double *restrict const x, const double *restrict const u,
+                       const double *restrict const p)
+{
+    (void)u;
+    for (int i = 0; i < (int)p[STATES]; i++) {
+        dx[i] = row_of(p, x, i);
+    }
+}
+
+static void rates(double *restrict const dx, const double *restrict const x, const double *restrict const u,
+                  const double *restrict const p)
+{
+    (void)u;
+    for (int i = 0; i < (int)p[POSITIONS]; i++) {
+        dx[i] = row_of(p, x, i);
+    }
+}
+
+static void fast_derivative(double *restrict const dx, const double *restrict const x, const double *restrict const u,
+                            const double *restrict const p)
+{
+    const int n = (int)p[STATES];
+    (void)u;
+    for (int i = 0; i < (int)p[FAST]; i++) {
+        dx[i] = row_of(p, x, (int)p[JACOBIAN + n * n + i]);
+    }
+}
+
+/* Behind their count. */
+static void factor(double *restrict const lu, const double *restrict const x, const double *restrict const u,
+                   const double *restrict const p, const double hb)
+{
+    const size_t n = (size_t)p[STATES];
+    (void)x;
+    (void)u;
+    lu[0] = p[STATES];
+    memcpy(lu + 1, p + JACOBIAN, n * n * sizeof *lu);
+    iso_dense_factor(lu + 1, n, hb);
+}
+
+static void solve(double *restrict const d, const double *restrict const lu)
+{
+    iso_dense_solve(d, lu + 1, (size_t)lu[0]);
+}
+
+static double *parameters_of(arena *memory, const linear_plant *of)
+{
+    const size_t n = (size_t)of->n;
+    double *p = arena_take(memory, JACOBIAN + n * (n + 1), sizeof *p);
+    p[STATES] = of->n;
+    p[POSITIONS] = of->positions;
+    memcpy(p + JACOBIAN, of->jacobian, n * n * sizeof *p);
+    return p;
+}
+
+/* The unit vector of a column, or zero behind the last one; and back as this column. */
+static void set_unit(double *x, size_t size, size_t column)
+{
+    for (size_t i = 0; i < size; i++) {
+        x[i] = i == column;
+    }
+}
+
+static void set_column(double *map, const double *x, size_t size, size_t column)
+{
+    for (size_t i = 0; i < size; i++) {
+        map[i * size + column] = x[i];
+    }
+}
+
+double *step_map(arena *memory, unsigned recipe, const linear_plant *of, double step, int *size)
+{
+    /* Nothing is an error for adams, so that it keeps to the step. */
+    static const iso_adams_options even = {.tolerance_absolute = (double)INFINITY, .budget = 1};
+    enum { STARTING = 4 * ISO_ADAMS_ORDERS }; /* steps of adams from zero, after which its order is the highest */
+    const size_t n = (size_t)of->n, kept = ISO_METHOD_STATE(recipe, n);
+    const iso_equations equations = {.derivative = derivative,
+                                     .factor = factor,
+                                     .solve = solve,
+                                     .factors = n * n + 1,
+                                     .rates = rates,
+                                     .positions = (size_t)of->positions,
+                                     .adams = &even};
+    const double *const p = parameters_of(memory, of);
+    double *x = arena_take(memory, kept, sizeof *x), *lu = arena_take(memory, n * n + 1, sizeof *lu);
+    double *work = arena_take(memory, ISO_METHOD_WORK(recipe, n) + ISO_METHOD_PRIME_WORK(recipe, n), sizeof *work);
+    double *map = arena_take(memory, kept * kept, sizeof *map);
+    iso_any_progress started = {{.local_error = 0.0}};
+    iso_method_prime(recipe, n, &equations, step, x, NULL, p, lu, work, &started.progress);
+    for (size_t made = ISO_IS_VARYING(recipe) ? 0 : STARTING; made < STARTING + kept; made++) {
+        iso_any_progress progress = started;
+        const bool is_started = made >= STARTING;
+        set_unit(x, kept, is_started ? made - STARTING : kept);
+        iso_method_step(recipe, n, &equations, step, x, NULL, p, lu, work, &progress.progress);
+        if (is_started) {
+            set_column(map, x, kept, made - STARTING);
+        } else {
+            started = progress;
+        }
+    }
+    *size = (int)kept;
+    return map;
+}
+
+double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *of, const bool *is_fast, int substeps,
+                      double step)
+{
+    const size_t n = (size_t)of->n;
+    const iso_equations equations = {.derivative = derivative};
+    uint16_t *fast = arena_take(memory, n + 1, sizeof *fast), *slow = arena_take(memory, n + 1, sizeof *slow);
+    double *p = parameters_of(memory, of), *x = arena_take(memory, n + 1, sizeof *x);
+    double *map = arena_take(memory, n * n + 1, sizeof *map);
+    iso_fast states = {
+        .derivative = fast_derivative, .states = fast, .is_fast = is_fast, .reads = slow, .substeps = substeps};
+    for (size_t i = 0; i < n; i++) {
+        if (is_fast[i]) {
+            p[JACOBIAN + n * n + states.count] = (double)i;
+            fast[states.count++] = (uint16_t)i;
+        } else {
+            slow[states.read_count++] = (uint16_t)i;
+        }
+    }
+    p[FAST] = (double)states.count;
+    double *work = arena_take(memory, ISO_MULTIRATE_WORK(ISO_RK4, n, states.count, states.read_count), sizeof *work);
+    for (size_t column = 0; column < n; column++) {
+        set_unit(x, n, column);
+        iso_multirate_step(ISO_METHOD_OF(recipe), n, &equations, &states, step, x, NULL, p, work);
+        set_column(map, x, n, column);
+    }
+    return map;
+}

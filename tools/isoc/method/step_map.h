@@ -1,0 +1,23 @@
+/* What a step of a method does to x' = J x: a matrix, since every kernel is linear there. It is that of the kernel itself, which
+ * tools have in double: a step from each unit vector. */
+#ifndef ISOC_METHOD_STEP_MAP_H
+#define ISOC_METHOD_STEP_MAP_H
+
+#include <stdbool.h>
+
+#include "tools/isoc/base/arena.h"
+
+typedef struct linear_plant {
+    const double *jacobian; /* [n n] row by row */
+    int n, positions;       /* the first rows are of positions, the others of speeds */
+} linear_plant;
+
+/* Of the states and of what the recipe keeps of the steps before: [*size *size] row by row, the states first. adams makes one
+ * sub-step a step, at its highest order. */
+double *step_map(arena *memory, unsigned recipe, const linear_plant *of, double step, int *size);
+
+/* Of a step of two rates (core/methods/multirate.h) with the fast ones of the states: [n n]; for the methods that it has. */
+double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *of, const bool *is_fast, int substeps,
+                      double step);
+
+#endif

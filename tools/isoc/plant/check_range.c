@@ -1,0 +1,104 @@
+#include "tools/isoc/plant/check_range.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/base/real_range.h"
+
+/* Marks what the functions of the plant depend on. */
+static void reach(const graph *g, const plant *p, bool *needed)
+{
+    const struct {
+        const node *roots;
+        int count;
+    } functions[] = {
+        {p->derivatives, state_count(p->m)}, {p->outputs, p->output_count},
+        {p->after.values, p->after.count},   {p->m->drives, p->m->input_count + p->m->clocks.count},
+        {p->j.factors, p->j.factor_count},   {p->j.solution, p->j.solution != NULL ? state_count(p->m) : 0},
+        {&p->violation, p->violation >= 0},  {&p->broken, p->broken >= 0},
+    };
+    bool *one = arena_take(g->memory, g->count, sizeof *one);
+    for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++) {
+        graph_reach(g, functions[f].roots, (size_t)functions[f].count, one);
+        for (size_t i = 0; i < g->count; i++) {
+            needed[i] = needed[i] || one[i];
+        }
+    }
+}
+
+/* The first quantity with a name that this constant is part of; NULL if there is none. */
+static const char *quantity_of(const graph *g, size_t i, const bool *needed)
+{
+    bool *depends = arena_take(g->memory, g->count, sizeof *depends);
+    depends[i] = true;
+    for (size_t n = i + 1; n < g->count; n++) {
+        const graph_node *made = &g->nodes[n];
+        const int operands = operators[made->op].operands;
+        depends[n] = (operands > 0 && depends[made->a]) || (operands == 2 && depends[made->b]);
+        if (depends[n] && needed[n] && made->name != NULL) {
+            return made->name;
+        }
+    }
+    return NULL;
+}
+
+/* The place of the joint or closure whose name ends the name of the quantity; of the first joint if there is none. */
+static place place_of(const mechanism *m, const char *shown_as)
+{
+    const size_t length = strlen(shown_as);
+    place at = m->links[0].at;
+    size_t longest = 0;
+    for (int i = 0; i < m->dof_count + m->cut_count; i++) {
+        const cut *of = i < m->dof_count ? NULL : &m->cuts[i - m->dof_count];
+        const char *ending = of == NULL ? m->dofs[i].name : of->name;
+        const size_t part = strlen(ending);
+        if (part > longest && part < length && strcmp(shown_as + length - part, ending) == 0) {
+            longest = part;
+            at = of == NULL ? m->links[m->dofs[i].link].at : of->at;
+        }
+    }
+    return at;
+}
+
+/* A default of an effect that follows from an inertia has no number where nothing can move. Returns whether there is one,
+ * after noting it. */
+static bool check_derived(source *s, const graph *g, const plant *p)
+{
+    const mechanism *m = p->m;
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    bool any = false;
+    graph_evaluate(g, 0, &(evaluation){.p = m->defaults}, numbers);
+    for (int i = 0; i < m->derived_count && !any; i++) {
+        const effect_quantity *of = &m->derived[i];
+        any = !isfinite(numbers[of->next]);
+        if (any) {
+            source_problem(s, of->at, "nothing moves there at the start, so '%s' has no default: give it a value",
+                           of->about.name);
+        }
+    }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
+    return any;
+}
+
+void range_check(source *s, const graph *g, const plant *p)
+{
+    if (check_derived(s, g, p)) {
+        return;
+    }
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    reach(g, p, needed);
+    for (size_t i = 0; i < g->count; i++) {
+        if (!needed[i] || !is_constant(g, (node)i) || real_holds(constant_value(g, (node)i), p->is_double)) {
+            continue;
+        }
+        const char *found = quantity_of(g, i, needed), *shown_as = found == NULL ? "an output" : found;
+        if (isfinite(constant_value(g, (node)i))) {
+            source_problem(s, place_of(p->m, shown_as), "the equations contain %g, as a part of %s; %s",
+                           constant_value(g, (node)i), shown_as, real_advice(constant_value(g, (node)i), p->is_double));
+        } else {
+            source_problem(s, place_of(p->m, shown_as), "the equations divide by zero, in a part of %s: %s", shown_as,
+                           "a formula has a divisor that is zero in every position");
+        }
+        return;
+    }
+}

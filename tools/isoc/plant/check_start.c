@@ -1,0 +1,136 @@
+#include "tools/isoc/plant/check_start.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "tools/isoc/graph/economy.h"
+#include "tools/isoc/mechanism/states.h"
+
+static const char *advice(const plant *p)
+{
+    return p->is_double ? "" : ": try --real double";
+}
+
+static const char *name_of_real(const plant *p)
+{
+    return p->is_double ? "a double" : "a float";
+}
+
+/* A closure is lost by rounding if its pivot is less than an ulp of the number that it was subtracted from. Returns
+ * whether there is one, after noting it. */
+static bool check_closures(source *s, const graph *g, const plant *p, const evaluation *at)
+{
+    const augmented *loops = &p->d->loops;
+    const double ulp = p->is_double ? DBL_EPSILON : (double)FLT_EPSILON;
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    int lost = -1;
+    graph_evaluate(g, 0, at, numbers);
+    for (int i = 0; i < loops->held.count && lost < 0; i++) {
+        const int r = loops->order[i];
+        lost = numbers[loops->pivots[r]] > ulp * numbers[loops->diagonal[r]] ? -1 : r;
+    }
+    if (lost >= 0) {
+        const cut *c = &p->m->cuts[loops->held.all[lost].cut];
+        source_problem(s, c->at, "%s cannot hold '%s' at the start: its pivot, %.3g, is lost in the rounding of %.3g%s",
+                       name_of_real(p), c->name, numbers[loops->pivots[lost]], numbers[loops->diagonal[lost]],
+                       advice(p));
+    }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
+    return lost >= 0;
+}
+
+/* The force of a spring along its ends needs a distance, whose square a float holds. Returns whether one has none, after
+ * noting it. */
+static bool check_springs(source *s, const graph *g, const plant *p, const evaluation *at)
+{
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    bool met = false;
+    graph_evaluate(g, 0, at, numbers);
+    for (int i = 0; i < p->m->strut_count; i++) {
+        const strut *of = &p->m->struts[i];
+        const bool is_direct = is_zero(g, of->length) && is_zero(g, of->damping);
+        if (!is_direct && numbers[p->d->springs[i].square] < (double)FLT_MIN) {
+            source_problem(s, of->at, "the ends of '%s' meet at the start, where it has no direction", of->name);
+            met = true;
+        }
+    }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
+    return met;
+}
+
+/* The first node that a root needs and that is not finite, though its operands are. */
+static node first_fault(const graph *g, node root, const double *numbers)
+{
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    size_t n = 0;
+    graph_reach(g, &root, 1, needed);
+    while (n < (size_t)root && (!needed[n] || isfinite(numbers[n]))) {
+        n++;
+    }
+    arena_return(g->memory, needed, g->count, sizeof *needed);
+    return (node)n;
+}
+
+/* The tunable that a divisor which is zero depends on, one that is zero before any other; -1 if there is none. */
+static int tunable_of(const graph *g, const plant *p, node divisor)
+{
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    int found = -1;
+    graph_reach(g, &divisor, 1, needed);
+    for (size_t n = 0; n <= (size_t)divisor; n++) {
+        const int index = g->nodes[n].index;
+        if (needed[n] && g->nodes[n].op == OP_PARAMETER && (found < 0 || p->m->defaults[index] == 0.0)) {
+            found = index;
+        }
+    }
+    arena_return(g->memory, needed, g->count, sizeof *needed);
+    return found;
+}
+
+/* Why a root is not finite, and what helps: a division by zero, or a float that is too small for it. */
+static const char *reason(const graph *g, const plant *p, const evaluation *at, node root, double *numbers)
+{
+    const graph_node *of = &g->nodes[first_fault(g, root, numbers)];
+    if (of->op == OP_DIV && numbers[of->b] == 0.0) {
+        const int tunable = tunable_of(g, p, of->b);
+        return tunable < 0 ? ": a division by what is zero at the start"
+                           : arena_format(g->memory, ": a division by zero, as the tunable '%s' is %g",
+                                          p->m->parameters[tunable].name, p->m->defaults[tunable]);
+    }
+    evaluation exact = *at;
+    exact.rounds_to_float = false;
+    graph_evaluate(g, 0, &exact, numbers);
+    return isfinite(numbers[root]) ? advice(p) : "";
+}
+
+/* The derivative, in the order in which it is emitted. */
+static void check_derivative(source *s, const graph *of, const plant *p, const evaluation *at)
+{
+    const mechanism *m = p->m;
+    const size_t states = (size_t)state_count(m);
+    node *roots = arena_take(of->memory, states, sizeof *roots);
+    graph economical = economise(of, p->derivatives, states, roots), *g = &economical;
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    graph_evaluate(g, 0, at, numbers);
+    for (int f = 0; f < m->dof_count; f++) {
+        const node root = roots[m->position_count + f];
+        const double derivative = numbers[root];
+        if (!isfinite(derivative)) {
+            source_problem(s, m->links[m->dofs[f].link].at, "the acceleration of '%s' at the start is %s in %s%s",
+                           m->dofs[f].name, isnan(derivative) ? "no number" : "infinite", name_of_real(p),
+                           reason(g, p, at, root, numbers));
+            break;
+        }
+    }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
+    graph_free(g);
+}
+
+void start_check(source *s, const graph *g, const plant *p)
+{
+    const evaluation at = {
+        .x = mechanism_start(p->m, g->memory), .p = p->m->defaults, .rounds_to_float = !p->is_double};
+    if (!check_springs(s, g, p, &at) && !check_closures(s, g, p, &at)) {
+        check_derivative(s, g, p, &at);
+    }
+}

@@ -1,0 +1,103 @@
+#include "tools/isoc/plant/input_check.h"
+
+#include <string.h>
+
+static const char *without_history(unsigned recipe)
+{
+    return ISO_IS_IMPLICIT(recipe) ? "rosenbrock" : "rk4";
+}
+
+static void check_inputs(const source *s, const scene *written, unsigned recipe)
+{
+    const char *method = method_names[ISO_METHOD_OF(recipe)];
+    for (size_t i = 0; i < written->input_count; i++) {
+        const quantity *q = &written->inputs[i];
+        if (!q->smooth && ISO_PAST_KEPT(recipe) > 0) {
+            source_warn(s, q->name.at,
+                        "the input '%s' is held, and %s has a history: where the input changes at every tick, %s is of "
+                        "order %s; take %s, or 'input %s smooth' for samples of a continuous signal",
+                        q->name.text, method, method, ISO_IS_VARYING(recipe) ? "two" : "one", without_history(recipe),
+                        q->name.text);
+            return;
+        }
+        if (q->smooth && ISO_IS_CHECKED(recipe) && ISO_TELLS_NO_INPUTS(recipe)) {
+            source_warn(s, q->name.at,
+                        "the local error that %s tells is without that of the extrapolated input '%s'; take %s", method,
+                        q->name.text, ISO_IS_IMPLICIT(recipe) ? "rosenbrock" : "abm4");
+            return;
+        }
+    }
+}
+
+/* What jumps starts a new history; all else changes at every tick. */
+static bool is_restarting(const char *word)
+{
+    return strcmp(word, "step") == 0 || strcmp(word, "square") == 0 || strcmp(word, "prbs") == 0;
+}
+
+/* The first function of time that these depend on, by what is known of the inputs and memories; -1: none. */
+static int stream_of(const graph *g, const node *roots, size_t count, const int *known)
+{
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    int first = -1;
+    graph_reach(g, roots, count, needed);
+    for (size_t i = 0; i < g->count; i++) {
+        const int of = needed[i] && g->nodes[i].op == OP_INPUT ? known[g->nodes[i].index] : -1;
+        first = of >= 0 && (first < 0 || of < first) ? of : first;
+    }
+    arena_return(g->memory, needed, g->count, sizeof *needed);
+    return first;
+}
+
+/* A memory depends on one if another does that it follows: as many passes as that takes. */
+static void check_streams(const source *s, const graph *g, const plant *p)
+{
+    const mechanism *m = p->m;
+    int *known = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *known);
+    for (int i = 0; i < held_count(m); i++) {
+        const int of = i < m->input_count ? m->streamed[i] : -1;
+        known[i] = of >= 0 && !is_restarting(m->streams[of].word) ? of : -1;
+    }
+    for (bool more = true; more;) {
+        more = false;
+        for (int i = 0; i < m->memory_count; i++) {
+            int *of = &known[m->input_count + i];
+            const int found = *of < 0 ? stream_of(g, &m->memories[i].next, 1, known) : -1;
+            more = more || found >= 0;
+            *of = found >= 0 ? found : *of;
+        }
+    }
+    const int which = stream_of(g, p->derivatives, (size_t)state_count(m), known);
+    if (which >= 0) {
+        const char *method = method_names[ISO_METHOD_OF(m->recipe)];
+        const streamed *of = &m->streams[which];
+        const char *effect = of->origin.text;
+        const char *where = effect == NULL ? "" : arena_format(g->memory, " of the effect '%s'", effect);
+        source_warn(
+            s, of->origin.at,
+            "the %s%s changes at every tick and is held in between, and %s has a history: %s is of order %s; take %s",
+            of->word, where, method, method, ISO_IS_VARYING(m->recipe) ? "two" : "one", without_history(m->recipe));
+    }
+}
+
+/* A delay of what moves that the steps have no samples of. */
+static void check_delays(const source *s, const mechanism *m)
+{
+    for (int i = 0; i < m->memory_count; i++) {
+        if (m->memories[i].lags) {
+            source_warn(s, m->memories[i].at,
+                        "this delay is constant within a step, and so half a step longer in the mean: to act at each "
+                        "stage it is of states alone, without inputs and memories, in a scene without sub-steps and "
+                        "without a ladder");
+        }
+    }
+}
+
+void samples_check(const source *s, const graph *g, const scene *written, const plant *p)
+{
+    check_inputs(s, written, p->m->recipe);
+    check_delays(s, p->m);
+    if (ISO_PAST_KEPT(p->m->recipe) > 0 && p->m->stream_count > 0) {
+        check_streams(s, g, p);
+    }
+}

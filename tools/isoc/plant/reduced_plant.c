@@ -1,0 +1,74 @@
+#include "tools/isoc/plant/reduced_plant.h"
+
+#include "tools/isoc/dynamics/assembly.h"
+#include "tools/isoc/plant/rows.h"
+#include "tools/isoc/tree/point_query.h"
+
+/* The scene, in which the first drops of the ladder are done. */
+static scene *scene_with_drops(const scene *written, const policies *of, int drops, arena *memory)
+{
+    scene *made = arena_take(memory, 1, sizeof *made);
+    *made = *written;
+    made->effects = arena_take(memory, written->effect_count, sizeof *made->effects);
+    for (size_t i = 0; i < written->effect_count; i++) {
+        made->effects[i] = written->effects[i];
+    }
+    for (int i = 0; i < drops; i++) {
+        made->effects[of->drops[i]].dropped = true;
+    }
+    return made;
+}
+
+static lesser build(source *s, const scene *written, const plant *p, wishes wanted, int drops)
+{
+    arena *memory = s->memory;
+    const policies *of = &p->m->policies;
+    mechanism *m = arena_take(memory, 1, sizeof *m);
+    plant *without = arena_take(memory, 1, sizeof *without);
+    lesser made = {.p = without, .g = arena_take(memory, 1, sizeof *made.g)};
+    graph_start(made.g, memory);
+    graph_section(made.g, "Constants of the scene");
+    *m = mechanism_build(s, made.g, scene_with_drops(written, of, drops, memory), p->is_double, p->m);
+    assemble(s, made.g, m);
+    asked_resolve(made.g, m);
+    *without = plant_build(made.g, m, p->is_double, wanted);
+    rows_build(s, made.g, without, p);
+    made.suffix = "_without";
+    for (int i = 0; i < drops; i++) {
+        made.suffix = arena_format(memory, "%s_%s", made.suffix, m->effects[of->drops[i]].text);
+    }
+    return made;
+}
+
+void lessers_build(source *s, const scene *written, plant *p, wishes wanted)
+{
+    p->lesser_count = p->m->policies.drop_count;
+    p->lessers = arena_take(s->memory, (size_t)p->lesser_count + 1, sizeof *p->lessers);
+    for (int i = 0; i < p->lesser_count; i++) {
+        p->lessers[i] = build(s, written, p, wanted, i + 1);
+    }
+}
+
+const lesser *lesser_on_rung(const plant *p, int rung)
+{
+    const int dropped = p->m->policies.dropped[rung];
+    return dropped > 0 ? &p->lessers[dropped - 1] : NULL;
+}
+
+unsigned rung_recipe(const plant *p, int rung)
+{
+    return p->m->policies.rungs[rung] | (p->m->recipe & ~(unsigned)ISO_METHOD_BITS);
+}
+
+/* The method is in the name where it is not that of the scene, and where the rung is there for it: so no two rungs are called
+ * alike. */
+const char *rung_suffix(const plant *p, int rung, arena *memory)
+{
+    const policies *of = &p->m->policies;
+    const unsigned method = of->rungs[rung];
+    const lesser *left = lesser_on_rung(p, rung);
+    const bool drops = of->dropped[rung] > (rung > 0 ? of->dropped[rung - 1] : 0);
+    const char *called =
+        drops && method == ISO_METHOD_OF(p->m->recipe) ? "" : arena_format(memory, "_%s", method_names[method]);
+    return arena_format(memory, "%s%s", called, left == NULL ? "" : left->suffix);
+}

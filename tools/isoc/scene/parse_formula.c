@@ -1,0 +1,491 @@
+#include "tools/isoc/scene/parse_formula.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/scene/block.h"
+#include "tools/isoc/scene/repeat.h"
+
+enum { DEEPEST = 100 };
+
+static formula *formula_new(parser *p, formula_kind kind, place at)
+{
+    formula *f = arena_take(p->s->memory, 1, sizeof *f);
+    f->kind = kind;
+    f->at = at;
+    return f;
+}
+
+static void add_part(parser *p, formula *f, formula *part)
+{
+    f->parts = arena_grow(p->s->memory, f->parts, f->count, &f->room, sizeof *f->parts);
+    f->parts[f->count++] = part;
+}
+
+/* Words that may follow a number on its line; they are not misspelt units. */
+static bool next_is_connective(const parser *p)
+{
+    static const char *const words[] = {"at", "about", "rotate", "quaternion", "rest", "along", "of",    "jump", "in",
+                                        "to", "and",   "set",    "like",       "safe", "after", "ticks", "every"};
+    for (size_t i = 0; i < COUNT_OF(words); i++) {
+        if (next_is_word(p, words[i])) {
+            return true;
+        }
+    }
+    return block_has_word(p->within, p->next);
+}
+
+static bool is_unit(const token *t)
+{
+    unit u;
+    return t->kind == TOKEN_NAME && unit_find(t->text, &u);
+}
+
+/* sqrt(Hz), sqrt(s) and the like, in a density of noise. */
+static bool is_root_of_time(const token *t)
+{
+    unit u;
+    dimension time = {.s = 1}, rate = {.s = -1};
+    return t->kind == TOKEN_NAME && strcmp(t->text, "sqrt") == 0 && t[1].sign == '(' && is_unit(t + 2) &&
+           t[3].sign == ')' && unit_find(t[2].text, &u) && (dimension_equal(u.of, time) || dimension_equal(u.of, rate));
+}
+
+/* 1/s, which stands behind a number like any unit. */
+static bool next_is_inverse(const parser *p)
+{
+    const token *t = p->next;
+    return t->kind == TOKEN_NUMBER && strcmp(t->text, "1") == 0 && t[1].sign == '/' &&
+           (is_unit(t + 2) || is_root_of_time(t + 2));
+}
+
+static bool next_is_unit(const parser *p)
+{
+    return !p->next->first_on_line && (is_unit(p->next) || next_is_inverse(p));
+}
+
+/* After `*` or `/` a unit continues only if the name of a unit follows: in 2 N * sin(3 Hz) it ends at N. */
+static bool unit_goes_on(const parser *p)
+{
+    const token *after = p->next + 1;
+    return (next_is_sign(p, '*') || next_is_sign(p, '/')) &&
+           ((is_unit(after) && after[1].sign != '(') || is_root_of_time(after));
+}
+
+/* 20 degC is a place on a scale and no multiple of a unit: it is not multiplied, so the scale stands alone. */
+static bool refuse_scale(parser *p, place at, const char *called)
+{
+    source_problem(p->s, at, "'%s' stands alone behind a number, as in 20 degC; a difference of temperatures is in K",
+                   called);
+    p->failed = true;
+    return false;
+}
+
+/* ( unit ), behind sqrt. */
+static bool multiply_root(parser *p, unit *product, int power)
+{
+    unit u;
+    dimension root;
+    unit_find(p->next[1].text, &u);
+    const double size = sqrt(u.numerator / u.denominator);
+    const bool fits = dimension_root(u.of, &root) && dimension_times(&product->of, root, power);
+    product->numerator *= power > 0 ? size : 1.0;
+    product->denominator *= power > 0 ? 1.0 : size;
+    p->next += 3;
+    return fits;
+}
+
+/* unit name [^ [-] digit], or sqrt(unit) */
+static bool parse_unit_factor(parser *p, unit *product, bool divide, bool is_first)
+{
+    unit u;
+    unit_find(p->next->text, &u);
+    const token *word = p->next++;
+    int power = divide ? -1 : 1;
+    if (is_root_of_time(word)) {
+        return multiply_root(p, product, power);
+    }
+    if (take_sign(p, '^')) {
+        power = take_sign(p, '-') ? -power : power;
+        if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
+            parse_problem(p, "a unit's power must be one digit: m/s^2");
+            return false;
+        }
+        power *= p->next->text[0] - '0';
+        p->next++;
+    }
+    for (int i = 0; i < power; i++) {
+        product->numerator *= u.numerator;
+        product->denominator *= u.denominator;
+    }
+    for (int i = 0; i > power; i--) {
+        product->numerator *= u.denominator;
+        product->denominator *= u.numerator;
+    }
+    if (!dimension_times(&product->of, u.of, power)) {
+        source_problem(p->s, word->at, "the power of a unit must be within -9 and 9");
+        p->failed = true;
+        return false;
+    }
+    product->zero = u.zero;
+    return u.zero == 0.0 || (is_first && !divide && p->next == word + 1 && !unit_goes_on(p)) ||
+           refuse_scale(p, word->at, word->text);
+}
+
+/* unit { (* | /) unit }, or 1 / unit { (* | /) unit } */
+static unit parse_unit(parser *p)
+{
+    unit product = unit_one;
+    const bool inverse = next_is_inverse(p);
+    p->next += inverse ? 2 : 0;
+    bool going = parse_unit_factor(p, &product, inverse, true);
+    while (going && unit_goes_on(p)) {
+        const bool divide = next_is_sign(p, '/');
+        p->next++;
+        p->factors = arena_grow(p->s->memory, p->factors, p->factor_count, &p->factor_room, sizeof *p->factors);
+        p->factors[p->factor_count++] = (name){p->next->text, p->next->at};
+        going = parse_unit_factor(p, &product, divide, false);
+    }
+    return product;
+}
+
+bool take_unit(parser *p, unit *taken)
+{
+    const bool is = next_is_unit(p);
+    const token *first = p->next;
+    if (is) {
+        *taken = parse_unit(p);
+    }
+    if (is && !p->failed && taken->zero != 0.0) {
+        refuse_scale(p, first->at, first->text);
+    }
+    return is;
+}
+
+void refuse_factor(parser *p, size_t from, const char *called)
+{
+    for (size_t i = from; i < p->factor_count && called != NULL; i++) {
+        if (strcmp(called, p->factors[i].text) == 0) {
+            source_problem(p->s, p->factors[i].at,
+                           "after a unit, '%s' is a unit too, and not what is called so: write that first", called);
+        }
+    }
+}
+
+/* Reports a word that stands where only a unit can. */
+static void refuse_false_unit(parser *p)
+{
+    if (p->next->kind == TOKEN_NAME && !p->next->first_on_line && !next_is_connective(p)) {
+        size_t count;
+        const char *const *names = unit_names(&count);
+        source_problem(p->s, p->next->at, "unknown unit '%s'%s", p->next->text,
+                       source_suggestion(p->s, p->next->text, names, count));
+        p->failed = true;
+        p->next++;
+    }
+}
+
+static formula *parse_number(parser *p)
+{
+    formula *f = formula_new(p, FORMULA_NUMBER, p->next->at);
+    f->number = p->next->number;
+    f->unit = unit_one;
+    p->next++;
+    if (next_is_unit(p)) {
+        f->unit = parse_unit(p);
+    }
+    refuse_false_unit(p);
+    return f;
+}
+
+/* formula [ (< | > | <= | >=) formula ]. It stands in parentheses only: elsewhere these signs are a statement's own. */
+static formula *parse_order(parser *p)
+{
+    formula *left = parse_formula(p);
+    if (left == NULL || (!next_is_sign(p, '<') && !next_is_sign(p, '>'))) {
+        return left;
+    }
+    formula *f = formula_new(p, FORMULA_ORDER, p->next->at);
+    f->sign = p->next->sign;
+    p->next++;
+    f->number = take_sign(p, '=') ? 1.0 : 0.0;
+    formula *right = parse_formula(p);
+    if (right == NULL) {
+        return NULL;
+    }
+    add_part(p, f, left);
+    add_part(p, f, right);
+    return f;
+}
+
+/* The lines of a table of two quantities: ; place {, place} {; place : value {, value}}, each as a vector. */
+static void parse_grid(parser *p, formula *f)
+{
+    f->number = 2.0;
+    while (!p->failed && take_sign(p, ';')) {
+        formula *line = formula_new(p, FORMULA_VECTOR, p->next->at);
+        const bool is_row = f->count > 2;
+        do {
+            formula *part = parse_order(p);
+            if (part == NULL) {
+                return;
+            }
+            add_part(p, line, part);
+            if (is_row && line->count == 1 && !next_is_sign(p, ':')) {
+                parse_problem(
+                    p, "expected : behind the place of a row, as in table(x, y; 0 m, 1 m; 0 s: 1 N, 2 N; 1 s: 3 N, "
+                       "5 N)");
+                return;
+            }
+        } while (take_sign(p, ',') || (is_row && line->count == 1 && take_sign(p, ':')));
+        add_part(p, f, line);
+    }
+    if (!take_sign(p, ')')) {
+        parse_problem(p, "expected , ; or )");
+    }
+}
+
+/* formula { , formula } ), after the opening parenthesis. A semicolon separates like a comma, and so does a colon
+ * between time and value. Points may stand behind a quantity that they are of, lines of values behind two. */
+static void parse_parts(parser *p, formula *f, bool of_points)
+{
+    do {
+        if (f->name != NULL && strcmp(f->name, "sample") == 0 && f->count == 1 && !take_word(p, "every")) {
+            parse_problem(p, "expected 'every' and a time: sample(x, every 5 ms)");
+            return;
+        }
+        formula *part = parse_order(p);
+        if (part == NULL) {
+            return;
+        }
+        add_part(p, f, part);
+        if (of_points && f->count == 1 && next_is_sign(p, ',')) {
+            f->number = 1.0;
+        } else if (f->number > 0.0 && f->count == 2 && next_is_sign(p, ';')) {
+            parse_grid(p, f);
+            return;
+        }
+    } while (take_sign(p, ',') || take_sign(p, ';') || (of_points && take_sign(p, ':')));
+    if (!take_sign(p, ')')) {
+        parse_problem(p, "expected , or )");
+    }
+}
+
+static formula *parse_parenthesis(parser *p)
+{
+    formula *f = formula_new(p, FORMULA_VECTOR, p->next->at);
+    p->next++;
+    parse_parts(p, f, false);
+    if (f->count == 1) {
+        f = f->parts[0];
+    }
+    if (!p->failed && next_is_unit(p)) {
+        formula *scaled = formula_new(p, FORMULA_SCALE, f->at);
+        add_part(p, scaled, f);
+        scaled->unit = parse_unit(p);
+        f = scaled;
+    }
+    if (!p->failed) {
+        refuse_false_unit(p);
+    }
+    return f;
+}
+
+static formula *parse_primary(parser *p);
+
+/* speed of JOINT, force of CLOSURE, velocity of BODY [in body], spin of BODY [in ground], inertia of BODY [at VECTOR] [in body] */
+static formula *parse_quantity(parser *p)
+{
+    formula *f = formula_new(p, FORMULA_OF, p->next->at);
+    f->name = p->next->text;
+    p->next += 2;
+    formula *of = formula_new(p, FORMULA_NAME, p->next->at);
+    of->name = p->next->text;
+    p->next++;
+    of->name = take_indices(p, of->name);
+    add_part(p, f, of);
+    if (strcmp(f->name, "inertia") == 0 && take_option(p, "at")) {
+        formula *beside = parse_primary(p);
+        if (beside == NULL) {
+            return NULL;
+        }
+        add_part(p, f, beside);
+    }
+    if (next_is_word(p, "in") && !p->next->first_on_line && p->next[1].kind == TOKEN_NAME) {
+        f->axes = (name){p->next[1].text, p->next[1].at};
+        p->next += 2;
+    }
+    return f;
+}
+
+bool next_is_owned(const parser *p)
+{
+    const token *after = p->next + 1;
+    return after->kind == TOKEN_NAME && !after->first_on_line && strcmp(after->text, "of") == 0;
+}
+
+bool next_is_quantity(const parser *p)
+{
+    static const char *const words[] = {"position", "speed",   "velocity",     "spin",           "x_axis", "y_axis",
+                                        "z_axis",   "inertia", "acceleration", "specific_force", "power",  "energy",
+                                        "loss",     "work",    "force",        "moment"};
+    bool is = false;
+    for (size_t i = 0; i < COUNT_OF(words); i++) {
+        is = is || next_is_word(p, words[i]);
+    }
+    return is && next_is_owned(p) && p->next[2].kind == TOKEN_NAME;
+}
+
+static formula *parse_name_or_call(parser *p)
+{
+    if (next_is_quantity(p)) {
+        return parse_quantity(p);
+    }
+    const bool call = p->next[1].sign == '(';
+    formula *f = formula_new(p, call ? FORMULA_CALL : FORMULA_NAME, p->next->at);
+    f->name = p->next->text;
+    p->next++;
+    const int *index = call ? NULL : find_index(p, f->name);
+    if (index != NULL) {
+        f->kind = FORMULA_NUMBER;
+        f->number = *index;
+        f->unit = unit_one;
+    } else if (!call) {
+        f->name = take_indices(p, f->name);
+    }
+    if (call) {
+        p->next++;
+        parse_parts(p, f, strcmp(f->name, "table") == 0 || strcmp(f->name, "ramp") == 0);
+    }
+    return f;
+}
+
+/* file "road.csv" [column 3] */
+static formula *parse_file(parser *p)
+{
+    enum { MOST_COLUMNS = 1000 };
+    formula *f = formula_new(p, FORMULA_FILE, p->next->at);
+    const token *named = p->next + 1;
+    const char *fault;
+    f->name = "file";
+    f->number = 2.0;
+    f->file = open_beside(p, p->next->at, named->text, &fault);
+    p->next += 2;
+    if (f->file == NULL) {
+        source_problem(p->s, named->at, "cannot read '%s': %s", named->text, fault);
+        p->failed = true;
+        return NULL;
+    }
+    f->text_at = source_passage(p->s, f->file, 0, f->file->length, NULL);
+    if (take_option(p, "column")) {
+        f->number = p->next->number;
+        if (p->next->kind != TOKEN_NUMBER || !(f->number >= 2.0 && f->number <= MOST_COLUMNS) ||
+            f->number != (int)f->number) {
+            parse_problem(p, "expected the number of a column, from 2 on: the first is the time");
+            return NULL;
+        }
+        p->next++;
+    }
+    return f;
+}
+
+static formula *parse_primary(parser *p)
+{
+    if (p->next->kind == TOKEN_NUMBER) {
+        return parse_number(p);
+    }
+    if (next_is_sign(p, '(')) {
+        return parse_parenthesis(p);
+    }
+    if (next_is_word(p, "file") && p->next[1].kind == TOKEN_TEXT) {
+        return parse_file(p);
+    }
+    /* A name at the start of a line is the next statement's, unless an operator asks for more. */
+    if (p->next->kind == TOKEN_NAME && (!p->next->first_on_line || p->next[-1].kind == TOKEN_SIGN)) {
+        return parse_name_or_call(p);
+    }
+    parse_problem(p, "expected a value, such as 0.5 kg, (0, 0, 1) m or a parameter's name");
+    return NULL;
+}
+
+/* [-] primary [^ digit] */
+static formula *parse_signed(parser *p)
+{
+    const place at = p->next->at;
+    formula *f = NULL;
+    if (++p->depth > DEEPEST) {
+        parse_problem(p, arena_format(p->s->memory, "parentheses and signs nested more than %d deep", DEEPEST));
+    } else if (take_sign(p, '-')) {
+        const bool is_number = p->next->kind == TOKEN_NUMBER;
+        formula *inner = parse_signed(p);
+        if (inner != NULL && is_number && inner->kind == FORMULA_NUMBER && inner->unit.zero != 0.0) {
+            f = inner; /* -20 degC */
+            f->number = -f->number;
+        } else if (inner != NULL) {
+            f = formula_new(p, FORMULA_NEGATE, at);
+            add_part(p, f, inner);
+        }
+    } else {
+        f = parse_primary(p);
+        if (f != NULL && !p->failed && take_sign(p, '^')) {
+            formula *power = formula_new(p, FORMULA_POWER, at);
+            add_part(p, power, f);
+            power->number = p->next->number;
+            if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
+                parse_problem(p, "a power must be one digit: r^2");
+            }
+            p->next += !p->failed;
+            f = power;
+        }
+    }
+    p->depth--;
+    return p->failed ? NULL : f;
+}
+
+/* operand { sign operand }; it stands where its last sign does. */
+static formula *parse_chain(parser *p, const char *signs, formula *(*parse_operand)(parser *))
+{
+    formula *first = parse_operand(p), *chain = NULL;
+    while (first != NULL && !p->failed && p->next->sign != '\0' && strchr(signs, p->next->sign) != NULL) {
+        formula *step = formula_new(p, FORMULA_STEP, p->next->at);
+        if (chain == NULL) {
+            chain = formula_new(p, FORMULA_CHAIN, step->at);
+            add_part(p, chain, first);
+        }
+        chain->at = step->at;
+        step->sign = p->next->sign;
+        p->next++;
+        formula *right = parse_operand(p);
+        if (right != NULL) {
+            add_part(p, step, right);
+            add_part(p, chain, step);
+        }
+    }
+    return p->failed ? NULL : chain != NULL ? chain : first;
+}
+
+static formula *parse_product(parser *p)
+{
+    return parse_chain(p, "*/", parse_signed);
+}
+
+formula *parse_formula(parser *p)
+{
+    return parse_chain(p, "+-", parse_product);
+}
+
+formula *parse_axis(parser *p)
+{
+    const token *t = p->next + next_is_sign(p, '-');
+    if (t->kind != TOKEN_NAME || t->text[0] < 'x' || t->text[0] > 'z' || t->text[1] != '\0') {
+        return parse_formula(p);
+    }
+    formula *f = formula_new(p, FORMULA_VECTOR, p->next->at);
+    for (char letter = 'x'; letter <= 'z'; letter++) {
+        formula *part = formula_new(p, FORMULA_NUMBER, p->next->at);
+        part->unit = unit_one;
+        part->number = letter != t->text[0] ? 0 : next_is_sign(p, '-') ? -1 : 1;
+        add_part(p, f, part);
+    }
+    p->next = t + 1;
+    return f;
+}

@@ -1,0 +1,80 @@
+#include "tools/isoc/stability/causes.h"
+
+#include <string.h>
+
+/* Effects, then joints, springs, and the stabilisation. */
+int cause_count(const mechanism *m)
+{
+    return m->effect_count + m->link_count + m->strut_count + (m->cut_count > 0);
+}
+
+cause cause_of(const mechanism *m, int which)
+{
+    const int at_joint = which - m->effect_count, spring = at_joint - m->link_count;
+    if (at_joint < 0) {
+        return (cause){"effect", m->effects[which].text, m->effects[which].at};
+    }
+    if (spring < 0) {
+        return (cause){"spring and damping of the joint", m->links[at_joint].name, m->links[at_joint].at};
+    }
+    if (spring < m->strut_count) {
+        return (cause){"spring", m->struts[spring].name, m->struts[spring].at};
+    }
+    return (cause){"stabilisation of the closure", m->cuts[0].name, m->cuts[0].at};
+}
+
+static void *copy_of(arena *memory, const void *all, int count, size_t size)
+{
+    void *made = arena_take(memory, (size_t)count + 1, size);
+    if (count > 0) {
+        memcpy(made, all, (size_t)count * size);
+    }
+    return made;
+}
+
+/* The sums of efforts are made again of those parts that stay. */
+static void drop_effect(mechanism *m, graph *g, int which)
+{
+    const vector none = vector_zero(g);
+    const node zero = constant(g, 0.0);
+    for (int f = 0; f < m->dof_count; f++) {
+        m->efforts[f] = zero;
+    }
+    for (int i = 0; i < m->effort_part_count; i++) {
+        effect_effort *part = &m->effort_parts[i];
+        part->effort = part->effect == which ? zero : part->effort;
+        m->efforts[part->dof] = add(g, m->efforts[part->dof], part->effort);
+    }
+    for (int i = 0; i < m->applied_force_count; i++) {
+        if (m->applied_forces[i].drive < 0 && m->applied_forces[i].effect == which) {
+            m->applied_forces[i].force = m->applied_forces[i].moment = none;
+        }
+    }
+    for (int i = 0; i < m->effect_state_count; i++) {
+        m->effect_states[i].next = m->effect_states[i].effect == which ? zero : m->effect_states[i].next;
+    }
+}
+
+mechanism without_cause(const mechanism *m, graph *g, int which)
+{
+    arena *memory = g->memory;
+    const node zero = constant(g, 0.0);
+    const int at_joint = which - m->effect_count, spring = at_joint - m->link_count;
+    mechanism made = *m;
+    if (at_joint < 0) {
+        made.efforts = copy_of(memory, m->efforts, m->dof_count, sizeof *m->efforts);
+        made.effort_parts = copy_of(memory, m->effort_parts, m->effort_part_count, sizeof *m->effort_parts);
+        made.applied_forces = copy_of(memory, m->applied_forces, m->applied_force_count, sizeof *m->applied_forces);
+        made.effect_states = copy_of(memory, m->effect_states, m->effect_state_count, sizeof *m->effect_states);
+        drop_effect(&made, g, which);
+    } else if (spring < 0) {
+        made.links = copy_of(memory, m->links, m->link_count, sizeof *m->links);
+        made.links[at_joint].damping = made.links[at_joint].spring = zero;
+    } else if (spring < m->strut_count) {
+        made.struts = copy_of(memory, m->struts, m->strut_count, sizeof *m->struts);
+        made.struts[spring].stiffness = made.struts[spring].damping = zero;
+    } else {
+        made.alpha = made.beta = 0.0;
+    }
+    return made;
+}

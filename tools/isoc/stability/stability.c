@@ -1,0 +1,236 @@
+#include "tools/isoc/stability/stability.h"
+
+#include <math.h>
+
+#include "tools/isoc/mechanism/states.h"
+#include "tools/isoc/stability/causes.h"
+#include "tools/isoc/stability/modes.h"
+#include "tools/isoc/stability/steepest.h"
+
+enum { MOST_STATES = 60 };
+
+/* Where the Jacobian is evaluated. */
+typedef struct point {
+    const char *when;
+    double *x, *u;
+} point;
+
+/* Those of the mechanism without some of its causes. */
+static modes modes_without(const graph *g, const mechanism *m, formulation kept, const bool *gone, const point *at)
+{
+    graph copy = graph_copy(g);
+    mechanism *less = arena_take(g->memory, 1, sizeof *less);
+    node *derivatives = arena_take(g->memory, (size_t)state_count(m) + 1, sizeof *derivatives);
+    *less = *m;
+    for (int i = 0; i < cause_count(m); i++) {
+        if (gone[i]) {
+            *less = without_cause(less, &copy, i);
+        }
+    }
+    derivatives_build(&copy, less, kept, derivatives);
+    linearised l = linearise(&copy, less, derivatives, (size_t)state_count(m));
+    const modes made = modes_of(g->memory, slopes_at(&l, at->x, at->u));
+    graph_free(&l.g);
+    graph_free(&copy);
+    return made;
+}
+
+/* The cause without which the fewest modes grow by the method, and these modes; -1 where each leaves all of them. */
+static int find_cause(const graph *g, const plant *p, bool *gone, const point *at, modes *left)
+{
+    const mechanism *m = p->m;
+    int found = -1, fastest, least = count_growing(left, m->recipe, method_step(m), &fastest);
+    for (int i = 0; i < cause_count(m) && least > 0; i++) {
+        if (!gone[i]) {
+            gone[i] = true;
+            const modes tried = modes_without(g, m, p->formulations.kept, gone, at);
+            const int count = tried.found ? count_growing(&tried, m->recipe, method_step(m), &fastest) : least;
+            gone[i] = false;
+            if (count < least) {
+                least = count;
+                found = i;
+                *left = tried;
+            }
+        }
+    }
+    return found;
+}
+
+/* rk4 2.78 ms, rosenbrock any */
+static const char *steps_text(arena *memory, const modes *m)
+{
+    const char *all = "";
+    for (unsigned method = 0; method < ISO_METHODS; method++) {
+        const double step = ISO_IS_VARYING(method) ? 0.0 : largest_step(m, method);
+        if (!ISO_IS_VARYING(method)) {
+            const char *before = all[0] == '\0' ? "" : ", ";
+            all = isinf(step) ? arena_format(memory, "%s%s%s any", all, before, method_names[method])
+                              : arena_format(memory, "%s%s%s %.3g ms", all, before, method_names[method], 1e3 * step);
+        }
+    }
+    return all;
+}
+
+static void warn(const source *s, arena *memory, const plant *p, const modes *m, int which, const point *at)
+{
+    const mechanism *of = p->m;
+    const cause none = {"mechanism", of->name, of->links[0].at};
+    const cause c = which < 0 ? none : cause_of(of, which);
+    int fastest = 0;
+    count_growing(m, of->recipe, method_step(of), &fastest);
+    const double im = fabs(m->im[fastest]);
+    const char *oscillation = im == 0.0 ? "" : arena_format(memory, " +- %.4g i", im);
+    const char *parts =
+        of->fast_substeps == 0 ? "" : arena_format(memory, ", %d sub-steps of it for effects", of->fast_substeps);
+    source_warn(
+        s, c.at,
+        "the %s '%s' is too fast for %s with a step of %.4g ms%s: the Jacobian %s has the eigenvalue %.4g%s 1/s; the "
+        "largest stable steps: %s",
+        c.sort, c.name, method_names[ISO_METHOD_OF(of->recipe)], 1e3 * method_step(of), parts, at->when, m->re[fastest],
+        oscillation, steps_text(memory, m));
+}
+
+/* Warns of each cause, until what is left is held. Returns whether there was one. */
+static bool check_point(const source *s, const graph *g, const plant *p, slopes of, const point *at)
+{
+    bool *gone = arena_take(g->memory, (size_t)cause_count(p->m) + 1, sizeof *gone);
+    modes before = modes_of(g->memory, of);
+    int fastest;
+    bool any = false;
+    while (before.found && count_growing(&before, p->m->recipe, method_step(p->m), &fastest) > 0) {
+        modes left = before;
+        const int which = find_cause(g, p, gone, at, &left);
+        warn(s, g->memory, p, &before, which, at);
+        any = true;
+        if (which < 0) {
+            break;
+        }
+        gone[which] = true;
+        before = left;
+    }
+    return any;
+}
+
+/* The cause without which the drift is the slowest, if that is none within a life; -1 where there is none. */
+static int find_cause_of_drift(const graph *g, const plant *p, const point *at, double least)
+{
+    const mechanism *m = p->m;
+    bool *gone = arena_take(g->memory, (size_t)cause_count(m) + 1, sizeof *gone);
+    int found = -1;
+    for (int i = 0; i < cause_count(m); i++) {
+        gone[i] = true;
+        const modes tried = modes_without(g, m, p->formulations.kept, gone, at);
+        const double rate = tried.found ? drift_of(&tried, m->recipe, method_step(m)).rate : least;
+        gone[i] = false;
+        if (rate < least && rate * life < 1.0) {
+            least = rate;
+            found = i;
+        }
+    }
+    return found;
+}
+
+/* Warns of an oscillation that is not too fast for the method, but that it lets grow by e within a life. */
+static void check_drift(const source *s, const graph *g, const plant *p, slopes of, const point *at)
+{
+    const mechanism *m = p->m;
+    const modes all = modes_of(g->memory, of);
+    const drift found = all.found ? drift_of(&all, m->recipe, method_step(m)) : (drift){0.0, 0.0};
+    if (found.rate * life < 1.0) {
+        return;
+    }
+    const int which = find_cause_of_drift(g, p, at, found.rate);
+    const cause c = which < 0 ? (cause){"mechanism", m->name, m->links[0].at} : cause_of(m, which);
+    const char *others = "";
+    for (unsigned method = 0; method < ISO_METHODS; method++) {
+        if (!ISO_IS_VARYING(method) && drift_of(&all, method, method_step(m)).rate * life < 1.0) {
+            others = arena_format(g->memory, "%s%s%s", others, others[0] == '\0' ? "" : ", ", method_names[method]);
+        }
+    }
+    source_warn(
+        s, c.at,
+        "the oscillation of %.4g rad/s by the %s '%s' grows by e in %.3g s with %s and a step of %.4g ms, by the "
+        "method alone; take a shorter step%s%s",
+        found.frequency, c.sort, c.name, 1.0 / found.rate, method_names[ISO_METHOD_OF(m->recipe)], 1e3 * method_step(m),
+        others[0] == '\0' ? "" : ", or ", others);
+}
+
+/* Inputs that are functions of the tick as they begin, each function of it counting as zero; those of the port zero; and
+ * memories as they begin. */
+static point start_of(const graph *g, const mechanism *m)
+{
+    point made = {"at the start", mechanism_start(m, g->memory), NULL};
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    graph_evaluate(g, 0, &(evaluation){.x = made.x, .p = m->defaults}, numbers);
+    made.u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *made.u);
+    for (int i = 0; i < m->input_count; i++) {
+        made.u[i] = m->driven[i] ? numbers[m->drives[i]] : 0.0;
+    }
+    for (int i = 0; i < m->memory_count; i++) {
+        made.u[m->input_count + i] = m->memories[i].about.start;
+    }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
+    return made;
+}
+
+/* The same with all joints at rest. Returns whether they were not. */
+static bool stop_at(const mechanism *m, point *at)
+{
+    bool moved = false;
+    for (int i = m->position_count; i < state_count(m); i++) {
+        moved = moved || at->x[i] != 0.0;
+        at->x[i] = 0.0;
+    }
+    at->when = "at rest";
+    return moved;
+}
+
+/* With one state beside a kink of an effect, where that is steepest. With closures a state cannot move alone. Returns whether
+ * there was a warning. */
+static bool check_steepest(const source *s, const graph *g, const plant *p, const linearised *l, const point *at)
+{
+    const mechanism *m = p->m;
+    bool any = false;
+    for (int i = 0; i < m->effect_count && m->cut_count == 0; i++) {
+        double *steep[STEEPEST_POINTS];
+        const int count = steepest_points(g, m, i, at->x, at->u, steep);
+        const char *when = arena_format(g->memory, "where '%s' is steepest", m->effects[i].text);
+        bool told = false;
+        for (int k = 0; k < count && !told; k++) {
+            told = check_point(s, g, p, slopes_at(l, steep[k], at->u), &(point){when, steep[k], at->u});
+        }
+        any = any || told;
+    }
+    return any;
+}
+
+/* An implicit method divides by the Jacobian. */
+static void refuse(source *s, const mechanism *m, arena *memory, int which)
+{
+    const name n = {mechanism_states(m, memory)[which].about.name, mechanism_states(m, memory)[which].at};
+    source_problem(
+        s, n.at,
+        "the Jacobian at the start is not finite: something has no slope by '%s' there, and %s needs it; take "
+        "another start, or a formula that is smooth there",
+        n.text, method_names[ISO_METHOD_OF(m->recipe)]);
+}
+
+void stability_check(source *s, const graph *g, const plant *p)
+{
+    const mechanism *m = p->m;
+    if (ISO_IS_VARYING(m->recipe) || state_count(m) > MOST_STATES) {
+        return;
+    }
+    linearised l = linearise(g, m, p->derivatives, (size_t)state_count(m));
+    point at = start_of(g, m);
+    const slopes first = slopes_at(&l, at.x, at.u);
+    if (first.infinite >= 0 && ISO_IS_IMPLICIT(m->recipe)) {
+        refuse(s, m, g->memory, first.infinite);
+    } else if (!check_point(s, g, p, first, &at) && !check_steepest(s, g, p, &l, &at)) {
+        check_drift(s, g, p, first, &at);
+        if (stop_at(m, &at) && !check_point(s, g, p, slopes_at(&l, at.x, at.u), &at)) {
+            (void)check_steepest(s, g, p, &l, &at);
+        }
+    }
+    graph_free(&l.g);
+}

@@ -1,0 +1,184 @@
+#include "tools/isoc/stability/steepest.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/graph/operations.h"
+
+/* The formulas of one effect, with what they change by. */
+typedef struct formulas {
+    const mechanism *m;
+    linearised l;
+    int count;
+    double *numbers, *given; /* of all nodes; inputs and memories, and the changes of the states */
+    double *x;               /* where they are evaluated */
+} formulas;
+
+/* What an effect adds: its efforts, forces, moments, and the rates of its states. */
+static int list_formulas(const mechanism *m, int effect, node *roots)
+{
+    int count = 0;
+    for (int i = 0; i < m->effort_part_count; i++) {
+        if (m->effort_parts[i].effect == effect) {
+            roots[count++] = m->effort_parts[i].effort;
+        }
+    }
+    for (int i = 0; i < m->applied_force_count; i++) {
+        const applied_force *f = &m->applied_forces[i];
+        for (int axis = 0; axis < 3 && f->drive < 0 && f->effect == effect; axis++) {
+            roots[count++] = f->force.at[axis];
+            roots[count++] = f->moment.at[axis];
+        }
+    }
+    for (int i = 0; i < m->effect_state_count; i++) {
+        if (m->effect_states[i].effect == effect) {
+            roots[count++] = m->effect_states[i].next;
+        }
+    }
+    return count;
+}
+
+static void evaluate(formulas *f)
+{
+    graph_evaluate(&f->l.g, 0, &(evaluation){.x = f->x, .u = f->given, .p = f->m->defaults}, f->numbers);
+}
+
+/* What is zero where a node has its kink; NAN of a node that has none. */
+static double distance_from_kink(const formulas *f, size_t i)
+{
+    const graph_node *n = &f->l.g.nodes[i];
+    switch (n->op) {
+    case OP_MAX:
+    case OP_MIN:
+    case OP_ABOVE:
+        return f->numbers[n->a] - f->numbers[n->b];
+    case OP_POSITIVE:
+    case OP_NEGATIVE:
+    case OP_ABS:
+    case OP_SIGN:
+        return f->numbers[n->a];
+    default:
+        return (double)NAN;
+    }
+}
+
+static double distance_at(formulas *f, size_t kink, int state, double moved)
+{
+    f->x[state] = moved;
+    evaluate(f);
+    return distance_from_kink(f, kink);
+}
+
+/* The value of a state at which a kink is, by secants from where it is; NAN where they find none. */
+static double find_kink(formulas *f, size_t kink, int state)
+{
+    enum { SECANTS = 12 };
+    const double here = f->x[state];
+    double before = here, after = here + 1e-3 * (1.0 + fabs(here));
+    double d = distance_at(f, kink, state, before), e = distance_at(f, kink, state, after), found = (double)NAN;
+    for (int i = 0; i < SECANTS && e != d && isfinite(e - d); i++) {
+        const double next = after - e * (after - before) / (e - d);
+        if (fabs(next - after) <= 1e-12 * (1.0 + fabs(next))) {
+            found = next;
+            break;
+        }
+        before = after;
+        d = e;
+        after = next;
+        e = distance_at(f, kink, state, after);
+    }
+    f->x[state] = here;
+    return found;
+}
+
+/* The part of a quaternion cannot move alone. */
+static bool *movable_states(const mechanism *m, arena *memory)
+{
+    bool *moves = arena_take(memory, (size_t)state_count(m) + 1, sizeof *moves);
+    for (int i = 0; i < state_count(m); i++) {
+        moves[i] = true;
+    }
+    for (int i = 0; i < m->link_count; i++) {
+        for (int c = 0; c < 4 && m->links[i].kind == JOINT_SPHERICAL; c++) {
+            moves[m->links[i].position + c] = false;
+        }
+    }
+    return moves;
+}
+
+/* The largest sums of the sizes of the slopes by one state: by a position, and by any other. */
+static void slopes_of(formulas *f, double largest[STEEPEST_POINTS])
+{
+    const int inputs = held_count(f->m);
+    largest[0] = largest[1] = 0.0;
+    for (int s = 0; s < state_count(f->m); s++) {
+        const bool is_position = s < f->m->position_count;
+        double sum = 0.0;
+        f->given[inputs + s] = 1.0;
+        evaluate(f);
+        f->given[inputs + s] = 0.0;
+        for (int i = 0; i < f->count; i++) {
+            sum += fabs(f->numbers[f->l.changes[i]]);
+        }
+        largest[!is_position] = fmax(largest[!is_position], sum);
+    }
+}
+
+/* Keeps the point in the place of one that is less steep; an infinite slope is a jump, which no step follows. */
+static void keep_steeper(formulas *f, double steepest[STEEPEST_POINTS], double *points[STEEPEST_POINTS])
+{
+    double here[STEEPEST_POINTS];
+    slopes_of(f, here);
+    for (int i = 0; i < STEEPEST_POINTS; i++) {
+        if (isfinite(here[i]) && here[i] > 1.0001 * steepest[i]) {
+            const size_t size = (size_t)state_count(f->m);
+            points[i] = points[i] != NULL ? points[i] : arena_take(f->l.g.memory, size, sizeof *points[i]);
+            memcpy(points[i], f->x, size * sizeof *points[i]);
+            steepest[i] = here[i];
+        }
+    }
+}
+
+/* Moves one state to both sides of each kink that it leads to. */
+static void try_kinks(formulas *f, int state, double steepest[STEEPEST_POINTS], double *points[STEEPEST_POINTS])
+{
+    const double here = f->x[state];
+    for (size_t k = 0; k < f->l.g.count; k++) {
+        const double at = isnan(distance_at(f, k, state, here)) ? (double)NAN : find_kink(f, k, state);
+        const double beside = 1e-6 * (1.0 + fabs(at));
+        for (int sign = -1; sign <= 1 && !isnan(at); sign += 2) {
+            f->x[state] = at + sign * beside;
+            keep_steeper(f, steepest, points);
+        }
+        f->x[state] = here;
+    }
+}
+
+int steepest_points(const graph *g, const mechanism *m, int effect, const double *x, const double *u,
+                    double *points[STEEPEST_POINTS])
+{
+    arena *memory = g->memory;
+    const size_t states = (size_t)state_count(m), inputs = (size_t)held_count(m);
+    const size_t room = (size_t)(m->effort_part_count + 6 * m->applied_force_count + m->effect_state_count) + 1;
+    node *roots = arena_take(memory, room, sizeof *roots);
+    formulas f = {.m = m, .count = list_formulas(m, effect, roots)};
+    f.l = linearise(g, m, roots, (size_t)f.count);
+    f.numbers = arena_take(memory, f.l.g.count + 1, sizeof *f.numbers);
+    f.given = arena_take(memory, inputs + states + 1, sizeof *f.given);
+    f.x = arena_take(memory, states + 1, sizeof *f.x);
+    memcpy(f.given, u, inputs * sizeof *u);
+    memcpy(f.x, x, states * sizeof *x);
+    const bool *moves = movable_states(m, memory);
+    double steepest[STEEPEST_POINTS];
+    slopes_of(&f, steepest);
+    points[0] = points[1] = NULL;
+    for (int s = 0; s < state_count(m); s++) {
+        if (moves[s]) {
+            try_kinks(&f, s, steepest, points);
+        }
+    }
+    graph_free(&f.l.g);
+    const int first = points[0] != NULL;
+    points[first] = points[1];
+    return first + (points[first] != NULL);
+}

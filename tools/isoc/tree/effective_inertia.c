@@ -1,0 +1,121 @@
+#include "tools/isoc/tree/effective_inertia.h"
+
+#include <string.h>
+
+#include "tools/isoc/mechanism/states.h"
+#include "tools/isoc/tree/mass_matrix.h"
+
+bool asks_for_inertia(const graph *g)
+{
+    bool any = false;
+    for (size_t i = 0; i < g->count; i++) {
+        any = any || g->nodes[i].op == OP_INERTIA;
+    }
+    return any;
+}
+
+/* The inverse of a symmetric positive matrix, by Gauss and Jordan without a search for pivots; [n n]. */
+static void invert(double *a, size_t n)
+{
+    for (size_t k = 0; k < n; k++) {
+        const double pivot = 1.0 / a[k * n + k];
+        a[k * n + k] = 1.0;
+        for (size_t j = 0; j < n; j++) {
+            a[k * n + j] *= pivot;
+        }
+        for (size_t i = 0; i < n; i++) {
+            const double factor = i == k ? 0.0 : a[i * n + k];
+            a[i * n + k] = i == k ? a[i * n + k] : 0.0;
+            for (size_t j = 0; j < n && i != k; j++) {
+                a[i * n + j] -= factor * a[k * n + j];
+            }
+        }
+    }
+}
+
+/* The inverse of the mass matrix at the start, [n n]. */
+static double *inverse_of_mass(const graph *g, const mechanism *m, const mass_matrix *mass)
+{
+    const size_t n = (size_t)m->dof_count;
+    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->defaults};
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    double *inverse = arena_take(g->memory, n * n, sizeof *inverse);
+    graph_evaluate(g, 0, &at, numbers);
+    for (int i = 0; i < m->dof_count; i++) {
+        for (int j = i; j != GROUND; j = m->dofs[j].before) {
+            inverse[i * m->dof_count + j] = inverse[j * m->dof_count + i] =
+                numbers[mass->entries[i * m->dof_count + j]];
+        }
+    }
+    invert(inverse, n);
+    return inverse;
+}
+
+/* The velocity of what moves with the body at a point beside its own. */
+static vector velocity_beside(const kinematics *k, const asked_inertia *of)
+{
+    graph *g = k->g;
+    const body_frame *frame = &k->m->frames[of->body];
+    const vector point = vector_add(g, matrix_apply(g, frame->turn, of->point), frame->offset);
+    vector moves = point_velocity(k, frame->link, point), turns = k->motions[frame->link].omega;
+    const matrix to_body = matrix_transpose(frame->turn);
+    moves = of->in_body ? matrix_apply(g, to_body, moves) : outward_axes(k, frame->link, GROUND, moves);
+    turns = of->in_body ? matrix_apply(g, to_body, turns) : outward_axes(k, frame->link, GROUND, turns);
+    return vector_add(g, moves, vector_cross(g, turns, of->beside));
+}
+
+/* The rows of the Jacobian of these velocities at the start, [count n]: what each is where one speed is 1 and all others
+ * are 0, as they are linear. */
+static double *jacobian(const graph *g, const mechanism *m, const node *velocities, size_t count)
+{
+    const size_t n = (size_t)m->dof_count;
+    double *x = mechanism_start(m, g->memory), *speeds = x + m->position_count;
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    double *rows = arena_take(g->memory, count * n + 1, sizeof *rows);
+    memset(speeds, 0, n * sizeof *speeds);
+    for (size_t f = 0; f < n; f++) {
+        speeds[f] = 1.0;
+        graph_evaluate(g, 0, &(evaluation){.x = x, .p = m->defaults}, numbers);
+        speeds[f] = 0.0;
+        for (size_t i = 0; i < count; i++) {
+            rows[i * n + f] = numbers[velocities[i]];
+        }
+    }
+    return rows;
+}
+
+/* 1 / (row M^-1 row') */
+static double mass_along(const double *row, const double *inverse, size_t n)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < n; j++) {
+            sum += row[i] * inverse[i * n + j] * row[j];
+        }
+    }
+    return 1.0 / sum;
+}
+
+const node *offered_inertias(graph *g, const mechanism *m)
+{
+    graph scratch = graph_copy(g); /* so that nothing of this is in the way of what a plant computes */
+    const kinematics k = kinematics_build(&scratch, m);
+    kinematics_velocities(&k);
+    const size_t n = (size_t)m->dof_count, points = 3 * (size_t)m->asked_inertia_count;
+    const mass_matrix mass = mass_matrix_build(&k);
+    node *velocities = arena_take(g->memory, points + 1, sizeof *velocities);
+    for (int i = 0; i < m->asked_inertia_count; i++) {
+        const vector v = velocity_beside(&k, &m->asked_inertias[i]);
+        memcpy(velocities + 3 * i, v.at, sizeof v.at);
+    }
+    const double *inverse = inverse_of_mass(&scratch, m, &mass), *rows = jacobian(&scratch, m, velocities, points);
+    graph_free(&scratch);
+    node *made = arena_take(g->memory, n + points, sizeof *made);
+    for (size_t i = 0; i < n; i++) {
+        made[i] = constant(g, 1.0 / inverse[i * n + i]);
+    }
+    for (size_t i = 0; i < points; i++) {
+        made[n + i] = constant(g, mass_along(rows + i * n, inverse, n));
+    }
+    return made;
+}

@@ -1,0 +1,100 @@
+#include "tools/isoc/tree/point_query.h"
+
+#include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/tree/effective_inertia.h"
+
+static vector answer(const kinematics *k, const asked *of)
+{
+    graph *g = k->g;
+    const body_frame *frame = &k->m->frames[of->body];
+    const int at = frame->link;
+    const vector point = vector_add(g, matrix_apply(g, frame->turn, of->point), frame->offset);
+    if (of->kind == ASKED_POSITION && !of->in_body) {
+        return outward_point(k, at, GROUND, point);
+    }
+    vector in_link = vector_zero(g);
+    if (of->kind == ASKED_VELOCITY) {
+        in_link = point_velocity(k, at, point);
+    } else if (of->kind == ASKED_SPIN) {
+        in_link = at == GROUND ? in_link : k->motions[at].omega;
+    } else {
+        for (int i = 0; i < 3; i++) {
+            in_link.at[i] = frame->turn.at[i][of->kind - ASKED_X_AXIS];
+        }
+    }
+    return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_link) : outward_axes(k, at, GROUND, in_link);
+}
+
+/* What stands in the place of the leaves. */
+typedef struct answers {
+    const node *points;   /* three of each question */
+    const node *inertias; /* NULL where none is asked for */
+} answers;
+
+static void replace(graph *g, node *roots, int count, const answers *by)
+{
+    replace_leaves(g, roots, (size_t)count, OP_ASKED, by->points);
+    if (by->inertias != NULL) {
+        replace_leaves(g, roots, (size_t)count, OP_INERTIA, by->inertias);
+    }
+}
+
+void asked_resolve(graph *g, mechanism *m)
+{
+    const bool by_inertia = asks_for_inertia(g);
+    bool any = m->asked_count > 0 || by_inertia;
+    for (int i = 0; i < m->applied_force_count; i++) {
+        any = any || m->applied_forces[i].drive < 0;
+    }
+    if (!any) {
+        return;
+    }
+    const kinematics k = kinematics_build(g, m);
+    kinematics_velocities(&k);
+    graph_section(g, "Points of effects, in the ground's frame");
+    node *points = arena_take(g->memory, 3 * (size_t)m->asked_count + 1, sizeof *points);
+    for (int i = 0; i < m->asked_count; i++) {
+        const bool is_later = asks_for_acceleration(m->asked[i].kind);
+        const vector a = is_later ? vector_zero(g) : answer(&k, &m->asked[i]);
+        for (int n = 0; n < 3; n++) {
+            points[3 * i + n] = is_later ? leaf(g, OP_ASKED, 3 * i + n) : a.at[n];
+        }
+    }
+    const answers all = {points, by_inertia ? offered_inertias(g, m) : NULL};
+    graph_section(g, "Effects");
+    replace(g, m->efforts, m->dof_count, &all);
+    for (int i = 0; i < m->effect_count; i++) {
+        replace(g, &m->accounts[i].power, 1, &all);
+        replace(g, &m->accounts[i].stored, 1, &all);
+        replace(g, &m->accounts[i].loss, 1, &all);
+        replace(g, &m->accounts[i].work, 1, &all);
+    }
+    for (int i = 0; i < m->derived_count; i++) {
+        replace(g, &m->derived[i].next, 1, &all);
+    }
+    for (int i = 0; i < m->effect_state_count; i++) {
+        replace(g, &m->effect_states[i].next, 1, &all);
+        replace(g, &m->effect_states[i].begin, 1, &all);
+    }
+    for (int i = 0; i < m->memory_count; i++) {
+        replace(g, &m->memories[i].next, 1, &all);
+        replace(g, &m->memories[i].begin, 1, &all);
+    }
+    for (size_t i = 0; i < m->output_count; i++) {
+        if (m->outputs[i].kind == OUTPUT_FORMULA) {
+            replace(g, &m->outputs[i].formula, 1, &all);
+        }
+    }
+    for (int i = 0; i < m->applied_force_count; i++) {
+        applied_force *f = &m->applied_forces[i];
+        if (f->drive < 0) {
+            replace(g, f->force.at, 3, &all);
+            replace(g, f->moment.at, 3, &all);
+            f->force = f->in_ground ? inward_axes(&k, GROUND, f->link, f->force) : f->force;
+            f->moment = f->in_ground ? inward_axes(&k, GROUND, f->link, f->moment) : f->moment;
+        }
+    }
+    for (int i = 0; i < m->effort_part_count; i++) {
+        replace(g, &m->effort_parts[i].effort, 1, &all);
+    }
+}
