@@ -57,7 +57,7 @@ static void greet(void)
         opened = times;
         reader = (iso_xcp_reader){.is_serial = false};
         response_bytes = 0;
-        iso_xcp_part_from(&slave);
+        iso_xcp_disconnect(&slave);
     }
     reader.is_serial = times == 0;
 }

@@ -14,7 +14,7 @@ static uint16_t length_of(const char *const text)
     return n;
 }
 
-void iso_xcp_part_from(iso_xcp_slave *const s)
+void iso_xcp_disconnect(iso_xcp_slave *const s)
 {
     s->connected = false;
     s->locked = s->of->lock == NULL ? 0 : s->of->lock->resources;
@@ -37,7 +37,7 @@ void iso_xcp_start(iso_xcp_slave *const s, const iso_xcp_description *const of, 
             s->access.readable[i] = texts[next++];
         }
     }
-    iso_xcp_part_from(s);
+    iso_xcp_disconnect(s);
 }
 
 static uint16_t answer_connect(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
@@ -45,7 +45,7 @@ static uint16_t answer_connect(iso_xcp_slave *const s, const iso_xcp_exchange *c
     if (x->command[1] != 0) {
         return 0; /* a mode of its own, which this slave does not have */
     }
-    iso_xcp_part_from(s);
+    iso_xcp_disconnect(s);
     s->connected = true;
     x->response[1] = ISO_XCP_CAL_PAG | ISO_XCP_DAQ;
     x->response[2] = COMM_MODE_BASIC;
@@ -59,7 +59,7 @@ static uint16_t answer_connect(iso_xcp_slave *const s, const iso_xcp_exchange *c
 static uint16_t answer_disconnect(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     (void)x;
-    iso_xcp_part_from(s);
+    iso_xcp_disconnect(s);
     return 1;
 }
 
@@ -136,7 +136,7 @@ static uint16_t answer_unlock(iso_xcp_slave *const s, const iso_xcp_exchange *co
     const uint8_t resource = s->asked;
     s->asked = 0;
     if (!s->of->lock->fits(resource, s->seed, s->seed_length, x->command + 2, key_length)) {
-        iso_xcp_part_from(s);
+        iso_xcp_disconnect(s);
         return iso_xcp_refuse(x->response, ISO_XCP_ACCESS_LOCKED);
     }
     s->locked &= (uint8_t)~resource;

@@ -59,7 +59,7 @@ typedef struct iso_xcp_slave {
 void iso_xcp_start(iso_xcp_slave *s, const iso_xcp_description *of, const iso_xcp_access *access);
 
 /* To where it was at the start: nobody is connected, nothing is measured. */
-void iso_xcp_part_from(iso_xcp_slave *s);
+void iso_xcp_disconnect(iso_xcp_slave *s);
 
 /* A command of `length` bytes, any bytes. Returns the length of the response, up to ISO_XCP_MAX_CTO; 0: there is none. */
 uint16_t iso_xcp_answer(iso_xcp_slave *s, const uint8_t *command, uint16_t length, uint8_t *response);

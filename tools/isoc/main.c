@@ -72,7 +72,7 @@ static const char help[] =
 typedef struct options {
     const char *scene, *directory, *name, *method, *step, *tolerance, *set, *without, *inputs, *lock;
     bool is_double, draws, lists, lists_effects, is_standalone, is_linked;
-    wishes wanted;
+    build_options wanted;
 } options;
 
 static bool complain(const char *message, const char *argument)
@@ -240,11 +240,11 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
     text header = {.memory = memory}, source_text = {.memory = memory}, summary = {.memory = memory};
     const naming names = naming_of(p, memory, o->name);
     file_list files = {.memory = memory, .folder = o->directory};
-    double culprit = 0.0;
+    double out_of_range_value = 0.0;
     emit_header(p, &names, &header);
-    if (!emit_source(p, g, &names, &source_text, &culprit)) {
-        fprintf(stderr, "%s: error: the equations contain %g; %s\n", o->scene, culprit,
-                real_advice(culprit, o->is_double));
+    if (!emit_source(p, g, &names, &source_text, &out_of_range_value)) {
+        fprintf(stderr, "%s: error: the equations contain %g; %s\n", o->scene, out_of_range_value,
+                real_advice(out_of_range_value, o->is_double));
         return false;
     }
     if (o->is_linked && !link_fits(p, o->scene)) {
@@ -336,12 +336,12 @@ static bool compile(arena *memory, const options *o)
     }
     if (s.problem_count == 0) {
         if (o->wanted.formulation != FORMULATIONS && !formulation_fits(&m, o->wanted.formulation)) {
-            return complain(m.cut_count > 0 ? "closed loops have no such formulation:"
-                                            : "a tree has no such formulation:",
+            return complain(m.closure_count > 0 ? "closed loops have no such formulation:"
+                                                : "a tree has no such formulation:",
                             o->scene);
         }
         assemble(&s, &g, &m);
-        asked_resolve(&g, &m);
+        point_queries_resolve(&g, &m);
     }
     /* Constants of the equations may depend on the start: so that comes first. */
     if (s.problem_count == 0) {
@@ -364,7 +364,7 @@ static bool compile(arena *memory, const options *o)
                 samples_check(&s, &g, &written, &p);
             }
             switching_check(&s, &g, &p);
-            lessers_build(&s, &written, &p, o->wanted);
+            reduced_plants_build(&s, &written, &p, o->wanted);
             return write_plant(memory, o, &p, &g);
         }
     }

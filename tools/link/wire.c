@@ -53,8 +53,8 @@ int wire_open(wire *const w, const char *const path, const int mode)
     w->controller = WIRE_NONE;
     w->mode = mode;
     w->heard = wire_clock();
-    way_start(&w->outwards);
-    way_start(&w->inwards);
+    direction_start(&w->outwards);
+    direction_start(&w->inwards);
     return ends[1];
 }
 
@@ -83,7 +83,7 @@ static void part(wire *const w)
 {
     close(w->controller);
     w->controller = WIRE_NONE;
-    way_start(&w->inwards);
+    direction_start(&w->inwards);
     w->outwards.queued = 0;
 }
 
@@ -102,7 +102,8 @@ static bool is_readable(const struct pollfd *const file)
 static wire_event pass(wire *const w, const struct pollfd *const plant, const struct pollfd *const other)
 {
     w->heard = wire_clock();
-    if (is_readable(plant) && way_has_room(&w->outwards) && !way_read(&w->outwards, w->plant, look_outwards, w)) {
+    if (is_readable(plant) && direction_has_room(&w->outwards) &&
+        !direction_read(&w->outwards, w->plant, look_outwards, w)) {
         return WIRE_PLANT_GONE;
     }
     if (w->controller == WIRE_NONE) {
@@ -112,22 +113,23 @@ static wire_event pass(wire *const w, const struct pollfd *const plant, const st
         }
         return WIRE_PASSED;
     }
-    if ((is_readable(other) && way_has_room(&w->inwards) && !way_read(&w->inwards, w->controller, look_inwards, w)) ||
-        !way_write(&w->outwards, w->controller)) {
+    if ((is_readable(other) && direction_has_room(&w->inwards) &&
+         !direction_read(&w->inwards, w->controller, look_inwards, w)) ||
+        !direction_write(&w->outwards, w->controller)) {
         part(w);
         return WIRE_PASSED;
     }
-    if (!way_write(&w->inwards, w->plant)) {
+    if (!direction_write(&w->inwards, w->plant)) {
         w->inwards.queued = 0;
     }
     return WIRE_PASSED;
 }
 
-/* What poll is to wait for at one end: bytes for the way from it, and that those of the way to it can go. If for neither, not
+/* What poll is to wait for at one end: bytes for the direction from it, and that those of the direction to it can go. If for neither, not
  * even for its close. */
-static struct pollfd waits(const int file, const way *const from, const way *const to)
+static struct pollfd waits(const int file, const direction *const from, const direction *const to)
 {
-    const int events = (way_has_room(from) ? POLLIN : 0) | (to->queued > 0 ? POLLOUT : 0);
+    const int events = (direction_has_room(from) ? POLLIN : 0) | (to->queued > 0 ? POLLOUT : 0);
     return (struct pollfd){.fd = events == 0 ? WIRE_NONE : file, .events = (short)events};
 }
 
@@ -148,7 +150,7 @@ void wire_finish(wire *const w, const int milliseconds)
     while (w->controller != WIRE_NONE && w->outwards.queued > 0 && wire_clock() < until) {
         struct pollfd file = {.fd = w->controller, .events = POLLOUT};
         (void)poll(&file, 1, milliseconds);
-        if (!way_write(&w->outwards, w->controller)) {
+        if (!direction_write(&w->outwards, w->controller)) {
             part(w);
         }
     }

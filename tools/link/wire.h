@@ -3,7 +3,7 @@
 #define ISO_TOOLS_LINK_WIRE_H
 
 #include "tools/link/account.h"
-#include "tools/link/way.h"
+#include "tools/link/direction.h"
 
 enum { WIRE_NONE = -1 };
 
@@ -11,7 +11,7 @@ typedef struct wire {
     int plant, listener, controller; /* descriptors; WIRE_NONE */
     int mode;                        /* of a run, instead of what the controller asks for; WIRE_NONE: that */
     uint64_t heard;                  /* when bytes came last, in ns of wire_clock */
-    way outwards, inwards;           /* from the plant, and to it */
+    direction outwards, inwards;     /* from the plant, and to it */
     account account;
 } wire;
 

@@ -45,7 +45,7 @@ static void factorise(augmented *a, const mechanism *m)
     graph_section(g, "Factorisation of the Schur complement, L D L'");
     for (int s = 0; s < n; s++) {
         const int k = a->order[s];
-        a->pivots[k] = graph_name(g, at[k * n + k], "pivot_%s_%d", m->cuts[a->held.all[k].cut].name, k);
+        a->pivots[k] = graph_name(g, at[k * n + k], "pivot_%s_%d", m->closures[a->held.all[k].closure].name, k);
         at[k * n + k] = divide(g, constant(g, 1.0), a->pivots[k]);
         for (int t = s + 1; t < n; t++) {
             const int i = a->order[t];
@@ -202,7 +202,7 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
         }
     }
     for (int r = 0; r < n; r++) {
-        graph_name(g, a.multipliers[r], "lambda_%s_%d", m->cuts[held.all[r].cut].name, r);
+        graph_name(g, a.multipliers[r], "lambda_%s_%d", m->closures[held.all[r].closure].name, r);
     }
 
     graph_section(g, "Efforts less bias and multipliers, over the pivots");

@@ -5,9 +5,9 @@
 
 typedef struct pair {
     const kinematics *k;
-    const cut *c;
+    const closure *c;
     int index;
-    const matrix *turns; /* of the loop's links, to the axes that all of this stands in */
+    const matrix *turns; /* of the loop's segments, to the axes that all of this stands in */
     side parent, child;
     vector apart, apart_rate, apart_bias; /* from the parent's point to the child's */
     vector spin, spin_bias;               /* of the child against the parent */
@@ -21,7 +21,7 @@ static vector column(matrix m, int j)
 static pair build_pair(const kinematics *k, const acceleration *all, int index, closure_axes axes)
 {
     graph *g = k->g;
-    const cut *c = &k->m->cuts[index];
+    const closure *c = &k->m->closures[index];
     pair made = {.k = k, .c = c, .index = index, .turns = loop_turns(k, c, axes)};
     made.parent = side_build(k, all, &c->parent, c->base, made.turns);
     made.child = side_build(k, all, &c->child, c->base, made.turns);
@@ -55,7 +55,7 @@ static void put(const kinematics *k, constraints *to, constraint made, const cha
     }
     if (!entries) {
         to->dropped_gaps[to->dropped] = made.position;
-        to->dropped_cuts[to->dropped++] = made.cut;
+        to->dropped_closures[to->dropped++] = made.closure;
         return;
     }
     made.rate = graph_name(g, rate, "rate_%s", called);
@@ -68,7 +68,7 @@ static constraint blank(const kinematics *k, int index)
 {
     graph *g = k->g;
     const node zero = constant(g, 0.0);
-    constraint made = {.cut = index, .position = zero, .rate = zero, .bias = zero};
+    constraint made = {.closure = index, .position = zero, .rate = zero, .bias = zero};
     made.row = arena_take(g->memory, (size_t)k->m->dof_count, sizeof *made.row);
     for (int f = 0; f < k->m->dof_count; f++) {
         made.row[f] = zero;
@@ -175,7 +175,7 @@ typedef struct disc {
 static disc disc_of(const pair *p, vector n)
 {
     graph *g = p->k->g;
-    disc made = {.w = matrix_apply(g, p->turns[p->c->child.link + 1], p->c->wheel), .radius = p->c->length};
+    disc made = {.w = matrix_apply(g, p->turns[p->c->child.segment + 1], p->c->wheel), .radius = p->c->length};
     made.w_rate = vector_cross(g, p->child.omega, made.w);
     made.gamma = vector_dot(g, n, made.w);
     made.gamma_rate = vector_dot(g, n, made.w_rate);
@@ -246,15 +246,15 @@ static void hold_rolling(const pair *p, constraints *to, vector t, contact at, c
 static void hold_joints(const kinematics *k, constraints *to, int index)
 {
     graph *g = k->g;
-    const cut *c = &k->m->cuts[index];
+    const closure *c = &k->m->closures[index];
     constraint made = blank(k, index);
-    const link *first = &k->m->links[c->parent.link];
-    made.position = sub(g, k->motions[c->parent.link].q[0], c->length);
+    const segment *first = &k->m->segments[c->parent.segment];
+    made.position = sub(g, k->motions[c->parent.segment].q[0], c->length);
     made.row[first->dof] = constant(g, 1.0);
     if (c->kind == CLOSE_GEAR) {
-        const link *second = &k->m->links[c->child.link];
+        const segment *second = &k->m->segments[c->child.segment];
         made.row[second->dof] = neg(g, c->ratio);
-        made.position = sub(g, made.position, mul(g, c->ratio, k->motions[c->child.link].q[0]));
+        made.position = sub(g, made.position, mul(g, c->ratio, k->motions[c->child.segment].q[0]));
     } else {
         made.position = sub(g, made.position, c->motion);
         made.rate = neg(g, c->motion_rate);
@@ -311,7 +311,7 @@ static void directions_across(graph *g, vector n, vector across[2])
 static bool may_rest(const pair *p, int a)
 {
     const kinematics *k = p->k;
-    const vector in_base = outward_axes(k, p->c->parent.link, p->c->base, column(p->c->parent.turn, a));
+    const vector in_base = outward_axes(k, p->c->parent.segment, p->c->base, column(p->c->parent.turn, a));
     const bool rests = p->c->base == GROUND && vector_is_constant(k->g, in_base);
     return rests || is_zero(k->g, vector_dot(k->g, column(p->parent.axes, a), p->apart));
 }
@@ -376,12 +376,12 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
 {
     enum { MOST_OF_A_CLOSURE = 6 };
     graph *g = k->g;
-    const size_t room = MOST_OF_A_CLOSURE * (size_t)k->m->cut_count + 1;
+    const size_t room = MOST_OF_A_CLOSURE * (size_t)k->m->closure_count + 1;
     constraints made = {.all = arena_take(g->memory, room, sizeof *made.all)};
     made.dropped_gaps = arena_take(g->memory, room, sizeof *made.dropped_gaps);
-    made.dropped_cuts = arena_take(g->memory, room, sizeof *made.dropped_cuts);
-    for (int i = 0; i < k->m->cut_count; i++) {
-        if (acts_along_joints(k->m->cuts[i].kind)) {
+    made.dropped_closures = arena_take(g->memory, room, sizeof *made.dropped_closures);
+    for (int i = 0; i < k->m->closure_count; i++) {
+        if (acts_along_joints(k->m->closures[i].kind)) {
             hold_joints(k, &made, i);
         } else {
             const pair p = build_pair(k, accelerations, i, axes);

@@ -11,7 +11,7 @@
 #include "tools/isoc/closure/side.h"
 
 typedef struct constraint {
-    int cut;       /* the closure that it is part of */
+    int closure;   /* the closure that it is part of */
     node position; /* m or rad; zero of a constraint of velocities only */
     node rate;
     node bias;
@@ -25,7 +25,7 @@ typedef struct constraints {
     int count, room;
     int dropped;        /* constraints that no joint changes */
     node *dropped_gaps; /* their gaps: constants, and zero if the scene can close */
-    int *dropped_cuts;
+    int *dropped_closures;
 } constraints;
 
 /* The largest |Phi|, or |Phi'| of all constraints. */

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* From a link's axes to its parent's. */
+/* From a segment's axes to its parent's. */
 static matrix joint_turn(const kinematics *k, int i)
 {
     matrix made;
@@ -18,26 +18,28 @@ static matrix joint_turn(const kinematics *k, int i)
 static void turn_outward(const kinematics *k, int i, int base, matrix *turns)
 {
     if (i != base) {
-        const int parent = k->m->links[i].parent;
+        const int parent = k->m->segments[i].parent;
         turn_outward(k, parent, base, turns);
         turns[i + 1] = matrix_product(k->g, turns[parent + 1], joint_turn(k, i));
     }
 }
 
-const matrix *loop_turns(const kinematics *k, const cut *c, closure_axes chosen)
+const matrix *loop_turns(const kinematics *k, const closure *c, closure_axes chosen)
 {
-    matrix *turns = arena_take(k->g->memory, (size_t)k->m->link_count + 1, sizeof *turns);
-    const int last = chosen == AXES_OF_PARENT ? c->parent.link : chosen == AXES_OF_CHILD ? c->child.link : c->base;
+    matrix *turns = arena_take(k->g->memory, (size_t)k->m->segment_count + 1, sizeof *turns);
+    const int last = chosen == AXES_OF_PARENT  ? c->parent.segment
+                     : chosen == AXES_OF_CHILD ? c->child.segment
+                                               : c->base;
     turns[last + 1] = matrix_identity(k->g);
-    for (int i = last; i != c->base; i = k->m->links[i].parent) {
+    for (int i = last; i != c->base; i = k->m->segments[i].parent) {
         const matrix back = matrix_transpose(joint_turn(k, i));
-        turns[k->m->links[i].parent + 1] = matrix_product(k->g, turns[i + 1], back);
+        turns[k->m->segments[i].parent + 1] = matrix_product(k->g, turns[i + 1], back);
     }
     if (chosen != AXES_OF_PARENT) {
-        turn_outward(k, c->parent.link, c->base, turns);
+        turn_outward(k, c->parent.segment, c->base, turns);
     }
     if (chosen != AXES_OF_CHILD) {
-        turn_outward(k, c->child.link, c->base, turns);
+        turn_outward(k, c->child.segment, c->base, turns);
     }
     return turns;
 }
@@ -47,8 +49,8 @@ static bool same(vector a, vector b)
     return memcmp(a.at, b.at, sizeof a.at) == 0;
 }
 
-/* Adds the way `from` on a link, from where it hangs to where the next one does, and what the link's motion makes of
- * it: in the link's axes, which share it with the dynamics; or behind the rotation, where that leaves the angular
+/* Adds the way `from` on a segment, from where it hangs to where the next one does, and what the segment's motion makes of
+ * it: in the segment's axes, which share it with the dynamics; or behind the rotation, where that leaves the angular
  * velocity as it is, as in a plane, and makes of the way what the Jacobian has. */
 static void add_way(const kinematics *k, const acceleration *all, int i, bool moves, vector from, matrix rotation,
                     side *to)
@@ -60,7 +62,7 @@ static void add_way(const kinematics *k, const acceleration *all, int i, bool mo
         return;
     }
     const vector omega = k->motions[i].omega, alpha = all[i].alpha;
-    const vector slid = moves && slides(&k->m->links[i]) ? k->motions[i].rate : zero;
+    const vector slid = moves && slides(&k->m->segments[i]) ? k->motions[i].rate : zero;
     const vector coriolis = moves ? joint_coriolis(k, i).a : zero;
     vector rate, bias;
     if (same(matrix_apply(g, rotation, omega), omega) && same(matrix_apply(g, rotation, alpha), alpha)) {
@@ -74,12 +76,12 @@ static void add_way(const kinematics *k, const acceleration *all, int i, bool mo
     to->acceleration = vector_add(g, to->acceleration, bias);
 }
 
-/* Adds the parts of a link's degrees of freedom in the motion of the end, which is at to->point from the link's origin
+/* Adds the parts of a segment's degrees of freedom in the motion of the end, which is at to->point from the segment's origin
  * on its parent. */
 static void add_dofs(const kinematics *k, int i, matrix rotation, side *to)
 {
     graph *g = k->g;
-    const link *l = &k->m->links[i];
+    const segment *l = &k->m->segments[i];
     for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
         const vector e = matrix_apply(g, rotation, axis_of(k, f));
         to->linear[f] = slides(l) ? e : vector_cross(g, e, to->point);
@@ -87,12 +89,12 @@ static void add_dofs(const kinematics *k, int i, matrix rotation, side *to)
     }
 }
 
-side side_build(const kinematics *k, const acceleration *all, const cut_end *end, int base, const matrix *turns)
+side side_build(const kinematics *k, const acceleration *all, const closure_end *end, int base, const matrix *turns)
 {
     graph *g = k->g;
     const mechanism *m = k->m;
     const vector zero = vector_zero(g);
-    const matrix last = turns[end->link + 1];
+    const matrix last = turns[end->segment + 1];
     side made = {.point = zero, .velocity = zero, .acceleration = zero, .omega = zero, .alpha = zero};
     made.linear = arena_take(g->memory, (size_t)m->dof_count, sizeof *made.linear);
     made.angular = arena_take(g->memory, (size_t)m->dof_count, sizeof *made.angular);
@@ -100,15 +102,15 @@ side side_build(const kinematics *k, const acceleration *all, const cut_end *end
         made.linear[f] = made.angular[f] = zero;
     }
     vector from = end->point;
-    for (int i = end->link; i != base; i = m->links[i].parent) {
+    for (int i = end->segment; i != base; i = m->segments[i].parent) {
         add_way(k, all, i, true, from, turns[i + 1], &made);
         add_dofs(k, i, turns[i + 1], &made);
         from = k->motions[i].p;
     }
     add_way(k, all, base, false, from, turns[base + 1], &made);
-    if (end->link != GROUND) {
-        made.omega = matrix_apply(g, last, k->motions[end->link].omega);
-        made.alpha = matrix_apply(g, last, all[end->link].alpha);
+    if (end->segment != GROUND) {
+        made.omega = matrix_apply(g, last, k->motions[end->segment].omega);
+        made.alpha = matrix_apply(g, last, all[end->segment].alpha);
     }
     made.axes = matrix_product(g, last, end->turn);
     return made;

@@ -2,12 +2,12 @@
 
 #include "tools/isoc/graph/differentiate.h"
 
-/* T = m v.v / 2 + v.(omega x ms) + omega.J omega / 2, about the link's origin; and its spring's. */
-static node energy_of_link(const dynamics *d, int i)
+/* T = m v.v / 2 + v.(omega x ms) + omega.J omega / 2, about the segment's origin; and its spring's. */
+static node energy_of_segment(const dynamics *d, int i)
 {
     graph *g = d->g;
     const node half = constant(g, 0.5);
-    const link *l = &d->m->links[i];
+    const segment *l = &d->m->segments[i];
     const motion *now = &d->k.motions[i];
     const node half_mass = mul(g, half, l->mass);
     const node linear = mul(g, half_mass, vector_dot(g, now->v, now->v));
@@ -25,11 +25,11 @@ node account_energy(const dynamics *d)
     const mechanism *m = d->m;
     node sum = constant(g, 0.0), stored = sum;
     graph_section(g, "Energy: kinetic, of gravity, of springs");
-    for (int i = 0; i < m->link_count; i++) {
-        sum = add(g, sum, energy_of_link(d, i));
+    for (int i = 0; i < m->segment_count; i++) {
+        sum = add(g, sum, energy_of_segment(d, i));
     }
-    for (int i = 0; i < m->strut_count; i++) {
-        sum = add(g, sum, spring_energy(g, &m->struts[i], &d->springs[i]));
+    for (int i = 0; i < m->point_spring_count; i++) {
+        sum = add(g, sum, spring_energy(g, &m->point_springs[i], &d->springs[i]));
     }
     for (int i = 0; i < m->effect_count; i++) {
         stored = add(g, stored, m->accounts[i].stored);
@@ -55,8 +55,8 @@ static node rate_of(const dynamics *d, node of)
 static node power_of_joint(const dynamics *d, int f)
 {
     graph *g = d->g;
-    const link *l = &d->m->links[d->m->dofs[f].link];
-    const node speed = d->k.motions[d->m->dofs[f].link].qd[f - l->dof];
+    const segment *l = &d->m->segments[d->m->dofs[f].segment];
+    const node speed = d->k.motions[d->m->dofs[f].segment].qd[f - l->dof];
     const node drive = l->drive < 0 ? constant(g, 0.0) : leaf(g, OP_INPUT, l->drive);
     return mul(g, sub(g, drive, mul(g, l->damping, speed)), speed);
 }
@@ -67,8 +67,8 @@ static node power_of_force(const dynamics *d, const applied_force *f)
     graph *g = d->g;
     const vector force = vector_scale(g, leaf(g, OP_INPUT, f->drive), f->axis);
     const vector moment = vector_scale(g, f->lever, force);
-    const node linear = vector_dot(g, force, point_velocity(&d->k, f->link, f->point));
-    return add(g, linear, vector_dot(g, moment, d->k.motions[f->link].omega));
+    const node linear = vector_dot(g, force, point_velocity(&d->k, f->segment, f->point));
+    return add(g, linear, vector_dot(g, moment, d->k.motions[f->segment].omega));
 }
 
 static node power_of_constraint(const dynamics *d, int r)
@@ -97,9 +97,9 @@ node account_power(const dynamics *d)
     for (int f = 0; f < m->dof_count; f++) {
         sum = add(g, sum, power_of_joint(d, f));
     }
-    for (int i = 0; i < m->strut_count; i++) {
+    for (int i = 0; i < m->point_spring_count; i++) {
         const node rate = d->springs[i].rate;
-        sum = sub(g, sum, mul(g, mul(g, m->struts[i].damping, rate), rate));
+        sum = sub(g, sum, mul(g, mul(g, m->point_springs[i].damping, rate), rate));
     }
     for (int i = 0; i < m->applied_force_count; i++) {
         if (m->applied_forces[i].drive >= 0) {

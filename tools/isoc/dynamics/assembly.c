@@ -22,8 +22,8 @@ typedef struct assembly {
 static const char *list_free(const assembly *a)
 {
     const char *list = "";
-    for (int i = 0; i < a->m->link_count; i++) {
-        const link *l = &a->m->links[i];
+    for (int i = 0; i < a->m->segment_count; i++) {
+        const segment *l = &a->m->segments[i];
         bool any = false;
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             any = any || a->is_free[f];
@@ -40,7 +40,7 @@ static int choose_free(const assembly *a, bool rates, bool all)
 {
     int count = 0;
     for (int f = 0; f < a->m->dof_count; f++) {
-        const link *l = &a->m->links[a->m->dofs[f].link];
+        const segment *l = &a->m->segments[a->m->dofs[f].segment];
         const bool given = rates ? l->speed_given : l->start_given || (l->start_is_rough && a->keeps_rough);
         a->is_free[f] = false;
         for (int r = 0; r < a->held->count && (all || !given); r++) {
@@ -52,19 +52,19 @@ static int choose_free(const assembly *a, bool rates, bool all)
     return count;
 }
 
-static const cut *cut_of(const assembly *a, gap open)
+static const closure *closure_of(const assembly *a, gap open)
 {
-    return &a->m->cuts[a->held->all[open.row].cut];
+    return &a->m->closures[a->held->all[open.row].closure];
 }
 
 /* The unit of a constraint: of axes an angle, of joints that of their coordinate. */
 static const char *unit_of(const assembly *a, gap open)
 {
     const graph *g = a->c.d->g;
-    const cut *at = cut_of(a, open);
+    const closure *at = closure_of(a, open);
     const vector force = a->held->all[open.row].force;
     const bool is_length = acts_along_joints(at->kind)
-                               ? slides(&a->m->links[at->parent.link])
+                               ? slides(&a->m->segments[at->parent.segment])
                                : !is_zero(g, force.at[0]) || !is_zero(g, force.at[1]) || !is_zero(g, force.at[2]);
     return is_length ? "m" : "rad";
 }
@@ -74,19 +74,19 @@ static void tell_open(const assembly *a, gap open, int count)
     const char *list = list_free(a);
     choose_free(a, false, true);
     const bool would_close = closing_search(&a->c, a->is_free, closed).size <= closed;
-    source_problem(a->s, cut_of(a, open)->at,
+    source_problem(a->s, closure_of(a, open)->at,
                    "'%s' cannot close: a gap of %.3g %s remains; the constraints have rank %d of %d in the coordinates "
                    "without a start: %s%s",
-                   cut_of(a, open)->name, open.size, unit_of(a, open), open.rank, open.all, count == 0 ? "none" : list,
-                   would_close ? "; it closes without the given starts" : "");
+                   closure_of(a, open)->name, open.size, unit_of(a, open), open.rank, open.all,
+                   count == 0 ? "none" : list, would_close ? "; it closes without the given starts" : "");
 }
 
 /* Moves the other coordinates to close the loops as far as possible while rough starts are kept; so the nearest
  * solution is found. */
 static void go_near(assembly *a)
 {
-    for (int i = 0; i < a->m->link_count; i++) {
-        a->keeps_rough = a->keeps_rough || a->m->links[i].start_is_rough;
+    for (int i = 0; i < a->m->segment_count; i++) {
+        a->keeps_rough = a->keeps_rough || a->m->segments[i].start_is_rough;
     }
     if (a->keeps_rough && choose_free(a, false, false) > 0) {
         (void)closing_search(&a->c, a->is_free, closed);
@@ -104,7 +104,7 @@ static bool close_positions(const assembly *a)
     }
     const int undetermined = branches_look(&a->c, a->is_free, a->meets);
     if (undetermined > 0) {
-        source_problem(a->s, cut_of(a, open)->at,
+        source_problem(a->s, closure_of(a, open)->at,
                        "the closures leave %d of %d coordinates undetermined (rank %d): give a start to %d of %s",
                        undetermined, count, open.rank, undetermined, list_free(a));
         return false;
@@ -113,9 +113,9 @@ static bool close_positions(const assembly *a)
     const gap left = closing_run(&a->c, false, a->is_free);
     if (!(left.size <= exact)) {
         source_problem(
-            a->s, cut_of(a, left)->at,
+            a->s, closure_of(a, left)->at,
             "'%s' contradicts the other closures: a gap of %.3g %s remains; the constraints have rank %d of %d",
-            cut_of(a, left)->name, left.size, unit_of(a, left), left.rank, left.all);
+            closure_of(a, left)->name, left.size, unit_of(a, left), left.rank, left.all);
         return false;
     }
     return true;
@@ -126,9 +126,9 @@ static bool close_speeds(const assembly *a)
     choose_free(a, true, false);
     const gap open = closing_run(&a->c, true, a->is_free);
     if (!(open.size <= closed)) {
-        source_problem(a->s, cut_of(a, open)->at,
+        source_problem(a->s, closure_of(a, open)->at,
                        "the speeds at the start violate '%s' by %.3g %s/s: leave out those that follow from the others",
-                       cut_of(a, open)->name, open.size, unit_of(a, open));
+                       closure_of(a, open)->name, open.size, unit_of(a, open));
         return false;
     }
     choose_free(a, true, true);
@@ -136,7 +136,7 @@ static bool close_speeds(const assembly *a)
     if (left.rank == left.all || a->m->is_redundant) {
         return true;
     }
-    const place at = a->m->cuts[a->held->all[a->held->count - 1].cut].at;
+    const place at = a->m->closures[a->held->all[a->held->count - 1].closure].at;
     const int nearby = branches_rank_nearby(&a->c);
     if (nearby == left.all) {
         source_problem(a->s, at,
@@ -157,7 +157,7 @@ static bool check_dropped(const assembly *a)
 {
     for (int i = 0; i < a->held->dropped; i++) {
         const double off = fabs(a->c.numbers[a->held->dropped_gaps[i]]);
-        const cut *c = &a->m->cuts[a->held->dropped_cuts[i]];
+        const closure *c = &a->m->closures[a->held->dropped_closures[i]];
         if (!(off <= closed)) {
             source_problem(a->s, c->at, "'%s' cannot close: a gap of %.3g (m or rad) remains that no joint can close",
                            c->name, off);
@@ -172,11 +172,11 @@ static bool check_distances(const assembly *a)
 {
     for (int r = 0; r < a->held->count; r++) {
         const constraint *c = &a->held->all[r];
-        if (a->m->cuts[c->cut].kind == CLOSE_DISTANCE && !(a->c.numbers[c->length] > closed)) {
-            source_problem(a->s, a->m->cuts[c->cut].at,
+        if (a->m->closures[c->closure].kind == CLOSE_DISTANCE && !(a->c.numbers[c->length] > closed)) {
+            source_problem(a->s, a->m->closures[c->closure].at,
                            "the points of '%s' coincide at the start: write a length, as in length 1 m, or a start at "
                            "which they are apart",
-                           a->m->cuts[c->cut].name);
+                           a->m->closures[c->closure].name);
             return false;
         }
     }
@@ -188,7 +188,7 @@ static bool check_discs(const assembly *a)
 {
     for (int r = 0; r < a->held->count; r++) {
         const constraint *c = &a->held->all[r];
-        const cut *at = &a->m->cuts[c->cut];
+        const closure *at = &a->m->closures[c->closure];
         if (at->is_disc && !is_zero(a->c.d->g, c->position) && !(a->c.numbers[c->length] > closed)) {
             source_problem(a->s, at->at, "the disc of '%s' lies flat on its plane at the start, or is below it",
                            at->name);
@@ -209,8 +209,8 @@ static double largest_change(const double *from, const double *to, int count)
 
 static void keep_start(const assembly *a)
 {
-    for (int i = 0; i < a->m->link_count; i++) {
-        link *l = &a->m->links[i];
+    for (int i = 0; i < a->m->segment_count; i++) {
+        segment *l = &a->m->segments[i];
         const double *x = a->c.x + l->position;
         const double *speed = a->c.x + a->m->position_count + l->dof;
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
@@ -225,7 +225,7 @@ static void keep_start(const assembly *a)
 
 void assemble(source *s, const graph *g, const mechanism *m)
 {
-    if (m->cut_count == 0) {
+    if (m->closure_count == 0) {
         return;
     }
     graph scratch = graph_copy(g);

@@ -12,7 +12,7 @@ static void build_forces(const dynamics *d, balance *b)
 {
     const mechanism *m = d->m;
     node *taken = arena_take(d->g->memory, (size_t)m->dof_count, sizeof *taken);
-    b->wrenches = arena_take(d->g->memory, (size_t)m->link_count, sizeof *b->wrenches);
+    b->wrenches = arena_take(d->g->memory, (size_t)m->segment_count, sizeof *b->wrenches);
     b->accelerations = reaction_accelerations(d);
     graph_section(d->g, "What is left of the efforts over what the accelerations take");
     inertial_wrenches(&d->k, b->accelerations, b->wrenches);

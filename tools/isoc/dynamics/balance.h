@@ -17,8 +17,8 @@ typedef struct balance {
     int rows;
     node *left;                        /* [rows] by leaves OP_DERIVATIVE of the accelerations and OP_MULTIPLIER */
     node *weights;                     /* [rows rows] what it has of them: [M Phi_q'; Phi_q -1/penalty] */
-    const acceleration *accelerations; /* [links] what Newton-Euler hands on from link to link, outward */
-    wrench *wrenches;                  /* [links] and inward: of a link with its descendants */
+    const acceleration *accelerations; /* [segments] what Newton-Euler hands on from segment to segment, outward */
+    wrench *wrenches;                  /* [segments] and inward: of a segment with its descendants */
 } balance;
 
 balance balance_build(const dynamics *d);

@@ -42,8 +42,8 @@ static double square_gaps(const closing *c, bool rates)
     return sum;
 }
 
-/* Moves the positions of a link by what its degrees of freedom move. */
-static void move_link(const closing *c, const link *l, const double *by)
+/* Moves the positions of a segment by what its degrees of freedom move. */
+static void move_segment(const closing *c, const segment *l, const double *by)
 {
     double *q = c->x + l->position;
     if (l->kind != JOINT_SPHERICAL) {
@@ -63,10 +63,10 @@ static void move_link(const closing *c, const link *l, const double *by)
 
 void closing_move(const closing *c, bool rates, const double *by)
 {
-    for (int i = 0; i < c->m->link_count; i++) {
-        const link *l = &c->m->links[i];
+    for (int i = 0; i < c->m->segment_count; i++) {
+        const segment *l = &c->m->segments[i];
         if (!rates) {
-            move_link(c, l, by + l->dof);
+            move_segment(c, l, by + l->dof);
         } else {
             for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
                 c->x[c->m->position_count + f] += by[f];
@@ -164,7 +164,7 @@ static void move_away(const closing *c, const bool *is_free, int n, double reach
         if (is_free[f]) {
             power /= g;
             const double part = n * power - floor(n * power) - 0.5;
-            by[f] = part * (slides(&c->m->links[c->m->dofs[f].link]) ? reach : around);
+            by[f] = part * (slides(&c->m->segments[c->m->dofs[f].segment]) ? reach : around);
         }
     }
     closing_move(c, false, by);
@@ -173,8 +173,8 @@ static void move_away(const closing *c, const bool *is_free, int n, double reach
 /* Brings free angles to within half a turn of their rough start, continuous ones of zero. */
 static void fold(const closing *c, const bool *is_free)
 {
-    for (int i = 0; i < c->m->link_count; i++) {
-        const link *l = &c->m->links[i];
+    for (int i = 0; i < c->m->segment_count; i++) {
+        const segment *l = &c->m->segments[i];
         if (l->kind == JOINT_REVOLUTE && is_free[l->dof]) {
             const double from = l->continuous ? 0.0 : l->start[0];
             c->x[l->position] -= around * floor((c->x[l->position] - from) / around + 0.5);

@@ -6,7 +6,7 @@ const char *const formulation_names[FORMULATIONS] = {"composite", "articulated",
 
 bool formulation_fits(const mechanism *m, formulation f)
 {
-    return f == FORMULATION_COMPOSITE || (f == FORMULATION_ARTICULATED) == (m->cut_count == 0);
+    return f == FORMULATION_COMPOSITE || (f == FORMULATION_ARTICULATED) == (m->closure_count == 0);
 }
 
 static closure_axes axes_of(formulation f)
@@ -18,13 +18,13 @@ void efforts_less(const dynamics *d, const node *bias, node *effort)
 {
     graph *g = d->g;
     for (int f = 0; f < d->m->dof_count; f++) {
-        const link *l = &d->m->links[d->m->dofs[f].link];
-        const motion *now = &d->k.motions[d->m->dofs[f].link];
+        const segment *l = &d->m->segments[d->m->dofs[f].segment];
+        const motion *now = &d->k.motions[d->m->dofs[f].segment];
         effort[f] = l->drive < 0 ? constant(g, 0.0) : leaf(g, OP_INPUT, l->drive);
         effort[f] = sub(g, effort[f], mul(g, l->damping, now->qd[f - l->dof]));
         effort[f] = sub(g, effort[f], mul(g, l->spring, sub(g, now->q[0], l->rest)));
         effort[f] = add(g, effort[f], d->m->efforts[f]);
-        for (int i = 0; i < d->m->strut_count; i++) {
+        for (int i = 0; i < d->m->point_spring_count; i++) {
             effort[f] = sub(g, effort[f], mul(g, d->springs[i].by_length, d->springs[i].row[f]));
         }
         effort[f] = graph_name(g, sub(g, effort[f], bias[f]), "tau_%s", d->m->dofs[f].name);
@@ -63,8 +63,8 @@ static void efforts_alone(dynamics *d, node *bias)
 static void efforts_at_absolute(const kinematics *k, node *effort)
 {
     const mechanism *m = k->m;
-    for (int i = 0; i < m->link_count; i++) {
-        const int f = m->links[i].dof, before = m->dofs[f].before, shared = shared_axis(k, i);
+    for (int i = 0; i < m->segment_count; i++) {
+        const int f = m->segments[i].dof, before = m->dofs[f].before, shared = shared_axis(k, i);
         if (shared != 0) {
             effort[before] = sub(k->g, effort[before], mul(k->g, constant(k->g, shared), effort[f]));
         }
@@ -75,8 +75,8 @@ static void efforts_at_absolute(const kinematics *k, node *effort)
 static void relative_of_absolute(const kinematics *k, node *x)
 {
     const mechanism *m = k->m;
-    for (int i = m->link_count - 1; i >= 0; i--) {
-        const int f = m->links[i].dof, before = m->dofs[f].before, shared = shared_axis(k, i);
+    for (int i = m->segment_count - 1; i >= 0; i--) {
+        const int f = m->segments[i].dof, before = m->dofs[f].before, shared = shared_axis(k, i);
         if (shared != 0) {
             const node of_parent = mul(k->g, constant(k->g, shared), x[before]);
             x[f] = sub(k->g, x[f], of_parent);
@@ -138,9 +138,9 @@ const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
     graph_section(g, "Springs between points");
     d->springs = springs_build(&d->k);
     d->acceleration = arena_take(g->memory, n, sizeof *d->acceleration);
-    d->accelerations = arena_take(g->memory, (size_t)m->link_count, sizeof *d->accelerations);
+    d->accelerations = arena_take(g->memory, (size_t)m->segment_count, sizeof *d->accelerations);
     node *bias = arena_take(g->memory, n, sizeof *bias);
-    if (m->cut_count > 0) {
+    if (m->closure_count > 0) {
         solve_loops(d, bias, axes_of(chosen));
     } else if (chosen == FORMULATION_ARTICULATED) {
         solve_articulated(d, bias);

@@ -1,6 +1,6 @@
 /* The equations of motion, as nodes: M(q) q'' + bias(q, q') + Phi_q' lambda = effort, Phi_q q'' = gamma.
  *
- * A tree of links alone needs the first, which either formulation solves; closed loops need both, and the factors of M
+ * A tree of segments alone needs the first, which either formulation solves; closed loops need both, and the factors of M
  * (tools/isoc/closure/augmented.h).
  */
 #ifndef ISOC_DYNAMICS_DYNAMICS_H
@@ -31,7 +31,7 @@ typedef struct dynamics {
     graph *g;
     kinematics k;
     mass_matrix mass;
-    acceleration *accelerations; /* of the links, at q'' = 0 */
+    acceleration *accelerations; /* of the segments, at q'' = 0 */
     node *acceleration;          /* [degrees of freedom] q'' */
     const stretched *springs;    /* between points */
     augmented loops;             /* without constraints where nothing is closed */

@@ -4,10 +4,10 @@ acceleration *reaction_accelerations(const dynamics *d)
 {
     graph *g = d->g;
     const mechanism *m = d->m;
-    acceleration *made = arena_take(g->memory, (size_t)m->link_count, sizeof *made);
+    acceleration *made = arena_take(g->memory, (size_t)m->segment_count, sizeof *made);
     graph_section(g, "Accelerations of the links, for reactions");
-    for (int i = 0; i < m->link_count; i++) {
-        const link *l = &m->links[i];
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
         made[i] = accelerate_outward(&d->k, i, made);
         vector *moved = slides(l) ? &made[i].a : &made[i].alpha;
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
@@ -26,7 +26,7 @@ static wrench closure_in_base(const dynamics *d, int index)
     wrench sum = {vector_zero(g), vector_zero(g)};
     for (int r = 0; r < loops->held.count; r++) {
         const constraint *c = &loops->held.all[r];
-        if (c->cut == index) {
+        if (c->closure == index) {
             sum.force = vector_add(g, sum.force, vector_scale(g, loops->multipliers[r], c->force));
             sum.moment = vector_add(g, sum.moment, vector_scale(g, loops->multipliers[r], c->moment));
         }
@@ -39,35 +39,35 @@ static vector inward_point(const kinematics *k, int base, int i, vector point)
     if (i == base) {
         return point;
     }
-    const vector on_parent = inward_point(k, base, k->m->links[i].parent, point);
+    const vector on_parent = inward_point(k, base, k->m->segments[i].parent, point);
     return from_parent(k, i, vector_sub(k->g, on_parent, k->motions[i].p));
 }
 
-/* The wrench of a closure on the child, at the child's point, in the frame of a side's link; on the parent it is the
+/* The wrench of a closure on the child, at the child's point, in the frame of a side's segment; on the parent it is the
  * opposite, at the same point. */
-static wrench closure_on_link(const dynamics *d, int index, int i)
+static wrench closure_on_segment(const dynamics *d, int index, int i)
 {
-    const cut *c = &d->m->cuts[index];
+    const closure *c = &d->m->closures[index];
     const wrench in_base = closure_in_base(d, index);
-    const vector in_base_point = outward_point(&d->k, c->child.link, c->base, c->child.point);
-    const vector point = i == c->child.link ? c->child.point : inward_point(&d->k, c->base, i, in_base_point);
+    const vector in_base_point = outward_point(&d->k, c->child.segment, c->base, c->child.point);
+    const vector point = i == c->child.segment ? c->child.point : inward_point(&d->k, c->base, i, in_base_point);
     const vector force = inward_axes(&d->k, c->base, i, in_base.force);
     return wrench_at(d->g, point, force, inward_axes(&d->k, c->base, i, in_base.moment));
 }
 
-/* The wrench of a spring on a body at an end of it, in the frame of the body's link. */
+/* The wrench of a spring on a body at an end of it, in the frame of the body's segment. */
 static wrench spring_on_body(const dynamics *d, int index, int of)
 {
     graph *g = d->g;
-    const strut *s = &d->m->struts[index];
+    const point_spring *s = &d->m->point_springs[index];
     const bool is_second = s->second.body == of;
-    const cut_end *end = is_second ? &s->second : &s->first;
+    const closure_end *end = is_second ? &s->second : &s->first;
     const vector on_second = spring_force(g, &d->springs[index]);
     const vector force = is_second ? on_second : vector_sub(g, vector_zero(g), on_second);
-    return wrench_at(g, end->point, inward_axes(&d->k, s->base, end->link, force), vector_zero(g));
+    return wrench_at(g, end->point, inward_axes(&d->k, s->base, end->segment, force), vector_zero(g));
 }
 
-/* The wrench on a body without that of its joint, its weight and its children, in its link's frame. */
+/* The wrench on a body without that of its joint, its weight and its children, in its segment's frame. */
 static wrench acting(const dynamics *d, int of)
 {
     graph *g = d->g;
@@ -78,33 +78,33 @@ static wrench acting(const dynamics *d, int of)
             sum = wrench_add(g, sum, wrench_of_applied_force(g, &m->applied_forces[i]));
         }
     }
-    for (int i = 0; i < m->strut_count; i++) {
-        if (m->struts[i].second.body == of || m->struts[i].first.body == of) {
+    for (int i = 0; i < m->point_spring_count; i++) {
+        if (m->point_springs[i].second.body == of || m->point_springs[i].first.body == of) {
             sum = wrench_add(g, sum, spring_on_body(d, i, of));
         }
     }
-    for (int i = 0; i < m->cut_count; i++) {
-        const cut *c = &m->cuts[i];
+    for (int i = 0; i < m->closure_count; i++) {
+        const closure *c = &m->closures[i];
         if (acts_along_joints(c->kind)) {
             continue;
         }
         if (c->child.body == of) {
-            sum = wrench_add(g, sum, closure_on_link(d, i, c->child.link));
+            sum = wrench_add(g, sum, closure_on_segment(d, i, c->child.segment));
         }
         if (c->parent.body == of) {
-            sum = wrench_sub(g, sum, closure_on_link(d, i, c->parent.link));
+            sum = wrench_sub(g, sum, closure_on_segment(d, i, c->parent.segment));
         }
     }
     return sum;
 }
 
-/* The wrench that a joint transmits to its child, in the child's link's frame: for the child and all its descendants.
+/* The wrench that a joint transmits to its child, in the child's segment's frame: for the child and all its descendants.
  * */
 static wrench borne(const dynamics *d, const acceleration *accelerations, int of)
 {
     graph *g = d->g;
     const mechanism *m = d->m;
-    const int on = m->frames[of].link;
+    const int on = m->frames[of].segment;
     const vector zero = vector_zero(g);
     const acceleration resting = {zero, vector_sub(g, zero, m->gravity)};
     const vector omega = on == GROUND ? zero : d->k.motions[on].omega;
@@ -113,7 +113,7 @@ static wrench borne(const dynamics *d, const acceleration *accelerations, int of
     for (int child = 0; child < m->body_count; child++) {
         if (m->members[child].parent == of) {
             wrench w = borne(d, accelerations, child);
-            for (int i = m->frames[child].link; i != on; i = m->links[i].parent) {
+            for (int i = m->frames[child].segment; i != on; i = m->segments[i].parent) {
                 w = wrench_to_parent(&d->k, i, w);
             }
             sum = wrench_add(g, sum, w);
@@ -136,19 +136,19 @@ wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int 
     w.moment = vector_sub(g, w.moment, vector_cross(g, child->hinge, w.force));
     vector_name(g, w.force, "reaction", child->joint);
     vector_name(g, w.moment, "reaction_moment", child->joint);
-    return to_ground(d, d->m->frames[of].link, w);
+    return to_ground(d, d->m->frames[of].segment, w);
 }
 
 wrench closure_reaction(const dynamics *d, int index)
 {
-    return to_ground(d, d->m->cuts[index].base, closure_in_base(d, index));
+    return to_ground(d, d->m->closures[index].base, closure_in_base(d, index));
 }
 
 node closure_effort(const dynamics *d, int index)
 {
     node effort = constant(d->g, 0.0);
     for (int r = 0; r < d->loops.held.count; r++) {
-        effort = d->loops.held.all[r].cut == index ? neg(d->g, d->loops.multipliers[r]) : effort;
+        effort = d->loops.held.all[r].closure == index ? neg(d->g, d->loops.multipliers[r]) : effort;
     }
-    return graph_name(d->g, effort, "effort_%s", d->m->cuts[index].name);
+    return graph_name(d->g, effort, "effort_%s", d->m->closures[index].name);
 }

@@ -3,7 +3,7 @@
  *
  * Of a joint it is all that passes through it: what it constrains, and what drive, damping and spring, gear and motion
  * put on it. It is the wrench that the child needs for its motion, less all others on it: recursive Newton-Euler with
- * the accelerations that the mechanism has, over bodies, since the parameters of links are regrouped. Of a closure it
+ * the accelerations that the mechanism has, over bodies, since the parameters of segments are regrouped. Of a closure it
  * is the sum of the wrenches of its constraints; a constraint that no joint changes has none.
  */
 #ifndef ISOC_DYNAMICS_REACTION_H
@@ -11,7 +11,7 @@
 
 #include "tools/isoc/dynamics/dynamics.h"
 
-/* Accelerations of the links, from those that `derivative` returns; for joint_reaction. */
+/* Accelerations of the segments, from those that `derivative` returns; for joint_reaction. */
 acceleration *reaction_accelerations(const dynamics *d);
 
 /* Of the joint whose child is body `of`. */

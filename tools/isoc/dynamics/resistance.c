@@ -18,14 +18,14 @@ static node *build_efforts(graph *g, const dynamics *d)
     const size_t n = (size_t)m->dof_count;
     const wrench none = {vector_zero(g), vector_zero(g)};
     node *effort = arena_take(g->memory, n, sizeof *effort), *pull = arena_take(g->memory, n, sizeof *pull);
-    wrench *wrenches = arena_take(g->memory, (size_t)m->link_count, sizeof *wrenches);
-    for (int i = 0; i < m->link_count; i++) {
+    wrench *wrenches = arena_take(g->memory, (size_t)m->segment_count, sizeof *wrenches);
+    for (int i = 0; i < m->segment_count; i++) {
         wrenches[i] = none;
     }
     for (int i = 0; i < m->applied_force_count; i++) {
         const applied_force *f = &m->applied_forces[i];
         if (f->drive < 0) {
-            wrenches[f->link] = wrench_sub(g, wrenches[f->link], wrench_of_applied_force(g, f));
+            wrenches[f->segment] = wrench_sub(g, wrenches[f->segment], wrench_of_applied_force(g, f));
         }
     }
     efforts_of_wrenches(&d->k, wrenches, pull);
@@ -55,7 +55,7 @@ static node *build_addition(graph *g, const dynamics *d, const node *efforts, do
         sum[i] = zero;
     }
     for (int f = 0; f < n; f++) {
-        const link *l = &m->links[m->dofs[f].link];
+        const segment *l = &m->segments[m->dofs[f].segment];
         add_column(g, efforts, n, m->position_count + f, once, f, sum);
         if (l->kind != JOINT_SPHERICAL) {
             add_column(g, efforts, n, l->position, twice, f, sum);
@@ -63,7 +63,7 @@ static node *build_addition(graph *g, const dynamics *d, const node *efforts, do
         }
         node rate[3] = {zero, zero, zero}, moved[4];
         rate[f - l->dof] = constant(g, 1.0);
-        quaternion_rates(g, d->k.motions[m->dofs[f].link].q, rate, moved);
+        quaternion_rates(g, d->k.motions[m->dofs[f].segment].q, rate, moved);
         for (int i = 0; i < 4; i++) {
             add_column(g, efforts, n, l->position + i, mul(g, twice, moved[i]), f, sum);
         }

@@ -16,10 +16,10 @@ static void put_change(graph *g, settled *made, int state, node from, node chang
     put(made, state, made->adds ? change : add(g, from, change));
 }
 
-/* A quaternion of length one; where the projection moves it, turned by small angles about the link's axes. */
+/* A quaternion of length one; where the projection moves it, turned by small angles about the segment's axes. */
 static void put_quaternion(graph *g, settled *made, const dynamics *d, int i, const node *moved)
 {
-    const link *l = &d->m->links[i];
+    const segment *l = &d->m->segments[i];
     node q[4], turned[4], normed[4];
     for (int n = 0; n < 4; n++) {
         q[n] = d->k.motions[i].q[n];
@@ -50,8 +50,8 @@ static node *along_moves(graph *g, const dynamics *d, const node *moved)
     for (size_t i = 0; i < states; i++) {
         along[i] = constant(g, 0.0);
     }
-    for (int i = 0; i < m->link_count; i++) {
-        const link *l = &m->links[i];
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
         if (l->kind == JOINT_SPHERICAL) {
             quaternion_rates(g, d->k.motions[i].q, moved + l->dof, along + l->position);
         } else {
@@ -71,7 +71,7 @@ static void put_pivots(graph *g, const augmented *over, settled *made)
         const node bare = sub(g, over->pivots[r], over->regularisation);
         if (!is_constant(g, bare)) {
             made->pivots[made->pivot_count] = bare;
-            made->pivot_closures[made->pivot_count++] = over->held.all[r].cut;
+            made->pivot_closures[made->pivot_count++] = over->held.all[r].closure;
         }
     }
 }
@@ -119,8 +119,8 @@ settled settled_build(graph *g, const dynamics *d)
         build_changes(g, d, moved, sped, &made);
     }
     graph_section(g, "Where the step ends; a quaternion's length by one step of Newton's method for 1 / norm");
-    for (int i = 0; i < m->link_count; i++) {
-        const link *l = &m->links[i];
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
         if (l->kind == JOINT_SPHERICAL) {
             put_quaternion(g, &made, d, i, projected ? moved : NULL);
         } else if (projected && !is_zero(g, moved[l->dof])) {

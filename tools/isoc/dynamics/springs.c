@@ -1,10 +1,10 @@
 #include "tools/isoc/dynamics/springs.h"
 
-static stretched build_one(const kinematics *k, const strut *of, const acceleration *still)
+static stretched build_one(const kinematics *k, const point_spring *of, const acceleration *still)
 {
     graph *g = k->g;
     const mechanism *m = k->m;
-    const cut loop = {.parent = of->first, .child = of->second, .base = of->base};
+    const closure loop = {.parent = of->first, .child = of->second, .base = of->base};
     const matrix *turns = loop_turns(k, &loop, AXES_OF_BASE);
     const side first = side_build(k, still, &of->first, of->base, turns);
     const side second = side_build(k, still, &of->second, of->base, turns);
@@ -31,13 +31,13 @@ stretched *springs_build(const kinematics *k)
 {
     graph *g = k->g;
     const mechanism *m = k->m;
-    stretched *made = arena_take(g->memory, (size_t)m->strut_count + 1, sizeof *made);
-    acceleration *still = arena_take(g->memory, (size_t)m->link_count, sizeof *still);
-    for (int i = 0; i < m->link_count; i++) {
+    stretched *made = arena_take(g->memory, (size_t)m->point_spring_count + 1, sizeof *made);
+    acceleration *still = arena_take(g->memory, (size_t)m->segment_count, sizeof *still);
+    for (int i = 0; i < m->segment_count; i++) {
         still[i] = (acceleration){vector_zero(g), vector_zero(g)};
     }
-    for (int i = 0; i < m->strut_count; i++) {
-        made[i] = build_one(k, &m->struts[i], still);
+    for (int i = 0; i < m->point_spring_count; i++) {
+        made[i] = build_one(k, &m->point_springs[i], still);
     }
     return made;
 }
@@ -47,13 +47,13 @@ vector spring_force(graph *g, const stretched *s)
     return vector_scale(g, neg(g, s->by_length), s->apart);
 }
 
-node spring_tension(graph *g, const strut *of, const stretched *s)
+node spring_tension(graph *g, const point_spring *of, const stretched *s)
 {
     const node elastic = mul(g, of->stiffness, sub(g, s->distance, of->length));
     return graph_name(g, add(g, elastic, mul(g, of->damping, s->rate)), "tension_%s", of->name);
 }
 
-node spring_energy(graph *g, const strut *of, const stretched *s)
+node spring_energy(graph *g, const point_spring *of, const stretched *s)
 {
     const node half = mul(g, constant(g, 0.5), of->stiffness);
     if (is_zero(g, of->length)) {

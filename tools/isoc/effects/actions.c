@@ -9,7 +9,7 @@
 static const value nothing = {0};
 
 /* The line of this kind that a rate or a next is of. */
-static const effect_line *subject(world *w, const instance *in, const effect_line *line, effect_line_kind of,
+static const effect_line *subject(effect_scope *w, const instance *in, const effect_line *line, effect_line_kind of,
                                   const char *word)
 {
     const effect_line *found = line->name.text == NULL ? NULL : line_called(in->kind, line->name.text, false);
@@ -21,21 +21,22 @@ static const effect_line *subject(world *w, const instance *in, const effect_lin
 }
 
 /* Whether accelerations are needed, which are known only when all efforts are. */
-static bool needs_accelerations(world *w, const node *roots, size_t count)
+static bool needs_accelerations(effect_scope *w, const node *roots, size_t count)
 {
     const graph *g = w->b->g;
     bool *needed = arena_take(g->memory, g->count, sizeof *needed), found = false;
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
-        const bool is_asked = n->op == OP_ASKED && asks_for_acceleration(w->b->made.asked[n->index / 3].kind);
-        found = found || (needed[i] && (is_asked || n->op == OP_DERIVATIVE));
+        const bool is_query =
+            n->op == OP_POINT_QUERY && asks_for_acceleration(w->b->made.point_queries[n->index / 3].kind);
+        found = found || (needed[i] && (is_query || n->op == OP_DERIVATIVE));
     }
     return found;
 }
 
 /* Notes an effort or a rate that needs accelerations. */
-static bool refuse_accelerations(world *w, const effect_line *line, const node *roots, size_t count)
+static bool refuse_accelerations(effect_scope *w, const effect_line *line, const node *roots, size_t count)
 {
     const bool needs = line->kind != EFFECT_NEXT && needs_accelerations(w, roots, count);
     if (needs) {
@@ -47,7 +48,7 @@ static bool refuse_accelerations(world *w, const effect_line *line, const node *
 }
 
 /* A formula of so many numbers of this dimension; zeros after noting a problem. */
-static value value_like(world *w, const instance *in, const effect_line *line, int parts, dimension of,
+static value value_like(effect_scope *w, const instance *in, const effect_line *line, int parts, dimension of,
                         const char *what)
 {
     source *s = w->b->s;
@@ -68,18 +69,18 @@ static value value_like(world *w, const instance *in, const effect_line *line, i
 }
 
 /* One number of this dimension. */
-static node node_of(world *w, const instance *in, const effect_line *line, dimension of, const char *what)
+static node node_of(effect_scope *w, const instance *in, const effect_line *line, dimension of, const char *what)
 {
     return value_like(w, in, line, 1, of, what).parts[0];
 }
 
 /* Which effect it is. */
-static int number_of(const world *w, const instance *in)
+static int number_of(const effect_scope *w, const instance *in)
 {
     return (int)(in - w->all);
 }
 
-static void do_rate(world *w, const instance *in, const effect_line *line)
+static void do_rate(effect_scope *w, const instance *in, const effect_line *line)
 {
     const effect_line *of = subject(w, in, line, EFFECT_STATE, "state");
     if (of != NULL && line->value != NULL) {
@@ -95,7 +96,7 @@ static void do_rate(world *w, const instance *in, const effect_line *line)
     }
 }
 
-static void do_next(world *w, const instance *in, const effect_line *line)
+static void do_next(effect_scope *w, const instance *in, const effect_line *line)
 {
     const effect_line *of = subject(w, in, line, EFFECT_MEMORY, "memory");
     if (of != NULL && line->value != NULL) {
@@ -109,28 +110,28 @@ static void do_next(world *w, const instance *in, const effect_line *line)
     }
 }
 
-static void do_effort(world *w, const instance *in, const effect_line *line)
+static void do_effort(effect_scope *w, const instance *in, const effect_line *line)
 {
     const effect_line *of = subject(w, in, line, EFFECT_JOINT, "joint");
-    const int l = of == NULL ? -1 : in->links[of - in->kind->lines];
+    const int l = of == NULL ? -1 : in->segments[of - in->kind->lines];
     if (l >= 0 && line->value != NULL) {
         graph *g = w->b->g;
-        const dimension effort = dimension_of_quantity("effort", &w->b->made.links[l]);
+        const dimension effort = dimension_of_quantity("effort", &w->b->made.segments[l]);
         const node added =
             graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
         if (in->use->dropped) {
             return;
         }
-        node *sum = &w->b->made.efforts[w->b->made.links[l].dof];
+        node *sum = &w->b->made.efforts[w->b->made.segments[l].dof];
         *sum = add(g, *sum, added);
         w->b->made.effort_parts[w->b->made.effort_part_count++] =
-            (effect_effort){number_of(w, in), w->b->made.links[l].dof, added};
-        const node speed = leaf(g, OP_STATE, w->b->made.position_count + w->b->made.links[l].dof);
+            (effect_effort){number_of(w, in), w->b->made.segments[l].dof, added};
+        const node speed = leaf(g, OP_STATE, w->b->made.position_count + w->b->made.segments[l].dof);
         in->account->power = add(g, in->account->power, mul(g, added, speed));
     }
 }
 
-static void do_account(world *w, const instance *in, const effect_line *line)
+static void do_account(effect_scope *w, const instance *in, const effect_line *line)
 {
     const bool is_stored = line->kind == EFFECT_ENERGY;
     effect_account *of = in->account;
@@ -145,7 +146,7 @@ static void do_account(world *w, const instance *in, const effect_line *line)
 }
 
 /* The body that a line names, and its point; -1 where there is none. */
-static int body_of(world *w, name n, vector *point)
+static int body_of(effect_scope *w, name n, vector *point)
 {
     int which;
     if (!find_point(w, n.text, &which, point)) {
@@ -164,17 +165,17 @@ static int body_under(builder *b, int which)
 }
 
 /* Adds a force, or a moment, on a body that moves. */
-static void push(world *w, const instance *in, int which, vector point, const effect_line *line, const value *along,
-                 double sign)
+static void push(effect_scope *w, const instance *in, int which, vector point, const effect_line *line,
+                 const value *along, double sign)
 {
     graph *g = w->b->g;
     mechanism *made = &w->b->made;
     const body_frame *frame = &made->frames[which];
-    if (frame->link == GROUND) {
+    if (frame->segment == GROUND) {
         return;
     }
     applied_force f = {.body = body_under(w->b, which),
-                       .link = frame->link,
+                       .segment = frame->segment,
                        .drive = -1,
                        .effect = number_of(w, in),
                        .in_ground = !line->in_body};
@@ -184,8 +185,8 @@ static void push(world *w, const instance *in, int which, vector point, const ef
     for (int i = 0; i < 3; i++) {
         to->at[i] = sign < 0.0 ? neg(g, along->parts[i]) : along->parts[i];
     }
-    const asked_kind moves = line->kind == EFFECT_FORCE ? ASKED_VELOCITY : ASKED_SPIN;
-    const vector moved = asked_of(w, moves, which, point, line->in_body);
+    const point_query_kind moves = line->kind == EFFECT_FORCE ? QUERY_VELOCITY : QUERY_SPIN;
+    const vector moved = point_query_of(w, moves, which, point, line->in_body);
     in->account->power = add(g, in->account->power, vector_dot(g, *to, moved));
     if (!f.in_ground) {
         *to = matrix_apply(g, frame->turn, *to);
@@ -194,7 +195,7 @@ static void push(world *w, const instance *in, int which, vector point, const ef
 }
 
 /* A force or a moment on a body, and the opposite one on another. */
-static void do_push(world *w, const instance *in, const effect_line *line)
+static void do_push(effect_scope *w, const instance *in, const effect_line *line)
 {
     source *s = w->b->s;
     const dimension of = line->kind == EFFECT_FORCE ? newton : newton_metre;
@@ -238,7 +239,7 @@ static bool reads_signal(const instance *in, const formula *f)
 }
 
 /* At the defaults of the tunables; of a signal where it is a constant. */
-static void do_require(world *w, const instance *in, const effect_line *line)
+static void do_require(effect_scope *w, const instance *in, const effect_line *line)
 {
     source *s = w->b->s;
     const value least = evaluate(w, in, line->value, "require"), most = evaluate(w, in, line->most, "require");
@@ -259,7 +260,7 @@ static void do_require(world *w, const instance *in, const effect_line *line)
     }
 }
 
-void check_subjects(world *w, const instance *in)
+void check_subjects(effect_scope *w, const instance *in)
 {
     for (size_t i = 0; i < in->kind->line_count; i++) {
         const effect_line *line = &in->kind->lines[i];
@@ -279,7 +280,7 @@ void check_subjects(world *w, const instance *in)
     }
 }
 
-void do_line(world *w, const instance *in, const effect_line *line)
+void do_line(effect_scope *w, const instance *in, const effect_line *line)
 {
     enter(w, in);
     if (line->kind == EFFECT_RATE) {

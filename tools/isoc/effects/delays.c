@@ -23,7 +23,8 @@ static kinds_read reads(const builder *b, node root, int depth)
     graph_reach(g, &root, 1, needed);
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
-        if (!needed[i] || (n->op != OP_STATE && n->op != OP_ASKED && n->op != OP_DERIVATIVE && n->op != OP_INPUT)) {
+        if (!needed[i] ||
+            (n->op != OP_STATE && n->op != OP_POINT_QUERY && n->op != OP_DERIVATIVE && n->op != OP_INPUT)) {
             continue;
         }
         if (n->op == OP_INPUT && is_delay(made, n->index) && depth < made->memory_count) {

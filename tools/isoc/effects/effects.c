@@ -63,7 +63,7 @@ void count_effects(builder *b)
 }
 
 /* The joint that the use names for an operand. */
-static int bound_link(world *w, const instance *in, const effect_line *line)
+static int bound_segment(effect_scope *w, const instance *in, const effect_line *line)
 {
     const quantity *given = operand_called(in, line->name.text);
     if (given == NULL || given->value == NULL) {
@@ -73,8 +73,8 @@ static int bound_link(world *w, const instance *in, const effect_line *line)
         source_problem(w->b->s, given->value->at, "expected the name of a joint for '%s'", line->name.text);
         return -1;
     }
-    const int found = link_of(w, (name){given->value->name, given->value->at});
-    if (found >= 0 && line->is_bounded && w->b->made.links[found].continuous) {
+    const int found = segment_of(w, (name){given->value->name, given->value->at});
+    if (found >= 0 && line->is_bounded && w->b->made.segments[found].continuous) {
         source_problem(w->b->s, given->value->at,
                        "'%s' is continuous: its angle begins again at every turn, which the effect %s cannot follow",
                        given->value->name, in->kind->name.text);
@@ -83,7 +83,7 @@ static int bound_link(world *w, const instance *in, const effect_line *line)
 }
 
 /* The body that it names, and its point. */
-static int bound_body(world *w, const instance *in, const effect_line *line, vector *point)
+static int bound_body(effect_scope *w, const instance *in, const effect_line *line, vector *point)
 {
     const quantity *given = operand_called(in, line->name.text);
     *point = vector_zero(w->b->g);
@@ -129,15 +129,15 @@ static bool check_operands(builder *b, const instance *in)
 }
 
 /* What a fault is at the start: 0, or what --set says. */
-static double start_of_fault(builder *b, const char *spoken)
+static double start_of_fault(builder *b, const char *display_name)
 {
     double start = 0.0;
     for (size_t i = 0; i < b->written->fault_start_count; i++) {
         const setting *set = &b->written->fault_starts[i];
-        if (set->value != NULL && strcmp(set->what.text, spoken) == 0) {
-            start = value_constant(&b->values, set->value, no_unit, spoken, 0.0);
+        if (set->value != NULL && strcmp(set->what.text, display_name) == 0) {
+            start = value_constant(&b->values, set->value, no_unit, display_name, 0.0);
             if (!(start >= 0.0 && start <= 1.0)) {
-                source_problem(b->s, set->value->at, "'%s' is from 0 to 1", spoken);
+                source_problem(b->s, set->value->at, "'%s' is from 0 to 1", display_name);
             }
         }
     }
@@ -148,19 +148,19 @@ static double start_of_fault(builder *b, const char *spoken)
 static int add_fault(builder *b, const effect_use *use, const effect_line *line)
 {
     const char *called = arena_format(b->s->memory, "%s_%s", use->name.text, line->name.text);
-    const char *spoken = arena_format(b->s->memory, "%s.%s", use->name.text, line->name.text);
-    const double start = start_of_fault(b, spoken);
+    const char *display_name = arena_format(b->s->memory, "%s.%s", use->name.text, line->name.text);
+    const double start = start_of_fault(b, display_name);
     b->values.defaults[b->values.tunables] = start;
     b->faults[b->fault_count++] = (variable){.name = called,
                                              .unit = "1",
-                                             .spoken = spoken,
+                                             .display_name = display_name,
                                              .quote = source_quote(b->s, line->name.at),
                                              .start = start,
                                              .most = 1.0};
     return b->values.tunables++;
 }
 
-static void build_instance(world *w, instance *in, int *states, int *memories)
+static void build_instance(effect_scope *w, instance *in, int *states, int *memories)
 {
     builder *b = w->b;
     in->kind = find_effect_kind(b->written, in->use->kind);
@@ -176,13 +176,13 @@ static void build_instance(world *w, instance *in, int *states, int *memories)
     const size_t room = in->kind->line_count + 1;
     in->values = arena_take(b->s->memory, room, sizeof *in->values);
     in->progress = arena_take(b->s->memory, room, sizeof *in->progress);
-    in->links = arena_take(b->s->memory, room, sizeof *in->links);
+    in->segments = arena_take(b->s->memory, room, sizeof *in->segments);
     in->bodies = arena_take(b->s->memory, room, sizeof *in->bodies);
     in->points = arena_take(b->s->memory, room, sizeof *in->points);
     in->places = arena_take(b->s->memory, room, sizeof *in->places);
     for (size_t i = 0; i < in->kind->line_count; i++) {
         const effect_line *line = &in->kind->lines[i];
-        in->links[i] = line->kind == EFFECT_JOINT ? bound_link(w, in, line) : -1;
+        in->segments[i] = line->kind == EFFECT_JOINT ? bound_segment(w, in, line) : -1;
         in->bodies[i] = line->kind == EFFECT_BODY ? bound_body(w, in, line, &in->points[i]) : -1;
         in->places[i] = -1;
         if (in->use->left_out) {
@@ -198,10 +198,10 @@ static void build_instance(world *w, instance *in, int *states, int *memories)
     }
 }
 
-static world *world_of(builder *b)
+static effect_scope *effect_scope_of(builder *b)
 {
     arena *memory = b->s->memory;
-    world *w = arena_take(memory, 1, sizeof *w);
+    effect_scope *w = arena_take(memory, 1, sizeof *w);
     w->b = b;
     w->all = arena_take(memory, b->written->effect_count + 1, sizeof *w->all);
     w->signals = arena_take(memory, b->written->signal_count + 1, sizeof *w->signals);
@@ -215,10 +215,13 @@ static world *world_of(builder *b)
 
 void build_effects(builder *b)
 {
-    world *w = world_of(b);
+    effect_scope *w = effect_scope_of(b);
     surroundings *around = arena_take(b->s->memory, 1, sizeof *around);
-    *around = (surroundings){
-        .of = w, .find = find_name, .quantity = quantity_value, .past = past_value, .stream = stream_value};
+    *around = (surroundings){.of = w,
+                             .find = find_name,
+                             .quantity = quantity_value,
+                             .history_memory = history_memory_value,
+                             .time_input = time_input_value};
     b->around = around;
     b->faults = arena_take(b->s->memory, count_faults(b->written) + 1, sizeof *b->faults);
     int states = 0, memories = 0;

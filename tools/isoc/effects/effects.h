@@ -11,21 +11,21 @@
 
 enum { DEEPEST_EFFECT = 200, MOST_MEMORIES = 65535 /* and inputs, of a plant */ };
 
-/* One effect of the scene: of each line of its definition, the value, or the link of a joint. */
+/* One effect of the scene: of each line of its definition, the value, or the segment of a joint. */
 typedef struct instance {
     const effect_use *use;
     const effect_kind *kind; /* NULL: there is none */
     value *values;
     progress *progress;
-    int *links;  /* of joints; -1: none */
-    int *bodies; /* likewise; and of each its point */
+    int *segments; /* of joints; -1: none */
+    int *bodies;   /* likewise; and of each its point */
     vector *points;
     effect_account *account; /* when all its lines are done */
     int *places;             /* of a state, a memory or a fault: the first among all of its sort */
 } instance;
 
 /* All of them. `within` is the instance whose lines are being evaluated, NULL in formulas of the scene. */
-typedef struct world {
+typedef struct effect_scope {
     builder *b;
     instance *all;
     value *signals;
@@ -35,15 +35,15 @@ typedef struct world {
     int depth;
     bool is_done;            /* all lines: what is built next are outputs */
     stability_limits limits; /* of the method; a rate of 0 before a formula names one */
-} world;
+} effect_scope;
 
 /* --- past.c: previous(x) and the like --- */
 
-value past_value(void *of, const formula *f);
+value history_memory_value(void *of, const formula *f);
 
 /* --- streams.c: noise(SEED), time and other functions of it --- */
 
-value stream_value(void *of, const formula *f);
+value time_input_value(void *of, const formula *f);
 
 /* --- effect_names.c --- */
 
@@ -59,33 +59,33 @@ const quantity *operand_called(const instance *in, const char *called);
 
 /* From here on names are those of an instance, or of the scene where it is NULL, and problems are of it. Returns what it
  * was before. */
-const instance *enter(world *w, const instance *in);
+const instance *enter(effect_scope *w, const instance *in);
 
 /* The value of a formula that is called so. */
-value evaluate(world *w, const instance *in, const formula *f, const char *called);
+value evaluate(effect_scope *w, const instance *in, const formula *f, const char *called);
 
-/* The link that a word stands for: an operand of the instance, or a joint of the scene; -1 after noting a problem. */
-int link_of(world *w, name n);
+/* The segment that a word stands for: an operand of the instance, or a joint of the scene; -1 after noting a problem. */
+int segment_of(effect_scope *w, name n);
 
 /* A body as an operand of the instance, or of the scene, and its point. False: it is none. */
-bool find_point(world *w, const char *called, int *which, vector *point);
+bool find_point(effect_scope *w, const char *called, int *which, vector *point);
 
 /* The value of a name, as value.h asks for it. */
 bool find_name(void *of, const formula *f, value *found);
 
 /* The value of a signal of the scene. */
-value signal_value(world *w, size_t i);
+value signal_value(effect_scope *w, size_t i);
 
 /* Notes a formula that needs its own value, with the path to it. */
-value refuse_loop(world *w, place at, const char *called);
+value refuse_loop(effect_scope *w, place at, const char *called);
 
 /* --- effect_quantities.c --- */
 
 /* Of the effort, the speed or the position of a joint. */
-dimension dimension_of_quantity(const char *word, const link *l);
+dimension dimension_of_quantity(const char *word, const segment *l);
 
 /* A quantity of a point of a body, as three leaves. */
-vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body);
+vector point_query_of(effect_scope *w, point_query_kind kind, int which, vector point, bool in_body);
 
 /* The value of `speed of NAME` and the like, as value.h asks for it. */
 value quantity_value(void *of, const formula *f);
@@ -93,7 +93,7 @@ value quantity_value(void *of, const formula *f);
 /* --- effect_lines.c --- */
 
 /* The value of an operand, a let, a state, a memory or an output. */
-value line_value(world *w, const instance *in, const effect_line *line);
+value line_value(effect_scope *w, const instance *in, const effect_line *line);
 
 /* Whether a node can change while the parameters stay. */
 bool changes(const graph *g, node n);
@@ -101,9 +101,9 @@ bool changes(const graph *g, node n);
 /* --- effect_actions.c --- */
 
 /* Does what a line says: a rate, an effort, a force. */
-void do_line(world *w, const instance *in, const effect_line *line);
+void do_line(effect_scope *w, const instance *in, const effect_line *line);
 
 /* Notes what a definition lacks: each state has a rate, each memory a next. */
-void check_subjects(world *w, const instance *in);
+void check_subjects(effect_scope *w, const instance *in);
 
 #endif

@@ -14,7 +14,7 @@ static const value nothing = {0};
 static const double longest_sample = 16777215.0; /* ticks, of core/numbers/waveform.h */
 
 /* The whole ticks of the time that a call has; 1 of previous; 0 after noting a problem. */
-static double ticks_of(world *w, const formula *f, bool is_sample)
+static double ticks_of(effect_scope *w, const formula *f, bool is_sample)
 {
     source *s = w->b->s;
     const double most = is_sample ? longest_sample : LONGEST_DELAY;
@@ -34,7 +34,7 @@ static double ticks_of(world *w, const formula *f, bool is_sample)
     return round(ticks);
 }
 
-static bool is_number(world *w, const formula *f, const value *found)
+static bool is_number(effect_scope *w, const formula *f, const value *found)
 {
     if (found->count > 1) {
         source_problem(w->b->s, f->parts[0]->at, "%s is of a number; this is a vector", f->name);
@@ -43,35 +43,37 @@ static bool is_number(world *w, const formula *f, const value *found)
 }
 
 /* A new memory; `start` is its start, or -1 where that is what the formula is at the start. */
-static int add_past(world *w, const formula *f, node start, dimension of, double ticks)
+static int add_history_memory(effect_scope *w, const formula *f, node start, dimension of, double ticks)
 {
     builder *b = w->b;
     mechanism *made = &b->made;
     const size_t count = (size_t)made->memory_count;
     made->memories = arena_grow(b->s->memory, made->memories, count, &b->memory_room, sizeof *made->memories);
-    b->pasts = arena_grow(b->s->memory, b->pasts, b->past_count, &b->past_room, sizeof *b->pasts);
+    b->history_memories = arena_grow(b->s->memory, b->history_memories, b->history_memory_count,
+                                     &b->history_memory_room, sizeof *b->history_memories);
     effect_quantity *m = &made->memories[count];
     *m = (effect_quantity){.begin = start < 0 ? constant(b->g, 0.0) : start, .at = f->at};
     m->next = m->begin;
-    m->about = (variable){.name = arena_format(b->s->memory, "kept_%s_%zu", f->name, b->past_count + 1),
+    m->about = (variable){.name = arena_format(b->s->memory, "kept_%s_%zu", f->name, b->history_memory_count + 1),
                           .unit = dimension_equal_but_angle(of, no_unit) ? "1" : dimension_text(b->s->memory, of),
                           .quote = source_quote(b->s, f->at),
                           .least = -HUGE_VAL,
                           .most = HUGE_VAL};
     m->kept = f->name[0] == 's' ? KEPT_SAMPLE : f->name[0] == 'd' ? KEPT_DELAY : KEPT_PREVIOUS;
     m->ticks = ticks;
-    b->pasts[b->past_count++] = (past){f, w->within, made->memory_count, of, start >= 0, false};
+    b->history_memories[b->history_memory_count++] =
+        (history_memory){f, w->within, made->memory_count, of, start >= 0, false};
     return made->memory_count++;
 }
 
-value past_value(void *of, const formula *f)
+value history_memory_value(void *of, const formula *f)
 {
-    world *w = of;
+    effect_scope *w = of;
     builder *b = w->b;
     const bool is_previous = strcmp(f->name, "previous") == 0;
     const size_t before = b->s->problem_count, at_start = is_previous ? 1 : 2;
-    for (size_t i = 0; i < b->past_count; i++) {
-        const past *p = &b->pasts[i];
+    for (size_t i = 0; i < b->history_memory_count; i++) {
+        const history_memory *p = &b->history_memories[i];
         if (p->of == f && p->within == w->within) {
             return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->made.input_count + p->memory)}, .of = p->in};
         }
@@ -90,20 +92,20 @@ value past_value(void *of, const formula *f)
         source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
         return nothing;
     }
-    const int memory = add_past(w, f, has_start ? first.parts[0] : -1, first.of, ticks);
+    const int memory = add_history_memory(w, f, has_start ? first.parts[0] : -1, first.of, ticks);
     return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->made.input_count + memory)}, .of = first.of};
 }
 
-void finish_pasts(builder *b)
+void finish_history_memories(builder *b)
 {
-    world *w = b->around == NULL ? NULL : b->around->of;
+    effect_scope *w = b->around == NULL ? NULL : b->around->of;
     b->values.around = b->around;
-    for (size_t i = 0; w != NULL && i < b->past_count; i++) {
-        const past p = b->pasts[i];
+    for (size_t i = 0; w != NULL && i < b->history_memory_count; i++) {
+        const history_memory p = b->history_memories[i];
         if (p.is_done) {
             continue;
         }
-        b->pasts[i].is_done = true;
+        b->history_memories[i].is_done = true;
         const value found = evaluate(w, p.within, p.of->parts[0], p.of->name);
         if (found.count == 0 || !is_number(w, p.of, &found)) {
             continue;

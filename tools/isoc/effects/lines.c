@@ -10,7 +10,8 @@
 static const value nothing = {0};
 
 /* The dimension that a line declares, by its unit, by what it is like, or by its default; or false. */
-static bool declared_dimension(world *w, const instance *in, const effect_line *line, const formula *f, dimension *of)
+static bool declared_dimension(effect_scope *w, const instance *in, const effect_line *line, const formula *f,
+                               dimension *of)
 {
     const bool has_default = line->kind <= EFFECT_VALUE && line->value != NULL && line->value != f;
     if (line->has_unit) {
@@ -21,15 +22,15 @@ static bool declared_dimension(world *w, const instance *in, const effect_line *
         return found.count == 1;
     } else if (line->like.text != NULL && line->like_of.text != NULL) {
         const instance *before = enter(w, in);
-        const int l = link_of(w, line->like_of);
+        const int l = segment_of(w, line->like_of);
         enter(w, before);
-        *of = l < 0 ? no_unit : dimension_of_quantity(line->like.text, &w->b->made.links[l]);
+        *of = l < 0 ? no_unit : dimension_of_quantity(line->like.text, &w->b->made.segments[l]);
     }
     return line->has_unit || line->like.text != NULL;
 }
 
 /* One number, or a vector where it starts as one, of the dimension that the line declares, if it does. */
-static value checked(world *w, const instance *in, const effect_line *line, const formula *f, value found)
+static value checked(effect_scope *w, const instance *in, const effect_line *line, const formula *f, value found)
 {
     dimension of;
     source *s = w->b->s;
@@ -53,7 +54,7 @@ static value checked(world *w, const instance *in, const effect_line *line, cons
 bool changes(const graph *g, node n)
 {
     return uses_operation(g, &n, 1, OP_STATE) || uses_operation(g, &n, 1, OP_INPUT) ||
-           uses_operation(g, &n, 1, OP_ASKED) || uses_operation(g, &n, 1, OP_DERIVATIVE);
+           uses_operation(g, &n, 1, OP_POINT_QUERY) || uses_operation(g, &n, 1, OP_DERIVATIVE);
 }
 
 /* Whether a formula has a word of what step and method allow. */
@@ -67,7 +68,7 @@ static bool names_limit(const formula *f)
 }
 
 /* What isoc chose is told. */
-static void note_derived(world *w, const instance *in, const effect_line *line, value found)
+static void note_derived(effect_scope *w, const instance *in, const effect_line *line, value found)
 {
     mechanism *made = &w->b->made;
     arena *memory = w->b->s->memory;
@@ -80,7 +81,7 @@ static void note_derived(world *w, const instance *in, const effect_line *line, 
 }
 
 /* A signal or a value: what the use gives, in the words of the scene, or the default, in those of the effect. */
-static value operand_value(world *w, const instance *in, const effect_line *line)
+static value operand_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     const quantity *given = operand_called(in, line->name.text);
     const formula *f = given != NULL ? given->value : line->value;
@@ -102,13 +103,13 @@ static value operand_value(world *w, const instance *in, const effect_line *line
 }
 
 /* What a state or a memory has at the start, which gives its dimension. */
-static value start_value(world *w, const instance *in, const effect_line *line)
+static value start_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     return checked(w, in, line, line->value, evaluate(w, in, line->value, line->name.text));
 }
 
 /* A state or a memory that begins so: its numbers from the first on are the leaves of this operation from `index` on. */
-static value begun(world *w, const instance *in, const effect_line *line, effect_quantity *first, operation op,
+static value begun(effect_scope *w, const instance *in, const effect_line *line, effect_quantity *first, operation op,
                    int index)
 {
     source *s = w->b->s;
@@ -129,7 +130,7 @@ static value begun(world *w, const instance *in, const effect_line *line, effect
 
 /* A state, a memory or a fault of an effect that is left out: zero, of its dimension. Its start, where that alone tells
  * the dimension, may name what else comes later, and so change the order of the graph; but no operation of it stays. */
-static value absent_value(world *w, const instance *in, const effect_line *line)
+static value absent_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     const bool is_known = line->kind == EFFECT_FAULT || line->has_unit;
     value found = is_known ? (value){.count = line->parts, .of = line->unit.of} : start_value(w, in, line);
@@ -139,7 +140,7 @@ static value absent_value(world *w, const instance *in, const effect_line *line)
     return found;
 }
 
-static value new_value(world *w, const instance *in, const effect_line *line)
+static value new_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     graph *g = w->b->g;
     mechanism *made = &w->b->made;
@@ -176,7 +177,7 @@ static const effect_line *line_shown(const effect_kind *kind, const char *called
     return found;
 }
 
-value line_value(world *w, const instance *in, const effect_line *line)
+value line_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     const effect_line *meant = line;
     if (line->kind == EFFECT_OUTPUT && line->value == NULL) {

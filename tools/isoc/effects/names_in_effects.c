@@ -44,7 +44,7 @@ const quantity *operand_called(const instance *in, const char *called)
     return NULL;
 }
 
-const instance *enter(world *w, const instance *in)
+const instance *enter(effect_scope *w, const instance *in)
 {
     source *s = w->b->s;
     const instance *before = w->within;
@@ -55,7 +55,7 @@ const instance *enter(world *w, const instance *in)
     return before;
 }
 
-value evaluate(world *w, const instance *in, const formula *f, const char *called)
+value evaluate(effect_scope *w, const instance *in, const formula *f, const char *called)
 {
     if (w->depth >= DEEPEST_EFFECT) {
         source_problem(w->b->s, f->at, "more than %d formulas that need one another", DEEPEST_EFFECT);
@@ -69,21 +69,21 @@ value evaluate(world *w, const instance *in, const formula *f, const char *calle
     return found;
 }
 
-int link_of(world *w, name n)
+int segment_of(effect_scope *w, name n)
 {
     const effect_line *line = w->within == NULL ? NULL : line_called(w->within->kind, n.text, false);
     if (w->within == NULL) {
-        const int found = link_called(&w->b->made, n);
+        const int found = segment_called(&w->b->made, n);
         return found >= 0 ? found : coordinate_of(w->b, n);
     }
     if (line == NULL || line->kind != EFFECT_JOINT) {
         source_problem(w->b->s, n.at, "'%s' is no joint of this effect: write 'joint %s' in it", n.text, n.text);
         return -1;
     }
-    return w->within->links[line - w->within->kind->lines];
+    return w->within->segments[line - w->within->kind->lines];
 }
 
-bool find_point(world *w, const char *called, int *which, vector *point)
+bool find_point(effect_scope *w, const char *called, int *which, vector *point)
 {
     const scene *written = w->b->written;
     *point = vector_zero(w->b->g);
@@ -105,7 +105,7 @@ bool find_point(world *w, const char *called, int *which, vector *point)
     return *which >= 0;
 }
 
-value refuse_loop(world *w, place at, const char *called)
+value refuse_loop(effect_scope *w, place at, const char *called)
 {
     int from = w->depth - 1;
     while (from > 0 && strcmp(w->path[from], called) != 0) {
@@ -121,7 +121,7 @@ value refuse_loop(world *w, place at, const char *called)
 }
 
 /* What the step and the method allow: step, stable_rate, stable_frequency. */
-static bool find_limit(world *w, const char *called, value *found)
+static bool find_limit(effect_scope *w, const char *called, value *found)
 {
     static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
     static const double margin = 0.5; /* of the limit: what is linear here turns over elsewhere */
@@ -139,7 +139,7 @@ static bool find_limit(world *w, const char *called, value *found)
     return true;
 }
 
-static bool find_in_instance(world *w, const formula *f, value *found)
+static bool find_in_instance(effect_scope *w, const formula *f, value *found)
 {
     const effect_line *line = line_called(w->within->kind, f->name, false);
     if (line == NULL && find_limit(w, f->name, found)) {
@@ -167,7 +167,7 @@ static bool find_in_instance(world *w, const formula *f, value *found)
 }
 
 /* EFFECT.OUTPUT, or a fault. */
-static value output_of_effect(world *w, const formula *f, const char *dot)
+static value output_of_effect(effect_scope *w, const formula *f, const char *dot)
 {
     source *s = w->b->s;
     const size_t length = (size_t)(dot - f->name);
@@ -197,7 +197,7 @@ static value output_of_effect(world *w, const formula *f, const char *dot)
     return nothing;
 }
 
-static value input_value(world *w, const formula *f, int i)
+static value input_value(effect_scope *w, const formula *f, int i)
 {
     w->b->is_input_used[i] = true;
     if (!w->b->is_input_known[i]) {
@@ -209,7 +209,7 @@ static value input_value(world *w, const formula *f, int i)
 }
 
 /* Of an input that only effects read that are left out: nothing but its dimension. */
-static value left_input_value(world *w, const quantity *q)
+static value left_input_value(effect_scope *w, const quantity *q)
 {
     values *v = &w->b->values;
     v->time_allowed = true;
@@ -219,7 +219,7 @@ static value left_input_value(world *w, const quantity *q)
     return found;
 }
 
-value signal_value(world *w, size_t i)
+value signal_value(effect_scope *w, size_t i)
 {
     const quantity *q = &w->b->written->signals[i];
     if (w->signal_progress[i] == STARTED) {
@@ -233,7 +233,7 @@ value signal_value(world *w, size_t i)
     return w->signals[i];
 }
 
-static bool find_in_scene(world *w, const formula *f, value *found)
+static bool find_in_scene(effect_scope *w, const formula *f, value *found)
 {
     const scene *written = w->b->written;
     const char *dot = strchr(f->name, '.');
@@ -260,6 +260,6 @@ static bool find_in_scene(world *w, const formula *f, value *found)
 
 bool find_name(void *of, const formula *f, value *found)
 {
-    world *w = of;
+    effect_scope *w = of;
     return w->within != NULL ? find_in_instance(w, f, found) : find_in_scene(w, f, found);
 }

@@ -7,7 +7,7 @@
 
 static const value nothing = {0};
 
-dimension dimension_of_quantity(const char *word, const link *l)
+dimension dimension_of_quantity(const char *word, const segment *l)
 {
     const bool turns = l->kind == JOINT_REVOLUTE;
     dimension of = turns ? radian : metre;
@@ -19,39 +19,39 @@ dimension dimension_of_quantity(const char *word, const link *l)
 
 static const struct {
     const char *word;
-    asked_kind kind;
+    point_query_kind kind;
     dimension of;
 } of_bodies[] = {
-    {"position", ASKED_POSITION, {0, 1, 0, 0, 0, 0, 0}},
-    {"velocity", ASKED_VELOCITY, {0, 1, -1, 0, 0, 0, 0}},
-    {"spin", ASKED_SPIN, {0, 0, -1, 1, 0, 0, 0}},
-    {"x_axis", ASKED_X_AXIS, {0, 0, 0, 0, 0, 0, 0}},
-    {"y_axis", ASKED_Y_AXIS, {0, 0, 0, 0, 0, 0, 0}},
-    {"z_axis", ASKED_Z_AXIS, {0, 0, 0, 0, 0, 0, 0}},
-    {"specific_force", ASKED_SPECIFIC_FORCE, {0, 1, -2, 0, 0, 0, 0}},
+    {"position", QUERY_POSITION, {0, 1, 0, 0, 0, 0, 0}},
+    {"velocity", QUERY_VELOCITY, {0, 1, -1, 0, 0, 0, 0}},
+    {"spin", QUERY_SPIN, {0, 0, -1, 1, 0, 0, 0}},
+    {"x_axis", QUERY_X_AXIS, {0, 0, 0, 0, 0, 0, 0}},
+    {"y_axis", QUERY_Y_AXIS, {0, 0, 0, 0, 0, 0, 0}},
+    {"z_axis", QUERY_Z_AXIS, {0, 0, 0, 0, 0, 0, 0}},
+    {"specific_force", QUERY_SPECIFIC_FORCE, {0, 1, -2, 0, 0, 0, 0}},
 };
 
-static vector leaves_of(world *w, asked of)
+static vector leaves_of(effect_scope *w, point_query of)
 {
     mechanism *made = &w->b->made;
     vector leaves;
-    made->asked =
-        arena_grow(w->b->s->memory, made->asked, (size_t)made->asked_count, &made->asked_room, sizeof *made->asked);
-    made->asked[made->asked_count] = of;
+    made->point_queries = arena_grow(w->b->s->memory, made->point_queries, (size_t)made->point_query_count,
+                                     &made->point_query_room, sizeof *made->point_queries);
+    made->point_queries[made->point_query_count] = of;
     for (int i = 0; i < 3; i++) {
-        leaves.at[i] = leaf(w->b->g, OP_ASKED, 3 * made->asked_count + i);
+        leaves.at[i] = leaf(w->b->g, OP_POINT_QUERY, 3 * made->point_query_count + i);
     }
-    made->asked_count++;
+    made->point_query_count++;
     return leaves;
 }
 
-vector asked_of(world *w, asked_kind kind, int which, vector point, bool in_body)
+vector point_query_of(effect_scope *w, point_query_kind kind, int which, vector point, bool in_body)
 {
-    return leaves_of(w, (asked){kind, which, point, in_body, -1});
+    return leaves_of(w, (point_query){kind, which, point, in_body, -1});
 }
 
 /* Whether the answer is in the axes of the body, which the formula may choose. */
-static bool in_body_axes(world *w, const formula *f, bool by_default)
+static bool in_body_axes(effect_scope *w, const formula *f, bool by_default)
 {
     const bool is_body = f->axes.text != NULL && strcmp(f->axes.text, "body") == 0;
     if (f->axes.text != NULL && !is_body && strcmp(f->axes.text, "ground") != 0) {
@@ -61,7 +61,7 @@ static bool in_body_axes(world *w, const formula *f, bool by_default)
 }
 
 /* A constant vector from the point of a body; false after noting a problem. */
-static bool find_beside(world *w, const formula *f, vector *beside)
+static bool find_beside(effect_scope *w, const formula *f, vector *beside)
 {
     source *s = w->b->s;
     graph *g = w->b->g;
@@ -84,21 +84,21 @@ static bool find_beside(world *w, const formula *f, vector *beside)
 }
 
 /* inertia of BODY: what a force along each axis alone moves at the start, as three masses. */
-static value inertia_of_point(world *w, const formula *f, int which, vector point)
+static value inertia_of_point(effect_scope *w, const formula *f, int which, vector point)
 {
     mechanism *made = &w->b->made;
-    asked_inertia of = {which, point, vector_zero(w->b->g), in_body_axes(w, f, false)};
+    inertia_query of = {which, point, vector_zero(w->b->g), in_body_axes(w, f, false)};
     if (which < 0 || !made->frames[which].placed || (f->count > 1 && !find_beside(w, f->parts[1], &of.beside))) {
         return nothing;
     }
-    if (made->frames[which].link == GROUND) {
+    if (made->frames[which].segment == GROUND) {
         source_problem(w->b->s, f->parts[0]->at, "'%s' is a part of the ground: no force moves it", f->parts[0]->name);
         return nothing;
     }
-    const int first = made->dof_count + 3 * made->asked_inertia_count;
-    made->asked_inertias = arena_grow(w->b->s->memory, made->asked_inertias, (size_t)made->asked_inertia_count,
-                                      &made->asked_inertia_room, sizeof *made->asked_inertias);
-    made->asked_inertias[made->asked_inertia_count++] = of;
+    const int first = made->dof_count + 3 * made->inertia_query_count;
+    made->inertia_queries = arena_grow(w->b->s->memory, made->inertia_queries, (size_t)made->inertia_query_count,
+                                       &made->inertia_query_room, sizeof *made->inertia_queries);
+    made->inertia_queries[made->inertia_query_count++] = of;
     value found = {.count = 3, .of = kilogram};
     for (int i = 0; i < 3; i++) {
         found.parts[i] = leaf(w->b->g, OP_INERTIA, first + i);
@@ -107,7 +107,7 @@ static value inertia_of_point(world *w, const formula *f, int which, vector poin
 }
 
 /* position of BODY, and the like */
-static value point_value(world *w, const formula *f, int which, vector point)
+static value point_value(effect_scope *w, const formula *f, int which, vector point)
 {
     const mechanism *made = &w->b->made;
     const size_t count = sizeof of_bodies / sizeof of_bodies[0];
@@ -122,22 +122,22 @@ static value point_value(world *w, const formula *f, int which, vector point)
             f->name);
     }
     const bool is_measured =
-        row < count && (of_bodies[row].kind == ASKED_SPIN || of_bodies[row].kind == ASKED_SPECIFIC_FORCE);
+        row < count && (of_bodies[row].kind == QUERY_SPIN || of_bodies[row].kind == QUERY_SPECIFIC_FORCE);
     const bool in_body = in_body_axes(w, f, is_measured);
-    if (row < count && f->axes.text != NULL && of_bodies[row].kind != ASKED_VELOCITY && !is_measured) {
+    if (row < count && f->axes.text != NULL && of_bodies[row].kind != QUERY_VELOCITY && !is_measured) {
         source_problem(w->b->s, f->axes.at, "only a velocity, a spin and a specific force have axes to choose");
     }
     if (row == count || which < 0 || !made->frames[which].placed) {
         return nothing;
     }
-    const vector leaves = asked_of(w, of_bodies[row].kind, which, point, in_body);
+    const vector leaves = point_query_of(w, of_bodies[row].kind, which, point, in_body);
     value found = {.count = 3, .of = of_bodies[row].of};
     memcpy(found.parts, leaves.at, sizeof leaves.at);
     return found;
 }
 
 /* power, energy, loss and work of EFFECT, in the scene alone: there all that it does is known. */
-static bool find_account(world *w, const formula *f, value *found)
+static bool find_account(effect_scope *w, const formula *f, value *found)
 {
     enum { POWER, ENERGY, LOSS, WORK, WORDS };
     static const char *const words[WORDS] = {"power", "energy", "loss", "work"};
@@ -166,14 +166,15 @@ static bool find_account(world *w, const formula *f, value *found)
     return word < WORDS;
 }
 
-/* The body that the joint of a link carries: its own links lead from that body's to the parent's. */
+/* The body that the joint of a segment carries: its own segments lead from that body's to the parent's. */
 static int child_of(const mechanism *made, int at)
 {
     int found = -1;
     for (int child = 0; child < made->body_count; child++) {
         const member *of = &made->members[child];
-        const int stop = of->parent == GROUND ? GROUND : made->frames[of->parent].link;
-        for (int i = made->frames[child].link; made->frames[child].placed && i != stop; i = made->links[i].parent) {
+        const int stop = of->parent == GROUND ? GROUND : made->frames[of->parent].segment;
+        for (int i = made->frames[child].segment; made->frames[child].placed && i != stop;
+             i = made->segments[i].parent) {
             found = i == at ? child : found;
         }
     }
@@ -181,7 +182,7 @@ static int child_of(const mechanism *made, int at)
 }
 
 /* force of JOINT, moment of CLOSURE and the like: a fixed joint, which is no operand of an effect, is one of the scene. */
-static value reaction_value(world *w, const formula *f)
+static value reaction_value(effect_scope *w, const formula *f)
 {
     builder *b = w->b;
     const name called = {f->parts[0]->name, f->parts[0]->at};
@@ -190,7 +191,7 @@ static value reaction_value(world *w, const formula *f)
     if (w->within == NULL) {
         find_connection(b, called, &child, &loop);
     } else {
-        const int l = link_of(w, called);
+        const int l = segment_of(w, called);
         child = l < 0 ? -1 : child_of(&b->made, l);
     }
     if (f->axes.text != NULL) {
@@ -200,7 +201,7 @@ static value reaction_value(world *w, const formula *f)
         return nothing;
     }
     const vector zero = vector_zero(b->g);
-    const vector leaves = leaves_of(w, (asked){is_force ? ASKED_FORCE : ASKED_MOMENT, child, zero, false, loop});
+    const vector leaves = leaves_of(w, (point_query){is_force ? QUERY_FORCE : QUERY_MOMENT, child, zero, false, loop});
     value found = {.count = 3, .of = is_force ? newton : newton_metre};
     memcpy(found.parts, leaves.at, sizeof leaves.at);
     return found;
@@ -208,7 +209,7 @@ static value reaction_value(world *w, const formula *f)
 
 value quantity_value(void *of, const formula *f)
 {
-    world *w = of;
+    effect_scope *w = of;
     if (strcmp(f->name, "force") == 0 || strcmp(f->name, "moment") == 0) {
         return reaction_value(w, f);
     }
@@ -228,11 +229,11 @@ value quantity_value(void *of, const formula *f)
                        f->parts[0]->name);
         return nothing;
     }
-    const int i = link_of(w, (name){f->parts[0]->name, f->parts[0]->at});
+    const int i = segment_of(w, (name){f->parts[0]->name, f->parts[0]->at});
     if (i < 0) {
         return nothing;
     }
-    const link *l = &made->links[i];
+    const segment *l = &made->segments[i];
     if (strcmp(f->name, "inertia") == 0) {
         static const dimension turning = {1, 2, 0, 0, 0, 0, 0};
         return (value){

@@ -25,10 +25,10 @@ static bool is_stream(const formula *f)
     return is;
 }
 
-static stream *stream_of(const builder *b, const formula *f, const effect_use *within)
+static time_input *time_input_called(const builder *b, const formula *f, const effect_use *within)
 {
-    for (int i = 0; i < b->stream_count; i++) {
-        stream *of = &b->streams[i];
+    for (int i = 0; i < b->time_input_count; i++) {
+        time_input *of = &b->time_inputs[i];
         if (is_time(f) ? is_time(of->of) : of->of == f && of->within == within) {
             return of;
         }
@@ -36,22 +36,23 @@ static stream *stream_of(const builder *b, const formula *f, const effect_use *w
     return NULL;
 }
 
-static void add_streams(builder *b, const formula *f, const effect_use *within)
+static void add_time_inputs(builder *b, const formula *f, const effect_use *within)
 {
     if (f == NULL) {
         return;
     }
-    const size_t all = b->written->input_count + (size_t)(b->made.memory_count + b->stream_count);
-    const bool is_new = is_stream(f) && stream_of(b, f, within) == NULL;
+    const size_t all = b->written->input_count + (size_t)(b->made.memory_count + b->time_input_count);
+    const bool is_new = is_stream(f) && time_input_called(b, f, within) == NULL;
     if (is_new && all == MOST_MEMORIES) {
         source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
     }
     if (is_new && all < MOST_MEMORIES) {
-        b->streams = arena_grow(b->s->memory, b->streams, (size_t)b->stream_count, &b->stream_room, sizeof *b->streams);
-        b->streams[b->stream_count++] = (stream){.of = f, .within = is_time(f) ? NULL : within};
+        b->time_inputs = arena_grow(b->s->memory, b->time_inputs, (size_t)b->time_input_count, &b->time_input_room,
+                                    sizeof *b->time_inputs);
+        b->time_inputs[b->time_input_count++] = (time_input){.of = f, .within = is_time(f) ? NULL : within};
     }
     for (size_t i = 0; i < f->count; i++) {
-        add_streams(b, f->parts[i], within);
+        add_time_inputs(b, f->parts[i], within);
     }
 }
 
@@ -65,7 +66,7 @@ static bool is_given(const effect_use *use, const effect_line *line)
     return is;
 }
 
-void find_streams(builder *b)
+void find_time_inputs(builder *b)
 {
     const scene *written = b->written;
     for (size_t i = 0; i < written->effect_count; i++) {
@@ -73,37 +74,37 @@ void find_streams(builder *b)
         const effect_kind *kind = use->left_out ? NULL : find_effect_kind(written, use->kind);
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
             if (!is_given(use, &kind->lines[n])) {
-                add_streams(b, kind->lines[n].value, use);
-                add_streams(b, kind->lines[n].most, use);
+                add_time_inputs(b, kind->lines[n].value, use);
+                add_time_inputs(b, kind->lines[n].most, use);
             }
         }
         for (size_t n = 0; kind != NULL && n < use->operand_count; n++) {
-            add_streams(b, use->operands[n].value, NULL);
+            add_time_inputs(b, use->operands[n].value, NULL);
         }
     }
     for (size_t i = 0; i < written->signal_count; i++) {
-        add_streams(b, written->signals[i].left_out ? NULL : written->signals[i].value, NULL);
+        add_time_inputs(b, written->signals[i].left_out ? NULL : written->signals[i].value, NULL);
     }
     for (size_t i = 0; i < written->output_count; i++) {
-        add_streams(b, written->outputs[i].formula, NULL);
+        add_time_inputs(b, written->outputs[i].formula, NULL);
     }
 }
 
-void build_streams(builder *b)
+void build_time_inputs(builder *b)
 {
     mechanism *made = &b->made;
     const int first = (int)b->written->input_count;
-    made->streamed = arena_take(b->s->memory, (size_t)made->input_count + 1, sizeof *made->streamed);
-    made->streams = arena_take(b->s->memory, (size_t)b->stream_count + 1, sizeof *made->streams);
-    made->stream_count = b->stream_count;
+    made->time_input_of = arena_take(b->s->memory, (size_t)made->input_count + 1, sizeof *made->time_input_of);
+    made->time_inputs = arena_take(b->s->memory, (size_t)b->time_input_count + 1, sizeof *made->time_inputs);
+    made->time_input_count = b->time_input_count;
     for (int i = 0; i < first; i++) {
-        made->streamed[i] = -1;
+        made->time_input_of[i] = -1;
     }
-    for (int i = 0; i < b->stream_count; i++) {
-        const stream *of = &b->streams[i];
+    for (int i = 0; i < b->time_input_count; i++) {
+        const time_input *of = &b->time_inputs[i];
         const name origin = of->within != NULL ? of->within->name : (name){NULL, of->of->at};
-        made->streamed[first + i] = i;
-        made->streams[i] = (streamed){of->of->name, origin};
+        made->time_input_of[first + i] = i;
+        made->time_inputs[i] = (time_input_origin){of->of->name, origin};
         made->inputs[first + i] = (variable){.name = arena_format(b->s->memory, "made_%s_%d", of->of->name, i + 1),
                                              .unit = is_time(of->of) ? "s" : "1",
                                              .quote = source_quote(b->s, of->of->at),
@@ -143,17 +144,17 @@ static value drive_of(builder *b, const formula *f, const effect_use *within)
     return found;
 }
 
-value stream_value(void *of, const formula *f)
+value time_input_value(void *of, const formula *f)
 {
-    const world *w = of;
+    const effect_scope *w = of;
     builder *b = w->b;
     const effect_use *within = w->within == NULL ? NULL : w->within->use;
-    stream *s = stream_of(b, f, within);
+    time_input *s = time_input_called(b, f, within);
     if (s == NULL) { /* only its dimension is asked for */
         return (value){.count = 1, .parts = {constant(b->g, 0.0)}, .of = is_time(f) ? second : no_unit};
     }
     if (s->made.count == 0) {
-        const int input = (int)b->written->input_count + (int)(s - b->streams);
+        const int input = (int)b->written->input_count + (int)(s - b->time_inputs);
         s->made = drive_of(b, f, within);
         if (s->made.count == 1) {
             b->made.drives[input] = s->made.parts[0];

@@ -116,7 +116,7 @@ static const char *limit(arena *memory, const plant *p, double of)
 
 static const char *about(arena *memory, const section *s, const variable *v)
 {
-    return v->spoken != NULL ? arena_format(memory, "fault %s", v->spoken) : s->about;
+    return v->display_name != NULL ? arena_format(memory, "fault %s", v->display_name) : s->about;
 }
 
 static void emit_quantity(const emission *e, const section *s, int i, units *u)

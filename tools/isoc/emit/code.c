@@ -32,7 +32,7 @@ typedef struct emitter {
     int temporaries, section;
     const char *quoted; /* the last line of the scene that was quoted */
     bool *is_marked;
-    double culprit;
+    double out_of_range_value;
     code_pieces *pieces; /* NULL: none are noted */
     size_t *piece_of;    /* [nodes] one more than the piece that declares it, or its sine and cosine; 0: none */
     size_t *turn_piece_of;
@@ -70,11 +70,12 @@ static const char *unique_name(emitter *e, const char *wanted)
 /* Where the last of these operators before `room` stands, or 0. */
 static size_t last_operator(const char *line, size_t room, const char *signs)
 {
-    size_t cut = room;
-    while (cut > 0 && !(line[cut] == ' ' && strchr(signs, line[cut + 1]) != NULL && line[cut + 2] == ' ')) {
-        cut--;
+    size_t closure = room;
+    while (closure > 0 &&
+           !(line[closure] == ' ' && strchr(signs, line[closure + 1]) != NULL && line[closure + 2] == ' ')) {
+        closure--;
     }
-    return cut;
+    return closure;
 }
 
 /* A statement, broken before an operator where it would pass the margin. */
@@ -84,14 +85,14 @@ static void statement(text *out, const char *line)
     size_t left = strlen(line), room = MARGIN;
     text_add(out, "    ");
     while (left > room) {
-        size_t cut = last_operator(line, room, "+-");
-        cut = cut > 0 ? cut : last_operator(line, room, "*/");
-        if (cut == 0) {
+        size_t closure = last_operator(line, room, "+-");
+        closure = closure > 0 ? closure : last_operator(line, room, "*/");
+        if (closure == 0) {
             break;
         }
-        text_add(out, "%.*s\n       ", (int)cut, line);
-        line += cut;
-        left -= cut;
+        text_add(out, "%.*s\n       ", (int)closure, line);
+        line += closure;
+        left -= closure;
         room = MARGIN - 4;
     }
     text_add(out, "%s\n", line);
@@ -166,7 +167,7 @@ const char *code_phase(arena *memory, double turns)
 
 static const char *number(emitter *e, double value)
 {
-    e->culprit = real_holds(value, e->c->is_double) ? e->culprit : value;
+    e->out_of_range_value = real_holds(value, e->c->is_double) ? e->out_of_range_value : value;
     return code_literal(e->g->memory, value, e->c->is_double);
 }
 
@@ -364,7 +365,7 @@ static emitter begin(const code *c, graph *g, node *roots, text *out)
     return e;
 }
 
-bool code_emit(const code *c, text *out, double *culprit)
+bool code_emit(const code *c, text *out, double *out_of_range_value)
 {
     node *roots = arena_take(out->memory, c->count + 1, sizeof *roots);
     graph economical = economise(c->g, c->roots, c->count, roots), *g = &economical;
@@ -380,8 +381,8 @@ bool code_emit(const code *c, text *out, double *culprit)
         quote(&e, c->quotes == NULL ? NULL : c->quotes[i]);
         statement(out, arena_format(g->memory, "%s = %s;", c->targets[i], e.shown[roots[i]].text));
     }
-    *culprit = e.culprit;
-    return e.culprit == 0.0;
+    *out_of_range_value = e.out_of_range_value;
+    return e.out_of_range_value == 0.0;
 }
 
 /* The targets of each root, as lists: first[nodes], next[targets], -1 at their ends. */
@@ -394,7 +395,7 @@ static void list_targets(const emitter *e, int *first, int *next)
     }
 }
 
-code_pieces code_in_pieces(const code *c, double *culprit)
+code_pieces code_in_pieces(const code *c, double *out_of_range_value)
 {
     arena *memory = c->g->memory;
     node *roots = arena_take(memory, c->count + 1, sizeof *roots);
@@ -421,6 +422,6 @@ code_pieces code_in_pieces(const code *c, double *culprit)
             note_piece(&e, NULL, false, &root, 1);
         }
     }
-    *culprit = e.culprit;
+    *out_of_range_value = e.out_of_range_value;
     return made;
 }

@@ -36,9 +36,9 @@ typedef struct code {
     size_t mark_count;
 } code;
 
-/* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real; *culprit is it.
+/* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real; *out_of_range_value is it.
  */
-bool code_emit(const code *c, text *out, double *culprit);
+bool code_emit(const code *c, text *out, double *out_of_range_value);
 
 /* A piece of statements: it ends in the text where the next begins. */
 typedef struct code_piece {
@@ -61,7 +61,7 @@ typedef struct code_pieces {
     const char **leaves; /* [nodes] how a leaf is declared, or NULL where it needs no declaration */
 } code_pieces;
 
-code_pieces code_in_pieces(const code *c, double *culprit);
+code_pieces code_in_pieces(const code *c, double *out_of_range_value);
 
 /* The shortest decimal that reads back as the same real, e.g. R(0.1); of what is below the normal numbers, zero. */
 const char *code_literal(arena *memory, double value, bool is_double);

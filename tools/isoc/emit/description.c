@@ -58,9 +58,9 @@ static const char *const *state_names(emission *e)
 static const char *const *closure_names(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char **names = arena_take(e->out->memory, (size_t)m->cut_count, sizeof *names);
-    for (int i = 0; i < m->cut_count; i++) {
-        names[i] = m->cuts[i].name;
+    const char **names = arena_take(e->out->memory, (size_t)m->closure_count, sizeof *names);
+    for (int i = 0; i < m->closure_count; i++) {
+        names[i] = m->closures[i].name;
     }
     return names;
 }
@@ -76,7 +76,7 @@ void emit_model(emission *e)
     emit_long_list(e, "output_names", p->output_names, p->output_count);
     emit_long_list(e, "output_units", p->output_units, p->output_count);
     if (p->after.pivot_count > 0) {
-        emit_long_list(e, "closure_names", closure_names(e), m->cut_count);
+        emit_long_list(e, "closure_names", closure_names(e), m->closure_count);
     }
     text_add(e->out, "const iso_model %s_model = {\n", e->names->prefix);
     text_add(e->out, "    .name = \"%s\",\n    .method = \"%s\",\n", m->name, method_names[ISO_METHOD_OF(m->recipe)]);
@@ -90,14 +90,14 @@ void emit_model(emission *e)
     emit_list(e, "output_names", p->output_names, p->output_count);
     emit_list(e, "output_units", p->output_units, p->output_count);
     if (p->after.pivot_count > 0) {
-        emit_list(e, "closure_names", closure_names(e), m->cut_count);
+        emit_list(e, "closure_names", closure_names(e), m->closure_count);
     }
     text_add(e->out, "    .start = start,\n");
     add_if(e, m->memory_count > 0, arena_format(e->out->memory, "    .memories = %d,\n", m->memory_count));
     add_if(e, has_begin(e), "    .begin = begin,\n");
     add_if(e, m->parameter_count > 0, "    .defaults = defaults,\n");
     add_if(e, has_range(e), "    .range = range,\n");
-    const char *by_rung = p->lesser_count > 0 ? "_on_rung" : "";
+    const char *by_rung = p->reduced_plant_count > 0 ? "_on_rung" : "";
     text_add(e->out, "    .memory_bytes = sizeof(%s_memory),\n    .derivative = derivative,\n    .output = output%s,\n",
              e->names->prefix, by_rung);
     if (p->violation >= 0) {

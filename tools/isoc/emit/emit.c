@@ -35,7 +35,7 @@ static void emit_beginning(const emission *e, const text *rest)
 {
     const mechanism *m = e->p->m;
     text_add(e->out, "/* %s: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n",
-             e->names->prefix, m->link_count, m->link_count == 1 ? "" : "s", m->name);
+             e->names->prefix, m->segment_count, m->segment_count == 1 ? "" : "s", m->name);
     text_add(e->out, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
     text_add(e->out, "#include \"%s.h\"\n\n", e->names->prefix);
     /* The functions of adams gcc inlines otherwise where it sees no other kernel: as many instructions, more bytes. */
@@ -66,7 +66,7 @@ static void emit_beginning(const emission *e, const text *rest)
              e->p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
 }
 
-emission emission_of(const emission *e, const lesser *left)
+emission emission_of(const emission *e, const reduced_plant *left)
 {
     emission other = *e;
     if (left != NULL) {
@@ -77,7 +77,7 @@ emission emission_of(const emission *e, const lesser *left)
     return other;
 }
 
-bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *culprit)
+bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *out_of_range_value)
 {
     text rest = {.memory = out->memory};
     emission e = {.p = p, .g = g, .names = names, .out = &rest, .suffix = ""};
@@ -94,6 +94,6 @@ bool emit_source(const plant *p, graph *g, const naming *names, text *out, doubl
     e.out = out;
     emit_beginning(&e, &rest);
     text_add(out, "%s", rest.bytes);
-    *culprit = e.culprit;
-    return e.culprit == 0.0;
+    *out_of_range_value = e.out_of_range_value;
+    return e.out_of_range_value == 0.0;
 }

@@ -6,7 +6,7 @@
 
 void emit_header(const plant *p, const naming *names, text *out);
 
-/* Returns false, with *culprit, if a constant leaves the range of real. */
-bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *culprit);
+/* Returns false, with *out_of_range_value, if a constant leaves the range of real. */
+bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *out_of_range_value);
 
 #endif

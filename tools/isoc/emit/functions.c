@@ -55,9 +55,9 @@ code code_of(const emission *e, const char *const *targets, const node *roots, i
 
 void emit_code(emission *e, const code *made)
 {
-    double culprit;
-    if (!code_emit(made, e->out, &culprit)) {
-        e->culprit = culprit;
+    double out_of_range_value;
+    if (!code_emit(made, e->out, &out_of_range_value)) {
+        e->out_of_range_value = out_of_range_value;
     }
 }
 
@@ -120,10 +120,10 @@ static void emit_function(emission *e, const char *function, const char *array, 
     enum { LONG = 3000, OF_PART = 250 };
     const operations n = count_operations(e->g, made->roots, made->count);
     if ((size_t)(n.add + n.mul) + made->count > LONG) {
-        double culprit;
-        const code_pieces pieces = code_in_pieces(made, &culprit);
+        double out_of_range_value;
+        const code_pieces pieces = code_in_pieces(made, &out_of_range_value);
         if (pieces.count > LONG) {
-            e->culprit = culprit != 0.0 ? culprit : e->culprit;
+            e->out_of_range_value = out_of_range_value != 0.0 ? out_of_range_value : e->out_of_range_value;
             emit_parts(e, function, array, more, code_split(&pieces, OF_PART));
             return;
         }
@@ -178,15 +178,15 @@ static bool asks_for_derivative(const emission *e)
 static void emit_derivative(emission *e)
 {
     const mechanism *m = e->p->m;
-    mark *marks = arena_take(e->out->memory, (size_t)m->cut_count + 1, sizeof *marks);
-    for (int i = 0; i < m->cut_count; i++) {
-        marks[i] = (mark){m->cuts[i].name, source_quote(m->source, m->cuts[i].at)};
+    mark *marks = arena_take(e->out->memory, (size_t)m->closure_count + 1, sizeof *marks);
+    for (int i = 0; i < m->closure_count; i++) {
+        marks[i] = (mark){m->closures[i].name, source_quote(m->source, m->closures[i].at)};
     }
     const char *const *targets = places_in(e, "dx", e->names->leaves.states, state_count(m));
     code made = code_of(e, targets, e->p->held_derivatives, state_count(m));
     made.quotes_leaves = true;
     made.marks = marks;
-    made.mark_count = (size_t)m->cut_count;
+    made.mark_count = (size_t)m->closure_count;
     const char *function = arena_format(e->out->memory, "derivative%s", e->suffix);
     if (e->p->held.count == 0) {
         emit_function(e, function, "dx", "", &made);
@@ -420,7 +420,7 @@ static void emit_finish(emission *e)
 }
 
 /* The equations without the effects that a ladder drops; what is not of an effect is that of the whole. */
-static void emit_lesser_functions(emission *e, const lesser *left)
+static void emit_reduced_functions(emission *e, const reduced_plant *left)
 {
     emission other = emission_of(e, left);
     emit_derivative(&other);
@@ -432,7 +432,7 @@ static void emit_lesser_functions(emission *e, const lesser *left)
         emit_advance(&other);
     }
     emit_finish(&other);
-    e->culprit = other.culprit;
+    e->out_of_range_value = other.out_of_range_value;
 }
 
 void emit_functions(emission *e)
@@ -472,7 +472,7 @@ void emit_functions(emission *e)
     if (p->violation >= 0) {
         emit_number(e, "violation", &p->violation);
     }
-    for (int i = 0; i < p->lesser_count; i++) {
-        emit_lesser_functions(e, &p->lessers[i]);
+    for (int i = 0; i < p->reduced_plant_count; i++) {
+        emit_reduced_functions(e, &p->reduced_plants[i]);
     }
 }

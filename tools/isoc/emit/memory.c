@@ -99,10 +99,10 @@ static void add_last(memory_layout *list)
                   p->held.count > p->held.tuned ? "what follows from tunables, and what a step holds"
                                                 : "what follows from tunables");
     }
-    for (int i = 0; i < p->lesser_count; i++) {
-        const plant *left = p->lessers[i].p;
+    for (int i = 0; i < p->reduced_plant_count; i++) {
+        const plant *left = p->reduced_plants[i].p;
         if (left->held.tuned > 0) {
-            add_reals(list, arena_format(memory, "h%s", p->lessers[i].suffix),
+            add_reals(list, arena_format(memory, "h%s", p->reduced_plants[i].suffix),
                       arena_format(memory, "%d", left->held.count), (size_t)left->held.count,
                       "the same without the effects that a ladder drops");
         }
@@ -165,7 +165,8 @@ static memory_layout layout_of(const emission *e)
     enum { NAMED = 16 };
     const mechanism *m = e->p->m;
     memory_layout list = {.e = e, .real_size = e->p->is_double ? sizeof(double) : sizeof(float)};
-    list.parts = arena_take(e->out->memory, NAMED + (size_t)(m->memory_count + e->p->lesser_count), sizeof *list.parts);
+    list.parts =
+        arena_take(e->out->memory, NAMED + (size_t)(m->memory_count + e->p->reduced_plant_count), sizeof *list.parts);
     const char *capitals = e->names->capitals;
     add_moving(&list);
     add_reals(&list, "p", arena_format(e->out->memory, "%s_PARAMETERS", capitals), (size_t)m->parameter_count, NULL);

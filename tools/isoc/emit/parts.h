@@ -10,9 +10,9 @@ typedef struct emission {
     const naming *names;
     text *out;
     const char
-        *suffix;    /* of what is not of the whole plant, but of the rungs of a ladder that drop effects; else empty */
-    bool in_step;   /* the function is one of those that a step calls */
-    double culprit; /* a constant that leaves the range of real; else 0 */
+        *suffix;  /* of what is not of the whole plant, but of the rungs of a ladder that drop effects; else empty */
+    bool in_step; /* the function is one of those that a step calls */
+    double out_of_range_value; /* a constant that leaves the range of real; else 0 */
 } emission;
 
 /* Whether the plant keeps something that a start or a restart sets: the method's history, samples of smooth inputs, what
@@ -102,7 +102,7 @@ void emit_settle(emission *e);
 void emit_output(emission *e);
 
 /* The emission of what is left of the plant by a drop of its ladder; or of the whole where it is NULL. */
-emission emission_of(const emission *e, const lesser *left);
+emission emission_of(const emission *e, const reduced_plant *left);
 
 /* step.c: the method. */
 void emit_step(emission *e);

@@ -7,7 +7,7 @@ static void emit_table_of_rungs(emission *e, const char *type, const char *funct
     const policies *of = &e->p->m->policies;
     text_add(e->out, "static %s (*const %s_of_rungs[])(void *memory) = {%s", type, function, function);
     for (int i = 0; i < of->rung_count; i++) {
-        const lesser *left = lesser_on_rung(e->p, i);
+        const reduced_plant *left = reduced_plant_on_rung(e->p, i);
         text_add(e->out, ", %s%s", function, left == NULL ? "" : left->suffix);
     }
     text_add(e->out, "};\n\n");
@@ -19,7 +19,7 @@ static void emit_rungs(emission *e, const char *counts)
 {
     text_add(e->out, "static bool attempt(const iso_plant *const plant)\n{\n");
     text_add(e->out, "    return iso_policy_attempt(plant, ladder[(%s)->rung]);\n}\n\n", counts);
-    if (e->p->lesser_count > 0) {
+    if (e->p->reduced_plant_count > 0) {
         emit_table_of_rungs(e, "uint32_t", "finish");
         emit_table_of_rungs(e, "void", "output");
         text_add(e->out, "static uint32_t finish_on_rung(void *const instance)\n{\n");

@@ -8,8 +8,8 @@
 static bool is_tuned(const plant *p)
 {
     bool any = p->held.tuned > 0;
-    for (int i = 0; i < p->lesser_count; i++) {
-        any = any || p->lessers[i].p->held.tuned > 0;
+    for (int i = 0; i < p->reduced_plant_count; i++) {
+        any = any || p->reduced_plants[i].p->held.tuned > 0;
     }
     return any;
 }
@@ -246,8 +246,8 @@ static void emit_prime(emission *e)
 {
     begin_function(e, "static void prime");
     text_add(e->out, "%s", e->p->held.tuned > 0 ? "    tune(memory->h, memory->p);\n" : "");
-    for (int i = 0; i < e->p->lesser_count; i++) {
-        const lesser *left = &e->p->lessers[i];
+    for (int i = 0; i < e->p->reduced_plant_count; i++) {
+        const reduced_plant *left = &e->p->reduced_plants[i];
         if (left->p->held.tuned > 0) {
             text_add(e->out, "    tune%s(memory->h%s, memory->p);\n", left->suffix, left->suffix);
         }
@@ -265,12 +265,12 @@ bool settles_by_parameters(const plant *p, const graph *g)
 }
 
 /* Calls `write` for each angle that is kept within a turn, with its number among these. */
-static void for_turns(emission *e, void (*write)(emission *e, const link *l, int number))
+static void for_turns(emission *e, void (*write)(emission *e, const segment *l, int number))
 {
     int number = 0;
-    for (int i = 0; i < e->p->m->link_count; i++) {
-        if (e->p->m->links[i].continuous) {
-            write(e, &e->p->m->links[i], number++);
+    for (int i = 0; i < e->p->m->segment_count; i++) {
+        if (e->p->m->segments[i].continuous) {
+            write(e, &e->p->m->segments[i], number++);
         }
     }
 }
@@ -280,12 +280,12 @@ static const char *state_place(const emission *e, int index)
     return e->names->leaves.states[index].place;
 }
 
-static const char *speed_place(const emission *e, const link *l)
+static const char *speed_place(const emission *e, const segment *l)
 {
     return state_place(e, e->p->m->position_count + l->dof);
 }
 
-static void emit_before_turn(emission *e, const link *l, int number)
+static void emit_before_turn(emission *e, const segment *l, int number)
 {
     text_add(e->out, "    const iso_turning before_%d = {memory->x[%s], memory->x[%s]};\n", number,
              state_place(e, l->position), speed_place(e, l));
@@ -298,7 +298,7 @@ static double step_rest(const plant *p)
     return p->is_double ? -fma(step, 1e9, -nanoseconds) / 1e9 : step - (double)(float)step;
 }
 
-static void emit_turn(emission *e, const link *l, int number)
+static void emit_turn(emission *e, const segment *l, int number)
 {
     arena *memory = e->out->memory;
     text_add(e->out, "    iso_turn(&memory->x[%s], &memory->rests[%d], before_%d, memory->x[%s],\n",
@@ -307,7 +307,7 @@ static void emit_turn(emission *e, const link *l, int number)
              code_literal(memory, step_rest(e->p), e->p->is_double));
 }
 
-static void emit_take_turns(emission *e, const link *l, int number)
+static void emit_take_turns(emission *e, const segment *l, int number)
 {
     text_add(e->out,
              "    memory->turns[%d] =\n        iso_counted_turns(memory->turns[%d], iso_take_turns(&memory->x[%s], "
@@ -403,14 +403,14 @@ static void emit_step_function(emission *e, const char *suffix)
 static const char *emit_step_of_rung(emission *e, int rung)
 {
     const char *suffix = rung_suffix(e->p, rung, e->out->memory);
-    emission other = emission_of(e, lesser_on_rung(e->p, rung));
+    emission other = emission_of(e, reduced_plant_on_rung(e->p, rung));
     mechanism by = *other.p->m;
     plant with = *other.p;
     by.recipe = rung_recipe(e->p, rung);
     with.m = &by;
     other.p = &with;
     emit_step_function(&other, suffix);
-    e->culprit = other.culprit;
+    e->out_of_range_value = other.out_of_range_value;
     return suffix;
 }
 
@@ -458,8 +458,8 @@ void emit_step(emission *e)
     if (e->p->fast.count > 0) {
         emit_fast_states(e);
     }
-    for (int i = 0; i < e->p->lesser_count; i++) {
-        emission other = emission_of(e, &e->p->lessers[i]);
+    for (int i = 0; i < e->p->reduced_plant_count; i++) {
+        emission other = emission_of(e, &e->p->reduced_plants[i]);
         emit_equations(&other);
         if (other.p->fast.count > 0) {
             emit_fast_states(&other);

@@ -386,7 +386,7 @@ static value call_past(values *v, const formula *f)
                        f->name);
         return nothing;
     }
-    return v->around->past(v->around->of, f);
+    return v->around->history_memory(v->around->of, f);
 }
 
 /* --- of vectors --- */

@@ -154,8 +154,8 @@ static void lines_of_points(values *v, const points *all, tick_table *to)
 
 value file_of_formula(values *v, const formula *f)
 {
-    if (is_streamed(v)) {
-        return v->around->stream(v->around->of, f);
+    if (is_time_input(v)) {
+        return v->around->time_input(v->around->of, f);
     }
     const tick_table *before = table_made(v, f);
     points all = {0};

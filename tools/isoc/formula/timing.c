@@ -15,7 +15,7 @@ static value scalar(node n, dimension of)
     return (value){.count = 1, .parts = {n}, .of = of};
 }
 
-bool is_streamed(const values *v)
+bool is_time_input(const values *v)
 {
     return v->around != NULL && !v->time_allowed;
 }
@@ -30,8 +30,8 @@ bool refuses_time(values *v, const formula *f)
 
 value time_of_formula(values *v, const formula *f)
 {
-    if (is_streamed(v)) {
-        return v->around->stream(v->around->of, f);
+    if (is_time_input(v)) {
+        return v->around->time_input(v->around->of, f);
     }
     return refuses_time(v, f) ? nothing : scalar(timed(v->g, OP_TIME, 0.0, v->step), second);
 }
@@ -100,8 +100,8 @@ node noise_of_seed(graph *g, uint32_t seed)
 value noise_of_formula(values *v, const formula *f)
 {
     uint32_t seed;
-    if (is_streamed(v)) {
-        return v->around->stream(v->around->of, f);
+    if (is_time_input(v)) {
+        return v->around->time_input(v->around->of, f);
     }
     if (refuses_time(v, f)) {
         return nothing;

@@ -16,7 +16,7 @@ bool noise_seed(values *v, const formula *f, uint32_t *seed);
 node noise_of_seed(graph *g, uint32_t seed);
 
 /* Whether a function of time stands where an input of its own is made of it: in effects, signals and outputs. */
-bool is_streamed(const values *v);
+bool is_time_input(const values *v);
 
 /* Whether a formula must not depend on time; then it notes a problem. */
 bool refuses_time(values *v, const formula *f);

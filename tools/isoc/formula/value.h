@@ -25,8 +25,8 @@ typedef struct surroundings {
     void *of;
     bool (*find)(void *of, const formula *f, value *found); /* false: there is no such name */
     value (*quantity)(void *of, const formula *f);          /* position of JOINT */
-    value (*past)(void *of, const formula *f);              /* previous(x), sample(x, every T), delay(x, T) */
-    value (*stream)(void *of, const formula *f);            /* a function of time: noise(SEED), step(0.5 s), time */
+    value (*history_memory)(void *of, const formula *f);    /* previous(x), sample(x, every T), delay(x, T) */
+    value (*time_input)(void *of, const formula *f);        /* a function of time: noise(SEED), step(0.5 s), time */
 } surroundings;
 
 /* What a function of the tick reads: the bits of a sequence, the coefficients of a sweep, or straight lines. */

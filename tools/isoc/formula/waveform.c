@@ -196,8 +196,8 @@ static value chirp_of(values *v, const formula *f)
 
 value waveform_of_formula(values *v, const formula *f)
 {
-    if (is_streamed(v)) {
-        return v->around->stream(v->around->of, f);
+    if (is_time_input(v)) {
+        return v->around->time_input(v->around->of, f);
     }
     const tick_table *before = table_made(v, f);
     if (!is_in_input(v, f)) {

@@ -28,14 +28,14 @@ typedef struct unknowns {
     size_t entry_count, entry_room;
 } unknowns;
 
-/* From the tips to the root, like the factorisation of M, and in a link the speeds last: before, the quantities follow
+/* From the tips to the root, like the factorisation of M, and in a segment the speeds last: before, the quantities follow
  * from one another and from the states, so that their pivots are 1; then those of the speeds are the pivots of the
  * matrix in the states alone, which the unrolled elimination has. */
 enum { GROUPS = 4, LEAST_OF_SPEED = 0, OF_QUANTITIES = 3 };
 
-static int group_of(int owner, int of_link)
+static int group_of(int owner, int of_segment)
 {
-    return GROUPS * (owner + 1) + of_link;
+    return GROUPS * (owner + 1) + of_segment;
 }
 
 static void mark(unknowns *z, node n, int unknown)
@@ -62,16 +62,16 @@ static void add_vector(unknowns *z, vector a, int owner)
     }
 }
 
-/* A force that several links hand on unchanged belongs to the last of them: the balance of each of their speeds depends
- * on it. What depends on the rate of a speed then belongs to the speed's link or to one behind it. */
+/* A force that several segments hand on unchanged belongs to the last of them: the balance of each of their speeds depends
+ * on it. What depends on the rate of a speed then belongs to the speed's segment or to one behind it. */
 static void add_quantities(unknowns *z, const balance *b)
 {
-    const int links = z->d->m->link_count;
-    for (int i = links - 1; i >= 0; i--) {
+    const int segments = z->d->m->segment_count;
+    for (int i = segments - 1; i >= 0; i--) {
         add_vector(z, b->wrenches[i].force, i);
         add_vector(z, b->wrenches[i].moment, i);
     }
-    for (int i = 0; i < links; i++) {
+    for (int i = 0; i < segments; i++) {
         add_vector(z, z->d->k.motions[i].omega, i);
         add_vector(z, b->accelerations[i].alpha, i);
         add_vector(z, b->accelerations[i].a, i);
@@ -81,8 +81,8 @@ static void add_quantities(unknowns *z, const balance *b)
 static void add_states(unknowns *z)
 {
     const mechanism *m = z->d->m;
-    for (int i = 0; i < m->link_count; i++) {
-        const link *l = &m->links[i];
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
         for (int n = 0; n < positions_of(l->kind); n++) {
             z->group[z->quantities + l->position + n] = group_of(i, OF_QUANTITIES);
         }
@@ -106,7 +106,7 @@ static unknowns unknowns_of(graph *g, const dynamics *d, const balance *b)
     enum { OF_LINK = 15 };
     const mechanism *m = d->m;
     unknowns z = {.g = g, .d = d, .states = state_count(m)};
-    const size_t most = (size_t)(OF_LINK * m->link_count), all = most + (size_t)(z.states + m->dof_count);
+    const size_t most = (size_t)(OF_LINK * m->segment_count), all = most + (size_t)(z.states + m->dof_count);
     z.quantity = arena_take(g->memory, most, sizeof *z.quantity);
     z.group = arena_take(g->memory, all, sizeof *z.group);
     z.stops = arena_take(g->memory, g->count, sizeof *z.stops);

@@ -1,5 +1,5 @@
 /* 1 - hb J of a tree as a sparse matrix: its unknowns are, beside the changes of the states, those of all that recursive
- * Newton-Euler hands on from link to link. Each row then has what a link and its neighbours have, so that a chain has a
+ * Newton-Euler hands on from segment to segment. Each row then has what a segment and its neighbours have, so that a chain has a
  * number of entries, and of products of their factorisation, in proportion to its length; J itself is full. */
 #ifndef ISOC_IMPLICIT_EXTENDED_H
 #define ISOC_IMPLICIT_EXTENDED_H

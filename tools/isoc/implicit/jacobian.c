@@ -329,7 +329,7 @@ static jacobian cheaper(graph *g, graph *before, const dynamics *d, const node *
 
 jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives, factoring wanted)
 {
-    if (d->m->cut_count > 0 || wanted == FACTORING_FULL) {
+    if (d->m->closure_count > 0 || wanted == FACTORING_FULL) {
         return full(g, d, derivatives);
     }
     graph before = *g;

@@ -21,14 +21,14 @@ static void build_applied_force(builder *b, const body_force *written)
         return;
     }
     const body_frame *frame = &b->made.frames[pushed];
-    if (!frame->placed || frame->link == GROUND) {
+    if (!frame->placed || frame->segment == GROUND) {
         if (frame->placed) {
             source_problem(b->s, written->at.body.at, "'%s' is fixed to the ground: a force on it has no effect",
                            written->at.body.text);
         }
         return;
     }
-    applied_force made = {.body = pushed, .link = frame->link, .drive = drive, .lever = lever};
+    applied_force made = {.body = pushed, .segment = frame->segment, .drive = drive, .lever = lever};
     made.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
     made.axis = matrix_apply(g, frame->turn, matrix_apply(g, turned, vector_of(g, axis[0], axis[1], axis[2])));
     b->made.applied_forces[b->made.applied_force_count++] = made;

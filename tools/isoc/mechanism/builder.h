@@ -18,7 +18,7 @@ typedef struct lump {
     tensor inertia; /* about the centre of mass, in the body's axes */
 } lump;
 
-/* What a body adds to its link. */
+/* What a body adds to its segment. */
 typedef struct weight {
     lump *lumps;
     size_t lump_count;
@@ -26,20 +26,20 @@ typedef struct weight {
 } weight;
 
 /* What is kept of a formula: the call, in which effect, and the memory that keeps it. */
-typedef struct past {
+typedef struct history_memory {
     const formula *of;
     const void *within;
     int memory;
     dimension in;
     bool has_start, is_done;
-} past;
+} history_memory;
 
 /* A function of time outside of the inputs, and the effect whose definition has it; NULL: the scene. */
-typedef struct stream {
+typedef struct time_input {
     const formula *of;
     const effect_use *within;
     value made; /* the leaf of its input, when it is known; else count 0 */
-} stream;
+} time_input;
 
 typedef struct builder {
     source *s;
@@ -53,11 +53,11 @@ typedef struct builder {
     variable *faults;                     /* of effects: tunables behind those of the scene */
     int fault_count;
     size_t edge_room, memory_room;
-    past *pasts;
-    size_t past_count, past_room;
-    stream *streams; /* each an input behind those of the scene */
-    int stream_count;
-    size_t stream_room;
+    history_memory *history_memories;
+    size_t history_memory_count, history_memory_room;
+    time_input *time_inputs; /* each an input behind those of the scene */
+    int time_input_count;
+    size_t time_input_room;
     bool is_effect_broken;      /* one of them: its inputs seem to have no use */
     const surroundings *around; /* what effects, signals and outputs can name */
     const mechanism *whole;     /* with all effects, whose memory this one has; NULL: it is that */
@@ -68,27 +68,27 @@ typedef struct builder {
 vector vector_value(builder *b, const formula *f, dimension of, const char *what);
 node scalar_value(builder *b, const formula *f, dimension of, const char *what);
 
-/* joints.c: the chain of links that a joint stands for, beginning at the parent, each with its axes in the joint's
- * frame; returns their number. And the degrees of freedom of all links. */
-int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT]);
+/* joints.c: the chain of segments that a joint stands for, beginning at the parent, each with its axes in the joint's
+ * frame; returns their number. And the degrees of freedom of all segments. */
+int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT]);
 void list_dofs(builder *b);
 
-/* closures.c: loop closures and their stabilisation. The link of a joint of one coordinate, or -1 after noting a
+/* closures.c: loop closures and their stabilisation. The segment of a joint of one coordinate, or -1 after noting a
  * problem; and the dimension of its coordinate. */
 void build_closures(builder *b);
 int coordinate_of(builder *b, name n);
-dimension coordinate_dimension(const link *l);
+dimension coordinate_dimension(const segment *l);
 
-/* The frame of a placement, turned by `aligned`, on its link; false if there is none. The last common ancestor of two
- * links. */
-bool place_end(builder *b, const placement *p, matrix aligned, cut_end *end);
-int common_link(const mechanism *m, int a, int b);
+/* The frame of a placement, turned by `aligned`, on its segment; false if there is none. The last common ancestor of two
+ * segments. */
+bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end);
+int common_segment(const mechanism *m, int a, int b);
 
 /* springs.c: springs and dampers between points. */
 void build_springs(builder *b);
 
 /* motions.c: a joint whose coordinate is a function of time; returns false after noting a problem. */
-bool build_motion(builder *b, const closure *written, cut *made);
+bool build_motion(builder *b, const closure_statement *written, closure *made);
 
 /* applied_forces.c: forces of inputs on bodies. */
 void build_applied_forces(builder *b);
@@ -129,11 +129,11 @@ void build_effects(builder *b);
 void build_substeps(builder *b);
 
 /* streams.c: the functions of time outside of inputs, before there are inputs; and their inputs. */
-void find_streams(builder *b);
-void build_streams(builder *b);
+void find_time_inputs(builder *b);
+void build_time_inputs(builder *b);
 
 /* past.c: what the memories of formulas are of, when all formulas are known. */
-void finish_pasts(builder *b);
+void finish_history_memories(builder *b);
 
 /* unread.c: leaves out what nothing reads. */
 void drop_unread(builder *b);
@@ -144,9 +144,9 @@ void build_delays(builder *b);
 /* The value of a formula over all that the scene has; a signal, say. */
 value value_in_scene(builder *b, const formula *f);
 
-/* outputs.c: what the outputs show; the link of a joint of one coordinate, or of a part of a joint; -1 if there is none;
+/* outputs.c: what the outputs show; the segment of a joint of one coordinate, or of a part of a joint; -1 if there is none;
  * the child of a joint, or a closure between bodies, and -1 for the other; false after noting a problem. */
-int link_called(const mechanism *made, name n);
+int segment_called(const mechanism *made, name n);
 bool find_connection(builder *b, name n, int *child, int *loop);
 void build_outputs(builder *b);
 

@@ -1,25 +1,25 @@
-/* Loop closures of the scene, expressed in the frames of links. */
+/* Loop closures of the scene, expressed in the frames of segments. */
 #include <math.h>
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/scene/names.h"
 
-/* The last common ancestor of two links. */
-int common_link(const mechanism *m, int a, int b)
+/* The last common ancestor of two segments. */
+int common_segment(const mechanism *m, int a, int b)
 {
     while (a != b) {
         /* A parent stands before its children. */
         if (a > b) {
-            a = m->links[a].parent;
+            a = m->segments[a].parent;
         } else {
-            b = m->links[b].parent;
+            b = m->segments[b].parent;
         }
     }
     return a;
 }
 
-bool place_end(builder *b, const placement *p, matrix aligned, cut_end *end)
+bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end)
 {
     graph *g = b->g;
     matrix turned;
@@ -31,14 +31,14 @@ bool place_end(builder *b, const placement *p, matrix aligned, cut_end *end)
     const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
     const body_frame frame = on == -2 ? ground : b->made.frames[on];
     end->body = on == -2 ? GROUND : on;
-    end->link = frame.link;
+    end->segment = frame.segment;
     end->turn = matrix_snap(g, matrix_product(g, frame.turn, matrix_product(g, turned, aligned)));
     end->point = vector_add(g, matrix_apply(g, frame.turn, origin), frame.offset);
     return true;
 }
 
 /* Between two bodies. */
-static bool build_between(builder *b, const closure *written, cut *made)
+static bool build_between(builder *b, const closure_statement *written, closure *made)
 {
     double axis[3];
     matrix aligned = matrix_identity(b->g);
@@ -50,12 +50,12 @@ static bool build_between(builder *b, const closure *written, cut *made)
     if (!good) {
         return false;
     }
-    if (made->parent.link == made->child.link) {
+    if (made->parent.segment == made->child.segment) {
         source_problem(b->s, written->name.at, "'%s' closes nothing: '%s' and '%s' do not move relative to each other",
                        written->name.text, written->parent.body.text, written->child.body.text);
         return false;
     }
-    made->base = common_link(&b->made, made->parent.link, made->child.link);
+    made->base = common_segment(&b->made, made->parent.segment, made->child.segment);
     if (written->wheel != NULL && unit_axis(b, written->wheel, axis)) {
         const vector axle = {{constant(b->g, axis[0]), constant(b->g, axis[1]), constant(b->g, axis[2])}};
         made->wheel = matrix_apply(b->g, made->child.turn, matrix_apply(b->g, matrix_transpose(aligned), axle));
@@ -63,7 +63,7 @@ static bool build_between(builder *b, const closure *written, cut *made)
     }
     const bool rolls = written->kind == CLOSE_ROLLING;
     made->length = scalar_value(b, rolls ? written->radius : written->length, metre, rolls ? "a radius" : "a length");
-    if (rolls && made->parent.link != GROUND) {
+    if (rolls && made->parent.segment != GROUND) {
         source_problem(b->s, written->parent.body.at, "a ball can roll only on the ground: parent ground");
     }
     const bool sized = rolls || written->kind == CLOSE_DISTANCE;
@@ -80,8 +80,8 @@ int coordinate_of(builder *b, name n)
     if (n.text == NULL || b->written->broken) {
         return -1;
     }
-    for (int i = 0; i < b->made.link_count; i++) {
-        if (strcmp(b->made.links[i].name, n.text) == 0 && b->made.links[i].kind != JOINT_SPHERICAL) {
+    for (int i = 0; i < b->made.segment_count; i++) {
+        if (strcmp(b->made.segments[i].name, n.text) == 0 && b->made.segments[i].kind != JOINT_SPHERICAL) {
             return i;
         }
     }
@@ -92,7 +92,7 @@ int coordinate_of(builder *b, name n)
     return -1;
 }
 
-dimension coordinate_dimension(const link *l)
+dimension coordinate_dimension(const segment *l)
 {
     return l->kind == JOINT_PRISMATIC ? metre : radian;
 }
@@ -100,16 +100,16 @@ dimension coordinate_dimension(const link *l)
 /* The factor of first - ratio second with which whole turns of the continuous joints become whole turns of the
  * constraint. If both are continuous, it is the denominator of a ratio of small whole numbers. Zero if there is no such
  * factor. */
-static node whole_turns(builder *b, const link *first, const link *second_link, node ratio)
+static node whole_turns(builder *b, const segment *first, const segment *second_segment, node ratio)
 {
     enum { MOST_TEETH = 100 };
     static const double exact = 1e-12; /* relative: the rounding of a ratio of whole numbers */
     graph *g = b->g;
-    int whole = first->continuous && !second_link->continuous;
-    if (second_link->continuous && !first->continuous && value_now(&b->values, ratio) != 0.0) {
+    int whole = first->continuous && !second_segment->continuous;
+    if (second_segment->continuous && !first->continuous && value_now(&b->values, ratio) != 0.0) {
         return divide(g, constant(g, 1.0), ratio);
     }
-    for (int n = 1; n <= MOST_TEETH && whole == 0 && second_link->continuous && is_constant(g, ratio); n++) {
+    for (int n = 1; n <= MOST_TEETH && whole == 0 && second_segment->continuous && is_constant(g, ratio); n++) {
         const double product = n * constant_value(g, ratio);
         whole = fabs(product - floor(product + 0.5)) <= exact * fabs(product) ? n : 0;
     }
@@ -117,31 +117,33 @@ static node whole_turns(builder *b, const link *first, const link *second_link, 
 }
 
 /* A gear between two joints; the start satisfies it. */
-static bool build_gear(builder *b, const closure *written, cut *made)
+static bool build_gear(builder *b, const closure_statement *written, closure *made)
 {
-    made->parent.link = coordinate_of(b, written->first);
-    made->child.link = coordinate_of(b, written->second);
-    if (made->parent.link < 0 || made->child.link < 0) {
+    made->parent.segment = coordinate_of(b, written->first);
+    made->child.segment = coordinate_of(b, written->second);
+    if (made->parent.segment < 0 || made->child.segment < 0) {
         return false;
     }
-    if (made->parent.link == made->child.link) {
+    if (made->parent.segment == made->child.segment) {
         source_problem(b->s, written->second.at, "a gear needs two joints; both are '%s'", written->second.text);
         return false;
     }
-    const link *first = &b->made.links[made->parent.link], *second_link = &b->made.links[made->child.link];
+    const segment *first = &b->made.segments[made->parent.segment],
+                  *second_segment = &b->made.segments[made->child.segment];
     dimension of = coordinate_dimension(first);
-    dimension_times(&of, coordinate_dimension(second_link), -1);
+    dimension_times(&of, coordinate_dimension(second_segment), -1);
     made->ratio = scalar_value(b, written->ratio, of, "the ratio of this gear");
-    made->length = constant(b->g, first->start[0] - value_now(&b->values, made->ratio) * second_link->start[0]);
-    made->whole = whole_turns(b, first, second_link, made->ratio);
-    made->in_speed = (first->continuous || second_link->continuous) && is_zero(b->g, made->whole);
+    made->length = constant(b->g, first->start[0] - value_now(&b->values, made->ratio) * second_segment->start[0]);
+    made->whole = whole_turns(b, first, second_segment, made->ratio);
+    made->in_speed = (first->continuous || second_segment->continuous) && is_zero(b->g, made->whole);
     return true;
 }
 
-static void build_closure(builder *b, const closure *written)
+static void build_closure(builder *b, const closure_statement *written)
 {
     const node zero = constant(b->g, 0.0);
-    cut made = {.name = written->name.text, .at = written->name.at, .kind = written->kind, .base = GROUND, .sign = 1.0};
+    closure made = {
+        .name = written->name.text, .at = written->name.at, .kind = written->kind, .base = GROUND, .sign = 1.0};
     made.length = made.ratio = made.motion = made.motion_rate = made.motion_bias = made.whole = zero;
     if (written->broken) {
         return;
@@ -150,7 +152,7 @@ static void build_closure(builder *b, const closure *written)
                       : written->kind == CLOSE_MOTION ? build_motion(b, written, &made)
                                                       : build_between(b, written, &made);
     if (good) {
-        b->made.cuts[b->made.cut_count++] = made;
+        b->made.closures[b->made.closure_count++] = made;
     }
 }
 
@@ -183,10 +185,10 @@ static void build_near(builder *b, const name *near)
     if (made->near_holds && (ISO_PAST_KEPT(made->recipe) > 0 || ISO_IS_VARYING(made->recipe))) {
         source_problem(b->s, near->at, "near hold needs a method without a history, such as rk4 or rosenbrock");
     }
-    for (int i = 0; i < made->cut_count && made->near_holds; i++) {
-        if (made->cuts[i].kind == CLOSE_MOTION) {
+    for (int i = 0; i < made->closure_count && made->near_holds; i++) {
+        if (made->closures[i].kind == CLOSE_MOTION) {
             source_problem(b->s, near->at, "near hold needs closures that do no work: '%s' is a motion",
-                           made->cuts[i].name);
+                           made->closures[i].name);
         }
     }
 }
@@ -231,7 +233,7 @@ static void build_stabilisation(builder *b)
 
 void build_closures(builder *b)
 {
-    b->made.cuts = arena_take(b->s->memory, b->written->closure_count + 1, sizeof *b->made.cuts);
+    b->made.closures = arena_take(b->s->memory, b->written->closure_count + 1, sizeof *b->made.closures);
     b->made.clocks.first = b->made.position_count;
     for (size_t i = 0; i < b->written->closure_count; i++) {
         build_closure(b, &b->written->closures[i]);

@@ -150,8 +150,8 @@ static void build_input(builder *b, int i)
 void build_inputs(builder *b)
 {
     mechanism *made = &b->made;
-    find_streams(b);
-    made->input_count = (int)b->written->input_count + b->stream_count;
+    find_time_inputs(b);
+    made->input_count = (int)b->written->input_count + b->time_input_count;
     const size_t room = (size_t)made->input_count + 1;
     made->inputs = arena_take(b->s->memory, room, sizeof *made->inputs);
     made->driven = arena_take(b->s->memory, room, sizeof *made->driven);
@@ -172,7 +172,7 @@ void build_inputs(builder *b)
             build_input(b, (int)i);
         }
     }
-    build_streams(b);
+    build_time_inputs(b);
     b->values.time_allowed = false;
 }
 
@@ -236,8 +236,8 @@ static int parameter_called(builder *b, name n)
     const char **names = arena_take(b->s->memory, (size_t)made->parameter_count + 1, sizeof *names);
     for (int i = 0; i < made->parameter_count; i++) {
         names[i] = made->parameters[i].name == NULL ? "" : made->parameters[i].name;
-        const bool is_fault = made->parameters[i].spoken != NULL;
-        names[i] = is_fault ? made->parameters[i].spoken : names[i];
+        const bool is_fault = made->parameters[i].display_name != NULL;
+        names[i] = is_fault ? made->parameters[i].display_name : names[i];
         if (strcmp(names[i], n.text) == 0) {
             return i;
         }

@@ -1,4 +1,4 @@
-/* A joint as a chain of links. */
+/* A joint as a chain of segments. */
 #include <math.h>
 #include <string.h>
 
@@ -75,11 +75,11 @@ static void start_quaternion(builder *b, const joint *j, double q[4])
 
 /* --- parts --- */
 
-/* A link that slides along or turns about one of its axes, or turns freely. */
-static link part(builder *b, const joint *j, joint_kind kind, const char *ending, int axis, double sign)
+/* A segment that slides along or turns about one of its axes, or turns freely. */
+static segment part(builder *b, const joint *j, joint_kind kind, const char *ending, int axis, double sign)
 {
     const bool turns = kind != JOINT_PRISMATIC;
-    link made = {.name = arena_format(b->s->memory, "%s%s", j->name.text, ending), .at = j->name.at, .kind = kind};
+    segment made = {.name = arena_format(b->s->memory, "%s%s", j->name.text, ending), .at = j->name.at, .kind = kind};
     made.axis = axis;
     made.sign = sign;
     made.drive = -1;
@@ -98,10 +98,10 @@ static link part(builder *b, const joint *j, joint_kind kind, const char *ending
     return made;
 }
 
-/* The link of a joint with one coordinate, with damping, spring and drive. */
-static link single(builder *b, const joint *j, int axis, double sign)
+/* The segment of a joint with one coordinate, with damping, spring and drive. */
+static segment single(builder *b, const joint *j, int axis, double sign)
 {
-    link made = part(b, j, joint_rows[j->kind].parts[0].kind, "", axis, sign);
+    segment made = part(b, j, joint_rows[j->kind].parts[0].kind, "", axis, sign);
     const bool turns = made.kind == JOINT_REVOLUTE;
     const dimension coordinate = turns ? radian : metre;
     dimension stiffness = turns ? newton_metre : newton;
@@ -208,7 +208,7 @@ static given read_given(builder *b, const joint *j, const joint_axes *axes)
     return made;
 }
 
-static void start_sliding(builder *b, const joint *j, const given *from, matrix turned, link *part_made)
+static void start_sliding(builder *b, const joint *j, const given *from, matrix turned, segment *part_made)
 {
     part_made->start_given = j->start.position != NULL;
     part_made->speed_given = j->speed != NULL;
@@ -225,7 +225,7 @@ static void start_sliding(builder *b, const joint *j, const given *from, matrix 
 }
 
 /* The n-th part that turns about an axis. */
-static void start_turning(builder *b, const joint *j, const given *from, int n, link *part_made)
+static void start_turning(builder *b, const joint *j, const given *from, int n, segment *part_made)
 {
     part_made->start[0] = start_angle(b, j, (size_t)n);
     part_made->start_given = (size_t)n < j->start.turn_count;
@@ -239,7 +239,7 @@ static bool spin_from_ground(builder *b, const joint *j, double spin[3])
     matrix turned;
     vector origin;
     const int on = stand_on(b, &j->parent, &turned, &origin);
-    if (on >= 0 && b->made.frames[on].link != GROUND) {
+    if (on >= 0 && b->made.frames[on].segment != GROUND) {
         source_problem(b->s, j->spin_axes_at, "the joint '%s' is not on the ground: give its spin in the child's axes",
                        j->name.text);
         return false;
@@ -272,7 +272,7 @@ static void spin_to_child(const double q[4], double w[3])
     }
 }
 
-static void start_ball(builder *b, const joint *j, const given *from, link *part_made)
+static void start_ball(builder *b, const joint *j, const given *from, segment *part_made)
 {
     start_quaternion(b, j, part_made->start);
     part_made->start_given = j->start.quaternion != NULL || j->start.turn_count > 0;
@@ -289,7 +289,7 @@ static void start_ball(builder *b, const joint *j, const given *from, link *part
     }
 }
 
-int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT])
+int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT])
 {
     static const char *const letters[] = {"_x", "_y", "_z"};
     const joint_part *parts = joint_rows[j->kind].parts;
@@ -297,7 +297,7 @@ int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix
     const joint_axes axes = axes_of(b, j);
     if (joint_has_one_coordinate(j->kind)) {
         aligned[0] = axes.turned[0];
-        links[0] = single(b, j, axes.k[0], axes.sign[0]);
+        segments[0] = single(b, j, axes.k[0], axes.sign[0]);
         return 1;
     }
     const given from = read_given(b, j, &axes);
@@ -305,31 +305,31 @@ int joint_links(builder *b, const joint *j, link links[PARTS_OF_A_JOINT], matrix
         int k;
         double sign;
         aligned[n] = part_frame(b, &axes, parts[n].axis, &k, &sign);
-        links[n] = part(b, j, parts[n].kind, parts[n].ending == NULL ? letters[k] : parts[n].ending, k, sign);
+        segments[n] = part(b, j, parts[n].kind, parts[n].ending == NULL ? letters[k] : parts[n].ending, k, sign);
         if (parts[n].kind == JOINT_PRISMATIC) {
-            start_sliding(b, j, &from, aligned[n], &links[n]);
+            start_sliding(b, j, &from, aligned[n], &segments[n]);
         } else if (parts[n].kind == JOINT_REVOLUTE) {
             if (j->spin_in_ground) {
                 source_problem(b->s, j->spin_axes_at, "a %s joint turns about its own axes: give its spin about these",
                                joint_rows[j->kind].word);
             }
-            start_turning(b, j, &from, turning++, &links[n]);
+            start_turning(b, j, &from, turning++, &segments[n]);
         } else {
-            start_ball(b, j, &from, &links[n]);
+            start_ball(b, j, &from, &segments[n]);
         }
     }
     return count;
 }
 
-/* Every link's degrees of freedom, one after the other. */
+/* Every segment's degrees of freedom, one after the other. */
 void list_dofs(builder *b)
 {
     static const char *const endings[] = {"_x", "_y", "_z"};
     mechanism *made = &b->made;
     made->dofs = arena_take(b->s->memory, (size_t)made->dof_count + 1, sizeof *made->dofs);
-    for (int i = 0; i < made->link_count; i++) {
-        const link *l = &made->links[i];
-        const link *parent = l->parent == GROUND ? NULL : &made->links[l->parent];
+    for (int i = 0; i < made->segment_count; i++) {
+        const segment *l = &made->segments[i];
+        const segment *parent = l->parent == GROUND ? NULL : &made->segments[l->parent];
         const bool is_ball = l->kind == JOINT_SPHERICAL;
         int before = parent == NULL ? GROUND : parent->dof + dofs_of(parent->kind) - 1;
         for (int n = 0; n < dofs_of(l->kind); n++) {

@@ -67,18 +67,18 @@ static void connect(builder *b, size_t i)
 
 /* --- the tree --- */
 
-/* Adds a part of a body to its link, or to the ground, and returns it in that frame. */
+/* Adds a part of a body to its segment, or to the ground, and returns it in that frame. */
 static composite weld_lump(builder *b, const lump *part, const body_frame *frame)
 {
     graph *g = b->g;
     const vector com = vector_add(g, matrix_apply(g, frame->turn, part->com), frame->offset);
     composite own = {part->mass, vector_scale(g, part->mass, com), tensor_zero(g)};
-    if (frame->link == GROUND) {
+    if (frame->segment == GROUND) {
         b->made.ground_mass = add(g, b->made.ground_mass, own.mass);
         b->made.ground_moment = vector_add(g, b->made.ground_moment, own.ms);
         return own;
     }
-    link *l = &b->made.links[frame->link];
+    segment *l = &b->made.segments[frame->segment];
     const tensor turned = tensor_rotate(g, frame->turn, part->inertia);
     own.inertia = tensor_shift(g, turned, part->mass, vector_zero(g), com);
     l->inertia = tensor_add(g, l->inertia, own.inertia);
@@ -100,7 +100,7 @@ static composite weld(builder *b, const weight *whole, const body_frame *frame)
     return sum;
 }
 
-/* Connects the child of a joint to its parent, whose frame is known, by a chain of links. */
+/* Connects the child of a joint to its parent, whose frame is known, by a chain of segments. */
 static void hang(builder *b, size_t i)
 {
     graph *g = b->g;
@@ -114,25 +114,25 @@ static void hang(builder *b, size_t i)
     stand_on(b, &j->parent, &on_parent, &at_parent);
     stand_on(b, &j->child, &on_child, &at_child);
 
-    /* From the axes of the last link to those of the joint: the axis of a link is one of its own coordinate axes. */
-    body_frame last = {parent.link, matrix_product(g, parent.turn, on_parent), vector_zero(g), true};
+    /* From the axes of the last segment to those of the joint: the axis of a segment is one of its own coordinate axes. */
+    body_frame last = {parent.segment, matrix_product(g, parent.turn, on_parent), vector_zero(g), true};
     last.offset = vector_add(g, matrix_apply(g, parent.turn, at_parent), parent.offset);
-    link links[PARTS_OF_A_JOINT];
+    segment segments[PARTS_OF_A_JOINT];
     matrix aligned[PARTS_OF_A_JOINT];
-    const int count = joint_links(b, j, links, aligned);
+    const int count = joint_segments(b, j, segments, aligned);
     for (int n = 0; n < count; n++) {
-        link *made = &b->made.links[b->made.link_count];
-        *made = links[n];
-        made->parent = last.link;
+        segment *made = &b->made.segments[b->made.segment_count];
+        *made = segments[n];
+        made->parent = last.segment;
         made->turn = matrix_snap(g, matrix_product(g, last.turn, aligned[n]));
         made->offset = last.offset;
         made->position = b->made.position_count;
         made->dof = b->made.dof_count;
         b->made.position_count += positions_of(made->kind);
         b->made.dof_count += dofs_of(made->kind);
-        last = (body_frame){b->made.link_count++, matrix_transpose(aligned[n]), vector_zero(g), true};
+        last = (body_frame){b->made.segment_count++, matrix_transpose(aligned[n]), vector_zero(g), true};
     }
-    child->link = last.link;
+    child->segment = last.segment;
     child->turn = matrix_snap(g, matrix_product(g, last.turn, matrix_transpose(on_child)));
     const vector back = matrix_apply(g, child->turn, vector_sub(g, vector_zero(g), at_child));
     child->offset = vector_add(g, last.offset, back);
@@ -195,7 +195,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     b.made = (mechanism){.name = written->name, .source = s, .is_double = is_double};
     b.made.ground_mass = constant(g, 0.0);
     b.made.ground_moment = vector_zero(g);
-    b.made.links = arena_take(s->memory, PARTS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.links);
+    b.made.segments = arena_take(s->memory, PARTS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.segments);
     b.made.frames = arena_take(s->memory, written->body_count + written->frame_count + 1, sizeof *b.made.frames);
     b.made.members = arena_take(s->memory, written->body_count + 1, sizeof *b.made.members);
     b.made.body_count = (int)written->body_count;
@@ -226,7 +226,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_effects(&b);
     build_substeps(&b);
     build_outputs(&b);
-    finish_pasts(&b);
+    finish_history_memories(&b);
     drop_unread(&b);
     build_delays(&b);
     check_inputs(&b);

@@ -1,12 +1,12 @@
-/* A scene understood: the tree of links that the dynamics runs over, its closures, inputs, outputs, step and method.
+/* A scene understood: the tree of segments that the dynamics runs over, its closures, inputs, outputs, step and method.
  *
- * A link is a body, or nothing, that moves by one elementary joint, with all that is welded to it. Its frame stands on
+ * A segment is a body, or nothing, that moves by one elementary joint, with all that is welded to it. Its frame stands on
  * the joint: the joint turns it about, or moves it along, one of its own coordinate axes, so that it needs no more than
  * a plane rotation; or it turns freely, by a unit quaternion. Every other joint is a chain of these: a free one slides
- * along x, y and z, and then turns freely. What a user wrote about bodies is carried into link frames here, at compile
+ * along x, y and z, and then turns freely. What a user wrote about bodies is carried into segment frames here, at compile
  * time.
  *
- * States are the positions of all links, then their speeds. The speeds of a freely turning link are its angular
+ * States are the positions of all segments, then their speeds. The speeds of a freely turning segment are its angular
  * velocity relative to its parent, in its own axes.
  */
 #ifndef ISOC_MECHANISM_MECHANISM_H
@@ -18,20 +18,20 @@
 
 enum { GROUND = -1 };
 
-typedef struct link {
+typedef struct segment {
     const char *name; /* of the joint, or of its part */
     place at;         /* where it is declared */
-    int parent;       /* a link before this one, or GROUND */
+    int parent;       /* a segment before this one, or GROUND */
     joint_kind kind;  /* JOINT_REVOLUTE, JOINT_PRISMATIC or JOINT_SPHERICAL */
     int position;     /* its first position among the states: 4 of a spherical joint, else 1 */
     int dof;          /* its first degree of freedom: 3 of a spherical joint, else 1 */
     int axis;         /* 0, 1, 2 */
     double sign;      /* the joint's axis is sign * e_axis */
     bool continuous;
-    matrix turn;   /* constant: the link's axes at coordinate zero, in the parent's axes */
-    vector offset; /* the link's origin at coordinate zero, in the parent's frame */
+    matrix turn;   /* constant: the segment's axes at coordinate zero, in the parent's axes */
+    vector offset; /* the segment's origin at coordinate zero, in the parent's frame */
 
-    node mass; /* with all welded bodies, about the link's origin, in its axes */
+    node mass; /* with all welded bodies, about the segment's origin, in its axes */
     vector first_moment;
     tensor inertia;
 
@@ -42,77 +42,77 @@ typedef struct link {
     bool start_is_rough;           /* not given: the assembly searches from there */
     bool start_found, speed_found; /* moved by the assembly */
     bool start_meets;              /* two ways to assemble it meet at the start */
-} link;
+} segment;
 
-/* A degree of freedom: one way in which a link moves relative to its parent. */
+/* A degree of freedom: one way in which a segment moves relative to its parent. */
 typedef struct dof {
-    int link, axis;
+    int segment, axis;
     int before; /* its parent degree of freedom, or GROUND */
     const char *name;
 } dof;
 
-/* A force on a link: of an input along an axis, or of an effect. */
+/* A force on a segment: of an input along an axis, or of an effect. */
 typedef struct applied_force {
-    int body, link;
+    int body, segment;
     int drive;            /* the input, or -1 */
     int effect;           /* then the effect */
-    vector point, axis;   /* constant, in the link's frame */
+    vector point, axis;   /* constant, in the segment's frame */
     node lever;           /* the moment about the force's own line, per newton */
-    vector force, moment; /* of an effect; when its motion is known, in the axes of the link */
+    vector force, moment; /* of an effect; when its motion is known, in the axes of the segment */
     bool in_ground;       /* until then in those of the ground */
 } applied_force;
 
 /* What formulas ask of a point of a body: three components. A leaf OP_ASKED stands for each,
  * until tools/isoc/tree/point_query.h puts what it is in its place. */
-typedef enum asked_kind {
-    ASKED_POSITION,
-    ASKED_VELOCITY,
-    ASKED_SPIN,
-    ASKED_X_AXIS,
-    ASKED_Y_AXIS,
-    ASKED_Z_AXIS,
-    ASKED_SPECIFIC_FORCE, /* what an accelerometer measures; known with the accelerations: plant/accelerations.h */
-    ASKED_FORCE,          /* likewise: what a joint or a closure gives to its child */
-    ASKED_MOMENT,
-} asked_kind;
+typedef enum point_query_kind {
+    QUERY_POSITION,
+    QUERY_VELOCITY,
+    QUERY_SPIN,
+    QUERY_X_AXIS,
+    QUERY_Y_AXIS,
+    QUERY_Z_AXIS,
+    QUERY_SPECIFIC_FORCE, /* what an accelerometer measures; known with the accelerations: plant/accelerations.h */
+    QUERY_FORCE,          /* likewise: what a joint or a closure gives to its child */
+    QUERY_MOMENT,
+} point_query_kind;
 
-static inline bool asks_for_acceleration(asked_kind kind)
+static inline bool asks_for_acceleration(point_query_kind kind)
 {
-    return kind >= ASKED_SPECIFIC_FORCE;
+    return kind >= QUERY_SPECIFIC_FORCE;
 }
 
-typedef struct asked {
-    asked_kind kind;
+typedef struct point_query {
+    point_query_kind kind;
     int body;     /* of a reaction the joint's child */
     vector point; /* in the body's frame */
     bool in_body; /* in its axes, not those of the ground */
-    int cut;      /* of a reaction: the closure; -1: that of the joint */
-} asked;
+    int closure;  /* of a reaction: the closure; -1: that of the joint */
+} point_query;
 
 /* A point whose inertia formulas ask for: that of a body, moved by a vector in the same axes as the answer. A leaf OP_INERTIA
  * stands for each of three components, behind those of the degrees of freedom, until tools/isoc/tree/effective_inertia.h puts what it
  * is in its place. */
-typedef struct asked_inertia {
+typedef struct inertia_query {
     int body;
     vector point, beside;
     bool in_body; /* in the axes of the body, not those of the ground */
-} asked_inertia;
+} inertia_query;
 
-/* One side of a closure: its frame on a link. */
-typedef struct cut_end {
-    int body, link; /* or GROUND */
+/* One side of a closure: its frame on a segment. */
+typedef struct closure_end {
+    int body, segment; /* or GROUND */
     matrix turn;
     vector point;
-} cut_end;
+} closure_end;
 
 /* A spring and damper between two points. */
-typedef struct strut {
+typedef struct point_spring {
     const char *name;
     place at;
-    cut_end first, second;
+    closure_end first, second;
     int base; /* the last common ancestor of both ends, or GROUND */
     node stiffness, damping, length;
-} strut;
+} point_spring;
 
 /* A function of the tick that motions depend on. It is a state, set at the beginning of each tick, with a constant rate
  * within it. */
@@ -132,41 +132,41 @@ typedef struct clocks {
 } clocks;
 
 /* A loop closure. */
-typedef struct cut {
+typedef struct closure {
     const char *name;
     place at;
     closure_kind kind;
-    cut_end parent, child; /* of a gear or a motion: only the links, first and second */
-    int base;              /* the last common ancestor of both sides, or GROUND */
-    int axis;              /* 0, 1, 2: of the frames */
-    double sign;           /* the closure's axis is sign * e_axis */
-    node length;           /* distance; radius; what a gear or a motion starts at */
-    bool is_disc;          /* of what rolls: a thin disc, not a ball; */
-    vector wheel;          /* its axle, a unit vector in the child's link */
+    closure_end parent, child; /* of a gear or a motion: only the segments, first and second */
+    int base;                  /* the last common ancestor of both sides, or GROUND */
+    int axis;                  /* 0, 1, 2: of the frames */
+    double sign;               /* the closure's axis is sign * e_axis */
+    node length;               /* distance; radius; what a gear or a motion starts at */
+    bool is_disc;              /* of what rolls: a thin disc, not a ball; */
+    vector wheel;              /* its axle, a unit vector in the child's segment */
     node ratio;
     node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
     node whole;    /* with continuous joints: Phi times this is zero up to whole turns; zero: Phi itself is zero */
     bool in_speed; /* a gear or a motion that constrains only speeds */
-} cut;
+} closure;
 
-/* A body, or several rigidly connected bodies, in the frame of a link or of the ground. */
+/* A body, or several rigidly connected bodies, in the frame of a segment or of the ground. */
 typedef struct composite {
     node mass;
     vector ms;      /* first moment, about the frame's origin */
     tensor inertia; /* likewise */
 } composite;
 
-/* A body with its own mass, for the reactions of joints: without the terms that regroup.c moves between links. */
+/* A body with its own mass, for the reactions of joints: without the terms that regroup.c moves between segments. */
 typedef struct member {
     const char *joint; /* whose child it is */
     int parent;        /* the parent body, or GROUND */
-    vector hinge;      /* the joint's frame on the body, in the link's */
+    vector hinge;      /* the joint's frame on the body, in the segment's */
     composite own;     /* likewise */
 } member;
 
-/* Where a body's own frame stands in its link's (or the ground's). */
+/* Where a body's own frame stands in its segment's (or the ground's). */
 typedef struct body_frame {
-    int link;
+    int segment;
     matrix turn;
     vector offset;
     bool placed;
@@ -176,26 +176,26 @@ typedef struct body_frame {
 typedef struct shown {
     name name;
     output_kind kind;
-    int along;    /* 0, 1, 2: only this component; -1: all */
-    int link;     /* of a coordinate */
-    int body;     /* of a body; of what a joint gives to it */
-    int cut;      /* of a closure; -1: of none */
-    int strut;    /* of a spring; -1: of none */
-    vector point; /* in the body's frame */
-    node formula; /* of OUTPUT_FORMULA, and its unit */
+    int along;        /* 0, 1, 2: only this component; -1: all */
+    int segment;      /* of a coordinate */
+    int body;         /* of a body; of what a joint gives to it */
+    int closure;      /* of a closure; -1: of none */
+    int point_spring; /* of a spring; -1: of none */
+    vector point;     /* in the body's frame */
+    node formula;     /* of OUTPUT_FORMULA, and its unit */
     const char *unit;
     double every; /* ticks: it is computed at the end of those whose number is a multiple of this; 1: each */
 } shown;
 
 /* What the header says of a quantity of the plant. */
 typedef struct variable {
-    const char *name;    /* in the header in capitals */
-    const char *unit;    /* SI */
-    const char *quote;   /* the scene's line that declares it; NULL where none does */
-    double least, most;  /* infinite where there is no limit */
-    double start;        /* of a parameter, its default */
-    dimension dimension; /* of a parameter */
-    const char *spoken;  /* of a fault: EFFECT.FAULT */
+    const char *name;         /* in the header in capitals */
+    const char *unit;         /* SI */
+    const char *quote;        /* the scene's line that declares it; NULL where none does */
+    double least, most;       /* infinite where there is no limit */
+    double start;             /* of a parameter, its default */
+    dimension dimension;      /* of a parameter */
+    const char *display_name; /* of a fault: EFFECT.FAULT */
 } variable;
 
 /* How a memory follows its `next`: one of an effect is its next, of what was before; what is kept of a formula is that in
@@ -241,12 +241,12 @@ typedef struct switching {
 } switching;
 
 /* A function of time in a formula: its word, and the effect whose definition has it, or only where it stands. */
-typedef struct streamed {
+typedef struct time_input_origin {
     const char *word;
     name origin;
-} streamed;
+} time_input_origin;
 
-/* An input that comes in over a link. */
+/* An input that comes in over a segment. */
 typedef struct wire {
     int input;
     double safe, after; /* what it becomes so many ticks after the last that came; 0 ticks: never */
@@ -269,14 +269,14 @@ typedef struct policies {
 typedef struct mechanism {
     const char *name;
     const source *source;
-    link *links;
+    segment *segments;
     dof *dofs;
-    int link_count, position_count, dof_count;
+    int segment_count, position_count, dof_count;
     body_frame *frames; /* of the scene's bodies, then of its frames */
     member *members;    /* of the bodies */
     int body_count;
-    cut *cuts;
-    int cut_count;
+    closure *closures;
+    int closure_count;
     double alpha, beta; /* 1/s, of Baumgarte */
     bool is_redundant;  /* the Schur complement may be singular: augmented Lagrangian */
     double penalty;     /* kg, of the augmented Lagrangian; 0: from the rounding (tools/isoc/closure/augmented.h) */
@@ -286,7 +286,7 @@ typedef struct mechanism {
     double violation_limit;         /* m or rad; 0: none */
     bool near_stops;                /* a tick near a singular position of the closures is the guard's; */
     bool near_holds;                /* or a step there keeps the energy */
-    clocks clocks;                  /* of motions: states between the links' positions and the speeds */
+    clocks clocks;                  /* of motions: states between the segments' positions and the speeds */
     effect_quantity *effect_states; /* states behind the clocks */
     int effect_state_count, first_effect_state;
     bool *fast_effects;        /* [effects] those whose states take sub-steps in a step, */
@@ -303,14 +303,14 @@ typedef struct mechanism {
     effect_quantity *derived; /* values of effects that follow from step, method and inertia */
     int derived_count;
     size_t derived_room;
-    asked *asked;
-    int asked_count;
-    size_t asked_room;
-    asked_inertia *asked_inertias;
-    int asked_inertia_count;
-    size_t asked_inertia_room;
-    strut *struts;
-    int strut_count;
+    point_query *point_queries;
+    int point_query_count;
+    size_t point_query_room;
+    inertia_query *inertia_queries;
+    int inertia_query_count;
+    size_t inertia_query_room;
+    point_spring *point_springs;
+    int point_spring_count;
     applied_force *applied_forces;
     int applied_force_count;
     vector gravity;
@@ -319,15 +319,15 @@ typedef struct mechanism {
 
     int input_count;
     variable *inputs;
-    bool *driven;      /* inputs that are functions of time; the others are the port's */
-    node *drives;      /* the inputs as functions of time, then the clocks */
-    double *jumps;     /* the change of an input that restarts the method; 0: none */
-    bool *smooth;      /* inputs, and delays in the equations, that are samples of continuous signals; */
-    int sampled_count; /* so many of u can be: the inputs, or where a delay is one, all */
-    int *streamed;     /* of an input that is made of a function of time in a formula, which; else -1 */
-    streamed *streams;
-    int stream_count;
-    wire *wires; /* inputs that come in over a link: all that are not driven, and those that have a safe value */
+    bool *driven;        /* inputs that are functions of time; the others are the port's */
+    node *drives;        /* the inputs as functions of time, then the clocks */
+    double *jumps;       /* the change of an input that restarts the method; 0: none */
+    bool *smooth;        /* inputs, and delays in the equations, that are samples of continuous signals; */
+    int sampled_count;   /* so many of u can be: the inputs, or where a delay is one, all */
+    int *time_input_of; /* of an input that is made of a function of time in a formula, which; else -1 */
+    time_input_origin *time_inputs;
+    int time_input_count;
+    wire *wires; /* inputs that come in over a segment: all that are not driven, and those that have a safe value */
     int wire_count;
     node *edges; /* functions of the tick in held inputs without a `jump` that jump by themselves */
     int edge_count;

@@ -54,7 +54,7 @@ static node rate_of(builder *b, node moving)
 
 /* A motion at constant speed, as a phase within one turn plus the rest: it stays as exact after a day as after a
  * second. */
-static node as_phase(builder *b, const closure *written, node moving)
+static node as_phase(builder *b, const closure_statement *written, node moving)
 {
     graph *g = b->g;
     const node time = timed(g, OP_TIME, 0.0, b->made.step);
@@ -85,9 +85,9 @@ static node function_of_time(builder *b, const formula *f, dimension of, const c
     return made;
 }
 
-bool build_motion(builder *b, const closure *written, cut *made)
+bool build_motion(builder *b, const closure_statement *written, closure *made)
 {
-    made->parent.link = made->child.link = coordinate_of(b, written->first);
+    made->parent.segment = made->child.segment = coordinate_of(b, written->first);
     if ((written->motion == NULL) == (written->speed == NULL)) {
         source_problem(b->s, written->motion == NULL ? written->name.at : written->speed->at,
                        written->motion == NULL
@@ -96,10 +96,10 @@ bool build_motion(builder *b, const closure *written, cut *made)
                        written->name.text);
         return false;
     }
-    if (made->parent.link < 0) {
+    if (made->parent.segment < 0) {
         return false;
     }
-    const link *first = &b->made.links[made->parent.link];
+    const segment *first = &b->made.segments[made->parent.segment];
     dimension of = coordinate_dimension(first);
     if (written->speed != NULL) {
         dimension_times(&of, second, -1);

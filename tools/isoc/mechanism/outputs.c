@@ -5,10 +5,10 @@
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/scene/names.h"
 
-int link_called(const mechanism *made, name n)
+int segment_called(const mechanism *made, name n)
 {
-    for (int i = 0; i < made->link_count; i++) {
-        if (made->links[i].kind != JOINT_SPHERICAL && strcmp(made->links[i].name, n.text) == 0) {
+    for (int i = 0; i < made->segment_count; i++) {
+        if (made->segments[i].kind != JOINT_SPHERICAL && strcmp(made->segments[i].name, n.text) == 0) {
             return i;
         }
     }
@@ -19,8 +19,8 @@ int link_called(const mechanism *made, name n)
 static const char *parts_of(builder *b, const joint *j)
 {
     const char *list = "";
-    for (int i = 0; i < b->made.link_count; i++) {
-        const link *l = &b->made.links[i];
+    for (int i = 0; i < b->made.segment_count; i++) {
+        const segment *l = &b->made.segments[i];
         if (l->at == j->name.at && l->kind != JOINT_SPHERICAL) {
             list = arena_format(b->s->memory, "%s%s%s", list, list[0] == '\0' ? "" : ", ", l->name);
         }
@@ -28,7 +28,7 @@ static const char *parts_of(builder *b, const joint *j)
     return list[0] == '\0' ? "the orientation of its child" : list;
 }
 
-/* A joint that is no link by itself: has it no coordinate, or several? */
+/* A joint that is no segment by itself: has it no coordinate, or several? */
 static void refuse_joint(builder *b, const output *o, const joint *j)
 {
     if (j->kind == JOINT_FIXED) {
@@ -43,9 +43,9 @@ static void refuse_joint(builder *b, const output *o, const joint *j)
 static bool find_operand(builder *b, const output *o, shown *made)
 {
     bool is_joint = true;
-    made->link = link_called(&b->made, o->of);
-    const int of = made->link >= 0 ? -1 : find_joint_or_body(b->s, b->written, o->of, &is_joint);
-    if (made->link < 0 && of < 0) {
+    made->segment = segment_called(&b->made, o->of);
+    const int of = made->segment >= 0 ? -1 : find_joint_or_body(b->s, b->written, o->of, &is_joint);
+    if (made->segment < 0 && of < 0) {
         return false;
     }
     made->body = is_joint ? -1 : of;
@@ -56,11 +56,11 @@ static bool find_operand(builder *b, const output *o, shown *made)
                        operand_phrases[is_joint ? OF_COORDINATE : OF_BODY]);
         return false;
     }
-    if (is_joint && made->link < 0) {
+    if (is_joint && made->segment < 0) {
         refuse_joint(b, o, &b->written->joints[of]);
         return false;
     }
-    if (made->kind == OUTPUT_TURNS && !b->made.links[made->link].continuous) {
+    if (made->kind == OUTPUT_TURNS && !b->made.segments[made->segment].continuous) {
         source_problem(b->s, o->kind_at, "only a continuous joint counts its turns");
     }
     return true;
@@ -82,9 +82,9 @@ static bool find_transmission(builder *b, const output *o, shown *made)
 {
     bool is_closure;
     const int of = find_closure_or_spring(b->s, b->written, o->of, &is_closure);
-    made->cut = is_closure ? of : -1;
-    made->strut = is_closure ? -1 : of;
-    if (made->cut >= 0 && !acts_along_joints(b->written->closures[made->cut].kind)) {
+    made->closure = is_closure ? of : -1;
+    made->point_spring = is_closure ? -1 : of;
+    if (made->closure >= 0 && !acts_along_joints(b->written->closures[made->closure].kind)) {
         source_problem(b->s, o->of.at, "'%s' has no effort: show force of %s, or moment of %s", o->of.text, o->of.text,
                        o->of.text);
     }
@@ -133,8 +133,13 @@ static double rate_of(builder *b, const output *o)
 static void build_output(builder *b, const output *o, shown *made)
 {
     const operand of = output_rows[o->kind].of;
-    *made =
-        (shown){.name = o->name, .kind = o->kind, .along = o->along, .link = -1, .body = -1, .cut = -1, .strut = -1};
+    *made = (shown){.name = o->name,
+                    .kind = o->kind,
+                    .along = o->along,
+                    .segment = -1,
+                    .body = -1,
+                    .closure = -1,
+                    .point_spring = -1};
     made->point = vector_value(b, o->point, metre, "a point");
     made->every = rate_of(b, o);
     if (o->formula != NULL) {
@@ -144,7 +149,7 @@ static void build_output(builder *b, const output *o, shown *made)
         source_problem(b->s, o->kind_at, "a scene without closures has no violation");
     }
     if (of >= OF_COORDINATE && o->of.text != NULL) {
-        const bool found = of == OF_CONNECTION     ? find_connection(b, o->of, &made->body, &made->cut)
+        const bool found = of == OF_CONNECTION     ? find_connection(b, o->of, &made->body, &made->closure)
                            : of == OF_TRANSMISSION ? find_transmission(b, o, made)
                                                    : find_operand(b, o, made);
         if (found) {

@@ -1,7 +1,7 @@
 #include "tools/isoc/mechanism/builder.h"
 
-/* Adds mass, first moment and inertia about the origin of a link's frame to the link's parent. */
-static void move_to_parent(builder *b, const link *from, node mass, vector ms, tensor inertia)
+/* Adds mass, first moment and inertia about the origin of a segment's frame to the segment's parent. */
+static void move_to_parent(builder *b, const segment *from, node mass, vector ms, tensor inertia)
 {
     graph *g = b->g;
     const vector turned = matrix_apply(g, from->turn, ms);
@@ -11,7 +11,7 @@ static void move_to_parent(builder *b, const link *from, node mass, vector ms, t
         b->made.ground_moment = vector_add(g, b->made.ground_moment, moment);
         return;
     }
-    link *to = &b->made.links[from->parent];
+    segment *to = &b->made.segments[from->parent];
     const tensor shifted = tensor_shift(g, tensor_rotate(g, from->turn, inertia), mass, turned, from->offset);
     to->inertia = tensor_add(g, to->inertia, shifted);
     to->first_moment = vector_add(g, to->first_moment, moment);
@@ -22,13 +22,13 @@ static void move_to_parent(builder *b, const link *from, node mass, vector ms, t
  * "Direct calculation of minimum set of inertial parameters of serial robots", IEEE Trans. Robotics Automation 6(3)):
  * of a revolute joint the mass, the first moment along the axis and equal moments of inertia across it; of a prismatic
  * joint the whole inertia; of a spherical joint the mass. The equations of motion are the same, and most parameters of
- * each link are zero. */
+ * each segment are zero. */
 void regroup(builder *b)
 {
     graph *g = b->g;
     const node zero = constant(g, 0.0);
-    for (int i = b->made.link_count - 1; i >= 0; i--) {
-        link *l = &b->made.links[i];
+    for (int i = b->made.segment_count - 1; i >= 0; i--) {
+        segment *l = &b->made.segments[i];
         if (l->kind == JOINT_PRISMATIC) {
             move_to_parent(b, l, zero, vector_zero(g), l->inertia);
             l->inertia = tensor_zero(g);

@@ -12,9 +12,9 @@ static node positive(builder *b, const formula *f, dimension of, const char *wha
     return n;
 }
 
-static void build_spring(builder *b, const point_spring *written)
+static void build_spring(builder *b, const spring_statement *written)
 {
-    strut made = {.name = written->name.text, .at = written->name.at, .base = GROUND};
+    point_spring made = {.name = written->name.text, .at = written->name.at, .base = GROUND};
     if (written->broken) {
         return;
     }
@@ -34,18 +34,18 @@ static void build_spring(builder *b, const point_spring *written)
     if (!place_end(b, &written->second, matrix_identity(b->g), &made.second) || !found) {
         return;
     }
-    if (made.first.link == made.second.link) {
+    if (made.first.segment == made.second.segment) {
         source_problem(b->s, made.at, "'%s' has no effect: '%s' and '%s' do not move relative to each other", made.name,
                        written->first.body.text, written->second.body.text);
         return;
     }
-    made.base = common_link(&b->made, made.first.link, made.second.link);
-    b->made.struts[b->made.strut_count++] = made;
+    made.base = common_segment(&b->made, made.first.segment, made.second.segment);
+    b->made.point_springs[b->made.point_spring_count++] = made;
 }
 
 void build_springs(builder *b)
 {
-    b->made.struts = arena_take(b->s->memory, b->written->spring_count + 1, sizeof *b->made.struts);
+    b->made.point_springs = arena_take(b->s->memory, b->written->spring_count + 1, sizeof *b->made.point_springs);
     for (size_t i = 0; i < b->written->spring_count; i++) {
         build_spring(b, &b->written->springs[i]);
     }

@@ -12,8 +12,8 @@ static state state_of(state_kind kind, const char *called, const char *in, const
                    .at = at};
 }
 
-/* A position is called as its link, the parts of a quaternion with an ending. */
-static void add_positions(const mechanism *m, const link *l, arena *memory, state *all)
+/* A position is called as its segment, the parts of a quaternion with an ending. */
+static void add_positions(const mechanism *m, const segment *l, arena *memory, state *all)
 {
     static const char *const parts[] = {"w", "x", "y", "z"};
     const char *quote = source_quote(m->source, l->at);
@@ -36,7 +36,7 @@ static void add_positions(const mechanism *m, const link *l, arena *memory, stat
 }
 
 /* A speed is called as its degree of freedom. */
-static void add_speeds(const mechanism *m, const link *l, arena *memory, state *all)
+static void add_speeds(const mechanism *m, const segment *l, arena *memory, state *all)
 {
     const char *quote = source_quote(m->source, l->at);
     for (int n = 0; n < dofs_of(l->kind); n++) {
@@ -52,9 +52,9 @@ static void add_speeds(const mechanism *m, const link *l, arena *memory, state *
 const state *mechanism_states(const mechanism *m, arena *memory)
 {
     state *all = arena_take(memory, (size_t)state_count(m) + 1, sizeof *all);
-    for (int i = 0; i < m->link_count; i++) {
-        add_positions(m, &m->links[i], memory, all);
-        add_speeds(m, &m->links[i], memory, all);
+    for (int i = 0; i < m->segment_count; i++) {
+        add_positions(m, &m->segments[i], memory, all);
+        add_speeds(m, &m->segments[i], memory, all);
     }
     for (int i = 0; i < m->clocks.count; i++) {
         state *made = &all[m->clocks.first + i];

@@ -2,21 +2,21 @@
 
 #include "tools/isoc/graph/differentiate.h"
 
-/* With the ground accelerated by -gravity, as the accelerations of the links are. */
-static vector specific_force(const plant *p, graph *g, const asked *of)
+/* With the ground accelerated by -gravity, as the accelerations of the segments are. */
+static vector specific_force(const plant *p, graph *g, const point_query *of)
 {
     const kinematics *k = &p->d->k;
     const body_frame *frame = &p->m->frames[of->body];
-    if (frame->link == GROUND) {
+    if (frame->segment == GROUND) {
         const vector up = vector_sub(g, vector_zero(g), p->m->gravity);
         return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), up) : up;
     }
-    const acceleration *now = &p->accelerations[frame->link];
+    const acceleration *now = &p->accelerations[frame->segment];
     const vector point = vector_add(g, matrix_apply(g, frame->turn, of->point), frame->offset);
-    const vector moved = swing(g, k->motions[frame->link].omega, now->alpha, point);
-    const vector in_link = vector_add(g, now->a, moved);
-    return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_link)
-                       : outward_axes(k, frame->link, GROUND, in_link);
+    const vector moved = swing(g, k->motions[frame->segment].omega, now->alpha, point);
+    const vector in_segment = vector_add(g, now->a, moved);
+    return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_segment)
+                       : outward_axes(k, frame->segment, GROUND, in_segment);
 }
 
 wrench reaction_of(plant *p, graph *g, int child, int loop)
@@ -29,42 +29,42 @@ wrench reaction_of(plant *p, graph *g, int child, int loop)
     return joint_reaction(p->d, p->accelerations, child);
 }
 
-static vector answer(plant *p, graph *g, const asked *of, asked_kind before)
+static vector answer(plant *p, graph *g, const point_query *of, point_query_kind before)
 {
-    if (of->kind == ASKED_SPECIFIC_FORCE) {
+    if (of->kind == QUERY_SPECIFIC_FORCE) {
         p->accelerations = p->accelerations == NULL ? reaction_accelerations(p->d) : p->accelerations;
         if (before != of->kind) {
             graph_section(g, "Specific forces");
         }
         return specific_force(p, g, of);
     }
-    const wrench passed = reaction_of(p, g, of->body, of->cut);
-    return of->kind == ASKED_FORCE ? passed.force : passed.moment;
+    const wrench passed = reaction_of(p, g, of->body, of->closure);
+    return of->kind == QUERY_FORCE ? passed.force : passed.moment;
 }
 
 void accelerations_resolve(plant *p, graph *g)
 {
     const mechanism *m = p->m;
-    node *answers = arena_take(g->memory, 3 * (size_t)m->asked_count + 1, sizeof *answers);
-    asked_kind before = ASKED_POSITION;
-    for (int i = 0; i < m->asked_count; i++) {
-        const bool is_asked = asks_for_acceleration(m->asked[i].kind);
-        const vector found = is_asked ? answer(p, g, &m->asked[i], before) : vector_zero(g);
-        before = is_asked ? m->asked[i].kind : before;
+    node *answers = arena_take(g->memory, 3 * (size_t)m->point_query_count + 1, sizeof *answers);
+    point_query_kind before = QUERY_POSITION;
+    for (int i = 0; i < m->point_query_count; i++) {
+        const bool is_query = asks_for_acceleration(m->point_queries[i].kind);
+        const vector found = is_query ? answer(p, g, &m->point_queries[i], before) : vector_zero(g);
+        before = is_query ? m->point_queries[i].kind : before;
         for (int n = 0; n < 3; n++) {
             answers[3 * i + n] = found.at[n];
         }
     }
-    for (int i = 0; i < m->memory_count && before != ASKED_POSITION; i++) {
-        replace_leaves(g, &m->memories[i].next, 1, OP_ASKED, answers);
-        replace_leaves(g, &m->memories[i].begin, 1, OP_ASKED, answers);
+    for (int i = 0; i < m->memory_count && before != QUERY_POSITION; i++) {
+        replace_leaves(g, &m->memories[i].next, 1, OP_POINT_QUERY, answers);
+        replace_leaves(g, &m->memories[i].begin, 1, OP_POINT_QUERY, answers);
     }
-    for (int i = 0; i < m->effect_state_count && before != ASKED_POSITION; i++) {
-        replace_leaves(g, &m->effect_states[i].begin, 1, OP_ASKED, answers);
+    for (int i = 0; i < m->effect_state_count && before != QUERY_POSITION; i++) {
+        replace_leaves(g, &m->effect_states[i].begin, 1, OP_POINT_QUERY, answers);
     }
-    for (size_t i = 0; i < m->output_count && before != ASKED_POSITION; i++) {
+    for (size_t i = 0; i < m->output_count && before != QUERY_POSITION; i++) {
         if (m->outputs[i].kind == OUTPUT_FORMULA) {
-            replace_leaves(g, &m->outputs[i].formula, 1, OP_ASKED, answers);
+            replace_leaves(g, &m->outputs[i].formula, 1, OP_POINT_QUERY, answers);
         }
     }
 }

@@ -32,7 +32,7 @@ void pivots_check(source *s, const graph *g, const plant *p)
     /* From the tips inward, in the order of the elimination: all pivots after a bad one are bad too. */
     for (int f = n - 1; f >= 0; f--) {
         const double pivot = factors[f * n + f], inertia = numbers[entries[f * n + f]];
-        const link *l = &m->links[m->dofs[f].link];
+        const segment *l = &m->segments[m->dofs[f].segment];
         if (!(inertia > 0.0) || !(pivot > 1e-10 * inertia)) {
             const bool is_ball = l->kind == JOINT_SPHERICAL;
             source_problem(s, l->at,

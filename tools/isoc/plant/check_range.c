@@ -46,15 +46,15 @@ static const char *quantity_of(const graph *g, size_t i, const bool *needed)
 static place place_of(const mechanism *m, const char *shown_as)
 {
     const size_t length = strlen(shown_as);
-    place at = m->links[0].at;
+    place at = m->segments[0].at;
     size_t longest = 0;
-    for (int i = 0; i < m->dof_count + m->cut_count; i++) {
-        const cut *of = i < m->dof_count ? NULL : &m->cuts[i - m->dof_count];
+    for (int i = 0; i < m->dof_count + m->closure_count; i++) {
+        const closure *of = i < m->dof_count ? NULL : &m->closures[i - m->dof_count];
         const char *ending = of == NULL ? m->dofs[i].name : of->name;
         const size_t part = strlen(ending);
         if (part > longest && part < length && strcmp(shown_as + length - part, ending) == 0) {
             longest = part;
-            at = of == NULL ? m->links[m->dofs[i].link].at : of->at;
+            at = of == NULL ? m->segments[m->dofs[i].segment].at : of->at;
         }
     }
     return at;

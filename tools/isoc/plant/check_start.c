@@ -30,7 +30,7 @@ static bool check_closures(source *s, const graph *g, const plant *p, const eval
         lost = numbers[loops->pivots[r]] > ulp * numbers[loops->diagonal[r]] ? -1 : r;
     }
     if (lost >= 0) {
-        const cut *c = &p->m->cuts[loops->held.all[lost].cut];
+        const closure *c = &p->m->closures[loops->held.all[lost].closure];
         source_problem(s, c->at, "%s cannot hold '%s' at the start: its pivot, %.3g, is lost in the rounding of %.3g%s",
                        name_of_real(p), c->name, numbers[loops->pivots[lost]], numbers[loops->diagonal[lost]],
                        advice(p));
@@ -46,8 +46,8 @@ static bool check_springs(source *s, const graph *g, const plant *p, const evalu
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     bool met = false;
     graph_evaluate(g, 0, at, numbers);
-    for (int i = 0; i < p->m->strut_count; i++) {
-        const strut *of = &p->m->struts[i];
+    for (int i = 0; i < p->m->point_spring_count; i++) {
+        const point_spring *of = &p->m->point_springs[i];
         const bool is_direct = is_zero(g, of->length) && is_zero(g, of->damping);
         if (!is_direct && numbers[p->d->springs[i].square] < (double)FLT_MIN) {
             source_problem(s, of->at, "the ends of '%s' meet at the start, where it has no direction", of->name);
@@ -116,7 +116,7 @@ static void check_derivative(source *s, const graph *of, const plant *p, const e
         const node root = roots[m->position_count + f];
         const double derivative = numbers[root];
         if (!isfinite(derivative)) {
-            source_problem(s, m->links[m->dofs[f].link].at, "the acceleration of '%s' at the start is %s in %s%s",
+            source_problem(s, m->segments[m->dofs[f].segment].at, "the acceleration of '%s' at the start is %s in %s%s",
                            m->dofs[f].name, isnan(derivative) ? "no number" : "infinite", name_of_real(p),
                            reason(g, p, at, root, numbers));
             break;

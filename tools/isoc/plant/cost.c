@@ -88,8 +88,8 @@ static void formulation_lines(const plant *p, text *out)
 static void assembled_lines(const mechanism *m, text *out)
 {
     const char *meeting = "";
-    for (int i = 0; i < m->link_count; i++) {
-        const link *l = &m->links[i];
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
         const char *of = slides(l) ? "m" : "rad";
         if (l->kind == JOINT_SPHERICAL && l->start_found) {
             const double *q = l->start;
@@ -216,10 +216,10 @@ void cost_summary(const plant *p, const graph *g, text *out)
         const operations part = plus(cost_of_step(p, g), settles, settle);
         count_line(out, "step", plus(part, m->parts - 1, part));
         for (int i = 0; i < m->policies.rung_count; i++) {
-            if (m->policies.rungs[i] == ISO_METHODS || m->policies.dropped[i] > p->lesser_count) {
+            if (m->policies.rungs[i] == ISO_METHODS || m->policies.dropped[i] > p->reduced_plant_count) {
                 continue;
             }
-            const lesser *left = lesser_on_rung(p, i);
+            const reduced_plant *left = reduced_plant_on_rung(p, i);
             mechanism by = *m;
             plant with = left == NULL ? *p : *left->p;
             by.recipe = rung_recipe(p, i);

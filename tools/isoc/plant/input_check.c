@@ -36,7 +36,7 @@ static bool is_restarting(const char *word)
 }
 
 /* The first function of time that these depend on, by what is known of the inputs and memories; -1: none. */
-static int stream_of(const graph *g, const node *roots, size_t count, const int *known)
+static int time_input_called(const graph *g, const node *roots, size_t count, const int *known)
 {
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     int first = -1;
@@ -50,27 +50,27 @@ static int stream_of(const graph *g, const node *roots, size_t count, const int 
 }
 
 /* A memory depends on one if another does that it follows: as many passes as that takes. */
-static void check_streams(const source *s, const graph *g, const plant *p)
+static void check_time_inputs(const source *s, const graph *g, const plant *p)
 {
     const mechanism *m = p->m;
     int *known = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *known);
     for (int i = 0; i < held_count(m); i++) {
-        const int of = i < m->input_count ? m->streamed[i] : -1;
-        known[i] = of >= 0 && !is_restarting(m->streams[of].word) ? of : -1;
+        const int of = i < m->input_count ? m->time_input_of[i] : -1;
+        known[i] = of >= 0 && !is_restarting(m->time_inputs[of].word) ? of : -1;
     }
     for (bool more = true; more;) {
         more = false;
         for (int i = 0; i < m->memory_count; i++) {
             int *of = &known[m->input_count + i];
-            const int found = *of < 0 ? stream_of(g, &m->memories[i].next, 1, known) : -1;
+            const int found = *of < 0 ? time_input_called(g, &m->memories[i].next, 1, known) : -1;
             more = more || found >= 0;
             *of = found >= 0 ? found : *of;
         }
     }
-    const int which = stream_of(g, p->derivatives, (size_t)state_count(m), known);
+    const int which = time_input_called(g, p->derivatives, (size_t)state_count(m), known);
     if (which >= 0) {
         const char *method = method_names[ISO_METHOD_OF(m->recipe)];
-        const streamed *of = &m->streams[which];
+        const time_input_origin *of = &m->time_inputs[which];
         const char *effect = of->origin.text;
         const char *where = effect == NULL ? "" : arena_format(g->memory, " of the effect '%s'", effect);
         source_warn(
@@ -97,7 +97,7 @@ void samples_check(const source *s, const graph *g, const scene *written, const 
 {
     check_inputs(s, written, p->m->recipe);
     check_delays(s, p->m);
-    if (ISO_PAST_KEPT(p->m->recipe) > 0 && p->m->stream_count > 0) {
-        check_streams(s, g, p);
+    if (ISO_PAST_KEPT(p->m->recipe) > 0 && p->m->time_input_count > 0) {
+        check_time_inputs(s, g, p);
     }
 }

@@ -14,11 +14,11 @@ static const char *unit_of(const plant *p, const shown *o)
     if (o->kind == OUTPUT_FORMULA) {
         return o->unit;
     }
-    if (o->strut >= 0) {
+    if (o->point_spring >= 0) {
         return row->unit;
     }
-    const int of = o->cut >= 0 ? p->m->cuts[o->cut].parent.link : o->link;
-    return of >= 0 && slides(&p->m->links[of]) ? row->unit : row->turning_unit;
+    const int of = o->closure >= 0 ? p->m->closures[o->closure].parent.segment : o->segment;
+    return of >= 0 && slides(&p->m->segments[of]) ? row->unit : row->turning_unit;
 }
 
 static void show_as(plant *p, const shown *o, const char *label, node n)
@@ -49,31 +49,31 @@ static void show_vector(plant *p, graph *g, const shown *o, vector v)
 static void show_position(plant *p, graph *g, const shown *o)
 {
     (void)g;
-    show(p, o, p->d->k.motions[o->link].q[0]);
+    show(p, o, p->d->k.motions[o->segment].q[0]);
 }
 
 static void show_speed(plant *p, graph *g, const shown *o)
 {
     (void)g;
-    show(p, o, p->d->k.motions[o->link].qd[0]);
+    show(p, o, p->d->k.motions[o->segment].qd[0]);
 }
 
 static void show_acceleration(plant *p, graph *g, const shown *o)
 {
-    show(p, o, leaf(g, OP_DERIVATIVE, p->m->position_count + p->m->links[o->link].dof));
+    show(p, o, leaf(g, OP_DERIVATIVE, p->m->position_count + p->m->segments[o->segment].dof));
 }
 
 static void show_turns(plant *p, graph *g, const shown *o)
 {
     int index = 0;
-    for (int i = 0; i < o->link; i++) {
-        index += p->m->links[i].continuous;
+    for (int i = 0; i < o->segment; i++) {
+        index += p->m->segments[i].continuous;
     }
     show(p, o, leaf(g, OP_TURNS, index));
 }
 
-/* The point that an output is at, in the frame of its body's link. */
-static vector point_in_link(const plant *p, graph *g, const shown *o)
+/* The point that an output is at, in the frame of its body's segment. */
+static vector point_in_segment(const plant *p, graph *g, const shown *o)
 {
     const body_frame *frame = &p->m->frames[o->body];
     return vector_add(g, matrix_apply(g, frame->turn, o->point), frame->offset);
@@ -81,17 +81,17 @@ static vector point_in_link(const plant *p, graph *g, const shown *o)
 
 static void show_point(plant *p, graph *g, const shown *o)
 {
-    show_vector(p, g, o, outward_point(&p->d->k, p->m->frames[o->body].link, GROUND, point_in_link(p, g, o)));
+    show_vector(p, g, o, outward_point(&p->d->k, p->m->frames[o->body].segment, GROUND, point_in_segment(p, g, o)));
 }
 
 static void show_velocity(plant *p, graph *g, const shown *o)
 {
-    const int link_shown = p->m->frames[o->body].link;
-    const vector velocity = point_velocity(&p->d->k, link_shown, point_in_link(p, g, o));
-    show_vector(p, g, o, outward_axes(&p->d->k, link_shown, GROUND, velocity));
+    const int segment_shown = p->m->frames[o->body].segment;
+    const vector velocity = point_velocity(&p->d->k, segment_shown, point_in_segment(p, g, o));
+    show_vector(p, g, o, outward_axes(&p->d->k, segment_shown, GROUND, velocity));
 }
 
-/* The product of the orientations of all links from the ground to the body. */
+/* The product of the orientations of all segments from the ground to the body. */
 static void show_orientation(plant *p, graph *g, const shown *o)
 {
     node q[4];
@@ -104,25 +104,26 @@ static void show_orientation(plant *p, graph *g, const shown *o)
 static void show_spin(plant *p, graph *g, const shown *o)
 {
     const body_frame *frame = &p->m->frames[o->body];
-    const vector omega = frame->link == GROUND ? vector_zero(g) : p->d->k.motions[frame->link].omega;
+    const vector omega = frame->segment == GROUND ? vector_zero(g) : p->d->k.motions[frame->segment].omega;
     show_vector(p, g, o, matrix_apply(g, matrix_transpose(frame->turn), omega));
 }
 
 static void show_force(plant *p, graph *g, const shown *o)
 {
-    show_vector(p, g, o, reaction_of(p, g, o->body, o->cut).force);
+    show_vector(p, g, o, reaction_of(p, g, o->body, o->closure).force);
 }
 
 static void show_moment(plant *p, graph *g, const shown *o)
 {
-    show_vector(p, g, o, reaction_of(p, g, o->body, o->cut).moment);
+    show_vector(p, g, o, reaction_of(p, g, o->body, o->closure).moment);
 }
 
 static void show_effort(plant *p, graph *g, const shown *o)
 {
     show(p, o,
-         o->strut >= 0 ? spring_tension(g, &p->m->struts[o->strut], &p->d->springs[o->strut])
-                       : closure_effort(p->d, o->cut));
+         o->point_spring >= 0
+             ? spring_tension(g, &p->m->point_springs[o->point_spring], &p->d->springs[o->point_spring])
+             : closure_effort(p->d, o->closure));
 }
 
 static void show_energy(plant *p, graph *g, const shown *o)

@@ -11,8 +11,8 @@ const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chos
 {
     const dynamics *d = dynamics_build(g, m, chosen);
     graph_section(g, "Rates of the positions");
-    for (int i = 0; i < m->link_count; i++) {
-        position_rates(&d->k, i, derivatives + m->links[i].position);
+    for (int i = 0; i < m->segment_count; i++) {
+        position_rates(&d->k, i, derivatives + m->segments[i].position);
     }
     for (int i = 0; i < m->clocks.count; i++) {
         derivatives[m->clocks.first + i] = constant(g, m->clocks.all[i].rate);
@@ -181,11 +181,11 @@ static node count_broken(graph *g, const mechanism *m)
     return m->condition_count > 0 ? count : -1;
 }
 
-plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted)
+plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted)
 {
     plant p = {.m = m, .input_count = m->input_count, .is_double = is_double, .factors = wanted.factors};
-    for (int i = 0; i < m->link_count; i++) {
-        p.turn_count += m->links[i].continuous;
+    for (int i = 0; i < m->segment_count; i++) {
+        p.turn_count += m->segments[i].continuous;
     }
     build_cheapest(&p, g, wanted.formulation);
     p.is_curved = ISO_IS(m->recipe, ISO_ROSENBROCK) && ISO_IS_SMOOTH(m->recipe) && is_curved(g, &p);

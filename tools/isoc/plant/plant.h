@@ -38,11 +38,11 @@ typedef struct row_plan {
 } row_plan;
 
 /* A plant on the lower rungs of a ladder that drops effects: on the memory of the whole, with a graph of its own. */
-typedef struct lesser {
+typedef struct reduced_plant {
     const struct plant *p;
     graph *g;
     const char *suffix; /* of the names of its functions: _without_rub */
-} lesser;
+} reduced_plant;
 
 /* All that is known of a plant when its equations are nodes. */
 typedef struct plant {
@@ -57,7 +57,7 @@ typedef struct plant {
     node *derivatives;           /* the derivative of each state */
     int rate_count;              /* of them those that semi_implicit evaluates again; 0: they are the speeds */
     settled after;               /* of a step */
-    acceleration *accelerations; /* of the links, where reactions of joints are shown */
+    acceleration *accelerations; /* of the segments, where reactions of joints are shown */
     factoring factors;           /* as wanted */
     jacobian j;                  /* only for implicit methods */
     bool is_curved;              /* for rosenbrock: the derivatives are not affine in the smooth inputs */
@@ -70,20 +70,20 @@ typedef struct plant {
     node violation; /* of the closures, where the loop counts it; else -1 */
     node broken;    /* how many conditions the tunables break; -1: there are none */
     bool is_double;
-    lesser *lessers; /* of a program: without the first drop of its ladder, without the first two, ... */
-    int lesser_count;
+    reduced_plant *reduced_plants; /* of a program: without the first drop of its ladder, without the first two, ... */
+    int reduced_plant_count;
 } plant;
 
 /* What is wanted in the place of what isoc finds best. */
-typedef struct wishes {
+typedef struct build_options {
     formulation formulation; /* FORMULATIONS: the cheapest */
     factoring factors;       /* FACTORINGS: that which suits the size */
-} wishes;
+} build_options;
 
 /* The derivative of each state alone. */
 const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chosen, node *derivatives);
 
 /* The nodes of derivative, outputs and all else. */
-plant plant_build(graph *g, const mechanism *m, bool is_double, wishes wanted);
+plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted);
 
 #endif

@@ -19,18 +19,18 @@ static scene *scene_with_drops(const scene *written, const policies *of, int dro
     return made;
 }
 
-static lesser build(source *s, const scene *written, const plant *p, wishes wanted, int drops)
+static reduced_plant build(source *s, const scene *written, const plant *p, build_options wanted, int drops)
 {
     arena *memory = s->memory;
     const policies *of = &p->m->policies;
     mechanism *m = arena_take(memory, 1, sizeof *m);
     plant *without = arena_take(memory, 1, sizeof *without);
-    lesser made = {.p = without, .g = arena_take(memory, 1, sizeof *made.g)};
+    reduced_plant made = {.p = without, .g = arena_take(memory, 1, sizeof *made.g)};
     graph_start(made.g, memory);
     graph_section(made.g, "Constants of the scene");
     *m = mechanism_build(s, made.g, scene_with_drops(written, of, drops, memory), p->is_double, p->m);
     assemble(s, made.g, m);
-    asked_resolve(made.g, m);
+    point_queries_resolve(made.g, m);
     *without = plant_build(made.g, m, p->is_double, wanted);
     rows_build(s, made.g, without, p);
     made.suffix = "_without";
@@ -40,19 +40,19 @@ static lesser build(source *s, const scene *written, const plant *p, wishes want
     return made;
 }
 
-void lessers_build(source *s, const scene *written, plant *p, wishes wanted)
+void reduced_plants_build(source *s, const scene *written, plant *p, build_options wanted)
 {
-    p->lesser_count = p->m->policies.drop_count;
-    p->lessers = arena_take(s->memory, (size_t)p->lesser_count + 1, sizeof *p->lessers);
-    for (int i = 0; i < p->lesser_count; i++) {
-        p->lessers[i] = build(s, written, p, wanted, i + 1);
+    p->reduced_plant_count = p->m->policies.drop_count;
+    p->reduced_plants = arena_take(s->memory, (size_t)p->reduced_plant_count + 1, sizeof *p->reduced_plants);
+    for (int i = 0; i < p->reduced_plant_count; i++) {
+        p->reduced_plants[i] = build(s, written, p, wanted, i + 1);
     }
 }
 
-const lesser *lesser_on_rung(const plant *p, int rung)
+const reduced_plant *reduced_plant_on_rung(const plant *p, int rung)
 {
     const int dropped = p->m->policies.dropped[rung];
-    return dropped > 0 ? &p->lessers[dropped - 1] : NULL;
+    return dropped > 0 ? &p->reduced_plants[dropped - 1] : NULL;
 }
 
 unsigned rung_recipe(const plant *p, int rung)
@@ -66,7 +66,7 @@ const char *rung_suffix(const plant *p, int rung, arena *memory)
 {
     const policies *of = &p->m->policies;
     const unsigned method = of->rungs[rung];
-    const lesser *left = lesser_on_rung(p, rung);
+    const reduced_plant *left = reduced_plant_on_rung(p, rung);
     const bool drops = of->dropped[rung] > (rung > 0 ? of->dropped[rung - 1] : 0);
     const char *called =
         drops && method == ISO_METHOD_OF(p->m->recipe) ? "" : arena_format(memory, "_%s", method_names[method]);

@@ -254,7 +254,7 @@ static void order_starts(rows_builder *b)
 
 /* --- functions of time --- */
 
-/* Whether an input can come from a link. */
+/* Whether an input can come from a segment. */
 static bool is_wired(const mechanism *m, int input)
 {
     bool is = false;

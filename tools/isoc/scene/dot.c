@@ -84,7 +84,7 @@ static const joint *joint_of(const scene *written, name n)
 
 /* A closure connects two bodies. One between joints connects the bodies that these move: a gear two children, a motion
  * a child and its parent. */
-static void draw_closure(const scene *written, const closure *c, const drawn_states *states, text *out)
+static void draw_closure(const scene *written, const closure_statement *c, const drawn_states *states, text *out)
 {
     const char *from = c->parent.body.text, *to = c->child.body.text;
     if (acts_along_joints(c->kind)) {
@@ -99,7 +99,7 @@ static void draw_closure(const scene *written, const closure *c, const drawn_sta
 }
 
 /* A spring leads from one end to the other. */
-static void draw_spring(const point_spring *s, text *out)
+static void draw_spring(const spring_statement *s, text *out)
 {
     text_add(out, "    \"%s\" -> \"%s\" [arrowhead=none, constraint=false, label=\"%s\\nspring%s\"];\n",
              s->first.body.text, s->second.body.text, s->name.text, s->damping != NULL ? ", damping" : "");

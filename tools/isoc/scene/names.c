@@ -122,7 +122,7 @@ static int count_times(const formula *f)
     return count;
 }
 
-int closure_clocks(const closure *c)
+int closure_clocks(const closure_statement *c)
 {
     const formula *f = c->motion != NULL ? c->motion : c->speed;
     return f == NULL ? 0 : count_times(f);

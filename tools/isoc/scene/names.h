@@ -35,7 +35,7 @@ const char *suggest_number(source *s, const scene *written, const char *typed, b
 extern const char *const effect_endings[];
 
 /* The largest number of clocks that a motion can have: one for each use of the time in its formula. */
-int closure_clocks(const closure *c);
+int closure_clocks(const closure_statement *c);
 
 /* The index of the body, joint, input or closure that is called n; -1, with a problem that suggests the nearest, if
  * none is. Where a body can stand, a frame can: its index comes after those of the bodies. find_body gives -2 for

@@ -6,7 +6,7 @@
 #include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/statements.h"
 
-#define IN(member) offsetof(closure, member)
+#define IN(member) offsetof(closure_statement, member)
 static const property properties[] = {
     {"parent", read_placement, IN(parent), BETWEEN_BODIES, "parent ground"},
     {"child", read_placement, IN(child), BETWEEN_BODIES, "child BODY"},
@@ -29,7 +29,7 @@ void read_closure(parser *p, const token *word, void *slot)
 {
     (void)word;
     scene *made = slot;
-    closure c = {.name = take_new_name(p, "expected a name for the closure")};
+    closure_statement c = {.name = take_new_name(p, "expected a name for the closure")};
     const size_t kind = p->failed ? closure_block.kind_count : parse_kind(p, &closure_block);
     c.broken = p->failed || kind == closure_block.kind_count;
     c.kind = c.broken ? CLOSE_FIXED : (closure_kind)kind;

@@ -15,7 +15,7 @@ static void read_point(parser *p, const token *word, placement *to)
 /* The slot is the spring. */
 static void read_between(parser *p, const token *word, void *slot)
 {
-    point_spring *to = slot;
+    spring_statement *to = slot;
     read_point(p, word, &to->first);
     if (!p->failed && !take_word(p, "and")) {
         parse_problem(p, "expected 'and' and the other end: between BODY at (1, 0, 0) m and BODY");
@@ -25,7 +25,7 @@ static void read_between(parser *p, const token *word, void *slot)
     }
 }
 
-#define IN(member) offsetof(point_spring, member)
+#define IN(member) offsetof(spring_statement, member)
 static const property properties[] = {
     {"between", read_between, 0, EVERY_KIND, "between ground at (1, 0, 0) m and BODY"},
     {"stiffness", read_formula, IN(stiffness), EVERY_KIND, NULL},
@@ -40,7 +40,7 @@ void read_spring_statement(parser *p, const token *word, void *slot)
 {
     (void)word;
     scene *made = slot;
-    point_spring s = {.name = take_new_name(p, "expected a name for the spring")};
+    spring_statement s = {.name = take_new_name(p, "expected a name for the spring")};
     s.broken = p->failed || !parse_block(p, &spring_block, 0, s.name, &s);
     made->springs = arena_grow(p->s->memory, made->springs, made->spring_count, &made->spring_room, sizeof s);
     made->springs[made->spring_count++] = s;

@@ -190,12 +190,13 @@ static bool set_fault(parser *p, scene *made, const effect_use *use, const token
         if (line->kind != EFFECT_FAULT || line->name.text == NULL) {
             continue;
         }
-        const char *spoken = arena_format(p->s->memory, "%s.%s", use->name.text, line->name.text);
+        const char *display_name = arena_format(p->s->memory, "%s.%s", use->name.text, line->name.text);
         const char *written = arena_format(p->s->memory, "%s_%s", use->name.text, line->name.text);
-        if (strcmp(called->text, spoken) == 0 || strcmp(called->text, written) == 0) {
+        if (strcmp(called->text, display_name) == 0 || strcmp(called->text, written) == 0) {
             made->fault_starts = arena_grow(p->s->memory, made->fault_starts, made->fault_start_count,
                                             &made->fault_start_room, sizeof *made->fault_starts);
-            made->fault_starts[made->fault_start_count++] = (setting){.what = {spoken, called->at}, .value = value};
+            made->fault_starts[made->fault_start_count++] =
+                (setting){.what = {display_name, called->at}, .value = value};
             return true;
         }
     }

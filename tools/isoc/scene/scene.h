@@ -111,22 +111,22 @@ typedef struct joint {
 } joint;
 
 /* A loop closure: a constraint between two bodies, or between two joints, beside the joints of the tree. */
-typedef struct closure {
+typedef struct closure_statement {
     name name;
     closure_kind kind;
     placement parent, child;
     formula *axis, *length, *radius, *wheel, *ratio, *motion, *speed;
     name first, second; /* joints */
     bool broken;
-} closure;
+} closure_statement;
 
 /* A spring and damper between two points. */
-typedef struct point_spring {
+typedef struct spring_statement {
     name name;
     placement first, second;
     formula *stiffness, *damping, *length;
     bool broken;
-} point_spring;
+} spring_statement;
 
 /* A force of an input on a point of a body, along an axis of the body; with `moment` metres of lever about that axis.
  */
@@ -268,9 +268,9 @@ typedef struct scene {
     running running;
     body *bodies;
     named_frame *frames;
-    point_spring *springs;
+    spring_statement *springs;
     joint *joints;
-    closure *closures;
+    closure_statement *closures;
     body_force *forces;
     quantity *parameters, *inputs, *signals;
     effect_kind *effect_kinds;

@@ -5,22 +5,22 @@
 /* Effects, then joints, springs, and the stabilisation. */
 int cause_count(const mechanism *m)
 {
-    return m->effect_count + m->link_count + m->strut_count + (m->cut_count > 0);
+    return m->effect_count + m->segment_count + m->point_spring_count + (m->closure_count > 0);
 }
 
 cause cause_of(const mechanism *m, int which)
 {
-    const int at_joint = which - m->effect_count, spring = at_joint - m->link_count;
+    const int at_joint = which - m->effect_count, spring = at_joint - m->segment_count;
     if (at_joint < 0) {
         return (cause){"effect", m->effects[which].text, m->effects[which].at};
     }
     if (spring < 0) {
-        return (cause){"spring and damping of the joint", m->links[at_joint].name, m->links[at_joint].at};
+        return (cause){"spring and damping of the joint", m->segments[at_joint].name, m->segments[at_joint].at};
     }
-    if (spring < m->strut_count) {
-        return (cause){"spring", m->struts[spring].name, m->struts[spring].at};
+    if (spring < m->point_spring_count) {
+        return (cause){"spring", m->point_springs[spring].name, m->point_springs[spring].at};
     }
-    return (cause){"stabilisation of the closure", m->cuts[0].name, m->cuts[0].at};
+    return (cause){"stabilisation of the closure", m->closures[0].name, m->closures[0].at};
 }
 
 static void *copy_of(arena *memory, const void *all, int count, size_t size)
@@ -59,7 +59,7 @@ mechanism without_cause(const mechanism *m, graph *g, int which)
 {
     arena *memory = g->memory;
     const node zero = constant(g, 0.0);
-    const int at_joint = which - m->effect_count, spring = at_joint - m->link_count;
+    const int at_joint = which - m->effect_count, spring = at_joint - m->segment_count;
     mechanism made = *m;
     if (at_joint < 0) {
         made.efforts = copy_of(memory, m->efforts, m->dof_count, sizeof *m->efforts);
@@ -68,11 +68,11 @@ mechanism without_cause(const mechanism *m, graph *g, int which)
         made.effect_states = copy_of(memory, m->effect_states, m->effect_state_count, sizeof *m->effect_states);
         drop_effect(&made, g, which);
     } else if (spring < 0) {
-        made.links = copy_of(memory, m->links, m->link_count, sizeof *m->links);
-        made.links[at_joint].damping = made.links[at_joint].spring = zero;
-    } else if (spring < m->strut_count) {
-        made.struts = copy_of(memory, m->struts, m->strut_count, sizeof *m->struts);
-        made.struts[spring].stiffness = made.struts[spring].damping = zero;
+        made.segments = copy_of(memory, m->segments, m->segment_count, sizeof *m->segments);
+        made.segments[at_joint].damping = made.segments[at_joint].spring = zero;
+    } else if (spring < m->point_spring_count) {
+        made.point_springs = copy_of(memory, m->point_springs, m->point_spring_count, sizeof *m->point_springs);
+        made.point_springs[spring].stiffness = made.point_springs[spring].damping = zero;
     } else {
         made.alpha = made.beta = 0.0;
     }

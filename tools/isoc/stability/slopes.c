@@ -19,7 +19,7 @@ linearised linearise(const graph *of, const mechanism *m, const node *of_roots, 
     return made;
 }
 
-/* How a state changes with one of the smaller set: the states of a quaternion with the rotations of its link. */
+/* How a state changes with one of the smaller set: the states of a quaternion with the rotations of its segment. */
 typedef struct turning {
     int state, reduced;
     double factor, back; /* and this one with it */
@@ -32,8 +32,8 @@ static int list_turnings(const mechanism *m, const double *x, turning *all)
     static const int from[3][4] = {{1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
     static const double sign[3][4] = {{-1, 1, -1, 1}, {-1, 1, 1, -1}, {-1, -1, 1, 1}};
     int count = 0, reduced = 0, next = 0;
-    for (int i = 0; i < m->link_count; i++) {
-        const link *l = &m->links[i];
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
         next += positions_of(l->kind);
         if (l->kind != JOINT_SPHERICAL) {
             all[count++] = (turning){l->position, reduced++, 1.0, 1.0};
@@ -55,8 +55,8 @@ static int list_turnings(const mechanism *m, const double *x, turning *all)
 static int reduced_count(const mechanism *m)
 {
     int count = state_count(m);
-    for (int i = 0; i < m->link_count; i++) {
-        count -= m->links[i].kind == JOINT_SPHERICAL;
+    for (int i = 0; i < m->segment_count; i++) {
+        count -= m->segments[i].kind == JOINT_SPHERICAL;
     }
     return count;
 }
@@ -65,8 +65,8 @@ static int reduced_count(const mechanism *m)
  * makes of it, no change of phi. */
 static void clear_quaternions(const mechanism *m, slopes *s)
 {
-    for (int i = 0, at = 0; i < m->link_count; i++) {
-        const int count = m->links[i].kind == JOINT_SPHERICAL ? 3 : 1;
+    for (int i = 0, at = 0; i < m->segment_count; i++) {
+        const int count = m->segments[i].kind == JOINT_SPHERICAL ? 3 : 1;
         for (int row = at; count == 3 && row < at + 3; row++) {
             for (int column = at; column < at + 3; column++) {
                 s->at[row * s->n + column] = 0.0;

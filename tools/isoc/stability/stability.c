@@ -74,7 +74,7 @@ static const char *steps_text(arena *memory, const modes *m)
 static void warn(const source *s, arena *memory, const plant *p, const modes *m, int which, const point *at)
 {
     const mechanism *of = p->m;
-    const cause none = {"mechanism", of->name, of->links[0].at};
+    const cause none = {"mechanism", of->name, of->segments[0].at};
     const cause c = which < 0 ? none : cause_of(of, which);
     int fastest = 0;
     count_growing(m, of->recipe, method_step(of), &fastest);
@@ -140,7 +140,7 @@ static void check_drift(const source *s, const graph *g, const plant *p, slopes 
         return;
     }
     const int which = find_cause_of_drift(g, p, at, found.rate);
-    const cause c = which < 0 ? (cause){"mechanism", m->name, m->links[0].at} : cause_of(m, which);
+    const cause c = which < 0 ? (cause){"mechanism", m->name, m->segments[0].at} : cause_of(m, which);
     const char *others = "";
     for (unsigned method = 0; method < ISO_METHODS; method++) {
         if (!ISO_IS_VARYING(method) && drift_of(&all, method, method_step(m)).rate * life < 1.0) {
@@ -191,7 +191,7 @@ static bool check_steepest(const source *s, const graph *g, const plant *p, cons
 {
     const mechanism *m = p->m;
     bool any = false;
-    for (int i = 0; i < m->effect_count && m->cut_count == 0; i++) {
+    for (int i = 0; i < m->effect_count && m->closure_count == 0; i++) {
         double *steep[STEEPEST_POINTS];
         const int count = steepest_points(g, m, i, at->x, at->u, steep);
         const char *when = arena_format(g->memory, "where '%s' is steepest", m->effects[i].text);

@@ -98,9 +98,9 @@ static bool *movable_states(const mechanism *m, arena *memory)
     for (int i = 0; i < state_count(m); i++) {
         moves[i] = true;
     }
-    for (int i = 0; i < m->link_count; i++) {
-        for (int c = 0; c < 4 && m->links[i].kind == JOINT_SPHERICAL; c++) {
-            moves[m->links[i].position + c] = false;
+    for (int i = 0; i < m->segment_count; i++) {
+        for (int c = 0; c < 4 && m->segments[i].kind == JOINT_SPHERICAL; c++) {
+            moves[m->segments[i].position + c] = false;
         }
     }
     return moves;

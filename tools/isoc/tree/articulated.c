@@ -3,7 +3,7 @@
 /* Angular components, then linear ones: of a wrench its moment and its force. */
 enum { ANGULAR = 0, LINEAR = 3, SPATIAL = 6 };
 
-/* A link with its descendants, whose joints are free: an acceleration A needs the wrench inertia A + bias. */
+/* A segment with its descendants, whose joints are free: an acceleration A needs the wrench inertia A + bias. */
 typedef struct articulated {
     node inertia[SPATIAL][SPATIAL]; /* symmetric */
     node bias[SPATIAL];
@@ -54,8 +54,8 @@ static matrix cross_matrix(graph *g, vector a)
     return (matrix){{{zero, minus.at[2], a.at[1]}, {a.at[2], zero, minus.at[0]}, {minus.at[1], a.at[0], zero}}};
 }
 
-/* A link alone; `still` is the wrench that it needs when its origin and its rotation are not accelerated. */
-static articulated rigid(graph *g, const link *l, wrench still)
+/* A segment alone; `still` is the wrench that it needs when its origin and its rotation are not accelerated. */
+static articulated rigid(graph *g, const segment *l, wrench still)
 {
     const node zero = constant(g, 0.0), mass = l->mass;
     articulated made;
@@ -72,7 +72,7 @@ static articulated rigid(graph *g, const link *l, wrench still)
 static release let_go(const kinematics *k, int f, node effort, articulated *b)
 {
     graph *g = k->g;
-    const link *l = &k->m->links[k->m->dofs[f].link];
+    const segment *l = &k->m->segments[k->m->dofs[f].segment];
     const int at = k->m->dofs[f].axis + (slides(l) ? LINEAR : ANGULAR);
     const node borne = mul(g, axis_of(k, f).at[at % 3], effort), zero = constant(g, 0.0);
     release made = {.at = at, .pivot = graph_name(g, b->inertia[at][at], "D_%s", k->m->dofs[f].name)};
@@ -106,19 +106,19 @@ static void feel(graph *g, articulated *b, acceleration given)
     }
 }
 
-/* From link axes to the parent's. */
+/* From segment axes to the parent's. */
 static void turn_to_parent(const kinematics *k, int i, articulated *b)
 {
     for (int row = ANGULAR; row <= LINEAR; row += 3) {
         for (int column = row; column <= LINEAR; column += 3) {
             const matrix unturned = unturn_matrix(k, i, block_of(b, row, column));
-            put_block(b, row, column, matrix_rotate(k->g, k->m->links[i].turn, unturned));
+            put_block(b, row, column, matrix_rotate(k->g, k->m->segments[i].turn, unturned));
         }
         put_vector(b->bias, row, to_parent(k, i, vector_at(b->bias, row)));
     }
 }
 
-/* From the link's origin to the parent's, that is by p. With inertia J, coupling H and mass M:
+/* From the segment's origin to the parent's, that is by p. With inertia J, coupling H and mass M:
  * H' = H + [p] M,  J' = J + [p] H'^T - H [p]. */
 static void shift(graph *g, articulated *b, vector p)
 {
@@ -154,7 +154,7 @@ static void name_parts(graph *g, const char *owner, const articulated *b)
     vector_name(g, vector_at(b->bias, LINEAR), "force", owner);
 }
 
-/* The part of a link in its parent. Without accelerations of the joints it has that of its own joint's rate, which is
+/* The part of a segment in its parent. Without accelerations of the joints it has that of its own joint's rate, which is
  * turned, and at its origin omega x (omega x p) of the parent. */
 static void COMPENSATIONTOP(const kinematics *k, int i, articulated *b)
 {
@@ -162,14 +162,14 @@ static void COMPENSATIONTOP(const kinematics *k, int i, articulated *b)
     const vector p = k->motions[i].p, still = vector_zero(g);
     feel(g, b, joint_coriolis(k, i));
     turn_to_parent(k, i, b);
-    feel(g, b, (acceleration){still, swing(g, k->motions[k->m->links[i].parent].omega, still, p)});
+    feel(g, b, (acceleration){still, swing(g, k->motions[k->m->segments[i].parent].omega, still, p)});
     shift(g, b, p);
 }
 
 static void inward(const kinematics *k, const node *effort, articulated *bodies, release *releases)
 {
-    for (int i = k->m->link_count - 1; i >= 0; i--) {
-        const link *l = &k->m->links[i];
+    for (int i = k->m->segment_count - 1; i >= 0; i--) {
+        const segment *l = &k->m->segments[i];
         name_parts(k->g, l->name, &bodies[i]);
         for (int f = l->dof + dofs_of(l->kind) - 1; f >= l->dof; f--) {
             releases[f] = let_go(k, f, effort[f], &bodies[i]);
@@ -198,9 +198,9 @@ static void outward(const kinematics *k, const release *releases, node *x)
 {
     graph *g = k->g;
     const mechanism *m = k->m;
-    acceleration *all = arena_take(g->memory, (size_t)m->link_count, sizeof *all);
-    for (int i = 0; i < m->link_count; i++) {
-        const link *l = &m->links[i];
+    acceleration *all = arena_take(g->memory, (size_t)m->segment_count, sizeof *all);
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
         node a[SPATIAL];
         all[i] = accelerate_outward(k, i, all);
         put_vector(a, ANGULAR, all[i].alpha);
@@ -218,7 +218,7 @@ static void outward(const kinematics *k, const release *releases, node *x)
 void articulated_solve(const kinematics *k, node *x)
 {
     graph *g = k->g;
-    const size_t n = (size_t)k->m->link_count;
+    const size_t n = (size_t)k->m->segment_count;
     articulated *bodies = arena_take(g->memory, n, sizeof *bodies);
     release *releases = arena_take(g->memory, (size_t)k->m->dof_count, sizeof *releases);
     acceleration *still = arena_take(g->memory, n, sizeof *still);
@@ -229,7 +229,7 @@ void articulated_solve(const kinematics *k, node *x)
     }
     inertial_wrenches(k, still, wrenches);
     for (size_t i = 0; i < n; i++) {
-        bodies[i] = rigid(g, &k->m->links[i], wrenches[i]);
+        bodies[i] = rigid(g, &k->m->segments[i], wrenches[i]);
     }
     inward(k, x, bodies, releases);
     graph_section(g, "Accelerations outward, with the ground accelerated by -gravity: q'' = (u - U' A) / D");

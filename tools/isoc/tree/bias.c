@@ -14,14 +14,14 @@ acceleration joint_coriolis(const kinematics *k, int i)
     graph *g = k->g;
     const motion *now = &k->motions[i];
     const vector turned = vector_cross(g, now->carried, now->rate), zero = vector_zero(g);
-    return slides(&k->m->links[i]) ? (acceleration){zero, vector_scale(g, constant(g, 2.0), turned)}
-                                   : (acceleration){turned, zero};
+    return slides(&k->m->segments[i]) ? (acceleration){zero, vector_scale(g, constant(g, 2.0), turned)}
+                                      : (acceleration){turned, zero};
 }
 
 acceleration accelerate_outward(const kinematics *k, int i, const acceleration *all)
 {
     graph *g = k->g;
-    const link *l = &k->m->links[i];
+    const segment *l = &k->m->segments[i];
     const motion *now = &k->motions[i];
     acceleration made;
     made.alpha = l->parent == GROUND ? vector_zero(g) : from_parent(k, i, all[l->parent].alpha);
@@ -37,13 +37,13 @@ acceleration accelerate_outward(const kinematics *k, int i, const acceleration *
 void inertial_wrenches(const kinematics *k, const acceleration *accelerations, wrench *wrenches)
 {
     const mechanism *m = k->m;
-    for (int i = 0; i < m->link_count; i++) {
-        const link *l = &m->links[i];
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
         const composite whole = {l->mass, l->first_moment, l->inertia};
         wrenches[i] = wrench_of_motion(k->g, whole, k->motions[i].omega, accelerations[i]);
     }
     for (int i = 0; i < m->applied_force_count; i++) {
-        wrench *pushed = &wrenches[m->applied_forces[i].link];
+        wrench *pushed = &wrenches[m->applied_forces[i].segment];
         *pushed = wrench_sub(k->g, *pushed, wrench_of_applied_force(k->g, &m->applied_forces[i]));
     }
 }
@@ -52,12 +52,13 @@ void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts)
 {
     graph *g = k->g;
     const mechanism *m = k->m;
-    vector *felt = arena_take(g->memory, (size_t)m->link_count, sizeof *felt); /* moments by which links are turned */
-    for (int i = 0; i < m->link_count; i++) {
+    vector *felt =
+        arena_take(g->memory, (size_t)m->segment_count, sizeof *felt); /* moments by which segments are turned */
+    for (int i = 0; i < m->segment_count; i++) {
         felt[i] = wrenches[i].moment;
     }
-    for (int i = m->link_count - 1; i >= 0; i--) {
-        const link *l = &m->links[i];
+    for (int i = m->segment_count - 1; i >= 0; i--) {
+        const segment *l = &m->segments[i];
         vector_name(g, wrenches[i].force, "force", l->name);
         vector_name(g, wrenches[i].moment, "moment", l->name);
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
@@ -77,9 +78,9 @@ void bias_build(const kinematics *k, node *bias, acceleration *accelerations)
 {
     graph *g = k->g;
     const mechanism *m = k->m;
-    wrench *wrenches = arena_take(g->memory, (size_t)m->link_count, sizeof *wrenches);
+    wrench *wrenches = arena_take(g->memory, (size_t)m->segment_count, sizeof *wrenches);
     graph_section(g, "Accelerations outward, at q'' = 0 and with the ground accelerated by -gravity (Newton-Euler)");
-    for (int i = 0; i < m->link_count; i++) {
+    for (int i = 0; i < m->segment_count; i++) {
         accelerations[i] = accelerate_outward(k, i, accelerations);
     }
     graph_section(g, "Forces and moments inward: what q'' = 0 would take (bias)");

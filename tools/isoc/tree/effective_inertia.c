@@ -52,15 +52,15 @@ static double *inverse_of_mass(const graph *g, const mechanism *m, const mass_ma
 }
 
 /* The velocity of what moves with the body at a point beside its own. */
-static vector velocity_beside(const kinematics *k, const asked_inertia *of)
+static vector velocity_beside(const kinematics *k, const inertia_query *of)
 {
     graph *g = k->g;
     const body_frame *frame = &k->m->frames[of->body];
     const vector point = vector_add(g, matrix_apply(g, frame->turn, of->point), frame->offset);
-    vector moves = point_velocity(k, frame->link, point), turns = k->motions[frame->link].omega;
+    vector moves = point_velocity(k, frame->segment, point), turns = k->motions[frame->segment].omega;
     const matrix to_body = matrix_transpose(frame->turn);
-    moves = of->in_body ? matrix_apply(g, to_body, moves) : outward_axes(k, frame->link, GROUND, moves);
-    turns = of->in_body ? matrix_apply(g, to_body, turns) : outward_axes(k, frame->link, GROUND, turns);
+    moves = of->in_body ? matrix_apply(g, to_body, moves) : outward_axes(k, frame->segment, GROUND, moves);
+    turns = of->in_body ? matrix_apply(g, to_body, turns) : outward_axes(k, frame->segment, GROUND, turns);
     return vector_add(g, moves, vector_cross(g, turns, of->beside));
 }
 
@@ -96,16 +96,16 @@ static double mass_along(const double *row, const double *inverse, size_t n)
     return 1.0 / sum;
 }
 
-const node *offered_inertias(graph *g, const mechanism *m)
+const node *effective_inertias(graph *g, const mechanism *m)
 {
     graph scratch = graph_copy(g); /* so that nothing of this is in the way of what a plant computes */
     const kinematics k = kinematics_build(&scratch, m);
     kinematics_velocities(&k);
-    const size_t n = (size_t)m->dof_count, points = 3 * (size_t)m->asked_inertia_count;
+    const size_t n = (size_t)m->dof_count, points = 3 * (size_t)m->inertia_query_count;
     const mass_matrix mass = mass_matrix_build(&k);
     node *velocities = arena_take(g->memory, points + 1, sizeof *velocities);
-    for (int i = 0; i < m->asked_inertia_count; i++) {
-        const vector v = velocity_beside(&k, &m->asked_inertias[i]);
+    for (int i = 0; i < m->inertia_query_count; i++) {
+        const vector v = velocity_beside(&k, &m->inertia_queries[i]);
         memcpy(velocities + 3 * i, v.at, sizeof v.at);
     }
     const double *inverse = inverse_of_mass(&scratch, m, &mass), *rows = jacobian(&scratch, m, velocities, points);

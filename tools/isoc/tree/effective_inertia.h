@@ -11,6 +11,6 @@ bool asks_for_inertia(const graph *g);
 
 /* What stands in the place of the leaves OP_INERTIA, as constants: of each degree of freedom, then three of each point that
  * is asked for (mechanism.h), infinite along an axis along which it cannot move. Closures would make them larger. */
-const node *offered_inertias(graph *g, const mechanism *m);
+const node *effective_inertias(graph *g, const mechanism *m);
 
 #endif

@@ -2,15 +2,15 @@
 
 #include "tools/isoc/graph/quaternion.h"
 
-bool slides(const link *l)
+bool slides(const segment *l)
 {
     return l->kind == JOINT_PRISMATIC;
 }
 
 int shared_axis(const kinematics *k, int i)
 {
-    const link *l = &k->m->links[i];
-    const link *parent = l->parent == GROUND ? l : &k->m->links[l->parent];
+    const segment *l = &k->m->segments[i];
+    const segment *parent = l->parent == GROUND ? l : &k->m->segments[l->parent];
     if (!k->absolute || parent == l || l->kind != JOINT_REVOLUTE || parent->kind != JOINT_REVOLUTE) {
         return 0;
     }
@@ -21,14 +21,14 @@ int shared_axis(const kinematics *k, int i)
 vector axis_of(const kinematics *k, int f)
 {
     vector a = vector_zero(k->g);
-    const link *l = &k->m->links[k->m->dofs[f].link];
+    const segment *l = &k->m->segments[k->m->dofs[f].segment];
     a.at[k->m->dofs[f].axis] = constant(k->g, l->kind == JOINT_SPHERICAL ? 1.0 : l->sign);
     return a;
 }
 
 vector unturn(const kinematics *k, int i, vector a)
 {
-    const link *l = &k->m->links[i];
+    const segment *l = &k->m->segments[i];
     const motion *now = &k->motions[i];
     return l->kind == JOINT_SPHERICAL ? matrix_apply(k->g, now->free_turn, a)
                                       : turn_out(k->g, l->axis, now->s, now->c, a);
@@ -36,7 +36,7 @@ vector unturn(const kinematics *k, int i, vector a)
 
 matrix unturn_matrix(const kinematics *k, int i, matrix a)
 {
-    const link *l = &k->m->links[i];
+    const segment *l = &k->m->segments[i];
     const motion *now = &k->motions[i];
     return l->kind == JOINT_SPHERICAL ? matrix_rotate(k->g, now->free_turn, a)
                                       : matrix_turn_out(k->g, l->axis, now->s, now->c, a);
@@ -50,12 +50,12 @@ tensor unturn_tensor(const kinematics *k, int i, tensor j)
 /* R = turn * (what the joint turns). One full matrix where both are needed at once, else two sparse ones. */
 vector to_parent(const kinematics *k, int i, vector a)
 {
-    return matrix_apply(k->g, k->m->links[i].turn, unturn(k, i, a));
+    return matrix_apply(k->g, k->m->segments[i].turn, unturn(k, i, a));
 }
 
 vector from_parent(const kinematics *k, int i, vector a)
 {
-    const link *l = &k->m->links[i];
+    const segment *l = &k->m->segments[i];
     const motion *now = &k->motions[i];
     const vector unturned = matrix_apply(k->g, matrix_transpose(l->turn), a);
     return l->kind == JOINT_SPHERICAL ? matrix_apply(k->g, matrix_transpose(now->free_turn), unturned)
@@ -63,9 +63,9 @@ vector from_parent(const kinematics *k, int i, vector a)
 }
 
 /* Whether an implicit method differentiates products of R and R', which are one where |q| is: from the parent's axes to the
- * link's and back. The solved equations and the balance differ in them (tools/isoc/implicit/jacobian.h), and a Jacobian of
+ * segment's and back. The solved equations and the balance differ in them (tools/isoc/implicit/jacobian.h), and a Jacobian of
  * the one in the place of the other's takes an order from a linearly implicit method. */
-static bool is_turned_back(const mechanism *m, const link *l)
+static bool is_turned_back(const mechanism *m, const segment *l)
 {
     return ISO_IS_IMPLICIT(m->recipe) && l->parent != GROUND;
 }
@@ -74,7 +74,7 @@ static void start_motion(const kinematics *k, int i)
 {
     graph *g = k->g;
     const mechanism *m = k->m;
-    const link *l = &m->links[i];
+    const segment *l = &m->segments[i];
     motion *now = &k->motions[i];
     now->s = constant(g, 0.0);
     now->c = constant(g, 1.0);
@@ -106,7 +106,7 @@ static void start_motion(const kinematics *k, int i)
 static void rotate_outward(const kinematics *k, int i)
 {
     graph *g = k->g;
-    const link *l = &k->m->links[i];
+    const segment *l = &k->m->segments[i];
     motion *now = &k->motions[i];
     now->carried = l->parent == GROUND ? vector_zero(g) : from_parent(k, i, k->motions[l->parent].omega);
     now->omega = slides(l) ? now->carried : vector_add(g, now->carried, now->rate);
@@ -115,13 +115,13 @@ static void rotate_outward(const kinematics *k, int i)
 
 kinematics kinematics_build(graph *g, const mechanism *m)
 {
-    kinematics k = {.m = m, .g = g, .motions = arena_take(g->memory, (size_t)m->link_count, sizeof *k.motions)};
+    kinematics k = {.m = m, .g = g, .motions = arena_take(g->memory, (size_t)m->segment_count, sizeof *k.motions)};
     graph_section(g, "Joints: sines and cosines, places");
-    for (int i = 0; i < m->link_count; i++) {
+    for (int i = 0; i < m->segment_count; i++) {
         start_motion(&k, i);
     }
     graph_section(g, "Angular velocities outward, in link axes");
-    for (int i = 0; i < m->link_count; i++) {
+    for (int i = 0; i < m->segment_count; i++) {
         rotate_outward(&k, i);
     }
     return k;
@@ -131,8 +131,8 @@ void kinematics_velocities(const kinematics *k)
 {
     graph *g = k->g;
     graph_section(g, "Velocities outward, in link axes");
-    for (int i = 0; i < k->m->link_count; i++) {
-        const link *l = &k->m->links[i];
+    for (int i = 0; i < k->m->segment_count; i++) {
+        const segment *l = &k->m->segments[i];
         motion *now = &k->motions[i];
         now->v = l->parent == GROUND ? vector_zero(g) : from_parent(k, i, point_velocity(k, l->parent, now->p));
         if (slides(l)) {
@@ -144,7 +144,7 @@ void kinematics_velocities(const kinematics *k)
 
 vector outward_axes(const kinematics *k, int i, int to, vector a)
 {
-    for (; i != to; i = k->m->links[i].parent) {
+    for (; i != to; i = k->m->segments[i].parent) {
         a = to_parent(k, i, a);
     }
     return a;
@@ -152,12 +152,12 @@ vector outward_axes(const kinematics *k, int i, int to, vector a)
 
 vector inward_axes(const kinematics *k, int from, int i, vector a)
 {
-    return i == from ? a : from_parent(k, i, inward_axes(k, from, k->m->links[i].parent, a));
+    return i == from ? a : from_parent(k, i, inward_axes(k, from, k->m->segments[i].parent, a));
 }
 
 vector outward_point(const kinematics *k, int i, int to, vector point)
 {
-    for (; i != to; i = k->m->links[i].parent) {
+    for (; i != to; i = k->m->segments[i].parent) {
         point = vector_add(k->g, to_parent(k, i, point), k->motions[i].p);
     }
     return point;
@@ -191,18 +191,18 @@ void position_rates(const kinematics *k, int i, node *rates)
 {
     graph *g = k->g;
     const motion *now = &k->motions[i];
-    if (k->m->links[i].kind != JOINT_SPHERICAL) {
+    if (k->m->segments[i].kind != JOINT_SPHERICAL) {
         rates[0] = now->qd[0];
         return;
     }
     quaternion_rates(g, now->q, now->qd, rates);
 }
 
-/* The quaternion of what a link's joint turns. */
+/* The quaternion of what a segment's joint turns. */
 static void joint_quaternion(const kinematics *k, int i, node q[4])
 {
     graph *g = k->g;
-    const link *l = &k->m->links[i];
+    const segment *l = &k->m->segments[i];
     const motion *now = &k->motions[i];
     for (int n = 0; n < 4; n++) {
         q[n] = l->kind == JOINT_SPHERICAL ? now->q[n] : constant(g, n == 0 ? 1.0 : 0.0);
@@ -217,11 +217,11 @@ static void joint_quaternion(const kinematics *k, int i, node q[4])
 void body_orientation(const kinematics *k, const body_frame *frame, node q[4])
 {
     quaternion_of_constant(k->g, frame->turn, q);
-    for (int i = frame->link; i != GROUND; i = k->m->links[i].parent) {
+    for (int i = frame->segment; i != GROUND; i = k->m->segments[i].parent) {
         node turned[4], fixed[4];
         joint_quaternion(k, i, turned);
         quaternion_product(k->g, turned, q, q);
-        quaternion_of_constant(k->g, k->m->links[i].turn, fixed);
+        quaternion_of_constant(k->g, k->m->segments[i].turn, fixed);
         quaternion_product(k->g, fixed, q, q);
     }
 }

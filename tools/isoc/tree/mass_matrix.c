@@ -4,17 +4,17 @@
 
 static node at_dof(const kinematics *k, int f, wrench w)
 {
-    const link *l = &k->m->links[k->m->dofs[f].link];
+    const segment *l = &k->m->segments[k->m->dofs[f].segment];
     return vector_dot(k->g, axis_of(k, f), slides(l) ? w.force : w.moment);
 }
 
 /* --- composite bodies --- */
 
-static composite *link_composites(const kinematics *k)
+static composite *segment_composites(const kinematics *k)
 {
-    composite *bodies = arena_take(k->g->memory, (size_t)k->m->link_count, sizeof *bodies);
-    for (int i = 0; i < k->m->link_count; i++) {
-        const link *l = &k->m->links[i];
+    composite *bodies = arena_take(k->g->memory, (size_t)k->m->segment_count, sizeof *bodies);
+    for (int i = 0; i < k->m->segment_count; i++) {
+        const segment *l = &k->m->segments[i];
         bodies[i] = (composite){l->mass, l->first_moment, l->inertia};
     }
     return bodies;
@@ -26,7 +26,7 @@ static composite unturn_composite(const kinematics *k, int i, composite whole)
     return (composite){whole.mass, ms, unturn_tensor(k, i, whole.inertia)};
 }
 
-/* A link with its descendants: as one body; as the body that the link's own speed turns, in which all that this speed
+/* A segment with its descendants: as one body; as the body that the segment's own speed turns, in which all that this speed
  * only moves along is a point; and the moment of that point about other axes. */
 typedef struct outboard {
     composite whole, turned;
@@ -37,7 +37,7 @@ typedef struct outboard {
 static void join(const kinematics *k, int i, composite unturned, composite *parent)
 {
     graph *g = k->g;
-    const link *l = &k->m->links[i];
+    const segment *l = &k->m->segments[i];
     const vector p = k->motions[i].p;
     const vector ms = matrix_apply(g, l->turn, unturned.ms);
     const tensor inertia = tensor_shift(g, tensor_rotate(g, l->turn, unturned.inertia), unturned.mass, ms, p);
@@ -49,9 +49,9 @@ static void join(const kinematics *k, int i, composite unturned, composite *pare
 composite composite_of_all(const kinematics *k)
 {
     composite ground = {k->m->ground_mass, k->m->ground_moment, tensor_zero(k->g)};
-    composite *bodies = link_composites(k);
-    for (int i = k->m->link_count - 1; i >= 0; i--) {
-        const int parent = k->m->links[i].parent;
+    composite *bodies = segment_composites(k);
+    for (int i = k->m->segment_count - 1; i >= 0; i--) {
+        const int parent = k->m->segments[i].parent;
         join(k, i, unturn_composite(k, i, bodies[i]), parent == GROUND ? &ground : &bodies[parent]);
     }
     return ground;
@@ -66,8 +66,8 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
     const kinematics *k = m->k;
     graph *g = k->g;
     const dof *dofs = k->m->dofs;
-    const int i = dofs[f].link;
-    const link *l = &k->m->links[i];
+    const int i = dofs[f].segment;
+    const segment *l = &k->m->segments[i];
     const vector e = axis_of(k, f);
     node *row = m->at + f * m->n;
     wrench w;
@@ -79,7 +79,7 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
         w.moment = tensor_apply(g, whole.inertia, e);
     }
     int j = f;
-    for (; j != GROUND && dofs[j].link == i; j = dofs[j].before) {
+    for (; j != GROUND && dofs[j].segment == i; j = dofs[j].before) {
         row[j] = graph_name(g, at_dof(k, j, w), "M_%s_%s", dofs[f].name, dofs[j].name);
     }
     w.moment = vector_add(g, w.moment, swung);
@@ -87,28 +87,28 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
         w.force = unturn(k, i, w.force);
         w.moment = unturn(k, i, w.moment);
     }
-    for (int at = i; j != GROUND; at = k->m->links[at].parent) {
-        const link *above = &k->m->links[at];
+    for (int at = i; j != GROUND; at = k->m->segments[at].parent) {
+        const segment *above = &k->m->segments[at];
         w.force = matrix_apply(g, above->turn, at == i ? w.force : unturn(k, at, w.force));
         w.moment = matrix_apply(g, above->turn, at == i ? w.moment : unturn(k, at, w.moment));
         const vector about = vector_cross(g, k->motions[at].p, w.force);
         w.moment = vector_add(g, w.moment, about);
         const wrench felt = {w.force, shared_axis(k, at) != 0 ? about : w.moment};
-        for (; j != GROUND && dofs[j].link == above->parent; j = dofs[j].before) {
+        for (; j != GROUND && dofs[j].segment == above->parent; j = dofs[j].before) {
             row[j] = graph_name(g, at_dof(k, j, felt), "M_%s_%s", dofs[f].name, dofs[j].name);
         }
     }
 }
 
-/* An absolute speed of the parent about a shared axis moves the link without turning it. */
+/* An absolute speed of the parent about a shared axis moves the segment without turning it. */
 static void hang(const kinematics *k, int i, composite unturned, outboard *parent)
 {
     graph *g = k->g;
-    const link *l = &k->m->links[i];
+    const segment *l = &k->m->segments[i];
     composite carried = unturned;
     join(k, i, unturned, &parent->whole);
     if (shared_axis(k, i) != 0) {
-        const vector axis = axis_of(k, k->m->links[l->parent].dof);
+        const vector axis = axis_of(k, k->m->segments[l->parent].dof);
         const vector along = vector_cross(g, axis, k->motions[i].p);
         const vector moment = vector_cross(g, matrix_apply(g, l->turn, unturned.ms), along);
         parent->swung = vector_add(g, parent->swung, moment);
@@ -120,14 +120,14 @@ static void hang(const kinematics *k, int i, composite unturned, outboard *paren
 static void build_rows(const mass_matrix *m)
 {
     const kinematics *k = m->k;
-    const composite *own = link_composites(k);
-    outboard *bodies = arena_take(k->g->memory, (size_t)k->m->link_count, sizeof *bodies);
-    for (int i = 0; i < k->m->link_count; i++) {
+    const composite *own = segment_composites(k);
+    outboard *bodies = arena_take(k->g->memory, (size_t)k->m->segment_count, sizeof *bodies);
+    for (int i = 0; i < k->m->segment_count; i++) {
         bodies[i] = (outboard){own[i], own[i], vector_zero(k->g)};
     }
     graph_section(k->g, "Mass matrix M (composite rigid bodies)");
-    for (int i = k->m->link_count - 1; i >= 0; i--) {
-        const link *l = &k->m->links[i];
+    for (int i = k->m->segment_count - 1; i >= 0; i--) {
+        const segment *l = &k->m->segments[i];
         const composite turned = unturn_composite(k, i, bodies[i].turned);
         const vector swung = unturn(k, i, bodies[i].swung);
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {

@@ -1,6 +1,6 @@
-/* The mass matrix of a tree of links, as nodes, factorised.
+/* The mass matrix of a tree of segments, as nodes, factorised.
  *
- * Composite bodies in link frames, after Khalil and Kleinfinger (1987), "Minimum operations and minimum parameters of
+ * Composite bodies in segment frames, after Khalil and Kleinfinger (1987), "Minimum operations and minimum parameters of
  * the dynamic models of tree structure robots", IEEE J. Robotics Automation 3(6); and the factorisation M = L' D L of
  * Featherstone (2008), Rigid Body Dynamics Algorithms, ch. 6, which keeps the zeros between branches.
  */

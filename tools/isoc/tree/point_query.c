@@ -3,26 +3,27 @@
 #include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/tree/effective_inertia.h"
 
-static vector answer(const kinematics *k, const asked *of)
+static vector answer(const kinematics *k, const point_query *of)
 {
     graph *g = k->g;
     const body_frame *frame = &k->m->frames[of->body];
-    const int at = frame->link;
+    const int at = frame->segment;
     const vector point = vector_add(g, matrix_apply(g, frame->turn, of->point), frame->offset);
-    if (of->kind == ASKED_POSITION && !of->in_body) {
+    if (of->kind == QUERY_POSITION && !of->in_body) {
         return outward_point(k, at, GROUND, point);
     }
-    vector in_link = vector_zero(g);
-    if (of->kind == ASKED_VELOCITY) {
-        in_link = point_velocity(k, at, point);
-    } else if (of->kind == ASKED_SPIN) {
-        in_link = at == GROUND ? in_link : k->motions[at].omega;
+    vector in_segment = vector_zero(g);
+    if (of->kind == QUERY_VELOCITY) {
+        in_segment = point_velocity(k, at, point);
+    } else if (of->kind == QUERY_SPIN) {
+        in_segment = at == GROUND ? in_segment : k->motions[at].omega;
     } else {
         for (int i = 0; i < 3; i++) {
-            in_link.at[i] = frame->turn.at[i][of->kind - ASKED_X_AXIS];
+            in_segment.at[i] = frame->turn.at[i][of->kind - QUERY_X_AXIS];
         }
     }
-    return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_link) : outward_axes(k, at, GROUND, in_link);
+    return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_segment)
+                       : outward_axes(k, at, GROUND, in_segment);
 }
 
 /* What stands in the place of the leaves. */
@@ -33,16 +34,16 @@ typedef struct answers {
 
 static void replace(graph *g, node *roots, int count, const answers *by)
 {
-    replace_leaves(g, roots, (size_t)count, OP_ASKED, by->points);
+    replace_leaves(g, roots, (size_t)count, OP_POINT_QUERY, by->points);
     if (by->inertias != NULL) {
         replace_leaves(g, roots, (size_t)count, OP_INERTIA, by->inertias);
     }
 }
 
-void asked_resolve(graph *g, mechanism *m)
+void point_queries_resolve(graph *g, mechanism *m)
 {
     const bool by_inertia = asks_for_inertia(g);
-    bool any = m->asked_count > 0 || by_inertia;
+    bool any = m->point_query_count > 0 || by_inertia;
     for (int i = 0; i < m->applied_force_count; i++) {
         any = any || m->applied_forces[i].drive < 0;
     }
@@ -52,15 +53,15 @@ void asked_resolve(graph *g, mechanism *m)
     const kinematics k = kinematics_build(g, m);
     kinematics_velocities(&k);
     graph_section(g, "Points of effects, in the ground's frame");
-    node *points = arena_take(g->memory, 3 * (size_t)m->asked_count + 1, sizeof *points);
-    for (int i = 0; i < m->asked_count; i++) {
-        const bool is_later = asks_for_acceleration(m->asked[i].kind);
-        const vector a = is_later ? vector_zero(g) : answer(&k, &m->asked[i]);
+    node *points = arena_take(g->memory, 3 * (size_t)m->point_query_count + 1, sizeof *points);
+    for (int i = 0; i < m->point_query_count; i++) {
+        const bool is_later = asks_for_acceleration(m->point_queries[i].kind);
+        const vector a = is_later ? vector_zero(g) : answer(&k, &m->point_queries[i]);
         for (int n = 0; n < 3; n++) {
-            points[3 * i + n] = is_later ? leaf(g, OP_ASKED, 3 * i + n) : a.at[n];
+            points[3 * i + n] = is_later ? leaf(g, OP_POINT_QUERY, 3 * i + n) : a.at[n];
         }
     }
-    const answers all = {points, by_inertia ? offered_inertias(g, m) : NULL};
+    const answers all = {points, by_inertia ? effective_inertias(g, m) : NULL};
     graph_section(g, "Effects");
     replace(g, m->efforts, m->dof_count, &all);
     for (int i = 0; i < m->effect_count; i++) {
@@ -90,8 +91,8 @@ void asked_resolve(graph *g, mechanism *m)
         if (f->drive < 0) {
             replace(g, f->force.at, 3, &all);
             replace(g, f->moment.at, 3, &all);
-            f->force = f->in_ground ? inward_axes(&k, GROUND, f->link, f->force) : f->force;
-            f->moment = f->in_ground ? inward_axes(&k, GROUND, f->link, f->moment) : f->moment;
+            f->force = f->in_ground ? inward_axes(&k, GROUND, f->segment, f->force) : f->force;
+            f->moment = f->in_ground ? inward_axes(&k, GROUND, f->segment, f->moment) : f->moment;
         }
     }
     for (int i = 0; i < m->effort_part_count; i++) {

@@ -1,10 +1,10 @@
 /* The motion of the points that effects and outputs ask for, in the place of the leaves that stand for it; and the forces
- * of effects, from the axes of the ground to those of their links. */
+ * of effects, from the axes of the ground to those of their segments. */
 #ifndef ISOC_TREE_POINT_QUERY_H
 #define ISOC_TREE_POINT_QUERY_H
 
 #include "tools/isoc/tree/kinematics.h"
 
-void asked_resolve(graph *g, mechanism *m);
+void point_queries_resolve(graph *g, mechanism *m);
 
 #endif

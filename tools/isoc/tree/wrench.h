@@ -1,4 +1,4 @@
-/* Forces with their moments, as nodes: in the axes of a link or of the ground, about its origin. */
+/* Forces with their moments, as nodes: in the axes of a segment or of the ground, about its origin. */
 #ifndef ISOC_TREE_WRENCH_H
 #define ISOC_TREE_WRENCH_H
 
@@ -8,7 +8,7 @@ typedef struct wrench {
     vector force, moment;
 } wrench;
 
-/* Of a link, the ground accelerated by -gravity; in link axes. */
+/* Of a segment, the ground accelerated by -gravity; in segment axes. */
 typedef struct acceleration {
     vector alpha; /* angular */
     vector a;     /* of the origin */
@@ -23,10 +23,10 @@ wrench wrench_at(graph *g, vector point, vector force, vector moment);
 /* The wrench that a body needs for this motion. */
 wrench wrench_of_motion(graph *g, composite whole, vector omega, acceleration now);
 
-/* The wrench of a force on its link. */
+/* The wrench of a force on its segment. */
 wrench wrench_of_applied_force(graph *g, const applied_force *t);
 
-/* From a link to its parent. */
-wrench wrench_to_parent(const kinematics *k, int link, wrench w);
+/* From a segment to its parent. */
+wrench wrench_to_parent(const kinematics *k, int segment, wrench w);
 
 #endif

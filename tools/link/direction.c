@@ -1,4 +1,4 @@
-#include "tools/link/way.h"
+#include "tools/link/direction.h"
 
 #include <errno.h>
 #include <string.h>
@@ -6,26 +6,27 @@
 
 enum { CHUNK_BYTES = 65536 };
 
-void way_start(way *const w)
+void direction_start(direction *const w)
 {
     w->reader = (iso_frame_reader){.buffer = w->frame, .room = sizeof w->frame};
     w->piece_bytes = 0;
     w->queued = 0;
 }
 
-bool way_has_room(const way *const w)
+bool direction_has_room(const direction *const w)
 {
     return w->queued + sizeof w->piece + 2 * CHUNK_BYTES <= sizeof w->queue;
 }
 
-static void enqueue(way *const w, const uint8_t *const bytes, const size_t count)
+static void enqueue(direction *const w, const uint8_t *const bytes, const size_t count)
 {
     memcpy(w->queue + w->queued, bytes, count);
     w->queued += count;
 }
 
 /* A piece goes on as it came, unless what looks at it has changed it. */
-static void pass(way *const w, const bool whole, const size_t length, way_look *const look, void *const context)
+static void pass(direction *const w, const bool whole, const size_t length, direction_look *const look,
+                 void *const context)
 {
     if (whole && look(context, w->frame, length)) {
         iso_frame_writer out;
@@ -39,7 +40,7 @@ static void pass(way *const w, const bool whole, const size_t length, way_look *
     w->piece_bytes = 0;
 }
 
-bool way_read(way *const w, const int file, way_look *const look, void *const context)
+bool direction_read(direction *const w, const int file, direction_look *const look, void *const context)
 {
     uint8_t bytes[CHUNK_BYTES];
     const ssize_t count = read(file, bytes, sizeof bytes);
@@ -54,7 +55,7 @@ bool way_read(way *const w, const int file, way_look *const look, void *const co
     return count > 0 || (count < 0 && (errno == EAGAIN || errno == EINTR));
 }
 
-bool way_write(way *const w, const int file)
+bool direction_write(direction *const w, const int file)
 {
     const ssize_t count = w->queued == 0 ? 0 : write(file, w->queue, w->queued);
     if (count > 0) {
