@@ -72,20 +72,20 @@ ISO_INLINE iso_multirate iso_multirate_of(const iso_tableau *const table, const 
                                           const iso_fast *const fast)
 {
     const size_t n = step->history->n, count = fast->count;
-    iso_multirate made = {.table = table, .step = step, .fast = fast, .k = step->work};
-    made.at = made.k + table->stages * n;
-    made.within = made.at + n;
-    made.inner = made.within + n;
-    made.begin = made.inner + table->stages * count;
-    made.begin_sum = made.begin + count;
-    made.end = made.begin_sum + count;
-    made.end_sum = made.end + count;
-    made.ends = made.end_sum + count;
-    made.ends_sum = made.ends + count;
-    made.given = made.ends_sum + count;
-    made.slope = made.given + count;
-    made.bend = made.slope + fast->read_count;
-    return made;
+    iso_multirate result = {.table = table, .step = step, .fast = fast, .k = step->work};
+    result.at = result.k + table->stages * n;
+    result.within = result.at + n;
+    result.inner = result.within + n;
+    result.begin = result.inner + table->stages * count;
+    result.begin_sum = result.begin + count;
+    result.end = result.begin_sum + count;
+    result.end_sum = result.end + count;
+    result.ends = result.end_sum + count;
+    result.ends_sum = result.ends + count;
+    result.given = result.ends_sum + count;
+    result.slope = result.given + count;
+    result.bend = result.slope + fast->read_count;
+    return result;
 }
 
 /* The slow states that the derivative reads, so many sub-steps after the start. */

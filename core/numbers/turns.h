@@ -23,9 +23,9 @@ static inline real iso_within_turn(const real angle)
 /* *sum += part, with the rest. */
 static inline void iso_add_exactly(real *const sum, real *const rest, const real part)
 {
-    const real made = *sum + part;
-    *rest += iso_rest_of_sum(*sum, part, made);
-    *sum = made;
+    const real result = *sum + part;
+    *rest += iso_rest_of_sum(*sum, part, result);
+    *sum = result;
 }
 
 /* Subtracts the nearest whole number of turns from *angle (|*angle| <= 1e4), and returns it. Without loss: the rest is in

@@ -24,9 +24,9 @@ static real changed(const iso_xcp_access *const access, const uint32_t i, const 
             x[k] = bytes[first + k - offset];
         }
     }
-    real made;
-    memcpy(&made, x, sizeof made);
-    return made;
+    real result;
+    memcpy(&result, x, sizeof result);
+    return result;
 }
 
 static bool is_allowed(const iso_xcp_access *const access, const uint32_t i, const real x)

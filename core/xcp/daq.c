@@ -123,15 +123,15 @@ iso_xcp_error iso_xcp_daq_mode(iso_xcp_daq *const daq, const uint16_t list, cons
     if (list >= daq->list_count || prescaler == 0) {
         return ISO_XCP_OUT_OF_RANGE;
     }
-    iso_xcp_list *const of = &daq->lists[list];
-    if (of->mode & ISO_XCP_RUNNING) {
+    iso_xcp_list *const i = &daq->lists[list];
+    if (i->mode & ISO_XCP_RUNNING) {
         return ISO_XCP_DAQ_ACTIVE;
     }
     if (mode & ~ISO_XCP_STAMPED) {
         return ISO_XCP_MODE_NOT_VALID;
     }
-    of->mode = (uint8_t)((of->mode & ISO_XCP_SELECTED) | mode);
-    of->prescaler = prescaler;
+    i->mode = (uint8_t)((i->mode & ISO_XCP_SELECTED) | mode);
+    i->prescaler = prescaler;
     return ISO_XCP_NONE;
 }
 
@@ -151,12 +151,12 @@ iso_xcp_error iso_xcp_daq_check(const iso_xcp_daq *const daq, const uint16_t lis
     if (list >= daq->list_count) {
         return ISO_XCP_OUT_OF_RANGE;
     }
-    const iso_xcp_list *const of = &daq->lists[list];
-    bool good = of->tables.count > 0 && of->prescaler > 0;
+    const iso_xcp_list *const i = &daq->lists[list];
+    bool good = i->tables.count > 0 && i->prescaler > 0;
     unsigned sample = 0;
-    for (uint8_t table = 0; table < of->tables.count; table++) {
-        const iso_xcp_part *const entries = &daq->tables[of->tables.first + table];
-        const unsigned bytes = packet_bytes(daq, of, table);
+    for (uint8_t table = 0; table < i->tables.count; table++) {
+        const iso_xcp_part *const entries = &daq->tables[i->tables.first + table];
+        const unsigned bytes = packet_bytes(daq, i, table);
         good = good && entries->count > 0 && daq->entries[entries->first].bytes > 0 && bytes <= ISO_XCP_MAX_DTO;
         sample += ISO_XCP_HEADER_BYTES + bytes + ISO_XCP_TAIL_BYTES;
     }
@@ -166,10 +166,10 @@ iso_xcp_error iso_xcp_daq_check(const iso_xcp_daq *const daq, const uint16_t lis
 
 void iso_xcp_daq_start(iso_xcp_daq *const daq, const uint16_t list)
 {
-    iso_xcp_list *const of = &daq->lists[list];
-    of->mode = (uint8_t)((of->mode & ~ISO_XCP_SELECTED) | ISO_XCP_RUNNING);
-    of->passed = 0;
-    of->overloaded = false;
+    iso_xcp_list *const i = &daq->lists[list];
+    i->mode = (uint8_t)((i->mode & ~ISO_XCP_SELECTED) | ISO_XCP_RUNNING);
+    i->passed = 0;
+    i->overloaded = false;
 }
 
 void iso_xcp_daq_stop(iso_xcp_daq *const daq, const uint16_t list)
@@ -188,29 +188,29 @@ bool iso_xcp_daq_runs(const iso_xcp_daq *const daq)
 
 bool iso_xcp_daq_due(iso_xcp_daq *const daq, const uint8_t list)
 {
-    iso_xcp_list *const of = &daq->lists[list];
-    if (!(of->mode & ISO_XCP_RUNNING)) {
+    iso_xcp_list *const i = &daq->lists[list];
+    if (!(i->mode & ISO_XCP_RUNNING)) {
         return false;
     }
-    of->passed++;
-    if (of->passed < of->prescaler) {
+    i->passed++;
+    if (i->passed < i->prescaler) {
         return false;
     }
-    of->passed = 0;
+    i->passed = 0;
     return true;
 }
 
 uint16_t iso_xcp_daq_packet(const iso_xcp_daq *const daq, const uint8_t list, const uint8_t table, const uint32_t tick,
                             uint8_t *const to)
 {
-    const iso_xcp_list *const of = &daq->lists[list];
-    const uint8_t number = (uint8_t)(of->tables.first + table);
+    const iso_xcp_list *const l = &daq->lists[list];
+    const uint8_t number = (uint8_t)(l->tables.first + table);
     const iso_xcp_part *const entries = &daq->tables[number];
     uint16_t used = NUMBER_BYTES;
     to[0] = number;
     if (table == 0) {
-        to[0] |= of->overloaded ? ISO_XCP_OVERLOAD : 0;
-        if (of->mode & ISO_XCP_STAMPED) {
+        to[0] |= l->overloaded ? ISO_XCP_OVERLOAD : 0;
+        if (l->mode & ISO_XCP_STAMPED) {
             iso_xcp_put_long(to + used, tick);
             used += STAMP_BYTES;
         }

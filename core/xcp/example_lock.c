@@ -12,13 +12,13 @@ static uint8_t seed(const uint8_t resource, const uint64_t different, uint8_t to
     return SEED_BYTES;
 }
 
-static bool fits(const uint8_t resource, const uint8_t *const of, const uint8_t of_length, const uint8_t *const key,
+static bool fits(const uint8_t resource, const uint8_t *const bytes, const uint8_t of_length, const uint8_t *const key,
                  const uint8_t key_length)
 {
     (void)resource;
     bool good = key_length == of_length;
     for (uint8_t i = 0; i < of_length && good; i++) {
-        good = key[i] == (of[i] ^ MASK);
+        good = key[i] == (bytes[i] ^ MASK);
     }
     return good;
 }

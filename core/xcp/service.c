@@ -123,17 +123,17 @@ static void before(iso_loop *const loop)
 /* All packets of a list, or none. */
 static void send_sample(const uint8_t list, const uint32_t tick)
 {
-    iso_xcp_list *const of = &slave.daq.lists[list];
+    iso_xcp_list *const i = &slave.daq.lists[list];
     uint16_t used = 0, next = counter;
-    for (uint8_t table = 0; table < of->tables.count; table++) {
+    for (uint8_t table = 0; table < i->tables.count; table++) {
         const uint16_t length = iso_xcp_daq_packet(&slave.daq, list, table, tick, sample + used + ISO_XCP_HEADER_BYTES);
         used = (uint16_t)(used + iso_xcp_frame(sample + used, length, next, reader.is_serial));
         next++;
     }
-    of->overloaded = !iso_port_send(ISO_CHANNEL_CALIBRATION, sample, used);
-    iso_xcp_the_statistics.lost += of->overloaded;
-    iso_xcp_the_statistics.samples += !of->overloaded;
-    counter = of->overloaded ? counter : next;
+    i->overloaded = !iso_port_send(ISO_CHANNEL_CALIBRATION, sample, used);
+    iso_xcp_the_statistics.lost += i->overloaded;
+    iso_xcp_the_statistics.samples += !i->overloaded;
+    counter = i->overloaded ? counter : next;
 }
 
 static void after(iso_loop *const loop)

@@ -25,12 +25,11 @@ void iso_xcp_disconnect(iso_xcp_slave *const s)
     s->daq = (iso_xcp_daq){.stage = ISO_XCP_UNMADE};
 }
 
-void iso_xcp_start(iso_xcp_slave *const s, const iso_xcp_description *const of, const iso_xcp_access *const access)
+void iso_xcp_start(iso_xcp_slave *const s, const iso_xcp_description *const d, const iso_xcp_access *const access)
 {
-    const iso_xcp_span texts[] = {{of->name, length_of(of->name)},
-                                  {of->epk, length_of(of->epk)},
-                                  {iso_xcp_event_name, sizeof iso_xcp_event_name}};
-    *s = (iso_xcp_slave){.of = of, .access = *access};
+    const iso_xcp_span texts[] = {
+        {d->name, length_of(d->name)}, {d->epk, length_of(d->epk)}, {iso_xcp_event_name, sizeof iso_xcp_event_name}};
+    *s = (iso_xcp_slave){.of = d, .access = *access};
     uint8_t next = 0;
     for (size_t i = 0; i < ISO_XCP_SPANS && next < sizeof texts / sizeof texts[0]; i++) {
         if (s->access.readable[i].bytes == 0) {

@@ -56,7 +56,7 @@ typedef struct iso_xcp_slave {
 } iso_xcp_slave;
 
 /* Disconnected. Three spans of the access must be free: they become the texts that a master can ask for. */
-void iso_xcp_start(iso_xcp_slave *s, const iso_xcp_description *of, const iso_xcp_access *access);
+void iso_xcp_start(iso_xcp_slave *s, const iso_xcp_description *i, const iso_xcp_access *access);
 
 /* To where it was at the start: nobody is connected, nothing is measured. */
 void iso_xcp_disconnect(iso_xcp_slave *s);

@@ -60,29 +60,29 @@ static line lines[ISO_CHANNELS] = {
 /* Of the one line that has some. */
 static datagrams packets;
 
-_Noreturn static void fail(const line *const of, const char *const why)
+_Noreturn static void fail(const line *const l, const char *const why)
 {
-    fprintf(stderr, "%s=%s: %s\n", of->variable, of->address, why);
+    fprintf(stderr, "%s=%s: %s\n", l->variable, l->address, why);
     exit(EXIT_FAILURE);
 }
 
 /* Makes a call that gives a negative number the last one where it fails. */
-static int must(const line *const of, const int returned)
+static int must(const line *const l, const int returned)
 {
     if (returned < 0) {
-        fail(of, strerror(errno));
+        fail(l, strerror(errno));
     }
     return returned;
 }
 
-static void say(const line *const of, const char *const where)
+static void say(const line *const l, const char *const where)
 {
-    fprintf(stderr, "%s: waiting at %s\n", of->variable, where);
+    fprintf(stderr, "%s: waiting at %s\n", l->variable, where);
 }
 
-static int without_waiting(const line *const of, const int file)
+static int without_waiting(const line *const l, const int file)
 {
-    must(of, fcntl(file, F_SETFL, must(of, fcntl(file, F_GETFL)) | O_NONBLOCK));
+    must(l, fcntl(file, F_SETFL, must(l, fcntl(file, F_GETFL)) | O_NONBLOCK));
     return file;
 }
 
@@ -105,29 +105,29 @@ static void remove_paths(void)
 }
 
 /* A socket that a program has left behind, which answers nobody, is taken away. */
-static void open_unix(line *const of, const char *const path)
+static void open_unix(line *const l, const char *const path)
 {
     struct sockaddr_un at = {.sun_family = AF_UNIX};
     if (path[0] == '\0' || strlen(path) >= sizeof at.sun_path) {
-        fail(of, "expected the path of a socket, of at most 107 bytes");
+        fail(l, "expected the path of a socket, of at most 107 bytes");
     }
     memcpy(at.sun_path, path, strlen(path));
     const struct sockaddr *const where = (const struct sockaddr *)&at;
-    const int socket_file = must(of, socket(AF_UNIX, SOCK_STREAM, 0));
+    const int socket_file = must(l, socket(AF_UNIX, SOCK_STREAM, 0));
     struct stat found;
     if (stat(path, &found) == 0 && S_ISSOCK(found.st_mode) && connect(socket_file, where, sizeof at) != 0 &&
         errno == ECONNREFUSED) {
         unlink(path);
     }
-    must(of, bind(socket_file, where, sizeof at));
-    of->listener = socket_file;
+    must(l, bind(socket_file, where, sizeof at));
+    l->listener = socket_file;
     atexit(remove_paths);
-    must(of, listen(socket_file, 1));
-    say(of, of->address);
+    must(l, listen(socket_file, 1));
+    say(l, l->address);
 }
 
 /* A socket that waits at an address, PORT or ADDRESS:PORT, with the kind and the example that a message tells. */
-static void open_internet(line *const of, const char *const where, const int type, const char *const kind)
+static void open_internet(line *const l, const char *const where, const int type, const char *const kind)
 {
     const char *const colon = strrchr(where, ':');
     const int port = number(colon == NULL ? where : colon + 1, UINT16_MAX);
@@ -138,70 +138,70 @@ static void open_internet(line *const of, const char *const where, const int typ
     }
     if (port < 0 || inet_pton(AF_INET, host, &at.sin_addr) != 1) {
         snprintf(text, sizeof text, "expected %s:PORT or %s:ADDRESS:PORT, such as %s:127.0.0.1:5555", kind, kind, kind);
-        fail(of, text);
+        fail(l, text);
     }
     at.sin_port = htons((uint16_t)port);
-    of->listener = must(of, socket(AF_INET, type, 0));
+    l->listener = must(l, socket(AF_INET, type, 0));
     if (type == SOCK_STREAM) {
-        must(of, setsockopt(of->listener, SOL_SOCKET, SO_REUSEADDR, &(int){1}, sizeof(int)));
+        must(l, setsockopt(l->listener, SOL_SOCKET, SO_REUSEADDR, &(int){1}, sizeof(int)));
     }
-    must(of, bind(of->listener, (struct sockaddr *)&at, sizeof at));
+    must(l, bind(l->listener, (struct sockaddr *)&at, sizeof at));
     if (type == SOCK_STREAM) {
-        must(of, listen(of->listener, 1));
+        must(l, listen(l->listener, 1));
     }
     socklen_t bytes = sizeof at;
-    must(of, getsockname(of->listener, (struct sockaddr *)&at, &bytes));
+    must(l, getsockname(l->listener, (struct sockaddr *)&at, &bytes));
     snprintf(text, sizeof text, "%s:%s:%u", kind, host, (unsigned)ntohs(at.sin_port));
-    say(of, text);
+    say(l, text);
 }
 
-static void open_udp(line *const of, const char *const where)
+static void open_udp(line *const l, const char *const where)
 {
-    if (of != &lines[ISO_CHANNEL_CALIBRATION]) {
-        fail(of, "udp is for ISOCHRON_CALIBRATION; a controller takes unix:PATH, tcp:PORT, tcp:ADDRESS:PORT, pty or "
-                 "fd:NUMBER");
+    if (l != &lines[ISO_CHANNEL_CALIBRATION]) {
+        fail(l, "udp is for ISOCHRON_CALIBRATION; a controller takes unix:PATH, tcp:PORT, tcp:ADDRESS:PORT, pty or "
+                "fd:NUMBER");
     }
-    of->is_datagram = true;
-    open_internet(of, where, SOCK_DGRAM, "udp");
+    l->is_datagram = true;
+    open_internet(l, where, SOCK_DGRAM, "udp");
 }
 
 /* The other end of the terminal stays open here as well: so it keeps its settings, and no peer that closes it ends it.
  * Raw: every byte goes through as it is. */
-static void open_terminal(line *const of)
+static void open_terminal(line *const l)
 {
-    of->peer = must(of, posix_openpt(O_RDWR | O_NOCTTY));
-    must(of, grantpt(of->peer));
-    must(of, unlockpt(of->peer));
-    const char *const name = ptsname(of->peer);
-    const int other = must(of, open(name, O_RDWR | O_NOCTTY));
+    l->peer = must(l, posix_openpt(O_RDWR | O_NOCTTY));
+    must(l, grantpt(l->peer));
+    must(l, unlockpt(l->peer));
+    const char *const name = ptsname(l->peer);
+    const int other = must(l, open(name, O_RDWR | O_NOCTTY));
     struct termios how;
-    must(of, tcgetattr(other, &how));
+    must(l, tcgetattr(other, &how));
     cfmakeraw(&how);
-    must(of, tcsetattr(other, TCSANOW, &how));
-    say(of, name);
+    must(l, tcsetattr(other, TCSANOW, &how));
+    say(l, name);
 }
 
-static void open_line(line *const of)
+static void open_line(line *const l)
 {
-    of->address = getenv(of->variable);
-    if (of->address == NULL || of->address[0] == '\0') {
-        of->address = NULL;
+    l->address = getenv(l->variable);
+    if (l->address == NULL || l->address[0] == '\0') {
+        l->address = NULL;
         return;
     }
-    if (strncmp(of->address, "unix:", 5) == 0) {
-        open_unix(of, of->address + 5);
-    } else if (strncmp(of->address, "tcp:", 4) == 0) {
-        open_internet(of, of->address + 4, SOCK_STREAM, "tcp");
-    } else if (strncmp(of->address, "udp:", 4) == 0) {
-        open_udp(of, of->address + 4);
-    } else if (strcmp(of->address, "pty") == 0) {
-        open_terminal(of);
-    } else if (strncmp(of->address, "fd:", 3) == 0 && number(of->address + 3, INT16_MAX) >= 0) {
-        of->peer = number(of->address + 3, INT16_MAX);
+    if (strncmp(l->address, "unix:", 5) == 0) {
+        open_unix(l, l->address + 5);
+    } else if (strncmp(l->address, "tcp:", 4) == 0) {
+        open_internet(l, l->address + 4, SOCK_STREAM, "tcp");
+    } else if (strncmp(l->address, "udp:", 4) == 0) {
+        open_udp(l, l->address + 4);
+    } else if (strcmp(l->address, "pty") == 0) {
+        open_terminal(l);
+    } else if (strncmp(l->address, "fd:", 3) == 0 && number(l->address + 3, INT16_MAX) >= 0) {
+        l->peer = number(l->address + 3, INT16_MAX);
     } else {
-        fail(of, "expected unix:PATH, tcp:PORT, tcp:ADDRESS:PORT, udp:PORT, udp:ADDRESS:PORT, pty or fd:NUMBER");
+        fail(l, "expected unix:PATH, tcp:PORT, tcp:ADDRESS:PORT, udp:PORT, udp:ADDRESS:PORT, pty or fd:NUMBER");
     }
-    without_waiting(of, of->peer == NONE ? of->listener : of->peer);
+    without_waiting(l, l->peer == NONE ? l->listener : l->peer);
 }
 
 /* All lines, which the first call of the program opens. A peer that goes while bytes are sent to it is no signal. */
@@ -307,10 +307,10 @@ void iso_port_idle(void)
     struct pollfd files[ISO_CHANNELS];
     nfds_t count = 0;
     for (size_t i = 0; i < ISO_CHANNELS; i++) {
-        line *const of = line_of((iso_channel)i);
-        flush(of);
-        const int file = of->peer == NONE ? of->listener : of->peer;
-        const short events = (short)(POLLIN | (of->waiting_bytes > 0 ? POLLOUT : 0));
+        line *const l = line_of((iso_channel)i);
+        flush(l);
+        const int file = l->peer == NONE ? l->listener : l->peer;
+        const short events = (short)(POLLIN | (l->waiting_bytes > 0 ? POLLOUT : 0));
         files[count] = (struct pollfd){.fd = file, .events = events};
         count += file != NONE;
     }
@@ -329,12 +329,12 @@ void iso_port_idle(void)
 void iso_port_drain(void)
 {
     for (size_t i = 0; i < ISO_CHANNELS; i++) {
-        line *const of = line_of((iso_channel)i);
-        flush(of);
-        while (of->peer != NONE && of->waiting_bytes > 0) {
-            struct pollfd file = {.fd = of->peer, .events = POLLOUT};
+        line *const l = line_of((iso_channel)i);
+        flush(l);
+        while (l->peer != NONE && l->waiting_bytes > 0) {
+            struct pollfd file = {.fd = l->peer, .events = POLLOUT};
             (void)poll(&file, 1, -1);
-            flush(of);
+            flush(l);
         }
     }
 }

@@ -20,12 +20,12 @@ int reference_at(const reference *const r, const char *const time)
     return -1;
 }
 
-double reference_error(const reference *const r, const int line, const table *const of, const size_t row,
+double reference_error(const reference *const r, const int line, const table *const t, const size_t row,
                        const size_t cell)
 {
     double square = 0;
     for (size_t i = 0; i < r->states; i++) {
-        const double state = table_number(of, row, cell + i);
+        const double state = table_number(t, row, cell + i);
         const double off = state - table_number(&r->lines, (size_t)line, REFERENCE_STATE + i);
         square += off * off;
     }

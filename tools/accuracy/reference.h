@@ -19,6 +19,6 @@ int reference_at(const reference *r, const char *time);
 
 /* The error of a state, whose numbers begin with this cell of a line: the 2-norm of the difference to a line of the
  * reference; infinite if one of them is no number. */
-double reference_error(const reference *r, int line, const table *of, size_t row, size_t cell);
+double reference_error(const reference *r, int line, const table *t, size_t row, size_t cell);
 
 #endif

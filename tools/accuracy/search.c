@@ -39,43 +39,43 @@ static search search_begin(const char *const drive, const char *const time, cons
 }
 
 /* An argument for the program's next run. */
-static void add(run *const of, const char *const format, const double value)
+static void add(run *const r, const char *const format, const double value)
 {
     enum { BYTES = 32 };
-    if (of->count == of->room) {
-        of->room = 2 * of->room + 16;
-        of->argument = realloc(of->argument, of->room * sizeof *of->argument);
-        if (of->argument == NULL) {
+    if (r->count == r->room) {
+        r->room = 2 * r->room + 16;
+        r->argument = realloc(r->argument, r->room * sizeof *r->argument);
+        if (r->argument == NULL) {
             fputs("accuracy: no memory\n", stderr);
             exit(EXIT_FAILURE);
         }
     }
-    of->argument[of->count] = table_memory(BYTES, 1);
-    snprintf(of->argument[of->count++], BYTES, format, value);
+    r->argument[r->count] = table_memory(BYTES, 1);
+    snprintf(r->argument[r->count++], BYTES, format, value);
 }
 
-static void clear(run *const of)
+static void clear(run *const r)
 {
-    for (size_t i = 0; i < of->count; i++) {
-        free(of->argument[i]);
+    for (size_t i = 0; i < r->count; i++) {
+        free(r->argument[i]);
     }
-    free(of->argument);
-    free(of->steps);
-    free(of->error);
-    *of = (run){.count = 0};
+    free(r->argument);
+    free(r->steps);
+    free(r->error);
+    *r = (run){.count = 0};
 }
 
 /* The output of the program, a line for each argument. */
-static table start(const search *const s, const run *const of)
+static table start(const search *const s, const run *const r)
 {
     size_t bytes = strlen(s->drive) + strlen(s->time) + 8;
-    for (size_t i = 0; i < of->count; i++) {
-        bytes += strlen(of->argument[i]) + 1;
+    for (size_t i = 0; i < r->count; i++) {
+        bytes += strlen(r->argument[i]) + 1;
     }
     char *const command = table_memory(bytes, 1);
     size_t used = (size_t)snprintf(command, bytes, "'%s' %s", s->drive, s->time);
-    for (size_t i = 0; i < of->count; i++) {
-        used += (size_t)snprintf(command + used, bytes - used, " %s", of->argument[i]);
+    for (size_t i = 0; i < r->count; i++) {
+        used += (size_t)snprintf(command + used, bytes - used, " %s", r->argument[i]);
     }
     FILE *const output = popen(command, "r");
     if (output == NULL) {
@@ -83,7 +83,7 @@ static table start(const search *const s, const run *const of)
         exit(EXIT_FAILURE);
     }
     const table lines = table_take(output, s->drive, ' ');
-    if (pclose(output) != 0 || lines.rows != of->count) {
+    if (pclose(output) != 0 || lines.rows != r->count) {
         fprintf(stderr, "accuracy: %s does not run\n", s->drive);
         exit(EXIT_FAILURE);
     }
@@ -99,14 +99,14 @@ static double as_told(const double error)
 }
 
 /* Runs the program and compares: fills steps and error. */
-static void measure(const search *const s, run *const of)
+static void measure(const search *const s, run *const r)
 {
-    table lines = start(s, of);
-    of->steps = table_memory(of->count, sizeof *of->steps);
-    of->error = table_memory(of->count, sizeof *of->error);
-    for (size_t i = 0; i < of->count; i++) {
-        of->steps[i] = table_number(&lines, i, STEPS);
-        of->error[i] = as_told(reference_error(&s->r, s->line, &lines, i, STATE));
+    table lines = start(s, r);
+    r->steps = table_memory(r->count, sizeof *r->steps);
+    r->error = table_memory(r->count, sizeof *r->error);
+    for (size_t i = 0; i < r->count; i++) {
+        r->steps[i] = table_number(&lines, i, STEPS);
+        r->error[i] = as_told(reference_error(&s->r, s->line, &lines, i, STATE));
     }
     table_free(&lines);
 }
@@ -122,10 +122,10 @@ static double error_with(const search *const s, const long steps)
 }
 
 /* The first argument from which on all errors are small enough: `count` if there is none. */
-static size_t first_within(const search *const s, const run *const of)
+static size_t first_within(const search *const s, const run *const r)
 {
-    size_t first = of->count;
-    while (first > 0 && of->error[first - 1] <= s->error) {
+    size_t first = r->count;
+    while (first > 0 && r->error[first - 1] <= s->error) {
         first--;
     }
     return first;

@@ -123,14 +123,14 @@ static bool is_arithmetic(const instruction *const i)
 /* Whether an instruction takes what the one before it makes in its first operand. */
 static bool takes_result(const instruction *const i, const instruction *const before)
 {
-    char made[TEXT] = "";
-    if (!is_arithmetic(before) || !is(i, "v") || sscanf(before->operands, "%15[a-z0-9]", made) != 1) {
+    char result[TEXT] = "";
+    if (!is_arithmetic(before) || !is(i, "v") || sscanf(before->operands, "%15[a-z0-9]", result) != 1) {
         return false;
     }
-    const size_t length = strlen(made);
+    const size_t length = strlen(result);
     const bool all = is(i, "vstr") || is(i, "vcmp") || is(i, "vml") || is(i, "vnml") || is(i, "vfm");
     const char *from = all ? i->operands : strchr(i->operands, ',');
-    for (from = from == NULL ? NULL : strstr(from, made); from != NULL; from = strstr(from + 1, made)) {
+    for (from = from == NULL ? NULL : strstr(from, result); from != NULL; from = strstr(from + 1, result)) {
         const bool begins = from == i->operands || strchr(" ,{", from[-1]) != NULL;
         if (begins && (from[length] < '0' || from[length] > '9')) {
             return true;

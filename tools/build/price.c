@@ -78,18 +78,18 @@ static change change_of(const table *const with, const table *const without, con
     double squares = 0;
     double squares_with = 0;
     double squares_without = 0;
-    change made = {.known = other > 0 && rows > 1};
-    for (size_t row = 1; row < rows && made.known; row++) {
+    change result = {.known = other > 0 && rows > 1};
+    for (size_t row = 1; row < rows && result.known; row++) {
         const double a = table_number(with, row, column);
         const double b = table_number(without, row, other);
         squares += (a - b) * (a - b);
         squares_with += a * a;
         squares_without += b * b;
-        made.largest = fmax(made.largest, fabs(a - b));
+        result.largest = fmax(result.largest, fabs(a - b));
     }
-    made.rms = made.known ? sqrt(squares / (double)(rows - 1)) : 0;
-    made.part = squares > 0 ? sqrt(squares / fmax(squares_with, squares_without)) : 0;
-    return made;
+    result.rms = result.known ? sqrt(squares / (double)(rows - 1)) : 0;
+    result.part = squares > 0 ? sqrt(squares / fmax(squares_with, squares_without)) : 0;
+    return result;
 }
 
 static void read_changes(prices *const all, const char *const folder, effect *const e)
@@ -210,9 +210,9 @@ static void print_changes(const prices *const all)
     for (size_t i = 0; i < all->outputs; i++) {
         printf("| %s | %s |", table_text(&all->run, 0, i + 1), unit_of(all, i));
         for (size_t e = 0; e < all->count; e++) {
-            const change *const of = &all->effects[e].of[i];
-            if (of->known) {
-                printf(" %.3g; %.3g |", of->rms, of->largest);
+            const change *const c = &all->effects[e].of[i];
+            if (c->known) {
+                printf(" %.3g; %.3g |", c->rms, c->largest);
             } else {
                 fputs(" gone |", stdout);
             }

@@ -16,12 +16,12 @@ child child_start(const char *const name, char *const *const command, const char
                   const char *const value, const int file, const int number)
 {
     fflush(stdout);
-    const child made = {.name = name, .id = fork(), .running = true};
-    if (made.id < 0) {
+    const child result = {.name = name, .id = fork(), .running = true};
+    if (result.id < 0) {
         fprintf(stderr, "link: %s: %s\n", name, strerror(errno));
         exit(EXIT_FAILURE);
     }
-    if (made.id == 0) {
+    if (result.id == 0) {
         setpgid(0, 0);
         signal(SIGPIPE, SIG_DFL);
         setenv(variable, value, 1);
@@ -35,41 +35,41 @@ child child_start(const char *const name, char *const *const command, const char
         fprintf(stderr, "link: %s: %s: %s\n", name, command[0], strerror(errno));
         _exit(EXIT_FAILURE);
     }
-    setpgid(made.id, made.id);
-    return made;
+    setpgid(result.id, result.id);
+    return result;
 }
 
-bool child_runs(child *const of)
+bool child_runs(child *const c)
 {
-    of->running = of->running && waitpid(of->id, &of->status, WNOHANG) != of->id;
-    return of->running;
+    c->running = c->running && waitpid(c->id, &c->status, WNOHANG) != c->id;
+    return c->running;
 }
 
-bool child_ends(child *const of, const int milliseconds)
+bool child_ends(child *const c, const int milliseconds)
 {
-    for (int waited = 0; child_runs(of) && waited < milliseconds; waited += STEP_MS) {
+    for (int waited = 0; child_runs(c) && waited < milliseconds; waited += STEP_MS) {
         nanosleep(&(struct timespec){.tv_nsec = STEP_MS * 1000000L}, NULL);
     }
-    return !of->running;
+    return !c->running;
 }
 
-void child_stop(child *const of)
+void child_stop(child *const c)
 {
-    kill(-of->id, SIGTERM);
-    (void)child_ends(of, GRACE_MS);
-    kill(-of->id, SIGKILL);
-    (void)child_ends(of, GRACE_MS);
+    kill(-c->id, SIGTERM);
+    (void)child_ends(c, GRACE_MS);
+    kill(-c->id, SIGKILL);
+    (void)child_ends(c, GRACE_MS);
 }
 
-const char *child_fault(const child *const of)
+const char *child_fault(const child *const c)
 {
     static char text[128];
-    if (WIFSIGNALED(of->status)) {
-        snprintf(text, sizeof text, "%s ended by signal %d", of->name, WTERMSIG(of->status));
+    if (WIFSIGNALED(c->status)) {
+        snprintf(text, sizeof text, "%s ended by signal %d", c->name, WTERMSIG(c->status));
         return text;
     }
-    if (WEXITSTATUS(of->status) != 0) {
-        snprintf(text, sizeof text, "%s ended with status %d", of->name, WEXITSTATUS(of->status));
+    if (WEXITSTATUS(c->status) != 0) {
+        snprintf(text, sizeof text, "%s ended with status %d", c->name, WEXITSTATUS(c->status));
         return text;
     }
     return NULL;

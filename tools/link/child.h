@@ -18,15 +18,15 @@ child child_start(const char *name, char *const *command, const char *variable, 
                   int number);
 
 /* Whether it runs; does not wait. */
-bool child_runs(child *of);
+bool child_runs(child *c);
 
 /* Whether it ends within so many milliseconds. */
-bool child_ends(child *of, int milliseconds);
+bool child_ends(child *c, int milliseconds);
 
 /* Ends it and all that it has started: asks, and after half a second no more. */
-void child_stop(child *of);
+void child_stop(child *c);
 
 /* How it ended, in words; NULL if well. */
-const char *child_fault(const child *of);
+const char *child_fault(const child *c);
 
 #endif

@@ -146,15 +146,15 @@ static void run(session *const s)
 }
 
 /* How a program ended that was to end by itself. */
-static void see_off(session *const s, child *const of, const char *const stays)
+static void see_off(session *const s, child *const c, const char *const stays)
 {
     if (caught != 0 || s->problem[0] != '\0') {
         return;
     }
-    if (!child_ends(of, FAREWELL_MS)) {
+    if (!child_ends(c, FAREWELL_MS)) {
         tell(s, stays);
-    } else if (child_fault(of) != NULL) {
-        tell(s, child_fault(of));
+    } else if (child_fault(c) != NULL) {
+        tell(s, child_fault(c));
     }
 }
 

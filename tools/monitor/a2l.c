@@ -114,15 +114,15 @@ static bool characteristic(words *const w, a2l_quantity *const q, const a2l_type
            skip(w, 2) && text(w, q->unit) && number(w, &q->least) && number(w, &q->most);
 }
 
-static bool unit(words *const w, const a2l *const of)
+static bool unit(words *const w, const a2l *const a)
 {
     char name[A2L_TEXT_BYTES];
     if (!text(w, name) || !skip(w, 4)) {
         return false;
     }
-    for (size_t i = 0; i < of->count; i++) {
-        if (strcmp(of->quantities[i].unit, name) == 0) {
-            memcpy(of->quantities[i].unit, w->word, A2L_TEXT_BYTES);
+    for (size_t i = 0; i < a->count; i++) {
+        if (strcmp(a->quantities[i].unit, name) == 0) {
+            memcpy(a->quantities[i].unit, w->word, A2L_TEXT_BYTES);
         }
     }
     return true;
@@ -243,18 +243,18 @@ bool a2l_read(a2l *const to, const char *const path, char *const problem, const 
     return good;
 }
 
-size_t a2l_bytes(const a2l_type of)
+size_t a2l_bytes(const a2l_type type)
 {
-    return of == A2L_FLOAT ? 4 : 8;
+    return type == A2L_FLOAT ? 4 : 8;
 }
 
-double a2l_value(const a2l_type of, const uint8_t *const from)
+double a2l_value(const a2l_type type, const uint8_t *const from)
 {
     float f;
     double d;
     uint64_t u;
     int64_t i;
-    switch (of) {
+    switch (type) {
     case A2L_FLOAT:
         memcpy(&f, from, sizeof f);
         return (double)f;

@@ -371,9 +371,9 @@ static void type(session *const s, const char key)
 
 static void take_keys(session *const s)
 {
-    struct pollfd of = {.fd = STDIN_FILENO, .events = POLLIN};
+    struct pollfd p = {.fd = STDIN_FILENO, .events = POLLIN};
     char key = 0;
-    while (poll(&of, 1, 0) > 0 && read(STDIN_FILENO, &key, 1) == 1) {
+    while (poll(&p, 1, 0) > 0 && read(STDIN_FILENO, &key, 1) == 1) {
         if (s->is_typing) {
             type(s, key);
         } else if (key == ':' && s->chosen->replay == NULL) {

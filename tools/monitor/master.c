@@ -120,9 +120,9 @@ static size_t cut(master *const m, uint8_t packet[ISO_XCP_MAX_DTO])
 /* Waits for bytes. Returns whether there are more; a line that has ended is an error. */
 static bool receive(master *const m, const int milliseconds)
 {
-    struct pollfd of = {.fd = m->file, .events = POLLIN};
+    struct pollfd p = {.fd = m->file, .events = POLLIN};
     m->problem[0] = '\0';
-    if (poll(&of, 1, milliseconds) <= 0) {
+    if (poll(&p, 1, milliseconds) <= 0) {
         return false;
     }
     const ssize_t count = read(m->file, m->data + m->used, sizeof m->data - m->used);

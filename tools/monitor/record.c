@@ -53,9 +53,9 @@ static void choose(record *const r, const char prefix)
     }
 }
 
-bool record_begin(record *const r, const a2l *const of, master *const m, const char *const path)
+bool record_begin(record *const r, const a2l *const a, master *const m, const char *const path)
 {
-    *r = (record){.of = of};
+    *r = (record){.of = a};
     choose(r, 'y');
     choose(r, 'u');
     FILE *const file = fopen(path, "w");
@@ -127,7 +127,7 @@ static table_row *row_of(const table *const t, const a2l_quantity *const q)
 }
 
 /* The line of names. */
-static bool head(lines *const l, const a2l *const of, const table *const t, char *const problem, const size_t bytes)
+static bool head(lines *const l, const a2l *const a, const table *const t, char *const problem, const size_t bytes)
 {
     char *rest = NULL;
     const char *name = next_line(l) ? strtok_r(l->text, ",", &rest) : NULL;
@@ -136,7 +136,7 @@ static bool head(lines *const l, const a2l *const of, const table *const t, char
         return false;
     }
     for (name = strtok_r(NULL, ",", &rest); name != NULL; name = strtok_r(NULL, ",", &rest)) {
-        const a2l_quantity *const q = l->count < COLUMNS_MAX ? a2l_find(of, name) : NULL;
+        const a2l_quantity *const q = l->count < COLUMNS_MAX ? a2l_find(a, name) : NULL;
         if (q == NULL) {
             snprintf(problem, bytes, "%s:1: the A2L has no '%.60s'; is the table of this plant?", l->path, name);
             return false;
@@ -164,7 +164,7 @@ static bool take_line(const lines *const l, table *const t, char *const problem,
     return true;
 }
 
-bool record_replay(const char *const path, const a2l *const of, table *const t, record_shown *const shown,
+bool record_replay(const char *const path, const a2l *const a, table *const t, record_shown *const shown,
                    void *const context, char *const problem, const size_t problem_bytes)
 {
     lines *const l = calloc(1, sizeof *l);
@@ -179,7 +179,7 @@ bool record_replay(const char *const path, const a2l *const of, table *const t, 
         return false;
     }
     double due = 0;
-    bool good = head(l, of, t, problem, problem_bytes), goes_on = good;
+    bool good = head(l, a, t, problem, problem_bytes), goes_on = good;
     while (goes_on && next_line(l)) {
         good = goes_on = take_line(l, t, problem, problem_bytes);
         if (good && t->time >= due) {

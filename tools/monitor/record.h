@@ -17,7 +17,7 @@ typedef struct record {
 } record;
 
 /* Begins: the plant sends its outputs and inputs at every tick, as far as they go into a list of 64. False: m->problem says why. */
-bool record_begin(record *r, const a2l *of, master *m, const char *path);
+bool record_begin(record *r, const a2l *a, master *m, const char *path);
 
 /* Ends. False: m->problem says why. */
 bool record_end(record *r, master *m);
@@ -25,7 +25,7 @@ bool record_end(record *r, master *m);
 /* Puts the rows of a file into a table, as they would be seen at their time; calls `shown` each TABLE_PERIOD of it, until that returns
  * false. False: problem[] says FILE:LINE and what is wrong. */
 typedef bool record_shown(void *context, const table *t);
-bool record_replay(const char *path, const a2l *of, table *t, record_shown *shown, void *context, char *problem,
+bool record_replay(const char *path, const a2l *a, table *t, record_shown *shown, void *context, char *problem,
                    size_t problem_bytes);
 
 #endif

@@ -9,14 +9,14 @@ enum { STATISTICS_A_LINE = 3 };
 
 static const char statistics[] = "statistics.";
 
-void table_make(table *const t, const a2l *const of)
+void table_make(table *const t, const a2l *const a)
 {
-    *t = (table){.count = of->count, .rows = calloc(of->count, sizeof *t->rows)};
+    *t = (table){.count = a->count, .rows = calloc(a->count, sizeof *t->rows)};
     if (t->rows == NULL) {
         abort();
     }
-    for (size_t i = 0; i < of->count; i++) {
-        t->rows[i].of = &of->quantities[i];
+    for (size_t i = 0; i < a->count; i++) {
+        t->rows[i].of = &a->quantities[i];
     }
 }
 

@@ -25,7 +25,7 @@ typedef struct table {
 } table;
 
 /* A table of all quantities, without values. */
-void table_make(table *t, const a2l *of);
+void table_make(table *t, const a2l *a);
 void table_free(table *t);
 
 /* Sets the value of a row. */

@@ -126,20 +126,20 @@ static void free_both(comparison *const c)
     signals_free(&c->run[1]);
 }
 
-static double value(const comparison *const c, const size_t run, const shared *const of, const size_t at)
+static double value(const comparison *const c, const size_t run, const shared *const s, const size_t at)
 {
-    return signal_at(&c->run[run], c->instants[at].row[run], of->column[run]);
+    return signal_at(&c->run[run], c->instants[at].row[run], s->column[run]);
 }
 
 static void put_panel(const comparison *const c, const size_t number, const double top, const double bottom)
 {
-    const shared *const of = &c->outputs[number];
+    const shared *const s = &c->outputs[number];
     const bool last = number + 1 == c->output_count;
-    gnuplot_range('y', fmin(c->run[0].least[of->column[0]], c->run[1].least[of->column[1]]),
-                  fmax(c->run[0].most[of->column[0]], c->run[1].most[of->column[1]]));
+    gnuplot_range('y', fmin(c->run[0].least[s->column[0]], c->run[1].least[s->column[1]]),
+                  fmax(c->run[0].most[s->column[0]], c->run[1].most[s->column[1]]));
     gnuplot_panel(0.09, 0.975, top, bottom);
     printf("set label 1 ");
-    put_label(&(group){.unit = of->unit}, "", of->name);
+    put_label(&(group){.unit = s->unit}, "", s->name);
     puts(" noenhanced at graph 0, 1 offset 0, 0.6 left font ',11'");
     puts(last ? "set xlabel 't, s'\nset format x '%g'" : "unset xlabel\nset format x ''");
     printf("plot");

@@ -38,35 +38,35 @@ static double extent(const signals *const s, const size_t column)
 }
 
 /* The plane of two components without the one that moves least; in order. */
-static void find_plane(const signals *const s, const group *const of, size_t plane[2])
+static void find_plane(const signals *const s, const group *const g, size_t plane[2])
 {
-    size_t least = of->column[0];
-    for (size_t i = 1; i < of->members; i++) {
-        least = extent(s, of->column[i]) <= extent(s, least) ? of->column[i] : least;
+    size_t least = g->column[0];
+    for (size_t i = 1; i < g->members; i++) {
+        least = extent(s, g->column[i]) <= extent(s, least) ? g->column[i] : least;
     }
     size_t count = 0;
-    for (size_t i = 0; i < of->members; i++) {
-        if (of->column[i] != least) {
-            plane[count++] = of->column[i];
+    for (size_t i = 0; i < g->members; i++) {
+        if (g->column[i] != least) {
+            plane[count++] = g->column[i];
         }
     }
 }
 
 /* An axis around the middle of a column. */
-static void put_axis(const signals *const s, const char axis, const group *const of, const size_t column,
+static void put_axis(const signals *const s, const char axis, const group *const g, const size_t column,
                      const double side)
 {
     const double middle = (s->least[column] + s->most[column]) / 2;
     gnuplot_range(axis, middle - side / 2, middle + side / 2);
     printf("set %clabel ", axis);
-    put_label(of, "", table_text(&s->rows, 0, column));
+    put_label(g, "", table_text(&s->rows, 0, column));
     puts(" noenhanced");
 }
 
-static void put_path(const signals *const s, const group *const of, const double width)
+static void put_path(const signals *const s, const group *const g, const double width)
 {
     size_t plane[2];
-    find_plane(s, of, plane);
+    find_plane(s, g, plane);
     const size_t every = (s->count + POINTS - 1) / POINTS;
     puts("$plane << END");
     for (size_t row = 0; row < s->count; row += every) {
@@ -74,21 +74,21 @@ static void put_path(const signals *const s, const group *const of, const double
     }
     puts("END");
     const double side = fmax(extent(s, plane[0]), extent(s, plane[1]));
-    put_axis(s, 'x', of, plane[0], side);
-    put_axis(s, 'y', of, plane[1], side);
+    put_axis(s, 'x', g, plane[0], side);
+    put_axis(s, 'y', g, plane[1], side);
     gnuplot_panel(LEFT / width, (LEFT + SIDE) / width, 1 - (double)TOP / HEIGHT, 1 - (double)(TOP + SIDE) / HEIGHT);
     printf("plot $plane with lines linewidth 0.8 linecolor rgb '%s'\n", colours[0]);
 }
 
-static void put_energy(const signals *const s, const group *const of)
+static void put_energy(const signals *const s, const group *const g)
 {
-    const size_t column = of->column[0];
+    const size_t column = g->column[0];
     const double start = signal_at(s, 0, column);
     put_column(s, column, start, STRETCHES);
     printf("set xrange [0:%.9g]\nset xtics autofreq\n", s->most[0]);
     gnuplot_range('y', s->least[column] - start, s->most[column] - start);
     printf("set xlabel 't, s'\nset ylabel ");
-    put_label(of, "change of ", of->stem);
+    put_label(g, "change of ", g->stem);
     puts(" noenhanced");
     gnuplot_panel(0.55, 0.975, 1 - (double)TOP / HEIGHT, 1 - (double)(TOP + SIDE) / HEIGHT);
     printf("plot $column%zu with lines linewidth 0.8 linecolor rgb '%s'\n", column, colours[1]);

@@ -156,11 +156,11 @@ void put_title(const signals *const s)
     gnuplot_text(title);
 }
 
-void put_label(const group *const of, const char *const before, const char *const name)
+void put_label(const group *const g, const char *const before, const char *const name)
 {
-    const bool bare = of->unit[0] == '\0' || strcmp(of->unit, "1") == 0;
+    const bool bare = g->unit[0] == '\0' || strcmp(g->unit, "1") == 0;
     char label[2 * STEM_BYTES];
-    snprintf(label, sizeof label, "%s%s%s%s", before, name, bare ? "" : ", ", bare ? "" : of->unit);
+    snprintf(label, sizeof label, "%s%s%s%s", before, name, bare ? "" : ", ", bare ? "" : g->unit);
     gnuplot_text(label);
 }
 

@@ -43,7 +43,7 @@ double signal_at(const signals *s, size_t row, size_t column);
 void put_title(const signals *s);
 
 /* A name with the unit of the group, in quotes: "hinge_angle, rad"; a pure number has no unit. */
-void put_label(const group *of, const char *before, const char *name);
+void put_label(const group *g, const char *before, const char *name);
 
 /* The points of a column over time, less `zero`: of each stretch of the rows the least and the greatest, in their order, so
  * that nothing fast is lost. */

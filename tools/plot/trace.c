@@ -9,30 +9,30 @@
 enum { WIDTH = 900, HEAD = 60, PANEL = 118, GAP = 34, FOOT = 36 };
 enum { STRETCHES = 300 };
 
-static void put_range(const signals *const s, const group *const of)
+static void put_range(const signals *const s, const group *const g)
 {
     double least = HUGE_VAL;
     double most = -HUGE_VAL;
-    for (size_t i = 0; i < of->members; i++) {
-        least = fmin(least, s->least[of->column[i]]);
-        most = fmax(most, s->most[of->column[i]]);
+    for (size_t i = 0; i < g->members; i++) {
+        least = fmin(least, s->least[g->column[i]]);
+        most = fmax(most, s->most[g->column[i]]);
     }
     gnuplot_range('y', least, most);
 }
 
-static void put_panel(const signals *const s, const group *const of, const double top, const double bottom,
+static void put_panel(const signals *const s, const group *const g, const double top, const double bottom,
                       const bool last)
 {
-    put_range(s, of);
+    put_range(s, g);
     gnuplot_panel(0.09, 0.975, top, bottom);
     printf("set label 1 ");
-    put_label(of, "", of->stem);
+    put_label(g, "", g->stem);
     puts(" noenhanced at graph 0, 1 offset 0, 0.6 left font ',11'");
     puts(last ? "set xlabel 't, s'\nset format x '%g'" : "unset xlabel\nset format x ''");
-    puts(of->members > 1 ? "set key on at graph 1, 1.02 right bottom horizontal samplen 1.5" : "set key off");
-    for (size_t i = 0; i < of->members; i++) {
+    puts(g->members > 1 ? "set key on at graph 1, 1.02 right bottom horizontal samplen 1.5" : "set key off");
+    for (size_t i = 0; i < g->members; i++) {
         printf("%s $column%zu with lines linewidth 1.2 linecolor rgb '%s' title '%c'", i == 0 ? "plot" : ",",
-               of->column[i], colours[i], of->members == QUATERNION ? "wxyz"[i] : "xyz"[i]);
+               g->column[i], colours[i], g->members == QUATERNION ? "wxyz"[i] : "xyz"[i]);
     }
     putchar('\n');
 }

@@ -79,28 +79,28 @@ static size_t split(char *const line, char *const end, const char separator, cha
 }
 
 /* Goes over all lines: counts lines and cells, and keeps them if there is room for them already. */
-static size_t take_lines(table *const of, const char separator)
+static size_t take_lines(table *const t, const char separator)
 {
     size_t cells = 0;
     size_t rows = 0;
-    char *line = of->text;
+    char *line = t->text;
     while (*line != '\0') {
         char *const end = line + strcspn(line, "\n");
         const bool last = *end == '\0';
-        if (of->first != NULL) {
-            of->first[rows] = cells;
+        if (t->first != NULL) {
+            t->first[rows] = cells;
         }
-        cells += split(line, end, separator, of->cell == NULL ? NULL : of->cell + cells);
+        cells += split(line, end, separator, t->cell == NULL ? NULL : t->cell + cells);
         rows++;
         if (last) {
             break;
         }
         line = end + 1;
     }
-    if (of->first != NULL) {
-        of->first[rows] = cells;
+    if (t->first != NULL) {
+        t->first[rows] = cells;
     }
-    of->rows = rows;
+    t->rows = rows;
     return cells;
 }
 
@@ -128,24 +128,24 @@ table table_read(const char *const path, const char separator)
     return read;
 }
 
-void table_free(table *const of)
+void table_free(table *const t)
 {
-    free(of->text);
-    free(of->cell);
-    free(of->first);
+    free(t->text);
+    free(t->cell);
+    free(t->first);
 }
 
-size_t table_cells(const table *const of, const size_t row)
+size_t table_cells(const table *const t, const size_t row)
 {
-    return of->first[row + 1] - of->first[row];
+    return t->first[row + 1] - t->first[row];
 }
 
-const char *table_text(const table *const of, const size_t row, const size_t column)
+const char *table_text(const table *const t, const size_t row, const size_t column)
 {
-    return column < table_cells(of, row) ? of->cell[of->first[row] + column] : "";
+    return column < table_cells(t, row) ? t->cell[t->first[row] + column] : "";
 }
 
-double table_number(const table *const of, const size_t row, const size_t column)
+double table_number(const table *const t, const size_t row, const size_t column)
 {
-    return strtod(table_text(of, row, column), NULL);
+    return strtod(table_text(t, row, column), NULL);
 }

@@ -20,13 +20,13 @@ table table_read(const char *path, char separator);
 /* The same of a file that is open; `path` is its name in messages. */
 table table_take(FILE *file, const char *path, char separator);
 
-void table_free(table *of);
+void table_free(table *t);
 
-size_t table_cells(const table *of, size_t row);
+size_t table_cells(const table *t, size_t row);
 
 /* The cell of a line, "" if the line is shorter; as a number 0 if it is none. */
-const char *table_text(const table *of, size_t row, size_t column);
-double table_number(const table *of, size_t row, size_t column);
+const char *table_text(const table *t, size_t row, size_t column);
+double table_number(const table *t, size_t row, size_t column);
 
 /* Memory for `count` items, all zero; exits if there is none. */
 void *table_memory(size_t count, size_t bytes);

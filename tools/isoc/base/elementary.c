@@ -127,9 +127,9 @@ static double angle(wide y, wide x)
 {
     const wide up = y.high < 0.0 ? minus(y) : y, right = x.high < 0.0 ? minus(x) : x;
     const wide quarter = {pi_wide.high / 2, pi_wide.low / 2};
-    wide made = up.high > right.high ? add(quarter, minus(arc(over(right, up)))) : arc(over(up, right));
-    made = x.high < 0.0 ? add(pi_wide, minus(made)) : made;
-    return y.high < 0.0 ? -made.high : made.high;
+    wide result = up.high > right.high ? add(quarter, minus(arc(over(right, up)))) : arc(over(up, right));
+    result = x.high < 0.0 ? add(pi_wide, minus(result)) : result;
+    return y.high < 0.0 ? -result.high : result.high;
 }
 
 /* Both scaled by one power of two, so that no product leaves the range of a double. */

@@ -44,10 +44,10 @@ static bool orthogonalise(double *u, double *v, int rows, int columns, int p, in
 decomposition decompose(arena *memory, const double *a, int rows, int columns)
 {
     enum { SWEEPS = 60 };
-    decomposition made = {.rows = rows, .columns = columns};
-    double *u = made.u = arena_take(memory, (size_t)(rows * columns) + 1, sizeof *u);
-    double *v = made.v = arena_take(memory, (size_t)(columns * columns) + 1, sizeof *v);
-    made.value = arena_take(memory, (size_t)columns + 1, sizeof *made.value);
+    decomposition result = {.rows = rows, .columns = columns};
+    double *u = result.u = arena_take(memory, (size_t)(rows * columns) + 1, sizeof *u);
+    double *v = result.v = arena_take(memory, (size_t)(columns * columns) + 1, sizeof *v);
+    result.value = arena_take(memory, (size_t)columns + 1, sizeof *result.value);
     for (int i = 0; i < rows * columns; i++) {
         u[i] = a[i];
     }
@@ -64,29 +64,29 @@ decomposition decompose(arena *memory, const double *a, int rows, int columns)
         }
     }
     for (int j = 0; j < columns; j++) {
-        made.value[j] = sqrt(dot(u + j, u + j, rows, columns));
-        made.largest = fmax(made.largest, made.value[j]);
+        result.value[j] = sqrt(dot(u + j, u + j, rows, columns));
+        result.largest = fmax(result.largest, result.value[j]);
     }
-    return made;
+    return result;
 }
 
 /* With columns u_j of length sigma_j: x = sum of v_j (u_j . b) / sigma_j^2. */
 int least_squares(arena *memory, const double *a, int rows, int columns, const double *b, double *x)
 {
-    const decomposition made = decompose(memory, a, rows, columns);
+    const decomposition result = decompose(memory, a, rows, columns);
     int rank = 0;
     for (int i = 0; i < columns; i++) {
         x[i] = 0.0;
     }
     for (int j = 0; j < columns; j++) {
-        const double *u = made.u + j, square = dot(u, u, rows, columns);
-        if (square > rank_limit * rank_limit * made.largest * made.largest) {
+        const double *u = result.u + j, square = dot(u, u, rows, columns);
+        if (square > rank_limit * rank_limit * result.largest * result.largest) {
             double along = 0.0;
             for (int i = 0; i < rows; i++) {
                 along += u[i * columns] * b[i];
             }
             for (int i = 0; i < columns; i++) {
-                x[i] += made.v[i * columns + j] * along / square;
+                x[i] += result.v[i * columns + j] * along / square;
             }
             rank++;
         }

@@ -22,15 +22,15 @@ static pair build_pair(const kinematics *k, const acceleration *all, int index, 
 {
     graph *g = k->g;
     const closure *c = &k->m->closures[index];
-    pair made = {.k = k, .c = c, .index = index, .turns = loop_turns(k, c, axes)};
-    made.parent = side_build(k, all, &c->parent, c->base, made.turns);
-    made.child = side_build(k, all, &c->child, c->base, made.turns);
-    made.apart = vector_sub(g, made.child.point, made.parent.point);
-    made.apart_rate = vector_sub(g, made.child.velocity, made.parent.velocity);
-    made.apart_bias = vector_sub(g, made.child.acceleration, made.parent.acceleration);
-    made.spin = vector_sub(g, made.child.omega, made.parent.omega);
-    made.spin_bias = vector_sub(g, made.child.alpha, made.parent.alpha);
-    return made;
+    pair result = {.k = k, .c = c, .index = index, .turns = loop_turns(k, c, axes)};
+    result.parent = side_build(k, all, &c->parent, c->base, result.turns);
+    result.child = side_build(k, all, &c->child, c->base, result.turns);
+    result.apart = vector_sub(g, result.child.point, result.parent.point);
+    result.apart_rate = vector_sub(g, result.child.velocity, result.parent.velocity);
+    result.apart_bias = vector_sub(g, result.child.acceleration, result.parent.acceleration);
+    result.spin = vector_sub(g, result.child.omega, result.parent.omega);
+    result.spin_bias = vector_sub(g, result.child.alpha, result.parent.alpha);
+    return result;
 }
 
 /* The force of a multiplier of one on the child along `a`, in base axes. */
@@ -42,39 +42,39 @@ static vector minus_in_base(const pair *p, vector a)
 }
 
 /* Adds a constraint; one without an entry is dropped. */
-static void put(const kinematics *k, constraints *to, constraint made, const char *called)
+static void put(const kinematics *k, constraints *to, constraint result, const char *called)
 {
     graph *g = k->g;
     const mechanism *m = k->m;
-    node rate = made.rate;
+    node rate = result.rate;
     bool entries = false;
     for (int f = 0; f < m->dof_count; f++) {
-        graph_name(g, made.row[f], "Phi_%s_%s", called, m->dofs[f].name);
-        rate = add(g, rate, mul(g, made.row[f], leaf(g, OP_STATE, m->position_count + f)));
-        entries = entries || !is_zero(g, made.row[f]);
+        graph_name(g, result.row[f], "Phi_%s_%s", called, m->dofs[f].name);
+        rate = add(g, rate, mul(g, result.row[f], leaf(g, OP_STATE, m->position_count + f)));
+        entries = entries || !is_zero(g, result.row[f]);
     }
     if (!entries) {
-        to->dropped_gaps[to->dropped] = made.position;
-        to->dropped_closures[to->dropped++] = made.closure;
+        to->dropped_gaps[to->dropped] = result.position;
+        to->dropped_closures[to->dropped++] = result.closure;
         return;
     }
-    made.rate = graph_name(g, rate, "rate_%s", called);
-    graph_name(g, made.position, "Phi_%s", called);
-    graph_name(g, made.bias, "Phi_dd_%s", called);
-    to->all[to->count++] = made;
+    result.rate = graph_name(g, rate, "rate_%s", called);
+    graph_name(g, result.position, "Phi_%s", called);
+    graph_name(g, result.bias, "Phi_dd_%s", called);
+    to->all[to->count++] = result;
 }
 
 static constraint blank(const kinematics *k, int index)
 {
     graph *g = k->g;
     const node zero = constant(g, 0.0);
-    constraint made = {.closure = index, .position = zero, .rate = zero, .bias = zero};
-    made.row = arena_take(g->memory, (size_t)k->m->dof_count, sizeof *made.row);
+    constraint result = {.closure = index, .position = zero, .rate = zero, .bias = zero};
+    result.row = arena_take(g->memory, (size_t)k->m->dof_count, sizeof *result.row);
     for (int f = 0; f < k->m->dof_count; f++) {
-        made.row[f] = zero;
+        result.row[f] = zero;
     }
-    made.force = made.moment = vector_zero(g);
-    return made;
+    result.force = result.moment = vector_zero(g);
+    return result;
 }
 
 static const char *part_name(const pair *p, const char *part)
@@ -89,22 +89,22 @@ static void hold_along(const pair *p, constraints *to, vector d, node length, bo
 {
     const kinematics *k = p->k;
     graph *g = k->g;
-    constraint made = blank(k, p->index);
+    constraint result = blank(k, p->index);
     const vector arm = vector_cross(g, d, p->apart), zero = vector_zero(g);
-    made.position = sub(g, vector_dot(g, d, p->apart), length);
+    result.position = sub(g, vector_dot(g, d, p->apart), length);
     for (int f = 0; f < k->m->dof_count; f++) {
-        made.row[f] = vector_dot(g, d, vector_sub(g, p->child.linear[f], p->parent.linear[f]));
-        made.row[f] = add(g, made.row[f], vector_dot(g, turns ? arm : zero, p->parent.angular[f]));
+        result.row[f] = vector_dot(g, d, vector_sub(g, p->child.linear[f], p->parent.linear[f]));
+        result.row[f] = add(g, result.row[f], vector_dot(g, turns ? arm : zero, p->parent.angular[f]));
     }
-    made.bias = vector_dot(g, d, p->apart_bias);
+    result.bias = vector_dot(g, d, p->apart_bias);
     if (turns) {
         const vector turned = vector_cross(g, p->parent.omega, d);
         const node coriolis = vector_dot(g, vector_scale(g, constant(g, 2.0), turned), p->apart_rate);
         const node carried = vector_dot(g, swing(g, p->parent.omega, p->parent.alpha, d), p->apart);
-        made.bias = add(g, made.bias, add(g, coriolis, carried));
+        result.bias = add(g, result.bias, add(g, coriolis, carried));
     }
-    made.force = minus_in_base(p, d);
-    put(k, to, made, called);
+    result.force = minus_in_base(p, d);
+    put(k, to, result, called);
 }
 
 /* Phi = u . w for an axis u of the parent and w of the child: Phi' = (omega_B - omega_A) . c with c = w x u. */
@@ -112,18 +112,18 @@ static void hold_across(const pair *p, constraints *to, vector u, vector w, cons
 {
     const kinematics *k = p->k;
     graph *g = k->g;
-    constraint made = blank(k, p->index);
+    constraint result = blank(k, p->index);
     const vector c = vector_cross(g, w, u);
-    made.position = vector_dot(g, u, w);
+    result.position = vector_dot(g, u, w);
     for (int f = 0; f < k->m->dof_count; f++) {
-        made.row[f] = vector_dot(g, c, vector_sub(g, p->child.angular[f], p->parent.angular[f]));
+        result.row[f] = vector_dot(g, c, vector_sub(g, p->child.angular[f], p->parent.angular[f]));
     }
     const vector w_rate = vector_cross(g, p->child.omega, w), u_rate = vector_cross(g, p->parent.omega, u);
     const vector from_w = vector_cross(g, w_rate, u), from_u = vector_cross(g, w, u_rate);
     const node turning = vector_dot(g, p->spin, vector_add(g, from_w, from_u));
-    made.bias = add(g, vector_dot(g, p->spin_bias, c), turning);
-    made.moment = minus_in_base(p, c);
-    put(k, to, made, called);
+    result.bias = add(g, vector_dot(g, p->spin_bias, c), turning);
+    result.moment = minus_in_base(p, c);
+    put(k, to, result, called);
 }
 
 /* How far the points are apart at the start. */
@@ -145,19 +145,19 @@ static void hold_distance(const pair *p, constraints *to, const char *called)
 {
     const kinematics *k = p->k;
     graph *g = k->g;
-    constraint made = blank(k, p->index);
+    constraint result = blank(k, p->index);
     const node length = is_zero(g, p->c->length) ? distance_at_start(p) : p->c->length;
     const vector d = vector_scale(g, divide(g, constant(g, 1.0), length), p->apart);
     const node half = constant(g, 0.5);
-    made.length = length;
-    made.position = mul(g, half, sub(g, vector_dot(g, d, p->apart), length));
+    result.length = length;
+    result.position = mul(g, half, sub(g, vector_dot(g, d, p->apart), length));
     for (int f = 0; f < k->m->dof_count; f++) {
-        made.row[f] = vector_dot(g, d, vector_sub(g, p->child.linear[f], p->parent.linear[f]));
+        result.row[f] = vector_dot(g, d, vector_sub(g, p->child.linear[f], p->parent.linear[f]));
     }
     const node square = divide(g, vector_dot(g, p->apart_rate, p->apart_rate), length);
-    made.bias = add(g, vector_dot(g, d, p->apart_bias), square);
-    made.force = minus_in_base(p, d);
-    put(k, to, made, called);
+    result.bias = add(g, vector_dot(g, d, p->apart_bias), square);
+    result.force = minus_in_base(p, d);
+    put(k, to, result, called);
 }
 
 /* Where what rolls touches the resting plane across n: the way there from its centre, and the rate of that way. */
@@ -175,13 +175,13 @@ typedef struct disc {
 static disc disc_of(const pair *p, vector n)
 {
     graph *g = p->k->g;
-    disc made = {.w = matrix_apply(g, p->turns[p->c->child.segment + 1], p->c->wheel), .radius = p->c->length};
-    made.w_rate = vector_cross(g, p->child.omega, made.w);
-    made.gamma = vector_dot(g, n, made.w);
-    made.gamma_rate = vector_dot(g, n, made.w_rate);
-    made.z = vector_dot(g, n, p->apart);
-    made.z_rate = vector_dot(g, n, p->apart_rate);
-    return made;
+    disc result = {.w = matrix_apply(g, p->turns[p->c->child.segment + 1], p->c->wheel), .radius = p->c->length};
+    result.w_rate = vector_cross(g, p->child.omega, result.w);
+    result.gamma = vector_dot(g, n, result.w);
+    result.gamma_rate = vector_dot(g, n, result.w_rate);
+    result.z = vector_dot(g, n, p->apart);
+    result.z_rate = vector_dot(g, n, p->apart_rate);
+    return result;
 }
 
 /* Phi = (z^2 - radius^2 (1 - gamma^2)) / (2 radius), without a root: Phi' = (z z' + radius^2 gamma gamma') / radius with
@@ -190,24 +190,24 @@ static void hold_disc_height(const pair *p, constraints *to, const disc *d, vect
 {
     const kinematics *k = p->k;
     graph *g = k->g;
-    constraint made = blank(k, p->index);
+    constraint result = blank(k, p->index);
     const node slope = divide(g, d->z, d->radius), tilt = mul(g, d->radius, d->gamma);
     const vector push = vector_scale(g, slope, n), across = vector_cross(g, d->w, n);
     const vector twist = vector_scale(g, tilt, across);
     const node lying = sub(g, constant(g, 1.0), mul(g, d->gamma, d->gamma));
-    made.position = mul(g, constant(g, 0.5), sub(g, mul(g, slope, d->z), mul(g, d->radius, lying)));
-    made.length = d->z;
+    result.position = mul(g, constant(g, 0.5), sub(g, mul(g, slope, d->z), mul(g, d->radius, lying)));
+    result.length = d->z;
     for (int f = 0; f < k->m->dof_count; f++) {
-        made.row[f] = add(g, vector_dot(g, push, p->child.linear[f]), vector_dot(g, twist, p->child.angular[f]));
+        result.row[f] = add(g, vector_dot(g, push, p->child.linear[f]), vector_dot(g, twist, p->child.angular[f]));
     }
     const node carried = add(g, vector_dot(g, push, p->apart_bias), vector_dot(g, twist, p->child.alpha));
     const node swung = mul(g, tilt, vector_dot(g, p->child.omega, vector_cross(g, d->w_rate, n)));
     const node squares = add(g, divide(g, mul(g, d->z_rate, d->z_rate), d->radius),
                              mul(g, d->radius, mul(g, d->gamma_rate, d->gamma_rate)));
-    made.bias = add(g, add(g, carried, swung), squares);
-    made.force = minus_in_base(p, push);
-    made.moment = minus_in_base(p, twist);
-    put(k, to, made, part_name(p, "height"));
+    result.bias = add(g, add(g, carried, swung), squares);
+    result.force = minus_in_base(p, push);
+    result.moment = minus_in_base(p, twist);
+    put(k, to, result, part_name(p, "height"));
 }
 
 /* The lowest point of a disc, at radius / s (gamma w - n) from its centre; with the height of the centre for radius s. */
@@ -227,18 +227,18 @@ static void hold_rolling(const pair *p, constraints *to, vector t, contact at, c
 {
     const kinematics *k = p->k;
     graph *g = k->g;
-    constraint made = blank(k, p->index);
+    constraint result = blank(k, p->index);
     const vector arm = vector_cross(g, at.way, t);
     for (int f = 0; f < k->m->dof_count; f++) {
         const node linear = vector_dot(g, t, p->child.linear[f]);
-        made.row[f] = add(g, linear, vector_dot(g, arm, p->child.angular[f]));
+        result.row[f] = add(g, linear, vector_dot(g, arm, p->child.angular[f]));
     }
     const node carried = vector_dot(g, t, p->apart_bias);
     const node moved = vector_dot(g, p->child.omega, vector_cross(g, at.rate, t));
-    made.bias = add(g, add(g, carried, vector_dot(g, arm, p->child.alpha)), moved);
-    made.force = minus_in_base(p, t);
-    made.moment = minus_in_base(p, arm);
-    put(k, to, made, called);
+    result.bias = add(g, add(g, carried, vector_dot(g, arm, p->child.alpha)), moved);
+    result.force = minus_in_base(p, t);
+    result.moment = minus_in_base(p, arm);
+    put(k, to, result, called);
 }
 
 /* Phi = q_first - ratio q_second - offset, or q_first - motion(t); without what whole turns of continuous joints make
@@ -247,24 +247,24 @@ static void hold_joints(const kinematics *k, constraints *to, int index)
 {
     graph *g = k->g;
     const closure *c = &k->m->closures[index];
-    constraint made = blank(k, index);
+    constraint result = blank(k, index);
     const segment *first = &k->m->segments[c->parent.segment];
-    made.position = sub(g, k->motions[c->parent.segment].q[0], c->length);
-    made.row[first->dof] = constant(g, 1.0);
+    result.position = sub(g, k->motions[c->parent.segment].q[0], c->length);
+    result.row[first->dof] = constant(g, 1.0);
     if (c->kind == CLOSE_GEAR) {
         const segment *second = &k->m->segments[c->child.segment];
-        made.row[second->dof] = neg(g, c->ratio);
-        made.position = sub(g, made.position, mul(g, c->ratio, k->motions[c->child.segment].q[0]));
+        result.row[second->dof] = neg(g, c->ratio);
+        result.position = sub(g, result.position, mul(g, c->ratio, k->motions[c->child.segment].q[0]));
     } else {
-        made.position = sub(g, made.position, c->motion);
-        made.rate = neg(g, c->motion_rate);
-        made.bias = neg(g, c->motion_bias);
+        result.position = sub(g, result.position, c->motion);
+        result.rate = neg(g, c->motion_rate);
+        result.bias = neg(g, c->motion_bias);
     }
     if (!is_zero(g, c->whole)) {
-        made.position = divide(g, wrap(g, mul(g, c->whole, made.position)), c->whole);
+        result.position = divide(g, wrap(g, mul(g, c->whole, result.position)), c->whole);
     }
-    made.position = c->in_speed ? constant(g, 0.0) : made.position;
-    put(k, to, made, c->name);
+    result.position = c->in_speed ? constant(g, 0.0) : result.position;
+    put(k, to, result, c->name);
 }
 
 static void hold_together(const pair *p, constraints *to)
@@ -377,18 +377,18 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
     enum { MOST_OF_A_CLOSURE = 6 };
     graph *g = k->g;
     const size_t room = MOST_OF_A_CLOSURE * (size_t)k->m->closure_count + 1;
-    constraints made = {.all = arena_take(g->memory, room, sizeof *made.all)};
-    made.dropped_gaps = arena_take(g->memory, room, sizeof *made.dropped_gaps);
-    made.dropped_closures = arena_take(g->memory, room, sizeof *made.dropped_closures);
+    constraints result = {.all = arena_take(g->memory, room, sizeof *result.all)};
+    result.dropped_gaps = arena_take(g->memory, room, sizeof *result.dropped_gaps);
+    result.dropped_closures = arena_take(g->memory, room, sizeof *result.dropped_closures);
     for (int i = 0; i < k->m->closure_count; i++) {
         if (acts_along_joints(k->m->closures[i].kind)) {
-            hold_joints(k, &made, i);
+            hold_joints(k, &result, i);
         } else {
             const pair p = build_pair(k, accelerations, i, axes);
-            close_pair(&p, &made);
+            close_pair(&p, &result);
         }
     }
-    return made;
+    return result;
 }
 
 node largest_violation(const kinematics *k, const constraints *held, bool of_rates)

@@ -5,14 +5,14 @@
 /* From a segment's axes to its parent's. */
 static matrix joint_turn(const kinematics *k, int i)
 {
-    matrix made;
+    matrix result;
     for (int j = 0; j < 3; j++) {
         const vector e = to_parent(k, i, vector_of(k->g, j == 0, j == 1, j == 2));
         for (int n = 0; n < 3; n++) {
-            made.at[n][j] = e.at[n];
+            result.at[n][j] = e.at[n];
         }
     }
-    return made;
+    return result;
 }
 
 static void turn_outward(const kinematics *k, int i, int base, matrix *turns)
@@ -95,23 +95,23 @@ side side_build(const kinematics *k, const acceleration *all, const closure_end 
     const mechanism *m = k->m;
     const vector zero = vector_zero(g);
     const matrix last = turns[end->segment + 1];
-    side made = {.point = zero, .velocity = zero, .acceleration = zero, .omega = zero, .alpha = zero};
-    made.linear = arena_take(g->memory, (size_t)m->dof_count, sizeof *made.linear);
-    made.angular = arena_take(g->memory, (size_t)m->dof_count, sizeof *made.angular);
+    side result = {.point = zero, .velocity = zero, .acceleration = zero, .omega = zero, .alpha = zero};
+    result.linear = arena_take(g->memory, (size_t)m->dof_count, sizeof *result.linear);
+    result.angular = arena_take(g->memory, (size_t)m->dof_count, sizeof *result.angular);
     for (int f = 0; f < m->dof_count; f++) {
-        made.linear[f] = made.angular[f] = zero;
+        result.linear[f] = result.angular[f] = zero;
     }
     vector from = end->point;
     for (int i = end->segment; i != base; i = m->segments[i].parent) {
-        add_way(k, all, i, true, from, turns[i + 1], &made);
-        add_dofs(k, i, turns[i + 1], &made);
+        add_way(k, all, i, true, from, turns[i + 1], &result);
+        add_dofs(k, i, turns[i + 1], &result);
         from = k->motions[i].p;
     }
-    add_way(k, all, base, false, from, turns[base + 1], &made);
+    add_way(k, all, base, false, from, turns[base + 1], &result);
     if (end->segment != GROUND) {
-        made.omega = matrix_apply(g, last, k->motions[end->segment].omega);
-        made.alpha = matrix_apply(g, last, all[end->segment].alpha);
+        result.omega = matrix_apply(g, last, k->motions[end->segment].omega);
+        result.alpha = matrix_apply(g, last, all[end->segment].alpha);
     }
-    made.axes = matrix_product(g, last, end->turn);
-    return made;
+    result.axes = matrix_product(g, last, end->turn);
+    return result;
 }

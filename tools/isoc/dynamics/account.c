@@ -40,14 +40,14 @@ node account_energy(const dynamics *d)
 }
 
 /* How a node changes in the motion. */
-static node rate_of(const dynamics *d, node of)
+static node rate_of(const dynamics *d, node n)
 {
     const int states = state_count(d->m);
     node *along = arena_take(d->g->memory, (size_t)states, sizeof *along), rate;
     for (int i = 0; i < states; i++) {
         along[i] = leaf(d->g, OP_DERIVATIVE, i);
     }
-    differentiate_along(d->g, &of, 1, along, &rate);
+    differentiate_along(d->g, &n, 1, along, &rate);
     return rate;
 }
 
@@ -82,10 +82,10 @@ static node power_of_constraint(const dynamics *d, int r)
     return neg(g, mul(g, d->loops.multipliers[r], rate));
 }
 
-static node power_of_effect(const dynamics *d, const effect_account *of)
+static node power_of_effect(const dynamics *d, const effect_account *e)
 {
     graph *g = d->g;
-    return of->is_told ? sub(g, of->work, of->loss) : add(g, of->power, rate_of(d, of->stored));
+    return e->is_told ? sub(g, e->work, e->loss) : add(g, e->power, rate_of(d, e->stored));
 }
 
 node account_power(const dynamics *d)

@@ -31,14 +31,14 @@ typedef struct split {
 
 static linear linear_of(const closing *c, bool rates, const bool *is_free)
 {
-    linear made = {.c = c, .rates = rates, .rows = c->held->count};
-    made.of = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *made.of);
+    linear result = {.c = c, .rates = rates, .rows = c->held->count};
+    result.of = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *result.of);
     for (int f = 0; f < c->m->dof_count; f++) {
         if (is_free == NULL || is_free[f]) {
-            made.of[made.columns++] = f;
+            result.of[result.columns++] = f;
         }
     }
-    return made;
+    return result;
 }
 
 static double *matrix_at(const linear *l)
@@ -132,14 +132,14 @@ static bool is_singular(const linear *l, const decomposition *a, int j)
 static split split_at(const linear *l)
 {
     arena *memory = l->c->memory;
-    split made = {.a = decompose(memory, matrix_at(l), l->rows, l->columns)};
-    made.singular = arena_take(memory, (size_t)l->columns + 1, sizeof *made.singular);
+    split result = {.a = decompose(memory, matrix_at(l), l->rows, l->columns)};
+    result.singular = arena_take(memory, (size_t)l->columns + 1, sizeof *result.singular);
     for (int j = 0; j < l->columns; j++) {
-        if (is_singular(l, &made.a, j)) {
-            made.singular[made.count++] = j;
+        if (is_singular(l, &result.a, j)) {
+            result.singular[result.count++] = j;
         }
     }
-    return made;
+    return result;
 }
 
 static bool is_regular(const split *s, int j)

@@ -4,18 +4,18 @@ acceleration *reaction_accelerations(const dynamics *d)
 {
     graph *g = d->g;
     const mechanism *m = d->m;
-    acceleration *made = arena_take(g->memory, (size_t)m->segment_count, sizeof *made);
+    acceleration *result = arena_take(g->memory, (size_t)m->segment_count, sizeof *result);
     graph_section(g, "Accelerations of the links, for reactions");
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
-        made[i] = accelerate_outward(&d->k, i, made);
-        vector *moved = slides(l) ? &made[i].a : &made[i].alpha;
+        result[i] = accelerate_outward(&d->k, i, result);
+        vector *moved = slides(l) ? &result[i].a : &result[i].alpha;
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             const node qdd = leaf(g, OP_DERIVATIVE, m->position_count + f);
             *moved = vector_add(g, *moved, vector_scale(g, qdd, axis_of(&d->k, f)));
         }
     }
-    return made;
+    return result;
 }
 
 /* On the child, in base axes. */
@@ -56,11 +56,11 @@ static wrench closure_on_segment(const dynamics *d, int index, int i)
 }
 
 /* The wrench of a spring on a body at an end of it, in the frame of the body's segment. */
-static wrench spring_on_body(const dynamics *d, int index, int of)
+static wrench spring_on_body(const dynamics *d, int index, int which)
 {
     graph *g = d->g;
     const point_spring *s = &d->m->point_springs[index];
-    const bool is_second = s->second.body == of;
+    const bool is_second = s->second.body == which;
     const closure_end *end = is_second ? &s->second : &s->first;
     const vector on_second = spring_force(g, &d->springs[index]);
     const vector force = is_second ? on_second : vector_sub(g, vector_zero(g), on_second);
@@ -68,19 +68,19 @@ static wrench spring_on_body(const dynamics *d, int index, int of)
 }
 
 /* The wrench on a body without that of its joint, its weight and its children, in its segment's frame. */
-static wrench acting(const dynamics *d, int of)
+static wrench acting(const dynamics *d, int index)
 {
     graph *g = d->g;
     const mechanism *m = d->m;
     wrench sum = {vector_zero(g), vector_zero(g)};
     for (int i = 0; i < m->applied_force_count; i++) {
-        if (m->applied_forces[i].body == of) {
+        if (m->applied_forces[i].body == index) {
             sum = wrench_add(g, sum, wrench_of_applied_force(g, &m->applied_forces[i]));
         }
     }
     for (int i = 0; i < m->point_spring_count; i++) {
-        if (m->point_springs[i].second.body == of || m->point_springs[i].first.body == of) {
-            sum = wrench_add(g, sum, spring_on_body(d, i, of));
+        if (m->point_springs[i].second.body == index || m->point_springs[i].first.body == index) {
+            sum = wrench_add(g, sum, spring_on_body(d, i, index));
         }
     }
     for (int i = 0; i < m->closure_count; i++) {
@@ -88,10 +88,10 @@ static wrench acting(const dynamics *d, int of)
         if (acts_along_joints(c->kind)) {
             continue;
         }
-        if (c->child.body == of) {
+        if (c->child.body == index) {
             sum = wrench_add(g, sum, closure_on_segment(d, i, c->child.segment));
         }
-        if (c->parent.body == of) {
+        if (c->parent.body == index) {
             sum = wrench_sub(g, sum, closure_on_segment(d, i, c->parent.segment));
         }
     }
@@ -100,18 +100,18 @@ static wrench acting(const dynamics *d, int of)
 
 /* The wrench that a joint transmits to its child, in the child's segment's frame: for the child and all its descendants.
  * */
-static wrench borne(const dynamics *d, const acceleration *accelerations, int of)
+static wrench borne(const dynamics *d, const acceleration *accelerations, int index)
 {
     graph *g = d->g;
     const mechanism *m = d->m;
-    const int on = m->frames[of].segment;
+    const int on = m->frames[index].segment;
     const vector zero = vector_zero(g);
     const acceleration resting = {zero, vector_sub(g, zero, m->gravity)};
     const vector omega = on == GROUND ? zero : d->k.motions[on].omega;
-    wrench sum = wrench_of_motion(g, m->members[of].own, omega, on == GROUND ? resting : accelerations[on]);
-    sum = wrench_sub(g, sum, acting(d, of));
+    wrench sum = wrench_of_motion(g, m->members[index].own, omega, on == GROUND ? resting : accelerations[on]);
+    sum = wrench_sub(g, sum, acting(d, index));
     for (int child = 0; child < m->body_count; child++) {
-        if (m->members[child].parent == of) {
+        if (m->members[child].parent == index) {
             wrench w = borne(d, accelerations, child);
             for (int i = m->frames[child].segment; i != on; i = m->segments[i].parent) {
                 w = wrench_to_parent(&d->k, i, w);
@@ -128,15 +128,15 @@ static wrench to_ground(const dynamics *d, int i, wrench w)
     return (wrench){force, outward_axes(&d->k, i, GROUND, w.moment)};
 }
 
-wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int of)
+wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int index)
 {
     graph *g = d->g;
-    const member *child = &d->m->members[of];
-    wrench w = borne(d, accelerations, of);
+    const member *child = &d->m->members[index];
+    wrench w = borne(d, accelerations, index);
     w.moment = vector_sub(g, w.moment, vector_cross(g, child->hinge, w.force));
     vector_name(g, w.force, "reaction", child->joint);
     vector_name(g, w.moment, "reaction_moment", child->joint);
-    return to_ground(d, d->m->frames[of].segment, w);
+    return to_ground(d, d->m->frames[index].segment, w);
 }
 
 wrench closure_reaction(const dynamics *d, int index)

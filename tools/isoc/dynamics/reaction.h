@@ -15,7 +15,7 @@
 acceleration *reaction_accelerations(const dynamics *d);
 
 /* Of the joint whose child is body `of`. */
-wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int of);
+wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int index);
 
 wrench closure_reaction(const dynamics *d, int index);
 

@@ -34,12 +34,12 @@ static node *build_efforts(graph *g, const dynamics *d)
 }
 
 /* Adds -part times the derivatives by a state, times `factor`, to column `of` of sum[n n]. */
-static void add_column(graph *g, const node *efforts, int n, int state, node factor, int of, node *sum)
+static void add_column(graph *g, const node *efforts, int n, int state, node factor, int index, node *sum)
 {
     node *column = arena_take(g->memory, (size_t)n, sizeof *column);
     differentiate(g, efforts, (size_t)n, leaf(g, OP_STATE, state), column);
     for (int i = 0; i < n; i++) {
-        sum[i * n + of] = sub(g, sum[i * n + of], mul(g, factor, column[i]));
+        sum[i * n + index] = sub(g, sum[i * n + index], mul(g, factor, column[i]));
     }
 }
 
@@ -78,7 +78,7 @@ static mass_matrix *blank_chain(graph *g, const dynamics *d)
     const size_t n = (size_t)d->m->dof_count;
     mechanism *m = arena_take(g->memory, 1, sizeof *m);
     kinematics *k = arena_take(g->memory, 1, sizeof *k);
-    mass_matrix *made = arena_take(g->memory, 1, sizeof *made);
+    mass_matrix *result = arena_take(g->memory, 1, sizeof *result);
     *m = *d->m;
     *k = d->k;
     k->m = m;
@@ -87,8 +87,9 @@ static mass_matrix *blank_chain(graph *g, const dynamics *d)
         m->dofs[f] = d->m->dofs[f];
         m->dofs[f].before = f > 0 ? f - 1 : GROUND;
     }
-    *made = (mass_matrix){.k = k, .n = d->m->dof_count, .entries = arena_take(g->memory, n * n, sizeof *made->entries)};
-    return made;
+    *result =
+        (mass_matrix){.k = k, .n = d->m->dof_count, .entries = arena_take(g->memory, n * n, sizeof *result->entries)};
+    return result;
 }
 
 const mass_matrix *resistance_build(graph *g, const dynamics *d)
@@ -105,16 +106,16 @@ const mass_matrix *resistance_build(graph *g, const dynamics *d)
         return &d->mass;
     }
     const node *addition = build_addition(g, d, efforts, hb), half = constant(g, 0.5);
-    mass_matrix *made = blank_chain(g, d);
+    mass_matrix *result = blank_chain(g, d);
     for (int i = 0; i < n; i++) {
         for (int j = 0; j <= i; j++) {
             const node both = add(g, addition[i * n + j], addition[j * n + i]);
-            made->entries[i * n + j] = mul(g, half, both);
+            result->entries[i * n + j] = mul(g, half, both);
         }
         for (int j = i; j != GROUND; j = m->dofs[j].before) {
-            made->entries[i * n + j] = add(g, d->mass.entries[i * n + j], made->entries[i * n + j]);
+            result->entries[i * n + j] = add(g, d->mass.entries[i * n + j], result->entries[i * n + j]);
         }
     }
-    mass_matrix_factorise(made);
-    return made;
+    mass_matrix_factorise(result);
+    return result;
 }

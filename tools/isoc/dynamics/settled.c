@@ -4,20 +4,20 @@
 #include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/graph/quaternion.h"
 
-static void put(settled *made, int state, node to)
+static void put(settled *result, int state, node to)
 {
-    made->states[made->count] = state;
-    made->values[made->count++] = to;
+    result->states[result->count] = state;
+    result->values[result->count++] = to;
 }
 
 /* A state that changes by so much. */
-static void put_change(graph *g, settled *made, int state, node from, node change)
+static void put_change(graph *g, settled *result, int state, node from, node change)
 {
-    put(made, state, made->adds ? change : add(g, from, change));
+    put(result, state, result->adds ? change : add(g, from, change));
 }
 
 /* A quaternion of length one; where the projection moves it, turned by small angles about the segment's axes. */
-static void put_quaternion(graph *g, settled *made, const dynamics *d, int i, const node *moved)
+static void put_quaternion(graph *g, settled *result, const dynamics *d, int i, const node *moved)
 {
     const segment *l = &d->m->segments[i];
     node q[4], turned[4], normed[4];
@@ -31,13 +31,13 @@ static void put_quaternion(graph *g, settled *made, const dynamics *d, int i, co
     for (int n = 0; n < 4; n++) {
         q[n] = add(g, q[n], turned[n]);
     }
-    if (made->adds) {
+    if (result->adds) {
         quaternion_lengthening(g, q, normed);
     } else {
         quaternion_normalise(g, q, normed);
     }
     for (int n = 0; n < 4; n++) {
-        put(made, l->position + n, made->adds ? add(g, turned[n], normed[n]) : normed[n]);
+        put(result, l->position + n, result->adds ? add(g, turned[n], normed[n]) : normed[n]);
     }
 }
 
@@ -62,16 +62,16 @@ static node *along_moves(graph *g, const dynamics *d, const node *moved)
 }
 
 /* The pivots that vary, without the regularisation, which would hide how small they are. */
-static void put_pivots(graph *g, const augmented *over, settled *made)
+static void put_pivots(graph *g, const augmented *over, settled *result)
 {
     const size_t count = (size_t)over->held.count;
-    made->pivots = arena_take(g->memory, count, sizeof *made->pivots);
-    made->pivot_closures = arena_take(g->memory, count, sizeof *made->pivot_closures);
+    result->pivots = arena_take(g->memory, count, sizeof *result->pivots);
+    result->pivot_closures = arena_take(g->memory, count, sizeof *result->pivot_closures);
     for (int r = 0; r < over->held.count; r++) {
         const node bare = sub(g, over->pivots[r], over->regularisation);
         if (!is_constant(g, bare)) {
-            made->pivots[made->pivot_count] = bare;
-            made->pivot_closures[made->pivot_count++] = over->held.all[r].closure;
+            result->pivots[result->pivot_count] = bare;
+            result->pivot_closures[result->pivot_count++] = over->held.all[r].closure;
         }
     }
 }
@@ -84,7 +84,7 @@ static void put_pivots(graph *g, const augmented *over, settled *made)
  *
  * The speeds are those that the closures demand where the positions move to: the rates change on the way by as much as
  * the local error times the speed, which would be left from every step to the next. */
-static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, settled *made)
+static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, settled *result)
 {
     const constraints *held = &d->loops.held;
     const size_t count = (size_t)held->count;
@@ -103,7 +103,7 @@ static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, 
         gap[r] = add(g, rates[r], gap[r]);
     }
     augmented_project(&over, gap, sped);
-    put_pivots(g, &over, made);
+    put_pivots(g, &over, result);
 }
 
 settled settled_build(graph *g, const dynamics *d)
@@ -111,27 +111,27 @@ settled settled_build(graph *g, const dynamics *d)
     const mechanism *m = d->m;
     const bool projected = m->projections > 0 && d->loops.held.count > 0;
     const size_t states = (size_t)state_count(m), n = (size_t)m->dof_count;
-    settled made = {.adds = ISO_IS_COMPENSATED(m->recipe)};
-    made.states = arena_take(g->memory, states, sizeof *made.states);
-    made.values = arena_take(g->memory, states, sizeof *made.values);
+    settled result = {.adds = ISO_IS_COMPENSATED(m->recipe)};
+    result.states = arena_take(g->memory, states, sizeof *result.states);
+    result.values = arena_take(g->memory, states, sizeof *result.values);
     node *moved = arena_take(g->memory, n, sizeof *moved), *sped = arena_take(g->memory, n, sizeof *sped);
     if (projected) {
-        build_changes(g, d, moved, sped, &made);
+        build_changes(g, d, moved, sped, &result);
     }
     graph_section(g, "Where the step ends; a quaternion's length by one step of Newton's method for 1 / norm");
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
         if (l->kind == JOINT_SPHERICAL) {
-            put_quaternion(g, &made, d, i, projected ? moved : NULL);
+            put_quaternion(g, &result, d, i, projected ? moved : NULL);
         } else if (projected && !is_zero(g, moved[l->dof])) {
-            put_change(g, &made, l->position, d->k.motions[i].q[0], moved[l->dof]);
+            put_change(g, &result, l->position, d->k.motions[i].q[0], moved[l->dof]);
         }
     }
     for (int f = 0; f < m->dof_count && projected; f++) {
         if (!is_zero(g, sped[f])) {
             const int state = m->position_count + f;
-            put_change(g, &made, state, leaf(g, OP_STATE, state), sped[f]);
+            put_change(g, &result, state, leaf(g, OP_STATE, state), sped[f]);
         }
     }
-    return made;
+    return result;
 }

@@ -24,9 +24,9 @@ stretched *springs_build(const kinematics *k);
 vector spring_force(graph *g, const stretched *s);
 
 /* T, larger than zero where it pulls. */
-node spring_tension(graph *g, const point_spring *of, const stretched *s);
+node spring_tension(graph *g, const point_spring *p, const stretched *s);
 
 /* What it stores. */
-node spring_energy(graph *g, const point_spring *of, const stretched *s);
+node spring_energy(graph *g, const point_spring *p, const stretched *s);
 
 #endif

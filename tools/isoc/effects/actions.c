@@ -9,11 +9,11 @@
 static const value nothing = {0};
 
 /* The line of this kind that a rate or a next is of. */
-static const effect_line *subject(effect_scope *w, const instance *in, const effect_line *line, effect_line_kind of,
+static const effect_line *subject(effect_scope *w, const instance *in, const effect_line *line, effect_line_kind kind,
                                   const char *word)
 {
     const effect_line *found = line->name.text == NULL ? NULL : line_called(in->kind, line->name.text, false);
-    if (found == NULL || found->kind != of) {
+    if (found == NULL || found->kind != kind) {
         source_problem(w->b->s, line->name.at, "this effect has no %s '%s'", word, line->name.text);
         return NULL;
     }
@@ -29,7 +29,7 @@ static bool needs_accelerations(effect_scope *w, const node *roots, size_t count
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
         const bool is_query =
-            n->op == OP_POINT_QUERY && asks_for_acceleration(w->b->made.point_queries[n->index / 3].kind);
+            n->op == OP_POINT_QUERY && asks_for_acceleration(w->b->mechanism.point_queries[n->index / 3].kind);
         found = found || (needed[i] && (is_query || n->op == OP_DERIVATIVE));
     }
     return found;
@@ -48,14 +48,14 @@ static bool refuse_accelerations(effect_scope *w, const effect_line *line, const
 }
 
 /* A formula of so many numbers of this dimension; zeros after noting a problem. */
-static value value_like(effect_scope *w, const instance *in, const effect_line *line, int parts, dimension of,
+static value value_like(effect_scope *w, const instance *in, const effect_line *line, int parts, dimension expected,
                         const char *what)
 {
     source *s = w->b->s;
     value found = evaluate(w, in, line->value, line->name.text);
-    if (found.count > 0 && (found.count != parts || (!found.any && !dimension_equal_but_angle(found.of, of)))) {
+    if (found.count > 0 && (found.count != parts || (!found.any && !dimension_equal_but_angle(found.of, expected)))) {
         source_problem(s, line->value->at, "%s '%s' %s; this %s", what, line->name.text,
-                       found.count < parts ? "is a vector" : dimension_phrase(s->memory, of),
+                       found.count < parts ? "is a vector" : dimension_phrase(s->memory, expected),
                        found.count > parts   ? "is a vector"
                        : found.count < parts ? "is one number"
                                              : dimension_phrase(s->memory, found.of));
@@ -69,9 +69,9 @@ static value value_like(effect_scope *w, const instance *in, const effect_line *
 }
 
 /* One number of this dimension. */
-static node node_of(effect_scope *w, const instance *in, const effect_line *line, dimension of, const char *what)
+static node node_of(effect_scope *w, const instance *in, const effect_line *line, dimension expected, const char *what)
 {
-    return value_like(w, in, line, 1, of, what).parts[0];
+    return value_like(w, in, line, 1, expected, what).parts[0];
 }
 
 /* Which effect it is. */
@@ -82,51 +82,51 @@ static int number_of(const effect_scope *w, const instance *in)
 
 static void do_rate(effect_scope *w, const instance *in, const effect_line *line)
 {
-    const effect_line *of = subject(w, in, line, EFFECT_STATE, "state");
-    if (of != NULL && line->value != NULL) {
-        dimension rate = line_value(w, in, of).of;
+    const effect_line *e = subject(w, in, line, EFFECT_STATE, "state");
+    if (e != NULL && line->value != NULL) {
+        dimension rate = line_value(w, in, e).of;
         dimension_times(&rate, second, -1);
-        effect_quantity *made = &w->b->made.effect_states[in->places[of - in->kind->lines]];
-        const value found = value_like(w, in, line, of->parts, rate, "the rate of");
-        for (int i = 0; i < of->parts; i++) {
-            made[i].effect = number_of(w, in);
-            made[i].next = in->use->dropped ? constant(w->b->g, 0.0)
-                                            : graph_name(w->b->g, found.parts[i], "rate_%s", made[i].about.name);
+        effect_quantity *result = &w->b->mechanism.effect_states[in->places[e - in->kind->lines]];
+        const value found = value_like(w, in, line, e->parts, rate, "the rate of");
+        for (int i = 0; i < e->parts; i++) {
+            result[i].effect = number_of(w, in);
+            result[i].next = in->use->dropped ? constant(w->b->g, 0.0)
+                                              : graph_name(w->b->g, found.parts[i], "rate_%s", result[i].about.name);
         }
     }
 }
 
 static void do_next(effect_scope *w, const instance *in, const effect_line *line)
 {
-    const effect_line *of = subject(w, in, line, EFFECT_MEMORY, "memory");
-    if (of != NULL && line->value != NULL) {
-        const dimension same = line_value(w, in, of).of;
-        const value found = value_like(w, in, line, of->parts, same, "the next");
-        for (int i = 0; i < of->parts; i++) {
-            const int at = in->places[of - in->kind->lines] + i;
-            w->b->made.memories[at].next =
-                in->use->dropped ? leaf(w->b->g, OP_INPUT, w->b->made.input_count + at) : found.parts[i];
+    const effect_line *e = subject(w, in, line, EFFECT_MEMORY, "memory");
+    if (e != NULL && line->value != NULL) {
+        const dimension same = line_value(w, in, e).of;
+        const value found = value_like(w, in, line, e->parts, same, "the next");
+        for (int i = 0; i < e->parts; i++) {
+            const int at = in->places[e - in->kind->lines] + i;
+            w->b->mechanism.memories[at].next =
+                in->use->dropped ? leaf(w->b->g, OP_INPUT, w->b->mechanism.input_count + at) : found.parts[i];
         }
     }
 }
 
 static void do_effort(effect_scope *w, const instance *in, const effect_line *line)
 {
-    const effect_line *of = subject(w, in, line, EFFECT_JOINT, "joint");
-    const int l = of == NULL ? -1 : in->segments[of - in->kind->lines];
+    const effect_line *e = subject(w, in, line, EFFECT_JOINT, "joint");
+    const int l = e == NULL ? -1 : in->segments[e - in->kind->lines];
     if (l >= 0 && line->value != NULL) {
         graph *g = w->b->g;
-        const dimension effort = dimension_of_quantity("effort", &w->b->made.segments[l]);
+        const dimension effort = dimension_of_quantity("effort", &w->b->mechanism.segments[l]);
         const node added =
             graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
         if (in->use->dropped) {
             return;
         }
-        node *sum = &w->b->made.efforts[w->b->made.segments[l].dof];
+        node *sum = &w->b->mechanism.efforts[w->b->mechanism.segments[l].dof];
         *sum = add(g, *sum, added);
-        w->b->made.effort_parts[w->b->made.effort_part_count++] =
-            (effect_effort){number_of(w, in), w->b->made.segments[l].dof, added};
-        const node speed = leaf(g, OP_STATE, w->b->made.position_count + w->b->made.segments[l].dof);
+        w->b->mechanism.effort_parts[w->b->mechanism.effort_part_count++] =
+            (effect_effort){number_of(w, in), w->b->mechanism.segments[l].dof, added};
+        const node speed = leaf(g, OP_STATE, w->b->mechanism.position_count + w->b->mechanism.segments[l].dof);
         in->account->power = add(g, in->account->power, mul(g, added, speed));
     }
 }
@@ -134,13 +134,13 @@ static void do_effort(effect_scope *w, const instance *in, const effect_line *li
 static void do_account(effect_scope *w, const instance *in, const effect_line *line)
 {
     const bool is_stored = line->kind == EFFECT_ENERGY;
-    effect_account *of = in->account;
+    effect_account *e = in->account;
     if (line->value != NULL) {
-        node *sum = is_stored ? &of->stored : line->kind == EFFECT_LOSS ? &of->loss : &of->work;
+        node *sum = is_stored ? &e->stored : line->kind == EFFECT_LOSS ? &e->loss : &e->work;
         const node found = node_of(w, in, line, is_stored ? joule : watt, "the");
         if (!in->use->dropped) {
             *sum = add(w->b->g, *sum, found);
-            of->is_told = of->is_told || !is_stored;
+            e->is_told = e->is_told || !is_stored;
         }
     }
 }
@@ -152,7 +152,7 @@ static int body_of(effect_scope *w, name n, vector *point)
     if (!find_point(w, n.text, &which, point)) {
         source_problem(w->b->s, n.at, "this effect has no body '%s'", n.text);
     }
-    return which >= 0 && w->b->made.frames[which].placed ? which : -1;
+    return which >= 0 && w->b->mechanism.frames[which].placed ? which : -1;
 }
 
 /* The body that a frame stands on, or the body itself. */
@@ -169,8 +169,8 @@ static void push(effect_scope *w, const instance *in, int which, vector point, c
                  const value *along, double sign)
 {
     graph *g = w->b->g;
-    mechanism *made = &w->b->made;
-    const body_frame *frame = &made->frames[which];
+    mechanism *m = &w->b->mechanism;
+    const body_frame *frame = &m->frames[which];
     if (frame->segment == GROUND) {
         return;
     }
@@ -191,14 +191,14 @@ static void push(effect_scope *w, const instance *in, int which, vector point, c
     if (!f.in_ground) {
         *to = matrix_apply(g, frame->turn, *to);
     }
-    made->applied_forces[made->applied_force_count++] = f;
+    m->applied_forces[m->applied_force_count++] = f;
 }
 
 /* A force or a moment on a body, and the opposite one on another. */
 static void do_push(effect_scope *w, const instance *in, const effect_line *line)
 {
     source *s = w->b->s;
-    const dimension of = line->kind == EFFECT_FORCE ? newton : newton_metre;
+    const dimension expected = line->kind == EFFECT_FORCE ? newton : newton_metre;
     const char *what = line->kind == EFFECT_FORCE ? "force" : "moment";
     vector point = vector_zero(w->b->g), other_point = point;
     const int which = line->name.text == NULL ? -1 : body_of(w, line->name, &point);
@@ -213,9 +213,9 @@ static void do_push(effect_scope *w, const instance *in, const effect_line *line
     } else if (found.count != 3) {
         source_problem(s, line->value->at, "the %s on '%s' is a vector (x, y, z); this is one number", what,
                        line->name.text);
-    } else if (!found.any && !dimension_equal_but_angle(found.of, of)) {
+    } else if (!found.any && !dimension_equal_but_angle(found.of, expected)) {
         source_problem(s, line->value->at, "the %s on '%s' %s; this %s", what, line->name.text,
-                       dimension_phrase(s->memory, of), dimension_phrase(s->memory, found.of));
+                       dimension_phrase(s->memory, expected), dimension_phrase(s->memory, found.of));
     } else if (!refuse_accelerations(w, line, found.parts, 3) && !in->use->dropped) {
         push(w, in, which, point, line, &found, 1.0);
         if (other >= 0) {

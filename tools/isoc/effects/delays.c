@@ -8,16 +8,16 @@ typedef struct kinds_read {
     bool moving, held;
 } kinds_read;
 
-static bool is_delay(const mechanism *made, int input)
+static bool is_delay(const mechanism *m, int input)
 {
-    return input >= made->input_count && made->memories[input - made->input_count].kept == KEPT_DELAY;
+    return input >= m->input_count && m->memories[input - m->input_count].kept == KEPT_DELAY;
 }
 
 /* A delay is as what it is of: of delays one after the other, at most all of them. */
 static kinds_read reads(const builder *b, node root, int depth)
 {
     const graph *g = b->g;
-    const mechanism *made = &b->made;
+    const mechanism *m = &b->mechanism;
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     kinds_read found = {false, false};
     graph_reach(g, &root, 1, needed);
@@ -27,10 +27,10 @@ static kinds_read reads(const builder *b, node root, int depth)
             (n->op != OP_STATE && n->op != OP_POINT_QUERY && n->op != OP_DERIVATIVE && n->op != OP_INPUT)) {
             continue;
         }
-        if (n->op == OP_INPUT && is_delay(made, n->index) && depth < made->memory_count) {
-            const kinds_read of = reads(b, made->memories[n->index - made->input_count].next, depth + 1);
-            found = (kinds_read){found.moving || of.moving, found.held || of.held};
-        } else if (n->op == OP_INPUT && !(n->index < made->input_count && made->smooth[n->index])) {
+        if (n->op == OP_INPUT && is_delay(m, n->index) && depth < m->memory_count) {
+            const kinds_read k = reads(b, m->memories[n->index - m->input_count].next, depth + 1);
+            found = (kinds_read){found.moving || k.moving, found.held || k.held};
+        } else if (n->op == OP_INPUT && !(n->index < m->input_count && m->smooth[n->index])) {
             found.held = true;
         } else {
             found.moving = true;
@@ -55,49 +55,49 @@ static void mark(const graph *g, const node *roots, size_t count, bool *marked)
 /* Marks the inputs and memories that rates and efforts read. */
 static void mark_equations(const builder *b, bool *marked)
 {
-    const mechanism *made = &b->made;
-    mark(b->g, made->efforts, (size_t)made->dof_count, marked);
-    for (int i = 0; i < made->applied_force_count; i++) {
-        if (made->applied_forces[i].drive < 0) {
-            mark(b->g, made->applied_forces[i].force.at, 3, marked);
-            mark(b->g, made->applied_forces[i].moment.at, 3, marked);
+    const mechanism *m = &b->mechanism;
+    mark(b->g, m->efforts, (size_t)m->dof_count, marked);
+    for (int i = 0; i < m->applied_force_count; i++) {
+        if (m->applied_forces[i].drive < 0) {
+            mark(b->g, m->applied_forces[i].force.at, 3, marked);
+            mark(b->g, m->applied_forces[i].moment.at, 3, marked);
         }
     }
-    for (int i = 0; i < made->effect_state_count; i++) {
-        mark(b->g, &made->effect_states[i].next, 1, marked);
+    for (int i = 0; i < m->effect_state_count; i++) {
+        mark(b->g, &m->effect_states[i].next, 1, marked);
     }
 }
 
 /* Whether steps have samples: those of one length, by one method. */
-static bool has_samples(const mechanism *made)
+static bool has_samples(const mechanism *m)
 {
-    return made->parts == 1 && made->fast_substeps == 0 && made->policies.rung_count == 0;
+    return m->parts == 1 && m->fast_substeps == 0 && m->policies.rung_count == 0;
 }
 
 void build_delays(builder *b)
 {
-    mechanism *made = &b->made;
-    bool *smooth = arena_take(b->s->memory, (size_t)held_count(made) + 1, sizeof *smooth);
-    bool *read = arena_take(b->s->memory, (size_t)held_count(made) + 1, sizeof *read);
-    const unsigned with_samples = made->recipe | ISO_SMOOTH;
-    made->sampled_count = made->input_count;
-    for (int i = 0; i < made->input_count; i++) {
-        smooth[i] = made->smooth[i];
+    mechanism *m = &b->mechanism;
+    bool *smooth = arena_take(b->s->memory, (size_t)held_count(m) + 1, sizeof *smooth);
+    bool *read = arena_take(b->s->memory, (size_t)held_count(m) + 1, sizeof *read);
+    const unsigned with_samples = m->recipe | ISO_SMOOTH;
+    m->sampled_count = m->input_count;
+    for (int i = 0; i < m->input_count; i++) {
+        smooth[i] = m->smooth[i];
     }
     mark_equations(b, read);
-    for (int i = made->input_count; i < held_count(made); i++) {
-        if (!read[i] || !is_delay(made, i)) {
+    for (int i = m->input_count; i < held_count(m); i++) {
+        if (!read[i] || !is_delay(m, i)) {
             continue;
         }
-        effect_quantity *of = &made->memories[i - made->input_count];
-        const kinds_read kinds = reads(b, of->next, 0);
-        const bool is_sampled = kinds.moving && !kinds.held && has_samples(made);
-        of->lags = kinds.moving && !is_sampled;
+        effect_quantity *e = &m->memories[i - m->input_count];
+        const kinds_read kinds = reads(b, e->next, 0);
+        const bool is_sampled = kinds.moving && !kinds.held && has_samples(m);
+        e->lags = kinds.moving && !is_sampled;
         smooth[i] = is_sampled && ISO_DEGREE(with_samples) > 0;
         if (smooth[i]) {
-            made->recipe = with_samples;
-            made->sampled_count = held_count(made);
+            m->recipe = with_samples;
+            m->sampled_count = held_count(m);
         }
     }
-    made->smooth = smooth;
+    m->smooth = smooth;
 }

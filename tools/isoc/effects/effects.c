@@ -14,12 +14,12 @@ static int count_lines(const effect_kind *kind, effect_line_kind of)
     return count;
 }
 
-static int count_all(const scene *written, effect_line_kind of)
+static int count_all(const scene *written, effect_line_kind kind)
 {
     int count = 0;
     for (size_t i = 0; i < written->effect_count; i++) {
         const effect_use *use = &written->effects[i];
-        count += use->left_out ? 0 : count_lines(find_effect_kind(written, use->kind), of);
+        count += use->left_out ? 0 : count_lines(find_effect_kind(written, use->kind), kind);
     }
     return count;
 }
@@ -37,28 +37,28 @@ size_t count_forces(const scene *written)
 
 void count_effects(builder *b)
 {
-    mechanism *made = &b->made;
+    mechanism *m = &b->mechanism;
     arena *memory = b->s->memory;
-    made->first_effect_state = made->position_count;
-    made->effect_state_count = count_all(b->written, EFFECT_STATE);
-    made->memory_count = count_all(b->written, EFFECT_MEMORY);
-    made->position_count += made->effect_state_count;
-    made->effect_states = arena_take(memory, (size_t)made->effect_state_count + 1, sizeof *made->effect_states);
-    b->memory_room = (size_t)made->memory_count + 1;
-    made->memories = arena_take(memory, b->memory_room, sizeof *made->memories);
-    made->efforts = arena_take(memory, (size_t)made->dof_count + 1, sizeof *made->efforts);
+    m->first_effect_state = m->position_count;
+    m->effect_state_count = count_all(b->written, EFFECT_STATE);
+    m->memory_count = count_all(b->written, EFFECT_MEMORY);
+    m->position_count += m->effect_state_count;
+    m->effect_states = arena_take(memory, (size_t)m->effect_state_count + 1, sizeof *m->effect_states);
+    b->memory_room = (size_t)m->memory_count + 1;
+    m->memories = arena_take(memory, b->memory_room, sizeof *m->memories);
+    m->efforts = arena_take(memory, (size_t)m->dof_count + 1, sizeof *m->efforts);
     const int parts = count_all(b->written, EFFECT_EFFORT);
-    made->effort_parts = arena_take(memory, (size_t)parts + 1, sizeof *made->effort_parts);
-    made->effect_count = (int)b->written->effect_count;
-    made->effects = arena_take(memory, b->written->effect_count + 1, sizeof *made->effects);
-    made->accounts = arena_take(memory, b->written->effect_count + 1, sizeof *made->accounts);
-    for (int i = 0; i < made->effect_count; i++) {
+    m->effort_parts = arena_take(memory, (size_t)parts + 1, sizeof *m->effort_parts);
+    m->effect_count = (int)b->written->effect_count;
+    m->effects = arena_take(memory, b->written->effect_count + 1, sizeof *m->effects);
+    m->accounts = arena_take(memory, b->written->effect_count + 1, sizeof *m->accounts);
+    for (int i = 0; i < m->effect_count; i++) {
         const node zero = constant(b->g, 0.0);
-        made->effects[i] = b->written->effects[i].name;
-        made->accounts[i] = (effect_account){.power = zero, .stored = zero, .loss = zero, .work = zero};
+        m->effects[i] = b->written->effects[i].name;
+        m->accounts[i] = (effect_account){.power = zero, .stored = zero, .loss = zero, .work = zero};
     }
-    for (int f = 0; f < made->dof_count; f++) {
-        made->efforts[f] = constant(b->g, 0.0);
+    for (int f = 0; f < m->dof_count; f++) {
+        m->efforts[f] = constant(b->g, 0.0);
     }
 }
 
@@ -74,7 +74,7 @@ static int bound_segment(effect_scope *w, const instance *in, const effect_line 
         return -1;
     }
     const int found = segment_of(w, (name){given->value->name, given->value->at});
-    if (found >= 0 && line->is_bounded && w->b->made.segments[found].continuous) {
+    if (found >= 0 && line->is_bounded && w->b->mechanism.segments[found].continuous) {
         source_problem(w->b->s, given->value->at,
                        "'%s' is continuous: its angle begins again at every turn, which the effect %s cannot follow",
                        given->value->name, in->kind->name.text);
@@ -208,7 +208,7 @@ static effect_scope *effect_scope_of(builder *b)
     w->signal_progress = arena_take(memory, b->written->signal_count + 1, sizeof *w->signal_progress);
     for (size_t i = 0; i < b->written->effect_count; i++) {
         w->all[i].use = &b->written->effects[i];
-        w->all[i].account = &b->made.accounts[i];
+        w->all[i].account = &b->mechanism.accounts[i];
     }
     return w;
 }

@@ -39,11 +39,11 @@ typedef struct effect_scope {
 
 /* --- past.c: previous(x) and the like --- */
 
-value history_memory_value(void *of, const formula *f);
+value history_memory_value(void *context, const formula *f);
 
 /* --- streams.c: noise(SEED), time and other functions of it --- */
 
-value time_input_value(void *of, const formula *f);
+value time_input_value(void *context, const formula *f);
 
 /* --- effect_names.c --- */
 
@@ -71,7 +71,7 @@ int segment_of(effect_scope *w, name n);
 bool find_point(effect_scope *w, const char *called, int *which, vector *point);
 
 /* The value of a name, as value.h asks for it. */
-bool find_name(void *of, const formula *f, value *found);
+bool find_name(void *context, const formula *f, value *found);
 
 /* The value of a signal of the scene. */
 value signal_value(effect_scope *w, size_t i);
@@ -88,7 +88,7 @@ dimension dimension_of_quantity(const char *word, const segment *l);
 vector point_query_of(effect_scope *w, point_query_kind kind, int which, vector point, bool in_body);
 
 /* The value of `speed of NAME` and the like, as value.h asks for it. */
-value quantity_value(void *of, const formula *f);
+value quantity_value(void *context, const formula *f);
 
 /* --- effect_lines.c --- */
 

@@ -11,20 +11,20 @@ static const value nothing = {0};
 
 /* The dimension that a line declares, by its unit, by what it is like, or by its default; or false. */
 static bool declared_dimension(effect_scope *w, const instance *in, const effect_line *line, const formula *f,
-                               dimension *of)
+                               dimension *expected)
 {
     const bool has_default = line->kind <= EFFECT_VALUE && line->value != NULL && line->value != f;
     if (line->has_unit) {
-        *of = line->unit.of;
+        *expected = line->unit.of;
     } else if (has_default && line->like.text == NULL) {
         const value found = evaluate(w, in, line->value, line->name.text);
-        *of = found.of;
+        *expected = found.of;
         return found.count == 1;
     } else if (line->like.text != NULL && line->like_of.text != NULL) {
         const instance *before = enter(w, in);
         const int l = segment_of(w, line->like_of);
         enter(w, before);
-        *of = l < 0 ? no_unit : dimension_of_quantity(line->like.text, &w->b->made.segments[l]);
+        *expected = l < 0 ? no_unit : dimension_of_quantity(line->like.text, &w->b->mechanism.segments[l]);
     }
     return line->has_unit || line->like.text != NULL;
 }
@@ -32,21 +32,21 @@ static bool declared_dimension(effect_scope *w, const instance *in, const effect
 /* One number, or a vector where it starts as one, of the dimension that the line declares, if it does. */
 static value checked(effect_scope *w, const instance *in, const effect_line *line, const formula *f, value found)
 {
-    dimension of;
+    dimension expected;
     source *s = w->b->s;
     if (found.count > 0 && found.count != line->parts) {
         source_problem(s, f->at, "'%s' is one number; this is %d", line->name.text, found.count);
         return nothing;
     }
-    if (found.count == 0 || !declared_dimension(w, in, line, f, &of)) {
+    if (found.count == 0 || !declared_dimension(w, in, line, f, &expected)) {
         return found;
     }
-    if (!found.any && !dimension_equal_but_angle(found.of, of)) {
-        source_problem(s, f->at, "'%s' %s; this %s", line->name.text, dimension_phrase(s->memory, of),
+    if (!found.any && !dimension_equal_but_angle(found.of, expected)) {
+        source_problem(s, f->at, "'%s' %s; this %s", line->name.text, dimension_phrase(s->memory, expected),
                        dimension_phrase(s->memory, found.of));
         return nothing;
     }
-    found.of = of;
+    found.of = expected;
     found.any = false;
     return found;
 }
@@ -70,11 +70,10 @@ static bool names_limit(const formula *f)
 /* What isoc chose is told. */
 static void note_derived(effect_scope *w, const instance *in, const effect_line *line, value found)
 {
-    mechanism *made = &w->b->made;
+    mechanism *m = &w->b->mechanism;
     arena *memory = w->b->s->memory;
-    made->derived =
-        arena_grow(memory, made->derived, (size_t)made->derived_count, &made->derived_room, sizeof *made->derived);
-    effect_quantity *next = &made->derived[made->derived_count++];
+    m->derived = arena_grow(memory, m->derived, (size_t)m->derived_count, &m->derived_room, sizeof *m->derived);
+    effect_quantity *next = &m->derived[m->derived_count++];
     *next = (effect_quantity){.next = found.parts[0], .at = in->use->name.at};
     next->about.name = arena_format(memory, "%s.%s", in->use->name.text, line->name.text);
     next->about.unit = dimension_unit(memory, found.of);
@@ -88,8 +87,8 @@ static value operand_value(effect_scope *w, const instance *in, const effect_lin
     if (f == NULL) {
         return nothing;
     }
-    const instance *of = given != NULL ? NULL : in, *before = enter(w, of);
-    value found = checked(w, in, line, f, evaluate(w, of, f, line->name.text));
+    const instance *i = given != NULL ? NULL : in, *before = enter(w, i);
+    value found = checked(w, in, line, f, evaluate(w, i, f, line->name.text));
     if (found.count == 1 && line->kind == EFFECT_VALUE && changes(w->b->g, found.parts[0])) {
         source_problem(w->b->s, f->at, "'%s' is a constant or a tunable: it cannot change with time", line->name.text);
         found = nothing;
@@ -143,7 +142,7 @@ static value absent_value(effect_scope *w, const instance *in, const effect_line
 static value new_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     graph *g = w->b->g;
-    mechanism *made = &w->b->made;
+    mechanism *m = &w->b->mechanism;
     const size_t i = (size_t)(line - in->kind->lines);
     if (in->use->left_out &&
         (line->kind == EFFECT_FAULT || line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY)) {
@@ -157,9 +156,9 @@ static value new_value(effect_scope *w, const instance *in, const effect_line *l
     case EFFECT_FAULT:
         return (value){.count = 1, .parts = {leaf(g, OP_PARAMETER, at)}};
     case EFFECT_STATE:
-        return begun(w, in, line, &made->effect_states[at], OP_STATE, made->first_effect_state + at);
+        return begun(w, in, line, &m->effect_states[at], OP_STATE, m->first_effect_state + at);
     case EFFECT_MEMORY:
-        return begun(w, in, line, &made->memories[at], OP_INPUT, made->input_count + at);
+        return begun(w, in, line, &m->memories[at], OP_INPUT, m->input_count + at);
     default:
         return line->value == NULL ? nothing : evaluate(w, in, line->value, line->name.text);
     }

@@ -73,7 +73,7 @@ int segment_of(effect_scope *w, name n)
 {
     const effect_line *line = w->within == NULL ? NULL : line_called(w->within->kind, n.text, false);
     if (w->within == NULL) {
-        const int found = segment_called(&w->b->made, n);
+        const int found = segment_called(&w->b->mechanism, n);
         return found >= 0 ? found : coordinate_of(w->b, n);
     }
     if (line == NULL || line->kind != EFFECT_JOINT) {
@@ -125,17 +125,17 @@ static bool find_limit(effect_scope *w, const char *called, value *found)
 {
     static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
     static const double margin = 0.5; /* of the limit: what is linear here turns over elsewhere */
-    const mechanism *made = &w->b->made;
+    const mechanism *m = &w->b->mechanism;
     const bool is_step = strcmp(called, "step") == 0, is_rate = strcmp(called, "stable_rate") == 0;
     if (!is_step && !is_rate && strcmp(called, "stable_frequency") != 0) {
         return false;
     }
     if (!is_step && w->limits.rate == 0.0) {
-        w->limits = limits_of(made->recipe);
+        w->limits = limits_of(m->recipe);
     }
-    const double limit = margin * (is_rate ? w->limits.rate : w->limits.frequency) / method_step(made);
+    const double limit = margin * (is_rate ? w->limits.rate : w->limits.frequency) / method_step(m);
     *found = (value){.count = 1, .of = is_step ? second : is_rate ? hertz : speed};
-    found->parts[0] = constant(w->b->g, is_step ? made->step : limit);
+    found->parts[0] = constant(w->b->g, is_step ? m->step : limit);
     return true;
 }
 
@@ -258,8 +258,8 @@ static bool find_in_scene(effect_scope *w, const formula *f, value *found)
     return false;
 }
 
-bool find_name(void *of, const formula *f, value *found)
+bool find_name(void *context, const formula *f, value *found)
 {
-    effect_scope *w = of;
+    effect_scope *w = context;
     return w->within != NULL ? find_in_instance(w, f, found) : find_in_scene(w, f, found);
 }

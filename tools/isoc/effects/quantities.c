@@ -10,17 +10,17 @@ static const value nothing = {0};
 dimension dimension_of_quantity(const char *word, const segment *l)
 {
     const bool turns = l->kind == JOINT_REVOLUTE;
-    dimension of = turns ? radian : metre;
+    dimension expected = turns ? radian : metre;
     if (strcmp(word, "speed") == 0) {
-        dimension_times(&of, second, -1);
+        dimension_times(&expected, second, -1);
     }
-    return strcmp(word, "effort") == 0 ? (turns ? newton_metre : newton) : of;
+    return strcmp(word, "effort") == 0 ? (turns ? newton_metre : newton) : expected;
 }
 
 static const struct {
     const char *word;
     point_query_kind kind;
-    dimension of;
+    dimension unit;
 } of_bodies[] = {
     {"position", QUERY_POSITION, {0, 1, 0, 0, 0, 0, 0}},
     {"velocity", QUERY_VELOCITY, {0, 1, -1, 0, 0, 0, 0}},
@@ -31,17 +31,17 @@ static const struct {
     {"specific_force", QUERY_SPECIFIC_FORCE, {0, 1, -2, 0, 0, 0, 0}},
 };
 
-static vector leaves_of(effect_scope *w, point_query of)
+static vector leaves_of(effect_scope *w, point_query p)
 {
-    mechanism *made = &w->b->made;
+    mechanism *m = &w->b->mechanism;
     vector leaves;
-    made->point_queries = arena_grow(w->b->s->memory, made->point_queries, (size_t)made->point_query_count,
-                                     &made->point_query_room, sizeof *made->point_queries);
-    made->point_queries[made->point_query_count] = of;
+    m->point_queries = arena_grow(w->b->s->memory, m->point_queries, (size_t)m->point_query_count, &m->point_query_room,
+                                  sizeof *m->point_queries);
+    m->point_queries[m->point_query_count] = p;
     for (int i = 0; i < 3; i++) {
-        leaves.at[i] = leaf(w->b->g, OP_POINT_QUERY, 3 * made->point_query_count + i);
+        leaves.at[i] = leaf(w->b->g, OP_POINT_QUERY, 3 * m->point_query_count + i);
     }
-    made->point_query_count++;
+    m->point_query_count++;
     return leaves;
 }
 
@@ -86,19 +86,19 @@ static bool find_beside(effect_scope *w, const formula *f, vector *beside)
 /* inertia of BODY: what a force along each axis alone moves at the start, as three masses. */
 static value inertia_of_point(effect_scope *w, const formula *f, int which, vector point)
 {
-    mechanism *made = &w->b->made;
-    inertia_query of = {which, point, vector_zero(w->b->g), in_body_axes(w, f, false)};
-    if (which < 0 || !made->frames[which].placed || (f->count > 1 && !find_beside(w, f->parts[1], &of.beside))) {
+    mechanism *m = &w->b->mechanism;
+    inertia_query q = {which, point, vector_zero(w->b->g), in_body_axes(w, f, false)};
+    if (which < 0 || !m->frames[which].placed || (f->count > 1 && !find_beside(w, f->parts[1], &q.beside))) {
         return nothing;
     }
-    if (made->frames[which].segment == GROUND) {
+    if (m->frames[which].segment == GROUND) {
         source_problem(w->b->s, f->parts[0]->at, "'%s' is a part of the ground: no force moves it", f->parts[0]->name);
         return nothing;
     }
-    const int first = made->dof_count + 3 * made->inertia_query_count;
-    made->inertia_queries = arena_grow(w->b->s->memory, made->inertia_queries, (size_t)made->inertia_query_count,
-                                       &made->inertia_query_room, sizeof *made->inertia_queries);
-    made->inertia_queries[made->inertia_query_count++] = of;
+    const int first = m->dof_count + 3 * m->inertia_query_count;
+    m->inertia_queries = arena_grow(w->b->s->memory, m->inertia_queries, (size_t)m->inertia_query_count,
+                                    &m->inertia_query_room, sizeof *m->inertia_queries);
+    m->inertia_queries[m->inertia_query_count++] = q;
     value found = {.count = 3, .of = kilogram};
     for (int i = 0; i < 3; i++) {
         found.parts[i] = leaf(w->b->g, OP_INERTIA, first + i);
@@ -109,7 +109,7 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
 /* position of BODY, and the like */
 static value point_value(effect_scope *w, const formula *f, int which, vector point)
 {
-    const mechanism *made = &w->b->made;
+    const mechanism *m = &w->b->mechanism;
     const size_t count = sizeof of_bodies / sizeof of_bodies[0];
     size_t row = 0;
     while (row < count && strcmp(f->name, of_bodies[row].word) != 0) {
@@ -127,11 +127,11 @@ static value point_value(effect_scope *w, const formula *f, int which, vector po
     if (row < count && f->axes.text != NULL && of_bodies[row].kind != QUERY_VELOCITY && !is_measured) {
         source_problem(w->b->s, f->axes.at, "only a velocity, a spin and a specific force have axes to choose");
     }
-    if (row == count || which < 0 || !made->frames[which].placed) {
+    if (row == count || which < 0 || !m->frames[which].placed) {
         return nothing;
     }
     const vector leaves = point_query_of(w, of_bodies[row].kind, which, point, in_body);
-    value found = {.count = 3, .of = of_bodies[row].of};
+    value found = {.count = 3, .of = of_bodies[row].unit};
     memcpy(found.parts, leaves.at, sizeof leaves.at);
     return found;
 }
@@ -167,14 +167,13 @@ static bool find_account(effect_scope *w, const formula *f, value *found)
 }
 
 /* The body that the joint of a segment carries: its own segments lead from that body's to the parent's. */
-static int child_of(const mechanism *made, int at)
+static int child_of(const mechanism *m, int at)
 {
     int found = -1;
-    for (int child = 0; child < made->body_count; child++) {
-        const member *of = &made->members[child];
-        const int stop = of->parent == GROUND ? GROUND : made->frames[of->parent].segment;
-        for (int i = made->frames[child].segment; made->frames[child].placed && i != stop;
-             i = made->segments[i].parent) {
+    for (int child = 0; child < m->body_count; child++) {
+        const member *of = &m->members[child];
+        const int stop = of->parent == GROUND ? GROUND : m->frames[of->parent].segment;
+        for (int i = m->frames[child].segment; m->frames[child].placed && i != stop; i = m->segments[i].parent) {
             found = i == at ? child : found;
         }
     }
@@ -192,12 +191,12 @@ static value reaction_value(effect_scope *w, const formula *f)
         find_connection(b, called, &child, &loop);
     } else {
         const int l = segment_of(w, called);
-        child = l < 0 ? -1 : child_of(&b->made, l);
+        child = l < 0 ? -1 : child_of(&b->mechanism, l);
     }
     if (f->axes.text != NULL) {
         source_problem(b->s, f->axes.at, "a %s of a joint is in the axes of the ground", f->name);
     }
-    if (loop < 0 && (child < 0 || !b->made.frames[child].placed)) {
+    if (loop < 0 && (child < 0 || !b->mechanism.frames[child].placed)) {
         return nothing;
     }
     const vector zero = vector_zero(b->g);
@@ -207,9 +206,9 @@ static value reaction_value(effect_scope *w, const formula *f)
     return found;
 }
 
-value quantity_value(void *of, const formula *f)
+value quantity_value(void *context, const formula *f)
 {
-    effect_scope *w = of;
+    effect_scope *w = context;
     if (strcmp(f->name, "force") == 0 || strcmp(f->name, "moment") == 0) {
         return reaction_value(w, f);
     }
@@ -218,7 +217,7 @@ value quantity_value(void *of, const formula *f)
         return account;
     }
     graph *g = w->b->g;
-    const mechanism *made = &w->b->made;
+    const mechanism *m = &w->b->mechanism;
     int which;
     vector point;
     if (find_point(w, f->parts[0]->name, &which, &point)) {
@@ -233,7 +232,7 @@ value quantity_value(void *of, const formula *f)
     if (i < 0) {
         return nothing;
     }
-    const segment *l = &made->segments[i];
+    const segment *l = &m->segments[i];
     if (strcmp(f->name, "inertia") == 0) {
         static const dimension turning = {1, 2, 0, 0, 0, 0, 0};
         return (value){
@@ -242,7 +241,7 @@ value quantity_value(void *of, const formula *f)
     if (strcmp(f->name, "acceleration") == 0) {
         value found = {.count = 1, .of = dimension_of_quantity("speed", l)};
         dimension_times(&found.of, second, -1);
-        found.parts[0] = leaf(g, OP_DERIVATIVE, made->position_count + l->dof);
+        found.parts[0] = leaf(g, OP_DERIVATIVE, m->position_count + l->dof);
         return found;
     }
     if (strcmp(f->name, "position") != 0 && strcmp(f->name, "speed") != 0) {
@@ -252,6 +251,6 @@ value quantity_value(void *of, const formula *f)
     }
     const bool is_speed = strcmp(f->name, "speed") == 0;
     value found = {.count = 1, .of = dimension_of_quantity(f->name, l)};
-    found.parts[0] = leaf(g, OP_STATE, is_speed ? made->position_count + l->dof : l->position);
+    found.parts[0] = leaf(g, OP_STATE, is_speed ? m->position_count + l->dof : l->position);
     return found;
 }

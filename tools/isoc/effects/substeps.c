@@ -30,7 +30,7 @@ static bool has_middle(const mechanism *m)
 /* What else the scene asks for that a step of two rates has not. */
 static void check_method(builder *b, const effect_use *use)
 {
-    const unsigned recipe = b->made.recipe;
+    const unsigned recipe = b->mechanism.recipe;
     const place at = use->substeps->at;
     if (!ISO_TAKES_SUBSTEPS(recipe)) {
         source_problem(
@@ -47,7 +47,7 @@ static void check_method(builder *b, const effect_use *use)
                            use->name.text);
         }
     }
-    if (b->made.fast_substeps % 2 != 0 && has_middle(&b->made)) {
+    if (b->mechanism.fast_substeps % 2 != 0 && has_middle(&b->mechanism)) {
         source_problem(b->s, at, "rk4 needs an even number of sub-steps: half of them lead to the middle of the step");
     }
 }
@@ -63,24 +63,24 @@ static bool has_states(const mechanism *m, int effect)
 
 void build_substeps(builder *b)
 {
-    mechanism *made = &b->made;
-    made->fast_effects = arena_take(b->s->memory, (size_t)made->effect_count + 1, sizeof *made->fast_effects);
-    for (int i = 0; i < made->effect_count; i++) {
+    mechanism *m = &b->mechanism;
+    m->fast_effects = arena_take(b->s->memory, (size_t)m->effect_count + 1, sizeof *m->fast_effects);
+    for (int i = 0; i < m->effect_count; i++) {
         const effect_use *use = &b->written->effects[i];
         if (use->substeps == NULL || use->left_out || use->dropped || use->broken || b->is_effect_broken) {
             continue;
         }
         const int count = number_of_substeps(b, use);
-        const bool is_first = made->fast_substeps == 0;
-        if (count > 0 && !has_states(made, i)) {
+        const bool is_first = m->fast_substeps == 0;
+        if (count > 0 && !has_states(m, i)) {
             source_problem(b->s, use->substeps->at,
                            "'%s' has no states, which alone take sub-steps: leave out substeps", use->name.text);
-        } else if (count > 0 && !is_first && count != made->fast_substeps) {
+        } else if (count > 0 && !is_first && count != m->fast_substeps) {
             source_problem(b->s, use->substeps->at,
-                           "effects with sub-steps have the same number of them: another has %d", made->fast_substeps);
+                           "effects with sub-steps have the same number of them: another has %d", m->fast_substeps);
         } else if (count > 0) {
-            made->fast_effects[i] = true;
-            made->fast_substeps = count;
+            m->fast_effects[i] = true;
+            m->fast_substeps = count;
             if (is_first) {
                 check_method(b, use);
             }

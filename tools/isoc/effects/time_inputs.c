@@ -28,9 +28,9 @@ static bool is_stream(const formula *f)
 static time_input *time_input_called(const builder *b, const formula *f, const effect_use *within)
 {
     for (int i = 0; i < b->time_input_count; i++) {
-        time_input *of = &b->time_inputs[i];
-        if (is_time(f) ? is_time(of->of) : of->of == f && of->within == within) {
-            return of;
+        time_input *t = &b->time_inputs[i];
+        if (is_time(f) ? is_time(t->of) : t->of == f && t->within == within) {
+            return t;
         }
     }
     return NULL;
@@ -41,7 +41,7 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
     if (f == NULL) {
         return;
     }
-    const size_t all = b->written->input_count + (size_t)(b->made.memory_count + b->time_input_count);
+    const size_t all = b->written->input_count + (size_t)(b->mechanism.memory_count + b->time_input_count);
     const bool is_new = is_stream(f) && time_input_called(b, f, within) == NULL;
     if (is_new && all == MOST_MEMORIES) {
         source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
@@ -92,26 +92,26 @@ void find_time_inputs(builder *b)
 
 void build_time_inputs(builder *b)
 {
-    mechanism *made = &b->made;
+    mechanism *m = &b->mechanism;
     const int first = (int)b->written->input_count;
-    made->time_input_of = arena_take(b->s->memory, (size_t)made->input_count + 1, sizeof *made->time_input_of);
-    made->time_inputs = arena_take(b->s->memory, (size_t)b->time_input_count + 1, sizeof *made->time_inputs);
-    made->time_input_count = b->time_input_count;
+    m->time_input_of = arena_take(b->s->memory, (size_t)m->input_count + 1, sizeof *m->time_input_of);
+    m->time_inputs = arena_take(b->s->memory, (size_t)b->time_input_count + 1, sizeof *m->time_inputs);
+    m->time_input_count = b->time_input_count;
     for (int i = 0; i < first; i++) {
-        made->time_input_of[i] = -1;
+        m->time_input_of[i] = -1;
     }
     for (int i = 0; i < b->time_input_count; i++) {
-        const time_input *of = &b->time_inputs[i];
-        const name origin = of->within != NULL ? of->within->name : (name){NULL, of->of->at};
-        made->time_input_of[first + i] = i;
-        made->time_inputs[i] = (time_input_origin){of->of->name, origin};
-        made->inputs[first + i] = (variable){.name = arena_format(b->s->memory, "made_%s_%d", of->of->name, i + 1),
-                                             .unit = is_time(of->of) ? "s" : "1",
-                                             .quote = source_quote(b->s, of->of->at),
-                                             .least = -HUGE_VAL,
-                                             .most = HUGE_VAL};
-        made->driven[first + i] = true;
-        made->drives[first + i] = constant(b->g, 0.0);
+        const time_input *t = &b->time_inputs[i];
+        const name origin = t->within != NULL ? t->within->name : (name){NULL, t->of->at};
+        m->time_input_of[first + i] = i;
+        m->time_inputs[i] = (time_input_origin){t->of->name, origin};
+        m->inputs[first + i] = (variable){.name = arena_format(b->s->memory, "made_%s_%d", t->of->name, i + 1),
+                                          .unit = is_time(t->of) ? "s" : "1",
+                                          .quote = source_quote(b->s, t->of->at),
+                                          .least = -HUGE_VAL,
+                                          .most = HUGE_VAL};
+        m->driven[first + i] = true;
+        m->drives[first + i] = constant(b->g, 0.0);
     }
 }
 
@@ -144,22 +144,22 @@ static value drive_of(builder *b, const formula *f, const effect_use *within)
     return found;
 }
 
-value time_input_value(void *of, const formula *f)
+value time_input_value(void *context, const formula *f)
 {
-    const effect_scope *w = of;
+    const effect_scope *w = context;
     builder *b = w->b;
     const effect_use *within = w->within == NULL ? NULL : w->within->use;
     time_input *s = time_input_called(b, f, within);
     if (s == NULL) { /* only its dimension is asked for */
         return (value){.count = 1, .parts = {constant(b->g, 0.0)}, .of = is_time(f) ? second : no_unit};
     }
-    if (s->made.count == 0) {
+    if (s->drive.count == 0) {
         const int input = (int)b->written->input_count + (int)(s - b->time_inputs);
-        s->made = drive_of(b, f, within);
-        if (s->made.count == 1) {
-            b->made.drives[input] = s->made.parts[0];
-            s->made.parts[0] = leaf(b->g, OP_INPUT, input);
+        s->drive = drive_of(b, f, within);
+        if (s->drive.count == 1) {
+            b->mechanism.drives[input] = s->drive.parts[0];
+            s->drive.parts[0] = leaf(b->g, OP_INPUT, input);
         }
     }
-    return s->made;
+    return s->drive;
 }

@@ -95,23 +95,23 @@ typedef struct units {
     int count;
 } units;
 
-static int unit_number(units *u, const char *of)
+static int unit_number(units *u, const char *word)
 {
     int i = 0;
-    while (i < u->count && strcmp(u->all[i], of) != 0) {
+    while (i < u->count && strcmp(u->all[i], word) != 0) {
         i++;
     }
     if (i == u->count) {
-        u->all[u->count++] = of;
+        u->all[u->count++] = word;
     }
     return i + 1;
 }
 
 /* A limit; none is the largest of the type. */
-static const char *limit(arena *memory, const plant *p, double of)
+static const char *limit(arena *memory, const plant *p, double x)
 {
     const char *const most = p->is_double ? "1.7976931348623157e+308" : "3.4028234663852886e+38";
-    return isinf(of) ? arena_format(memory, "%s%s", of < 0.0 ? "-" : "", most) : arena_format(memory, "%.15g", of);
+    return isinf(x) ? arena_format(memory, "%s%s", x < 0.0 ? "-" : "", most) : arena_format(memory, "%.15g", x);
 }
 
 static const char *about(arena *memory, const section *s, const variable *v)

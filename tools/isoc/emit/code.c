@@ -115,7 +115,7 @@ static const char *operand(const emitter *e, node n, binding least)
 }
 
 /* The parts of an expression that stand inside it, down to declared quantities and leaves: what a piece reads. */
-static void note_reads(emitter *e, code_piece *made, const node *open, size_t count)
+static void note_reads(emitter *e, code_piece *result, const node *open, size_t count)
 {
     graph *g = e->g;
     size_t room = 0, read_room = 0, leaf_room = 0;
@@ -130,13 +130,14 @@ static void note_reads(emitter *e, code_piece *made, const node *open, size_t co
         const bool turns = n->op == OP_SIN || n->op == OP_COS;
         const size_t piece = turns ? e->turn_piece_of[n->a] : e->piece_of[i];
         if (piece > 0) {
-            made->reads = arena_grow(g->memory, made->reads, made->read_count, &read_room, sizeof *made->reads);
-            made->reads[made->read_count++] = piece - 1;
+            result->reads = arena_grow(g->memory, result->reads, result->read_count, &read_room, sizeof *result->reads);
+            result->reads[result->read_count++] = piece - 1;
             continue;
         }
         if (operators[n->op].operands == 0) {
-            made->leaves = arena_grow(g->memory, made->leaves, made->leaf_count, &leaf_room, sizeof *made->leaves);
-            made->leaves[made->leaf_count++] = i;
+            result->leaves =
+                arena_grow(g->memory, result->leaves, result->leaf_count, &leaf_room, sizeof *result->leaves);
+            result->leaves[result->leaf_count++] = i;
         }
         for (int k = 0; k < operators[n->op].operands; k++) {
             list = arena_grow(g->memory, list, count, &room, sizeof *list);
@@ -146,15 +147,15 @@ static void note_reads(emitter *e, code_piece *made, const node *open, size_t co
 }
 
 /* What was written since the last piece is one, made of these nodes. */
-static void note_piece(emitter *e, const char *declares, bool is_turn, const node *of, size_t count)
+static void note_piece(emitter *e, const char *declares, bool is_turn, const node *n, size_t count)
 {
     code_pieces *p = e->pieces;
     if (p != NULL) {
-        code_piece made = {.declares = declares, .is_turn = is_turn};
-        note_reads(e, &made, of, count);
-        made.end = e->out->length;
+        code_piece result = {.declares = declares, .is_turn = is_turn};
+        note_reads(e, &result, n, count);
+        result.end = e->out->length;
         p->all = arena_grow(e->g->memory, p->all, p->count, &p->room, sizeof *p->all);
-        p->all[p->count++] = made;
+        p->all[p->count++] = result;
     }
 }
 
@@ -269,20 +270,20 @@ static const char *part(emitter *e, const graph_node *n, char letter)
 static rendering show(emitter *e, const graph_node *n)
 {
     const operator_row *row = &operators[n->op];
-    text made = {.memory = e->g->memory};
+    text result = {.memory = e->g->memory};
     if (n->op == OP_ADD && is_constant(e->g, n->a) && constant_value(e->g, n->a) < 0.0) {
-        text_add(&made, "%s - %s", operand(e, n->b, BINDS_SUM), number(e, -constant_value(e->g, n->a)));
-        return (rendering){made.bytes, BINDS_SUM};
+        text_add(&result, "%s - %s", operand(e, n->b, BINDS_SUM), number(e, -constant_value(e->g, n->a)));
+        return (rendering){result.bytes, BINDS_SUM};
     }
-    text_add(&made, "%s", "");
+    text_add(&result, "%s", "");
     for (const char *c = row->text; *c != '\0'; c++) {
         if (*c == '@') {
-            text_add(&made, "%s", part(e, n, *++c));
+            text_add(&result, "%s", part(e, n, *++c));
         } else {
-            text_add(&made, "%c", *c);
+            text_add(&result, "%c", *c);
         }
     }
-    return (rendering){made.bytes, row->binds};
+    return (rendering){result.bytes, row->binds};
 }
 
 /* A node with a name or several uses is declared; the others are written where they are used, unless they grow long. */
@@ -300,8 +301,8 @@ static void emit_node(emitter *e, node i)
     quote_mark(e, name);
     statement(e->out, arena_format(e->g->memory, "const real %s = %s;", name, e->shown[i].text));
     e->shown[i] = (rendering){name, BINDS_WHOLE};
-    const node of[2] = {n->a, n->b};
-    note_piece(e, name, false, of, (size_t)operators[n->op].operands);
+    const node root[2] = {n->a, n->b};
+    note_piece(e, name, false, root, (size_t)operators[n->op].operands);
     e->piece_of[i] = e->pieces == NULL ? 0 : e->pieces->count;
 }
 
@@ -340,11 +341,11 @@ static void declare_leaves(emitter *e)
         for (size_t i = 0; i < e->g->count && operators[op].array != NULL; i++) {
             const graph_node *n = &e->g->nodes[i];
             if (e->needed[i] && n->op == op) {
-                const char *made = declaration(e, (node)i);
+                const char *result = declaration(e, (node)i);
                 const char array = operators[op].array[0];
                 const leaf_name *leaf = op == OP_FACTOR ? NULL : leaf_of(e, array == 'd' ? 'x' : array, n->index);
                 quote(e, leaf != NULL && e->c->quotes_leaves ? leaf->quote : NULL);
-                text_add(e->out, "%s", made);
+                text_add(e->out, "%s", result);
             }
         }
     }
@@ -401,15 +402,15 @@ code_pieces code_in_pieces(const code *c, double *out_of_range_value)
     node *roots = arena_take(memory, c->count + 1, sizeof *roots);
     graph *g = arena_take(memory, 1, sizeof *g);
     *g = economise(c->g, c->roots, c->count, roots);
-    code_pieces made = {
-        .g = g, .text = {.memory = memory}, .leaves = arena_take(memory, g->count, sizeof *made.leaves)};
-    emitter e = begin(c, g, roots, &made.text);
+    code_pieces result = {
+        .g = g, .text = {.memory = memory}, .leaves = arena_take(memory, g->count, sizeof *result.leaves)};
+    emitter e = begin(c, g, roots, &result.text);
     int *first = arena_take(memory, g->count, sizeof *first), *next = arena_take(memory, c->count + 1, sizeof *next);
-    e.pieces = &made;
+    e.pieces = &result;
     list_targets(&e, first, next);
-    text_add(&made.text, "{\n");
+    text_add(&result.text, "{\n");
     for (size_t i = 0; i < g->count; i++) {
-        made.leaves[i] = e.needed[i] ? declaration(&e, (node)i) : NULL;
+        result.leaves[i] = e.needed[i] ? declaration(&e, (node)i) : NULL;
     }
     for (size_t i = 0; i < g->count; i++) {
         if (e.needed[i]) {
@@ -418,10 +419,10 @@ code_pieces code_in_pieces(const code *c, double *out_of_range_value)
         for (int target = first[i]; target >= 0; target = next[target]) {
             const node root = (node)i;
             quote(&e, c->quotes == NULL ? NULL : c->quotes[target]);
-            statement(&made.text, arena_format(memory, "%s = %s;", c->targets[target], e.shown[i].text));
+            statement(&result.text, arena_format(memory, "%s = %s;", c->targets[target], e.shown[i].text));
             note_piece(&e, NULL, false, &root, 1);
         }
     }
     *out_of_range_value = e.out_of_range_value;
-    return made;
+    return result;
 }

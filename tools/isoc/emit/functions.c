@@ -19,9 +19,9 @@ static argument argument_of(const emission *e, int i)
     return i == 2 && e->in_step && e->p->held.count > 0 ? held_argument : arguments[i];
 }
 
-bool code_uses(const emission *e, const code *made, operation op)
+bool code_uses(const emission *e, const code *result, operation op)
 {
-    return uses_operation(e->g, made->roots, made->count, op);
+    return uses_operation(e->g, result->roots, result->count, op);
 }
 
 /* array[CART_X_RAIL], ... */
@@ -53,10 +53,10 @@ code code_of(const emission *e, const char *const *targets, const node *roots, i
                   .count = (size_t)count};
 }
 
-void emit_code(emission *e, const code *made)
+void emit_code(emission *e, const code *result)
 {
     double out_of_range_value;
-    if (!code_emit(made, e->out, &out_of_range_value)) {
+    if (!code_emit(result, e->out, &out_of_range_value)) {
         e->out_of_range_value = out_of_range_value;
     }
 }
@@ -75,9 +75,9 @@ static void emit_head(emission *e, const char *head, const char *function, const
 static void emit_unread(emission *e, const bool *reads, const char *more)
 {
     for (int i = 0; i < 3; i++) {
-        const argument of = argument_of(e, i);
-        if (!reads[of.op]) {
-            text_add(e->out, "    (void)%s;\n", of.name);
+        const argument a = argument_of(e, i);
+        if (!reads[a.op]) {
+            text_add(e->out, "    (void)%s;\n", a.name);
         }
     }
     if (strstr(more, "hb") != NULL && !reads[OP_STEP]) {
@@ -115,13 +115,13 @@ static void emit_parts(emission *e, const char *function, const char *array, con
 
 /* A function that fills `array` from x, u and p; `more` are further parameters. A long one is split: the time of gcc -O2
  * grows with the square of a function's length, and is least for parts of some hundred statements. */
-static void emit_function(emission *e, const char *function, const char *array, const char *more, const code *made)
+static void emit_function(emission *e, const char *function, const char *array, const char *more, const code *result)
 {
     enum { LONG = 3000, OF_PART = 250 };
-    const operations n = count_operations(e->g, made->roots, made->count);
-    if ((size_t)(n.add + n.mul) + made->count > LONG) {
+    const operations n = count_operations(e->g, result->roots, result->count);
+    if ((size_t)(n.add + n.mul) + result->count > LONG) {
         double out_of_range_value;
-        const code_pieces pieces = code_in_pieces(made, &out_of_range_value);
+        const code_pieces pieces = code_in_pieces(result, &out_of_range_value);
         if (pieces.count > LONG) {
             e->out_of_range_value = out_of_range_value != 0.0 ? out_of_range_value : e->out_of_range_value;
             emit_parts(e, function, array, more, code_split(&pieces, OF_PART));
@@ -130,22 +130,22 @@ static void emit_function(emission *e, const char *function, const char *array, 
     }
     bool reads[OPERATIONS] = {false};
     for (operation op = 0; op < OPERATIONS; op++) {
-        reads[op] = code_uses(e, made, op);
+        reads[op] = code_uses(e, result, op);
     }
     emit_head(e, "", function, array, "", more);
     emit_unread(e, reads, more);
-    emit_code(e, made);
+    emit_code(e, result);
     text_add(e->out, "}\n\n");
 }
 
 /* A function that computes the values of h from one to before another, from an array. */
 static void emit_held(emission *e, const char *function, const char *array, int first, int end)
 {
-    code made = code_of(e, numbered(e, "h", end) + first, e->p->held.values + first, end - first);
-    made.quotes_leaves = true;
+    code result = code_of(e, numbered(e, "h", end) + first, e->p->held.values + first, end - first);
+    result.quotes_leaves = true;
     text_add(e->out, "static void %s%s(real *restrict const h, const real *restrict const %s)\n{\n", function,
              e->suffix, array);
-    emit_code(e, &made);
+    emit_code(e, &result);
     text_add(e->out, "}\n\n");
 }
 
@@ -183,18 +183,18 @@ static void emit_derivative(emission *e)
         marks[i] = (mark){m->closures[i].name, source_quote(m->source, m->closures[i].at)};
     }
     const char *const *targets = places_in(e, "dx", e->names->leaves.states, state_count(m));
-    code made = code_of(e, targets, e->p->held_derivatives, state_count(m));
-    made.quotes_leaves = true;
-    made.marks = marks;
-    made.mark_count = (size_t)m->closure_count;
+    code result = code_of(e, targets, e->p->held_derivatives, state_count(m));
+    result.quotes_leaves = true;
+    result.marks = marks;
+    result.mark_count = (size_t)m->closure_count;
     const char *function = arena_format(e->out->memory, "derivative%s", e->suffix);
     if (e->p->held.count == 0) {
-        emit_function(e, function, "dx", "", &made);
+        emit_function(e, function, "dx", "", &result);
         return;
     }
     emit_hold(e);
     e->in_step = true;
-    emit_function(e, arena_format(e->out->memory, "held_%s", function), "dx", "", &made);
+    emit_function(e, arena_format(e->out->memory, "held_%s", function), "dx", "", &result);
     e->in_step = false;
     if (!asks_for_derivative(e)) {
         return;
@@ -212,9 +212,9 @@ static void emit_derivative(emission *e)
 static void emit_rates(emission *e)
 {
     const char *const *targets = places_in(e, "dx", e->names->leaves.states, e->p->rate_count);
-    const code made = code_of(e, targets, e->p->held_derivatives, e->p->rate_count);
+    const code result = code_of(e, targets, e->p->held_derivatives, e->p->rate_count);
     e->in_step = true;
-    emit_function(e, "rates", "dx", "", &made);
+    emit_function(e, "rates", "dx", "", &result);
     e->in_step = false;
 }
 
@@ -226,19 +226,19 @@ static void emit_fast(emission *e)
     if (e->p->is_flat) {
         text_add(e->out, "static inline iso_derivative fast_derivative%s;\n", e->suffix);
     }
-    const code made = code_of(e, numbered(e, "dx", fast->count), fast->derivatives, fast->count);
+    const code result = code_of(e, numbered(e, "dx", fast->count), fast->derivatives, fast->count);
     e->in_step = true;
-    emit_function(e, arena_format(e->out->memory, "fast_derivative%s", e->suffix), "dx", "", &made);
+    emit_function(e, arena_format(e->out->memory, "fast_derivative%s", e->suffix), "dx", "", &result);
     e->in_step = false;
 }
 
-void emit_arrays(const emission *e, const code *made)
+void emit_arrays(const emission *e, const code *result)
 {
     const mechanism *m = e->p->m;
-    const bool derives = code_uses(e, made, OP_DERIVATIVE);
+    const bool derives = code_uses(e, result, OP_DERIVATIVE);
     const int sizes[] = {state_count(m), held_count(m), m->parameter_count};
     for (int i = 0; i < 3; i++) {
-        if (code_uses(e, made, arguments[i].op) || (derives && sizes[i] > 0)) {
+        if (code_uses(e, result, arguments[i].op) || (derives && sizes[i] > 0)) {
             text_add(e->out, "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
         }
     }
@@ -252,12 +252,12 @@ void emit_arrays(const emission *e, const code *made)
 static void emit_number(emission *e, const char *function, const node *root)
 {
     static const char *const target = "number";
-    const code made = code_of(e, &target, root, 1);
+    const code result = code_of(e, &target, root, 1);
     text_add(e->out, "static real %s(const void *const instance)\n{\n", function);
     text_add(e->out, "    const %s_memory *const memory = instance;\n", e->names->prefix);
-    emit_arrays(e, &made);
+    emit_arrays(e, &result);
     text_add(e->out, "    real number;\n");
-    emit_code(e, &made);
+    emit_code(e, &result);
     text_add(e->out, "    return number;\n}\n\n");
 }
 

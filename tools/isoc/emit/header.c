@@ -87,12 +87,12 @@ static void emit_memory_places(const emission *e)
 }
 
 /* A limit; none is the largest real. */
-static const char *limit(const emission *e, double of)
+static const char *limit(const emission *e, double x)
 {
-    if (isinf(of)) {
-        return of < 0.0 ? "-ISO_REAL_MAX" : "ISO_REAL_MAX";
+    if (isinf(x)) {
+        return x < 0.0 ? "-ISO_REAL_MAX" : "ISO_REAL_MAX";
     }
-    return code_literal(e->out->memory, of, e->p->is_double);
+    return code_literal(e->out->memory, x, e->p->is_double);
 }
 
 /* What is known of the quantities of an array, for those who ask at run time. */

@@ -188,11 +188,11 @@ void emit_memory(const emission *e)
     text_add(e->out, "/* All that a plant keeps, without pointers: a copy of it is a snapshot. */\n");
     text_add(e->out, "typedef struct %s_memory {\n", e->names->prefix);
     for (int i = 0; i < list.count; i++) {
-        const part *of = &list.parts[i];
-        if (of->about == NULL) {
-            text_add(e->out, "    %s;\n", of->declaration);
+        const part *p = &list.parts[i];
+        if (p->about == NULL) {
+            text_add(e->out, "    %s;\n", p->declaration);
         } else {
-            text_add(e->out, "    %s; /* %s */\n", of->declaration, of->about);
+            text_add(e->out, "    %s; /* %s */\n", p->declaration, p->about);
         }
     }
     text_add(e->out, "} %s_memory;\n\n", e->names->prefix);

@@ -26,21 +26,21 @@ static leaf_name leaf_of(const naming *n, arena *memory, char array, const char 
 /* u_PUSH, p_MASS */
 static const leaf_name *leaves_of(const naming *n, arena *memory, char array, const variable *all, int count)
 {
-    leaf_name *made = arena_take(memory, (size_t)count + 1, sizeof *made);
+    leaf_name *result = arena_take(memory, (size_t)count + 1, sizeof *result);
     for (int i = 0; i < count; i++) {
         const char *symbol = arena_format(memory, "%c_%s", tolower((unsigned char)array), all[i].name);
-        made[i] = leaf_of(n, memory, array, symbol, &all[i]);
+        result[i] = leaf_of(n, memory, array, symbol, &all[i]);
     }
-    return made;
+    return result;
 }
 
 static const leaf_name *states_of(const naming *n, arena *memory, int count)
 {
-    leaf_name *made = arena_take(memory, (size_t)count + 1, sizeof *made);
+    leaf_name *result = arena_take(memory, (size_t)count + 1, sizeof *result);
     for (int i = 0; i < count; i++) {
-        made[i] = leaf_of(n, memory, 'X', n->states[i].symbol, &n->states[i].about);
+        result[i] = leaf_of(n, memory, 'X', n->states[i].symbol, &n->states[i].about);
     }
-    return made;
+    return result;
 }
 
 /* What is constant within a step: inputs, then memories. */
@@ -59,19 +59,19 @@ static const leaf_name *held_of(const naming *n, arena *memory, const mechanism 
 naming naming_of(const plant *p, arena *memory, const char *prefix)
 {
     const mechanism *m = p->m;
-    naming made = {.prefix = prefix == NULL ? "plant" : prefix, .is_program = prefix == NULL};
-    made.capitals = capitals_of(memory, made.prefix);
-    made.states = mechanism_states(m, memory);
-    made.leaves.states = states_of(&made, memory, state_count(m));
-    made.leaves.inputs = held_of(&made, memory, m);
-    made.leaves.parameters = leaves_of(&made, memory, 'P', m->parameters, m->parameter_count);
+    naming result = {.prefix = prefix == NULL ? "plant" : prefix, .is_program = prefix == NULL};
+    result.capitals = capitals_of(memory, result.prefix);
+    result.states = mechanism_states(m, memory);
+    result.leaves.states = states_of(&result, memory, state_count(m));
+    result.leaves.inputs = held_of(&result, memory, m);
+    result.leaves.parameters = leaves_of(&result, memory, 'P', m->parameters, m->parameter_count);
     const char **outputs = arena_take(memory, (size_t)p->output_count + 1, sizeof *outputs);
     const char **quotes = arena_take(memory, (size_t)p->output_count + 1, sizeof *quotes);
     for (int i = 0; i < p->output_count; i++) {
-        outputs[i] = place_of(&made, memory, 'Y', p->output_names[i]);
+        outputs[i] = place_of(&result, memory, 'Y', p->output_names[i]);
         quotes[i] = source_quote(m->source, p->output_shows[i]->name.at);
     }
-    made.outputs = outputs;
-    made.output_quotes = quotes;
-    return made;
+    result.outputs = outputs;
+    result.output_quotes = quotes;
+    return result;
 }

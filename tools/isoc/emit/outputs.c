@@ -3,23 +3,23 @@
 #include "tools/isoc/plant/rates.h"
 
 /* A function of this name that computes these outputs; `head` stands before it. */
-static void emit_outputs_of(emission *e, const char *head, const char *function, const output_rate *of)
+static void emit_outputs_of(emission *e, const char *head, const char *function, const output_rate *o)
 {
-    const char **targets = arena_take(e->out->memory, (size_t)of->count + 1, sizeof *targets),
-               **quotes = arena_take(e->out->memory, (size_t)of->count + 1, sizeof *quotes);
-    for (int i = 0; i < of->count; i++) {
-        targets[i] = arena_format(e->out->memory, "y[%s]", e->names->outputs[of->which[i]]);
-        quotes[i] = e->names->output_quotes[of->which[i]];
+    const char **targets = arena_take(e->out->memory, (size_t)o->count + 1, sizeof *targets),
+               **quotes = arena_take(e->out->memory, (size_t)o->count + 1, sizeof *quotes);
+    for (int i = 0; i < o->count; i++) {
+        targets[i] = arena_format(e->out->memory, "y[%s]", e->names->outputs[o->which[i]]);
+        quotes[i] = e->names->output_quotes[o->which[i]];
     }
-    code made = code_of(e, targets, of->roots, of->count);
-    made.quotes = quotes;
+    code result = code_of(e, targets, o->roots, o->count);
+    result.quotes = quotes;
     text_add(e->out, "%sstatic void %s%s(void *const instance)\n{\n", head, function, e->suffix);
     text_add(e->out, "    %s_memory *const memory = instance;\n    real *const y = memory->y;\n", e->names->prefix);
-    emit_arrays(e, &made);
-    if (code_uses(e, &made, OP_LOCAL_ERROR) || code_uses(e, &made, OP_RESIDUAL)) {
+    emit_arrays(e, &result);
+    if (code_uses(e, &result, OP_LOCAL_ERROR) || code_uses(e, &result, OP_RESIDUAL)) {
         text_add(e->out, "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));
     }
-    emit_code(e, &made);
+    emit_code(e, &result);
     text_add(e->out, "}\n\n");
 }
 

@@ -44,7 +44,7 @@ bool sets_rows(const plant *p);
 bool has_begin(const emission *e);
 
 /* The last place in the ring of a delay, whose number of places is a power of two: a row is a place by its last bits. */
-unsigned long last_of_ring(const effect_quantity *of);
+unsigned long last_of_ring(const effect_quantity *e);
 
 /* Whether something is a function of time, that every tick sets. */
 bool is_driven(const plant *p);
@@ -87,9 +87,9 @@ void emit_functions(emission *e);
 /* What its functions are made of: targets that are set to roots; whether these need a node of an operation; the arrays of the
  * plant's memory that a function of it reads, all that there are where it asks for the derivative; and the statements. */
 code code_of(const emission *e, const char *const *targets, const node *roots, int count);
-bool code_uses(const emission *e, const code *made, operation op);
-void emit_arrays(const emission *e, const code *made);
-void emit_code(emission *e, const code *made);
+bool code_uses(const emission *e, const code *result, operation op);
+void emit_arrays(const emission *e, const code *result);
+void emit_code(emission *e, const code *result);
 
 /* rows.c: what a row sets: functions of time, at the begin of a tick and for what its end shows; memories; and the starts. */
 void emit_drive(emission *e);

@@ -4,9 +4,9 @@
 /* `function` of each rung, the topmost first: those of what is left of the plant there. */
 static void emit_table_of_rungs(emission *e, const char *type, const char *function)
 {
-    const policies *of = &e->p->m->policies;
+    const policies *how = &e->p->m->policies;
     text_add(e->out, "static %s (*const %s_of_rungs[])(void *memory) = {%s", type, function, function);
-    for (int i = 0; i < of->rung_count; i++) {
+    for (int i = 0; i < how->rung_count; i++) {
         const reduced_plant *left = reduced_plant_on_rung(e->p, i);
         text_add(e->out, ", %s%s", function, left == NULL ? "" : left->suffix);
     }
@@ -31,39 +31,39 @@ static void emit_rungs(emission *e, const char *counts)
 
 void emit_policies(emission *e)
 {
-    const policies *of = &e->p->m->policies;
-    const char *counts = of->histogram ? "&policed.counts" : "&policed";
+    const policies *how = &e->p->m->policies;
+    const char *counts = how->histogram ? "&policed.counts" : "&policed";
     text_add(e->out, "/* What the scene asks for about ticks that do not keep their time. */\n");
     text_add(e->out, "static %s policed = {%s.latency = %d%s};\n\n",
-             of->histogram ? "iso_policy_histogram" : "iso_policy_counts", of->histogram ? ".counts = {" : "",
-             of->delayed ? 1 : 0, of->histogram ? "}" : "");
+             how->histogram ? "iso_policy_histogram" : "iso_policy_counts", how->histogram ? ".counts = {" : "",
+             how->delayed ? 1 : 0, how->histogram ? "}" : "");
     text_add(e->out, "static bool account(iso_loop *const loop, const iso_news *const news)\n{\n");
-    if (of->grace > 0.0) {
-        text_add(e->out, "    iso_policy_grace(loop, %s, news, UINT32_C(%.0f));\n", counts, of->grace);
+    if (how->grace > 0.0) {
+        text_add(e->out, "    iso_policy_grace(loop, %s, news, UINT32_C(%.0f));\n", counts, how->grace);
     }
-    if (of->histogram) {
+    if (how->histogram) {
         text_add(e->out, "    iso_policy_bin(loop, &policed, news);\n");
     }
-    if (of->overrun == OVERRUN_CATCH_UP) {
-        text_add(e->out, "    iso_policy_catch_up(loop, %s, UINT32_C(%.0f));\n", counts, of->catch_up);
+    if (how->overrun == OVERRUN_CATCH_UP) {
+        text_add(e->out, "    iso_policy_catch_up(loop, %s, UINT32_C(%.0f));\n", counts, how->catch_up);
     }
-    if (of->overrun == OVERRUN_DEGRADE) {
+    if (how->overrun == OVERRUN_DEGRADE) {
         text_add(e->out, "    iso_policy_degrade(loop, %s, news, UINT32_C(%.0f), %d, UINT32_C(%.0f));\n", counts,
-                 of->grace, of->rung_count, of->after);
+                 how->grace, how->rung_count, how->after);
     }
-    if (of->overrun != OVERRUN_STOP && of->overrun != OVERRUN_DEGRADE && !(of->grace > 0.0) && !of->histogram) {
-        text_add(e->out, "%s    (void)news;\n", of->overrun == OVERRUN_CATCH_UP ? "" : "    (void)loop;\n");
+    if (how->overrun != OVERRUN_STOP && how->overrun != OVERRUN_DEGRADE && !(how->grace > 0.0) && !how->histogram) {
+        text_add(e->out, "%s    (void)news;\n", how->overrun == OVERRUN_CATCH_UP ? "" : "    (void)loop;\n");
     }
-    if (of->overrun == OVERRUN_STOP) {
-        text_add(e->out, "    return iso_policy_stop(loop, %s, news, UINT32_C(%.0f));\n}\n\n", counts, of->grace);
+    if (how->overrun == OVERRUN_STOP) {
+        text_add(e->out, "    return iso_policy_stop(loop, %s, news, UINT32_C(%.0f));\n}\n\n", counts, how->grace);
     } else {
         text_add(e->out, "    return true;\n}\n\n");
     }
     text_add(e->out,
              "static const iso_policy policy = {\n    .account = account,\n    .counts = %s,\n"
              "    .count = sizeof policed / sizeof(uint64_t),\n    .rungs = %d,\n    .delays = %s,\n};\n\n",
-             counts, of->overrun == OVERRUN_DEGRADE ? of->rung_count : 0, of->delayed ? "true" : "false");
-    if (of->overrun == OVERRUN_DEGRADE) {
+             counts, how->overrun == OVERRUN_DEGRADE ? how->rung_count : 0, how->delayed ? "true" : "false");
+    if (how->overrun == OVERRUN_DEGRADE) {
         emit_rungs(e, counts);
     }
 }

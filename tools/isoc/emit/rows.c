@@ -8,8 +8,8 @@ bool keeps_rows(const plant *p)
 {
     bool any = has_slow_outputs(p->m) || p->rows.any;
     for (int i = 0; i < p->m->memory_count; i++) {
-        const effect_quantity *of = &p->m->memories[i];
-        any = any || of->kept == KEPT_SAMPLE || (of->kept == KEPT_DELAY && of->ticks > 1.0);
+        const effect_quantity *e = &p->m->memories[i];
+        any = any || e->kept == KEPT_SAMPLE || (e->kept == KEPT_DELAY && e->ticks > 1.0);
     }
     return any;
 }
@@ -28,10 +28,10 @@ bool is_driven(const plant *p)
     return any;
 }
 
-unsigned long last_of_ring(const effect_quantity *of)
+unsigned long last_of_ring(const effect_quantity *e)
 {
     unsigned long places = 1;
-    while ((double)places < of->ticks) {
+    while ((double)places < e->ticks) {
         places *= 2;
     }
     return places - 1;
@@ -62,9 +62,9 @@ static void assign(assignments *to, const char *target, const char *quote, node 
 
 static code code_of_assignments(const emission *e, const assignments *all)
 {
-    code made = code_of(e, all->targets, all->roots, all->count);
-    made.quotes = all->quotes;
-    return made;
+    code result = code_of(e, all->targets, all->roots, all->count);
+    result.quotes = all->quotes;
+    return result;
 }
 
 static const char *input_place(const emission *e, int i)
@@ -99,18 +99,19 @@ static void begin_rows_function(emission *e, const char *head, const char *funct
 static assignments functions_of_time(const emission *e, bool is_row)
 {
     const mechanism *m = e->p->m;
-    assignments made = room_for(e, m->input_count + m->clocks.count);
+    assignments result = room_for(e, m->input_count + m->clocks.count);
     for (int i = 0; i < m->input_count; i++) {
         const bool is_seen = e->p->rows.sees[i] >= 0, is_again = is_seen && e->p->rows.sees_again[i];
         if (m->driven[i] && (is_row ? is_seen : !is_seen || is_again)) {
-            assign(&made, input_place(e, i), m->inputs[i].quote, is_row ? e->p->rows.sees[i] : m->drives[i]);
+            assign(&result, input_place(e, i), m->inputs[i].quote, is_row ? e->p->rows.sees[i] : m->drives[i]);
         }
     }
     for (int i = 0; i < m->clocks.count && !is_row; i++) {
         const leaf_name *leaf = &e->names->leaves.states[m->clocks.first + i];
-        assign(&made, arena_format(e->out->memory, "memory->x[%s]", leaf->place), NULL, m->drives[m->input_count + i]);
+        assign(&result, arena_format(e->out->memory, "memory->x[%s]", leaf->place), NULL,
+               m->drives[m->input_count + i]);
     }
-    return made;
+    return result;
 }
 
 /* What of the inputs jumps by itself, at any tick. */
@@ -121,16 +122,16 @@ static void emit_edges(emission *e)
     for (int i = 0; i < m->edge_count; i++) {
         targets[i] = arena_format(e->out->memory, "now[%d]", i);
     }
-    const code made = code_of(e, targets, m->edges, m->edge_count);
+    const code result = code_of(e, targets, m->edges, m->edge_count);
     text_add(e->out, "/* What jumps at ticks that are known. */\n");
     text_add(e->out, "static void find_edges(real *const now, const uint64_t tick)\n{\n");
-    emit_code(e, &made);
+    emit_code(e, &result);
     text_add(e->out, "}\n\n");
 }
 
-static void emit_parameters(const emission *e, const code *made)
+static void emit_parameters(const emission *e, const code *result)
 {
-    if (code_uses(e, made, OP_PARAMETER)) {
+    if (code_uses(e, result, OP_PARAMETER)) {
         text_add(e->out, "    const real *const p = memory->p;\n");
     }
 }
@@ -140,7 +141,7 @@ static void emit_seen(emission *e)
 {
     const mechanism *m = e->p->m;
     const assignments all = functions_of_time(e, true);
-    const code made = code_of_assignments(e, &all);
+    const code result = code_of_assignments(e, &all);
     text_add(e->out, "/* What a row shows of the functions of time; the step from there gets it too. */\n");
     text_add(e->out, "static void see(%s_memory *const memory, const uint64_t tick)\n{\n", e->names->prefix);
     for (int i = 0; i < m->change_count; i++) {
@@ -151,8 +152,8 @@ static void emit_seen(emission *e)
             "    memory->p[%s] =\n        iso_select((iso_bits)0 - (tick == UINT32_C(%.0f)), %s, memory->p[%s]);\n", at,
             c->tick, code_literal(e->out->memory, c->value, e->p->is_double), at);
     }
-    emit_parameters(e, &made);
-    emit_code(e, &made);
+    emit_parameters(e, &result);
+    emit_code(e, &result);
     text_add(e->out, "}\n\n");
 }
 
@@ -174,7 +175,7 @@ void emit_drive(emission *e)
     if (e->p->rows.any) {
         emit_seen(e);
     }
-    const code made = code_of_assignments(e, &all);
+    const code result = code_of_assignments(e, &all);
     text_add(e->out, "/* What is a function of time; other inputs stay as they are set. */\n");
     text_add(e->out, "static void drive(void *const instance, const uint64_t tick)\n{\n");
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
@@ -186,8 +187,8 @@ void emit_drive(emission *e)
     } else if (!uses_time(e->g, all.roots, (size_t)all.count)) {
         text_add(e->out, "    (void)tick;\n");
     }
-    emit_parameters(e, &made);
-    emit_code(e, &made);
+    emit_parameters(e, &result);
+    emit_code(e, &result);
     if (watches_edges(m)) {
         text_add(e->out, "    real now[%d], before[%d];\n    find_edges(now, tick);\n", m->edge_count, m->edge_count);
         text_add(e->out, "    find_edges(before, tick - (tick > 0));\n");
@@ -201,11 +202,11 @@ void emit_drive(emission *e)
 /* A part of what a row sets, as a function of its own below a comment. */
 static void emit_part(emission *e, const char *about, const char *function, const assignments *all)
 {
-    const code made = code_of_assignments(e, all);
+    const code result = code_of_assignments(e, all);
     text_add(e->out, "/* %s */\n", about);
     begin_rows_function(e, "", function);
-    emit_arrays(e, &made);
-    emit_code(e, &made);
+    emit_arrays(e, &result);
+    emit_code(e, &result);
     text_add(e->out, "}\n\n");
 }
 
@@ -223,9 +224,9 @@ static void emit_samples_of(emission *e, const row_order *order, int level, cons
                    m->memories[i].next);
         }
     }
-    const code made = code_of_assignments(e, &all);
-    emit_arrays(e, &made);
-    emit_code(e, &made);
+    const code result = code_of_assignments(e, &all);
+    emit_arrays(e, &result);
+    emit_code(e, &result);
     for (int n = 0; n < order->count; n++) {
         const int i = order->all[n] - state_count(m);
         if (order->level[n] == level) {
@@ -255,25 +256,25 @@ static void call_samples(emission *e, const row_order *order, const char *functi
 static assignments nexts_of(const emission *e)
 {
     const mechanism *m = e->p->m;
-    assignments made = room_for(e, m->memory_count);
+    assignments result = room_for(e, m->memory_count);
     for (int i = 0; i < m->memory_count; i++) {
         if (m->memories[i].kept == KEPT_NEXT) {
-            assign(&made, memory_target(e, i), m->memories[i].about.quote, m->memories[i].next);
+            assign(&result, memory_target(e, i), m->memories[i].about.quote, m->memories[i].next);
         }
     }
-    return made;
+    return result;
 }
 
 static assignments kept_of(const emission *e)
 {
     const mechanism *m = e->p->m;
-    assignments made = room_for(e, m->memory_count);
+    assignments result = room_for(e, m->memory_count);
     for (int i = 0; i < m->memory_count; i++) {
         if (is_late(&m->memories[i])) {
-            assign(&made, ring_place(e, i, 0.0), m->memories[i].about.quote, m->memories[i].next);
+            assign(&result, ring_place(e, i, 0.0), m->memories[i].about.quote, m->memories[i].next);
         }
     }
-    return made;
+    return result;
 }
 
 /* What was kept in an earlier row is shown. */
@@ -290,27 +291,27 @@ static void emit_shifts(emission *e)
 void emit_advance(emission *e)
 {
     static const char about[] = "The memories of a row.";
-    const row_plan *of = &e->p->rows;
+    const row_plan *r = &e->p->rows;
     const assignments nexts = nexts_of(e), kept = kept_of(e);
-    const bool is_all = kept.count + of->early.count + of->late.count == 0 && !keeps_rows(e->p);
+    const bool is_all = kept.count + r->early.count + r->late.count == 0 && !keeps_rows(e->p);
     if (is_all) {
         emit_part(e, about, "advance", &nexts);
         return;
     }
-    emit_samples(e, &of->early, "sample_early");
+    emit_samples(e, &r->early, "sample_early");
     if (nexts.count > 0) {
         emit_part(e, "The memories of effects.", "follow", &nexts);
     }
-    emit_samples(e, &of->late, "sample");
+    emit_samples(e, &r->late, "sample");
     if (kept.count > 0) {
         emit_part(e, "What later rows show.", "keep", &kept);
     }
     begin_rows_function(e, arena_format(e->out->memory, "/* %s */\n", about), "advance");
-    text_add(e->out, "%s", of->any ? "    memory->row++;\n    see(memory, memory->row);\n" : "");
+    text_add(e->out, "%s", r->any ? "    memory->row++;\n    see(memory, memory->row);\n" : "");
     emit_shifts(e);
-    call_samples(e, &of->early, "sample_early");
+    call_samples(e, &r->early, "sample_early");
     text_add(e->out, "%s", nexts.count > 0 ? arena_format(e->out->memory, "    follow%s(memory);\n", e->suffix) : "");
-    call_samples(e, &of->late, "sample");
+    call_samples(e, &r->late, "sample");
     text_add(e->out, "%s", kept.count > 0 ? arena_format(e->out->memory, "    keep%s(memory);\n", e->suffix) : "");
     text_add(e->out, "}\n\n");
 }
@@ -318,9 +319,9 @@ void emit_advance(emission *e)
 /* --- starts --- */
 
 /* Whether a memory does not begin with the zero of an empty plant. */
-static bool begins(const emission *e, const effect_quantity *of)
+static bool begins(const emission *e, const effect_quantity *q)
 {
-    return !is_zero(e->g, of->begin);
+    return !is_zero(e->g, q->begin);
 }
 
 bool has_begin(const emission *e)
@@ -337,32 +338,32 @@ bool has_begin(const emission *e)
 static assignments constant_starts(const emission *e)
 {
     const mechanism *m = e->p->m;
-    assignments made = room_for(e, m->memory_count);
+    assignments result = room_for(e, m->memory_count);
     for (int i = 0; i < m->memory_count; i++) {
-        const effect_quantity *of = &m->memories[i];
-        if (is_constant(e->g, of->begin) && begins(e, of)) {
-            assign(&made, memory_target(e, i), of->about.quote, of->begin);
+        const effect_quantity *q = &m->memories[i];
+        if (is_constant(e->g, q->begin) && begins(e, q)) {
+            assign(&result, memory_target(e, i), q->about.quote, q->begin);
         }
     }
-    return made;
+    return result;
 }
 
 static assignments starts_of_level(const emission *e, int level)
 {
     const mechanism *m = e->p->m;
     const row_order *order = &e->p->rows.starts;
-    assignments made = room_for(e, order->count);
+    assignments result = room_for(e, order->count);
     for (int n = 0; n < order->count; n++) {
         const int which = order->all[n], i = which - state_count(m);
         if (order->level[n] == level && i < 0) {
-            const effect_quantity *of = &m->effect_states[which - m->first_effect_state];
+            const effect_quantity *q = &m->effect_states[which - m->first_effect_state];
             const char *at = e->names->leaves.states[which].place;
-            assign(&made, arena_format(e->out->memory, "memory->x[%s]", at), of->about.quote, of->begin);
+            assign(&result, arena_format(e->out->memory, "memory->x[%s]", at), q->about.quote, q->begin);
         } else if (order->level[n] == level) {
-            assign(&made, memory_target(e, i), m->memories[i].about.quote, m->memories[i].begin);
+            assign(&result, memory_target(e, i), m->memories[i].about.quote, m->memories[i].begin);
         }
     }
-    return made;
+    return result;
 }
 
 /* Before its first row a ring shows the start; one of a single place is kept at once. */
@@ -383,18 +384,18 @@ void emit_begin(emission *e)
     const assignments constants = constant_starts(e);
     const int levels = e->p->rows.starts.levels;
     for (int level = 0; level < levels; level++) {
-        const assignments of = starts_of_level(e, level);
+        const assignments a = starts_of_level(e, level);
         emit_part(e, "Starts, each after what it follows from.", arena_format(e->out->memory, "begin_%d", level + 1),
-                  &of);
+                  &a);
     }
-    const code made = code_of_assignments(e, &constants);
+    const code result = code_of_assignments(e, &constants);
     begin_rows_function(e, "/* What row 0 has besides constants of states, and zeros. */\n", "begin");
     if (e->p->rows.any) {
         text_add(e->out, "    see(memory, 0);\n");
     } else if (keeps_rows(e->p)) {
         text_add(e->out, "    memory->row = 0;\n");
     }
-    emit_code(e, &made);
+    emit_code(e, &result);
     for (int level = 0; level < levels; level++) {
         text_add(e->out, "    begin_%d(memory);\n", level + 1);
     }

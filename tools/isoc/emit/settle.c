@@ -43,13 +43,13 @@ static void emit_hold_energy(emission *e)
 {
     static const char *const target = "energy";
     const mechanism *m = e->p->m;
-    const code made = code_of(e, &target, &e->p->energy, 1);
+    const code result = code_of(e, &target, &e->p->energy, 1);
     text_add(e->out, "static real energy_of(const real *const x, const real *const u, const real *const p)\n{\n");
-    text_add(e->out, "%s", code_uses(e, &made, OP_STATE) ? "" : "    (void)x;\n");
-    text_add(e->out, "%s", code_uses(e, &made, OP_INPUT) ? "" : "    (void)u;\n");
-    text_add(e->out, "%s", code_uses(e, &made, OP_PARAMETER) ? "" : "    (void)p;\n");
+    text_add(e->out, "%s", code_uses(e, &result, OP_STATE) ? "" : "    (void)x;\n");
+    text_add(e->out, "%s", code_uses(e, &result, OP_INPUT) ? "" : "    (void)u;\n");
+    text_add(e->out, "%s", code_uses(e, &result, OP_PARAMETER) ? "" : "    (void)p;\n");
     text_add(e->out, "    real energy;\n");
-    emit_code(e, &made);
+    emit_code(e, &result);
     text_add(e->out, "    return energy;\n}\n\n");
     const char *prefix = e->names->prefix, *capitals = e->names->capitals;
     const char *more = arena_format(e->out->memory, "%s, %s", held_count(m) > 0 ? "memory->u" : "NULL",
@@ -71,7 +71,7 @@ void emit_settle(emission *e)
     for (int i = 0; i < count; i++) {
         roots[i] = i < after->count ? after->values[i] : after->pivots[i - after->count];
     }
-    const code made = code_of(e, settled_targets(e), roots, count);
+    const code result = code_of(e, settled_targets(e), roots, count);
     if (after->adds) {
         emit_settled_states(e);
     }
@@ -81,7 +81,7 @@ void emit_settle(emission *e)
     if (after->adds) {
         text_add(e->out, "    real moved[%d];\n", after->count);
     }
-    emit_code(e, &made);
+    emit_code(e, &result);
     if (after->adds) {
         text_add(e->out, "    iso_method_move(%s, %s_STATES, x, settled_states, moved, %d);\n",
                  recipe_symbol(e->out->memory, e->p->m->recipe), e->names->capitals, after->count);

@@ -47,19 +47,19 @@ static void declare(splitter *s, size_t begin, size_t end, code_part *part, text
     for (size_t i = begin; i < end; i++) {
         for (size_t n = 0; n < p->all[i].read_count; n++) {
             const size_t read = p->all[i].reads[n];
-            const code_piece *of = &p->all[read];
+            const code_piece *c = &p->all[read];
             const int at = s->places[read];
             if (read >= begin || is_loaded[read]) {
                 continue;
             }
             is_loaded[read] = part->carries = true;
-            if (of->is_turn) {
-                text_add(out, "    const iso_sine_cosine %s = {v[%d], v[%d]};\n", of->declares, at, at + 1);
+            if (c->is_turn) {
+                text_add(out, "    const iso_sine_cosine %s = {v[%d], v[%d]};\n", c->declares, at, at + 1);
             } else {
-                text_add(out, "    const real %s = v[%d];\n", of->declares, at);
+                text_add(out, "    const real %s = v[%d];\n", c->declares, at);
             }
             if (s->last[read] == part_of(s, begin)) {
-                s->free[of->is_turn][s->free_count[of->is_turn]++] = at;
+                s->free[c->is_turn][s->free_count[c->is_turn]++] = at;
             }
         }
     }
@@ -71,15 +71,15 @@ static void declare(splitter *s, size_t begin, size_t end, code_part *part, text
 static void carry(splitter *s, size_t begin, size_t end, code_part *part, text *out)
 {
     for (size_t i = begin; i < end; i++) {
-        const code_piece *of = &s->from->all[i];
-        part->sets = part->sets || of->declares == NULL;
+        const code_piece *c = &s->from->all[i];
+        part->sets = part->sets || c->declares == NULL;
         if (s->last[i] > part_of(s, i)) {
-            const int at = s->places[i] = take_place(s, of->is_turn);
+            const int at = s->places[i] = take_place(s, c->is_turn);
             part->carries = true;
-            if (of->is_turn) {
-                text_add(out, "    v[%d] = %s.sin;\n    v[%d] = %s.cos;\n", at, of->declares, at + 1, of->declares);
+            if (c->is_turn) {
+                text_add(out, "    v[%d] = %s.sin;\n    v[%d] = %s.cos;\n", at, c->declares, at + 1, c->declares);
             } else {
-                text_add(out, "    v[%d] = %s;\n", at, of->declares);
+                text_add(out, "    v[%d] = %s;\n", at, c->declares);
             }
         }
     }
@@ -90,11 +90,11 @@ static code_part part_between(splitter *s, size_t begin, size_t end)
     const code_pieces *p = s->from;
     const size_t first = begin == 0 ? strlen("{\n") : p->all[begin - 1].end;
     code_part part = {.body = NULL};
-    text made = {.memory = s->memory};
-    declare(s, begin, end, &part, &made);
-    text_add(&made, "%.*s", (int)(p->all[end - 1].end - first), p->text.bytes + first);
-    carry(s, begin, end, &part, &made);
-    part.body = made.bytes;
+    text result = {.memory = s->memory};
+    declare(s, begin, end, &part, &result);
+    text_add(&result, "%.*s", (int)(p->all[end - 1].end - first), p->text.bytes + first);
+    carry(s, begin, end, &part, &result);
+    part.body = result.bytes;
     return part;
 }
 
@@ -103,7 +103,7 @@ code_parts code_split(const code_pieces *pieces, int most)
     const size_t count = pieces->count;
     arena *memory = pieces->g->memory;
     splitter s = {.from = pieces, .memory = memory, .most = most};
-    code_parts made = {.all = arena_take(memory, count / (size_t)most + 1, sizeof *made.all)};
+    code_parts result = {.all = arena_take(memory, count / (size_t)most + 1, sizeof *result.all)};
     s.last = arena_take(memory, count, sizeof *s.last);
     s.places = arena_take(memory, count, sizeof *s.places);
     s.free[false] = arena_take(memory, count, sizeof *s.free[false]);
@@ -115,8 +115,8 @@ code_parts code_split(const code_pieces *pieces, int most)
     }
     for (size_t begin = 0; begin < count; begin += (size_t)most) {
         const size_t end = begin + (size_t)most < count ? begin + (size_t)most : count;
-        made.all[made.count++] = part_between(&s, begin, end);
+        result.all[result.count++] = part_between(&s, begin, end);
     }
-    made.carried = s.carried;
-    return made;
+    result.carried = s.carried;
+    return result;
 }

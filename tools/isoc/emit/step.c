@@ -430,10 +430,10 @@ static void emit_rest(emission *e)
 /* The steps of a ladder, from the top. */
 static void emit_ladder(emission *e)
 {
-    const policies *of = &e->p->m->policies;
+    const policies *how = &e->p->m->policies;
     const char *names = "step", *last = "";
-    for (int i = 0; i < of->rung_count; i++) {
-        const bool rests = of->rungs[i] == ISO_METHODS;
+    for (int i = 0; i < how->rung_count; i++) {
+        const bool rests = how->rungs[i] == ISO_METHODS;
         if (rests) {
             emit_rest(e);
         } else {

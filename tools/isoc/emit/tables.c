@@ -57,18 +57,18 @@ void emit_tick_tables(emission *e, const node *roots, size_t count)
     bool *needed = arena_take(e->out->memory, e->g->count, sizeof *needed);
     graph_reach(e->g, roots, count, needed);
     for (size_t n = 0; n < e->g->count; n++) {
-        const graph_node *of = &e->g->nodes[n];
-        if (!needed[n] || (of->op != OP_PRBS && of->op != OP_CHIRP && of->op != OP_LINES)) {
+        const graph_node *at = &e->g->nodes[n];
+        if (!needed[n] || (at->op != OP_PRBS && at->op != OP_CHIRP && at->op != OP_LINES)) {
             continue;
         }
-        const tick_table *t = &m->tables[of->index];
-        if (of->op == OP_PRBS) {
-            emit_words(e, "prbs", of->index, t);
+        const tick_table *t = &m->tables[at->index];
+        if (at->op == OP_PRBS) {
+            emit_words(e, "prbs", at->index, t);
             text_add(e->out, "\n");
-        } else if (of->op == OP_CHIRP) {
-            emit_chirp(e, of->index, t);
+        } else if (at->op == OP_CHIRP) {
+            emit_chirp(e, at->index, t);
         } else {
-            emit_lines(e, of->index, t);
+            emit_lines(e, at->index, t);
         }
     }
 }

@@ -30,32 +30,32 @@ static const char *name_of(const formula *f)
     return f->kind == FORMULA_ORDER ? "a comparison" : f->name;
 }
 
-static value scalar(node n, dimension of)
+static value scalar(node n, dimension expected)
 {
-    return (value){.count = 1, .parts = {n}, .of = of};
+    return (value){.count = 1, .parts = {n}, .of = expected};
 }
 
-static bool has_dimension(values *v, const formula *f, size_t i, const value *given, dimension of)
+static bool has_dimension(values *v, const formula *f, size_t i, const value *arguments, dimension expected)
 {
-    if (!given[i].any && !agree(v, given[i].of, of)) {
+    if (!arguments[i].any && !agree(v, arguments[i].of, expected)) {
         source_problem(v->s, f->parts[i]->at, "%s %s; this %s", arena_format(v->s->memory, "what %s is of", f->name),
-                       dimension_phrase(v->s->memory, of), dimension_phrase(v->s->memory, given[i].of));
+                       dimension_phrase(v->s->memory, expected), dimension_phrase(v->s->memory, arguments[i].of));
         return false;
     }
     return true;
 }
 
 /* All arguments from this one on have one dimension, but for plain zeros. */
-static bool share_dimension(values *v, const formula *f, size_t first, const value *given, value *made)
+static bool share_dimension(values *v, const formula *f, size_t first, const value *arguments, value *result)
 {
-    *made = given[first];
+    *result = arguments[first];
     for (size_t i = first + 1; i < f->count; i++) {
-        if (!given[i].any && !made->any && !agree(v, given[i].of, made->of)) {
+        if (!arguments[i].any && !result->any && !agree(v, arguments[i].of, result->of)) {
             source_problem(v->s, f->parts[i]->at, "%s of %s and of %s: they must have the same unit", name_of(f),
-                           dimension_text(v->s->memory, made->of), dimension_text(v->s->memory, given[i].of));
+                           dimension_text(v->s->memory, result->of), dimension_text(v->s->memory, arguments[i].of));
             return false;
         }
-        gather(made, &given[i]);
+        gather(result, &arguments[i]);
     }
     return true;
 }
@@ -89,10 +89,10 @@ static bool stays_above(values *v, node x, double least, bool is_strict)
 
 /* The sine and the cosine of an angle. One that is a whole number of quarter turns, to the rounding of its unit and of
  * pi (2 ulp), counts as exactly that. */
-static bool turn_of(values *v, const formula *f, const value *given, node *sine_made, node *cosine_made)
+static bool turn_of(values *v, const formula *f, const value *arguments, node *sine_made, node *cosine_made)
 {
     static const double sines[] = {0.0, 1.0, 0.0, -1.0};
-    const node angle = given[0].parts[0];
+    const node angle = arguments[0].parts[0];
     const double now = value_now(v, angle), quarters = floor(now / half_pi + 0.5);
     if (!stays_within(v, angle, -largest_angle, largest_angle, false)) {
         source_problem(v->s, f->parts[0]->at, "an angle must be within %g rad", largest_angle);
@@ -110,36 +110,36 @@ static bool turn_of(values *v, const formula *f, const value *given, node *sine_
     return true;
 }
 
-static bool is_angle(const values *v, const value *given)
+static bool is_angle(const values *v, const value *arguments)
 {
-    return given[0].any || agree(v, given[0].of, radian);
+    return arguments[0].any || agree(v, arguments[0].of, radian);
 }
 
-static bool is_frequency(const values *v, const value *given)
+static bool is_frequency(const values *v, const value *arguments)
 {
     static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
-    return agree(v, given[0].of, hertz) || agree(v, given[0].of, speed);
+    return agree(v, arguments[0].of, hertz) || agree(v, arguments[0].of, speed);
 }
 
 /* Of an angle; of a frequency it is a wave, which may have a phase. */
-static value call_sine(values *v, const formula *f, const value *given)
+static value call_sine(values *v, const formula *f, const value *arguments)
 {
     node s, c;
-    if (f->count == 2 || is_frequency(v, given)) {
+    if (f->count == 2 || is_frequency(v, arguments)) {
         return wave_of_formula(v, f);
     }
-    if (!is_angle(v, given)) {
+    if (!is_angle(v, arguments)) {
         source_problem(v->s, f->parts[0]->at, "%s is of an angle, as in %s(30 deg), or of a frequency; this %s",
-                       f->name, f->name, dimension_phrase(v->s->memory, given[0].of));
+                       f->name, f->name, dimension_phrase(v->s->memory, arguments[0].of));
         return nothing;
     }
-    return turn_of(v, f, given, &s, &c) ? scalar(f->name[0] == 's' ? s : c, plain) : nothing;
+    return turn_of(v, f, arguments, &s, &c) ? scalar(f->name[0] == 's' ? s : c, plain) : nothing;
 }
 
-static value call_tangent(values *v, const formula *f, const value *given)
+static value call_tangent(values *v, const formula *f, const value *arguments)
 {
     node s, c;
-    if (!has_dimension(v, f, 0, given, radian) || !turn_of(v, f, given, &s, &c)) {
+    if (!has_dimension(v, f, 0, arguments, radian) || !turn_of(v, f, arguments, &s, &c)) {
         return nothing;
     }
     if (is_parametric(v, c) && value_now(v, c) == 0.0) {
@@ -150,11 +150,11 @@ static value call_tangent(values *v, const formula *f, const value *given)
 }
 
 /* asin and acos: beyond 1 only by the rounding of what gave the argument. asin x is the angle of (sqrt(1 - x^2), x). */
-static value call_inverse(values *v, const formula *f, const value *given)
+static value call_inverse(values *v, const formula *f, const value *arguments)
 {
-    const node x = given[0].parts[0], one = constant(v->g, 1.0);
+    const node x = arguments[0].parts[0], one = constant(v->g, 1.0);
     const bool is_sine = f->name[1] == 's';
-    if (!has_dimension(v, f, 0, given, plain)) {
+    if (!has_dimension(v, f, 0, arguments, plain)) {
         return nothing;
     }
     if (!stays_within(v, x, -1.0 - 4 * DBL_EPSILON, 1.0 + 4 * DBL_EPSILON, false)) {
@@ -170,11 +170,11 @@ static value call_inverse(values *v, const formula *f, const value *given)
     return scalar(is_sine ? function(v->g, OP_ATAN2, x, other) : function(v->g, OP_ATAN2, other, x), radian);
 }
 
-static value call_direction(values *v, const formula *f, const value *given)
+static value call_direction(values *v, const formula *f, const value *arguments)
 {
-    const node y = given[0].parts[0], x = given[1].parts[0];
+    const node y = arguments[0].parts[0], x = arguments[1].parts[0];
     value both;
-    if (!share_dimension(v, f, 0, given, &both)) {
+    if (!share_dimension(v, f, 0, arguments, &both)) {
         return nothing;
     }
     if (is_parametric(v, y) && is_parametric(v, x) && value_now(v, y) == 0.0 && value_now(v, x) == 0.0) {
@@ -186,33 +186,33 @@ static value call_direction(values *v, const formula *f, const value *given)
 
 /* --- of plain numbers, and of any --- */
 
-static value call_root(values *v, const formula *f, const value *given)
+static value call_root(values *v, const formula *f, const value *arguments)
 {
-    const dimension of = given[0].of;
-    const node x = given[0].parts[0];
-    const bool halves = of.rad % 2 == 0;
-    dimension even = of, root;
-    even.rad = halves || v->around == NULL ? of.rad : 0;
+    const dimension expected = arguments[0].of;
+    const node x = arguments[0].parts[0];
+    const bool halves = expected.rad % 2 == 0;
+    dimension even = expected, root;
+    even.rad = halves || v->around == NULL ? expected.rad : 0;
     if (!dimension_root(even, &root)) {
         source_problem(v->s, f->parts[0]->at, "the root of %s has no unit: each power but that of a time must be even",
-                       dimension_text(v->s->memory, of));
+                       dimension_text(v->s->memory, expected));
         return nothing;
     }
     if (!stays_above(v, x, 0.0, false)) {
         source_problem(v->s, f->parts[0]->at, "the root of a negative number: %g", value_now(v, x));
         return nothing;
     }
-    value made = given[0];
-    made.parts[0] = function(v->g, OP_SQRT, x, 0);
-    made.of = root;
-    return made;
+    value result = arguments[0];
+    result.parts[0] = function(v->g, OP_SQRT, x, 0);
+    result.of = root;
+    return result;
 }
 
-static value call_exp(values *v, const formula *f, const value *given)
+static value call_exp(values *v, const formula *f, const value *arguments)
 {
     static const double largest = 700.0; /* e^709.8 is the largest double */
-    const node x = given[0].parts[0];
-    if (!has_dimension(v, f, 0, given, plain)) {
+    const node x = arguments[0].parts[0];
+    if (!has_dimension(v, f, 0, arguments, plain)) {
         return nothing;
     }
     if (!stays_within(v, x, -largest, largest, false)) {
@@ -223,10 +223,10 @@ static value call_exp(values *v, const formula *f, const value *given)
     return scalar(function(v->g, OP_EXP, x, 0), plain);
 }
 
-static value call_log(values *v, const formula *f, const value *given)
+static value call_log(values *v, const formula *f, const value *arguments)
 {
-    const node x = given[0].parts[0];
-    if (!has_dimension(v, f, 0, given, plain)) {
+    const node x = arguments[0].parts[0];
+    if (!has_dimension(v, f, 0, arguments, plain)) {
         return nothing;
     }
     if (!stays_above(v, x, 0.0, true)) {
@@ -236,16 +236,16 @@ static value call_log(values *v, const formula *f, const value *given)
     return scalar(function(v->g, OP_LOG, x, 0), plain);
 }
 
-static value call_tanh(values *v, const formula *f, const value *given)
+static value call_tanh(values *v, const formula *f, const value *arguments)
 {
-    return has_dimension(v, f, 0, given, plain) ? scalar(function(v->g, OP_TANH, given[0].parts[0], 0), plain)
-                                                : nothing;
+    return has_dimension(v, f, 0, arguments, plain) ? scalar(function(v->g, OP_TANH, arguments[0].parts[0], 0), plain)
+                                                    : nothing;
 }
 
-static value call_impact(values *v, const formula *f, const value *given)
+static value call_impact(values *v, const formula *f, const value *arguments)
 {
-    const node e = given[0].parts[0];
-    if (!has_dimension(v, f, 0, given, plain)) {
+    const node e = arguments[0].parts[0];
+    if (!has_dimension(v, f, 0, arguments, plain)) {
         return nothing;
     }
     if (!stays_within(v, e, LEAST_RESTITUTION, 1.0, false)) {
@@ -257,10 +257,10 @@ static value call_impact(values *v, const formula *f, const value *given)
 }
 
 /* What has a corner is no function of time in a motion. */
-static bool refuses_corner(values *v, const formula *f, const value *given, size_t count)
+static bool refuses_corner(values *v, const formula *f, const value *arguments, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        if (v->is_smooth && depends_on_time(v, given[i].parts[0])) {
+        if (v->is_smooth && depends_on_time(v, arguments[i].parts[0])) {
             source_problem(v->s, f->at, "a motion must be smooth, and %s has a corner", name_of(f));
             return true;
         }
@@ -268,72 +268,72 @@ static bool refuses_corner(values *v, const formula *f, const value *given, size
     return false;
 }
 
-static value call_abs(values *v, const formula *f, const value *given)
+static value call_abs(values *v, const formula *f, const value *arguments)
 {
-    value made = given[0];
-    if (refuses_corner(v, f, given, f->count)) {
+    value result = arguments[0];
+    if (refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
-    made.parts[0] = magnitude(v->g, made.parts[0]);
-    return made;
+    result.parts[0] = magnitude(v->g, result.parts[0]);
+    return result;
 }
 
-static value call_extreme(values *v, const formula *f, const value *given)
+static value call_extreme(values *v, const formula *f, const value *arguments)
 {
     const bool largest = f->name[1] == 'a';
-    value made;
-    if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given, f->count)) {
+    value result;
+    if (!share_dimension(v, f, 0, arguments, &result) || refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
     for (size_t i = 1; i < f->count; i++) {
-        const node next = given[i].parts[0];
-        made.parts[0] = largest ? larger(v->g, made.parts[0], next) : function(v->g, OP_MIN, made.parts[0], next);
+        const node next = arguments[i].parts[0];
+        result.parts[0] = largest ? larger(v->g, result.parts[0], next) : function(v->g, OP_MIN, result.parts[0], next);
     }
-    return made;
+    return result;
 }
 
-static value call_clamp(values *v, const formula *f, const value *given)
+static value call_clamp(values *v, const formula *f, const value *arguments)
 {
-    value made;
-    const node least = given[1].parts[0], most = given[2].parts[0];
-    if (!share_dimension(v, f, 0, given, &made) || refuses_corner(v, f, given, f->count)) {
+    value result;
+    const node least = arguments[1].parts[0], most = arguments[2].parts[0];
+    if (!share_dimension(v, f, 0, arguments, &result) || refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
     if (!keeps(v, (condition){least, most, false})) {
         source_problem(v->s, f->parts[1]->at, "the limits are in the wrong order: clamp(x, LEAST, MOST)");
         return nothing;
     }
-    made.parts[0] = function(v->g, OP_MIN, larger(v->g, made.parts[0], least), most);
-    return made;
+    result.parts[0] = function(v->g, OP_MIN, larger(v->g, result.parts[0], least), most);
+    return result;
 }
 
-static value call_sign(values *v, const formula *f, const value *given)
+static value call_sign(values *v, const formula *f, const value *arguments)
 {
-    return refuses_corner(v, f, given, f->count) ? nothing
-                                                 : scalar(function(v->g, OP_SIGN, given[0].parts[0], 0), plain);
+    return refuses_corner(v, f, arguments, f->count) ? nothing
+                                                     : scalar(function(v->g, OP_SIGN, arguments[0].parts[0], 0), plain);
 }
 
-static value call_whole(values *v, const formula *f, const value *given)
+static value call_whole(values *v, const formula *f, const value *arguments)
 {
     const operation op = f->name[0] == 'f' ? OP_FLOOR : OP_ROUND;
-    if (!has_dimension(v, f, 0, given, plain) || refuses_corner(v, f, given, f->count)) {
+    if (!has_dimension(v, f, 0, arguments, plain) || refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
-    return scalar(function(v->g, op, given[0].parts[0], 0), plain);
+    return scalar(function(v->g, op, arguments[0].parts[0], 0), plain);
 }
 
 /* if(condition, a, b): a where the condition is 1, b where it is 0. Exactly one of both is added to zero. */
-static value call_if(values *v, const formula *f, const value *given)
+static value call_if(values *v, const formula *f, const value *arguments)
 {
-    value made;
-    if (!has_dimension(v, f, 0, given, plain) || !share_dimension(v, f, 1, given, &made) ||
-        refuses_corner(v, f, given, f->count)) {
+    value result;
+    if (!has_dimension(v, f, 0, arguments, plain) || !share_dimension(v, f, 1, arguments, &result) ||
+        refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
-    const node holds = function(v->g, OP_WHERE, given[0].parts[0], given[1].parts[0]);
-    const node fails = function(v->g, OP_UNLESS, given[0].parts[0], given[2].parts[0]);
-    made.parts[0] = add(v->g, holds, fails);
-    return made;
+    const node holds = function(v->g, OP_WHERE, arguments[0].parts[0], arguments[1].parts[0]);
+    const node fails = function(v->g, OP_UNLESS, arguments[0].parts[0], arguments[2].parts[0]);
+    result.parts[0] = add(v->g, holds, fails);
+    return result;
 }
 
 value order_of_formula(values *v, const formula *f)
@@ -359,23 +359,23 @@ value order_of_formula(values *v, const formula *f)
     return scalar(or_equal ? sub(v->g, constant(v->g, 1.0), is_above) : is_above, plain);
 }
 
-static value call_noise(values *v, const formula *f, const value *given)
+static value call_noise(values *v, const formula *f, const value *arguments)
 {
-    (void)given;
+    (void)arguments;
     return noise_of_formula(v, f);
 }
 
 /* Of time, in an input: a motion is smooth. */
-static value call_waveform(values *v, const formula *f, const value *given)
+static value call_waveform(values *v, const formula *f, const value *arguments)
 {
-    (void)given;
+    (void)arguments;
     return waveform_of_formula(v, f);
 }
 
 static value call_table(values *v, const formula *f)
 {
-    const value made = f->number > 1.0 ? grid_of_formula(v, f) : table_of_formula(v, f);
-    return made.count > 0 && refuses_corner(v, f, &made, 1) ? nothing : made;
+    const value result = f->number > 1.0 ? grid_of_formula(v, f) : table_of_formula(v, f);
+    return result.count > 0 && refuses_corner(v, f, &result, 1) ? nothing : result;
 }
 
 /* What is kept of a formula, which is not evaluated yet. */
@@ -396,34 +396,34 @@ static vector vector_of_value(const value *v)
     return (vector){{v->parts[0], v->parts[1], v->parts[2]}};
 }
 
-static value call_dot(values *v, const formula *f, const value *given)
+static value call_dot(values *v, const formula *f, const value *arguments)
 {
-    dimension of = given[0].of;
-    if (!multiply(v, f, &of, given[1].of, 1)) {
+    dimension expected = arguments[0].of;
+    if (!multiply(v, f, &expected, arguments[1].of, 1)) {
         return nothing;
     }
-    return scalar(vector_dot(v->g, vector_of_value(&given[0]), vector_of_value(&given[1])), of);
+    return scalar(vector_dot(v->g, vector_of_value(&arguments[0]), vector_of_value(&arguments[1])), expected);
 }
 
-static value call_cross(values *v, const formula *f, const value *given)
+static value call_cross(values *v, const formula *f, const value *arguments)
 {
-    value made = {.count = 3, .of = given[0].of};
-    if (!multiply(v, f, &made.of, given[1].of, 1)) {
+    value result = {.count = 3, .of = arguments[0].of};
+    if (!multiply(v, f, &result.of, arguments[1].of, 1)) {
         return nothing;
     }
-    const vector product = vector_cross(v->g, vector_of_value(&given[0]), vector_of_value(&given[1]));
-    memcpy(made.parts, product.at, sizeof product.at);
-    return made;
+    const vector product = vector_cross(v->g, vector_of_value(&arguments[0]), vector_of_value(&arguments[1]));
+    memcpy(result.parts, product.at, sizeof product.at);
+    return result;
 }
 
 /* A number far below what the unit can mean keeps the derivative finite at zero. */
-static value call_norm(values *v, const formula *f, const value *given)
+static value call_norm(values *v, const formula *f, const value *arguments)
 {
     static const double least = 1e-30;
-    const vector a = vector_of_value(&given[0]);
+    const vector a = vector_of_value(&arguments[0]);
     const node square = add(v->g, vector_dot(v->g, a, a), constant(v->g, least));
     (void)f;
-    return scalar(function(v->g, OP_SQRT, square, 0), given[0].of);
+    return scalar(function(v->g, OP_SQRT, square, 0), arguments[0].of);
 }
 
 /* --- all of them --- */

@@ -125,10 +125,10 @@ static bool read_points(values *v, const formula *f, points *all)
     return all->count > 0;
 }
 
-static void add_line(tick_table *to, double first, double of, double slope)
+static void add_line(tick_table *to, double first, double x, double slope)
 {
     to->words[to->count] = (uint32_t)first;
-    to->values[to->count] = of;
+    to->values[to->count] = x;
     to->slopes[to->count++] = slope;
 }
 
@@ -163,10 +163,10 @@ value file_of_formula(values *v, const formula *f)
         return nothing;
     }
     if (before == NULL) {
-        tick_table *made = table_new(v, f, OP_LINES);
-        made->made = timed_by_index(v->g, OP_LINES, 0.0, 0.0, (int)v->table_count - 1);
-        lines_of_points(v, &all, made);
-        before = made;
+        tick_table *result = table_new(v, f, OP_LINES);
+        result->made = timed_by_index(v->g, OP_LINES, 0.0, 0.0, (int)v->table_count - 1);
+        lines_of_points(v, &all, result);
+        before = result;
     }
     return (value){.count = 1, .parts = {before->made}};
 }

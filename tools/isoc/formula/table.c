@@ -38,9 +38,9 @@ static value argument_of_table(values *v, const formula *f)
 }
 
 /* A place, which must be above the one before it. Returns whether it is. */
-static bool next_place(values *v, const formula *f, dimension of, const double *before, double *to)
+static bool next_place(values *v, const formula *f, dimension expected, const double *before, double *to)
 {
-    *to = value_constant(v, f, of, "a place of the table", (double)NAN);
+    *to = value_constant(v, f, expected, "a place of the table", (double)NAN);
     if (before != NULL && *to <= *before) {
         source_problem(v->s, f->at, "the places of a table must increase");
     }

@@ -10,9 +10,9 @@ static const double most_ticks = 4e9; /* of 2^32 */
 
 static const value nothing = {0};
 
-static value scalar(node n, dimension of)
+static value scalar(node n, dimension expected)
 {
-    return (value){.count = 1, .parts = {n}, .of = of};
+    return (value){.count = 1, .parts = {n}, .of = expected};
 }
 
 bool is_time_input(const values *v)

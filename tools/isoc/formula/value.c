@@ -37,9 +37,9 @@ static value nothing(void)
     return (value){0};
 }
 
-static value scalar(node n, dimension of)
+static value scalar(node n, dimension expected)
 {
-    return (value){.count = 1, .parts = {n}, .of = of};
+    return (value){.count = 1, .parts = {n}, .of = expected};
 }
 
 /* Notes a number that the plant's type cannot hold. */
@@ -385,11 +385,11 @@ static value evaluate_power(values *v, const formula *f)
         return nothing();
     }
     if (r.count == 1) {
-        const dimension of = r.of;
+        const dimension expected = r.of;
         r.parts[0] = power(v->g, r.parts[0], (int)f->number);
         r.of = plain;
         r.any = false;
-        return multiply(v, f, &r.of, of, (int)f->number) ? r : nothing();
+        return multiply(v, f, &r.of, expected, (int)f->number) ? r : nothing();
     }
     return r;
 }
@@ -463,7 +463,7 @@ static const char *form_of(int parts)
     return forms[parts];
 }
 
-value value_of(values *v, const formula *f, dimension of, int parts, const char *what)
+value value_of(values *v, const formula *f, dimension expected, int parts, const char *what)
 {
     value r = value_any(v, f);
     if (r.count == 0) {
@@ -474,8 +474,8 @@ value value_of(values *v, const formula *f, dimension of, int parts, const char 
         source_problem(v->s, f->at, "%s is %s; this is %s", what, form_of(parts), found);
         return nothing();
     }
-    if (!r.any && !agree(v, r.of, of)) {
-        source_problem(v->s, f->at, "%s %s; this %s", what, dimension_phrase(v->s->memory, of),
+    if (!r.any && !agree(v, r.of, expected)) {
+        source_problem(v->s, f->at, "%s %s; this %s", what, dimension_phrase(v->s->memory, expected),
                        dimension_phrase(v->s->memory, r.of));
         return nothing();
     }
@@ -488,16 +488,16 @@ value value_of(values *v, const formula *f, dimension of, int parts, const char 
             return nothing();
         }
     }
-    r.of = of;
+    r.of = expected;
     return r;
 }
 
-double value_constant(values *v, const formula *f, dimension of, const char *what, double fallback)
+double value_constant(values *v, const formula *f, dimension expected, const char *what, double fallback)
 {
     if (f == NULL) {
         return fallback;
     }
-    const value r = value_of(v, f, of, 1, what);
+    const value r = value_of(v, f, expected, 1, what);
     if (r.count == 0) {
         return fallback;
     }
@@ -515,8 +515,8 @@ double value_displacement(values *v, const formula *f, const char *what, double 
 {
     static const dimension metre = {0, 1, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
     const value found = f == NULL ? nothing() : value_any(v, f);
-    const dimension of = dimension_equal(found.of, radian) ? radian : metre;
-    return found.count == 0 ? fallback : value_constant(v, f, of, what, fallback);
+    const dimension expected = dimension_equal(found.of, radian) ? radian : metre;
+    return found.count == 0 ? fallback : value_constant(v, f, expected, what, fallback);
 }
 
 double value_now(values *v, node n)
@@ -542,21 +542,21 @@ bool is_parametric(values *v, node n)
     return found;
 }
 
-bool keeps(values *v, condition of)
+bool keeps(values *v, condition c)
 {
-    if (!is_parametric(v, of.least) || !is_parametric(v, of.most)) {
+    if (!is_parametric(v, c.least) || !is_parametric(v, c.most)) {
         return true;
     }
-    const double least = value_now(v, of.least), most = value_now(v, of.most);
-    bool is_new = !is_constant(v->g, of.least) || !is_constant(v->g, of.most);
+    const double least = value_now(v, c.least), most = value_now(v, c.most);
+    bool is_new = !is_constant(v->g, c.least) || !is_constant(v->g, c.most);
     for (size_t i = 0; i < v->condition_count; i++) {
         const condition *known = &v->conditions[i];
-        is_new = is_new && (known->least != of.least || known->most != of.most || known->is_strict != of.is_strict);
+        is_new = is_new && (known->least != c.least || known->most != c.most || known->is_strict != c.is_strict);
     }
     if (is_new) {
         v->conditions =
             arena_grow(v->s->memory, v->conditions, v->condition_count, &v->condition_room, sizeof *v->conditions);
-        v->conditions[v->condition_count++] = of;
+        v->conditions[v->condition_count++] = c;
     }
-    return of.is_strict ? least < most : least <= most;
+    return c.is_strict ? least < most : least <= most;
 }

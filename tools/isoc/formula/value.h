@@ -96,10 +96,10 @@ bool multiply(values *v, const formula *f, dimension *a, dimension b, int n);
 /* The value of f, which must have this dimension and number of parts (1 to 4; 0 for an inertia, which has 3
  * or 6).
  * `what` names the quantity in messages. Returns count 0 after noting a problem. */
-value value_of(values *v, const formula *f, dimension of, int parts, const char *what);
+value value_of(values *v, const formula *f, dimension expected, int parts, const char *what);
 
 /* A constant scalar; `fallback` where f is NULL or wrong. */
-double value_constant(values *v, const formula *f, dimension of, const char *what, double fallback);
+double value_constant(values *v, const formula *f, dimension expected, const char *what, double fallback);
 
 /* The same for what is in metres or in radians. */
 double value_displacement(values *v, const formula *f, const char *what, double fallback);
@@ -112,6 +112,6 @@ bool is_parametric(values *v, node n);
 
 /* Whether a condition on such numbers holds with the tunables at their defaults; one of others may hold. What a tunable could
  * break is kept: a plant refuses a change that breaks it. */
-bool keeps(values *v, condition of);
+bool keeps(values *v, condition c);
 
 #endif

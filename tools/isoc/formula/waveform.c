@@ -59,9 +59,9 @@ void tables_forget(values *v, const formula *f)
 tick_table *table_new(values *v, const formula *f, operation op)
 {
     v->tables = arena_grow(v->s->memory, v->tables, v->table_count, &v->table_room, sizeof *v->tables);
-    tick_table *made = &v->tables[v->table_count++];
-    *made = (tick_table){.op = op, .of = f};
-    return made;
+    tick_table *result = &v->tables[v->table_count++];
+    *result = (tick_table){.op = op, .of = f};
+    return result;
 }
 
 /* A time in ticks, from `least` on. */
@@ -151,11 +151,11 @@ static value prbs_of(values *v, const formula *f)
     if ((f->count > 1 && !whole_ticks_of(v, f->parts[1], "the time of a bit", &hold)) || v->s->problem_count > before) {
         return nothing;
     }
-    size_t of = 0;
-    while (of < REGISTERS && registers[of].order != order) {
-        of++;
+    size_t index = 0;
+    while (index < REGISTERS && registers[index].order != order) {
+        index++;
     }
-    if (of == REGISTERS) {
+    if (index == REGISTERS) {
         source_problem(v->s, f->parts[2]->at, "the order of a prbs is 7, 9, 10, 11 or 15");
         return nothing;
     }
@@ -169,11 +169,11 @@ static value prbs_of(values *v, const formula *f)
                        length, most_repeated - 1.0);
         return nothing;
     }
-    tick_table *made = table_new(v, f, OP_PRBS);
-    made->words = bits_of_register(v, registers[of].order, registers[of].other, (uint32_t)seed);
-    made->count = (size_t)length / 32 + 1;
-    made->made = timed_by_index(v->g, OP_PRBS, hold, length, (int)v->table_count - 1);
-    return scalar(made->made);
+    tick_table *result = table_new(v, f, OP_PRBS);
+    result->words = bits_of_register(v, registers[index].order, registers[index].other, (uint32_t)seed);
+    result->count = (size_t)length / 32 + 1;
+    result->made = timed_by_index(v->g, OP_PRBS, hold, length, (int)v->table_count - 1);
+    return scalar(result->made);
 }
 
 /* The sine of a phase of n first + n^2 curve turns, up to the end of the sweep; from there on the last frequency. */
@@ -184,14 +184,14 @@ static value chirp_of(values *v, const formula *f)
         !whole_ticks_of(v, f->parts[2], "the duration of a chirp", &ticks)) {
         return nothing;
     }
-    tick_table *made = table_new(v, f, OP_CHIRP);
-    made->first = first;
-    made->last = last;
-    made->ticks = ticks;
-    made->curve = (last - first) / (2.0 * ticks);
+    tick_table *result = table_new(v, f, OP_CHIRP);
+    result->first = first;
+    result->last = last;
+    result->ticks = ticks;
+    result->curve = (last - first) / (2.0 * ticks);
     const node angle = timed_by_index(v->g, OP_CHIRP, 0.0, 0.0, (int)v->table_count - 1);
-    made->made = sine(v->g, angle);
-    return scalar(made->made);
+    result->made = sine(v->g, angle);
+    return scalar(result->made);
 }
 
 value waveform_of_formula(values *v, const formula *f)

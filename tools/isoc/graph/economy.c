@@ -72,11 +72,11 @@ static bool divide_once(economy *e, graph_node *n)
 {
     for (int swap = 0; swap < 2; swap++) {
         const node x = swap ? n->b : n->a, inverse = swap ? n->a : n->b;
-        const graph_node of = e->from->nodes[inverse];
-        if (serves_one(e, inverse, OP_DIV) && is_constant(e->from, of.a) && constant_value(e->from, of.a) == 1.0) {
+        const graph_node at = e->from->nodes[inverse];
+        if (serves_one(e, inverse, OP_DIV) && is_constant(e->from, at.a) && constant_value(e->from, at.a) == 1.0) {
             n->op = OP_DIV;
             n->a = e->moved[x];
-            n->b = e->moved[of.b];
+            n->b = e->moved[at.b];
             return true;
         }
     }
@@ -128,9 +128,9 @@ static scaled scaled_of(const economy *e, node term)
         return (scaled){constant_value(e->from, n.a), n.b, -1};
     }
     for (int swap = 0; swap < 2; swap++) {
-        const node of = swap ? n.b : n.a, other = swap ? n.a : n.b;
-        const graph_node inner = e->from->nodes[of];
-        if (serves_one(e, of, OP_MUL) && is_constant(e->from, inner.a)) {
+        const node root = swap ? n.b : n.a, other = swap ? n.a : n.b;
+        const graph_node inner = e->from->nodes[root];
+        if (serves_one(e, root, OP_MUL) && is_constant(e->from, inner.a)) {
             return (scaled){constant_value(e->from, inner.a), inner.b, other};
         }
     }
@@ -190,14 +190,14 @@ static int terms_of(const economy *e, node x, double c)
 static void move(economy *e, node i);
 
 /* The node x itself, or a multiple of it that may stand further down, as may its constant: x is there already. */
-static node move_multiple(economy *e, node of)
+static node move_multiple(economy *e, node root)
 {
-    const graph_node n = e->from->nodes[of];
+    const graph_node n = e->from->nodes[root];
     if (n.op == OP_MUL && is_constant(e->from, n.a)) {
         move(e, n.a);
     }
-    move(e, of);
-    return e->moved[of];
+    move(e, root);
+    return e->moved[root];
 }
 
 /* c (x y) is (a x) (b y) with a b = c, where a x and b y are needed anyway: one product in place of two. */
@@ -207,11 +207,11 @@ static bool share_multiples(economy *e, graph_node *n)
         return false;
     }
     const double c = constant_value(e->from, n->a);
-    const graph_node of = e->from->nodes[n->b];
-    node left = of.a, right = needed_multiple(e, of.b, c);
-    for (node m = e->multiple[of.a]; m >= 0 && right < 0; m = e->next[m]) {
+    const graph_node at = e->from->nodes[n->b];
+    node left = at.a, right = needed_multiple(e, at.b, c);
+    for (node m = e->multiple[at.a]; m >= 0 && right < 0; m = e->next[m]) {
         left = m;
-        right = needed_multiple(e, of.b, c / constant_value(e->from, e->from->nodes[m].a));
+        right = needed_multiple(e, at.b, c / constant_value(e->from, e->from->nodes[m].a));
     }
     if (right < 0) {
         return false;
@@ -228,10 +228,10 @@ static bool share_scaled_factor(economy *e, graph_node *n)
     if (!is_scaled_product(e, n)) {
         return false;
     }
-    const graph_node of = e->from->nodes[n->b];
+    const graph_node at = e->from->nodes[n->b];
     const double c = constant_value(e->from, n->a);
     for (int swap = 0; swap < 2; swap++) {
-        const node x = swap ? of.b : of.a, y = swap ? of.a : of.b;
+        const node x = swap ? at.b : at.a, y = swap ? at.a : at.b;
         if (terms_of(e, x, c) > 1) {
             const node multiple = put_product(e, constant(&e->to, c), e->moved[x], n->section);
             const node other = e->moved[y];
@@ -268,7 +268,7 @@ static void move(economy *e, node i)
     e->moved[i] = graph_put(&e->to, n);
 }
 
-graph economise(const graph *g, const node *roots, size_t count, node *made)
+graph economise(const graph *g, const node *roots, size_t count, node *result)
 {
     economy e = {.from = g};
     graph_start_like(&e.to, g);
@@ -289,7 +289,7 @@ graph economise(const graph *g, const node *roots, size_t count, node *made)
         }
     }
     for (size_t i = 0; i < count; i++) {
-        made[i] = e.moved[roots[i]];
+        result[i] = e.moved[roots[i]];
     }
     arena_return(g->memory, e.moved, g->count, sizeof *e.moved);
     arena_return(g->memory, e.needed, g->count, sizeof *e.needed);

@@ -6,6 +6,6 @@
 
 /* The nodes that `count` roots need, in the same order, in a graph of their own, with fewer operations; made[count] are
  * the roots there. */
-graph economise(const graph *g, const node *roots, size_t count, node *made);
+graph economise(const graph *g, const node *roots, size_t count, node *result);
 
 #endif

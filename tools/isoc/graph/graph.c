@@ -25,12 +25,12 @@ void graph_start_like(graph *g, const graph *other)
 
 graph graph_copy(const graph *g)
 {
-    graph made;
-    graph_start_like(&made, g);
+    graph result;
+    graph_start_like(&result, g);
     for (size_t i = 0; i < g->count; i++) {
-        graph_put(&made, g->nodes[i]);
+        graph_put(&result, g->nodes[i]);
     }
-    return made;
+    return result;
 }
 
 void graph_free(graph *g)
@@ -126,11 +126,11 @@ static node intern(graph *g, graph_node wanted)
 node graph_put(graph *g, graph_node n)
 {
     const size_t before = g->count;
-    const node made = intern(g, n);
+    const node result = intern(g, n);
     if (g->count > before) {
-        g->nodes[made].section = n.section;
+        g->nodes[result].section = n.section;
     }
-    return made;
+    return result;
 }
 
 node constant(graph *g, double value)

@@ -4,7 +4,7 @@
 
 operations count_operations(const graph *of, const node *of_roots, size_t count)
 {
-    operations made = {0};
+    operations result = {0};
     node *roots = arena_take(of->memory, count + 1, sizeof *roots);
     graph economical = economise(of, of_roots, count, roots);
     const graph *g = &economical;
@@ -15,10 +15,10 @@ operations count_operations(const graph *of, const node *of_roots, size_t count)
         const graph_node *n = &g->nodes[i];
         const operations cost = operators[n->op].cost;
         if (needed[i]) {
-            made.add += cost.add;
-            made.mul += cost.mul;
-            made.div += cost.div;
-            made.sincos += cost.sincos > 0 && !turned[n->a];
+            result.add += cost.add;
+            result.mul += cost.mul;
+            result.div += cost.div;
+            result.sincos += cost.sincos > 0 && !turned[n->a];
             turned[n->a] = turned[n->a] || cost.sincos > 0;
         }
     }
@@ -26,7 +26,7 @@ operations count_operations(const graph *of, const node *of_roots, size_t count)
     arena_return(g->memory, turned, g->count, sizeof *turned);
     arena_return(of->memory, roots, count + 1, sizeof *roots);
     graph_free(&economical);
-    return made;
+    return result;
 }
 
 int cycles_of(operations n)

@@ -76,23 +76,23 @@ static double value_of_angle(double y, double x)
 }
 
 #define VALUE_OF_LEAF(NAME, ARRAY, TEXT, VALUE)                                                                        \
-    static double value_of_##NAME(const graph_node *of, const evaluation *at, double a, double b)                      \
+    static double value_of_##NAME(const graph_node *n, const evaluation *at, double a, double b)                       \
     {                                                                                                                  \
-        (void)of, (void)at, (void)a, (void)b;                                                                          \
+        (void)n, (void)at, (void)a, (void)b;                                                                           \
         return VALUE;                                                                                                  \
     }
 ISOC_LEAVES(VALUE_OF_LEAF)
 
-static double value_of_timed(const graph_node *of, const evaluation *at, double a, double b)
+static double value_of_timed(const graph_node *n, const evaluation *at, double a, double b)
 {
-    (void)of, (void)at, (void)a, (void)b;
+    (void)n, (void)at, (void)a, (void)b;
     return 0.0;
 }
 
 #define FUNCTIONS_OF(NAME, OPERANDS, VALUE, DERIVATIVE, AGAIN, ...)                                                    \
-    static double value_of_##NAME(const graph_node *of, const evaluation *at, double a, double b)                      \
+    static double value_of_##NAME(const graph_node *n, const evaluation *at, double a, double b)                       \
     {                                                                                                                  \
-        (void)of, (void)at, (void)a, (void)b;                                                                          \
+        (void)n, (void)at, (void)a, (void)b;                                                                           \
         return VALUE;                                                                                                  \
     }                                                                                                                  \
     static node derivative_of_##NAME(graph *g, node i, node da, node db)                                               \

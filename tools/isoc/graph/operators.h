@@ -37,12 +37,12 @@ typedef struct evaluation {
 
 /* clang-format off */
 /* Leaves. The array is what they are read from at the head of a function, or NULL.
- * LEAF(name, array, C text, value at the evaluation `at` of the node `of`) */
+ * LEAF(name, array, C text, value at the evaluation `at` of the node `n`) */
 #define ISOC_LEAVES(LEAF)                                                                                              \
-    LEAF(CONSTANT, NULL, "@1", of->value)                       /* value */                                            \
-    LEAF(STATE, "x", "@x", at->x == NULL ? 0.0 : at->x[of->index])                                                     \
-    LEAF(INPUT, "u", "@u", at->u == NULL ? 0.0 : at->u[of->index])                                                     \
-    LEAF(PARAMETER, "p", "@p", at->p[of->index])                                                                       \
+    LEAF(CONSTANT, NULL, "@1", n->value)                       /* value */                                            \
+    LEAF(STATE, "x", "@x", at->x == NULL ? 0.0 : at->x[n->index])                                                     \
+    LEAF(INPUT, "u", "@u", at->u == NULL ? 0.0 : at->u[n->index])                                                     \
+    LEAF(PARAMETER, "p", "@p", at->p[n->index])                                                                       \
     LEAF(RIGHT, "d", "r_@x", 0.0)                               /* a right side to be solved for */                    \
     LEAF(FACTOR, "lu", "lu_@i", 0.0)                                                                                   \
     LEAF(TURNS, NULL, "(real)memory->turns[@i]", 0.0)            /* whole turns of a continuous joint */                \

@@ -53,23 +53,23 @@ matrix quaternion_matrix_of_any(graph *g, const node q[4])
 void quaternion_product(graph *g, const node a[4], const node b[4], node product[4])
 {
     static const struct {
-        int of[4], signs[4];
+        int index[4], signs[4];
     } rows[4] = {
         {{0, 1, 2, 3}, {1, -1, -1, -1}},
         {{1, 0, 3, 2}, {1, 1, -1, 1}},
         {{2, 3, 0, 1}, {1, 1, 1, -1}},
         {{3, 2, 1, 0}, {1, -1, 1, 1}},
     };
-    node made[4];
+    node result[4];
     for (int i = 0; i < 4; i++) {
-        node of[4];
+        node factors[4];
         for (int j = 0; j < 4; j++) {
-            of[j] = a[rows[i].of[j]];
+            factors[j] = a[rows[i].index[j]];
         }
-        made[i] = products(g, of, b, rows[i].signs);
+        result[i] = products(g, factors, b, rows[i].signs);
     }
     for (int i = 0; i < 4; i++) {
-        product[i] = made[i];
+        product[i] = result[i];
     }
 }
 

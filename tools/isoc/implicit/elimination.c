@@ -87,10 +87,10 @@ static void find_order(pattern *p, elimination *e, const int *groups)
     for (int i = 0; i < p->count; i++) {
         group = groups[i] > group ? groups[i] : group;
     }
-    for (int made = 0; made < p->count; group--) {
-        for (int pivot; (pivot = cheapest(p, groups, group, e->turn, left)) >= 0; made++) {
-            e->order[made] = pivot;
-            e->turn[pivot] = made;
+    for (int result = 0; result < p->count; group--) {
+        for (int pivot; (pivot = cheapest(p, groups, group, e->turn, left)) >= 0; result++) {
+            e->order[result] = pivot;
+            e->turn[pivot] = result;
             eliminate(p, pivot, e->turn, left);
         }
     }

@@ -172,27 +172,27 @@ const extended *extended_build(graph *g, const dynamics *d, const node *derivati
     const mechanism *m = d->m;
     const balance b = balance_build(d);
     unknowns z = unknowns_of(g, d, &b);
-    extended *made = arena_take(g->memory, 1, sizeof *made);
+    extended *result = arena_take(g->memory, 1, sizeof *result);
     graph_section(g, "Entries of 1 - hb J, with what Newton-Euler hands on from link to link as unknowns");
     add_rows(&z, &b, derivatives);
     pattern places = pattern_start(g->memory, z.count);
     for (size_t i = 0; i < z.entry_count; i++) {
         pattern_add(&places, z.entries[i].row, z.entries[i].column);
     }
-    made->e = elimination_of(&places, z.group);
-    made->entries = arena_take(g->memory, (size_t)made->e.places, sizeof *made->entries);
-    for (int i = 0; i < made->e.places; i++) {
-        made->entries[i] = constant(g, 0.0);
+    result->e = elimination_of(&places, z.group);
+    result->entries = arena_take(g->memory, (size_t)result->e.places, sizeof *result->entries);
+    for (int i = 0; i < result->e.places; i++) {
+        result->entries[i] = constant(g, 0.0);
     }
     for (size_t i = 0; i < z.entry_count; i++) {
-        made->entries[elimination_place(&made->e, z.entries[i].row, z.entries[i].column)] = z.entries[i].is;
+        result->entries[elimination_place(&result->e, z.entries[i].row, z.entries[i].column)] = z.entries[i].is;
     }
-    made->given = arena_take(g->memory, (size_t)z.states, sizeof *made->given);
-    made->found = arena_take(g->memory, (size_t)z.states, sizeof *made->found);
+    result->given = arena_take(g->memory, (size_t)z.states, sizeof *result->given);
+    result->found = arena_take(g->memory, (size_t)z.states, sizeof *result->found);
     for (int i = 0; i < z.states; i++) {
         const int state = z.quantities + i, speeds = i < m->position_count ? 0 : m->dof_count;
-        made->found[i] = made->e.turn[state];
-        made->given[i] = made->e.turn[state + speeds];
+        result->found[i] = result->e.turn[state];
+        result->given[i] = result->e.turn[state + speeds];
     }
-    return made;
+    return result;
 }

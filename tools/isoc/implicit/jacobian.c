@@ -7,18 +7,18 @@
 const char *const factoring_names[FACTORINGS] = {"full", "sparse", "looped"};
 
 /* Where factors are stored: a constant stays one, any other node gets its place in lu[]. */
-static node put_down(graph *g, jacobian *made, node n)
+static node put_down(graph *g, jacobian *result, node n)
 {
     if (is_constant(g, n)) {
         return n;
     }
-    for (int i = 0; i < made->factor_count; i++) {
-        if (made->factors[i] == n) {
+    for (int i = 0; i < result->factor_count; i++) {
+        if (result->factors[i] == n) {
             return leaf(g, OP_FACTOR, i);
         }
     }
-    made->factors[made->factor_count] = n;
-    return leaf(g, OP_FACTOR, made->factor_count++);
+    result->factors[result->factor_count] = n;
+    return leaf(g, OP_FACTOR, result->factor_count++);
 }
 
 /* w = L U in place, the diagonal of U inverted. */
@@ -111,36 +111,36 @@ static unknowns balanced_equations(graph *g, const dynamics *d, const node *deri
 
 /* With p the positions that follow from speeds: (W - hb left_z - hb^2 left_p) d_z = W r_z + hb left_p r_p, then
  * d_p = r_p + hb d_speed. */
-static void solve(graph *g, jacobian *made, const unknowns *z, const node *lu, const node *coupling, node hb)
+static void solve(graph *g, jacobian *result, const unknowns *z, const node *lu, const node *coupling, node hb)
 {
     const int n = z->count;
     node *y = arena_take(g->memory, (size_t)n, sizeof *y);
     for (int i = 0; i < n; i++) {
         y[i] = constant(g, 0.0);
         for (int j = 0; j < n; j++) {
-            const node weight = put_down(g, made, z->weights[i * n + j]);
+            const node weight = put_down(g, result, z->weights[i * n + j]);
             y[i] = z->of[j] < 0 ? y[i] : add(g, y[i], mul(g, weight, leaf(g, OP_RIGHT, z->of[j])));
         }
         for (int j = 0; j < z->states; j++) {
-            const node factor = put_down(g, made, coupling[i * z->states + j]);
+            const node factor = put_down(g, result, coupling[i * z->states + j]);
             y[i] = add(g, y[i], mul(g, factor, leaf(g, OP_RIGHT, j)));
         }
         for (int j = 0; j < i; j++) {
-            y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[i * n + j]), y[j]));
+            y[i] = sub(g, y[i], mul(g, put_down(g, result, lu[i * n + j]), y[j]));
         }
     }
     for (int i = n - 1; i >= 0; i--) {
         for (int j = i + 1; j < n; j++) {
-            y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[i * n + j]), y[j]));
+            y[i] = sub(g, y[i], mul(g, put_down(g, result, lu[i * n + j]), y[j]));
         }
-        y[i] = mul(g, y[i], put_down(g, made, lu[i * n + i]));
+        y[i] = mul(g, y[i], put_down(g, result, lu[i * n + i]));
     }
     for (int i = 0; i < z->states; i++) {
         const node found = y[z->partner[i]];
-        made->solution[i] = found;
+        result->solution[i] = found;
         if (z->follows[i]) {
-            const node moved = mul(g, put_down(g, made, hb), found);
-            made->solution[i] = add(g, leaf(g, OP_RIGHT, i), moved);
+            const node moved = mul(g, put_down(g, result, hb), found);
+            result->solution[i] = add(g, leaf(g, OP_RIGHT, i), moved);
         }
     }
 }
@@ -158,8 +158,8 @@ static jacobian build(graph *g, const dynamics *d, const node *derivatives, cons
     const size_t square = (size_t)(n * n), coupled = (size_t)(n * states);
     node *column = arena_take(g->memory, (size_t)n, sizeof *column);
     node *lu = arena_take(g->memory, square, sizeof *lu), *coupling = arena_take(g->memory, coupled, sizeof *coupling);
-    jacobian made = {.factors = arena_take(g->memory, 2 * square + coupled + 1, sizeof *made.factors)};
-    made.solution = arena_take(g->memory, (size_t)states, sizeof *made.solution);
+    jacobian result = {.factors = arena_take(g->memory, 2 * square + coupled + 1, sizeof *result.factors)};
+    result.solution = arena_take(g->memory, (size_t)states, sizeof *result.solution);
 
     graph_section(g, "Derivatives by positions and by speeds");
     const node zero = constant(g, 0.0), hb = leaf(g, OP_STEP, 0);
@@ -183,8 +183,8 @@ static jacobian build(graph *g, const dynamics *d, const node *derivatives, cons
     }
     factorise(g, lu, n);
     graph_section(g, "L U d_z = W r_z + hb A r_p, then d_p = r_p + hb d_speed");
-    solve(g, &made, z, lu, coupling, hb);
-    return made;
+    solve(g, &result, z, lu, coupling, hb);
+    return result;
 }
 
 /* Operations of a step: a factorisation and two or three solutions. */
@@ -239,7 +239,7 @@ static void factorise_sparse(graph *g, const elimination *e, node *lu)
     }
 }
 
-static void solve_sparse(graph *g, jacobian *made, const extended *x, const node *lu, int states)
+static void solve_sparse(graph *g, jacobian *result, const extended *x, const node *lu, int states)
 {
     const elimination *e = &x->e;
     node *y = arena_take(g->memory, (size_t)e->count, sizeof *y);
@@ -251,32 +251,32 @@ static void solve_sparse(graph *g, jacobian *made, const extended *x, const node
     }
     for (int i = 0; i < e->count; i++) {
         for (int at = e->row[i]; at + 1 < e->beyond[i]; at++) {
-            y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[at]), y[e->column[at]]));
+            y[i] = sub(g, y[i], mul(g, put_down(g, result, lu[at]), y[e->column[at]]));
         }
     }
     for (int i = e->count - 1; i >= 0; i--) {
         for (int at = e->beyond[i]; at < e->row[i + 1]; at++) {
-            y[i] = sub(g, y[i], mul(g, put_down(g, made, lu[at]), y[e->column[at]]));
+            y[i] = sub(g, y[i], mul(g, put_down(g, result, lu[at]), y[e->column[at]]));
         }
-        y[i] = mul(g, y[i], put_down(g, made, lu[e->beyond[i] - 1]));
+        y[i] = mul(g, y[i], put_down(g, result, lu[e->beyond[i] - 1]));
     }
     for (int i = 0; i < states; i++) {
-        made->solution[i] = y[x->found[i]];
+        result->solution[i] = y[x->found[i]];
     }
 }
 
 static jacobian sparse(graph *g, const dynamics *d, const node *derivatives, const extended *x)
 {
     const int states = state_count(d->m);
-    jacobian made = {.kind = FACTORING_SPARSE};
-    made.factors = arena_take(g->memory, (size_t)x->e.places, sizeof *made.factors);
-    made.solution = arena_take(g->memory, (size_t)states, sizeof *made.solution);
+    jacobian result = {.kind = FACTORING_SPARSE};
+    result.factors = arena_take(g->memory, (size_t)x->e.places, sizeof *result.factors);
+    result.solution = arena_take(g->memory, (size_t)states, sizeof *result.solution);
     replace_leaves(g, x->entries, (size_t)x->e.places, OP_DERIVATIVE, derivatives);
     graph_section(g, "Their factors L U");
     factorise_sparse(g, &x->e, x->entries);
     graph_section(g, "L U d = r, for all unknowns");
-    solve_sparse(g, &made, x, x->entries, states);
-    return made;
+    solve_sparse(g, &result, x, x->entries, states);
+    return result;
 }
 
 static jacobian looped(const extended *x)
@@ -299,7 +299,7 @@ static long full_products(const mechanism *m)
     long products = 0;
     for (int f = 0; f < m->dof_count; f++) {
         long ancestors = 0;
-        for (int of = m->dofs[f].before; of != GROUND; of = m->dofs[of].before) {
+        for (int index = m->dofs[f].before; index != GROUND; index = m->dofs[index].before) {
             ancestors++;
         }
         products += ancestors * ancestors;

@@ -20,7 +20,7 @@ static void build_applied_force(builder *b, const body_force *written)
     if (pushed < 0 || drive < 0 || written->axis == NULL || !unit_axis(b, written->axis, axis)) {
         return;
     }
-    const body_frame *frame = &b->made.frames[pushed];
+    const body_frame *frame = &b->mechanism.frames[pushed];
     if (!frame->placed || frame->segment == GROUND) {
         if (frame->placed) {
             source_problem(b->s, written->at.body.at, "'%s' is fixed to the ground: a force on it has no effect",
@@ -28,16 +28,16 @@ static void build_applied_force(builder *b, const body_force *written)
         }
         return;
     }
-    applied_force made = {.body = pushed, .segment = frame->segment, .drive = drive, .lever = lever};
-    made.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
-    made.axis = matrix_apply(g, frame->turn, matrix_apply(g, turned, vector_of(g, axis[0], axis[1], axis[2])));
-    b->made.applied_forces[b->made.applied_force_count++] = made;
+    applied_force result = {.body = pushed, .segment = frame->segment, .drive = drive, .lever = lever};
+    result.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
+    result.axis = matrix_apply(g, frame->turn, matrix_apply(g, turned, vector_of(g, axis[0], axis[1], axis[2])));
+    b->mechanism.applied_forces[b->mechanism.applied_force_count++] = result;
 }
 
 void build_applied_forces(builder *b)
 {
-    b->made.applied_forces = arena_take(b->s->memory, b->written->force_count + count_forces(b->written) + 1,
-                                        sizeof *b->made.applied_forces);
+    b->mechanism.applied_forces = arena_take(b->s->memory, b->written->force_count + count_forces(b->written) + 1,
+                                             sizeof *b->mechanism.applied_forces);
     for (size_t i = 0; i < b->written->force_count; i++) {
         build_applied_force(b, &b->written->forces[i]);
     }

@@ -76,14 +76,14 @@ static tensor tensor_of_size(builder *b, const solid *written, node mass)
 static lump lump_of_solid(builder *b, const solid *written, const char *whose)
 {
     const size_t problems = b->s->problem_count;
-    lump made = {.mass = scalar_value(b, written->mass, kilogram, "a mass")};
-    if (b->s->problem_count == problems && !(value_now(&b->values, made.mass) > 0.0)) {
+    lump result = {.mass = scalar_value(b, written->mass, kilogram, "a mass")};
+    if (b->s->problem_count == problems && !(value_now(&b->values, result.mass) > 0.0)) {
         source_problem(b->s, written->mass->at, "the mass of a solid must be larger than zero");
     }
     const tensor own =
-        written->kind->numbers == 0 ? inertia_value(b, written->size, whose) : tensor_of_size(b, written, made.mass);
-    made.inertia = place_inertia(b, &written->at, own, &made.com);
-    return made;
+        written->kind->numbers == 0 ? inertia_value(b, written->size, whose) : tensor_of_size(b, written, result.mass);
+    result.inertia = place_inertia(b, &written->at, own, &result.com);
+    return result;
 }
 
 /* The mass of a body, with its centre and its inertia. */
@@ -91,34 +91,34 @@ static lump lump_of_body(builder *b, const body *written)
 {
     vector none;
     const size_t problems = b->s->problem_count;
-    lump made = {.mass = scalar_value(b, written->mass, kilogram, "a mass")};
-    const bool massless = is_zero(b->g, made.mass);
+    lump result = {.mass = scalar_value(b, written->mass, kilogram, "a mass")};
+    const bool massless = is_zero(b->g, result.mass);
     if (written->mass != NULL && b->s->problem_count == problems && !massless &&
-        !(value_now(&b->values, made.mass) > 0.0)) {
+        !(value_now(&b->values, result.mass) > 0.0)) {
         source_problem(b->s, written->mass->at, "a mass must be larger than zero, or 0 where a body has none");
     }
     if (massless && written->mass != NULL && written->inertia != NULL && b->s->problem_count == problems) {
         source_problem(b->s, written->inertia->at, "a body without mass has no inertia");
     }
-    made.com = vector_value(b, written->com, metre, "a centre of mass");
-    made.inertia =
+    result.com = vector_value(b, written->com, metre, "a centre of mass");
+    result.inertia =
         place_inertia(b, &written->inertia_axes, inertia_value(b, written->inertia, written->name.text), &none);
-    return made;
+    return result;
 }
 
 void build_bodies(builder *b)
 {
     for (size_t i = 0; i < b->written->body_count; i++) {
         const body *written = &b->written->bodies[i];
-        weight *made = &b->weights[i];
-        made->joint = -1;
-        made->lump_count = written->solid_count == 0 ? 1 : written->solid_count;
-        made->lumps = arena_take(b->s->memory, made->lump_count, sizeof *made->lumps);
+        weight *result = &b->weights[i];
+        result->joint = -1;
+        result->lump_count = written->solid_count == 0 ? 1 : written->solid_count;
+        result->lumps = arena_take(b->s->memory, result->lump_count, sizeof *result->lumps);
         for (size_t n = 0; n < written->solid_count; n++) {
-            made->lumps[n] = lump_of_solid(b, &written->solids[n], written->name.text);
+            result->lumps[n] = lump_of_solid(b, &written->solids[n], written->name.text);
         }
         if (written->solid_count == 0) {
-            made->lumps[0] = lump_of_body(b, written);
+            result->lumps[0] = lump_of_body(b, written);
         }
     }
 }

@@ -38,7 +38,7 @@ typedef struct history_memory {
 typedef struct time_input {
     const formula *of;
     const effect_use *within;
-    value made; /* the leaf of its input, when it is known; else count 0 */
+    value drive; /* the leaf of its input, when it is known; else count 0 */
 } time_input;
 
 typedef struct builder {
@@ -61,12 +61,12 @@ typedef struct builder {
     bool is_effect_broken;      /* one of them: its inputs seem to have no use */
     const surroundings *around; /* what effects, signals and outputs can name */
     const mechanism *whole;     /* with all effects, whose memory this one has; NULL: it is that */
-    mechanism made;
+    mechanism mechanism;        /* so far */
 } builder;
 
 /* The value of a formula; zero if there is none, or if it is wrong. */
-vector vector_value(builder *b, const formula *f, dimension of, const char *what);
-node scalar_value(builder *b, const formula *f, dimension of, const char *what);
+vector vector_value(builder *b, const formula *f, dimension expected, const char *what);
+node scalar_value(builder *b, const formula *f, dimension expected, const char *what);
 
 /* joints.c: the chain of segments that a joint stands for, beginning at the parent, each with its axes in the joint's
  * frame; returns their number. And the degrees of freedom of all segments. */
@@ -88,7 +88,7 @@ int common_segment(const mechanism *m, int a, int b);
 void build_springs(builder *b);
 
 /* motions.c: a joint whose coordinate is a function of time; returns false after noting a problem. */
-bool build_motion(builder *b, const closure_statement *written, closure *made);
+bool build_motion(builder *b, const closure_statement *written, closure *result);
 
 /* applied_forces.c: forces of inputs on bodies. */
 void build_applied_forces(builder *b);
@@ -146,7 +146,7 @@ value value_in_scene(builder *b, const formula *f);
 
 /* outputs.c: what the outputs show; the segment of a joint of one coordinate, or of a part of a joint; -1 if there is none;
  * the child of a joint, or a closure between bodies, and -1 for the other; false after noting a problem. */
-int segment_called(const mechanism *made, name n);
+int segment_called(const mechanism *m, name n);
 bool find_connection(builder *b, name n, int *child, int *loop);
 void build_outputs(builder *b);
 

@@ -25,11 +25,11 @@ bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end)
     matrix turned;
     vector origin;
     const int on = stand_on(b, p, &turned, &origin);
-    if (on == -1 || (on >= 0 && !b->made.frames[on].placed)) {
+    if (on == -1 || (on >= 0 && !b->mechanism.frames[on].placed)) {
         return false;
     }
     const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
-    const body_frame frame = on == -2 ? ground : b->made.frames[on];
+    const body_frame frame = on == -2 ? ground : b->mechanism.frames[on];
     end->body = on == -2 ? GROUND : on;
     end->segment = frame.segment;
     end->turn = matrix_snap(g, matrix_product(g, frame.turn, matrix_product(g, turned, aligned)));
@@ -38,36 +38,36 @@ bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end)
 }
 
 /* Between two bodies. */
-static bool build_between(builder *b, const closure_statement *written, closure *made)
+static bool build_between(builder *b, const closure_statement *written, closure *result)
 {
     double axis[3];
     matrix aligned = matrix_identity(b->g);
     if (written->axis != NULL && unit_axis(b, written->axis, axis)) {
-        aligned = align(b->g, axis, &made->axis, &made->sign);
+        aligned = align(b->g, axis, &result->axis, &result->sign);
     }
-    bool good = place_end(b, &written->parent, aligned, &made->parent);
-    good = place_end(b, &written->child, aligned, &made->child) && good;
+    bool good = place_end(b, &written->parent, aligned, &result->parent);
+    good = place_end(b, &written->child, aligned, &result->child) && good;
     if (!good) {
         return false;
     }
-    if (made->parent.segment == made->child.segment) {
+    if (result->parent.segment == result->child.segment) {
         source_problem(b->s, written->name.at, "'%s' closes nothing: '%s' and '%s' do not move relative to each other",
                        written->name.text, written->parent.body.text, written->child.body.text);
         return false;
     }
-    made->base = common_segment(&b->made, made->parent.segment, made->child.segment);
+    result->base = common_segment(&b->mechanism, result->parent.segment, result->child.segment);
     if (written->wheel != NULL && unit_axis(b, written->wheel, axis)) {
         const vector axle = {{constant(b->g, axis[0]), constant(b->g, axis[1]), constant(b->g, axis[2])}};
-        made->wheel = matrix_apply(b->g, made->child.turn, matrix_apply(b->g, matrix_transpose(aligned), axle));
-        made->is_disc = true;
+        result->wheel = matrix_apply(b->g, result->child.turn, matrix_apply(b->g, matrix_transpose(aligned), axle));
+        result->is_disc = true;
     }
     const bool rolls = written->kind == CLOSE_ROLLING;
-    made->length = scalar_value(b, rolls ? written->radius : written->length, metre, rolls ? "a radius" : "a length");
-    if (rolls && made->parent.segment != GROUND) {
+    result->length = scalar_value(b, rolls ? written->radius : written->length, metre, rolls ? "a radius" : "a length");
+    if (rolls && result->parent.segment != GROUND) {
         source_problem(b->s, written->parent.body.at, "a ball can roll only on the ground: parent ground");
     }
     const bool sized = rolls || written->kind == CLOSE_DISTANCE;
-    if (sized && (rolls || written->length != NULL) && !(value_now(&b->values, made->length) > 0.0)) {
+    if (sized && (rolls || written->length != NULL) && !(value_now(&b->values, result->length) > 0.0)) {
         source_problem(b->s, rolls && written->radius != NULL ? written->radius->at : written->name.at,
                        "a %s must be larger than zero", rolls ? "radius" : "length");
         return false;
@@ -80,8 +80,8 @@ int coordinate_of(builder *b, name n)
     if (n.text == NULL || b->written->broken) {
         return -1;
     }
-    for (int i = 0; i < b->made.segment_count; i++) {
-        if (strcmp(b->made.segments[i].name, n.text) == 0 && b->made.segments[i].kind != JOINT_SPHERICAL) {
+    for (int i = 0; i < b->mechanism.segment_count; i++) {
+        if (strcmp(b->mechanism.segments[i].name, n.text) == 0 && b->mechanism.segments[i].kind != JOINT_SPHERICAL) {
             return i;
         }
     }
@@ -117,50 +117,50 @@ static node whole_turns(builder *b, const segment *first, const segment *second_
 }
 
 /* A gear between two joints; the start satisfies it. */
-static bool build_gear(builder *b, const closure_statement *written, closure *made)
+static bool build_gear(builder *b, const closure_statement *written, closure *result)
 {
-    made->parent.segment = coordinate_of(b, written->first);
-    made->child.segment = coordinate_of(b, written->second);
-    if (made->parent.segment < 0 || made->child.segment < 0) {
+    result->parent.segment = coordinate_of(b, written->first);
+    result->child.segment = coordinate_of(b, written->second);
+    if (result->parent.segment < 0 || result->child.segment < 0) {
         return false;
     }
-    if (made->parent.segment == made->child.segment) {
+    if (result->parent.segment == result->child.segment) {
         source_problem(b->s, written->second.at, "a gear needs two joints; both are '%s'", written->second.text);
         return false;
     }
-    const segment *first = &b->made.segments[made->parent.segment],
-                  *second_segment = &b->made.segments[made->child.segment];
-    dimension of = coordinate_dimension(first);
-    dimension_times(&of, coordinate_dimension(second_segment), -1);
-    made->ratio = scalar_value(b, written->ratio, of, "the ratio of this gear");
-    made->length = constant(b->g, first->start[0] - value_now(&b->values, made->ratio) * second_segment->start[0]);
-    made->whole = whole_turns(b, first, second_segment, made->ratio);
-    made->in_speed = (first->continuous || second_segment->continuous) && is_zero(b->g, made->whole);
+    const segment *first = &b->mechanism.segments[result->parent.segment],
+                  *second_segment = &b->mechanism.segments[result->child.segment];
+    dimension expected = coordinate_dimension(first);
+    dimension_times(&expected, coordinate_dimension(second_segment), -1);
+    result->ratio = scalar_value(b, written->ratio, expected, "the ratio of this gear");
+    result->length = constant(b->g, first->start[0] - value_now(&b->values, result->ratio) * second_segment->start[0]);
+    result->whole = whole_turns(b, first, second_segment, result->ratio);
+    result->in_speed = (first->continuous || second_segment->continuous) && is_zero(b->g, result->whole);
     return true;
 }
 
 static void build_closure(builder *b, const closure_statement *written)
 {
     const node zero = constant(b->g, 0.0);
-    closure made = {
+    closure result = {
         .name = written->name.text, .at = written->name.at, .kind = written->kind, .base = GROUND, .sign = 1.0};
-    made.length = made.ratio = made.motion = made.motion_rate = made.motion_bias = made.whole = zero;
+    result.length = result.ratio = result.motion = result.motion_rate = result.motion_bias = result.whole = zero;
     if (written->broken) {
         return;
     }
-    const bool good = written->kind == CLOSE_GEAR     ? build_gear(b, written, &made)
-                      : written->kind == CLOSE_MOTION ? build_motion(b, written, &made)
-                                                      : build_between(b, written, &made);
+    const bool good = written->kind == CLOSE_GEAR     ? build_gear(b, written, &result)
+                      : written->kind == CLOSE_MOTION ? build_motion(b, written, &result)
+                                                      : build_between(b, written, &result);
     if (good) {
-        b->made.closures[b->made.closure_count++] = made;
+        b->mechanism.closures[b->mechanism.closure_count++] = result;
     }
 }
 
 /* --- stabilisation --- */
 
-static double option(builder *b, const formula *f, dimension of, const char *what, double fallback, double least)
+static double option(builder *b, const formula *f, dimension expected, const char *what, double fallback, double least)
 {
-    const double number = value_constant(&b->values, f, of, what, fallback);
+    const double number = value_constant(&b->values, f, expected, what, fallback);
     if (f != NULL && !(number >= least)) {
         source_problem(b->s, f->at, "%s must be at least %g", what, least);
         return fallback;
@@ -172,23 +172,23 @@ static double option(builder *b, const formula *f, dimension of, const char *wha
  * made from its start alone: what a history keeps of a step near there would act later. */
 static void build_near(builder *b, const name *near)
 {
-    mechanism *made = &b->made;
+    mechanism *m = &b->mechanism;
     if (near->text == NULL) {
         return;
     }
-    made->near_stops = strcmp(near->text, "stop") == 0;
-    made->near_holds = strcmp(near->text, "hold") == 0;
-    if (made->projections == 0) {
+    m->near_stops = strcmp(near->text, "stop") == 0;
+    m->near_holds = strcmp(near->text, "hold") == 0;
+    if (m->projections == 0) {
         source_problem(b->s, near->at,
                        "only a projection watches for singular positions: leave out omega and mu, or near");
     }
-    if (made->near_holds && (ISO_PAST_KEPT(made->recipe) > 0 || ISO_IS_VARYING(made->recipe))) {
+    if (m->near_holds && (ISO_PAST_KEPT(m->recipe) > 0 || ISO_IS_VARYING(m->recipe))) {
         source_problem(b->s, near->at, "near hold needs a method without a history, such as rk4 or rosenbrock");
     }
-    for (int i = 0; i < made->closure_count && made->near_holds; i++) {
-        if (made->closures[i].kind == CLOSE_MOTION) {
+    for (int i = 0; i < m->closure_count && m->near_holds; i++) {
+        if (m->closures[i].kind == CLOSE_MOTION) {
             source_problem(b->s, near->at, "near hold needs closures that do no work: '%s' is a motion",
-                           made->closures[i].name);
+                           m->closures[i].name);
         }
     }
 }
@@ -204,40 +204,39 @@ static void build_stabilisation(builder *b)
 {
     static const dimension rate = {0, 0, -1, 0, 0, 0, 0};
     const stabilisation *written = &b->written->stabilisation;
-    mechanism *made = &b->made;
+    mechanism *m = &b->mechanism;
     const char *kind = written->kind.text == NULL ? "projection" : written->kind.text;
     const bool is_lagrangian = strcmp(kind, "lagrangian") == 0, is_baumgarte = strcmp(kind, "baumgarte") == 0;
     const bool draws = is_baumgarte || (is_lagrangian && (written->omega != NULL || written->mu != NULL));
-    const double usual = draws ? 0.1 / method_step(made) : 0.0;
-    made->alpha = option(b, written->alpha, rate, "alpha", usual, 0.0);
-    made->beta = option(b, written->beta, rate, "beta", written->alpha != NULL ? made->alpha : usual, 0.0);
-    made->multiplier_iterations = 1;
+    const double usual = draws ? 0.1 / method_step(m) : 0.0;
+    m->alpha = option(b, written->alpha, rate, "alpha", usual, 0.0);
+    m->beta = option(b, written->beta, rate, "beta", written->alpha != NULL ? m->alpha : usual, 0.0);
+    m->multiplier_iterations = 1;
     if (is_lagrangian) {
         const double omega = option(b, written->omega, rate, "omega", usual, 0.0);
-        made->beta = omega;
-        made->alpha = omega * option(b, written->mu, no_unit, "mu", 1.0, 0.0);
-        made->is_redundant = true;
-        made->penalty = option(b, written->penalty, kilogram, "the penalty", 0.0, 1e-9);
-        made->multiplier_iterations =
-            (int)option(b, written->iterations, no_unit, "the number of iterations", 6.0, 1.0);
-        made->projections = draws ? 0 : 1;
+        m->beta = omega;
+        m->alpha = omega * option(b, written->mu, no_unit, "mu", 1.0, 0.0);
+        m->is_redundant = true;
+        m->penalty = option(b, written->penalty, kilogram, "the penalty", 0.0, 1e-9);
+        m->multiplier_iterations = (int)option(b, written->iterations, no_unit, "the number of iterations", 6.0, 1.0);
+        m->projections = draws ? 0 : 1;
     } else if (strcmp(kind, "projection") == 0) {
-        made->projections = (int)option(b, written->iterations, no_unit, "the number of iterations", 1.0, 1.0);
+        m->projections = (int)option(b, written->iterations, no_unit, "the number of iterations", 1.0, 1.0);
     }
     build_near(b, &written->near);
-    made->violation_limit = value_displacement(&b->values, written->limit, "the limit", 0.0);
-    if (made->violation_limit < 0.0) {
+    m->violation_limit = value_displacement(&b->values, written->limit, "the limit", 0.0);
+    if (m->violation_limit < 0.0) {
         source_problem(b->s, written->limit->at, "the limit must be at least 0");
     }
 }
 
 void build_closures(builder *b)
 {
-    b->made.closures = arena_take(b->s->memory, b->written->closure_count + 1, sizeof *b->made.closures);
-    b->made.clocks.first = b->made.position_count;
+    b->mechanism.closures = arena_take(b->s->memory, b->written->closure_count + 1, sizeof *b->mechanism.closures);
+    b->mechanism.clocks.first = b->mechanism.position_count;
     for (size_t i = 0; i < b->written->closure_count; i++) {
         build_closure(b, &b->written->closures[i]);
     }
-    b->made.position_count += b->made.clocks.count;
+    b->mechanism.position_count += b->mechanism.clocks.count;
     build_stabilisation(b);
 }

@@ -11,15 +11,15 @@ static bool same_name(name a, name b)
 /* Which inputs are smooth; the recipe says so if the method extrapolates them. */
 static void build_smooth(builder *b)
 {
-    mechanism *made = &b->made;
+    mechanism *m = &b->mechanism;
     bool any = false;
-    made->smooth = arena_take(b->s->memory, (size_t)made->input_count + 1, sizeof *made->smooth);
+    m->smooth = arena_take(b->s->memory, (size_t)m->input_count + 1, sizeof *m->smooth);
     for (size_t i = 0; i < b->written->input_count; i++) {
-        made->smooth[i] = b->written->inputs[i].smooth;
-        any = any || made->smooth[i];
+        m->smooth[i] = b->written->inputs[i].smooth;
+        any = any || m->smooth[i];
     }
-    const unsigned smooth = made->recipe | ISO_SMOOTH;
-    made->recipe = any && ISO_DEGREE(smooth) > 0 ? smooth : made->recipe;
+    const unsigned smooth = m->recipe | ISO_SMOOTH;
+    m->recipe = any && ISO_DEGREE(smooth) > 0 ? smooth : m->recipe;
 }
 
 /* What joints and forces say of an input: whether it is a torque, or a force. */
@@ -65,11 +65,11 @@ static dimension input_dimension(builder *b, const quantity *q, bool *is_known)
 }
 
 /* LEAST to MOST of a tunable or an input, in the right order. */
-static void read_limits(builder *b, const quantity *q, bool is_known, dimension of, variable *to)
+static void read_limits(builder *b, const quantity *q, bool is_known, dimension expected, variable *to)
 {
     const char *what = arena_format(b->s->memory, "a limit of '%s'", q->name.text);
-    to->least = value_constant(&b->values, is_known ? q->least : NULL, of, what, -HUGE_VAL);
-    to->most = value_constant(&b->values, is_known ? q->most : NULL, of, what, HUGE_VAL);
+    to->least = value_constant(&b->values, is_known ? q->least : NULL, expected, what, -HUGE_VAL);
+    to->most = value_constant(&b->values, is_known ? q->most : NULL, expected, what, HUGE_VAL);
     if (to->least > to->most) {
         source_problem(b->s, q->least->at, "the limits of '%s' are in the wrong order: in LEAST to MOST", q->name.text);
     }
@@ -78,37 +78,36 @@ static void read_limits(builder *b, const quantity *q, bool is_known, dimension 
 /* Steps, squares and sequences. Each counts once. */
 void find_edges(builder *b, node drive)
 {
-    mechanism *made = &b->made;
+    mechanism *m = &b->mechanism;
     const graph *g = b->g;
     bool *needed = arena_take(b->s->memory, g->count, sizeof *needed);
     graph_reach(g, &drive, 1, needed);
     for (size_t i = 0; i < g->count; i++) {
         const operation op = g->nodes[i].op;
         bool is_new = needed[i] && (op == OP_FROM || op == OP_SQUARE || op == OP_SQUARE_OF_PHASE || op == OP_PRBS);
-        for (int k = 0; k < made->edge_count; k++) {
-            is_new = is_new && made->edges[k] != (node)i;
+        for (int k = 0; k < m->edge_count; k++) {
+            is_new = is_new && m->edges[k] != (node)i;
         }
         if (is_new) {
-            made->edges =
-                arena_grow(b->s->memory, made->edges, (size_t)made->edge_count, &b->edge_room, sizeof *made->edges);
-            made->edges[made->edge_count++] = (node)i;
+            m->edges = arena_grow(b->s->memory, m->edges, (size_t)m->edge_count, &b->edge_room, sizeof *m->edges);
+            m->edges[m->edge_count++] = (node)i;
         }
     }
 }
 
 /* The input as a wire, if it is one. */
-static void build_wire(builder *b, int i, bool is_known, dimension of)
+static void build_wire(builder *b, int i, bool is_known, dimension expected)
 {
     static const double most_ticks = 4294967295.0;
-    mechanism *made = &b->made;
+    mechanism *m = &b->mechanism;
     const quantity *q = &b->written->inputs[i];
-    const variable *v = &made->inputs[i];
-    if (made->driven[i] && q->safe == NULL) {
+    const variable *v = &m->inputs[i];
+    if (m->driven[i] && q->safe == NULL) {
         return;
     }
-    wire *w = &made->wires[made->wire_count++];
+    wire *w = &m->wires[m->wire_count++];
     *w = (wire){.input = i};
-    w->safe = value_constant(&b->values, is_known ? q->safe : NULL, of,
+    w->safe = value_constant(&b->values, is_known ? q->safe : NULL, expected,
                              arena_format(b->s->memory, "the safe value of '%s'", q->name.text), 0.0);
     w->after = value_constant(&b->values, q->after, no_unit, "the number of ticks", 0.0);
     if (q->safe != NULL && is_known && (w->safe < v->least || w->safe > v->most)) {
@@ -121,48 +120,48 @@ static void build_wire(builder *b, int i, bool is_known, dimension of)
 
 static void build_input(builder *b, int i)
 {
-    mechanism *made = &b->made;
+    mechanism *m = &b->mechanism;
     const quantity *q = &b->written->inputs[i];
-    const dimension of = input_dimension(b, q, &b->is_input_known[i]);
+    const dimension expected = input_dimension(b, q, &b->is_input_known[i]);
     const bool is_known = b->is_input_known[i];
-    const char *what = dimension_equal(of, newton_metre) ? "a torque"
-                       : dimension_equal(of, newton)     ? "a force"
-                                                         : "this input";
-    b->input_dimensions[i] = of;
-    made->inputs[i] = (variable){.name = q->name.text,
-                                 .unit = dimension_unit(b->s->memory, of),
-                                 .quote = source_quote(b->s, q->name.at),
-                                 .least = -HUGE_VAL,
-                                 .most = HUGE_VAL};
-    read_limits(b, q, is_known, of, &made->inputs[i]);
-    made->driven[i] = q->value != NULL;
-    made->drives[i] = scalar_value(b, is_known ? q->value : NULL, of, what);
+    const char *what = dimension_equal(expected, newton_metre) ? "a torque"
+                       : dimension_equal(expected, newton)     ? "a force"
+                                                               : "this input";
+    b->input_dimensions[i] = expected;
+    m->inputs[i] = (variable){.name = q->name.text,
+                              .unit = dimension_unit(b->s->memory, expected),
+                              .quote = source_quote(b->s, q->name.at),
+                              .least = -HUGE_VAL,
+                              .most = HUGE_VAL};
+    read_limits(b, q, is_known, expected, &m->inputs[i]);
+    m->driven[i] = q->value != NULL;
+    m->drives[i] = scalar_value(b, is_known ? q->value : NULL, expected, what);
     if (q->jump == NULL && !q->smooth) {
-        find_edges(b, made->drives[i]);
+        find_edges(b, m->drives[i]);
     }
-    made->jumps[i] = value_constant(&b->values, is_known ? q->jump : NULL, of, what, q->jump != NULL ? 1.0 : 0.0);
-    if (q->jump != NULL && !(made->jumps[i] > 0.0)) {
+    m->jumps[i] = value_constant(&b->values, is_known ? q->jump : NULL, expected, what, q->jump != NULL ? 1.0 : 0.0);
+    if (q->jump != NULL && !(m->jumps[i] > 0.0)) {
         source_problem(b->s, q->jump->at, "a jump must be larger than zero");
     }
-    build_wire(b, i, is_known, of);
+    build_wire(b, i, is_known, expected);
 }
 
 void build_inputs(builder *b)
 {
-    mechanism *made = &b->made;
+    mechanism *m = &b->mechanism;
     find_time_inputs(b);
-    made->input_count = (int)b->written->input_count + b->time_input_count;
-    const size_t room = (size_t)made->input_count + 1;
-    made->inputs = arena_take(b->s->memory, room, sizeof *made->inputs);
-    made->driven = arena_take(b->s->memory, room, sizeof *made->driven);
-    made->jumps = arena_take(b->s->memory, room, sizeof *made->jumps);
-    made->wires = arena_take(b->s->memory, room, sizeof *made->wires);
-    made->drives = arena_take(b->s->memory, room + (size_t)made->clocks.count, sizeof *made->drives);
+    m->input_count = (int)b->written->input_count + b->time_input_count;
+    const size_t room = (size_t)m->input_count + 1;
+    m->inputs = arena_take(b->s->memory, room, sizeof *m->inputs);
+    m->driven = arena_take(b->s->memory, room, sizeof *m->driven);
+    m->jumps = arena_take(b->s->memory, room, sizeof *m->jumps);
+    m->wires = arena_take(b->s->memory, room, sizeof *m->wires);
+    m->drives = arena_take(b->s->memory, room + (size_t)m->clocks.count, sizeof *m->drives);
     b->input_dimensions = arena_take(b->s->memory, room, sizeof *b->input_dimensions);
     b->is_input_known = arena_take(b->s->memory, room, sizeof *b->is_input_known);
     b->is_input_used = arena_take(b->s->memory, room, sizeof *b->is_input_used);
-    for (int i = 0; i < made->clocks.count; i++) {
-        made->drives[made->input_count + i] = made->clocks.all[i].of_tick;
+    for (int i = 0; i < m->clocks.count; i++) {
+        m->drives[m->input_count + i] = m->clocks.all[i].of_tick;
     }
     build_smooth(b);
     b->values.time_allowed = true;
@@ -192,74 +191,74 @@ void check_inputs(builder *b)
 }
 
 /* A tunable parameter: its default must lie within its limits. */
-static variable parameter_of(builder *b, const quantity *q, dimension of, double start)
+static variable parameter_of(builder *b, const quantity *q, dimension expected, double start)
 {
-    variable made = {.name = q->name.text,
-                     .unit = dimension_unit(b->s->memory, of),
-                     .quote = source_quote(b->s, q->name.at),
-                     .dimension = of,
-                     .start = start};
-    read_limits(b, q, true, of, &made);
-    if (made.least <= made.most && (start < made.least || start > made.most)) {
+    variable result = {.name = q->name.text,
+                       .unit = dimension_unit(b->s->memory, expected),
+                       .quote = source_quote(b->s, q->name.at),
+                       .dimension = expected,
+                       .start = start};
+    read_limits(b, q, true, expected, &result);
+    if (result.least <= result.most && (start < result.least || start > result.most)) {
         source_problem(b->s, q->value->at, "the default of '%s' is not within its limits", q->name.text);
     }
-    return made;
+    return result;
 }
 
 void build_parameters(builder *b)
 {
     const scene *written = b->written;
-    mechanism *made = &b->made;
-    made->parameters =
-        arena_take(b->s->memory, written->parameter_count + (size_t)b->fault_count + 1, sizeof *made->parameters);
-    made->defaults = b->values.defaults;
+    mechanism *m = &b->mechanism;
+    m->parameters =
+        arena_take(b->s->memory, written->parameter_count + (size_t)b->fault_count + 1, sizeof *m->parameters);
+    m->defaults = b->values.defaults;
     for (size_t i = 0; i < written->parameter_count; i++) {
         const quantity *q = &written->parameters[i];
         const value *resolved = &b->values.parameters[i];
         if (q->tunable) {
-            const int index = made->parameter_count++;
-            made->parameters[index] = (variable){.name = q->name.text};
+            const int index = m->parameter_count++;
+            m->parameters[index] = (variable){.name = q->name.text};
             if (resolved->count > 0) {
-                made->parameters[index] = parameter_of(b, q, resolved->of, made->defaults[index]);
+                m->parameters[index] = parameter_of(b, q, resolved->of, m->defaults[index]);
             }
         }
     }
     for (int i = 0; i < b->fault_count; i++) {
-        made->parameters[made->parameter_count++] = b->faults[i];
+        m->parameters[m->parameter_count++] = b->faults[i];
     }
 }
 
 /* The index of a tunable, or of a fault by its EFFECT.FAULT; -1 after noting a problem. */
 static int parameter_called(builder *b, name n)
 {
-    const mechanism *made = &b->made;
-    const char **names = arena_take(b->s->memory, (size_t)made->parameter_count + 1, sizeof *names);
-    for (int i = 0; i < made->parameter_count; i++) {
-        names[i] = made->parameters[i].name == NULL ? "" : made->parameters[i].name;
-        const bool is_fault = made->parameters[i].display_name != NULL;
-        names[i] = is_fault ? made->parameters[i].display_name : names[i];
+    const mechanism *m = &b->mechanism;
+    const char **names = arena_take(b->s->memory, (size_t)m->parameter_count + 1, sizeof *names);
+    for (int i = 0; i < m->parameter_count; i++) {
+        names[i] = m->parameters[i].name == NULL ? "" : m->parameters[i].name;
+        const bool is_fault = m->parameters[i].display_name != NULL;
+        names[i] = is_fault ? m->parameters[i].display_name : names[i];
         if (strcmp(names[i], n.text) == 0) {
             return i;
         }
     }
     source_problem(b->s, n.at, "no tunable and no fault is called '%s'%s", n.text,
-                   source_suggestion(b->s, n.text, names, (size_t)made->parameter_count));
+                   source_suggestion(b->s, n.text, names, (size_t)m->parameter_count));
     return -1;
 }
 
 /* What the scene sets at a tick keeps the conditions, with all that it has set until then. */
 static void check_changes(builder *b, const formula *const *to)
 {
-    const mechanism *made = &b->made;
+    const mechanism *m = &b->mechanism;
     arena *memory = b->s->memory;
-    double *p = arena_take(memory, (size_t)made->parameter_count + 1, sizeof *p);
+    double *p = arena_take(memory, (size_t)m->parameter_count + 1, sizeof *p);
     double *numbers = arena_take(memory, b->g->count + 1, sizeof *numbers);
-    for (int i = 0; i < made->change_count; i++) {
-        const double tick = made->changes[i].tick;
-        double *latest = arena_take(memory, (size_t)made->parameter_count + 1, sizeof *latest);
-        memcpy(p, made->defaults, (size_t)made->parameter_count * sizeof *p);
-        for (int j = 0; j < made->change_count; j++) {
-            const switching *c = &made->changes[j];
+    for (int i = 0; i < m->change_count; i++) {
+        const double tick = m->changes[i].tick;
+        double *latest = arena_take(memory, (size_t)m->parameter_count + 1, sizeof *latest);
+        memcpy(p, m->defaults, (size_t)m->parameter_count * sizeof *p);
+        for (int j = 0; j < m->change_count; j++) {
+            const switching *c = &m->changes[j];
             if (c->tick <= tick && c->tick >= latest[c->parameter]) {
                 latest[c->parameter] = c->tick;
                 p[c->parameter] = c->value;
@@ -281,8 +280,8 @@ static void check_changes(builder *b, const formula *const *to)
 void build_changes(builder *b)
 {
     static const double most_ticks = 4294967295.0;
-    mechanism *made = &b->made;
-    made->changes = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *made->changes);
+    mechanism *m = &b->mechanism;
+    m->changes = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *m->changes);
     const formula **to_values = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *to_values);
     for (size_t i = 0; i < b->written->setting_count; i++) {
         const setting *set = &b->written->settings[i];
@@ -290,18 +289,18 @@ void build_changes(builder *b)
         if (parameter < 0) {
             continue;
         }
-        const variable *of = &made->parameters[parameter];
-        const double ticks = round(value_constant(&b->values, set->time, second, "the time", 0.0) / made->step);
-        const double to = value_constant(&b->values, set->value, of->dimension, of->name, of->start);
+        const variable *v = &m->parameters[parameter];
+        const double ticks = round(value_constant(&b->values, set->time, second, "the time", 0.0) / m->step);
+        const double to = value_constant(&b->values, set->value, v->dimension, v->name, v->start);
         if (ticks < 0.0 || ticks > most_ticks) {
-            source_problem(b->s, set->time->at, "the time is from 0 to %g s with this step", most_ticks * made->step);
+            source_problem(b->s, set->time->at, "the time is from 0 to %g s with this step", most_ticks * m->step);
         }
-        if (to < of->least || to > of->most) {
-            source_problem(b->s, set->value->at, "'%s' is from %g to %g, in SI units", set->what.text, of->least,
-                           of->most);
+        if (to < v->least || to > v->most) {
+            source_problem(b->s, set->value->at, "'%s' is from %g to %g, in SI units", set->what.text, v->least,
+                           v->most);
         }
-        to_values[made->change_count] = set->value;
-        made->changes[made->change_count++] = (switching){ticks, parameter, to};
+        to_values[m->change_count] = set->value;
+        m->changes[m->change_count++] = (switching){ticks, parameter, to};
     }
     check_changes(b, to_values);
 }

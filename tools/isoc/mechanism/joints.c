@@ -10,18 +10,18 @@ static const double half_turn = 3.14159265358979323846;
 
 /* --- numbers of the start --- */
 
-static dimension per_second(dimension of)
+static dimension per_second(dimension expected)
 {
-    dimension_times(&of, second, -1);
-    return of;
+    dimension_times(&expected, second, -1);
+    return expected;
 }
 
 /* `count` constants; zeros where nothing is written. */
-static void constants(builder *b, const formula *f, dimension of, int count, const char *what, double *numbers)
+static void constants(builder *b, const formula *f, dimension expected, int count, const char *what, double *numbers)
 {
     value v = {0};
     if (f != NULL) {
-        v = value_of(&b->values, f, of, count, what);
+        v = value_of(&b->values, f, expected, count, what);
     }
     for (int i = 0; i < count; i++) {
         const bool known = i < v.count && is_constant(b->g, v.parts[i]);
@@ -79,51 +79,51 @@ static void start_quaternion(builder *b, const joint *j, double q[4])
 static segment part(builder *b, const joint *j, joint_kind kind, const char *ending, int axis, double sign)
 {
     const bool turns = kind != JOINT_PRISMATIC;
-    segment made = {.name = arena_format(b->s->memory, "%s%s", j->name.text, ending), .at = j->name.at, .kind = kind};
-    made.axis = axis;
-    made.sign = sign;
-    made.drive = -1;
-    made.mass = made.spring = made.rest = constant(b->g, 0.0);
-    made.first_moment = vector_zero(b->g);
-    made.inertia = tensor_zero(b->g);
-    made.start_given = made.speed_given = true;
+    segment result = {.name = arena_format(b->s->memory, "%s%s", j->name.text, ending), .at = j->name.at, .kind = kind};
+    result.axis = axis;
+    result.sign = sign;
+    result.drive = -1;
+    result.mass = result.spring = result.rest = constant(b->g, 0.0);
+    result.first_moment = vector_zero(b->g);
+    result.inertia = tensor_zero(b->g);
+    result.start_given = result.speed_given = true;
 
     dimension resistance = turns ? newton_metre : newton;
     dimension_times(&resistance, per_second(turns ? radian : metre), -1);
     const formula *damping = turns && !joint_has_one_coordinate(j->kind) ? j->spin_damping : j->damping;
-    made.damping = scalar_value(b, damping, resistance, "the damping of this joint");
-    if (value_now(&b->values, made.damping) < 0.0) {
+    result.damping = scalar_value(b, damping, resistance, "the damping of this joint");
+    if (value_now(&b->values, result.damping) < 0.0) {
         source_problem(b->s, damping->at, "damping must not be negative");
     }
-    return made;
+    return result;
 }
 
 /* The segment of a joint with one coordinate, with damping, spring and drive. */
 static segment single(builder *b, const joint *j, int axis, double sign)
 {
-    segment made = part(b, j, joint_rows[j->kind].parts[0].kind, "", axis, sign);
-    const bool turns = made.kind == JOINT_REVOLUTE;
+    segment result = part(b, j, joint_rows[j->kind].parts[0].kind, "", axis, sign);
+    const bool turns = result.kind == JOINT_REVOLUTE;
     const dimension coordinate = turns ? radian : metre;
     dimension stiffness = turns ? newton_metre : newton;
     dimension_times(&stiffness, coordinate, -1);
 
     const formula *start = j->start.coordinate;
-    made.start[0] = value_constant(&b->values, start, coordinate, "the start of this joint", 0.0);
-    made.start_is_rough = j->start.is_rough;
-    made.start_given = start != NULL && !j->start.is_rough;
-    if (turns && fabs(made.start[0]) > (j->continuous ? half_turn : largest_angle)) {
+    result.start[0] = value_constant(&b->values, start, coordinate, "the start of this joint", 0.0);
+    result.start_is_rough = j->start.is_rough;
+    result.start_given = start != NULL && !j->start.is_rough;
+    if (turns && fabs(result.start[0]) > (j->continuous ? half_turn : largest_angle)) {
         source_problem(b->s, start->at, "the start must be within %s", j->continuous ? "180 deg" : "10000 rad");
     }
-    made.speed[0] = value_constant(&b->values, j->speed, per_second(coordinate), "the speed of this joint", 0.0);
-    made.speed_given = j->speed != NULL;
-    made.spring = scalar_value(b, j->spring, stiffness, "the spring of this joint");
-    made.rest = scalar_value(b, j->rest, coordinate, "the rest of this spring");
-    made.drive = j->drive.text == NULL ? -1 : find_input(b->s, b->written, j->drive);
-    made.continuous = j->continuous;
+    result.speed[0] = value_constant(&b->values, j->speed, per_second(coordinate), "the speed of this joint", 0.0);
+    result.speed_given = j->speed != NULL;
+    result.spring = scalar_value(b, j->spring, stiffness, "the spring of this joint");
+    result.rest = scalar_value(b, j->rest, coordinate, "the rest of this spring");
+    result.drive = j->drive.text == NULL ? -1 : find_input(b->s, b->written, j->drive);
+    result.continuous = j->continuous;
     if (j->continuous && j->spring != NULL) {
         source_problem(b->s, j->spring->at, "a continuous joint cannot have a spring: its angle is kept within a turn");
     }
-    return made;
+    return result;
 }
 
 /* The axes of a joint: `axis`, `second` and those of its frame. */
@@ -137,11 +137,11 @@ static joint_axes axes_of(builder *b, const joint *j)
 {
     const formula *const written[] = {j->axis, j->second};
     const matrix own = matrix_identity(b->g);
-    joint_axes made = {{own, own}, {0, 0}, {1.0, 1.0}};
+    joint_axes result = {{own, own}, {0, 0}, {1.0, 1.0}};
     double axis[2][3] = {{0.0}}, across = 0.0;
     for (int n = 0; n < 2; n++) {
         if (written[n] != NULL && unit_axis(b, written[n], axis[n])) {
-            made.turned[n] = align(b->g, axis[n], &made.k[n], &made.sign[n]);
+            result.turned[n] = align(b->g, axis[n], &result.k[n], &result.sign[n]);
         }
     }
     for (int i = 0; i < 3; i++) {
@@ -151,7 +151,7 @@ static joint_axes axes_of(builder *b, const joint *j)
         source_problem(b->s, j->second->at, "the axes of a %s joint must differ: axis x, second y",
                        joint_rows[j->kind].word);
     }
-    return made;
+    return result;
 }
 
 /* The frame in which a part moves along or about the coordinate axis *k times *sign. */
@@ -191,21 +191,21 @@ static void check_plane(builder *b, const formula *f, const double at[3], const 
 static given read_given(builder *b, const joint *j, const joint_axes *axes)
 {
     const int turning = joint_parts_that(j->kind, JOINT_REVOLUTE);
-    given made = {.sliding = joint_parts_that(j->kind, JOINT_PRISMATIC)};
-    if (made.sliding > 0) {
-        const int count = made.sliding == 1 ? 1 : 3;
-        constants(b, j->start.position, metre, count, "the place of this joint", made.place);
-        constants(b, j->speed, per_second(metre), count, "the speed of this joint", made.speed);
+    given result = {.sliding = joint_parts_that(j->kind, JOINT_PRISMATIC)};
+    if (result.sliding > 0) {
+        const int count = result.sliding == 1 ? 1 : 3;
+        constants(b, j->start.position, metre, count, "the place of this joint", result.place);
+        constants(b, j->speed, per_second(metre), count, "the speed of this joint", result.speed);
     }
-    if (made.sliding == 2) {
-        check_plane(b, j->start.position, made.place, axes);
-        check_plane(b, j->speed, made.speed, axes);
+    if (result.sliding == 2) {
+        check_plane(b, j->start.position, result.place, axes);
+        check_plane(b, j->speed, result.speed, axes);
     }
     const int count = joint_parts_that(j->kind, JOINT_SPHERICAL) > 0 ? 3 : turning;
     if (count > 0) {
-        constants(b, j->spin, per_second(radian), count, "the spin of this joint", made.spin);
+        constants(b, j->spin, per_second(radian), count, "the spin of this joint", result.spin);
     }
-    return made;
+    return result;
 }
 
 static void start_sliding(builder *b, const joint *j, const given *from, matrix turned, segment *part_made)
@@ -239,13 +239,13 @@ static bool spin_from_ground(builder *b, const joint *j, double spin[3])
     matrix turned;
     vector origin;
     const int on = stand_on(b, &j->parent, &turned, &origin);
-    if (on >= 0 && b->made.frames[on].segment != GROUND) {
+    if (on >= 0 && b->mechanism.frames[on].segment != GROUND) {
         source_problem(b->s, j->spin_axes_at, "the joint '%s' is not on the ground: give its spin in the child's axes",
                        j->name.text);
         return false;
     }
     if (on >= 0) {
-        turned = matrix_product(b->g, b->made.frames[on].turn, turned);
+        turned = matrix_product(b->g, b->mechanism.frames[on].turn, turned);
     }
     const double given_spin[3] = {spin[0], spin[1], spin[2]};
     for (int i = 0; i < 3; i++) {
@@ -325,16 +325,16 @@ int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT
 void list_dofs(builder *b)
 {
     static const char *const endings[] = {"_x", "_y", "_z"};
-    mechanism *made = &b->made;
-    made->dofs = arena_take(b->s->memory, (size_t)made->dof_count + 1, sizeof *made->dofs);
-    for (int i = 0; i < made->segment_count; i++) {
-        const segment *l = &made->segments[i];
-        const segment *parent = l->parent == GROUND ? NULL : &made->segments[l->parent];
+    mechanism *m = &b->mechanism;
+    m->dofs = arena_take(b->s->memory, (size_t)m->dof_count + 1, sizeof *m->dofs);
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
+        const segment *parent = l->parent == GROUND ? NULL : &m->segments[l->parent];
         const bool is_ball = l->kind == JOINT_SPHERICAL;
         int before = parent == NULL ? GROUND : parent->dof + dofs_of(parent->kind) - 1;
         for (int n = 0; n < dofs_of(l->kind); n++) {
             const char *called = arena_format(b->s->memory, "%s%s", l->name, is_ball ? endings[n] : "");
-            made->dofs[l->dof + n] = (dof){i, is_ball ? n : l->axis, before, called};
+            m->dofs[l->dof + n] = (dof){i, is_ball ? n : l->axis, before, called};
             before = l->dof + n;
         }
     }

@@ -35,10 +35,11 @@ static unsigned method_of_rung(builder *b, name rung)
             source_problem(b->s, rung.at, "'%s' is a rung already", rung.text);
         }
     }
-    for (size_t i = 0; i < b->written->input_count && method != ISO_METHOD_OF(b->made.recipe); i++) {
+    for (size_t i = 0; i < b->written->input_count && method != ISO_METHOD_OF(b->mechanism.recipe); i++) {
         if (b->written->inputs[i].smooth) {
             source_problem(b->s, rung.at, "the smooth input '%s' is sampled for %s: let it be held, or leave out '%s'",
-                           b->written->inputs[i].name.text, method_names[ISO_METHOD_OF(b->made.recipe)], rung.text);
+                           b->written->inputs[i].name.text, method_names[ISO_METHOD_OF(b->mechanism.recipe)],
+                           rung.text);
         }
     }
     return method;
@@ -81,11 +82,11 @@ static bool acts(const effect_kind *kind)
     return any;
 }
 
-static bool is_dropped(const policies *of, int effect)
+static bool is_dropped(const policies *how, int effect)
 {
     bool is = false;
-    for (int i = 0; i < of->drop_count; i++) {
-        is = is || of->drops[i] == effect;
+    for (int i = 0; i < how->drop_count; i++) {
+        is = is || how->drops[i] == effect;
     }
     return is;
 }
@@ -106,7 +107,7 @@ static bool refuse_readers(builder *b, name rung, int effect)
         for (size_t n = 0; n < other->operand_count; n++) {
             reads = reads || scene_reads_left_out(&without, other->operands[n].value);
         }
-        if (reads && (int)i != effect && !other->left_out && !is_dropped(&b->made.policies, (int)i)) {
+        if (reads && (int)i != effect && !other->left_out && !is_dropped(&b->mechanism.policies, (int)i)) {
             source_problem(b->s, rung.at, "'%s' cannot be dropped: the effect '%s' computes from it", rung.text,
                            other->name.text);
         }
@@ -117,7 +118,7 @@ static bool refuse_readers(builder *b, name rung, int effect)
 /* One effect less; one that --without has left out is not there anyhow. */
 static void drop(builder *b, name rung)
 {
-    policies *to = &b->made.policies;
+    policies *to = &b->mechanism.policies;
     const int effect = effect_of_rung(b, rung);
     const effect_use *use = effect < 0 ? NULL : &b->written->effects[effect];
     const effect_kind *kind = use == NULL ? NULL : find_effect_kind(b->written, use->kind);
@@ -139,9 +140,9 @@ static void drop(builder *b, name rung)
 static void build_ladder(builder *b)
 {
     const running *written = &b->written->running;
-    policies *to = &b->made.policies;
-    unsigned method = ISO_METHOD_OF(b->made.recipe);
-    if (!is_plain(method) || ISO_IS_CHECKED(b->made.recipe)) {
+    policies *to = &b->mechanism.policies;
+    unsigned method = ISO_METHOD_OF(b->mechanism.recipe);
+    if (!is_plain(method) || ISO_IS_CHECKED(b->mechanism.recipe)) {
         source_problem(b->s, written->overrun_at,
                        "a ladder is for the methods euler, heun and rk4, without a check: others keep a history");
     }
@@ -175,12 +176,12 @@ static void build_ladder(builder *b)
 void build_policies(builder *b)
 {
     const running *written = &b->written->running;
-    b->made.policies = (policies){.overrun = written->overrun,
-                                  .catch_up = ticks_of(b, written->catch_up, "what is caught up", 0.0),
-                                  .grace = ticks_of(b, written->grace, "the grace", 1.0),
-                                  .delayed = written->delayed,
-                                  .histogram = written->histogram};
-    b->made.policies.any =
+    b->mechanism.policies = (policies){.overrun = written->overrun,
+                                       .catch_up = ticks_of(b, written->catch_up, "what is caught up", 0.0),
+                                       .grace = ticks_of(b, written->grace, "the grace", 1.0),
+                                       .delayed = written->delayed,
+                                       .histogram = written->histogram};
+    b->mechanism.policies.any =
         written->overrun != OVERRUN_COUNT || written->grace != NULL || written->delayed || written->histogram;
     if (written->overrun == OVERRUN_DEGRADE) {
         build_ladder(b);
@@ -189,16 +190,16 @@ void build_policies(builder *b)
 
 void mechanism_without_loop(source *s, const scene *written)
 {
-    const running *of = &written->running;
+    const running *r = &written->running;
     const struct {
         bool is_there;
         place at;
         const char *words;
     } statements[] = {
-        {of->overrun != OVERRUN_COUNT, of->overrun_at, "overrun"},
-        {of->grace != NULL, of->grace == NULL ? 0 : of->grace->at, "grace"},
-        {of->delayed, of->publish_at, "publish next_tick"},
-        {of->histogram, of->histogram_at, "histogram"},
+        {r->overrun != OVERRUN_COUNT, r->overrun_at, "overrun"},
+        {r->grace != NULL, r->grace == NULL ? 0 : r->grace->at, "grace"},
+        {r->delayed, r->publish_at, "publish next_tick"},
+        {r->histogram, r->histogram_at, "histogram"},
     };
     for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {
         if (statements[i].is_there) {

@@ -11,11 +11,11 @@
 
 static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
 
-vector vector_value(builder *b, const formula *f, dimension of, const char *what)
+vector vector_value(builder *b, const formula *f, dimension expected, const char *what)
 {
     vector r = vector_zero(b->g);
     if (f != NULL) {
-        const value v = value_of(&b->values, f, of, 3, what);
+        const value v = value_of(&b->values, f, expected, 3, what);
         for (int i = 0; i < 3 && v.count == 3; i++) {
             r.at[i] = v.parts[i];
         }
@@ -23,11 +23,11 @@ vector vector_value(builder *b, const formula *f, dimension of, const char *what
     return r;
 }
 
-node scalar_value(builder *b, const formula *f, dimension of, const char *what)
+node scalar_value(builder *b, const formula *f, dimension expected, const char *what)
 {
     node r = constant(b->g, 0.0);
     if (f != NULL) {
-        const value v = value_of(&b->values, f, of, 1, what);
+        const value v = value_of(&b->values, f, expected, 1, what);
         r = v.count == 1 ? v.parts[0] : r;
     }
     return r;
@@ -74,11 +74,11 @@ static composite weld_lump(builder *b, const lump *part, const body_frame *frame
     const vector com = vector_add(g, matrix_apply(g, frame->turn, part->com), frame->offset);
     composite own = {part->mass, vector_scale(g, part->mass, com), tensor_zero(g)};
     if (frame->segment == GROUND) {
-        b->made.ground_mass = add(g, b->made.ground_mass, own.mass);
-        b->made.ground_moment = vector_add(g, b->made.ground_moment, own.ms);
+        b->mechanism.ground_mass = add(g, b->mechanism.ground_mass, own.mass);
+        b->mechanism.ground_moment = vector_add(g, b->mechanism.ground_moment, own.ms);
         return own;
     }
-    segment *l = &b->made.segments[frame->segment];
+    segment *l = &b->mechanism.segments[frame->segment];
     const tensor turned = tensor_rotate(g, frame->turn, part->inertia);
     own.inertia = tensor_shift(g, turned, part->mass, vector_zero(g), com);
     l->inertia = tensor_add(g, l->inertia, own.inertia);
@@ -106,8 +106,8 @@ static void hang(builder *b, size_t i)
     graph *g = b->g;
     const joint *j = &b->written->joints[i];
     const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
-    const body_frame parent = b->parents[i] == -2 ? ground : b->made.frames[b->parents[i]];
-    body_frame *child = &b->made.frames[b->children[i]];
+    const body_frame parent = b->parents[i] == -2 ? ground : b->mechanism.frames[b->parents[i]];
+    body_frame *child = &b->mechanism.frames[b->children[i]];
 
     matrix on_parent, on_child;
     vector at_parent, at_child;
@@ -121,16 +121,16 @@ static void hang(builder *b, size_t i)
     matrix aligned[PARTS_OF_A_JOINT];
     const int count = joint_segments(b, j, segments, aligned);
     for (int n = 0; n < count; n++) {
-        segment *made = &b->made.segments[b->made.segment_count];
-        *made = segments[n];
-        made->parent = last.segment;
-        made->turn = matrix_snap(g, matrix_product(g, last.turn, aligned[n]));
-        made->offset = last.offset;
-        made->position = b->made.position_count;
-        made->dof = b->made.dof_count;
-        b->made.position_count += positions_of(made->kind);
-        b->made.dof_count += dofs_of(made->kind);
-        last = (body_frame){b->made.segment_count++, matrix_transpose(aligned[n]), vector_zero(g), true};
+        segment *result = &b->mechanism.segments[b->mechanism.segment_count];
+        *result = segments[n];
+        result->parent = last.segment;
+        result->turn = matrix_snap(g, matrix_product(g, last.turn, aligned[n]));
+        result->offset = last.offset;
+        result->position = b->mechanism.position_count;
+        result->dof = b->mechanism.dof_count;
+        b->mechanism.position_count += positions_of(result->kind);
+        b->mechanism.dof_count += dofs_of(result->kind);
+        last = (body_frame){b->mechanism.segment_count++, matrix_transpose(aligned[n]), vector_zero(g), true};
     }
     child->segment = last.segment;
     child->turn = matrix_snap(g, matrix_product(g, last.turn, matrix_transpose(on_child)));
@@ -138,10 +138,10 @@ static void hang(builder *b, size_t i)
     child->offset = vector_add(g, last.offset, back);
     child->placed = true;
 
-    member *made = &b->made.members[b->children[i]];
-    *made = (member){.joint = j->name.text, .parent = b->parents[i] == -2 ? GROUND : b->parents[i]};
-    made->hinge = last.offset;
-    made->own = weld(b, &b->weights[b->children[i]], child);
+    member *result = &b->mechanism.members[b->children[i]];
+    *result = (member){.joint = j->name.text, .parent = b->parents[i] == -2 ? GROUND : b->parents[i]};
+    result->hinge = last.offset;
+    result->own = weld(b, &b->weights[b->children[i]], child);
 }
 
 /* Connects joints whose parent is placed, in the order of the scene, until there are no more. */
@@ -153,7 +153,7 @@ static void build_tree(builder *b)
         going = false;
         for (size_t i = 0; i < joints && !going; i++) {
             const int parent = b->parents[i];
-            const bool placed = parent == -2 || (parent >= 0 && b->made.frames[parent].placed);
+            const bool placed = parent == -2 || (parent >= 0 && b->mechanism.frames[parent].placed);
             if (!hung[i] && placed && b->children[i] >= 0) {
                 hang(b, i);
                 hung[i] = going = true;
@@ -192,24 +192,26 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     b.weights = arena_take(s->memory, written->body_count + 1, sizeof *b.weights);
     b.parents = arena_take(s->memory, written->joint_count + 1, sizeof *b.parents);
     b.children = arena_take(s->memory, written->joint_count + 1, sizeof *b.children);
-    b.made = (mechanism){.name = written->name, .source = s, .is_double = is_double};
-    b.made.ground_mass = constant(g, 0.0);
-    b.made.ground_moment = vector_zero(g);
-    b.made.segments = arena_take(s->memory, PARTS_OF_A_JOINT * written->joint_count + 1, sizeof *b.made.segments);
-    b.made.frames = arena_take(s->memory, written->body_count + written->frame_count + 1, sizeof *b.made.frames);
-    b.made.members = arena_take(s->memory, written->body_count + 1, sizeof *b.made.members);
-    b.made.body_count = (int)written->body_count;
+    b.mechanism = (mechanism){.name = written->name, .source = s, .is_double = is_double};
+    b.mechanism.ground_mass = constant(g, 0.0);
+    b.mechanism.ground_moment = vector_zero(g);
+    b.mechanism.segments =
+        arena_take(s->memory, PARTS_OF_A_JOINT * written->joint_count + 1, sizeof *b.mechanism.segments);
+    b.mechanism.frames =
+        arena_take(s->memory, written->body_count + written->frame_count + 1, sizeof *b.mechanism.frames);
+    b.mechanism.members = arena_take(s->memory, written->body_count + 1, sizeof *b.mechanism.members);
+    b.mechanism.body_count = (int)written->body_count;
     values_start(&b.values, s, g, written, count_faults(written), is_double);
 
     if (!counts_check(s, written)) {
-        return b.made;
+        return b.mechanism;
     }
     names_check(s, written);
     build_step(&b);
     build_method(&b);
     build_policies(&b);
     values_resolve(&b.values);
-    b.made.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
+    b.mechanism.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
     build_bodies(&b);
     for (size_t i = 0; i < written->joint_count; i++) {
         connect(&b, i);
@@ -232,14 +234,14 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     check_inputs(&b);
     build_parameters(&b);
     build_changes(&b);
-    states_check(s, &b.made);
-    b.made.tables = b.values.tables;
-    b.made.table_count = (int)b.values.table_count;
-    b.made.conditions = b.values.conditions;
-    b.made.condition_count = (int)b.values.condition_count;
+    states_check(s, &b.mechanism);
+    b.mechanism.tables = b.values.tables;
+    b.mechanism.table_count = (int)b.values.table_count;
+    b.mechanism.conditions = b.values.conditions;
+    b.mechanism.condition_count = (int)b.values.condition_count;
 
     if (written->broken) {
-        return b.made;
+        return b.mechanism;
     }
     bool moves = false;
     for (size_t i = 0; i < written->joint_count; i++) {
@@ -254,5 +256,5 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     if (written->output_count == 0) {
         source_problem(s, s->main_end, "the scene has no output: output angle = position of a joint");
     }
-    return b.made;
+    return b.mechanism;
 }

@@ -214,9 +214,9 @@ typedef struct effect_quantity {
 } effect_quantity;
 
 /* Whether it is what a formula was in an earlier row. */
-static inline bool is_late(const effect_quantity *of)
+static inline bool is_late(const effect_quantity *e)
 {
-    return of->kept >= KEPT_PREVIOUS;
+    return e->kept >= KEPT_PREVIOUS;
 }
 
 /* What an effect adds to the effort of a degree of freedom. */
@@ -319,11 +319,11 @@ typedef struct mechanism {
 
     int input_count;
     variable *inputs;
-    bool *driven;        /* inputs that are functions of time; the others are the port's */
-    node *drives;        /* the inputs as functions of time, then the clocks */
-    double *jumps;       /* the change of an input that restarts the method; 0: none */
-    bool *smooth;        /* inputs, and delays in the equations, that are samples of continuous signals; */
-    int sampled_count;   /* so many of u can be: the inputs, or where a delay is one, all */
+    bool *driven;       /* inputs that are functions of time; the others are the port's */
+    node *drives;       /* the inputs as functions of time, then the clocks */
+    double *jumps;      /* the change of an input that restarts the method; 0: none */
+    bool *smooth;       /* inputs, and delays in the equations, that are samples of continuous signals; */
+    int sampled_count;  /* so many of u can be: the inputs, or where a delay is one, all */
     int *time_input_of; /* of an input that is made of a function of time in a formula, which; else -1 */
     time_input_origin *time_inputs;
     int time_input_count;

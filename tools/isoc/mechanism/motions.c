@@ -10,18 +10,18 @@ static const double two_pi = 6.28318530717958648;
  * method keeps its order. */
 static node clock_of(builder *b, node of_tick, place at)
 {
-    clocks *c = &b->made.clocks;
+    clocks *c = &b->mechanism.clocks;
     int i = 0;
     while (i < c->count && c->all[i].of_tick != of_tick) {
         i++;
     }
     if (i == c->count) {
         const graph_node n = b->g->nodes[of_tick];
-        const double step = b->made.step, turns = n.second - floor(n.second + 0.5);
-        const clock made = n.op == OP_PHASE ? (clock){of_tick, two_pi * n.value / step, two_pi * turns, "rad", at}
-                                            : (clock){of_tick, 1.0, -n.value * step, "s", at};
+        const double step = b->mechanism.step, turns = n.second - floor(n.second + 0.5);
+        const clock result = n.op == OP_PHASE ? (clock){of_tick, two_pi * n.value / step, two_pi * turns, "rad", at}
+                                              : (clock){of_tick, 1.0, -n.value * step, "s", at};
         c->all = arena_grow(b->s->memory, c->all, (size_t)c->count, &c->room, sizeof *c->all);
-        c->all[c->count++] = made;
+        c->all[c->count++] = result;
     }
     return leaf(b->g, OP_STATE, c->first + i);
 }
@@ -44,10 +44,10 @@ static node with_clocks(builder *b, node moving, place at)
 static node rate_of(builder *b, node moving)
 {
     node sum = constant(b->g, 0.0);
-    for (int i = 0; i < b->made.clocks.count; i++) {
+    for (int i = 0; i < b->mechanism.clocks.count; i++) {
         node derivative;
-        differentiate(b->g, &moving, 1, leaf(b->g, OP_STATE, b->made.clocks.first + i), &derivative);
-        sum = add(b->g, sum, mul(b->g, constant(b->g, b->made.clocks.all[i].rate), derivative));
+        differentiate(b->g, &moving, 1, leaf(b->g, OP_STATE, b->mechanism.clocks.first + i), &derivative);
+        sum = add(b->g, sum, mul(b->g, constant(b->g, b->mechanism.clocks.all[i].rate), derivative));
     }
     return sum;
 }
@@ -57,7 +57,7 @@ static node rate_of(builder *b, node moving)
 static node as_phase(builder *b, const closure_statement *written, node moving)
 {
     graph *g = b->g;
-    const node time = timed(g, OP_TIME, 0.0, b->made.step);
+    const node time = timed(g, OP_TIME, 0.0, b->mechanism.step);
     node speed;
     differentiate(g, &moving, 1, time, &speed);
     if (!is_constant(g, speed)) {
@@ -67,7 +67,7 @@ static node as_phase(builder *b, const closure_statement *written, node moving)
                        written->first.text);
         return moving;
     }
-    const double turns = constant_value(g, speed) * b->made.step / two_pi;
+    const double turns = constant_value(g, speed) * b->mechanism.step / two_pi;
     if (fabs(turns) > 0.5) {
         source_problem(b->s, written->motion->at,
                        "the motion turns by more than half a turn in a step: use a shorter step");
@@ -77,17 +77,17 @@ static node as_phase(builder *b, const closure_statement *written, node moving)
 }
 
 /* The formula as a function of clocks. */
-static node function_of_time(builder *b, const formula *f, dimension of, const char *what)
+static node function_of_time(builder *b, const formula *f, dimension expected, const char *what)
 {
     b->values.time_allowed = b->values.is_smooth = true;
-    const node made = scalar_value(b, f, of, what);
+    const node result = scalar_value(b, f, expected, what);
     b->values.time_allowed = b->values.is_smooth = false;
-    return made;
+    return result;
 }
 
-bool build_motion(builder *b, const closure_statement *written, closure *made)
+bool build_motion(builder *b, const closure_statement *written, closure *result)
 {
-    made->parent.segment = made->child.segment = coordinate_of(b, written->first);
+    result->parent.segment = result->child.segment = coordinate_of(b, written->first);
     if ((written->motion == NULL) == (written->speed == NULL)) {
         source_problem(b->s, written->motion == NULL ? written->name.at : written->speed->at,
                        written->motion == NULL
@@ -96,23 +96,23 @@ bool build_motion(builder *b, const closure_statement *written, closure *made)
                        written->name.text);
         return false;
     }
-    if (made->parent.segment < 0) {
+    if (result->parent.segment < 0) {
         return false;
     }
-    const segment *first = &b->made.segments[made->parent.segment];
-    dimension of = coordinate_dimension(first);
+    const segment *first = &b->mechanism.segments[result->parent.segment];
+    dimension expected = coordinate_dimension(first);
     if (written->speed != NULL) {
-        dimension_times(&of, second, -1);
-        made->in_speed = true;
-        made->motion_rate =
-            with_clocks(b, function_of_time(b, written->speed, of, "the speed of this joint"), written->name.at);
+        dimension_times(&expected, second, -1);
+        result->in_speed = true;
+        result->motion_rate =
+            with_clocks(b, function_of_time(b, written->speed, expected, "the speed of this joint"), written->name.at);
     } else {
-        made->motion = function_of_time(b, written->motion, of, "the motion of this joint");
-        made->motion = first->continuous ? as_phase(b, written, made->motion) : made->motion;
-        made->motion = with_clocks(b, made->motion, written->name.at);
-        made->whole = constant(b->g, first->continuous ? 1.0 : 0.0);
-        made->motion_rate = rate_of(b, made->motion);
+        result->motion = function_of_time(b, written->motion, expected, "the motion of this joint");
+        result->motion = first->continuous ? as_phase(b, written, result->motion) : result->motion;
+        result->motion = with_clocks(b, result->motion, written->name.at);
+        result->whole = constant(b->g, first->continuous ? 1.0 : 0.0);
+        result->motion_rate = rate_of(b, result->motion);
     }
-    made->motion_bias = rate_of(b, made->motion_rate);
+    result->motion_bias = rate_of(b, result->motion_rate);
     return true;
 }

@@ -5,10 +5,10 @@
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/scene/names.h"
 
-int segment_called(const mechanism *made, name n)
+int segment_called(const mechanism *m, name n)
 {
-    for (int i = 0; i < made->segment_count; i++) {
-        if (made->segments[i].kind != JOINT_SPHERICAL && strcmp(made->segments[i].name, n.text) == 0) {
+    for (int i = 0; i < m->segment_count; i++) {
+        if (m->segments[i].kind != JOINT_SPHERICAL && strcmp(m->segments[i].name, n.text) == 0) {
             return i;
         }
     }
@@ -19,8 +19,8 @@ int segment_called(const mechanism *made, name n)
 static const char *parts_of(builder *b, const joint *j)
 {
     const char *list = "";
-    for (int i = 0; i < b->made.segment_count; i++) {
-        const segment *l = &b->made.segments[i];
+    for (int i = 0; i < b->mechanism.segment_count; i++) {
+        const segment *l = &b->mechanism.segments[i];
         if (l->at == j->name.at && l->kind != JOINT_SPHERICAL) {
             list = arena_format(b->s->memory, "%s%s%s", list, list[0] == '\0' ? "" : ", ", l->name);
         }
@@ -40,27 +40,27 @@ static void refuse_joint(builder *b, const output *o, const joint *j)
 }
 
 /* A coordinate or a body; false if it is neither, or if there is no such output of it. */
-static bool find_operand(builder *b, const output *o, shown *made)
+static bool find_operand(builder *b, const output *o, shown *result)
 {
     bool is_joint = true;
-    made->segment = segment_called(&b->made, o->of);
-    const int of = made->segment >= 0 ? -1 : find_joint_or_body(b->s, b->written, o->of, &is_joint);
-    if (made->segment < 0 && of < 0) {
+    result->segment = segment_called(&b->mechanism, o->of);
+    const int index = result->segment >= 0 ? -1 : find_joint_or_body(b->s, b->written, o->of, &is_joint);
+    if (result->segment < 0 && index < 0) {
         return false;
     }
-    made->body = is_joint ? -1 : of;
-    made->kind = output_of(o->kind, is_joint ? OF_COORDINATE : OF_BODY);
-    if (made->kind == OUTPUT_ROWS) {
+    result->body = is_joint ? -1 : index;
+    result->kind = output_of(o->kind, is_joint ? OF_COORDINATE : OF_BODY);
+    if (result->kind == OUTPUT_ROWS) {
         source_problem(b->s, o->kind_at, "'%s' needs %s; '%s' is %s", output_rows[o->kind].word,
                        operand_phrases[is_joint ? OF_BODY : OF_COORDINATE], o->of.text,
                        operand_phrases[is_joint ? OF_COORDINATE : OF_BODY]);
         return false;
     }
-    if (is_joint && made->segment < 0) {
-        refuse_joint(b, o, &b->written->joints[of]);
+    if (is_joint && result->segment < 0) {
+        refuse_joint(b, o, &b->written->joints[index]);
         return false;
     }
-    if (made->kind == OUTPUT_TURNS && !b->made.segments[made->segment].continuous) {
+    if (result->kind == OUTPUT_TURNS && !b->mechanism.segments[result->segment].continuous) {
         source_problem(b->s, o->kind_at, "only a continuous joint counts its turns");
     }
     return true;
@@ -69,26 +69,26 @@ static bool find_operand(builder *b, const output *o, shown *made)
 bool find_connection(builder *b, name n, int *child, int *loop)
 {
     bool is_joint;
-    const int of = find_joint_or_closure(b->s, b->written, n, &is_joint);
-    if (of >= 0 && !is_joint && acts_along_joints(b->written->closures[of].kind)) {
+    const int index = find_joint_or_closure(b->s, b->written, n, &is_joint);
+    if (index >= 0 && !is_joint && acts_along_joints(b->written->closures[index].kind)) {
         source_problem(b->s, n.at, "'%s' has no force between bodies: show effort of %s", n.text, n.text);
     }
-    *child = of >= 0 && is_joint ? b->children[of] : -1;
-    *loop = of >= 0 && !is_joint ? of : -1;
-    return of >= 0;
+    *child = index >= 0 && is_joint ? b->children[index] : -1;
+    *loop = index >= 0 && !is_joint ? index : -1;
+    return index >= 0;
 }
 
-static bool find_transmission(builder *b, const output *o, shown *made)
+static bool find_transmission(builder *b, const output *o, shown *result)
 {
     bool is_closure;
-    const int of = find_closure_or_spring(b->s, b->written, o->of, &is_closure);
-    made->closure = is_closure ? of : -1;
-    made->point_spring = is_closure ? -1 : of;
-    if (made->closure >= 0 && !acts_along_joints(b->written->closures[made->closure].kind)) {
+    const int index = find_closure_or_spring(b->s, b->written, o->of, &is_closure);
+    result->closure = is_closure ? index : -1;
+    result->point_spring = is_closure ? -1 : index;
+    if (result->closure >= 0 && !acts_along_joints(b->written->closures[result->closure].kind)) {
         source_problem(b->s, o->of.at, "'%s' has no effort: show force of %s, or moment of %s", o->of.text, o->of.text,
                        o->of.text);
     }
-    return of >= 0;
+    return index >= 0;
 }
 
 static bool has_point(const output_row *row)
@@ -109,11 +109,11 @@ static void check_parts(builder *b, const output *o, const output_row *row)
 }
 
 /* Any formula: its unit is that of its dimension, without the angle where nothing else has a name. */
-static void show_formula(builder *b, const output *o, shown *made)
+static void show_formula(builder *b, const output *o, shown *result)
 {
     const value v = value_in_scene(b, o->formula);
-    made->formula = v.count == 0 ? constant(b->g, 0.0) : v.parts[0];
-    made->unit =
+    result->formula = v.count == 0 ? constant(b->g, 0.0) : v.parts[0];
+    result->unit =
         dimension_equal_but_angle(v.of, no_unit) && v.of.rad == 0 ? "1" : dimension_text_but_angle(b->s->memory, v.of);
     if (v.count > 1) {
         source_problem(b->s, o->formula->at, "an output is one number; this is %d", v.count);
@@ -130,30 +130,30 @@ static double rate_of(builder *b, const output *o)
     return every;
 }
 
-static void build_output(builder *b, const output *o, shown *made)
+static void build_output(builder *b, const output *o, shown *result)
 {
-    const operand of = output_rows[o->kind].of;
-    *made = (shown){.name = o->name,
-                    .kind = o->kind,
-                    .along = o->along,
-                    .segment = -1,
-                    .body = -1,
-                    .closure = -1,
-                    .point_spring = -1};
-    made->point = vector_value(b, o->point, metre, "a point");
-    made->every = rate_of(b, o);
+    const operand kind = output_rows[o->kind].of;
+    *result = (shown){.name = o->name,
+                      .kind = o->kind,
+                      .along = o->along,
+                      .segment = -1,
+                      .body = -1,
+                      .closure = -1,
+                      .point_spring = -1};
+    result->point = vector_value(b, o->point, metre, "a point");
+    result->every = rate_of(b, o);
     if (o->formula != NULL) {
-        show_formula(b, o, made);
+        show_formula(b, o, result);
     }
-    if (of == OF_CLOSURES && b->written->closure_count == 0) {
+    if (kind == OF_CLOSURES && b->written->closure_count == 0) {
         source_problem(b->s, o->kind_at, "a scene without closures has no violation");
     }
-    if (of >= OF_COORDINATE && o->of.text != NULL) {
-        const bool found = of == OF_CONNECTION     ? find_connection(b, o->of, &made->body, &made->closure)
-                           : of == OF_TRANSMISSION ? find_transmission(b, o, made)
-                                                   : find_operand(b, o, made);
+    if (kind >= OF_COORDINATE && o->of.text != NULL) {
+        const bool found = kind == OF_CONNECTION     ? find_connection(b, o->of, &result->body, &result->closure)
+                           : kind == OF_TRANSMISSION ? find_transmission(b, o, result)
+                                                     : find_operand(b, o, result);
         if (found) {
-            check_parts(b, o, &output_rows[made->kind]);
+            check_parts(b, o, &output_rows[result->kind]);
         }
     }
 }
@@ -161,9 +161,9 @@ static void build_output(builder *b, const output *o, shown *made)
 void build_outputs(builder *b)
 {
     const size_t count = b->written->output_count;
-    b->made.outputs = arena_take(b->s->memory, count + 1, sizeof *b->made.outputs);
-    b->made.output_count = count;
+    b->mechanism.outputs = arena_take(b->s->memory, count + 1, sizeof *b->mechanism.outputs);
+    b->mechanism.output_count = count;
     for (size_t i = 0; i < count; i++) {
-        build_output(b, &b->written->outputs[i], &b->made.outputs[i]);
+        build_output(b, &b->written->outputs[i], &b->mechanism.outputs[i]);
     }
 }

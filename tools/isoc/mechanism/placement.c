@@ -96,11 +96,11 @@ void build_frames(builder *b)
         const int on = stand_on(b, &b->written->frames[i].on, &turned, &origin);
         const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
         if (on >= 0 || on == -2) {
-            const body_frame under = on == -2 ? ground : b->made.frames[on];
-            body_frame *made = &b->made.frames[bodies + i];
-            *made = under;
-            made->turn = matrix_snap(g, matrix_product(g, under.turn, turned));
-            made->offset = vector_add(g, matrix_apply(g, under.turn, origin), under.offset);
+            const body_frame under = on == -2 ? ground : b->mechanism.frames[on];
+            body_frame *result = &b->mechanism.frames[bodies + i];
+            *result = under;
+            result->turn = matrix_snap(g, matrix_product(g, under.turn, turned));
+            result->offset = vector_add(g, matrix_apply(g, under.turn, origin), under.offset);
         }
     }
 }

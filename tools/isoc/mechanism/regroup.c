@@ -7,11 +7,11 @@ static void move_to_parent(builder *b, const segment *from, node mass, vector ms
     const vector turned = matrix_apply(g, from->turn, ms);
     const vector moment = vector_add(g, turned, vector_scale(g, mass, from->offset));
     if (from->parent == GROUND) {
-        b->made.ground_mass = add(g, b->made.ground_mass, mass);
-        b->made.ground_moment = vector_add(g, b->made.ground_moment, moment);
+        b->mechanism.ground_mass = add(g, b->mechanism.ground_mass, mass);
+        b->mechanism.ground_moment = vector_add(g, b->mechanism.ground_moment, moment);
         return;
     }
-    segment *to = &b->made.segments[from->parent];
+    segment *to = &b->mechanism.segments[from->parent];
     const tensor shifted = tensor_shift(g, tensor_rotate(g, from->turn, inertia), mass, turned, from->offset);
     to->inertia = tensor_add(g, to->inertia, shifted);
     to->first_moment = vector_add(g, to->first_moment, moment);
@@ -27,8 +27,8 @@ void regroup(builder *b)
 {
     graph *g = b->g;
     const node zero = constant(g, 0.0);
-    for (int i = b->made.segment_count - 1; i >= 0; i--) {
-        segment *l = &b->made.segments[i];
+    for (int i = b->mechanism.segment_count - 1; i >= 0; i--) {
+        segment *l = &b->mechanism.segments[i];
         if (l->kind == JOINT_PRISMATIC) {
             move_to_parent(b, l, zero, vector_zero(g), l->inertia);
             l->inertia = tensor_zero(g);

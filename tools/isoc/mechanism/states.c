@@ -18,20 +18,20 @@ static void add_positions(const mechanism *m, const segment *l, arena *memory, s
     static const char *const parts[] = {"w", "x", "y", "z"};
     const char *quote = source_quote(m->source, l->at);
     for (int n = 0; n < positions_of(l->kind); n++) {
-        state *made = &all[l->position + n];
+        state *result = &all[l->position + n];
         if (l->kind == JOINT_SPHERICAL) {
-            *made = state_of(STATE_QUATERNION, arena_format(memory, "%s_%s", l->name, parts[n]), "1", quote, l->at);
+            *result = state_of(STATE_QUATERNION, arena_format(memory, "%s_%s", l->name, parts[n]), "1", quote, l->at);
         } else {
-            *made = state_of(l->continuous ? STATE_TURN : STATE_COORDINATE, l->name,
-                             l->kind == JOINT_REVOLUTE ? "rad" : "m", quote, l->at);
+            *result = state_of(l->continuous ? STATE_TURN : STATE_COORDINATE, l->name,
+                               l->kind == JOINT_REVOLUTE ? "rad" : "m", quote, l->at);
         }
         /* The sine of an angle is taken, which has a domain. */
-        if (made->kind == STATE_COORDINATE && l->kind == JOINT_REVOLUTE) {
-            made->about.least = -largest_angle;
-            made->about.most = largest_angle;
+        if (result->kind == STATE_COORDINATE && l->kind == JOINT_REVOLUTE) {
+            result->about.least = -largest_angle;
+            result->about.most = largest_angle;
         }
-        made->about.start = l->start[n];
-        made->symbol = arena_format(memory, "q_%s", made->about.name);
+        result->about.start = l->start[n];
+        result->symbol = arena_format(memory, "q_%s", result->about.name);
     }
 }
 
@@ -41,11 +41,11 @@ static void add_speeds(const mechanism *m, const segment *l, arena *memory, stat
     const char *quote = source_quote(m->source, l->at);
     for (int n = 0; n < dofs_of(l->kind); n++) {
         const char *called = m->dofs[l->dof + n].name;
-        state *made = &all[m->position_count + l->dof + n];
-        *made = state_of(STATE_SPEED, arena_format(memory, "%s_speed", called),
-                         l->kind == JOINT_PRISMATIC ? "m/s" : "rad/s", quote, l->at);
-        made->about.start = l->speed[n];
-        made->symbol = arena_format(memory, "qd_%s", called);
+        state *result = &all[m->position_count + l->dof + n];
+        *result = state_of(STATE_SPEED, arena_format(memory, "%s_speed", called),
+                           l->kind == JOINT_PRISMATIC ? "m/s" : "rad/s", quote, l->at);
+        result->about.start = l->speed[n];
+        result->symbol = arena_format(memory, "qd_%s", called);
     }
 }
 
@@ -57,16 +57,16 @@ const state *mechanism_states(const mechanism *m, arena *memory)
         add_speeds(m, &m->segments[i], memory, all);
     }
     for (int i = 0; i < m->clocks.count; i++) {
-        state *made = &all[m->clocks.first + i];
-        *made = state_of(STATE_CLOCK, arena_format(memory, "clock_%d", i + 1), m->clocks.all[i].unit, NULL,
-                         m->clocks.all[i].at);
-        made->about.start = m->clocks.all[i].start;
-        made->symbol = arena_format(memory, "q_%s", made->about.name);
+        state *result = &all[m->clocks.first + i];
+        *result = state_of(STATE_CLOCK, arena_format(memory, "clock_%d", i + 1), m->clocks.all[i].unit, NULL,
+                           m->clocks.all[i].at);
+        result->about.start = m->clocks.all[i].start;
+        result->symbol = arena_format(memory, "q_%s", result->about.name);
     }
     for (int i = 0; i < m->effect_state_count; i++) {
-        state *made = &all[m->first_effect_state + i];
-        *made = (state){.about = m->effect_states[i].about, .kind = STATE_OF_EFFECT, .at = m->effect_states[i].at};
-        made->symbol = arena_format(memory, "z_%s", made->about.name);
+        state *result = &all[m->first_effect_state + i];
+        *result = (state){.about = m->effect_states[i].about, .kind = STATE_OF_EFFECT, .at = m->effect_states[i].at};
+        result->symbol = arena_format(memory, "z_%s", result->about.name);
     }
     return all;
 }

@@ -12,16 +12,16 @@ enum { SQUARINGS = 3 };
 
 static double *square_of(arena *memory, const double *a, int n)
 {
-    double *made = arena_take(memory, (size_t)(n * n), sizeof *made);
+    double *result = arena_take(memory, (size_t)(n * n), sizeof *result);
     for (int row = 0; row < n; row++) {
         for (int i = 0; i < n; i++) {
             const double factor = a[row * n + i];
             for (int column = 0; column < n && factor != 0.0; column++) {
-                made[row * n + column] += factor * a[i * n + column];
+                result[row * n + column] += factor * a[i * n + column];
             }
         }
     }
-    return made;
+    return result;
 }
 
 double growth_of_map(arena *memory, const double *map, int n)
@@ -47,9 +47,9 @@ double growth_of(arena *memory, unsigned recipe, double re, double im)
 {
     const double size = sqrt(re * re + im * im), oscillation[] = {0.0, size, -size, 2.0 * re};
     const bool turns = im != 0.0;
-    const linear_plant of = {turns ? oscillation : &re, turns ? 2 : 1, turns};
+    const linear_plant l = {turns ? oscillation : &re, turns ? 2 : 1, turns};
     const unsigned options = ISO_COMPENSATED | ISO_CHECKED | ISO_SMOOTH | ISO_SETTLED;
     int n;
-    const double *map = step_map(memory, recipe & ~options, &of, 1.0, &n);
+    const double *map = step_map(memory, recipe & ~options, &l, 1.0, &n);
     return growth_of_map(memory, map, n);
 }

@@ -67,13 +67,13 @@ static void solve(double *restrict const d, const double *restrict const lu)
     iso_dense_solve(d, lu + 1, (size_t)lu[0]);
 }
 
-static double *parameters_of(arena *memory, const linear_plant *of)
+static double *parameters_of(arena *memory, const linear_plant *l)
 {
-    const size_t n = (size_t)of->n;
+    const size_t n = (size_t)l->n;
     double *p = arena_take(memory, JACOBIAN + n * (n + 1), sizeof *p);
-    p[STATES] = of->n;
-    p[POSITIONS] = of->positions;
-    memcpy(p + JACOBIAN, of->jacobian, n * n * sizeof *p);
+    p[STATES] = l->n;
+    p[POSITIONS] = l->positions;
+    memcpy(p + JACOBIAN, l->jacobian, n * n * sizeof *p);
     return p;
 }
 
@@ -92,32 +92,32 @@ static void set_column(double *map, const double *x, size_t size, size_t column)
     }
 }
 
-double *step_map(arena *memory, unsigned recipe, const linear_plant *of, double step, int *size)
+double *step_map(arena *memory, unsigned recipe, const linear_plant *l, double step, int *size)
 {
     /* Nothing is an error for adams, so that it keeps to the step. */
     static const iso_adams_options even = {.tolerance_absolute = (double)INFINITY, .budget = 1};
     enum { STARTING = 4 * ISO_ADAMS_ORDERS }; /* steps of adams from zero, after which its order is the highest */
-    const size_t n = (size_t)of->n, kept = ISO_METHOD_STATE(recipe, n);
+    const size_t n = (size_t)l->n, kept = ISO_METHOD_STATE(recipe, n);
     const iso_equations equations = {.derivative = derivative,
                                      .factor = factor,
                                      .solve = solve,
                                      .factors = n * n + 1,
                                      .rates = rates,
-                                     .positions = (size_t)of->positions,
+                                     .positions = (size_t)l->positions,
                                      .adams = &even};
-    const double *const p = parameters_of(memory, of);
+    const double *const p = parameters_of(memory, l);
     double *x = arena_take(memory, kept, sizeof *x), *lu = arena_take(memory, n * n + 1, sizeof *lu);
     double *work = arena_take(memory, ISO_METHOD_WORK(recipe, n) + ISO_METHOD_PRIME_WORK(recipe, n), sizeof *work);
     double *map = arena_take(memory, kept * kept, sizeof *map);
     iso_any_progress started = {{.local_error = 0.0}};
     iso_method_prime(recipe, n, &equations, step, x, NULL, p, lu, work, &started.progress);
-    for (size_t made = ISO_IS_VARYING(recipe) ? 0 : STARTING; made < STARTING + kept; made++) {
+    for (size_t result = ISO_IS_VARYING(recipe) ? 0 : STARTING; result < STARTING + kept; result++) {
         iso_any_progress progress = started;
-        const bool is_started = made >= STARTING;
-        set_unit(x, kept, is_started ? made - STARTING : kept);
+        const bool is_started = result >= STARTING;
+        set_unit(x, kept, is_started ? result - STARTING : kept);
         iso_method_step(recipe, n, &equations, step, x, NULL, p, lu, work, &progress.progress);
         if (is_started) {
-            set_column(map, x, kept, made - STARTING);
+            set_column(map, x, kept, result - STARTING);
         } else {
             started = progress;
         }
@@ -126,13 +126,13 @@ double *step_map(arena *memory, unsigned recipe, const linear_plant *of, double 
     return map;
 }
 
-double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *of, const bool *is_fast, int substeps,
+double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *l, const bool *is_fast, int substeps,
                       double step)
 {
-    const size_t n = (size_t)of->n;
+    const size_t n = (size_t)l->n;
     const iso_equations equations = {.derivative = derivative};
     uint16_t *fast = arena_take(memory, n + 1, sizeof *fast), *slow = arena_take(memory, n + 1, sizeof *slow);
-    double *p = parameters_of(memory, of), *x = arena_take(memory, n + 1, sizeof *x);
+    double *p = parameters_of(memory, l), *x = arena_take(memory, n + 1, sizeof *x);
     double *map = arena_take(memory, n * n + 1, sizeof *map);
     iso_fast states = {
         .derivative = fast_derivative, .states = fast, .is_fast = is_fast, .reads = slow, .substeps = substeps};

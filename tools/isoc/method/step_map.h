@@ -14,10 +14,10 @@ typedef struct linear_plant {
 
 /* Of the states and of what the recipe keeps of the steps before: [*size *size] row by row, the states first. adams makes one
  * sub-step a step, at its highest order. */
-double *step_map(arena *memory, unsigned recipe, const linear_plant *of, double step, int *size);
+double *step_map(arena *memory, unsigned recipe, const linear_plant *l, double step, int *size);
 
 /* Of a step of two rates (core/methods/multirate.h) with the fast ones of the states: [n n]; for the methods that it has. */
-double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *of, const bool *is_fast, int substeps,
+double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *l, const bool *is_fast, int substeps,
                       double step);
 
 #endif

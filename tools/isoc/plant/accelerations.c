@@ -3,20 +3,20 @@
 #include "tools/isoc/graph/differentiate.h"
 
 /* With the ground accelerated by -gravity, as the accelerations of the segments are. */
-static vector specific_force(const plant *p, graph *g, const point_query *of)
+static vector specific_force(const plant *p, graph *g, const point_query *q)
 {
     const kinematics *k = &p->d->k;
-    const body_frame *frame = &p->m->frames[of->body];
+    const body_frame *frame = &p->m->frames[q->body];
     if (frame->segment == GROUND) {
         const vector up = vector_sub(g, vector_zero(g), p->m->gravity);
-        return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), up) : up;
+        return q->in_body ? matrix_apply(g, matrix_transpose(frame->turn), up) : up;
     }
     const acceleration *now = &p->accelerations[frame->segment];
-    const vector point = vector_add(g, matrix_apply(g, frame->turn, of->point), frame->offset);
+    const vector point = vector_add(g, matrix_apply(g, frame->turn, q->point), frame->offset);
     const vector moved = swing(g, k->motions[frame->segment].omega, now->alpha, point);
     const vector in_segment = vector_add(g, now->a, moved);
-    return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_segment)
-                       : outward_axes(k, frame->segment, GROUND, in_segment);
+    return q->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_segment)
+                      : outward_axes(k, frame->segment, GROUND, in_segment);
 }
 
 wrench reaction_of(plant *p, graph *g, int child, int loop)
@@ -29,17 +29,17 @@ wrench reaction_of(plant *p, graph *g, int child, int loop)
     return joint_reaction(p->d, p->accelerations, child);
 }
 
-static vector answer(plant *p, graph *g, const point_query *of, point_query_kind before)
+static vector answer(plant *p, graph *g, const point_query *q, point_query_kind before)
 {
-    if (of->kind == QUERY_SPECIFIC_FORCE) {
+    if (q->kind == QUERY_SPECIFIC_FORCE) {
         p->accelerations = p->accelerations == NULL ? reaction_accelerations(p->d) : p->accelerations;
-        if (before != of->kind) {
+        if (before != q->kind) {
             graph_section(g, "Specific forces");
         }
-        return specific_force(p, g, of);
+        return specific_force(p, g, q);
     }
-    const wrench passed = reaction_of(p, g, of->body, of->closure);
-    return of->kind == QUERY_FORCE ? passed.force : passed.moment;
+    const wrench passed = reaction_of(p, g, q->body, q->closure);
+    return q->kind == QUERY_FORCE ? passed.force : passed.moment;
 }
 
 void accelerations_resolve(plant *p, graph *g)

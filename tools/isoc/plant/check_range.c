@@ -32,11 +32,11 @@ static const char *quantity_of(const graph *g, size_t i, const bool *needed)
     bool *depends = arena_take(g->memory, g->count, sizeof *depends);
     depends[i] = true;
     for (size_t n = i + 1; n < g->count; n++) {
-        const graph_node *made = &g->nodes[n];
-        const int operands = operators[made->op].operands;
-        depends[n] = (operands > 0 && depends[made->a]) || (operands == 2 && depends[made->b]);
-        if (depends[n] && needed[n] && made->name != NULL) {
-            return made->name;
+        const graph_node *result = &g->nodes[n];
+        const int operands = operators[result->op].operands;
+        depends[n] = (operands > 0 && depends[result->a]) || (operands == 2 && depends[result->b]);
+        if (depends[n] && needed[n] && result->name != NULL) {
+            return result->name;
         }
     }
     return NULL;
@@ -49,12 +49,12 @@ static place place_of(const mechanism *m, const char *shown_as)
     place at = m->segments[0].at;
     size_t longest = 0;
     for (int i = 0; i < m->dof_count + m->closure_count; i++) {
-        const closure *of = i < m->dof_count ? NULL : &m->closures[i - m->dof_count];
-        const char *ending = of == NULL ? m->dofs[i].name : of->name;
+        const closure *c = i < m->dof_count ? NULL : &m->closures[i - m->dof_count];
+        const char *ending = c == NULL ? m->dofs[i].name : c->name;
         const size_t part = strlen(ending);
         if (part > longest && part < length && strcmp(shown_as + length - part, ending) == 0) {
             longest = part;
-            at = of == NULL ? m->segments[m->dofs[i].segment].at : of->at;
+            at = c == NULL ? m->segments[m->dofs[i].segment].at : c->at;
         }
     }
     return at;
@@ -69,11 +69,11 @@ static bool check_derived(source *s, const graph *g, const plant *p)
     bool any = false;
     graph_evaluate(g, 0, &(evaluation){.p = m->defaults}, numbers);
     for (int i = 0; i < m->derived_count && !any; i++) {
-        const effect_quantity *of = &m->derived[i];
-        any = !isfinite(numbers[of->next]);
+        const effect_quantity *e = &m->derived[i];
+        any = !isfinite(numbers[e->next]);
         if (any) {
-            source_problem(s, of->at, "nothing moves there at the start, so '%s' has no default: give it a value",
-                           of->about.name);
+            source_problem(s, e->at, "nothing moves there at the start, so '%s' has no default: give it a value",
+                           e->about.name);
         }
     }
     arena_return(g->memory, numbers, g->count, sizeof *numbers);

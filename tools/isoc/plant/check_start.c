@@ -90,9 +90,9 @@ static int tunable_of(const graph *g, const plant *p, node divisor)
 /* Why a root is not finite, and what helps: a division by zero, or a float that is too small for it. */
 static const char *reason(const graph *g, const plant *p, const evaluation *at, node root, double *numbers)
 {
-    const graph_node *of = &g->nodes[first_fault(g, root, numbers)];
-    if (of->op == OP_DIV && numbers[of->b] == 0.0) {
-        const int tunable = tunable_of(g, p, of->b);
+    const graph_node *n = &g->nodes[first_fault(g, root, numbers)];
+    if (n->op == OP_DIV && numbers[n->b] == 0.0) {
+        const int tunable = tunable_of(g, p, n->b);
         return tunable < 0 ? ": a division by what is zero at the start"
                            : arena_format(g->memory, ": a division by zero, as the tunable '%s' is %g",
                                           p->m->parameters[tunable].name, p->m->defaults[tunable]);

@@ -11,11 +11,11 @@ static bool is_tuned(tuned *t, node n)
 {
     const graph *g = t->g;
     for (; t->count < g->count; t->count++) {
-        const graph_node *of = &g->nodes[t->count];
-        const int operands = operators[of->op].operands;
+        const graph_node *at = &g->nodes[t->count];
+        const int operands = operators[at->op].operands;
         t->is = arena_grow(g->memory, t->is, t->count, &t->room, sizeof *t->is);
-        t->is[t->count] = operands == 0 ? of->op == OP_PARAMETER || of->op == OP_CONSTANT
-                                        : t->is[of->a] && (operands == 1 || t->is[of->b]);
+        t->is[t->count] = operands == 0 ? at->op == OP_PARAMETER || at->op == OP_CONSTANT
+                                        : t->is[at->a] && (operands == 1 || t->is[at->b]);
     }
     return t->is[n];
 }
@@ -30,13 +30,13 @@ static product split(tuned *t, node n)
     graph *g = t->g;
     product p = {constant(g, 1.0), n};
     for (;;) {
-        const graph_node of = g->nodes[p.rest];
-        if (of.op == OP_NEG) {
-            p = (product){neg(g, p.tuned), of.a};
-        } else if (of.op == OP_MUL && is_tuned(t, of.a)) {
-            p = (product){mul(g, p.tuned, of.a), of.b};
-        } else if (of.op == OP_MUL && is_tuned(t, of.b)) {
-            p = (product){mul(g, p.tuned, of.b), of.a};
+        const graph_node at = g->nodes[p.rest];
+        if (at.op == OP_NEG) {
+            p = (product){neg(g, p.tuned), at.a};
+        } else if (at.op == OP_MUL && is_tuned(t, at.a)) {
+            p = (product){mul(g, p.tuned, at.a), at.b};
+        } else if (at.op == OP_MUL && is_tuned(t, at.b)) {
+            p = (product){mul(g, p.tuned, at.b), at.a};
         } else {
             return p;
         }
@@ -87,8 +87,8 @@ void gather_coefficients(graph *g, node *roots, size_t count)
         to[i] = (node)i;
         if (needed[i] && operators[n.op].operands > 0) {
             const size_t known = g->count;
-            const node made = again(&t, &n, to[n.a], operators[n.op].operands == 2 ? to[n.b] : n.b);
-            to[i] = made < 0 ? (node)i : made;
+            const node result = again(&t, &n, to[n.a], operators[n.op].operands == 2 ? to[n.b] : n.b);
+            to[i] = result < 0 ? (node)i : result;
             if ((size_t)to[i] >= known && !is_constant(g, to[i])) {
                 g->nodes[to[i]].name = n.name;
                 g->nodes[to[i]].section = n.section;

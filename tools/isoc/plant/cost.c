@@ -90,18 +90,18 @@ static void assembled_lines(const mechanism *m, text *out)
     const char *meeting = "";
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
-        const char *of = slides(l) ? "m" : "rad";
+        const char *word = slides(l) ? "m" : "rad";
         if (l->kind == JOINT_SPHERICAL && l->start_found) {
             const double *q = l->start;
             text_add(out, "assembled %s quaternion %.9g %.9g %.9g %.9g\n", l->name, q[0], q[1], q[2], q[3]);
         } else if (l->start_found) {
-            text_add(out, "assembled %s %.9g %s\n", l->name, l->start[0], of);
+            text_add(out, "assembled %s %.9g %s\n", l->name, l->start[0], word);
         }
         if (l->kind == JOINT_SPHERICAL && l->speed_found) {
             const double *w = l->speed;
             text_add(out, "assembled %s_spin %.9g %.9g %.9g rad/s\n", l->name, w[0], w[1], w[2]);
         } else if (l->speed_found) {
-            text_add(out, "assembled %s_speed %.9g %s/s\n", l->name, l->speed[0], of);
+            text_add(out, "assembled %s_speed %.9g %s/s\n", l->name, l->speed[0], word);
         }
         meeting = l->start_meets ? arena_format(out->memory, "%s %s", meeting, l->name) : meeting;
     }
@@ -180,12 +180,12 @@ static void rate_lines(const plant *p, const graph *g, text *out)
 {
     const output_rates rates = output_rates_of(p, out->memory);
     for (int i = 0; i < rates.count; i++) {
-        const output_rate *of = &rates.all[i];
-        const size_t count = (size_t)of->count;
+        const output_rate *o = &rates.all[i];
+        const size_t count = (size_t)o->count;
         const operations derivative = count_operations(g, p->derivatives, (size_t)state_count(p->m));
-        count_line(out, arena_format(out->memory, "outputs_every_%.0f", of->every),
-                   plus(count_operations(g, of->roots, count), uses_operation(g, of->roots, count, OP_DERIVATIVE),
-                        derivative));
+        count_line(
+            out, arena_format(out->memory, "outputs_every_%.0f", o->every),
+            plus(count_operations(g, o->roots, count), uses_operation(g, o->roots, count, OP_DERIVATIVE), derivative));
     }
 }
 

@@ -3,21 +3,21 @@
 fast_part fast_build(const graph *g, const mechanism *m, const node *derivatives)
 {
     const size_t states = (size_t)state_count(m);
-    fast_part made = {0};
+    fast_part result = {0};
     if (m->fast_substeps == 0) {
-        return made;
+        return result;
     }
-    made.states = arena_take(g->memory, states, sizeof *made.states);
-    made.reads = arena_take(g->memory, states, sizeof *made.reads);
-    made.derivatives = arena_take(g->memory, states, sizeof *made.derivatives);
+    result.states = arena_take(g->memory, states, sizeof *result.states);
+    result.reads = arena_take(g->memory, states, sizeof *result.reads);
+    result.derivatives = arena_take(g->memory, states, sizeof *result.derivatives);
     for (int i = 0; i < (int)states; i++) {
         if (is_fast_state(m, i)) {
-            made.derivatives[made.count] = derivatives[i];
-            made.states[made.count++] = i;
+            result.derivatives[result.count] = derivatives[i];
+            result.states[result.count++] = i;
         }
     }
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    graph_reach(g, made.derivatives, (size_t)made.count, needed);
+    graph_reach(g, result.derivatives, (size_t)result.count, needed);
     bool *reads = arena_take(g->memory, states, sizeof *reads);
     for (size_t i = 0; i < g->count; i++) {
         if (needed[i] && g->nodes[i].op == OP_STATE) {
@@ -26,8 +26,8 @@ fast_part fast_build(const graph *g, const mechanism *m, const node *derivatives
     }
     for (int i = 0; i < (int)states; i++) {
         if (reads[i] && !is_fast_state(m, i)) {
-            made.reads[made.read_count++] = i;
+            result.reads[result.read_count++] = i;
         }
     }
-    return made;
+    return result;
 }

@@ -20,56 +20,56 @@ static void find_held(const graph *g, const mechanism *m, bool of_inputs, bool *
 }
 
 /* Takes down a held node, unless it is read from an array of its own. */
-static void take(const graph *g, held *made, node *to, const bool *is_held, node n)
+static void take(const graph *g, held *result, node *to, const bool *is_held, node n)
 {
     const operation op = g->nodes[n].op;
     if (is_held[n] && op != OP_INPUT && op != OP_HELD && to[n] == n) {
-        made->values[made->count] = n;
-        to[n] = -1 - made->count++;
+        result->values[result->count] = n;
+        to[n] = -1 - result->count++;
     }
 }
 
 /* The largest nodes that are held, below the roots: those that what is not held reads. */
-static void list_held(const graph *g, const bool *is_held, const node *roots, size_t count, held *made, node *to)
+static void list_held(const graph *g, const bool *is_held, const node *roots, size_t count, held *result, node *to)
 {
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
         if (needed[i] && !is_held[i] && operators[n->op].operands > 0) {
-            take(g, made, to, is_held, n->a);
+            take(g, result, to, is_held, n->a);
         }
         if (needed[i] && !is_held[i] && operators[n->op].operands == 2) {
-            take(g, made, to, is_held, n->b);
+            take(g, result, to, is_held, n->b);
         }
     }
     for (size_t i = 0; i < count; i++) {
-        take(g, made, to, is_held, roots[i]);
+        take(g, result, to, is_held, roots[i]);
     }
 }
 
 /* The roots with leaves OP_HELD for what is held besides `made`, which has it then. */
-static held hold_more(graph *g, const mechanism *m, bool of_inputs, held made, node *roots, size_t count)
+static held hold_more(graph *g, const mechanism *m, bool of_inputs, held result, node *roots, size_t count)
 {
     const size_t before = g->count;
     bool *is_held = arena_take(g->memory, before, sizeof *is_held);
     node *to = arena_take(g->memory, before, sizeof *to),
-         *list = arena_take(g->memory, before + (size_t)made.count, sizeof *list);
-    for (int i = 0; i < made.count; i++) {
-        list[i] = made.values[i];
+         *list = arena_take(g->memory, before + (size_t)result.count, sizeof *list);
+    for (int i = 0; i < result.count; i++) {
+        list[i] = result.values[i];
     }
     for (size_t i = 0; i < before; i++) {
         to[i] = (node)i;
     }
-    const int first = made.count;
-    made.values = list;
+    const int first = result.count;
+    result.values = list;
     find_held(g, m, of_inputs, is_held);
-    list_held(g, is_held, roots, count, &made, to);
-    for (int i = first; i < made.count; i++) {
-        to[made.values[i]] = leaf(g, OP_HELD, i);
+    list_held(g, is_held, roots, count, &result, to);
+    for (int i = first; i < result.count; i++) {
+        to[result.values[i]] = leaf(g, OP_HELD, i);
     }
     replace_nodes(g, roots, count, before, to);
-    return made;
+    return result;
 }
 
 static int tunables_read(const graph *g, const node *roots, size_t count)
@@ -104,22 +104,22 @@ held held_build(graph *g, const mechanism *m, node *roots, size_t count, int eva
     enum { LOOK = 16, LOOK_EACH = 2 }; /* whether a tunable has changed: cycles of a tick */
     const int tunables = tunables_read(g, roots, count);
     node *tuned = copy_of(g, roots, count);
-    held made = {0};
+    held result = {0};
     int saved = 0;
     if (tunables > 0) {
         gather_coefficients(g, tuned, count);
-        made = hold_more(g, m, false, made, tuned, count);
-        made.tuned = made.count;
-        saved = saved_by(g, roots, tuned, count, made.tuned - tunables, evaluations) - LOOK - LOOK_EACH * tunables;
+        result = hold_more(g, m, false, result, tuned, count);
+        result.tuned = result.count;
+        saved = saved_by(g, roots, tuned, count, result.tuned - tunables, evaluations) - LOOK - LOOK_EACH * tunables;
     }
     node *once = copy_of(g, tuned, count);
-    const held all = hold_more(g, m, true, made, once, count);
+    const held all = hold_more(g, m, true, result, once, count);
     const int more = all.count - all.tuned;
     const int computed = cycles_of(count_operations(g, all.values + all.tuned, (size_t)more));
     const int saved_once = saved_by(g, tuned, once, count, more, evaluations) - computed - more;
     if (saved_once > 0) {
         saved += saved_once;
-        made = all;
+        result = all;
         tuned = once;
     }
     if (saved <= 0) {
@@ -128,5 +128,5 @@ held held_build(graph *g, const mechanism *m, node *roots, size_t count, int eva
     for (size_t i = 0; i < count; i++) {
         roots[i] = tuned[i];
     }
-    return made;
+    return result;
 }

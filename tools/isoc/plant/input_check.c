@@ -42,8 +42,8 @@ static int time_input_called(const graph *g, const node *roots, size_t count, co
     int first = -1;
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < g->count; i++) {
-        const int of = needed[i] && g->nodes[i].op == OP_INPUT ? known[g->nodes[i].index] : -1;
-        first = of >= 0 && (first < 0 || of < first) ? of : first;
+        const int index = needed[i] && g->nodes[i].op == OP_INPUT ? known[g->nodes[i].index] : -1;
+        first = index >= 0 && (first < 0 || index < first) ? index : first;
     }
     arena_return(g->memory, needed, g->count, sizeof *needed);
     return first;
@@ -55,28 +55,28 @@ static void check_time_inputs(const source *s, const graph *g, const plant *p)
     const mechanism *m = p->m;
     int *known = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *known);
     for (int i = 0; i < held_count(m); i++) {
-        const int of = i < m->input_count ? m->time_input_of[i] : -1;
-        known[i] = of >= 0 && !is_restarting(m->time_inputs[of].word) ? of : -1;
+        const int index = i < m->input_count ? m->time_input_of[i] : -1;
+        known[i] = index >= 0 && !is_restarting(m->time_inputs[index].word) ? index : -1;
     }
     for (bool more = true; more;) {
         more = false;
         for (int i = 0; i < m->memory_count; i++) {
-            int *of = &known[m->input_count + i];
-            const int found = *of < 0 ? time_input_called(g, &m->memories[i].next, 1, known) : -1;
+            int *index = &known[m->input_count + i];
+            const int found = *index < 0 ? time_input_called(g, &m->memories[i].next, 1, known) : -1;
             more = more || found >= 0;
-            *of = found >= 0 ? found : *of;
+            *index = found >= 0 ? found : *index;
         }
     }
     const int which = time_input_called(g, p->derivatives, (size_t)state_count(m), known);
     if (which >= 0) {
         const char *method = method_names[ISO_METHOD_OF(m->recipe)];
-        const time_input_origin *of = &m->time_inputs[which];
-        const char *effect = of->origin.text;
+        const time_input_origin *index = &m->time_inputs[which];
+        const char *effect = index->origin.text;
         const char *where = effect == NULL ? "" : arena_format(g->memory, " of the effect '%s'", effect);
         source_warn(
-            s, of->origin.at,
+            s, index->origin.at,
             "the %s%s changes at every tick and is held in between, and %s has a history: %s is of order %s; take %s",
-            of->word, where, method, method, ISO_IS_VARYING(m->recipe) ? "two" : "one", without_history(m->recipe));
+            index->word, where, method, method, ISO_IS_VARYING(m->recipe) ? "two" : "one", without_history(m->recipe));
     }
 }
 

@@ -17,8 +17,8 @@ static const char *unit_of(const plant *p, const shown *o)
     if (o->point_spring >= 0) {
         return row->unit;
     }
-    const int of = o->closure >= 0 ? p->m->closures[o->closure].parent.segment : o->segment;
-    return of >= 0 && slides(&p->m->segments[of]) ? row->unit : row->turning_unit;
+    const int index = o->closure >= 0 ? p->m->closures[o->closure].parent.segment : o->segment;
+    return index >= 0 && slides(&p->m->segments[index]) ? row->unit : row->turning_unit;
 }
 
 static void show_as(plant *p, const shown *o, const char *label, node n)

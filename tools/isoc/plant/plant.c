@@ -116,27 +116,27 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
                                         FORMULATION_CHILD_AXES};
     graph before = *g;
     const plant bare = *p;
-    choice made = {.kept = FORMULATIONS};
+    choice result = {.kept = FORMULATIONS};
     graph kept = {.memory = g->memory};
     int least = 0;
     for (int i = 0; i < FORMULATIONS; i++) {
         const formulation f = order[i];
         const bool is_free = wanted == FORMULATIONS;
         if (!formulation_fits(p->m, f) ||
-            (is_free && f == FORMULATION_COMPOSITE && is_hopeless(&made, &before, p->m))) {
+            (is_free && f == FORMULATION_COMPOSITE && is_hopeless(&result, &before, p->m))) {
             continue;
         }
         plant tried = bare;
         *g = graph_copy(&before);
         build_derivatives(&tried, g, f);
-        made.tried[f] = true;
-        made.of[f] = count_operations(g, tried.derivatives, (size_t)state_count(p->m));
+        result.tried[f] = true;
+        result.of[f] = count_operations(g, tried.derivatives, (size_t)state_count(p->m));
         const int cost = cost_of_tried(&tried, g);
-        const bool is_cheaper = made.kept == FORMULATIONS || cost < least || (cost == least && f < made.kept);
+        const bool is_cheaper = result.kept == FORMULATIONS || cost < least || (cost == least && f < result.kept);
         if (f == wanted || (is_free && is_cheaper)) {
             graph_free(&kept);
             *p = tried;
-            made.kept = f;
+            result.kept = f;
             kept = *g;
             least = cost;
         } else {
@@ -145,7 +145,7 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
     }
     graph_free(&before);
     *g = kept;
-    p->formulations = made;
+    p->formulations = result;
 }
 
 /* Whether a second derivative by smooth inputs is not zero. */
@@ -174,9 +174,9 @@ static node count_broken(graph *g, const mechanism *m)
     node count = constant(g, 0.0);
     graph_section(g, "Conditions on tunables: how many are broken");
     for (int i = 0; i < m->condition_count; i++) {
-        const condition *of = &m->conditions[i];
-        const node is_ordered = of->is_strict ? above(g, of->most, of->least) : above(g, of->least, of->most);
-        count = add(g, count, of->is_strict ? sub(g, constant(g, 1.0), is_ordered) : is_ordered);
+        const condition *c = &m->conditions[i];
+        const node is_ordered = c->is_strict ? above(g, c->most, c->least) : above(g, c->least, c->most);
+        count = add(g, count, c->is_strict ? sub(g, constant(g, 1.0), is_ordered) : is_ordered);
     }
     return m->condition_count > 0 ? count : -1;
 }

@@ -14,9 +14,9 @@ static double next_rate(const plant *p, double above)
 output_rates output_rates_of(const plant *p, arena *memory)
 {
     const size_t room = (size_t)p->output_count + 1;
-    output_rates made = {.all = arena_take(memory, room, sizeof *made.all)};
+    output_rates result = {.all = arena_take(memory, room, sizeof *result.all)};
     for (double every = next_rate(p, 0.0); every > 0.0; every = next_rate(p, every)) {
-        output_rate *to = &made.all[made.count++];
+        output_rate *to = &result.all[result.count++];
         *to = (output_rate){.every = every,
                             .which = arena_take(memory, room, sizeof *to->which),
                             .roots = arena_take(memory, room, sizeof *to->roots)};
@@ -27,7 +27,7 @@ output_rates output_rates_of(const plant *p, arena *memory)
             }
         }
     }
-    return made;
+    return result;
 }
 
 bool has_slow_outputs(const mechanism *m)

@@ -5,39 +5,39 @@
 #include "tools/isoc/tree/point_query.h"
 
 /* The scene, in which the first drops of the ladder are done. */
-static scene *scene_with_drops(const scene *written, const policies *of, int drops, arena *memory)
+static scene *scene_with_drops(const scene *written, const policies *how, int drops, arena *memory)
 {
-    scene *made = arena_take(memory, 1, sizeof *made);
-    *made = *written;
-    made->effects = arena_take(memory, written->effect_count, sizeof *made->effects);
+    scene *whole = arena_take(memory, 1, sizeof *whole);
+    *whole = *written;
+    whole->effects = arena_take(memory, written->effect_count, sizeof *whole->effects);
     for (size_t i = 0; i < written->effect_count; i++) {
-        made->effects[i] = written->effects[i];
+        whole->effects[i] = written->effects[i];
     }
     for (int i = 0; i < drops; i++) {
-        made->effects[of->drops[i]].dropped = true;
+        whole->effects[how->drops[i]].dropped = true;
     }
-    return made;
+    return whole;
 }
 
 static reduced_plant build(source *s, const scene *written, const plant *p, build_options wanted, int drops)
 {
     arena *memory = s->memory;
-    const policies *of = &p->m->policies;
+    const policies *how = &p->m->policies;
     mechanism *m = arena_take(memory, 1, sizeof *m);
     plant *without = arena_take(memory, 1, sizeof *without);
-    reduced_plant made = {.p = without, .g = arena_take(memory, 1, sizeof *made.g)};
-    graph_start(made.g, memory);
-    graph_section(made.g, "Constants of the scene");
-    *m = mechanism_build(s, made.g, scene_with_drops(written, of, drops, memory), p->is_double, p->m);
-    assemble(s, made.g, m);
-    point_queries_resolve(made.g, m);
-    *without = plant_build(made.g, m, p->is_double, wanted);
-    rows_build(s, made.g, without, p);
-    made.suffix = "_without";
+    reduced_plant result = {.p = without, .g = arena_take(memory, 1, sizeof *result.g)};
+    graph_start(result.g, memory);
+    graph_section(result.g, "Constants of the scene");
+    *m = mechanism_build(s, result.g, scene_with_drops(written, how, drops, memory), p->is_double, p->m);
+    assemble(s, result.g, m);
+    point_queries_resolve(result.g, m);
+    *without = plant_build(result.g, m, p->is_double, wanted);
+    rows_build(s, result.g, without, p);
+    result.suffix = "_without";
     for (int i = 0; i < drops; i++) {
-        made.suffix = arena_format(memory, "%s_%s", made.suffix, m->effects[of->drops[i]].text);
+        result.suffix = arena_format(memory, "%s_%s", result.suffix, m->effects[how->drops[i]].text);
     }
-    return made;
+    return result;
 }
 
 void reduced_plants_build(source *s, const scene *written, plant *p, build_options wanted)
@@ -64,10 +64,10 @@ unsigned rung_recipe(const plant *p, int rung)
  * alike. */
 const char *rung_suffix(const plant *p, int rung, arena *memory)
 {
-    const policies *of = &p->m->policies;
-    const unsigned method = of->rungs[rung];
+    const policies *how = &p->m->policies;
+    const unsigned method = how->rungs[rung];
     const reduced_plant *left = reduced_plant_on_rung(p, rung);
-    const bool drops = of->dropped[rung] > (rung > 0 ? of->dropped[rung - 1] : 0);
+    const bool drops = how->dropped[rung] > (rung > 0 ? how->dropped[rung - 1] : 0);
     const char *called =
         drops && method == ISO_METHOD_OF(p->m->recipe) ? "" : arena_format(memory, "_%s", method_names[method]);
     return arena_format(memory, "%s%s", called, left == NULL ? "" : left->suffix);

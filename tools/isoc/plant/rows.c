@@ -53,9 +53,9 @@ static void add_readings(const rows_builder *b, const node *roots, size_t count,
 
 static readings readings_of(const rows_builder *b, node root)
 {
-    readings made = no_readings(b);
-    add_readings(b, &root, 1, &made);
-    return made;
+    readings result = no_readings(b);
+    add_readings(b, &root, 1, &result);
+    return result;
 }
 
 /* --- orders --- */
@@ -67,40 +67,40 @@ static effect_quantity *quantity_of(const mechanism *m, int which)
 }
 
 /* Whether something that waits still is among what is read. */
-static bool reads_any(const mechanism *m, const readings *of, const bool *waits)
+static bool reads_any(const mechanism *m, const readings *r, const bool *waits)
 {
     bool any = false;
     for (int i = 0; i < state_count(m); i++) {
-        any = any || (of->states[i] && waits[i]);
+        any = any || (r->states[i] && waits[i]);
     }
     for (int i = 0; i < m->memory_count; i++) {
-        any = any || (of->held[m->input_count + i] && waits[state_count(m) + i]);
+        any = any || (r->held[m->input_count + i] && waits[state_count(m) + i]);
     }
     return any;
 }
 
 /* Puts those that wait in an order in which each follows from those before, by what it reads. Returns one that cannot, or
  * -1. */
-static int put_in_order(const rows_builder *b, bool *waits, const readings *reads, row_order *made)
+static int put_in_order(const rows_builder *b, bool *waits, const readings *reads, row_order *result)
 {
     const mechanism *m = b->p->m;
     const int all = state_count(m) + m->memory_count;
-    made->all = arena_take(b->g->memory, (size_t)all + 1, sizeof *made->all);
-    made->level = arena_take(b->g->memory, (size_t)all + 1, sizeof *made->level);
+    result->all = arena_take(b->g->memory, (size_t)all + 1, sizeof *result->all);
+    result->level = arena_take(b->g->memory, (size_t)all + 1, sizeof *result->level);
     int first = -1;
-    for (int before = -1; before < made->count; made->levels++) {
-        before = made->count;
+    for (int before = -1; before < result->count; result->levels++) {
+        before = result->count;
         for (int i = 0; i < all; i++) {
             if (waits[i] && !reads_any(m, &reads[i], waits)) {
-                made->all[made->count] = i;
-                made->level[made->count++] = made->levels;
+                result->all[result->count] = i;
+                result->level[result->count++] = result->levels;
             }
         }
-        for (int i = before; i < made->count; i++) {
-            waits[made->all[i]] = false;
+        for (int i = before; i < result->count; i++) {
+            waits[result->all[i]] = false;
         }
     }
-    made->levels = made->count == 0 ? 0 : made->level[made->count - 1] + 1;
+    result->levels = result->count == 0 ? 0 : result->level[result->count - 1] + 1;
     for (int i = all; i-- > 0;) {
         first = waits[i] ? i : first;
     }
@@ -119,31 +119,31 @@ static readings *room_for_readings(const rows_builder *b)
 static void find_early(const rows_builder *b, bool *is_early)
 {
     const mechanism *m = b->p->m;
-    readings of = no_readings(b);
+    readings r = no_readings(b);
     for (int i = 0; i < m->memory_count; i++) {
         if (m->memories[i].kept == KEPT_NEXT) {
-            add_readings(b, &m->memories[i].next, 1, &of);
+            add_readings(b, &m->memories[i].next, 1, &r);
         }
     }
     for (bool more = true; more;) {
         more = false;
         for (int i = 0; i < m->memory_count; i++) {
             bool *is = &is_early[state_count(m) + i];
-            if (m->memories[i].kept == KEPT_SAMPLE && of.held[m->input_count + i] && !*is) {
+            if (m->memories[i].kept == KEPT_SAMPLE && r.held[m->input_count + i] && !*is) {
                 *is = more = true;
-                add_readings(b, &m->memories[i].next, 1, &of);
+                add_readings(b, &m->memories[i].next, 1, &r);
             }
         }
     }
 }
 
 /* Whether what a formula reads is set after the early samples. */
-static bool reads_new(const mechanism *m, const readings *of, const bool *is_late_sample)
+static bool reads_new(const mechanism *m, const readings *r, const bool *is_late_sample)
 {
     bool any = false;
     for (int i = 0; i < m->memory_count; i++) {
-        any = any || (of->held[m->input_count + i] &&
-                      (m->memories[i].kept == KEPT_NEXT || is_late_sample[state_count(m) + i]));
+        any = any ||
+              (r->held[m->input_count + i] && (m->memories[i].kept == KEPT_NEXT || is_late_sample[state_count(m) + i]));
     }
     return any;
 }
@@ -234,11 +234,11 @@ static void order_starts(rows_builder *b)
     readings *reads = room_for_readings(b);
     for (int n = 0; n < m->effect_state_count + m->memory_count; n++) {
         const int i = n < m->effect_state_count ? m->first_effect_state + n : states + n - m->effect_state_count;
-        effect_quantity *of = quantity_of(m, i);
-        waits[i] = !is_constant(b->g, of->begin);
-        of->about.start = waits[i] ? 0.0 : constant_value(b->g, of->begin);
+        effect_quantity *e = quantity_of(m, i);
+        waits[i] = !is_constant(b->g, e->begin);
+        e->about.start = waits[i] ? 0.0 : constant_value(b->g, e->begin);
         if (waits[i]) {
-            reads[i] = readings_of(b, of->begin);
+            reads[i] = readings_of(b, e->begin);
         }
     }
     const int stuck = put_in_order(b, waits, reads, &b->p->rows.starts);
@@ -273,27 +273,27 @@ static node within_limits(graph *g, const variable *v, node n)
 static void find_seen(rows_builder *b, const plant *whole)
 {
     const mechanism *m = b->p->m;
-    row_plan *made = &b->p->rows;
+    row_plan *result = &b->p->rows;
     if (whole != NULL) {
-        made->sees = whole->rows.sees;
-        made->sees_again = whole->rows.sees_again;
-        made->any = whole->rows.any;
+        result->sees = whole->rows.sees;
+        result->sees_again = whole->rows.sees_again;
+        result->any = whole->rows.any;
         return;
     }
-    readings of = no_readings(b);
-    add_readings(b, b->p->outputs, (size_t)b->p->output_count, &of);
+    readings r = no_readings(b);
+    add_readings(b, b->p->outputs, (size_t)b->p->output_count, &r);
     for (int i = 0; i < m->memory_count; i++) {
-        add_readings(b, &m->memories[i].next, 1, &of);
+        add_readings(b, &m->memories[i].next, 1, &r);
     }
-    made->sees = arena_take(b->g->memory, (size_t)m->input_count + 1, sizeof *made->sees);
-    made->sees_again = arena_take(b->g->memory, (size_t)m->input_count + 1, sizeof *made->sees_again);
-    made->any = m->change_count > 0;
+    result->sees = arena_take(b->g->memory, (size_t)m->input_count + 1, sizeof *result->sees);
+    result->sees_again = arena_take(b->g->memory, (size_t)m->input_count + 1, sizeof *result->sees_again);
+    result->any = m->change_count > 0;
     for (int i = 0; i < m->input_count; i++) {
-        const bool is = of.held[i] && m->driven[i] && !is_constant(b->g, m->drives[i]) && !is_wired(m, i);
-        made->sees[i] = is ? within_limits(b->g, &m->inputs[i], m->drives[i]) : -1;
-        made->sees_again[i] =
-            is && (made->sees[i] != m->drives[i] || uses_operation(b->g, &m->drives[i], 1, OP_PARAMETER));
-        made->any = made->any || is;
+        const bool is = r.held[i] && m->driven[i] && !is_constant(b->g, m->drives[i]) && !is_wired(m, i);
+        result->sees[i] = is ? within_limits(b->g, &m->inputs[i], m->drives[i]) : -1;
+        result->sees_again[i] =
+            is && (result->sees[i] != m->drives[i] || uses_operation(b->g, &m->drives[i], 1, OP_PARAMETER));
+        result->any = result->any || is;
     }
 }
 

@@ -142,11 +142,11 @@ static void list_effect(source *s, const scene *written, const effect_use *use, 
     const effect_kind *kind = find_effect_kind(written, use->kind);
     for (size_t i = 0; kind != NULL && use->name.text != NULL && i < kind->line_count; i++) {
         const effect_line *line = &kind->lines[i];
-        listing *of = line->kind == EFFECT_MEMORY ? held : line->kind == EFFECT_FAULT ? parameters : NULL;
-        for (int part = 0; part < line->parts && of != NULL && line->name.text != NULL; part++) {
+        listing *l = line->kind == EFFECT_MEMORY ? held : line->kind == EFFECT_FAULT ? parameters : NULL;
+        for (int part = 0; part < line->parts && l != NULL && line->name.text != NULL; part++) {
             const char *called = arena_format(s->memory, "%s_%s%s", use->name.text, line->name.text,
                                               effect_endings[line->parts == 3 ? part : 3]);
-            listing_add(s, of, (name){called, use->name.at});
+            listing_add(s, l, (name){called, use->name.at});
         }
     }
 }

@@ -20,17 +20,17 @@ static placement parse_place_and_turns(parser *p, const char *what)
 static void read_solid(parser *p, const token *word, void *slot)
 {
     body *to = slot;
-    solid made = {.kind = find_solid(word->text), .at_word = word->at, .size = parse_formula(p)};
+    solid result = {.kind = find_solid(word->text), .at_word = word->at, .size = parse_formula(p)};
     if (!p->failed && !take_word(p, "of")) {
-        parse_problem(p, arena_format(p->s->memory, "expected 'of' and a mass: %s", made.kind->example));
+        parse_problem(p, arena_format(p->s->memory, "expected 'of' and a mass: %s", result.kind->example));
     }
-    made.mass = p->failed ? NULL : parse_formula(p);
+    result.mass = p->failed ? NULL : parse_formula(p);
     if (p->failed) {
         return;
     }
-    made.at = parse_place_and_turns(p, "a solid");
-    to->solids = arena_grow(p->s->memory, to->solids, to->solid_count, &to->solid_room, sizeof made);
-    to->solids[to->solid_count++] = made;
+    result.at = parse_place_and_turns(p, "a solid");
+    to->solids = arena_grow(p->s->memory, to->solids, to->solid_count, &to->solid_room, sizeof result);
+    to->solids[to->solid_count++] = result;
 }
 
 /* The slot is the body. */
@@ -81,14 +81,14 @@ static void check_mass(parser *p, body *b)
 void read_body(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     body b = {.name = take_new_name(p, "expected a name for the body")};
     b.broken = p->failed || !parse_block(p, &body_block, 0, b.name, &b);
     if (!b.broken) {
         check_mass(p, &b);
     }
-    made->bodies = arena_grow(p->s->memory, made->bodies, made->body_count, &made->body_room, sizeof b);
-    made->bodies[made->body_count++] = b;
+    written->bodies = arena_grow(p->s->memory, written->bodies, written->body_count, &written->body_room, sizeof b);
+    written->bodies[written->body_count++] = b;
 }
 
 static const property frame_properties[] = {
@@ -101,9 +101,9 @@ static const block frame_block = {
 void read_frame(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     named_frame f = {.name = take_new_name(p, "expected a name for the frame")};
     f.broken = p->failed || !parse_block(p, &frame_block, 0, f.name, &f);
-    made->frames = arena_grow(p->s->memory, made->frames, made->frame_count, &made->frame_room, sizeof f);
-    made->frames[made->frame_count++] = f;
+    written->frames = arena_grow(p->s->memory, written->frames, written->frame_count, &written->frame_room, sizeof f);
+    written->frames[written->frame_count++] = f;
 }

@@ -28,15 +28,16 @@ static const block closure_block = {"closure",      closure_rows, sizeof closure
 void read_closure(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     closure_statement c = {.name = take_new_name(p, "expected a name for the closure")};
     const size_t kind = p->failed ? closure_block.kind_count : parse_kind(p, &closure_block);
     c.broken = p->failed || kind == closure_block.kind_count;
     c.kind = c.broken ? CLOSE_FIXED : (closure_kind)kind;
-    made->broken |= c.broken;
+    written->broken |= c.broken;
     c.broken |= p->failed || !parse_block(p, &closure_block, kind, c.name, &c);
-    made->closures = arena_grow(p->s->memory, made->closures, made->closure_count, &made->closure_room, sizeof c);
-    made->closures[made->closure_count++] = c;
+    written->closures =
+        arena_grow(p->s->memory, written->closures, written->closure_count, &written->closure_room, sizeof c);
+    written->closures[written->closure_count++] = c;
 }
 
 /* A point of a body; the slot is the force. */
@@ -62,9 +63,9 @@ static const block force_block = {
 void read_force(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     body_force f = {.name = take_new_name(p, "expected a name for the force")};
     f.broken = p->failed || !parse_block(p, &force_block, 0, f.name, &f);
-    made->forces = arena_grow(p->s->memory, made->forces, made->force_count, &made->force_room, sizeof f);
-    made->forces[made->force_count++] = f;
+    written->forces = arena_grow(p->s->memory, written->forces, written->force_count, &written->force_room, sizeof f);
+    written->forces[written->force_count++] = f;
 }

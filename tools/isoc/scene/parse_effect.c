@@ -83,14 +83,14 @@ static void parse_rest(parser *p, effect_line *line)
     }
 }
 
-static void add_line(parser *p, effect_kind *made, effect_line line)
+static void add_line(parser *p, effect_kind *result, effect_line line)
 {
-    made->lines = arena_grow(p->s->memory, made->lines, made->line_count, &made->line_room, sizeof line);
-    made->lines[made->line_count++] = line;
+    result->lines = arena_grow(p->s->memory, result->lines, result->line_count, &result->line_room, sizeof line);
+    result->lines[result->line_count++] = line;
 }
 
 /* A line that begins with its word and a name: what is called so, or what the line is about. */
-static void read_line(parser *p, effect_kind *made, effect_line_kind kind, bool is_new)
+static void read_line(parser *p, effect_kind *result, effect_line_kind kind, bool is_new)
 {
     effect_line line = {.kind = kind, .at = p->next->at, .parts = 1};
     line.name =
@@ -98,7 +98,7 @@ static void read_line(parser *p, effect_kind *made, effect_line_kind kind, bool 
     if (!p->failed) {
         parse_rest(p, &line);
     }
-    add_line(p, made, line);
+    add_line(p, result, line);
 }
 
 #define READ_LINE(word, kind, is_new)                                                                                  \
@@ -181,35 +181,35 @@ static const block definition = {.what = "effect", .properties = lines, .propert
 
 /* --- what starts with a vector --- */
 
-static bool is_vector(const effect_kind *of, const formula *f, size_t depth);
+static bool is_vector(const effect_kind *e, const formula *f, size_t depth);
 
 /* A name of the definition: a let, a state or a memory, by its formula. `depth`: names on the way, which may need each other
  * in a loop that is an error for others to tell. */
-static bool names_vector(const effect_kind *of, const char *called, size_t depth)
+static bool names_vector(const effect_kind *e, const char *called, size_t depth)
 {
     bool is = false;
-    for (size_t i = 0; i < of->line_count && depth <= of->line_count && !is; i++) {
-        const effect_line *line = &of->lines[i];
+    for (size_t i = 0; i < e->line_count && depth <= e->line_count && !is; i++) {
+        const effect_line *line = &e->lines[i];
         const bool has_value = line->kind == EFFECT_LET || line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY;
         is = has_value && line->name.text != NULL && strcmp(line->name.text, called) == 0 &&
-             is_vector(of, line->value, depth + 1);
+             is_vector(e, line->value, depth + 1);
     }
     return is;
 }
 
 /* What is asked of a body, and a force or a moment of a joint. */
-static bool asks_for_vector(const effect_kind *of, const formula *f)
+static bool asks_for_vector(const effect_kind *e, const formula *f)
 {
     bool is = strcmp(f->name, "force") == 0 || strcmp(f->name, "moment") == 0;
-    for (size_t i = 0; i < of->line_count && f->parts[0]->name != NULL && !is; i++) {
-        const effect_line *line = &of->lines[i];
+    for (size_t i = 0; i < e->line_count && f->parts[0]->name != NULL && !is; i++) {
+        const effect_line *line = &e->lines[i];
         is = line->kind == EFFECT_BODY && line->name.text != NULL && strcmp(line->name.text, f->parts[0]->name) == 0;
     }
     return is;
 }
 
 /* Whether a formula is a vector, by its form. */
-static bool is_vector(const effect_kind *of, const formula *f, size_t depth)
+static bool is_vector(const effect_kind *e, const formula *f, size_t depth)
 {
     if (f == NULL) {
         return false;
@@ -218,15 +218,15 @@ static bool is_vector(const effect_kind *of, const formula *f, size_t depth)
     case FORMULA_VECTOR:
         return f->count == 3;
     case FORMULA_NAME:
-        return names_vector(of, f->name, depth);
+        return names_vector(e, f->name, depth);
     case FORMULA_OF:
-        return asks_for_vector(of, f);
+        return asks_for_vector(e, f);
     case FORMULA_CALL:
         return strcmp(f->name, "cross") == 0;
     case FORMULA_SCALE:
     case FORMULA_NEGATE:
     case FORMULA_STEP:
-        return is_vector(of, f->parts[0], depth);
+        return is_vector(e, f->parts[0], depth);
     case FORMULA_CHAIN:
         break;
     default:
@@ -234,22 +234,22 @@ static bool is_vector(const effect_kind *of, const formula *f, size_t depth)
     }
     bool is = false;
     for (size_t i = 0; i < f->count && !is; i++) {
-        is = is_vector(of, f->parts[i], depth);
+        is = is_vector(e, f->parts[i], depth);
     }
     return is;
 }
 
 /* States and memories that start with a vector have three numbers. */
-static void find_vectors(effect_kind *of)
+static void find_vectors(effect_kind *e)
 {
-    for (size_t i = 0; i < of->line_count; i++) {
-        effect_line *line = &of->lines[i];
+    for (size_t i = 0; i < e->line_count; i++) {
+        effect_line *line = &e->lines[i];
         const bool has_start = line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY;
-        line->parts = has_start && is_vector(of, line->value, 0) ? 3 : 1;
+        line->parts = has_start && is_vector(e, line->value, 0) ? 3 : 1;
     }
 }
 
-static void parse_definition(parser *p, scene *made, name called)
+static void parse_definition(parser *p, scene *written, name called)
 {
     effect_kind kind = {.name = called};
     const size_t factors = p->factor_count;
@@ -259,9 +259,9 @@ static void parse_definition(parser *p, scene *made, name called)
     }
     p->factor_count = factors;
     find_vectors(&kind);
-    made->effect_kinds =
-        arena_grow(p->s->memory, made->effect_kinds, made->effect_kind_count, &made->effect_kind_room, sizeof kind);
-    made->effect_kinds[made->effect_kind_count++] = kind;
+    written->effect_kinds = arena_grow(p->s->memory, written->effect_kinds, written->effect_kind_count,
+                                       &written->effect_kind_room, sizeof kind);
+    written->effect_kinds[written->effect_kind_count++] = kind;
 }
 
 /* --- uses --- */
@@ -307,13 +307,13 @@ static void parse_operands(parser *p, effect_use *use)
 void read_effect(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     effect_use use = {.name = take_new_name(p, "expected a name for the effect")};
     if (p->failed) {
         return;
     }
     if (next_is_sign(p, '{')) {
-        parse_definition(p, made, use.name);
+        parse_definition(p, written, use.name);
         return;
     }
     use.kind = take_name(p, "expected a kind of effect, or { and what it is");
@@ -321,27 +321,29 @@ void read_effect(parser *p, const token *word, void *slot)
         parse_operands(p, &use);
     }
     use.broken = p->failed;
-    made->effects = arena_grow(p->s->memory, made->effects, made->effect_count, &made->effect_room, sizeof use);
-    made->effects[made->effect_count++] = use;
+    written->effects =
+        arena_grow(p->s->memory, written->effects, written->effect_count, &written->effect_room, sizeof use);
+    written->effects[written->effect_count++] = use;
 }
 
 void read_signal(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the signal")};
     if (!p->failed && !take_sign(p, '=')) {
         parse_problem(p, "expected = and a formula");
     }
     q.value = p->failed ? NULL : parse_formula(p);
-    made->signals = arena_grow(p->s->memory, made->signals, made->signal_count, &made->signal_room, sizeof q);
-    made->signals[made->signal_count++] = q;
+    written->signals =
+        arena_grow(p->s->memory, written->signals, written->signal_count, &written->signal_room, sizeof q);
+    written->signals[written->signal_count++] = q;
 }
 
 void read_setting(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     setting set = {.time = parse_formula(p)};
     if (!p->failed && !take_word(p, "set")) {
         parse_problem(p, "expected set, as in: at 2 s set drive.open = 1");
@@ -353,6 +355,7 @@ void read_setting(parser *p, const token *word, void *slot)
         parse_problem(p, "expected = and a value");
     }
     set.value = p->failed ? NULL : parse_formula(p);
-    made->settings = arena_grow(p->s->memory, made->settings, made->setting_count, &made->setting_room, sizeof set);
-    made->settings[made->setting_count++] = set;
+    written->settings =
+        arena_grow(p->s->memory, written->settings, written->setting_count, &written->setting_room, sizeof set);
+    written->settings[written->setting_count++] = set;
 }

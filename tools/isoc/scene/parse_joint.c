@@ -127,7 +127,7 @@ static const block joint_block = {"joint",      joint_rows, sizeof joint_rows[0]
 void read_joint_statement(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     joint j = {.name = take_new_name(p, "expected a name for the joint"), .kind = JOINT_REVOLUTE};
     const size_t kind = p->failed ? joint_block.kind_count : parse_kind(p, &joint_block);
     const bool known = kind < joint_block.kind_count;
@@ -136,9 +136,9 @@ void read_joint_statement(parser *p, const token *word, void *slot)
     j.broken |= p->failed || !parse_block(p, &joint_block, kind, j.name, &j);
     if (!known) {
         /* What is unknown counts as a joint that moves. */
-        made->broken = true;
+        written->broken = true;
         j = (joint){.name = j.name, .kind = j.kind, .parent = j.parent, .child = j.child, .broken = true};
     }
-    made->joints = arena_grow(p->s->memory, made->joints, made->joint_count, &made->joint_room, sizeof j);
-    made->joints[made->joint_count++] = j;
+    written->joints = arena_grow(p->s->memory, written->joints, written->joint_count, &written->joint_room, sizeof j);
+    written->joints[written->joint_count++] = j;
 }

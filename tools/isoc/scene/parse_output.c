@@ -85,7 +85,7 @@ static void parse_rate(parser *p, output *o)
 void read_output(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     output o = {.name = take_name(p, "expected a name for the output"), .along = -1};
     if (o.name.text != NULL && strcmp(o.name.text, "t") == 0) {
         source_problem(p->s, o.name.at, "'t' is the time in the trace: choose another name");
@@ -107,7 +107,8 @@ void read_output(parser *p, const token *word, void *slot)
         parse_rate(p, &o);
     }
     if (!p->failed) {
-        made->outputs = arena_grow(p->s->memory, made->outputs, made->output_count, &made->output_room, sizeof o);
-        made->outputs[made->output_count++] = o;
+        written->outputs =
+            arena_grow(p->s->memory, written->outputs, written->output_count, &written->output_room, sizeof o);
+        written->outputs[written->output_count++] = o;
     }
 }

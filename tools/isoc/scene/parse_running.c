@@ -14,14 +14,14 @@ static void read_rung(parser *p, const token *word, void *slot)
     const rung_kind kind = strcmp(word->text, "hold") == 0   ? RUNG_HOLD
                            : strcmp(word->text, "drop") == 0 ? RUNG_DROP
                                                              : RUNG_METHOD;
-    const name of = kind == RUNG_HOLD   ? (name){"hold", word->at}
-                    : kind == RUNG_DROP ? take_name(p, "expected an effect of the scene, by the name of its use")
-                                        : take_name(p, "expected a method, such as euler");
+    const name n = kind == RUNG_HOLD   ? (name){"hold", word->at}
+                   : kind == RUNG_DROP ? take_name(p, "expected an effect of the scene, by the name of its use")
+                                       : take_name(p, "expected a method, such as euler");
     if (to->rung_count == MOST_RUNGS) {
         source_problem(p->s, word->at, "a ladder has at most %d rungs", MOST_RUNGS);
     } else if (!p->failed) {
         to->rung_kinds[to->rung_count] = kind;
-        to->rungs[to->rung_count++] = of;
+        to->rungs[to->rung_count++] = n;
     }
 }
 

@@ -39,9 +39,10 @@ static const block spring_block = {.what = "spring", .properties = properties, .
 void read_spring_statement(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     spring_statement s = {.name = take_new_name(p, "expected a name for the spring")};
     s.broken = p->failed || !parse_block(p, &spring_block, 0, s.name, &s);
-    made->springs = arena_grow(p->s->memory, made->springs, made->spring_count, &made->spring_room, sizeof s);
-    made->springs[made->spring_count++] = s;
+    written->springs =
+        arena_grow(p->s->memory, written->springs, written->spring_count, &written->spring_room, sizeof s);
+    written->springs[written->spring_count++] = s;
 }

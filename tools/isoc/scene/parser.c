@@ -22,7 +22,7 @@ static void read_limits(parser *p, quantity *q)
 /* tunable or constant */
 static void read_parameter(parser *p, const token *word, void *slot)
 {
-    scene *made = slot;
+    scene *written = slot;
     quantity q = {.name = take_parameter_name(p, "expected a name for the parameter")};
     q.tunable = strcmp(word->text, "tunable") == 0;
     if (!p->failed && !take_sign(p, '=')) {
@@ -32,9 +32,9 @@ static void read_parameter(parser *p, const token *word, void *slot)
     if (!p->failed && q.tunable && take_option(p, "in")) {
         read_limits(p, &q);
     }
-    made->parameters =
-        arena_grow(p->s->memory, made->parameters, made->parameter_count, &made->parameter_room, sizeof q);
-    made->parameters[made->parameter_count++] = q;
+    written->parameters =
+        arena_grow(p->s->memory, written->parameters, written->parameter_count, &written->parameter_room, sizeof q);
+    written->parameters[written->parameter_count++] = q;
     note_constant(p, &q);
 }
 
@@ -72,7 +72,7 @@ static void refuse_input_word(parser *p)
 static void read_input_statement(parser *p, const token *word, void *slot)
 {
     (void)word;
-    scene *made = slot;
+    scene *written = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the input")};
     q.has_unit = !p->failed && take_unit(p, &q.unit);
     q.smooth = !p->failed && !take_option(p, "held") && take_option(p, "smooth");
@@ -89,8 +89,8 @@ static void read_input_statement(parser *p, const token *word, void *slot)
         read_safe(p, &q);
     }
     refuse_input_word(p);
-    made->inputs = arena_grow(p->s->memory, made->inputs, made->input_count, &made->input_room, sizeof q);
-    made->inputs[made->input_count++] = q;
+    written->inputs = arena_grow(p->s->memory, written->inputs, written->input_count, &written->input_room, sizeof q);
+    written->inputs[written->input_count++] = q;
 }
 
 static void read_method(parser *p, const token *word, void *slot)
@@ -148,18 +148,18 @@ static void refuse_factors(parser *p, const quantity *all, size_t count)
 }
 
 /* The definitions of the kinds of effects that the scene uses and does not define, from those that come with isoc. */
-static void read_library(parser *p, scene *made)
+static void read_library(parser *p, scene *written)
 {
-    for (size_t i = 0; i < made->effect_count; i++) {
-        const name kind = made->effects[i].kind;
+    for (size_t i = 0; i < written->effect_count; i++) {
+        const name kind = written->effects[i].kind;
         const char *path = kind.text == NULL ? "" : arena_format(p->s->memory, "models/effects/%s.scene", kind.text);
         const embedded_file *file = effect_files;
         while (file->path != NULL && strcmp(file->path, path) != 0) {
             file++;
         }
-        if (file->path != NULL && find_effect_kind(made, kind) == NULL) {
-            const script *of = source_add(p->s, file->path, file->text);
-            parse_nested(p, lex(p->s, of, source_passage(p->s, of, 0, of->length, NULL)), made);
+        if (file->path != NULL && find_effect_kind(written, kind) == NULL) {
+            const script *s = source_add(p->s, file->path, file->text);
+            parse_nested(p, lex(p->s, s, source_passage(p->s, s, 0, s->length, NULL)), written);
         }
     }
 }
@@ -168,23 +168,23 @@ scene parse_scene(source *s)
 {
     static const block whole = {.what = "scene", .properties = statements, .property_count = COUNT_OF(statements)};
     const inclusion opened = {.of = s->scripts[0]};
-    scene made = {0};
-    parser p = {.s = s, .made = &made, .next = lex(s, opened.of, 0), .included = &opened};
+    scene result = {0};
+    parser p = {.s = s, .made = &result, .next = lex(s, opened.of, 0), .included = &opened};
     p.known = (dictionary){.memory = s->memory};
-    const bool read = parse_statements(&p, &whole, &made);
-    made.broken |= !read;
-    read_library(&p, &made);
-    refuse_factors(&p, made.parameters, made.parameter_count);
-    refuse_factors(&p, made.inputs, made.input_count);
-    refuse_factors(&p, made.signals, made.signal_count);
+    const bool read = parse_statements(&p, &whole, &result);
+    result.broken |= !read;
+    read_library(&p, &result);
+    refuse_factors(&p, result.parameters, result.parameter_count);
+    refuse_factors(&p, result.inputs, result.input_count);
+    refuse_factors(&p, result.signals, result.signal_count);
     check_indices(&p);
-    return made;
+    return result;
 }
 
 /* Adds a start of a fault of this effect, if one is called so: EFFECT.FAULT, or EFFECT_FAULT as in the header of the plant. */
-static bool set_fault(parser *p, scene *made, const effect_use *use, const token *called, formula *value)
+static bool set_fault(parser *p, scene *whole, const effect_use *use, const token *called, formula *value)
 {
-    const effect_kind *kind = use->name.text == NULL ? NULL : find_effect_kind(made, use->kind);
+    const effect_kind *kind = use->name.text == NULL ? NULL : find_effect_kind(whole, use->kind);
     for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
         const effect_line *line = &kind->lines[i];
         if (line->kind != EFFECT_FAULT || line->name.text == NULL) {
@@ -193,9 +193,9 @@ static bool set_fault(parser *p, scene *made, const effect_use *use, const token
         const char *display_name = arena_format(p->s->memory, "%s.%s", use->name.text, line->name.text);
         const char *written = arena_format(p->s->memory, "%s_%s", use->name.text, line->name.text);
         if (strcmp(called->text, display_name) == 0 || strcmp(called->text, written) == 0) {
-            made->fault_starts = arena_grow(p->s->memory, made->fault_starts, made->fault_start_count,
-                                            &made->fault_start_room, sizeof *made->fault_starts);
-            made->fault_starts[made->fault_start_count++] =
+            whole->fault_starts = arena_grow(p->s->memory, whole->fault_starts, whole->fault_start_count,
+                                             &whole->fault_start_room, sizeof *whole->fault_starts);
+            whole->fault_starts[whole->fault_start_count++] =
                 (setting){.what = {display_name, called->at}, .value = value};
             return true;
         }
@@ -204,28 +204,28 @@ static bool set_fault(parser *p, scene *made, const effect_use *use, const token
 }
 
 /* Takes the place of the value of a parameter, or is the start of a fault. */
-static void set_parameter(parser *p, scene *made, const token *called, formula *value)
+static void set_parameter(parser *p, scene *written, const token *called, formula *value)
 {
-    for (size_t i = 0; i < made->parameter_count; i++) {
-        const name n = made->parameters[i].name;
+    for (size_t i = 0; i < written->parameter_count; i++) {
+        const name n = written->parameters[i].name;
         if (n.text != NULL && strcmp(n.text, called->text) == 0) {
-            made->parameters[i].value = value;
+            written->parameters[i].value = value;
             return;
         }
     }
-    for (size_t i = 0; i < made->effect_count; i++) {
-        if (set_fault(p, made, &made->effects[i], called, value)) {
+    for (size_t i = 0; i < written->effect_count; i++) {
+        if (set_fault(p, written, &written->effects[i], called, value)) {
             return;
         }
     }
     source_problem(p->s, called->at, "no constant, tunable or fault is called '%s'%s", called->text,
-                   suggest_setting(p->s, made, called->text));
+                   suggest_setting(p->s, written, called->text));
 }
 
-void scene_set(source *s, scene *made, const script *of)
+void scene_set(source *s, scene *written, const script *of)
 {
     static const block none = {.what = "value"};
-    parser p = {.s = s, .made = made, .statements = &none, .within = &none};
+    parser p = {.s = s, .made = written, .statements = &none, .within = &none};
     p.known = (dictionary){.memory = s->memory};
     p.next = lex(s, of, source_passage(s, of, 0, of->length, NULL));
     while (p.next->kind != TOKEN_END && !p.failed) {
@@ -236,7 +236,7 @@ void scene_set(source *s, scene *made, const script *of)
         }
         formula *value = p.failed ? NULL : parse_formula(&p);
         if (!p.failed) {
-            set_parameter(&p, made, called, value);
+            set_parameter(&p, written, called, value);
         }
         if (!p.failed && p.next->kind != TOKEN_END && !take_sign(&p, ';')) {
             parse_problem(&p, "expected ; and a further NAME = VALUE");

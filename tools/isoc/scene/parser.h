@@ -41,6 +41,6 @@ scene parse_scene(source *s);
 
 /* NAME = VALUE; ...: values that take the place of those of the constants and tunables that have these names, and starts of the
  * faults EFFECT.FAULT, which are 0 without. */
-void scene_set(source *s, scene *made, const script *of);
+void scene_set(source *s, scene *written, const script *of);
 
 #endif

@@ -19,10 +19,10 @@ static void parse_place(parser *p, pose *to, const token *word)
 static void parse_turn(parser *p, pose *to, const token *word, bool axis_needed)
 {
     to->turns = arena_grow(p->s->memory, to->turns, to->turn_count, &to->turn_room, sizeof *to->turns);
-    turn *made = &to->turns[to->turn_count++];
-    *made = (turn){.at = word->at, .angle = parse_formula(p)};
+    turn *result = &to->turns[to->turn_count++];
+    *result = (turn){.at = word->at, .angle = parse_formula(p)};
     if (!p->failed && (axis_needed ? take_word(p, "about") : take_option(p, "about"))) {
-        made->axis = parse_axis(p);
+        result->axis = parse_axis(p);
     } else if (axis_needed) {
         parse_problem(p, "expected 'about' and an axis: rotate 90 deg about x");
     }

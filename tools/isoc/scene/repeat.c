@@ -163,13 +163,13 @@ static bool has_room(parser *p, const token *word, size_t words)
 
 void parse_nested(parser *p, const token *tokens, void *to)
 {
-    scene *made = to;
+    scene *written = to;
     const token *next = p->next;
     const struct block *within = p->within;
     p->next = tokens;
     p->nested++;
     const bool whole = parse_statements(p, p->statements, to);
-    made->broken |= !whole;
+    written->broken |= !whole;
     p->nested--;
     p->next = next;
     p->within = within;
@@ -189,17 +189,17 @@ static const token *copy_of(parser *p, const token *first, const token *end)
     const passage *in = source_find(p->s, first->at);
     const size_t offset = in->offset + (first->at - in->from);
     const place from = source_passage(p->s, in->of, offset, end->at - first->at, note_of(p, p->repeated));
-    token *made = arena_take(p->s->memory, count + 1 + TOKENS_AHEAD, sizeof *made);
+    token *result = arena_take(p->s->memory, count + 1 + TOKENS_AHEAD, sizeof *result);
     for (size_t i = 0; i <= count; i++) {
-        made[i] = first[i];
-        made[i].at = from + (first[i].at - first->at);
+        result[i] = first[i];
+        result[i].at = from + (first[i].at - first->at);
     }
-    made[count].kind = TOKEN_END; /* with the text of its brace */
-    made[count].sign = 0;
+    result[count].kind = TOKEN_END; /* with the text of its brace */
+    result[count].sign = 0;
     for (int i = 1; i <= TOKENS_AHEAD; i++) {
-        made[count + (size_t)i] = made[count];
+        result[count + (size_t)i] = result[count];
     }
-    return made;
+    return result;
 }
 
 static void repeat(parser *p, const token *word, repetition *r, int last, const token *end, void *slot)
@@ -294,25 +294,25 @@ void read_include(parser *p, const token *word, void *slot)
     p->next++;
     const char *fault;
     const passage *in = source_find(p->s, word->at);
-    const script *of = open_beside(p, word->at, named->text, &fault);
-    if (of == NULL) {
+    const script *s = open_beside(p, word->at, named->text, &fault);
+    if (s == NULL) {
         source_problem(p->s, named->at, "cannot include '%s': %s", named->text, fault);
         p->failed = true;
         return;
     }
     for (const inclusion *i = p->included; i != NULL; i = i->outer) {
-        if (i->of == of) {
-            source_problem(p->s, named->at, "an include in a circle: %s", circle_of(p, p->included, of));
+        if (i->of == s) {
+            source_problem(p->s, named->at, "an include in a circle: %s", circle_of(p, p->included, s));
             p->failed = true;
             return;
         }
     }
-    const token *tokens = lex(p->s, of, source_passage(p->s, of, 0, of->length, in->note));
+    const token *tokens = lex(p->s, s, source_passage(p->s, s, 0, s->length, in->note));
     size_t count = 0;
     while (tokens[count].kind != TOKEN_END) {
         count++;
     }
-    inclusion opened = {.of = of, .outer = p->included};
+    inclusion opened = {.of = s, .outer = p->included};
     if (has_room(p, word, count + 1)) {
         p->included = &opened;
         parse_nested(p, tokens, slot);
@@ -325,9 +325,9 @@ void read_include(parser *p, const token *word, void *slot)
 void check_indices(const parser *p)
 {
     for (size_t i = 0; i < p->index_count; i++) {
-        const scene *made = p->made;
-        for (size_t j = 0; j < made->parameter_count; j++) {
-            const char *called = made->parameters[j].name.text;
+        const scene *written = p->made;
+        for (size_t j = 0; j < written->parameter_count; j++) {
+            const char *called = written->parameters[j].name.text;
             if (called != NULL && strcmp(called, p->indices[i].text) == 0) {
                 source_problem(p->s, p->indices[i].at, "'%s' is a parameter too: choose another name for the index",
                                called);

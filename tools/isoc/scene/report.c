@@ -42,13 +42,13 @@ static bool starts_character(char c)
 }
 
 /* The characters from `from` to `to`, each as one column: control characters as spaces. */
-static size_t print_part(const script *of, size_t from, size_t to, bool visible)
+static size_t print_part(const script *s, size_t from, size_t to, bool visible)
 {
     size_t columns = 0;
     for (size_t i = from; i < to; i++) {
-        columns += starts_character(of->text[i]);
+        columns += starts_character(s->text[i]);
         if (visible) {
-            unsigned char c = (unsigned char)of->text[i];
+            unsigned char c = (unsigned char)s->text[i];
             fputc(c < ' ' || c == 0x7F ? ' ' : c, stderr);
         }
     }

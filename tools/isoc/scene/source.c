@@ -13,12 +13,12 @@ const char *source_name(const source *s)
 {
     const char *base = strrchr(s->path, '/') == NULL ? s->path : strrchr(s->path, '/') + 1;
     const size_t length = strcspn(base, ".");
-    char *made = length == 0 ? arena_copy(s->memory, "scene", 5) : arena_copy(s->memory, base, length);
-    for (char *c = made; *c != '\0'; c++) {
+    char *result = length == 0 ? arena_copy(s->memory, "scene", 5) : arena_copy(s->memory, base, length);
+    for (char *c = result; *c != '\0'; c++) {
         const bool letter = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9');
         *c = letter ? *c : '_';
     }
-    return made;
+    return result;
 }
 
 /* Why this file cannot be a scene; NULL if it can. */
@@ -31,7 +31,7 @@ static const char *file_fault(const struct stat *status)
 }
 
 /* All bytes of an open file, or what is wrong with it. */
-static const char *read_all(arena *memory, int file, script *made)
+static const char *read_all(arena *memory, int file, script *result)
 {
     struct stat status;
     if (fstat(file, &status) != 0) {
@@ -41,26 +41,26 @@ static const char *read_all(arena *memory, int file, script *made)
     if (fault != NULL) {
         return fault;
     }
-    made->device = (uint64_t)status.st_dev;
-    made->number = (uint64_t)status.st_ino;
+    result->device = (uint64_t)status.st_dev;
+    result->number = (uint64_t)status.st_ino;
     char *bytes = arena_take(memory, (size_t)status.st_size + 1, 1);
     ssize_t got = 1;
-    while (made->length < (size_t)status.st_size && got > 0) {
-        got = read(file, bytes + made->length, (size_t)status.st_size - made->length);
-        made->length += got > 0 ? (size_t)got : 0;
+    while (result->length < (size_t)status.st_size && got > 0) {
+        got = read(file, bytes + result->length, (size_t)status.st_size - result->length);
+        result->length += got > 0 ? (size_t)got : 0;
     }
-    made->text = bytes;
+    result->text = bytes;
     return got < 0 ? strerror(errno) : NULL;
 }
 
 static const script *keep(source *s, script read)
 {
-    script *made = arena_take(s->memory, 1, sizeof *made);
-    *made = read;
-    made->order = s->script_count;
+    script *result = arena_take(s->memory, 1, sizeof *result);
+    *result = read;
+    result->order = s->script_count;
     s->scripts = arena_grow(s->memory, s->scripts, s->script_count, &s->script_room, sizeof *s->scripts);
-    s->scripts[s->script_count++] = made;
-    return made;
+    s->scripts[s->script_count++] = result;
+    return result;
 }
 
 const script *source_open(source *s, const char *path, const char **fault)

@@ -11,7 +11,7 @@ static const char *const bases[BASES] = {"kg", "A", "m", "s", "rad", "K"};
 /* Dimensions with a unit that is not the shortest: a damping is no mass per time, a rate no power of a time. */
 static const struct {
     const char *text;
-    dimension of;
+    dimension unit;
 } customary[] = {
     {"Hz", {0, 0, -1, 0, 0, 0, 0}},     {"N*s/m", {1, 0, -1, 0, 0, 0, 0}}, {"N*m*s^2/rad^2", {1, 2, 0, -2, 0, 0, 0}},
     {"N*m/A", {1, 2, -2, 0, -1, 0, 0}}, {"J/K", {1, 2, -2, 0, 0, -1, 0}},  {"J/kg/K", {0, 2, -2, 0, 0, -1, 0}},
@@ -20,7 +20,7 @@ static const struct {
 /* Derived units, where two are as short the first. Heat is no matter of forces: a thermal conductivity is W/m/K. */
 static const struct {
     const char *text;
-    dimension of;
+    dimension unit;
     int cost_of_heat;
 } derived[] = {
     {"N", {1, 1, -2, 0, 0, 0, 0}, 1},   {"V", {1, 2, -3, 0, -1, 0, 0}, 0}, {"W", {1, 2, -3, 0, 0, 0, 0}, 0},
@@ -37,27 +37,27 @@ typedef struct product {
 
 static product product_of(dimension d)
 {
-    product made = {.powers = {d.kg, d.A, d.m, d.s, d.rad, d.K}};
+    product result = {.powers = {d.kg, d.A, d.m, d.s, d.rad, d.K}};
     for (int i = 0; i < BASES; i++) {
-        made.cost += abs(made.powers[i]);
+        result.cost += abs(result.powers[i]);
     }
-    return made;
+    return result;
 }
 
 /* The same with a power of a derived unit that takes all of the mass, as far as there is one and it can be read. */
 static product product_with(product whole, size_t i)
 {
-    const product one = product_of(derived[i].of);
-    product made = {.derived = derived[i].text, .power = whole.powers[KG] / one.powers[KG]};
-    bool is_readable = made.power != 0 && abs(made.power) <= MOST_POWER;
-    made.cost = abs(made.power) + (whole.powers[K] != 0 ? derived[i].cost_of_heat : 0);
+    const product one = product_of(derived[i].unit);
+    product result = {.derived = derived[i].text, .power = whole.powers[KG] / one.powers[KG]};
+    bool is_readable = result.power != 0 && abs(result.power) <= MOST_POWER;
+    result.cost = abs(result.power) + (whole.powers[K] != 0 ? derived[i].cost_of_heat : 0);
     for (int b = 0; b < BASES; b++) {
-        made.powers[b] = whole.powers[b] - made.power * one.powers[b];
-        made.cost += abs(made.powers[b]);
-        is_readable = is_readable && abs(made.powers[b]) <= MOST_REST;
+        result.powers[b] = whole.powers[b] - result.power * one.powers[b];
+        result.cost += abs(result.powers[b]);
+        is_readable = is_readable && abs(result.powers[b]) <= MOST_REST;
     }
-    made.cost = is_readable ? made.cost : UNREADABLE;
-    return made;
+    result.cost = is_readable ? result.cost : UNREADABLE;
+    return result;
 }
 
 static product shortest(dimension d)
@@ -101,7 +101,7 @@ static const char *text_of(arena *memory, const product *p)
 const char *dimension_text(arena *memory, dimension d)
 {
     for (size_t i = 0; i < sizeof customary / sizeof customary[0]; i++) {
-        if (dimension_equal(customary[i].of, d)) {
+        if (dimension_equal(customary[i].unit, d)) {
             return customary[i].text;
         }
     }
@@ -110,8 +110,8 @@ const char *dimension_text(arena *memory, dimension d)
         const bool is_plain = dimension_equal(d, unit_one.of);
         return arena_format(memory, "%s/sqrt(Hz)", is_plain ? "1" : dimension_text(memory, d));
     }
-    const product made = shortest(d);
-    return made.cost == 0 ? "a plain number" : text_of(memory, &made);
+    const product result = shortest(d);
+    return result.cost == 0 ? "a plain number" : text_of(memory, &result);
 }
 
 const char *dimension_text_but_angle(arena *memory, dimension d)

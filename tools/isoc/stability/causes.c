@@ -25,11 +25,11 @@ cause cause_of(const mechanism *m, int which)
 
 static void *copy_of(arena *memory, const void *all, int count, size_t size)
 {
-    void *made = arena_take(memory, (size_t)count + 1, size);
+    void *result = arena_take(memory, (size_t)count + 1, size);
     if (count > 0) {
-        memcpy(made, all, (size_t)count * size);
+        memcpy(result, all, (size_t)count * size);
     }
-    return made;
+    return result;
 }
 
 /* The sums of efforts are made again of those parts that stay. */
@@ -60,21 +60,21 @@ mechanism without_cause(const mechanism *m, graph *g, int which)
     arena *memory = g->memory;
     const node zero = constant(g, 0.0);
     const int at_joint = which - m->effect_count, spring = at_joint - m->segment_count;
-    mechanism made = *m;
+    mechanism result = *m;
     if (at_joint < 0) {
-        made.efforts = copy_of(memory, m->efforts, m->dof_count, sizeof *m->efforts);
-        made.effort_parts = copy_of(memory, m->effort_parts, m->effort_part_count, sizeof *m->effort_parts);
-        made.applied_forces = copy_of(memory, m->applied_forces, m->applied_force_count, sizeof *m->applied_forces);
-        made.effect_states = copy_of(memory, m->effect_states, m->effect_state_count, sizeof *m->effect_states);
-        drop_effect(&made, g, which);
+        result.efforts = copy_of(memory, m->efforts, m->dof_count, sizeof *m->efforts);
+        result.effort_parts = copy_of(memory, m->effort_parts, m->effort_part_count, sizeof *m->effort_parts);
+        result.applied_forces = copy_of(memory, m->applied_forces, m->applied_force_count, sizeof *m->applied_forces);
+        result.effect_states = copy_of(memory, m->effect_states, m->effect_state_count, sizeof *m->effect_states);
+        drop_effect(&result, g, which);
     } else if (spring < 0) {
-        made.segments = copy_of(memory, m->segments, m->segment_count, sizeof *m->segments);
-        made.segments[at_joint].damping = made.segments[at_joint].spring = zero;
+        result.segments = copy_of(memory, m->segments, m->segment_count, sizeof *m->segments);
+        result.segments[at_joint].damping = result.segments[at_joint].spring = zero;
     } else if (spring < m->point_spring_count) {
-        made.point_springs = copy_of(memory, m->point_springs, m->point_spring_count, sizeof *m->point_springs);
-        made.point_springs[spring].stiffness = made.point_springs[spring].damping = zero;
+        result.point_springs = copy_of(memory, m->point_springs, m->point_spring_count, sizeof *m->point_springs);
+        result.point_springs[spring].stiffness = result.point_springs[spring].damping = zero;
     } else {
-        made.alpha = made.beta = 0.0;
+        result.alpha = result.beta = 0.0;
     }
-    return made;
+    return result;
 }

@@ -17,13 +17,13 @@ static const double usual_damping = 0.1, own_growth = 0.01;
 /* No region of an explicit method reaches so far. */
 static const double beyond = 50.0;
 
-modes modes_of(arena *memory, slopes of)
+modes modes_of(arena *memory, slopes at)
 {
-    modes made = {.of = of};
-    made.re = arena_take(memory, (size_t)of.n + 1, sizeof *made.re);
-    made.im = arena_take(memory, (size_t)of.n + 1, sizeof *made.im);
-    made.found = eigenvalues(memory, of.at, of.n, made.re, made.im);
-    return made;
+    modes result = {.of = at};
+    result.re = arena_take(memory, (size_t)at.n + 1, sizeof *result.re);
+    result.im = arena_take(memory, (size_t)at.n + 1, sizeof *result.im);
+    result.found = eigenvalues(memory, at.at, at.n, result.re, result.im);
+    return result;
 }
 
 static double size_of(double re, double im)
@@ -87,10 +87,10 @@ static bool has_map(const modes *m, unsigned recipe)
 /* Such a step has eigenvalues of its own, which are not those of J one by one: a spring and its damper count together. */
 static modes modes_of_map(arena *memory, const modes *m, unsigned recipe, double step)
 {
-    const linear_plant of = {m->of.at, m->of.n, m->of.positions};
+    const linear_plant l = {m->of.at, m->of.n, m->of.positions};
     slopes s = m->of;
-    s.at = has_two_rates(m, recipe) ? two_rates_map(memory, recipe, &of, m->of.is_fast, m->of.substeps, step)
-                                    : step_map(memory, ISO_METHOD_OF(recipe), &of, step, &s.n);
+    s.at = has_two_rates(m, recipe) ? two_rates_map(memory, recipe, &l, m->of.is_fast, m->of.substeps, step)
+                                    : step_map(memory, ISO_METHOD_OF(recipe), &l, step, &s.n);
     return modes_of(memory, s);
 }
 

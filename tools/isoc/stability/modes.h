@@ -10,7 +10,7 @@ typedef struct modes {
     bool found;
 } modes;
 
-modes modes_of(arena *memory, slopes of);
+modes modes_of(arena *memory, slopes at);
 
 /* How many of them grow by the method alone, and the fastest of these. A mode that grows by itself is none of them. */
 int count_growing(const modes *m, unsigned recipe, double step, int *fastest);

@@ -5,18 +5,18 @@
 #include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/graph/economy.h"
 
-linearised linearise(const graph *of, const mechanism *m, const node *of_roots, size_t count)
+linearised linearise(const graph *g, const mechanism *m, const node *of_roots, size_t count)
 {
     const size_t states = (size_t)state_count(m);
-    arena *memory = of->memory;
+    arena *memory = g->memory;
     node *roots = arena_take(memory, count + 1, sizeof *roots), *along = arena_take(memory, states + 1, sizeof *along);
-    linearised made = {.m = m, .changes = arena_take(memory, count + 1, sizeof *made.changes)};
-    made.g = economise(of, of_roots, count, roots);
+    linearised result = {.m = m, .changes = arena_take(memory, count + 1, sizeof *result.changes)};
+    result.g = economise(g, of_roots, count, roots);
     for (size_t i = 0; i < states; i++) {
-        along[i] = leaf(&made.g, OP_INPUT, held_count(m) + (int)i);
+        along[i] = leaf(&result.g, OP_INPUT, held_count(m) + (int)i);
     }
-    differentiate_along(&made.g, roots, count, along, made.changes);
-    return made;
+    differentiate_along(&result.g, roots, count, along, result.changes);
+    return result;
 }
 
 /* How a state changes with one of the smaller set: the states of a quaternion with the rotations of its segment. */
@@ -93,19 +93,19 @@ slopes slopes_at(const linearised *l, const double *x, const double *u)
     const mechanism *m = l->m;
     const graph *g = &l->g;
     const int states = state_count(m), inputs = held_count(m);
-    slopes made = {.n = reduced_count(m), .infinite = -1};
-    made.positions = made.n - m->dof_count;
+    slopes result = {.n = reduced_count(m), .infinite = -1};
+    result.positions = result.n - m->dof_count;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     double *given = arena_take(g->memory, (size_t)(inputs + states) + 1, sizeof *given);
     turning *all = arena_take(g->memory, 4 * (size_t)states + 1, sizeof *all);
-    made.at = arena_take(g->memory, (size_t)(made.n * made.n) + 1, sizeof *made.at);
+    result.at = arena_take(g->memory, (size_t)(result.n * result.n) + 1, sizeof *result.at);
     const int count = list_turnings(m, x, all);
-    find_fast(m, all, count, g->memory, &made);
+    find_fast(m, all, count, g->memory, &result);
     const evaluation at = {.x = x, .u = given, .p = m->defaults};
     for (int i = 0; i < inputs; i++) {
         given[i] = u[i];
     }
-    for (int column = 0; column < made.n; column++) {
+    for (int column = 0; column < result.n; column++) {
         for (int i = 0; i < states; i++) {
             given[inputs + i] = 0.0;
         }
@@ -117,11 +117,11 @@ slopes slopes_at(const linearised *l, const double *x, const double *u)
         graph_evaluate(g, 0, &at, numbers);
         for (int i = 0; i < count; i++) {
             const double change = numbers[l->changes[all[i].state]];
-            made.at[all[i].reduced * made.n + column] += change * all[i].back;
-            made.infinite = isfinite(change) || made.infinite >= 0 ? made.infinite : by;
+            result.at[all[i].reduced * result.n + column] += change * all[i].back;
+            result.infinite = isfinite(change) || result.infinite >= 0 ? result.infinite : by;
         }
     }
-    clear_quaternions(m, &made);
+    clear_quaternions(m, &result);
     arena_return(g->memory, numbers, g->count, sizeof *numbers);
-    return made;
+    return result;
 }

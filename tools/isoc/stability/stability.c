@@ -29,10 +29,10 @@ static modes modes_without(const graph *g, const mechanism *m, formulation kept,
     }
     derivatives_build(&copy, less, kept, derivatives);
     linearised l = linearise(&copy, less, derivatives, (size_t)state_count(m));
-    const modes made = modes_of(g->memory, slopes_at(&l, at->x, at->u));
+    const modes result = modes_of(g->memory, slopes_at(&l, at->x, at->u));
     graph_free(&l.g);
     graph_free(&copy);
-    return made;
+    return result;
 }
 
 /* The cause without which the fewest modes grow by the method, and these modes; -1 where each leaves all of them. */
@@ -159,18 +159,18 @@ static void check_drift(const source *s, const graph *g, const plant *p, slopes 
  * memories as they begin. */
 static point start_of(const graph *g, const mechanism *m)
 {
-    point made = {"at the start", mechanism_start(m, g->memory), NULL};
+    point result = {"at the start", mechanism_start(m, g->memory), NULL};
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    graph_evaluate(g, 0, &(evaluation){.x = made.x, .p = m->defaults}, numbers);
-    made.u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *made.u);
+    graph_evaluate(g, 0, &(evaluation){.x = result.x, .p = m->defaults}, numbers);
+    result.u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *result.u);
     for (int i = 0; i < m->input_count; i++) {
-        made.u[i] = m->driven[i] ? numbers[m->drives[i]] : 0.0;
+        result.u[i] = m->driven[i] ? numbers[m->drives[i]] : 0.0;
     }
     for (int i = 0; i < m->memory_count; i++) {
-        made.u[m->input_count + i] = m->memories[i].about.start;
+        result.u[m->input_count + i] = m->memories[i].about.start;
     }
     arena_return(g->memory, numbers, g->count, sizeof *numbers);
-    return made;
+    return result;
 }
 
 /* The same with all joints at rest. Returns whether they were not. */

@@ -62,16 +62,16 @@ static bool is_switch(const graph_node *n)
 static functions functions_of(const graph *g, const node *roots, size_t count)
 {
     arena *memory = g->memory;
-    functions made = {.roots = arena_take(memory, count + 1, sizeof *made.roots)};
-    made.g = economise(g, roots, count, made.roots);
-    made.switches = arena_take(memory, made.g.count + 1, sizeof *made.switches);
-    made.now = arena_take(memory, made.g.count + 1, sizeof *made.now);
-    made.before = arena_take(memory, made.g.count + 1, sizeof *made.before);
-    made.moved = arena_take(memory, made.g.count + 1, sizeof *made.moved);
-    for (size_t i = 0; i < made.g.count; i++) {
-        made.switches[i] = is_switch(&made.g.nodes[i]);
+    functions result = {.roots = arena_take(memory, count + 1, sizeof *result.roots)};
+    result.g = economise(g, roots, count, result.roots);
+    result.switches = arena_take(memory, result.g.count + 1, sizeof *result.switches);
+    result.now = arena_take(memory, result.g.count + 1, sizeof *result.now);
+    result.before = arena_take(memory, result.g.count + 1, sizeof *result.before);
+    result.moved = arena_take(memory, result.g.count + 1, sizeof *result.moved);
+    for (size_t i = 0; i < result.g.count; i++) {
+        result.switches[i] = is_switch(&result.g.nodes[i]);
     }
-    return made;
+    return result;
 }
 
 /* An operation as the target computes it: isoc's own functions, which round to the nearest, take a hundred times as long. */
@@ -163,20 +163,20 @@ static void jump_at(look *l, const double *x, const double *u, uint64_t tick, do
 }
 
 /* A kink has a difference that changes its sign where it is, and jumps by nothing; a jump has one on both sides. */
-static double size_of_jump(const gift *of, const double *after, const double *before)
+static double size_of_jump(const gift *g, const double *after, const double *before)
 {
     double sum = 0.0;
-    for (int k = of->first; k < of->first + of->count; k++) {
+    for (int k = g->first; k < g->first + g->count; k++) {
         const double least = fmin(fabs(after[k]), fabs(before[k]));
         sum += (after[k] > 0.0) == (before[k] > 0.0) ? least : 0.0;
     }
     return sum;
 }
 
-static double size_of(const look *l, const gift *of)
+static double size_of(const look *l, const gift *g)
 {
     double sum = 0.0;
-    for (int k = of->first; k < of->first + of->count; k++) {
+    for (int k = g->first; k < g->first + g->count; k++) {
         sum += fabs(l->plant.now[l->plant.roots[k]]);
     }
     return sum;
@@ -187,28 +187,28 @@ static void add_step(look *l, bool jumps, const double *after, const double *bef
 {
     static const double rounding = 1e-9;
     for (int i = 0; i < l->gift_count; i++) {
-        gift *of = &l->gifts[i];
-        const double size = size_of(l, of), jump = jumps ? size_of_jump(of, after, before) : 0.0;
+        gift *g = &l->gifts[i];
+        const double size = size_of(l, g), jump = jumps ? size_of_jump(g, after, before) : 0.0;
         if (jump > rounding * size) {
-            of->last = jump;
-            of->jumps += jump;
-            of->times++;
+            g->last = jump;
+            g->jumps += jump;
+            g->times++;
         }
-        of->amount += of->is_rate ? fmax(size, 0.5 * of->last) : size;
+        g->amount += g->is_rate ? fmax(size, 0.5 * g->last) : size;
     }
 }
 
 static void end_window(look *l, double until)
 {
     for (int i = 0; i < l->gift_count; i++) {
-        gift *of = &l->gifts[i];
-        const double share = of->times >= FEWEST_JUMPS ? 0.5 * of->jumps / of->amount : 0.0;
-        finding *worst = &l->worst[of->effect];
+        gift *g = &l->gifts[i];
+        const double share = g->times >= FEWEST_JUMPS ? 0.5 * g->jumps / g->amount : 0.0;
+        finding *worst = &l->worst[g->effect];
         if (share > worst->share) {
-            *worst = (finding){share, (double)WINDOW / (double)of->times, until};
+            *worst = (finding){share, (double)WINDOW / (double)g->times, until};
         }
-        of->jumps = of->amount = 0.0;
-        of->times = 0;
+        g->jumps = g->amount = 0.0;
+        g->times = 0;
     }
 }
 
@@ -287,9 +287,9 @@ static size_t list_roots(look *l, const plant *p, node *roots)
         }
     }
     for (int i = 0; i < m->effect_state_count; i++) {
-        const effect_quantity *of = &m->effect_states[i];
-        l->gifts[l->gift_count++] = (gift){.effect = of->effect, .first = count, .count = 1, .is_rate = true};
-        roots[count++] = of->next;
+        const effect_quantity *e = &m->effect_states[i];
+        l->gifts[l->gift_count++] = (gift){.effect = e->effect, .first = count, .count = 1, .is_rate = true};
+        roots[count++] = e->next;
     }
     return (size_t)count;
 }
@@ -314,13 +314,13 @@ static bool any_switch(const functions *f)
 
 static void warn(const source *s, const look *l, int effect)
 {
-    const finding *of = &l->worst[effect];
+    const finding *f = &l->worst[effect];
     const name *n = &l->m->effects[effect];
     source_warn(s, n->at,
                 "the effect '%s' jumps every %.3g steps of %.4g ms in the %.3g s until %.4g s: a jump within a step is "
                 "misplaced by up to half of it, here %.2g %% of what it switches; up to 1 %% takes a step of %.2g ms",
-                n->text, of->steps, 1e3 * l->step, WINDOW * l->step, of->until, 100.0 * of->share,
-                1e3 * l->step * most_share / of->share);
+                n->text, f->steps, 1e3 * l->step, WINDOW * l->step, f->until, 100.0 * f->share,
+                1e3 * l->step * most_share / f->share);
 }
 
 /* All that it needs to follow the plant, with the states at the start and inputs of the port zero. */

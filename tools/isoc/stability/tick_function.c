@@ -24,11 +24,11 @@ static double value_of_lines(const tick_table *t, uint64_t tick)
     return iso_on_lines(tick, &(iso_lines){t->words, t->values, t->slopes, (uint32_t)t->count});
 }
 
-double tick_function(const mechanism *m, const graph_node *of, uint64_t tick)
+double tick_function(const mechanism *m, const graph_node *n, uint64_t tick)
 {
-    const double now = (double)tick, first = of->value, second = of->second;
+    const double now = (double)tick, first = n->value, second = n->second;
     const uint32_t whole = (uint32_t)floor(first), other = (uint32_t)floor(second);
-    switch (of->op) {
+    switch (n->op) {
     case OP_PHASE:
         return whole_turn * (fraction(second + now * first + 0.5) - 0.5);
     case OP_RAMP:
@@ -40,15 +40,15 @@ double tick_function(const mechanism *m, const graph_node *of, uint64_t tick)
     case OP_FROM:
         return iso_from(tick, whole);
     case OP_SQUARE:
-        return iso_square(tick, whole, other, (uint32_t)of->index);
+        return iso_square(tick, whole, other, (uint32_t)n->index);
     case OP_SQUARE_OF_PHASE:
         return fraction(second + now * first) < 0.5 ? 1.0 : -1.0;
     case OP_PRBS:
-        return iso_prbs(tick, m->tables[of->index].words, whole, other);
+        return iso_prbs(tick, m->tables[n->index].words, whole, other);
     case OP_CHIRP:
-        return whole_turn * (fraction(turns_of_chirp(&m->tables[of->index], now) + 0.5) - 0.5);
+        return whole_turn * (fraction(turns_of_chirp(&m->tables[n->index], now) + 0.5) - 0.5);
     case OP_LINES:
-        return value_of_lines(&m->tables[of->index], tick);
+        return value_of_lines(&m->tables[n->index], tick);
     case OP_SINCE:
         return second * iso_since(tick, whole, first - floor(first));
     default:

@@ -5,6 +5,6 @@
 #include "tools/isoc/mechanism/mechanism.h"
 
 /* The value of a node for which is_timed holds, in a tick. */
-double tick_function(const mechanism *m, const graph_node *of, uint64_t tick);
+double tick_function(const mechanism *m, const graph_node *n, uint64_t tick);
 
 #endif

@@ -58,13 +58,13 @@ static matrix cross_matrix(graph *g, vector a)
 static articulated rigid(graph *g, const segment *l, wrench still)
 {
     const node zero = constant(g, 0.0), mass = l->mass;
-    articulated made;
-    put_block(&made, ANGULAR, ANGULAR, tensor_matrix(l->inertia));
-    put_block(&made, ANGULAR, LINEAR, cross_matrix(g, l->first_moment));
-    put_block(&made, LINEAR, LINEAR, (matrix){{{mass, zero, zero}, {zero, mass, zero}, {zero, zero, mass}}});
-    put_vector(made.bias, ANGULAR, still.moment);
-    put_vector(made.bias, LINEAR, still.force);
-    return made;
+    articulated result;
+    put_block(&result, ANGULAR, ANGULAR, tensor_matrix(l->inertia));
+    put_block(&result, ANGULAR, LINEAR, cross_matrix(g, l->first_moment));
+    put_block(&result, LINEAR, LINEAR, (matrix){{{mass, zero, zero}, {zero, mass, zero}, {zero, zero, mass}}});
+    put_vector(result.bias, ANGULAR, still.moment);
+    put_vector(result.bias, LINEAR, still.force);
+    return result;
 }
 
 /* Frees a degree of freedom: the inertia becomes I - U U' / D, and the bias gets U / D times the effort less its part
@@ -75,22 +75,22 @@ static release let_go(const kinematics *k, int f, node effort, articulated *b)
     const segment *l = &k->m->segments[k->m->dofs[f].segment];
     const int at = k->m->dofs[f].axis + (slides(l) ? LINEAR : ANGULAR);
     const node borne = mul(g, axis_of(k, f).at[at % 3], effort), zero = constant(g, 0.0);
-    release made = {.at = at, .pivot = graph_name(g, b->inertia[at][at], "D_%s", k->m->dofs[f].name)};
-    made.inverse = divide(g, constant(g, 1.0), made.pivot);
-    made.effort = sub(g, borne, b->bias[at]);
+    release result = {.at = at, .pivot = graph_name(g, b->inertia[at][at], "D_%s", k->m->dofs[f].name)};
+    result.inverse = divide(g, constant(g, 1.0), result.pivot);
+    result.effort = sub(g, borne, b->bias[at]);
     for (int i = 0; i < SPATIAL; i++) {
-        made.column[i] = b->inertia[i][at];
-        made.share[i] = mul(g, made.column[i], made.inverse);
+        result.column[i] = b->inertia[i][at];
+        result.share[i] = mul(g, result.column[i], result.inverse);
     }
     for (int i = 0; i < SPATIAL; i++) {
         for (int j = 0; j <= i; j++) {
             const bool gone = i == at || j == at;
-            const node taken = gone ? zero : mul(g, made.share[i], made.column[j]);
+            const node taken = gone ? zero : mul(g, result.share[i], result.column[j]);
             b->inertia[i][j] = b->inertia[j][i] = gone ? zero : sub(g, b->inertia[i][j], taken);
         }
-        b->bias[i] = i == at ? borne : add(g, b->bias[i], mul(g, made.share[i], made.effort));
+        b->bias[i] = i == at ? borne : add(g, b->bias[i], mul(g, result.share[i], result.effort));
     }
-    return made;
+    return result;
 }
 
 /* bias += inertia A, for accelerations that do not depend on those of the joints. */
@@ -207,9 +207,9 @@ static void outward(const kinematics *k, const release *releases, node *x)
         put_vector(a, LINEAR, all[i].a);
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             const release *r = &releases[f];
-            const node made = follow(g, r, m->dofs[f].before == GROUND, a);
-            x[f] = mul(g, axis_of(k, f).at[m->dofs[f].axis], sub(g, made, a[r->at]));
-            a[r->at] = made;
+            const node result = follow(g, r, m->dofs[f].before == GROUND, a);
+            x[f] = mul(g, axis_of(k, f).at[m->dofs[f].axis], sub(g, result, a[r->at]));
+            a[r->at] = result;
         }
         all[i] = (acceleration){vector_at(a, ANGULAR), vector_at(a, LINEAR)};
     }

@@ -23,15 +23,15 @@ acceleration accelerate_outward(const kinematics *k, int i, const acceleration *
     graph *g = k->g;
     const segment *l = &k->m->segments[i];
     const motion *now = &k->motions[i];
-    acceleration made;
-    made.alpha = l->parent == GROUND ? vector_zero(g) : from_parent(k, i, all[l->parent].alpha);
-    made.a = from_parent(k, i, point_acceleration(k, all, l->parent, now->p));
+    acceleration result;
+    result.alpha = l->parent == GROUND ? vector_zero(g) : from_parent(k, i, all[l->parent].alpha);
+    result.a = from_parent(k, i, point_acceleration(k, all, l->parent, now->p));
     const acceleration coriolis = joint_coriolis(k, i);
-    made.alpha = vector_add(g, made.alpha, coriolis.alpha);
-    made.a = vector_add(g, made.a, coriolis.a);
-    vector_name(g, made.alpha, "alpha", l->name);
-    vector_name(g, made.a, "a", l->name);
-    return made;
+    result.alpha = vector_add(g, result.alpha, coriolis.alpha);
+    result.a = vector_add(g, result.a, coriolis.a);
+    vector_name(g, result.alpha, "alpha", l->name);
+    vector_name(g, result.a, "a", l->name);
+    return result;
 }
 
 void inertial_wrenches(const kinematics *k, const acceleration *accelerations, wrench *wrenches)

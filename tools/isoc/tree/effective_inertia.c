@@ -52,16 +52,16 @@ static double *inverse_of_mass(const graph *g, const mechanism *m, const mass_ma
 }
 
 /* The velocity of what moves with the body at a point beside its own. */
-static vector velocity_beside(const kinematics *k, const inertia_query *of)
+static vector velocity_beside(const kinematics *k, const inertia_query *i)
 {
     graph *g = k->g;
-    const body_frame *frame = &k->m->frames[of->body];
-    const vector point = vector_add(g, matrix_apply(g, frame->turn, of->point), frame->offset);
+    const body_frame *frame = &k->m->frames[i->body];
+    const vector point = vector_add(g, matrix_apply(g, frame->turn, i->point), frame->offset);
     vector moves = point_velocity(k, frame->segment, point), turns = k->motions[frame->segment].omega;
     const matrix to_body = matrix_transpose(frame->turn);
-    moves = of->in_body ? matrix_apply(g, to_body, moves) : outward_axes(k, frame->segment, GROUND, moves);
-    turns = of->in_body ? matrix_apply(g, to_body, turns) : outward_axes(k, frame->segment, GROUND, turns);
-    return vector_add(g, moves, vector_cross(g, turns, of->beside));
+    moves = i->in_body ? matrix_apply(g, to_body, moves) : outward_axes(k, frame->segment, GROUND, moves);
+    turns = i->in_body ? matrix_apply(g, to_body, turns) : outward_axes(k, frame->segment, GROUND, turns);
+    return vector_add(g, moves, vector_cross(g, turns, i->beside));
 }
 
 /* The rows of the Jacobian of these velocities at the start, [count n]: what each is where one speed is 1 and all others
@@ -110,12 +110,12 @@ const node *effective_inertias(graph *g, const mechanism *m)
     }
     const double *inverse = inverse_of_mass(&scratch, m, &mass), *rows = jacobian(&scratch, m, velocities, points);
     graph_free(&scratch);
-    node *made = arena_take(g->memory, n + points, sizeof *made);
+    node *result = arena_take(g->memory, n + points, sizeof *result);
     for (size_t i = 0; i < n; i++) {
-        made[i] = constant(g, 1.0 / inverse[i * n + i]);
+        result[i] = constant(g, 1.0 / inverse[i * n + i]);
     }
     for (size_t i = 0; i < points; i++) {
-        made[n + i] = constant(g, mass_along(rows + i * n, inverse, n));
+        result[n + i] = constant(g, mass_along(rows + i * n, inverse, n));
     }
-    return made;
+    return result;
 }

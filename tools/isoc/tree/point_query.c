@@ -3,27 +3,27 @@
 #include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/tree/effective_inertia.h"
 
-static vector answer(const kinematics *k, const point_query *of)
+static vector answer(const kinematics *k, const point_query *p)
 {
     graph *g = k->g;
-    const body_frame *frame = &k->m->frames[of->body];
+    const body_frame *frame = &k->m->frames[p->body];
     const int at = frame->segment;
-    const vector point = vector_add(g, matrix_apply(g, frame->turn, of->point), frame->offset);
-    if (of->kind == QUERY_POSITION && !of->in_body) {
+    const vector point = vector_add(g, matrix_apply(g, frame->turn, p->point), frame->offset);
+    if (p->kind == QUERY_POSITION && !p->in_body) {
         return outward_point(k, at, GROUND, point);
     }
     vector in_segment = vector_zero(g);
-    if (of->kind == QUERY_VELOCITY) {
+    if (p->kind == QUERY_VELOCITY) {
         in_segment = point_velocity(k, at, point);
-    } else if (of->kind == QUERY_SPIN) {
+    } else if (p->kind == QUERY_SPIN) {
         in_segment = at == GROUND ? in_segment : k->motions[at].omega;
     } else {
         for (int i = 0; i < 3; i++) {
-            in_segment.at[i] = frame->turn.at[i][of->kind - QUERY_X_AXIS];
+            in_segment.at[i] = frame->turn.at[i][p->kind - QUERY_X_AXIS];
         }
     }
-    return of->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_segment)
-                       : outward_axes(k, at, GROUND, in_segment);
+    return p->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_segment)
+                      : outward_axes(k, at, GROUND, in_segment);
 }
 
 /* What stands in the place of the leaves. */

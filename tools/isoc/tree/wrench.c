@@ -23,7 +23,7 @@ wrench wrench_at(graph *g, vector point, vector force, vector moment)
 static vector gyration(graph *g, vector w, tensor inertia)
 {
     const matrix j = tensor_matrix(inertia);
-    vector made;
+    vector result;
     for (int x = 0; x < 3; x++) {
         const int y = (x + 1) % 3, z = (x + 2) % 3;
         const node square_y = mul(g, w.at[y], w.at[y]), square_z = mul(g, w.at[z], w.at[z]);
@@ -31,21 +31,21 @@ static vector gyration(graph *g, vector w, tensor inertia)
         const node across = mul(g, sub(g, j.at[z][z], j.at[y][y]), yz);
         const node squares = mul(g, j.at[y][z], sub(g, square_y, square_z));
         const node products = difference_of_products(g, j.at[x][z], xy, j.at[x][y], xz);
-        made.at[x] = add(g, add(g, across, squares), products);
+        result.at[x] = add(g, add(g, across, squares), products);
     }
-    return made;
+    return result;
 }
 
 /* Newton and Euler about the origin: F = m a + swing(ms), N = J alpha + omega x J omega + ms x a. */
 wrench wrench_of_motion(graph *g, composite whole, vector w, acceleration now)
 {
-    wrench made;
-    made.force = vector_scale(g, whole.mass, now.a);
-    made.force = vector_add(g, made.force, swing(g, w, now.alpha, whole.ms));
+    wrench result;
+    result.force = vector_scale(g, whole.mass, now.a);
+    result.force = vector_add(g, result.force, swing(g, w, now.alpha, whole.ms));
     const vector gyroscopic = gyration(g, w, whole.inertia);
     const vector angular = vector_add(g, tensor_apply(g, whole.inertia, now.alpha), gyroscopic);
-    made.moment = vector_add(g, angular, vector_cross(g, whole.ms, now.a));
-    return made;
+    result.moment = vector_add(g, angular, vector_cross(g, whole.ms, now.a));
+    return result;
 }
 
 /* u e at its point, with a moment about its own line; of an effect, its force there and its moment. */
