@@ -165,7 +165,7 @@ PORT_OF_cortex-m4f := port/mps2
 PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is
 # for scenes only.
-FIXED_METHODS := $(filter-out adams,$(shell sed -n 's/^ *X.r, ISO_[A-Z0-9_]*, "\([a-z0-9_]*\)".*/\1/p' core/methods/recipe.h))
+FIXED_METHODS := $(filter-out adams,$(shell sed -n 's/^ *X.r, ISO_[A-Z0-9_]*, "\([a-z0-9_]*\)".*/\1/p' core/methods/table.h))
 REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
 

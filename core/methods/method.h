@@ -6,7 +6,7 @@
 #ifndef ISO_CORE_METHODS_METHOD_H
 #define ISO_CORE_METHODS_METHOD_H
 
-#include "core/methods/recipe.h"
+#include "core/methods/table.h"
 
 /* A file in which all steps are of one method (not adams) may say so before it includes this: #define ISO_ONLY_METHOD ISO_RK4. The
  * compiler then sees no other kernel, which saves it up to two thirds of its time; no bit changes. A step of another method

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "core/methods/recipe.h"
+#include "core/methods/table.h"
 #include "tests/host/report.h"
 #include "tests/stability/theory.h"
 #include "tools/isoc/method/growth.h"

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "core/methods/recipe.h"
+#include "core/methods/table.h"
 
 /* Looks that are chosen: variants of a method share a colour. */
 static const struct {

@@ -1,4 +1,4 @@
-/* How a method is drawn: in the group of its family, in a colour and with a mark. All methods of core/methods/recipe.h are
+/* How a method is drawn: in the group of its family, in a colour and with a mark. All methods of core/methods/table.h are
  * known; a look differs from every other one. */
 #ifndef ISO_TOOLS_PLOT_LOOK_H
 #define ISO_TOOLS_PLOT_LOOK_H

@@ -150,7 +150,7 @@ int segment_called(const mechanism *m, name n);
 bool find_connection(builder *b, name n, int *child, int *loop);
 void build_outputs(builder *b);
 
-/* recipe.c: the method with its options, and the step. A method by its name; rk4 after noting a problem. */
+/* method.c: the method with its options, and the step. A method by its name; rk4 after noting a problem. */
 void build_method(builder *b);
 void build_step(builder *b);
 unsigned find_method(builder *b, name word);

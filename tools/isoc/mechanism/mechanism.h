@@ -12,7 +12,7 @@
 #ifndef ISOC_MECHANISM_MECHANISM_H
 #define ISOC_MECHANISM_MECHANISM_H
 
-#include "core/methods/recipe.h"
+#include "core/methods/table.h"
 #include "tools/isoc/formula/value.h"
 #include "tools/isoc/graph/vector.h"
 
@@ -346,7 +346,7 @@ typedef struct mechanism {
     int condition_count;
 
     policies policies;
-    unsigned recipe;  /* method and options: core/methods/recipe.h */
+    unsigned recipe;  /* method and options: core/methods/table.h */
     double tolerance; /* of adams */
     double substeps;  /* its budget in a tick; 0: unlimited */
     double step;      /* s, of a tick */

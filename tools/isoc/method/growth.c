@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "core/methods/recipe.h"
+#include "core/methods/table.h"
 #include "tools/isoc/base/eigenvalues.h"
 #include "tools/isoc/method/step_map.h"
 

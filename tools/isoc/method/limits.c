@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "core/methods/recipe.h"
+#include "core/methods/table.h"
 #include "tools/isoc/method/growth.h"
 
 /* No region of an explicit method reaches so far. */

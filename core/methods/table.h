@@ -3,8 +3,8 @@
  * A recipe is a method with its options: ISO_RK4, or ISO_BDF4 | ISO_COMPENSATED | ISO_ITERATIONS(3). A method is a kernel in
  * its own file and a row of the table below; all else follows from the row.
  */
-#ifndef ISO_CORE_METHODS_RECIPE_H
-#define ISO_CORE_METHODS_RECIPE_H
+#ifndef ISO_CORE_METHODS_TABLE_H
+#define ISO_CORE_METHODS_TABLE_H
 
 #include "core/methods/ab4.h"
 #include "core/methods/abm4.h"
