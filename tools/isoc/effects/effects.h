@@ -37,11 +37,11 @@ typedef struct effect_scope {
     stability_limits limits; /* of the method; a rate of 0 before a formula names one */
 } effect_scope;
 
-/* --- past.c: previous(x) and the like --- */
+/* --- history_memory.c: previous(x) and the like --- */
 
 value history_memory_value(void *context, const formula *f);
 
-/* --- streams.c: noise(SEED), time and other functions of it --- */
+/* --- time_inputs.c: noise(SEED), time and other functions of it --- */
 
 value time_input_value(void *context, const formula *f);
 

@@ -111,7 +111,7 @@ matrix align(graph *g, const double a[3], int *k, double *sign);
 /* regroup.c: moves to the parents what the joints' motion does not change. */
 void regroup(builder *b);
 
-/* signals.c: inputs and tunable parameters. The inputs are checked when all that can use them is built. What jumps by itself
+/* inputs.c: inputs and tunable parameters. The inputs are checked when all that can use them is built. What jumps by itself
  * at ticks that are known, in a function of time. */
 void build_inputs(builder *b);
 void find_edges(builder *b, node drive);
@@ -119,26 +119,26 @@ void check_inputs(builder *b);
 void build_changes(builder *b);
 void build_parameters(builder *b);
 
-/* effects.c: effects and signals. The states come first: the speeds stand behind them. */
+/* effects/effects.c: effects and signals. The states come first: the speeds stand behind them. */
 size_t count_faults(const scene *written);
 size_t count_forces(const scene *written);
 void count_effects(builder *b);
 void build_effects(builder *b);
 
-/* substeps.c: the effects with sub-steps of their own, when their states are known. */
+/* effects/substeps.c: the effects with sub-steps of their own, when their states are known. */
 void build_substeps(builder *b);
 
-/* streams.c: the functions of time outside of inputs, before there are inputs; and their inputs. */
+/* effects/time_inputs.c: the functions of time outside of inputs, before there are inputs; and their inputs. */
 void find_time_inputs(builder *b);
 void build_time_inputs(builder *b);
 
-/* past.c: what the memories of formulas are of, when all formulas are known. */
+/* effects/history_memory.c: what the memories of formulas are of, when all formulas are known. */
 void finish_history_memories(builder *b);
 
-/* unread.c: leaves out what nothing reads. */
+/* effects/unread.c: leaves out what nothing reads. */
 void drop_unread(builder *b);
 
-/* delays.c: which delays are samples of continuous signals, when all equations are known. */
+/* effects/delays.c: which delays are samples of continuous signals, when all equations are known. */
 void build_delays(builder *b);
 
 /* The value of a formula over all that the scene has; a signal, say. */
