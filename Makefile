@@ -86,18 +86,34 @@ quote = '$(subst ','\'',$(1))'
 Q := $(if $(filter 1,$(V)),,@)
 say = @printf '  %-4s %s\n' $(1) $(call quote,$(2))
 
-# A recipe that leaves its target alone if it holds these words (of the shell) already, so that only a change makes
-# others follow.
-remember = @mkdir -p $(@D); text=$$(printf '%s\n' $(1)); \
-    printf '%s\n' "$$text" | cmp -s - $@ || printf '%s\n' "$$text" >$@
+# What make can see itself starts no process: a recipe that has nothing to do is empty.
 
-# A recipe that stops if a tool is missing; TOOL:FILE is a file that the compiler TOOL must find.
-require = @for tool in $(1); do \
+# Whether two texts are the same.
+same = $(and $(findstring =$(1)=,=$(2)=),$(findstring =$(2)=,=$(1)=))
+
+# A recipe that leaves its target alone if it holds this line already, so that only a change makes others follow. Make 4.3
+# does not always leave out the end of the line that it reads.
+remember = $(if $(and $(wildcard $@),$(call same,$(1),$(subst $(newline),,$(file <$@)))),,@mkdir -p $(@D) && printf '%s\n' $(call quote,$(1)) >$@)
+
+# The files in PATH of this command, of which a shell runs the first; none where PATH has spaces.
+files_of = $(wildcard $(if $(findstring /,$(1)),$(1),$(addsuffix /$(1),$(subst :, ,$(PATH)))))
+
+# A recipe that stops if a tool is missing; TOOL:FILE is a file that the compiler TOOL must find, which is asked until it
+# has compiled something.
+require = $(if $(strip $(foreach tool,$(1),$(if $(call files_of,$(firstword $(subst :, ,$(tool)))),$(if \
+    $(findstring :,$(tool)),$(if $(wildcard build/obj/$(TARGET)/*),,$(tool))),$(tool)))),$(call require_each,$(1),$(2)))
+require_each = @for tool in $(1); do \
         case $$tool in \
         *:*) file=$${tool\#*:}; test "$$($${tool%:*} -print-file-name=$$file)" != $$file ;; \
         *) command -v $$tool >/dev/null 2>&1 ;; \
         esac || { echo "$$tool is missing. Install it with: $(2)" >&2; exit 1; }; \
     done
+
+# Whether the compiler is gcc: by the name of its file, behind what may stand before it in PATH and keep objects; asked for
+# an option that only gcc has where no name says it.
+compiler_names = $(foreach file,$(call files_of,$(firstword $(1))),$(notdir $(realpath $(file))))
+compiler_kind = $(firstword $(foreach name,$(compiler_names),$(if $(findstring clang,$(name)),clang,$(if $(findstring gcc,$(name)),gcc))))
+is_gcc = $(filter gcc,$(or $(compiler_kind),$(shell echo | $(1) -Werror -fno-tree-ter -E - >/dev/null 2>&1 && echo gcc)))
 
 # Links what follows into the target: beside it, then in its place, so that whoever runs it meanwhile runs the one before or
 # the new one, whole.
@@ -165,7 +181,7 @@ PORT_OF_cortex-m4f := port/mps2
 PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is
 # for scenes only.
-FIXED_METHODS := $(filter-out adams,$(shell sed -n 's/^ *X.r, ISO_[A-Z0-9_]*, "\([a-z0-9_]*\)".*/\1/p' core/methods/table.h))
+FIXED_METHODS := $(filter-out adams,$(patsubst "%"$(comma),%,$(filter "%"$(comma),$(file <core/methods/table.h))))
 REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
 
@@ -243,12 +259,29 @@ endif
 # What make could misread in a path of ours becomes a line; a path outside of models/, an unusual one and a long one get
 # their number.
 SCENE_FILE := $(subst $(space),_,$(SCENE))
-NAME := $(shell printf %s $(call quote,$(basename $(notdir $(SCENE_FILE)))) | tr -c 'A-Za-z0-9_.-' _ | cut -c 1-64)
+LETTERS := a b c d e f g h i j k l m n o p q r s t u v w x y z A B C D E F G H I J K L M N O P Q R S T U V W X Y Z \
+    0 1 2 3 4 5 6 7 8 9 _ . -
+NAME := $(basename $(notdir $(SCENE_FILE)))
+SPELLED := $(NAME)
+$(foreach letter,$(LETTERS),$(eval SPELLED := $$(subst $(letter),$(letter) ,$$(SPELLED))))
+IS_PLAIN := $(if $(filter-out $(LETTERS),$(SPELLED))$(word 65,$(SPELLED)),,yes)
+ifeq ($(IS_PLAIN),)
+NAME := $(shell printf %s $(call quote,$(NAME)) | tr -c 'A-Za-z0-9_.-' _ | cut -c 1-64)
+endif
 ifeq ($(patsubst .%,,$(NAME)),)
 $(error SCENE=$(SCENE) has no name before its ending)
 endif
+IS_MODEL := $(and $(IS_PLAIN),$(call same,$(SCENE),$(SCENE_FILE)),$(filter models/$(NAME).scene models/$(NAME).c,$(SCENE)),\
+    $(wildcard $(SCENE_FILE)))
+# A make that this one calls has the number in ISOCHRON_FOLDER, with the scene that it is of.
+ifneq ($(IS_MODEL),)
+FOLDER := $(NAME)
+else ifneq ($(call same,$(value ISOCHRON_FOLDER),$(firstword $(value ISOCHRON_FOLDER)) $(SCENE)),)
+FOLDER := $(firstword $(value ISOCHRON_FOLDER))
+else
 FOLDER := $(shell path=$$(realpath -m --relative-to=. -- $(call quote,$(SCENE))); test "$${path%.*}" = models/$(NAME) \
     && echo $(NAME) || echo $(NAME)-$$(printf %s "$$path" | cksum | cut -d ' ' -f 1))
+endif
 OUT := $(if $(filter hil,$(MAKECMDGOALS)),build/hil/$(TARGET)/$(REAL),build/$(TARGET)/$(REAL)/$(FOLDER))
 
 include $(PORT)/port.mk
@@ -268,7 +301,7 @@ TOOL_COMPILE := $(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DIS
 TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/*/*/*.c))
 
 build/obj/tools/flags: always
-	$(call remember,$(call quote,$(TOOL_COMPILE) $(TOOL_OBJECTS)))
+	$(call remember,$(TOOL_COMPILE) $(TOOL_OBJECTS))
 
 build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 	$(call require,$(firstword $(CC)),apt-get install gcc)
@@ -335,7 +368,7 @@ RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OB
 
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	$(call remember,$(call quote,$(COMPILE)))
+	$(call remember,$(COMPILE))
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
@@ -370,6 +403,8 @@ shared = $(TOOLS) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if 
     $(OBJ)/core/xcp/places.o)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
 LOCK_TOOLS := flock realpath
 LOCK_INSTALL := apt-get install util-linux coreutils
+# The status of flock where another has the lock; make ends with none above 2.
+LOCKED := 75
 
 shared: $(SHARED)
 	@:
@@ -379,10 +414,13 @@ include tools/build/goals.mk
 else
 $(GOALS):
 	$(call require,$(LOCK_TOOLS),$(LOCK_INSTALL))
-	@mkdir -p $(call folder_of,$@)
+	$(if $(wildcard $(call folder_of,$@)/.),,@mkdir -p $(call folder_of,$@))
 	@flock build/lock $(MAKE) --no-print-directory shared SHARED='$(call shared,$@)' TARGET=$(TARGET) REAL=$(REAL)
-	@flock -n $(call folder_of,$@)/lock true || echo '  WAIT until another make is done in $(call folder_of,$@)' >&2
-	@ISOCHRON_LOCKED='$@ $(call folder_of,$@)' flock $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@
+	@export ISOCHRON_LOCKED='$@ $(call folder_of,$@)' ISOCHRON_FOLDER=$(call quote,$(FOLDER) $(SCENE)); \
+	    flock -n -E $(LOCKED) $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@; \
+	    status=$$?; test $$status -eq $(LOCKED) || exit $$status; \
+	    echo '  WAIT until another make is done in $(call folder_of,$@)' >&2; \
+	    exec flock $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@
 endif
 
 monitor: build/monitor ## build the terminal of measurement and calibration; then: build/monitor A2L tcp:127.0.0.1:5555 (core/xcp)
@@ -416,4 +454,7 @@ pictures: $(TOOLS) ## draw the pictures of models/README.md again
 clean: ## remove build/
 	rm -rf build
 
+# What builds and runs plants needs no rule of the tests.
+ifneq ($(filter-out $(GOALS) shared,$(or $(MAKECMDGOALS),help)),)
 include tests/tests.mk
+endif

@@ -3,7 +3,7 @@ PORT_CC = $(CC)
 PORT_TOOLS = $(firstword $(CC))
 PORT_INSTALL = apt-get install gcc
 # Where the compiler is gcc: the equations stay in the order in which isoc writes them, which keeps few values alive.
-PORT_FLAGS := $(shell echo | $(PORT_CC) -Werror -fno-tree-ter -E - >/dev/null 2>&1 && echo -fno-tree-ter)
+PORT_FLAGS := $(if $(call is_gcc,$(PORT_CC)),-fno-tree-ter)
 # By `make flags TARGET=host REAL=double`: no other takes a twentieth less.
 PORT_OPTIMISE = -O2
 # What this port shares with others, and what links have beyond.

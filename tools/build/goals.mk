@@ -51,9 +51,9 @@ says = $(if $(filter %.c,$(SCENE_FILE)),cksum <$(call quote,$(SCENE)),build/isoc
 
 # The scene by its path and by what it says; not by its date, since its path may hold what make cannot.
 $(OUT)/choice: always
-	@test -e $(call quote,$(SCENE)) || { printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; \
-	    ls models >&2; exit 1; }
-	$(call remember,$(call quote,$(SCENE) $(CHOICE)) "$$($(says))")
+	$(if $(IS_MODEL),,@test -e $(call quote,$(SCENE)) || { \
+	    printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; ls models >&2; exit 1; })
+	$(call remember,$(SCENE) $(CHOICE) $(shell test ! -e $(call quote,$(SCENE)) || { $(says); }))
 
 $(OUT)/plant.c: $(OUT)/choice build/isoc
 	$(call say,ISOC,$(SCENE))
@@ -68,7 +68,7 @@ of_objects = $(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(1) $(PORT_LIBRARI
 LINK := $(call of_objects,$(OUT)/plant.o $(OBJECTS))
 
 $(OUT)/link: always
-	$(call remember,$(call quote,$(LINK)))
+	$(call remember,$(LINK))
 
 $(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard $(PORT)/*.ld)
 	$(call say,LINK,$@)
@@ -80,7 +80,7 @@ LINKED := $(OUT)/$(if $(XCP),calibrated,linked)
 LINKED_PROGRAM := $(LINKED)/$(NAME)$(PORT_SUFFIX)
 
 $(LINKED)/choice: always
-	$(call remember,$(call quote,$(XCP)))
+	$(call remember,$(XCP))
 
 $(LINKED)/interface.c: $(OUT)/choice $(LINKED)/choice build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no link: it is for scenes))
@@ -119,10 +119,10 @@ SUMMARY = $(if $(SNAPSHOT)$(RESTORE),$(LINKED).txt,$(OUT)/plant.txt)
 
 # A run with a snapshot: the plant as with a link, and what is asked for, with the snapshot that the run begins at.
 RECORDED_PROGRAM := $(OUT)/recorded/$(NAME)$(PORT_SUFFIX)
-RECORDED_FROM = $(if $(RESTORE),cksum <$(call quote,$(RESTORE)),:)
+RECORDED_FROM = $(if $(RESTORE),$(shell cksum <$(call quote,$(RESTORE))))
 
 $(OUT)/recorded/choice: always
-	$(call remember,$(call quote,$(SNAPSHOT)) "$$($(RECORDED_FROM))")
+	$(call remember,$(SNAPSHOT) $(RECORDED_FROM))
 
 $(OUT)/recorded/request.c: $(OUT)/recorded/choice tools/build/request.sh
 	$(Q)sh tools/build/request.sh $(call quote,$(SNAPSHOT)) $(call quote,$(RESTORE)) >$@
