@@ -8,52 +8,58 @@ begin check/layers
 CORE="numbers methods runtime application link record xcp"
 ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit client"
 
-# downto FOLDER LIST: the folders of the list up to this one, as alternatives of a pattern; all for a file that stands
-# above them.
-downto()
-{
-    echo "$2" | awk -v last="$1" '{ for (i = 1; i <= NF; i++) { printf "%s%s", (i > 1 ? "|" : ""), $i; if ($i == last) exit } }'
-}
-
-# own FILE: a pattern of what it may include.
-own()
-{
-    folder=$(dirname "$1")
-    case $1 in
-    core/*) echo "\"(core/($(downto "${folder#core/}" "$CORE"))/[a-z0-9_]+\.h|port/(port|channel)\.h)\"" ;;
-    port/sim/* | port/posix/* | port/host/*) echo '"(port/[a-z0-9_/]+\.h|core/numbers/real\.h)"|<[a-z0-9_/]+\.h>' ;;
-    port/*) echo '"(port/[a-z0-9_/]+\.h|core/numbers/real\.h)"' ;;
-    models/hil/*) echo '"[a-z0-9_]+_link\.h"|<[a-z0-9_/]+\.h>' ;; # a controller, with the header that isoc writes for it
-    models/*) echo '"core/(numbers|methods|runtime)/[a-z0-9_]+\.h"' ;;
-    build/obj/tools/*) echo '"tools/isoc/emit/[a-z0-9_]+\.h"' ;;
-    build/*) echo '"(core/(numbers|methods|runtime)/[a-z0-9_]+\.h|plant\.h)"' ;;
-    tools/isoc/*) echo "\"(tools/isoc/($(downto "${folder#tools/isoc/}" "$ISOC"))|core/(numbers|methods))/[a-z0-9_]+\.h\"|<[a-z0-9_/]+\.h>" ;;
-    tools/drift/order.c) echo '"(tools/[a-z0-9_/]+|core/[a-z0-9_/]+|coarse|middle|fine)\.h"|<[a-z0-9_/]+\.h>' ;; # generated plants
-    tools/*) echo '"(tools|core)/[a-z0-9_/]+\.h"|<[a-z0-9_/]+\.h>' ;;
-    esac
-}
-
 # violations ROOT: prints file:line: include, for each one that its layer forbids.
 violations()
 {
-    (cd "$1" && { find core port models tools -name '*.[ch]'; find build -name 'plant.[ch]' ! -path 'build/tests/*' ! -path '*/core/*'; } 2>/dev/null | sort) |
-        while read -r file; do
-            awk -v file="$file" -v own="^($(own "$file")|<(stdint|stddef|stdbool|float|limits|string)\\.h>)\$" '
-                /^[ \t]*#[ \t]*include/ {
-                    sub(/^[ \t]*#[ \t]*include[ \t]*/, "")
-                    sub(/[ \t]*(\/\*.*)?$/, "")
-                    if ($0 !~ own) print file ":" FNR ": " $0
-                }' "$1/$file"
-        done
+    (
+        cd "$1" && {
+            find core port models tools -name '*.[ch]'
+            find build -name 'plant.[ch]' ! -path 'build/tests/*' ! -path '*/core/*'
+        } 2>/dev/null | sort | xargs awk -v core="$CORE" -v isoc="$ISOC" '
+            # The folders of the list up to this one, as alternatives of a pattern; all for a file that stands above them.
+            function downto(last, list, i, n, name, text) {
+                n = split(list, name, " ")
+                for (i = 1; i <= n; i++) {
+                    text = text (i > 1 ? "|" : "") name[i]
+                    if (name[i] == last) break
+                }
+                return text
+            }
+            # A pattern of what a file may include.
+            function own(file, folder) {
+                folder = file
+                sub(/\/[^\/]*$/, "", folder)
+                sub(/^(core|tools\/isoc)\//, "", folder)
+                if (file ~ /^core\//) return "\"(core/(" downto(folder, core) ")/[a-z0-9_]+\\.h|port/(port|channel)\\.h)\""
+                if (file ~ /^port\/(sim|posix|host)\//) return "\"(port/[a-z0-9_/]+\\.h|core/numbers/real\\.h)\"|<[a-z0-9_/]+\\.h>"
+                if (file ~ /^port\//) return "\"(port/[a-z0-9_/]+\\.h|core/numbers/real\\.h)\""
+                # A controller, with the header that isoc writes for it.
+                if (file ~ /^models\/hil\//) return "\"[a-z0-9_]+_link\\.h\"|<[a-z0-9_/]+\\.h>"
+                if (file ~ /^models\//) return "\"core/(numbers|methods|runtime)/[a-z0-9_]+\\.h\""
+                if (file ~ /^build\/obj\/tools\//) return "\"tools/isoc/emit/[a-z0-9_]+\\.h\""
+                if (file ~ /^build\//) return "\"(core/(numbers|methods|runtime)/[a-z0-9_]+\\.h|plant\\.h)\""
+                if (file ~ /^tools\/isoc\//) return "\"(tools/isoc/(" downto(folder, isoc) ")|core/(numbers|methods))/[a-z0-9_]+\\.h\"|<[a-z0-9_/]+\\.h>"
+                # Generated plants.
+                if (file == "tools/drift/order.c") return "\"(tools/[a-z0-9_/]+|core/[a-z0-9_/]+|coarse|middle|fine)\\.h\"|<[a-z0-9_/]+\\.h>"
+                return "\"(tools|core)/[a-z0-9_/]+\\.h\"|<[a-z0-9_/]+\\.h>"
+            }
+            FNR == 1 { allowed = "^(" own(FILENAME) "|<(stdint|stddef|stdbool|float|limits|string)\\.h>)$" }
+            /^[ \t]*#[ \t]*include/ {
+                sub(/^[ \t]*#[ \t]*include[ \t]*/, "")
+                sub(/[ \t]*(\/\*.*)?$/, "")
+                if ($0 !~ allowed) print FILENAME ":" FNR ": " $0
+            }'
+    )
 }
 
 # unlisted: folders that the orders above leave out.
 unlisted()
 {
     (cd "$1" && ls -d core/*/ tools/isoc/*/) | while read -r folder; do
+        folder=${folder%/}
         case " $CORE $ISOC " in
-        *" $(basename "$folder") "*) ;;
-        *) echo "$folder" ;;
+        *" ${folder##*/} "*) ;;
+        *) echo "$folder/" ;;
         esac
     done
 }

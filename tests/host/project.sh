@@ -25,7 +25,13 @@ call()
 # value KEY: what the last call printed for it in its summary, which comes last.
 value()
 {
-    sed -n "s/^$1 //p" "$out/output" | tail -n 1
+    value_found=
+    while IFS= read -r value_line || [ -n "$value_line" ]; do
+        case $value_line in
+        "$1 "*) value_found=${value_line#"$1 "} ;;
+        esac
+    done <"$out/output"
+    [ -z "$value_found" ] || printf '%s\n' "$value_found"
 }
 
 # explain: shows the end of the last call as comments.
