@@ -25,7 +25,7 @@ esac
 echo "# turn $turn of 8: $seconds s"
 length()
 {
-    echo ${seconds}000000000
+    length=${seconds}000000000
 }
 for place in "host sim $CC -O0" "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
     # shellcheck disable=SC2086
