@@ -9,6 +9,11 @@ bool real_holds(double number, bool is_double)
     return number == 0.0 || (fabs(number) >= least && fabs(number) <= largest);
 }
 
+bool real_is_tiny(double number, bool is_double)
+{
+    return !is_double && number != 0.0 && fabs(number) < (double)FLT_MIN;
+}
+
 const char *real_advice(double number, bool is_double)
 {
     return is_double ? "a double holds 0 and 2.2e-308 to 1.8e308: choose another number"

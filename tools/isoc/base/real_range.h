@@ -6,6 +6,9 @@
 
 bool real_holds(double number, bool is_double);
 
+/* Whether it is less than the least normal float, but not zero: a float takes it as a factor, scaled by powers of two. */
+bool real_is_tiny(double number, bool is_double);
+
 /* What a message says of a number that it does not hold: the range, and what would be right. */
 const char *real_advice(double number, bool is_double);
 

@@ -41,7 +41,9 @@ typedef struct emitter {
 const char *code_literal(arena *memory, double value, bool is_double)
 {
     char digits[40];
-    value = fabs(value) < (is_double ? DBL_MIN : (double)FLT_MIN) ? copysign(0.0, value) : value;
+    if (fabs(value) < (is_double ? DBL_MIN : (double)FLT_MIN)) {
+        value = is_double ? copysign(0.0, value) : (double)(float)value;
+    }
     for (int precision = 1; precision <= 17; precision++) {
         snprintf(digits, sizeof digits, "%.*g", precision, value);
         if (is_double ? strtod(digits, NULL) == value : strtof(digits, NULL) == (float)value) {
@@ -168,7 +170,8 @@ const char *code_phase(arena *memory, double turns)
 
 static const char *number(emitter *e, double value)
 {
-    e->out_of_range_value = real_holds(value, e->c->is_double) ? e->out_of_range_value : value;
+    const bool is_held = real_holds(value, e->c->is_double) || real_is_tiny(value, e->c->is_double);
+    e->out_of_range_value = is_held ? e->out_of_range_value : value;
     return code_literal(e->g->memory, value, e->c->is_double);
 }
 
@@ -267,6 +270,38 @@ static const char *part(emitter *e, const graph_node *n, char letter)
     }
 }
 
+/* The operand of a product, or the dividend, that no normal float holds; -1 where there is none. */
+static node tiny_factor(const emitter *e, const graph_node *n)
+{
+    const node operands[2] = {n->a, n->b};
+    const int count = n->op == OP_MUL ? 2 : n->op == OP_DIV ? 1 : 0;
+    for (int i = 0; i < count; i++) {
+        if (is_constant(e->g, operands[i]) && real_is_tiny(constant_value(e->g, operands[i]), e->c->is_double)) {
+            return operands[i];
+        }
+    }
+    return -1;
+}
+
+/* The tiny factor is scaled up and the result is scaled down by 2^126. Both are exact, so that the result is rounded as one
+ * of normal floats is, and underflows only where its own size does. */
+static rendering show_tiny_product(emitter *e, const graph_node *n, node tiny)
+{
+    const char *down = code_literal(e->g->memory, 0x1p-126, false);
+    text result = {.memory = e->g->memory};
+    double factor = constant_value(e->g, tiny);
+    int scales = 0;
+    for (; real_is_tiny(factor, false); scales++) {
+        factor *= 0x1p126;
+    }
+    text_add(&result, "%s %c %s", number(e, factor), n->op == OP_DIV ? '/' : '*',
+             operand(e, tiny == n->a ? n->b : n->a, BINDS_WHOLE));
+    while (scales-- > 0) {
+        text_add(&result, " * %s", down);
+    }
+    return (rendering){result.bytes, BINDS_PRODUCT};
+}
+
 static rendering show(emitter *e, const graph_node *n)
 {
     const operator_row *row = &operators[n->op];
@@ -274,6 +309,10 @@ static rendering show(emitter *e, const graph_node *n)
     if (n->op == OP_ADD && is_constant(e->g, n->a) && constant_value(e->g, n->a) < 0.0) {
         text_add(&result, "%s - %s", operand(e, n->b, BINDS_SUM), number(e, -constant_value(e->g, n->a)));
         return (rendering){result.bytes, BINDS_SUM};
+    }
+    const node tiny = tiny_factor(e, n);
+    if (tiny >= 0) {
+        return show_tiny_product(e, n, tiny);
     }
     text_add(&result, "%s", "");
     for (const char *c = row->text; *c != '\0'; c++) {

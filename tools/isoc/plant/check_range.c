@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/real_range.h"
+#include "tools/isoc/mechanism/states.h"
 
 /* Marks what the functions of the plant depend on. */
 static void reach(const graph *g, const plant *p, bool *needed)
@@ -80,15 +81,53 @@ static bool check_derived(source *s, const graph *g, const plant *p)
     return any;
 }
 
+/* The values of all nodes at the start: first those of the drives alone, then all. Memories count as zero. */
+static const double *start_numbers(const graph *g, const plant *p)
+{
+    const mechanism *m = p->m;
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    double *u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *u);
+    const double *x = mechanism_start(m, g->memory);
+    graph_evaluate(g, 0, &(evaluation){.x = x, .u = u, .p = m->defaults}, numbers);
+    for (int i = 0; i < m->input_count; i++) {
+        u[i] = m->driven[i] ? numbers[m->drives[i]] : 0.0;
+    }
+    graph_evaluate(g, 0, &(evaluation){.x = x, .u = u, .p = m->defaults}, numbers);
+    return numbers;
+}
+
+/* Whether a constant below the least normal float does no harm. As a factor it is scaled (tools/isoc/emit/code.c). In a sum
+ * the nearest float is off by 2^-150 at most, half the last place of the least normal float: that is a rounding like any
+ * other unless the sum itself is as small. A divisor has no such scale. `numbers` are the values at the start. */
+static bool is_harmless(const graph *g, const plant *p, const bool *needed, const double *numbers, size_t i)
+{
+    if (!real_is_tiny(constant_value(g, (node)i), p->is_double)) {
+        return false;
+    }
+    for (size_t n = i + 1; n < g->count; n++) {
+        const graph_node *result = &g->nodes[n];
+        const int operands = operators[result->op].operands;
+        const bool is_first = operands > 0 && result->a == (node)i, is_second = operands == 2 && result->b == (node)i;
+        const bool is_sum = result->op == OP_ADD || result->op == OP_SUB;
+        if (needed[n] && ((is_second && result->op == OP_DIV) ||
+                          ((is_first || is_second) && is_sum && real_is_tiny(numbers[n], false)))) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void range_check(source *s, const graph *g, const plant *p)
 {
     if (check_derived(s, g, p)) {
         return;
     }
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    const double *numbers = start_numbers(g, p);
     reach(g, p, needed);
     for (size_t i = 0; i < g->count; i++) {
-        if (!needed[i] || !is_constant(g, (node)i) || real_holds(constant_value(g, (node)i), p->is_double)) {
+        if (!needed[i] || !is_constant(g, (node)i) || real_holds(constant_value(g, (node)i), p->is_double) ||
+            is_harmless(g, p, needed, numbers, i)) {
             continue;
         }
         const char *found = quantity_of(g, i, needed), *shown_as = found == NULL ? "an output" : found;
