@@ -116,7 +116,7 @@ static void do_effort(effect_scope *w, const instance *in, const effect_line *li
     const int l = e == NULL ? -1 : in->segments[e - in->kind->lines];
     if (l >= 0 && line->value != NULL) {
         graph *g = w->b->g;
-        const dimension effort = dimension_of_quantity("effort", &w->b->mechanism.segments[l]);
+        const dimension effort = quantity_dimension("effort", &w->b->mechanism.segments[l]);
         const node added =
             graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
         if (in->use->dropped) {
@@ -246,7 +246,7 @@ static void do_require(effect_scope *w, const instance *in, const effect_line *l
     if (least.count != 1 || most.count != 1) {
         return;
     }
-    if (changes(w->b->g, least.parts[0]) || changes(w->b->g, most.parts[0])) {
+    if (can_change(w->b->g, least.parts[0]) || can_change(w->b->g, most.parts[0])) {
         if (!reads_signal(in, line->value) && !reads_signal(in, line->most)) {
             source_problem(s, line->at, "only values and signals can be required, and no state or motion");
         }

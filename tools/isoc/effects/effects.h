@@ -45,7 +45,7 @@ value history_memory_value(void *context, const formula *f);
 
 value time_input_value(void *context, const formula *f);
 
-/* --- effect_names.c --- */
+/* --- scope.c --- */
 
 /* The line that declares a name; or with `is_output` the one that shows it. NULL if there is none. */
 const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output);
@@ -70,19 +70,18 @@ int segment_of(effect_scope *w, name n);
 /* A body as an operand of the instance, or of the scene, and its point. False: it is none. */
 bool find_point(effect_scope *w, const char *called, int *which, vector *point);
 
+/* Notes a formula that needs its own value, with the path to it. */
+value refuse_loop(effect_scope *w, place at, const char *called);
+
+/* --- names_in_effects.c --- */
+
 /* The value of a name, as value.h asks for it. */
 bool find_name(void *context, const formula *f, value *found);
 
 /* The value of a signal of the scene. */
 value signal_value(effect_scope *w, size_t i);
 
-/* Notes a formula that needs its own value, with the path to it. */
-value refuse_loop(effect_scope *w, place at, const char *called);
-
-/* --- effect_quantities.c --- */
-
-/* Of the effort, the speed or the position of a joint. */
-dimension dimension_of_quantity(const char *word, const segment *l);
+/* --- quantities.c --- */
 
 /* A quantity of a point of a body, as three leaves. */
 vector point_query_of(effect_scope *w, point_query_kind kind, int which, vector point, bool in_body);
@@ -90,15 +89,12 @@ vector point_query_of(effect_scope *w, point_query_kind kind, int which, vector 
 /* The value of `speed of NAME` and the like, as value.h asks for it. */
 value quantity_value(void *context, const formula *f);
 
-/* --- effect_lines.c --- */
+/* --- lines.c --- */
 
 /* The value of an operand, a let, a state, a memory or an output. */
 value line_value(effect_scope *w, const instance *in, const effect_line *line);
 
-/* Whether a node can change while the parameters stay. */
-bool changes(const graph *g, node n);
-
-/* --- effect_actions.c --- */
+/* --- actions.c --- */
 
 /* Does what a line says: a rate, an effort, a force. */
 void do_line(effect_scope *w, const instance *in, const effect_line *line);

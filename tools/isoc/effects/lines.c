@@ -24,7 +24,7 @@ static bool declared_dimension(effect_scope *w, const instance *in, const effect
         const instance *before = enter(w, in);
         const int l = segment_of(w, line->like_of);
         enter(w, before);
-        *expected = l < 0 ? no_unit : dimension_of_quantity(line->like.text, &w->b->mechanism.segments[l]);
+        *expected = l < 0 ? no_unit : quantity_dimension(line->like.text, &w->b->mechanism.segments[l]);
     }
     return line->has_unit || line->like.text != NULL;
 }
@@ -49,12 +49,6 @@ static value checked(effect_scope *w, const instance *in, const effect_line *lin
     found.of = expected;
     found.any = false;
     return found;
-}
-
-bool changes(const graph *g, node n)
-{
-    return uses_operation(g, &n, 1, OP_STATE) || uses_operation(g, &n, 1, OP_INPUT) ||
-           uses_operation(g, &n, 1, OP_POINT_QUERY) || uses_operation(g, &n, 1, OP_DERIVATIVE);
 }
 
 /* Whether a formula has a word of what step and method allow. */
@@ -89,7 +83,7 @@ static value operand_value(effect_scope *w, const instance *in, const effect_lin
     }
     const instance *i = given != NULL ? NULL : in, *before = enter(w, i);
     value found = checked(w, in, line, f, evaluate(w, i, f, line->name.text));
-    if (found.count == 1 && line->kind == EFFECT_VALUE && changes(w->b->g, found.parts[0])) {
+    if (found.count == 1 && line->kind == EFFECT_VALUE && can_change(w->b->g, found.parts[0])) {
         source_problem(w->b->s, f->at, "'%s' is a constant or a tunable: it cannot change with time", line->name.text);
         found = nothing;
     }

@@ -7,16 +7,6 @@
 
 static const value nothing = {0};
 
-dimension dimension_of_quantity(const char *word, const segment *l)
-{
-    const bool turns = l->kind == JOINT_REVOLUTE;
-    dimension expected = turns ? radian : metre;
-    if (strcmp(word, "speed") == 0) {
-        dimension_times(&expected, second, -1);
-    }
-    return strcmp(word, "effort") == 0 ? (turns ? newton_metre : newton) : expected;
-}
-
 static const struct {
     const char *word;
     point_query_kind kind;
@@ -75,7 +65,7 @@ static bool find_beside(effect_scope *w, const formula *f, vector *beside)
     }
     for (int i = 0; i < 3; i++) {
         beside->at[i] = found.parts[i];
-        if (changes(g, found.parts[i]) || uses_operation(g, &found.parts[i], 1, OP_INERTIA)) {
+        if (can_change(g, found.parts[i]) || uses_operation(g, &found.parts[i], 1, OP_INERTIA)) {
             source_problem(s, f->at, "the inertia is that at the start: 'at' is a constant or a tunable");
             return false;
         }
@@ -239,7 +229,7 @@ value quantity_value(void *context, const formula *f)
             .count = 1, .parts = {leaf(g, OP_INERTIA, l->dof)}, .of = l->kind == JOINT_REVOLUTE ? turning : kilogram};
     }
     if (strcmp(f->name, "acceleration") == 0) {
-        value found = {.count = 1, .of = dimension_of_quantity("speed", l)};
+        value found = {.count = 1, .of = quantity_dimension("speed", l)};
         dimension_times(&found.of, second, -1);
         found.parts[0] = leaf(g, OP_DERIVATIVE, m->position_count + l->dof);
         return found;
@@ -250,7 +240,7 @@ value quantity_value(void *context, const formula *f)
         return nothing;
     }
     const bool is_speed = strcmp(f->name, "speed") == 0;
-    value found = {.count = 1, .of = dimension_of_quantity(f->name, l)};
+    value found = {.count = 1, .of = quantity_dimension(f->name, l)};
     found.parts[0] = leaf(g, OP_STATE, is_speed ? m->position_count + l->dof : l->position);
     return found;
 }

@@ -18,29 +18,6 @@ static const char *literal(const emission *e, double number)
     return code_literal(e->out->memory, number, e->p->is_double);
 }
 
-static bool is_limited(const state *s)
-{
-    return !isinf(s->about.most);
-}
-
-bool has_range(const emission *e)
-{
-    bool any = false;
-    for (int i = 0; i < state_count(e->p->m); i++) {
-        any = any || is_limited(&e->names->states[i]);
-    }
-    return any;
-}
-
-bool has_limits(const variable *all, int count)
-{
-    bool any = false;
-    for (int i = 0; i < count; i++) {
-        any = any || !isinf(all[i].least) || !isinf(all[i].most);
-    }
-    return any;
-}
-
 void emit_limits(emission *e, const char *array, const char *what, const leaf_name *leaves, const variable *all,
                  int count)
 {

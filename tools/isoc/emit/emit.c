@@ -4,7 +4,6 @@
 
 #include "tools/isoc/emit/parts.h"
 #include "tools/isoc/graph/operations.h"
-#include "tools/isoc/plant/rates.h"
 
 /* The files of core that have the functions which the rest of the source calls, each once. */
 static void emit_calls_included(const text *rest, text *out)
@@ -64,17 +63,6 @@ static void emit_beginning(const emission *e, const text *rest)
                  ? "#include \"core/numbers/signal.h\"\n"
                  : "",
              e->p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
-}
-
-emission emission_of(const emission *e, const reduced_plant *left)
-{
-    emission other = *e;
-    if (left != NULL) {
-        other.p = left->p;
-        other.g = left->g;
-        other.suffix = left->suffix;
-    }
-    return other;
 }
 
 bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *out_of_range_value)

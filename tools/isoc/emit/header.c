@@ -63,17 +63,6 @@ static void emit_places(const emission *e, const table *t)
     text_add(e->out, "    %s_%s\n};\n\n", e->names->capitals, capitals_of(e->out->memory, t->what));
 }
 
-const char *held_size(const emission *e)
-{
-    return arena_format(e->out->memory, "%s_%s", e->names->capitals, e->p->m->memory_count > 0 ? "HELD" : "INPUTS");
-}
-
-const char *sampled_size(const emission *e)
-{
-    const bool is_all = e->p->m->sampled_count > e->p->m->input_count;
-    return is_all ? held_size(e) : arena_format(e->out->memory, "%s_INPUTS", e->names->capitals);
-}
-
 /* What effects keep from tick to tick stands in u, behind the inputs. */
 static void emit_memory_places(const emission *e)
 {

@@ -15,6 +15,8 @@ typedef struct emission {
     double out_of_range_value; /* a constant that leaves the range of real; else 0 */
 } emission;
 
+/* --- features.c --- */
+
 /* Whether the plant keeps something that a start or a restart sets: the method's history, samples of smooth inputs, what
  * follows from tunables. */
 bool is_primed(const plant *p);
@@ -40,6 +42,9 @@ bool keeps_rows(const plant *p);
 /* Whether a row sets something besides the outputs. */
 bool sets_rows(const plant *p);
 
+/* Whether a memory does not begin with the zero of an empty plant. */
+bool begins(const emission *e, const effect_quantity *q);
+
 /* Whether some start is more than a constant of the tables: then `begin` sets it. */
 bool has_begin(const emission *e);
 
@@ -58,11 +63,35 @@ const char *sampled_size(const emission *e);
 /* Whether one of these quantities has a limit. */
 bool has_limits(const variable *all, int count);
 
-/* Whether the guard knows how large some state may be. */
+/* Whether the guard knows how large a state may be, or some state. */
+bool is_limited(const state *s);
 bool has_range(const emission *e);
 
 /* Whether what follows a step depends on tunables: masses, or lengths of closures. */
 bool settles_by_parameters(const plant *p, const graph *g);
+
+/* --- function.c --- */
+
+/* The emission of what is left of the plant by a drop of its ladder; or of the whole where it is NULL. */
+emission emission_of(const emission *e, const reduced_plant *left);
+
+/* Targets: the places in an array of what these leaves stand for, or its first so many. */
+const char *const *places_in(const emission *e, const char *array, const leaf_name *leaves, int count);
+const char *const *numbered(const emission *e, const char *array, int count);
+
+/* Targets that are set to roots; whether these need a node of an operation; the arrays of the plant's memory that a function
+ * of it reads, all that there are where it asks for the derivative; and the statements. */
+code code_of(const emission *e, const char *const *targets, const node *roots, int count);
+bool code_uses(const emission *e, const code *result, operation op);
+void emit_arrays(const emission *e, const code *result);
+void emit_code(emission *e, const code *result);
+
+/* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. And the whole of it. */
+void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
+               const char *more);
+void emit_function(emission *e, const char *function, const char *array, const char *more, const code *result);
+
+/* --- the parts --- */
 
 /* memory.c: the struct of all that the plant keeps; and that the compiler put nothing between its members. */
 void emit_memory(const emission *e);
@@ -84,25 +113,16 @@ void emit_tick_tables(emission *e, const node *roots, size_t count);
 /* functions.c: the equations. */
 void emit_functions(emission *e);
 
-/* What its functions are made of: targets that are set to roots; whether these need a node of an operation; the arrays of the
- * plant's memory that a function of it reads, all that there are where it asks for the derivative; and the statements. */
-code code_of(const emission *e, const char *const *targets, const node *roots, int count);
-bool code_uses(const emission *e, const code *result, operation op);
-void emit_arrays(const emission *e, const code *result);
-void emit_code(emission *e, const code *result);
-
 /* rows.c: what a row sets: functions of time, at the begin of a tick and for what its end shows; memories; and the starts. */
 void emit_drive(emission *e);
 void emit_advance(emission *e);
 void emit_begin(emission *e);
+
 /* settle.c: what follows the method in a step. */
 void emit_settle(emission *e);
 
 /* outputs.c: the outputs. */
 void emit_output(emission *e);
-
-/* The emission of what is left of the plant by a drop of its ladder; or of the whole where it is NULL. */
-emission emission_of(const emission *e, const reduced_plant *left);
 
 /* step.c: the method. */
 void emit_step(emission *e);

@@ -1,41 +1,6 @@
 /* What a row sets, in the order of tools/isoc/plant/rows.h. */
-#include <math.h>
 
 #include "tools/isoc/emit/parts.h"
-#include "tools/isoc/plant/rates.h"
-
-bool keeps_rows(const plant *p)
-{
-    bool any = has_slow_outputs(p->m) || p->rows.any;
-    for (int i = 0; i < p->m->memory_count; i++) {
-        const effect_quantity *e = &p->m->memories[i];
-        any = any || e->kept == KEPT_SAMPLE || (e->kept == KEPT_DELAY && e->ticks > 1.0);
-    }
-    return any;
-}
-
-bool sets_rows(const plant *p)
-{
-    return p->m->memory_count > 0 || keeps_rows(p);
-}
-
-bool is_driven(const plant *p)
-{
-    bool any = p->m->clocks.count > 0 || keeps_rows(p);
-    for (int i = 0; i < p->m->input_count; i++) {
-        any = any || p->m->driven[i];
-    }
-    return any;
-}
-
-unsigned long last_of_ring(const effect_quantity *e)
-{
-    unsigned long places = 1;
-    while ((double)places < e->ticks) {
-        places *= 2;
-    }
-    return places - 1;
-}
 
 /* --- lists of assignments --- */
 
@@ -317,22 +282,6 @@ void emit_advance(emission *e)
 }
 
 /* --- starts --- */
-
-/* Whether a memory does not begin with the zero of an empty plant. */
-static bool begins(const emission *e, const effect_quantity *q)
-{
-    return !is_zero(e->g, q->begin);
-}
-
-bool has_begin(const emission *e)
-{
-    const mechanism *m = e->p->m;
-    bool any = e->p->rows.starts.count > 0 || e->p->rows.any;
-    for (int i = 0; i < m->memory_count; i++) {
-        any = any || begins(e, &m->memories[i]) || is_late(&m->memories[i]);
-    }
-    return any;
-}
 
 /* Constants that are not zero. */
 static assignments constant_starts(const emission *e)

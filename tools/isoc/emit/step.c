@@ -1,66 +1,7 @@
 #include <math.h>
 
 #include "tools/isoc/emit/parts.h"
-#include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/reduced_plant.h"
-
-/* Whether something that follows from tunables alone is kept. */
-static bool is_tuned(const plant *p)
-{
-    bool any = p->held.tuned > 0;
-    for (int i = 0; i < p->reduced_plant_count; i++) {
-        any = any || p->reduced_plants[i].p->held.tuned > 0;
-    }
-    return any;
-}
-
-bool is_primed(const plant *p)
-{
-    return ISO_IS_PRIMED(p->m->recipe) || ISO_DEGREE(p->m->recipe) > 0 || is_tuned(p);
-}
-
-bool watches_parameters(const plant *p)
-{
-    return p->m->parameter_count > 0 && (ISO_IS_PRIMED(p->m->recipe) || is_tuned(p));
-}
-
-bool watches_edges(const mechanism *m)
-{
-    return m->edge_count > 0 && ISO_IS_PRIMED(m->recipe);
-}
-
-bool watches_inputs(const mechanism *m)
-{
-    bool jumps = false;
-    for (int i = 0; i < m->input_count; i++) {
-        jumps = jumps || m->jumps[i] > 0.0;
-    }
-    return jumps && (ISO_IS_PRIMED(m->recipe) || ISO_DEGREE(m->recipe) > 0);
-}
-
-bool can_restart(const plant *p)
-{
-    return watches_parameters(p) || watches_edges(p->m) || watches_inputs(p->m);
-}
-
-const char *progress_of(const mechanism *m)
-{
-    return !ISO_HAS_PROGRESS(m->recipe) ? "NULL"
-           : ISO_IS_VARYING(m->recipe)  ? "&memory->adams.progress"
-                                        : "&memory->progress";
-}
-
-const char *recipe_symbol(arena *memory, unsigned recipe)
-{
-    const char *options = ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "";
-    options = arena_format(memory, "%s%s", options, ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "");
-    options = arena_format(memory, "%s%s%s", options, ISO_IS_SMOOTH(recipe) ? " | ISO_SMOOTH" : "",
-                           ISO_IS_SETTLED(recipe) ? " | ISO_SETTLED" : "");
-    if (recipe >> 8 != 0) {
-        options = arena_format(memory, "%s | ISO_ITERATIONS(%u)", options, recipe >> 8);
-    }
-    return arena_format(memory, "ISO_%s%s", capitals_of(memory, method_names[ISO_METHOD_OF(recipe)]), options);
-}
 
 /* The head of a function of the plant. */
 static void begin_function(emission *e, const char *head)
@@ -257,11 +198,6 @@ static void emit_prime(emission *e)
         emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
     }
     text_add(e->out, "%s}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
-}
-
-bool settles_by_parameters(const plant *p, const graph *g)
-{
-    return uses_operation(g, p->after.values, (size_t)p->after.count, OP_PARAMETER);
 }
 
 /* Calls `write` for each angle that is kept within a turn, with its number among these. */

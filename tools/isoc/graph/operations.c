@@ -67,3 +67,9 @@ bool uses_time(const graph *g, const node *roots, size_t count)
 {
     return uses(g, roots, count, KIND_TIMED, OPERATIONS);
 }
+
+bool can_change(const graph *g, node n)
+{
+    return uses_operation(g, &n, 1, OP_STATE) || uses_operation(g, &n, 1, OP_INPUT) ||
+           uses_operation(g, &n, 1, OP_POINT_QUERY) || uses_operation(g, &n, 1, OP_DERIVATIVE);
+}

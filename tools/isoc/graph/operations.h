@@ -16,6 +16,9 @@ bool uses_operation(const graph *g, const node *roots, size_t count, operation o
 /* Whether this leaf is. */
 bool uses_leaf(const graph *g, const node *roots, size_t count, node leaf);
 
+/* Whether a node can change while the parameters stay. */
+bool can_change(const graph *g, node n);
+
 /* Whether any function of the tick is. */
 bool uses_time(const graph *g, const node *roots, size_t count);
 

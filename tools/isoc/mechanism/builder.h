@@ -64,25 +64,29 @@ typedef struct builder {
     mechanism mechanism;        /* so far */
 } builder;
 
-/* The value of a formula; zero if there is none, or if it is wrong. */
+/* lookup.c: the value of a formula; zero if there is none, or if it is wrong. */
 vector vector_value(builder *b, const formula *f, dimension expected, const char *what);
 node scalar_value(builder *b, const formula *f, dimension expected, const char *what);
+
+/* The segment of a joint of one coordinate, or of a part of a joint; -1 if there is none. The same, or -1 after noting a
+ * problem. */
+int segment_called(const mechanism *m, name n);
+int coordinate_of(builder *b, name n);
+
+/* The child of a joint, or a closure between bodies, and -1 for the other; false after noting a problem. */
+bool find_connection(builder *b, name n, int *child, int *loop);
+
+/* Of the coordinate of a joint; of its effort, its speed or its position. */
+dimension coordinate_dimension(const segment *l);
+dimension quantity_dimension(const char *word, const segment *l);
 
 /* joints.c: the chain of segments that a joint stands for, beginning at the parent, each with its axes in the joint's
  * frame; returns their number. And the degrees of freedom of all segments. */
 int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT]);
 void list_dofs(builder *b);
 
-/* closures.c: loop closures and their stabilisation. The segment of a joint of one coordinate, or -1 after noting a
- * problem; and the dimension of its coordinate. */
+/* closures.c: loop closures and their stabilisation. */
 void build_closures(builder *b);
-int coordinate_of(builder *b, name n);
-dimension coordinate_dimension(const segment *l);
-
-/* The frame of a placement, turned by `aligned`, on its segment; false if there is none. The last common ancestor of two
- * segments. */
-bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end);
-int common_segment(const mechanism *m, int a, int b);
 
 /* springs.c: springs and dampers between points. */
 void build_springs(builder *b);
@@ -108,21 +112,29 @@ void build_frames(builder *b);
 
 matrix align(graph *g, const double a[3], int *k, double *sign);
 
+/* The frame of a placement, turned by `aligned`, on its segment; false if there is none. The last common ancestor of two
+ * segments. */
+bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end);
+int common_segment(const mechanism *m, int a, int b);
+
 /* regroup.c: moves to the parents what the joints' motion does not change. */
 void regroup(builder *b);
 
-/* inputs.c: inputs and tunable parameters. The inputs are checked when all that can use them is built. What jumps by itself
- * at ticks that are known, in a function of time. */
-void build_inputs(builder *b);
+/* edges.c: what jumps by itself at ticks that are known, in a function of time. */
 void find_edges(builder *b, node drive);
+
+/* inputs.c: inputs and tunable parameters. The inputs are checked when all that can use them is built. */
+void build_inputs(builder *b);
 void check_inputs(builder *b);
 void build_changes(builder *b);
 void build_parameters(builder *b);
 
-/* effects/effects.c: effects and signals. The states come first: the speeds stand behind them. */
+/* effects/counts.c: the room that effects need. Their states come first: the speeds stand behind them. */
 size_t count_faults(const scene *written);
 size_t count_forces(const scene *written);
 void count_effects(builder *b);
+
+/* effects/effects.c: effects and signals. */
 void build_effects(builder *b);
 
 /* effects/substeps.c: the effects with sub-steps of their own, when their states are known. */
@@ -144,10 +156,7 @@ void build_delays(builder *b);
 /* The value of a formula over all that the scene has; a signal, say. */
 value value_in_scene(builder *b, const formula *f);
 
-/* outputs.c: what the outputs show; the segment of a joint of one coordinate, or of a part of a joint; -1 if there is none;
- * the child of a joint, or a closure between bodies, and -1 for the other; false after noting a problem. */
-int segment_called(const mechanism *m, name n);
-bool find_connection(builder *b, name n, int *child, int *loop);
+/* outputs.c: what the outputs show. */
 void build_outputs(builder *b);
 
 /* method.c: the method with its options, and the step. A method by its name; rk4 after noting a problem. */

@@ -3,39 +3,6 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
-
-/* The last common ancestor of two segments. */
-int common_segment(const mechanism *m, int a, int b)
-{
-    while (a != b) {
-        /* A parent stands before its children. */
-        if (a > b) {
-            a = m->segments[a].parent;
-        } else {
-            b = m->segments[b].parent;
-        }
-    }
-    return a;
-}
-
-bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end)
-{
-    graph *g = b->g;
-    matrix turned;
-    vector origin;
-    const int on = stand_on(b, p, &turned, &origin);
-    if (on == -1 || (on >= 0 && !b->mechanism.frames[on].placed)) {
-        return false;
-    }
-    const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
-    const body_frame frame = on == -2 ? ground : b->mechanism.frames[on];
-    end->body = on == -2 ? GROUND : on;
-    end->segment = frame.segment;
-    end->turn = matrix_snap(g, matrix_product(g, frame.turn, matrix_product(g, turned, aligned)));
-    end->point = vector_add(g, matrix_apply(g, frame.turn, origin), frame.offset);
-    return true;
-}
 
 /* Between two bodies. */
 static bool build_between(builder *b, const closure_statement *written, closure *result)
@@ -73,28 +40,6 @@ static bool build_between(builder *b, const closure_statement *written, closure 
         return false;
     }
     return true;
-}
-
-int coordinate_of(builder *b, name n)
-{
-    if (n.text == NULL || b->written->broken) {
-        return -1;
-    }
-    for (int i = 0; i < b->mechanism.segment_count; i++) {
-        if (strcmp(b->mechanism.segments[i].name, n.text) == 0 && b->mechanism.segments[i].kind != JOINT_SPHERICAL) {
-            return i;
-        }
-    }
-    const int found = find_joint(b->s, b->written, n);
-    if (found >= 0) {
-        source_problem(b->s, n.at, "this needs one coordinate; the joint '%s' has none or several", n.text);
-    }
-    return -1;
-}
-
-dimension coordinate_dimension(const segment *l)
-{
-    return l->kind == JOINT_PRISMATIC ? metre : radian;
 }
 
 /* The factor of first - ratio second with which whole turns of the continuous joints become whole turns of the

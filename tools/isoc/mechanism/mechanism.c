@@ -1,37 +1,11 @@
 #include "tools/isoc/mechanism/mechanism.h"
 
-#include <float.h>
-#include <math.h>
-#include <string.h>
-
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/mechanism/states.h"
 #include "tools/isoc/scene/counts.h"
 #include "tools/isoc/scene/names.h"
 
 static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
-
-vector vector_value(builder *b, const formula *f, dimension expected, const char *what)
-{
-    vector r = vector_zero(b->g);
-    if (f != NULL) {
-        const value v = value_of(&b->values, f, expected, 3, what);
-        for (int i = 0; i < 3 && v.count == 3; i++) {
-            r.at[i] = v.parts[i];
-        }
-    }
-    return r;
-}
-
-node scalar_value(builder *b, const formula *f, dimension expected, const char *what)
-{
-    node r = constant(b->g, 0.0);
-    if (f != NULL) {
-        const value v = value_of(&b->values, f, expected, 1, what);
-        r = v.count == 1 ? v.parts[0] : r;
-    }
-    return r;
-}
 
 /* --- joints, one by one --- */
 

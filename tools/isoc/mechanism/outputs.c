@@ -1,19 +1,8 @@
 /* What the outputs show: the operand of each, found by its name, and the row that its word has for that operand. */
 #include <math.h>
-#include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/scene/names.h"
-
-int segment_called(const mechanism *m, name n)
-{
-    for (int i = 0; i < m->segment_count; i++) {
-        if (m->segments[i].kind != JOINT_SPHERICAL && strcmp(m->segments[i].name, n.text) == 0) {
-            return i;
-        }
-    }
-    return -1;
-}
 
 /* The parts of a joint that an output can show, as a list; or what to write instead. */
 static const char *parts_of(builder *b, const joint *j)
@@ -64,18 +53,6 @@ static bool find_operand(builder *b, const output *o, shown *result)
         source_problem(b->s, o->kind_at, "only a continuous joint counts its turns");
     }
     return true;
-}
-
-bool find_connection(builder *b, name n, int *child, int *loop)
-{
-    bool is_joint;
-    const int index = find_joint_or_closure(b->s, b->written, n, &is_joint);
-    if (index >= 0 && !is_joint && acts_along_joints(b->written->closures[index].kind)) {
-        source_problem(b->s, n.at, "'%s' has no force between bodies: show effort of %s", n.text, n.text);
-    }
-    *child = index >= 0 && is_joint ? b->children[index] : -1;
-    *loop = index >= 0 && !is_joint ? index : -1;
-    return index >= 0;
 }
 
 static bool find_transmission(builder *b, const output *o, shown *result)

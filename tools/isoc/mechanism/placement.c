@@ -1,3 +1,4 @@
+/* Where joints, frames, closures and forces stand on bodies and segments. */
 #include <math.h>
 
 #include "tools/isoc/mechanism/builder.h"
@@ -137,4 +138,36 @@ matrix align(graph *g, const double a[3], int *k, double *sign)
     *k = 2;
     *sign = 1.0;
     return r;
+}
+
+/* The last common ancestor of two segments. */
+int common_segment(const mechanism *m, int a, int b)
+{
+    while (a != b) {
+        /* A parent stands before its children. */
+        if (a > b) {
+            a = m->segments[a].parent;
+        } else {
+            b = m->segments[b].parent;
+        }
+    }
+    return a;
+}
+
+bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end)
+{
+    graph *g = b->g;
+    matrix turned;
+    vector origin;
+    const int on = stand_on(b, p, &turned, &origin);
+    if (on == -1 || (on >= 0 && !b->mechanism.frames[on].placed)) {
+        return false;
+    }
+    const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
+    const body_frame frame = on == -2 ? ground : b->mechanism.frames[on];
+    end->body = on == -2 ? GROUND : on;
+    end->segment = frame.segment;
+    end->turn = matrix_snap(g, matrix_product(g, frame.turn, matrix_product(g, turned, aligned)));
+    end->point = vector_add(g, matrix_apply(g, frame.turn, origin), frame.offset);
+    return true;
 }

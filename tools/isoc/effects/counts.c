@@ -1,0 +1,60 @@
+/* How many there are of each line of the effects in a scene. */
+#include "tools/isoc/effects/effects.h"
+#include "tools/isoc/scene/names.h"
+
+static int count_lines(const effect_kind *kind, effect_line_kind of)
+{
+    int count = 0;
+    for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
+        count += kind->lines[i].kind == of ? kind->lines[i].parts : 0;
+    }
+    return count;
+}
+
+static int count_all(const scene *written, effect_line_kind kind)
+{
+    int count = 0;
+    for (size_t i = 0; i < written->effect_count; i++) {
+        const effect_use *use = &written->effects[i];
+        count += use->left_out ? 0 : count_lines(find_effect_kind(written, use->kind), kind);
+    }
+    return count;
+}
+
+size_t count_faults(const scene *written)
+{
+    return (size_t)count_all(written, EFFECT_FAULT);
+}
+
+/* Each may act on two bodies. */
+size_t count_forces(const scene *written)
+{
+    return 2 * (size_t)(count_all(written, EFFECT_FORCE) + count_all(written, EFFECT_MOMENT));
+}
+
+void count_effects(builder *b)
+{
+    mechanism *m = &b->mechanism;
+    arena *memory = b->s->memory;
+    m->first_effect_state = m->position_count;
+    m->effect_state_count = count_all(b->written, EFFECT_STATE);
+    m->memory_count = count_all(b->written, EFFECT_MEMORY);
+    m->position_count += m->effect_state_count;
+    m->effect_states = arena_take(memory, (size_t)m->effect_state_count + 1, sizeof *m->effect_states);
+    b->memory_room = (size_t)m->memory_count + 1;
+    m->memories = arena_take(memory, b->memory_room, sizeof *m->memories);
+    m->efforts = arena_take(memory, (size_t)m->dof_count + 1, sizeof *m->efforts);
+    const int parts = count_all(b->written, EFFECT_EFFORT);
+    m->effort_parts = arena_take(memory, (size_t)parts + 1, sizeof *m->effort_parts);
+    m->effect_count = (int)b->written->effect_count;
+    m->effects = arena_take(memory, b->written->effect_count + 1, sizeof *m->effects);
+    m->accounts = arena_take(memory, b->written->effect_count + 1, sizeof *m->accounts);
+    for (int i = 0; i < m->effect_count; i++) {
+        const node zero = constant(b->g, 0.0);
+        m->effects[i] = b->written->effects[i].name;
+        m->accounts[i] = (effect_account){.power = zero, .stored = zero, .loss = zero, .work = zero};
+    }
+    for (int f = 0; f < m->dof_count; f++) {
+        m->efforts[f] = constant(b->g, 0.0);
+    }
+}

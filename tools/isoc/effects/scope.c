@@ -1,0 +1,119 @@
+/* The scope of a formula: the names of one effect, or those of the scene, and what is being evaluated. */
+#include <string.h>
+
+#include "tools/isoc/effects/effects.h"
+
+static const value nothing = {0};
+
+const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output)
+{
+    for (size_t i = 0; i < kind->line_count; i++) {
+        const effect_line *line = &kind->lines[i];
+        const bool names = line->kind <= EFFECT_STATE || line->kind == EFFECT_MEMORY;
+        if ((is_output ? line->kind == EFFECT_OUTPUT : names) && line->name.text != NULL &&
+            strcmp(line->name.text, called) == 0) {
+            return line;
+        }
+    }
+    return NULL;
+}
+
+const char *suggestion(source *s, const effect_kind *kind, const char *typed, effect_line_kind from,
+                       effect_line_kind to)
+{
+    const char **names = arena_take(s->memory, kind->line_count + 1, sizeof *names);
+    size_t count = 0;
+    for (size_t i = 0; i < kind->line_count; i++) {
+        const effect_line *line = &kind->lines[i];
+        if (line->kind >= from && line->kind <= to && line->name.text != NULL) {
+            names[count++] = line->name.text;
+        }
+    }
+    return source_suggestion(s, typed, names, count);
+}
+
+const quantity *operand_called(const instance *in, const char *called)
+{
+    for (size_t i = 0; i < in->use->operand_count; i++) {
+        if (strcmp(in->use->operands[i].name.text, called) == 0) {
+            return &in->use->operands[i];
+        }
+    }
+    return NULL;
+}
+
+const instance *enter(effect_scope *w, const instance *in)
+{
+    source *s = w->b->s;
+    const instance *before = w->within;
+    w->within = in;
+    s->used_by = in == NULL ? NULL
+                            : arena_format(s->memory, "in the effect '%s', %s", in->use->name.text,
+                                           source_line(s, in->use->name.at));
+    return before;
+}
+
+value evaluate(effect_scope *w, const instance *in, const formula *f, const char *called)
+{
+    if (w->depth >= DEEPEST_EFFECT) {
+        source_problem(w->b->s, f->at, "more than %d formulas that need one another", DEEPEST_EFFECT);
+        return nothing;
+    }
+    const instance *before = enter(w, in);
+    w->path[w->depth++] = called;
+    const value found = value_any(&w->b->values, f);
+    w->depth--;
+    enter(w, before);
+    return found;
+}
+
+value refuse_loop(effect_scope *w, place at, const char *called)
+{
+    int from = w->depth - 1;
+    while (from > 0 && strcmp(w->path[from], called) != 0) {
+        from--;
+    }
+    const char *path = called;
+    for (int i = from + 1; i < w->depth; i++) {
+        path = arena_format(w->b->s->memory, "%s, %s", path, w->path[i]);
+    }
+    source_problem(w->b->s, at, "an algebraic loop: %s, %s; a state, a memory or previous(x, START) breaks it", path,
+                   called);
+    return nothing;
+}
+
+int segment_of(effect_scope *w, name n)
+{
+    const effect_line *line = w->within == NULL ? NULL : line_called(w->within->kind, n.text, false);
+    if (w->within == NULL) {
+        const int found = segment_called(&w->b->mechanism, n);
+        return found >= 0 ? found : coordinate_of(w->b, n);
+    }
+    if (line == NULL || line->kind != EFFECT_JOINT) {
+        source_problem(w->b->s, n.at, "'%s' is no joint of this effect: write 'joint %s' in it", n.text, n.text);
+        return -1;
+    }
+    return w->within->segments[line - w->within->kind->lines];
+}
+
+bool find_point(effect_scope *w, const char *called, int *which, vector *point)
+{
+    const scene *written = w->b->written;
+    *point = vector_zero(w->b->g);
+    *which = -1;
+    if (w->within != NULL) {
+        const effect_line *line = line_called(w->within->kind, called, false);
+        const bool is = line != NULL && line->kind == EFFECT_BODY;
+        if (is) {
+            *which = w->within->bodies[line - w->within->kind->lines];
+            *point = w->within->points[line - w->within->kind->lines];
+        }
+        return is;
+    }
+    for (size_t i = 0; i < written->body_count + written->frame_count; i++) {
+        const char *other =
+            i < written->body_count ? written->bodies[i].name.text : written->frames[i - written->body_count].name.text;
+        *which = other != NULL && strcmp(other, called) == 0 ? (int)i : *which;
+    }
+    return *which >= 0;
+}

@@ -1,0 +1,151 @@
+/* What a plant has, and how its parts are called in C. These call no other part of its source. */
+#include <math.h>
+
+#include "tools/isoc/emit/parts.h"
+#include "tools/isoc/plant/rates.h"
+
+/* Whether something that follows from tunables alone is kept. */
+static bool is_tuned(const plant *p)
+{
+    bool any = p->held.tuned > 0;
+    for (int i = 0; i < p->reduced_plant_count; i++) {
+        any = any || p->reduced_plants[i].p->held.tuned > 0;
+    }
+    return any;
+}
+
+bool is_primed(const plant *p)
+{
+    return ISO_IS_PRIMED(p->m->recipe) || ISO_DEGREE(p->m->recipe) > 0 || is_tuned(p);
+}
+
+bool watches_parameters(const plant *p)
+{
+    return p->m->parameter_count > 0 && (ISO_IS_PRIMED(p->m->recipe) || is_tuned(p));
+}
+
+bool watches_edges(const mechanism *m)
+{
+    return m->edge_count > 0 && ISO_IS_PRIMED(m->recipe);
+}
+
+bool watches_inputs(const mechanism *m)
+{
+    bool jumps = false;
+    for (int i = 0; i < m->input_count; i++) {
+        jumps = jumps || m->jumps[i] > 0.0;
+    }
+    return jumps && (ISO_IS_PRIMED(m->recipe) || ISO_DEGREE(m->recipe) > 0);
+}
+
+bool can_restart(const plant *p)
+{
+    return watches_parameters(p) || watches_edges(p->m) || watches_inputs(p->m);
+}
+
+const char *progress_of(const mechanism *m)
+{
+    return !ISO_HAS_PROGRESS(m->recipe) ? "NULL"
+           : ISO_IS_VARYING(m->recipe)  ? "&memory->adams.progress"
+                                        : "&memory->progress";
+}
+
+const char *recipe_symbol(arena *memory, unsigned recipe)
+{
+    const char *options = ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "";
+    options = arena_format(memory, "%s%s", options, ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "");
+    options = arena_format(memory, "%s%s%s", options, ISO_IS_SMOOTH(recipe) ? " | ISO_SMOOTH" : "",
+                           ISO_IS_SETTLED(recipe) ? " | ISO_SETTLED" : "");
+    if (recipe >> 8 != 0) {
+        options = arena_format(memory, "%s | ISO_ITERATIONS(%u)", options, recipe >> 8);
+    }
+    return arena_format(memory, "ISO_%s%s", capitals_of(memory, method_names[ISO_METHOD_OF(recipe)]), options);
+}
+
+bool settles_by_parameters(const plant *p, const graph *g)
+{
+    return uses_operation(g, p->after.values, (size_t)p->after.count, OP_PARAMETER);
+}
+
+bool keeps_rows(const plant *p)
+{
+    bool any = has_slow_outputs(p->m) || p->rows.any;
+    for (int i = 0; i < p->m->memory_count; i++) {
+        const effect_quantity *e = &p->m->memories[i];
+        any = any || e->kept == KEPT_SAMPLE || (e->kept == KEPT_DELAY && e->ticks > 1.0);
+    }
+    return any;
+}
+
+bool sets_rows(const plant *p)
+{
+    return p->m->memory_count > 0 || keeps_rows(p);
+}
+
+bool is_driven(const plant *p)
+{
+    bool any = p->m->clocks.count > 0 || keeps_rows(p);
+    for (int i = 0; i < p->m->input_count; i++) {
+        any = any || p->m->driven[i];
+    }
+    return any;
+}
+
+unsigned long last_of_ring(const effect_quantity *e)
+{
+    unsigned long places = 1;
+    while ((double)places < e->ticks) {
+        places *= 2;
+    }
+    return places - 1;
+}
+
+/* Whether a memory does not begin with the zero of an empty plant. */
+bool begins(const emission *e, const effect_quantity *q)
+{
+    return !is_zero(e->g, q->begin);
+}
+
+bool has_begin(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    bool any = e->p->rows.starts.count > 0 || e->p->rows.any;
+    for (int i = 0; i < m->memory_count; i++) {
+        any = any || begins(e, &m->memories[i]) || is_late(&m->memories[i]);
+    }
+    return any;
+}
+
+const char *held_size(const emission *e)
+{
+    return arena_format(e->out->memory, "%s_%s", e->names->capitals, e->p->m->memory_count > 0 ? "HELD" : "INPUTS");
+}
+
+const char *sampled_size(const emission *e)
+{
+    const bool is_all = e->p->m->sampled_count > e->p->m->input_count;
+    return is_all ? held_size(e) : arena_format(e->out->memory, "%s_INPUTS", e->names->capitals);
+}
+
+bool is_limited(const state *s)
+{
+    return !isinf(s->about.most);
+}
+
+bool has_range(const emission *e)
+{
+    bool any = false;
+    for (int i = 0; i < state_count(e->p->m); i++) {
+        any = any || is_limited(&e->names->states[i]);
+    }
+    return any;
+}
+
+bool has_limits(const variable *all, int count)
+{
+    bool any = false;
+    for (int i = 0; i < count; i++) {
+        any = any || !isinf(all[i].least) || !isinf(all[i].most);
+    }
+    return any;
+}

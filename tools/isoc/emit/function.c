@@ -1,0 +1,167 @@
+/* What the functions of a plant are made of: a head, the arrays that it reads, and statements. */
+#include <string.h>
+
+#include "tools/isoc/emit/parts.h"
+#include "tools/isoc/emit/split.h"
+
+emission emission_of(const emission *e, const reduced_plant *left)
+{
+    emission other = *e;
+    if (left != NULL) {
+        other.p = left->p;
+        other.g = left->g;
+        other.suffix = left->suffix;
+    }
+    return other;
+}
+
+/* What the equations read, as arrays. The functions of a step read what is held (tools/isoc/plant/held.h) in the place of
+ * the tunables, where something is. */
+typedef struct argument {
+    operation op;
+    const char *name;
+} argument;
+
+static const argument arguments[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}};
+
+static const argument held_argument = {OP_HELD, "h"};
+
+static argument argument_of(const emission *e, int i)
+{
+    return i == 2 && e->in_step && e->p->held.count > 0 ? held_argument : arguments[i];
+}
+
+bool code_uses(const emission *e, const code *result, operation op)
+{
+    return uses_operation(e->g, result->roots, result->count, op);
+}
+
+code code_of(const emission *e, const char *const *targets, const node *roots, int count)
+{
+    return (code){.g = e->g,
+                  .names = e->names->leaves,
+                  .is_double = e->p->is_double,
+                  .targets = targets,
+                  .roots = roots,
+                  .count = (size_t)count};
+}
+
+void emit_code(emission *e, const code *result)
+{
+    double out_of_range_value;
+    if (!code_emit(result, e->out, &out_of_range_value)) {
+        e->out_of_range_value = out_of_range_value;
+    }
+}
+
+/* array[CART_X_RAIL], ... */
+const char *const *places_in(const emission *e, const char *array, const leaf_name *leaves, int count)
+{
+    const char **targets = arena_take(e->out->memory, (size_t)count + 1, sizeof *targets);
+    for (int i = 0; i < count; i++) {
+        targets[i] = arena_format(e->out->memory, "%s[%s]", array, leaves[i].place);
+    }
+    return targets;
+}
+
+const char *const *numbered(const emission *e, const char *array, int count)
+{
+    const char **targets = arena_take(e->out->memory, (size_t)count + 1, sizeof *targets);
+    for (int i = 0; i < count; i++) {
+        targets[i] = arena_format(e->out->memory, "%s[%d]", array, i);
+    }
+    return targets;
+}
+
+/* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. */
+void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
+               const char *more)
+{
+    text_add(e->out, "%sstatic void %s(real *restrict const %s,%s const real *restrict const x,\n", head, function,
+             array, before);
+    text_add(e->out, "    const real *restrict const u, const real *restrict const %s%s)\n{\n", argument_of(e, 2).name,
+             more);
+}
+
+/* (void)x; for the parameters that a function does not read. */
+static void emit_unread(emission *e, const bool *reads, const char *more)
+{
+    for (int i = 0; i < 3; i++) {
+        const argument a = argument_of(e, i);
+        if (!reads[a.op]) {
+            text_add(e->out, "    (void)%s;\n", a.name);
+        }
+    }
+    if (strstr(more, "hb") != NULL && !reads[OP_STEP]) {
+        text_add(e->out, "    (void)hb;\n");
+    }
+    if (strstr(more, "dx") != NULL && !reads[OP_DERIVATIVE]) {
+        text_add(e->out, "    (void)dx;\n");
+    }
+}
+
+/* In parts, one function each, which are called one after the other. */
+static void emit_parts(emission *e, const char *function, const char *array, const char *more, code_parts parts)
+{
+    for (int i = 0; i < parts.count; i++) {
+        const code_part *part = &parts.all[i];
+        emit_head(e, "ISO_APART ", arena_format(e->out->memory, "%s_%d", function, i + 1), array,
+                  " real *restrict const v,", more);
+        if (!part->sets) {
+            text_add(e->out, "    (void)%s;\n", array);
+        }
+        if (!part->carries) {
+            text_add(e->out, "    (void)v;\n");
+        }
+        emit_unread(e, part->reads, more);
+        text_add(e->out, "%s}\n\n", part->body);
+    }
+    emit_head(e, "", function, array, "", more);
+    text_add(e->out, "    real v[%d];\n", parts.carried + 1);
+    for (int i = 0; i < parts.count; i++) {
+        text_add(e->out, "    %s_%d(%s, v, x, u, %s%s%s);\n", function, i + 1, array, argument_of(e, 2).name,
+                 strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "");
+    }
+    text_add(e->out, "}\n\n");
+}
+
+/* A function that fills `array` from x, u and p; `more` are further parameters. A long one is split: the time of gcc -O2
+ * grows with the square of a function's length, and is least for parts of some hundred statements. */
+void emit_function(emission *e, const char *function, const char *array, const char *more, const code *result)
+{
+    enum { LONG = 3000, OF_PART = 250 };
+    const operations n = count_operations(e->g, result->roots, result->count);
+    if ((size_t)(n.add + n.mul) + result->count > LONG) {
+        double out_of_range_value;
+        const code_pieces pieces = code_in_pieces(result, &out_of_range_value);
+        if (pieces.count > LONG) {
+            e->out_of_range_value = out_of_range_value != 0.0 ? out_of_range_value : e->out_of_range_value;
+            emit_parts(e, function, array, more, code_split(&pieces, OF_PART));
+            return;
+        }
+    }
+    bool reads[OPERATIONS] = {false};
+    for (operation op = 0; op < OPERATIONS; op++) {
+        reads[op] = code_uses(e, result, op);
+    }
+    emit_head(e, "", function, array, "", more);
+    emit_unread(e, reads, more);
+    emit_code(e, result);
+    text_add(e->out, "}\n\n");
+}
+
+void emit_arrays(const emission *e, const code *result)
+{
+    const mechanism *m = e->p->m;
+    const bool derives = code_uses(e, result, OP_DERIVATIVE);
+    const int sizes[] = {state_count(m), held_count(m), m->parameter_count};
+    for (int i = 0; i < 3; i++) {
+        if (code_uses(e, result, arguments[i].op) || (derives && sizes[i] > 0)) {
+            text_add(e->out, "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
+        }
+    }
+    if (derives) {
+        text_add(e->out, "    real dx[%s_STATES];\n    derivative%s(dx, x, %s, %s);\n", e->names->capitals, e->suffix,
+                 sizes[1] > 0 ? "u" : "NULL", sizes[2] > 0 ? "p" : "NULL");
+    }
+}
