@@ -80,11 +80,34 @@ static bool check_constants(values *v, const formula *f, const char *what, node 
     return good;
 }
 
+/* What --set gives a parameter: one of the same unit and as many components as the value in the scene. */
+static value check_set(values *v, const quantity *q, value set)
+{
+    const value stated = value_any(v, q->stated);
+    if (set.count == 0 || stated.count == 0) {
+        return nothing();
+    }
+    if (set.count != stated.count) {
+        source_problem(v->s, q->value->at, "'%s' %s; this %s", q->name.text,
+                       stated.count == 1 ? "is one number" : "is a vector (x, y, z)",
+                       set.count == 1 ? "is one number" : "is a vector");
+        return nothing();
+    }
+    if (!set.any && !stated.any && !dimension_equal(set.of, stated.of)) {
+        source_problem(v->s, q->value->at, "'%s' %s in the scene; this %s", q->name.text,
+                       dimension_phrase(v->s->memory, stated.of), dimension_phrase(v->s->memory, set.of));
+        return nothing();
+    }
+    set.of = set.any ? stated.of : set.of;
+    return set;
+}
+
 /* A parameter, from its formula; those that this names have their values. */
 static void evaluate_parameter(values *v, size_t i)
 {
     const quantity *q = &v->scene->parameters[i];
     value result = q->value == NULL ? nothing() : value_any(v, q->value);
+    result = q->stated == NULL ? result : check_set(v, q, result);
     const char *called = q->name.text;
     if (result.count > 1 && called != NULL && called[0] >= 'x' && called[0] <= 'z' && called[1] == '\0') {
         source_problem(v->s, q->name.at, "a vector '%s' would be read as the axis: choose another name", called);
@@ -143,6 +166,9 @@ static void resolve(values *v, size_t wanted)
         if (v->progress[i] == NOT_YET && f != NULL) {
             v->progress[i] = STARTED;
             wait_for_names(v, &q, f);
+            if (v->scene->parameters[i].stated != NULL) {
+                wait_for_names(v, &q, v->scene->parameters[i].stated);
+            }
         } else {
             if (v->progress[i] != DONE) {
                 evaluate_parameter(v, i);

@@ -209,7 +209,9 @@ static void set_parameter(parser *p, scene *written, const token *called, formul
     for (size_t i = 0; i < written->parameter_count; i++) {
         const name n = written->parameters[i].name;
         if (n.text != NULL && strcmp(n.text, called->text) == 0) {
-            written->parameters[i].value = value;
+            quantity *q = &written->parameters[i];
+            q->stated = q->stated == NULL ? q->value : q->stated;
+            q->value = value;
             return;
         }
     }

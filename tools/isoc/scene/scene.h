@@ -150,9 +150,10 @@ typedef struct stabilisation {
 
 typedef struct quantity {
     name name;
-    formula *value; /* of an input: NULL when nothing drives it */
-    formula *jump;  /* of an input: the change that restarts a method, or NULL */
-    unit unit;      /* of an input that has_unit */
+    formula *value;  /* of an input: NULL when nothing drives it */
+    formula *stated; /* of a constant or tunable that --set sets: the scene's own value; else NULL */
+    formula *jump;   /* of an input: the change that restarts a method, or NULL */
+    unit unit;       /* of an input that has_unit */
     bool has_unit;
     formula *least, *most; /* of a tunable or an input: in LEAST to MOST, or NULL */
     formula *safe,
