@@ -11,10 +11,10 @@
 #include "tools/isoc/plant/check_pivots.h"
 #include "tools/isoc/plant/check_range.h"
 #include "tools/isoc/plant/check_start.h"
-#include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/input_check.h"
 #include "tools/isoc/plant/reduced_plant.h"
 #include "tools/isoc/plant/rows.h"
+#include "tools/isoc/plant/summary.h"
 #include "tools/isoc/scene/dot.h"
 #include "tools/isoc/scene/leave_out.h"
 #include "tools/isoc/scene/parser.h"
@@ -250,7 +250,7 @@ static bool write_plant(arena *memory, const options *o, const plant *p, graph *
     if (o->is_linked && !link_fits(p, o->scene)) {
         return false;
     }
-    cost_summary(p, g, &summary);
+    write_summary(p, g, &summary);
     file_list_add(&files, arena_format(memory, "%s.h", names.prefix), &header);
     file_list_add(&files, arena_format(memory, "%s.c", names.prefix), &source_text);
     if (o->is_linked) {
@@ -381,7 +381,7 @@ static bool is_question(const char *argument)
 static bool answer(arena *memory, const char *question)
 {
     text table = {.memory = memory};
-    cost_methods(&table);
+    write_methods(&table);
     return strcmp(question, "--version") == 0 ? write_out(version, strlen(version))
            : strcmp(question, "--help") == 0  ? write_out(help, strlen(help))
                                               : write_out(table.bytes, table.length);

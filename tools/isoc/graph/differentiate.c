@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "tools/isoc/graph/rules.h"
+
 /* The chain rule from the leaves to the roots: d[g->count] has what the leaves change by. */
 static void follow(graph *g, const node *roots, size_t count, node *d, node *derivatives)
 {
@@ -11,7 +13,7 @@ static void follow(graph *g, const node *roots, size_t count, node *d, node *der
     for (size_t i = 0; i < before; i++) {
         const graph_node n = g->nodes[i];
         if (needed[i] && operators[n.op].operands > 0) {
-            d[i] = operators[n.op].derivative(g, (node)i, d[n.a], d[n.b]);
+            d[i] = rules[n.op].derivative(g, (node)i, d[n.a], d[n.b]);
         }
     }
     for (size_t i = 0; i < count; i++) {
@@ -111,7 +113,7 @@ size_t partial_derivatives(partials *p, node root, node **by, node **derivatives
             p->d[part] = part == (*by)[x] ? one : zero;
             if (!is_end(p, part, root)) {
                 p->d[part] =
-                    operators[n.op].derivative(g, part, p->d[n.a], operators[n.op].operands == 2 ? p->d[n.b] : zero);
+                    rules[n.op].derivative(g, part, p->d[n.a], operators[n.op].operands == 2 ? p->d[n.b] : zero);
             }
         }
         (*derivatives)[x] = p->d[root];
@@ -132,7 +134,7 @@ void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to)
         if (needed[i] && row->operands > 0 && to[i] == (node)i) {
             const node a = to[n.a], b = row->operands == 2 ? to[n.b] : n.b;
             const size_t known = g->count;
-            to[i] = a == n.a && b == n.b ? (node)i : row->again(g, a, b);
+            to[i] = a == n.a && b == n.b ? (node)i : rules[n.op].again(g, a, b);
             if ((size_t)to[i] >= known && !is_constant(g, to[i])) {
                 g->nodes[to[i]].name = n.name;
                 g->nodes[to[i]].section = n.section;

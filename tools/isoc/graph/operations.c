@@ -29,6 +29,12 @@ operations count_operations(const graph *of, const node *of_roots, size_t count)
     return result;
 }
 
+operations operations_plus(operations a, int times, operations b)
+{
+    return (operations){a.add + times * b.add, a.mul + times * b.mul, a.div + times * b.div,
+                        a.sincos + times * b.sincos};
+}
+
 int cycles_of(operations n)
 {
     enum { DIVISION = 14 };

@@ -7,6 +7,9 @@
 /* What the code of these roots computes. */
 operations count_operations(const graph *g, const node *roots, size_t count);
 
+/* a + times * b */
+operations operations_plus(operations a, int times, operations b);
+
 /* Cycles of a Cortex-M4F, but for sines and cosines, which every way to the same equations shares. */
 int cycles_of(operations n);
 

@@ -15,7 +15,6 @@
 /* A node's index in its graph. */
 typedef int32_t node;
 
-struct graph;
 struct graph_node;
 
 /* How tightly an expression binds, for parentheses. */
@@ -234,8 +233,6 @@ typedef struct operator_row {
     place_in_code place;
     operations cost;
     double (*value)(const struct graph_node *of, const evaluation *at, double a, double b);
-    node (*derivative)(struct graph *g, node i, node da, node db);
-    node (*again)(struct graph *g, node a, node b);
 } operator_row;
 
 extern const operator_row operators[OPERATIONS];

@@ -1,5 +1,7 @@
 #include "tools/isoc/plant/coefficients.h"
 
+#include "tools/isoc/graph/rules.h"
+
 /* Which nodes of a growing graph follow from tunables and constants alone. */
 typedef struct tuned {
     graph *g;
@@ -72,7 +74,7 @@ static node again(tuned *t, const graph_node *n, node a, node b)
     if (n->op == OP_DIV && is_tuned(t, b) && !is_tuned(t, a)) {
         return multiply(t, divide(g, constant(g, 1.0), b), a);
     }
-    return a == n->a && b == n->b ? -1 : operators[n->op].again(g, a, b);
+    return a == n->a && b == n->b ? -1 : rules[n->op].again(g, a, b);
 }
 
 void gather_coefficients(graph *g, node *roots, size_t count)

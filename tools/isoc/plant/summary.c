@@ -1,0 +1,140 @@
+#include "tools/isoc/plant/summary.h"
+
+#include "tools/isoc/plant/cost.h"
+#include "tools/isoc/plant/rates.h"
+#include "tools/isoc/plant/reduced_plant.h"
+
+static void count_line(text *out, const char *what, operations n)
+{
+    text_add(out, "%s add %d mul %d div %d sincos %d\n", what, n.add, n.mul, n.div, n.sincos);
+}
+
+static void formulation_lines(const plant *p, text *out)
+{
+    for (formulation f = 0; f < FORMULATIONS; f++) {
+        if (p->formulations.tried[f]) {
+            const char *verdict = f == p->formulations.kept ? "kept" : "left";
+            count_line(out, arena_format(out->memory, "formulation %s %s", formulation_names[f], verdict),
+                       p->formulations.of[f]);
+        }
+    }
+}
+
+/* Where the closures put what the scene gives no start, and what could go on in two ways from there. */
+static void assembled_lines(const mechanism *m, text *out)
+{
+    const char *meeting = "";
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
+        const char *word = slides(l) ? "m" : "rad";
+        if (l->kind == JOINT_SPHERICAL && l->start_found) {
+            const double *q = l->start;
+            text_add(out, "assembled %s quaternion %.9g %.9g %.9g %.9g\n", l->name, q[0], q[1], q[2], q[3]);
+        } else if (l->start_found) {
+            text_add(out, "assembled %s %.9g %s\n", l->name, l->start[0], word);
+        }
+        if (l->kind == JOINT_SPHERICAL && l->speed_found) {
+            const double *w = l->speed;
+            text_add(out, "assembled %s_spin %.9g %.9g %.9g rad/s\n", l->name, w[0], w[1], w[2]);
+        } else if (l->speed_found) {
+            text_add(out, "assembled %s_speed %.9g %s/s\n", l->name, l->speed[0], word);
+        }
+        meeting = l->start_meets ? arena_format(out->memory, "%s %s", meeting, l->name) : meeting;
+    }
+    text_add(out, meeting[0] == '\0' ? "%s" : "dead_position%s\n", meeting);
+}
+
+/* What effects have by the step, the method and the inertia at the start. */
+static void derived_lines(const mechanism *m, const graph *g, text *out)
+{
+    if (m->derived_count == 0) {
+        return;
+    }
+    const evaluation at = {.p = m->defaults};
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    graph_evaluate(g, 0, &at, numbers);
+    for (int i = 0; i < m->derived_count; i++) {
+        text_add(out, "stable %s %.9g %s\n", m->derived[i].about.name, numbers[m->derived[i].next],
+                 m->derived[i].about.unit);
+    }
+}
+
+/* The outputs of each rate; what shows an acceleration evaluates the derivative. */
+static void rate_lines(const plant *p, const graph *g, text *out)
+{
+    const output_rates rates = output_rates_of(p, out->memory);
+    for (int i = 0; i < rates.count; i++) {
+        const output_rate *o = &rates.all[i];
+        const size_t count = (size_t)o->count;
+        const operations derivative = count_operations(g, p->derivatives, (size_t)state_count(p->m));
+        count_line(out, arena_format(out->memory, "outputs_every_%.0f", o->every),
+                   operations_plus(count_operations(g, o->roots, count),
+                                   uses_operation(g, o->roots, count, OP_DERIVATIVE), derivative));
+    }
+}
+
+/* A step, and those of the rungs of a ladder. */
+static void step_lines(const plant *p, const graph *g, text *out)
+{
+    const mechanism *m = p->m;
+    const operations settle = cost_of_settling(p, g);
+    const int settles = m->projections > 1 ? m->projections : 1;
+    const operations part = operations_plus(cost_of_step(p, g), settles, settle);
+    count_line(out, "step", operations_plus(part, m->parts - 1, part));
+    for (int i = 0; i < m->policies.rung_count; i++) {
+        if (m->policies.rungs[i] == ISO_METHODS || m->policies.dropped[i] > p->reduced_plant_count) {
+            continue;
+        }
+        const reduced_plant *left = reduced_plant_on_rung(p, i);
+        mechanism by = *m;
+        plant with = left == NULL ? *p : *left->p;
+        by.recipe = rung_recipe(p, i);
+        with.m = &by;
+        const operations rung = operations_plus(cost_of_step(&with, left == NULL ? g : left->g), settles, settle);
+        count_line(out, arena_format(out->memory, "step%s", rung_suffix(p, i, out->memory)),
+                   operations_plus(rung, m->parts - 1, rung));
+    }
+}
+
+void write_summary(const plant *p, const graph *g, text *out)
+{
+    const mechanism *m = p->m;
+    const int n = state_count(m), real_bytes = p->is_double ? 8 : 4;
+    text_add(out, "scene %s\nmethod %s\nstep %g s\nreal %s\n", m->name, method_names[ISO_METHOD_OF(m->recipe)], m->step,
+             p->is_double ? "double" : "float");
+    text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
+             p->output_count);
+    if (m->memory_count > 0) {
+        text_add(out, "memories %d\n", m->memory_count);
+    }
+    assembled_lines(m, out);
+    derived_lines(m, g, out);
+    formulation_lines(p, out);
+    count_line(out, "derivative", count_operations(g, p->derivatives, (size_t)n));
+    if (ISO_IS_IMPLICIT(m->recipe)) {
+        const implicit_cost cost = cost_of_solving(p, g);
+        count_line(out, "factor", cost.factor);
+        count_line(out, "solve", cost.solve);
+        text_add(out, "factors %d %s\n", p->j.factor_count, factoring_names[p->j.kind]);
+    }
+    if (!ISO_IS_VARYING(m->recipe)) { /* whose sub-steps are as many as it needs */
+        step_lines(p, g, out);
+    }
+    if (has_slow_outputs(m)) {
+        rate_lines(p, g, out);
+    }
+    text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes, ISO_VECTORS_KEPT(m->recipe) * n * real_bytes);
+}
+
+void write_methods(text *out)
+{
+    text_add(out, "| method | order | evaluations | Jacobians | solutions | vectors kept | with a check |\n");
+    text_add(out, "|---|---|---|---|---|---|---|\n");
+    for (unsigned method = 0; method < ISO_METHODS; method++) {
+        const bool varies = ISO_IS_VARYING(method);
+        text_add(out, "| %s | %s%d | %d%s | %d | %d | %d | %d |\n", method_names[method], varies ? "1 to " : "",
+                 ISO_ORDER_OF(method), ISO_EVALUATIONS_OF(method), varies ? " a sub-step" : "",
+                 ISO_JACOBIANS_OF(method), ISO_SOLUTIONS_OF(method), ISO_VECTORS_KEPT(method),
+                 ISO_VECTORS_KEPT(method | ISO_CHECKED));
+    }
+}
