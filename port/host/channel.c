@@ -10,7 +10,8 @@
  *     fd:N                   a stream of bytes that is open from the start
  *
  * Where it waits stands on the standard error, with the name of the terminal and the number of the port. One peer is served at a
- * time; when it has gone, the next one is. A channel without an address receives nothing and sends nothing.
+ * time; when it has gone, the next one is. A peer of calibration that has neither sent nor received a byte for IDLE_SECONDS is
+ * closed when another waits. A channel without an address receives nothing and sends nothing.
  */
 #define _GNU_SOURCE /* ppoll */
 
@@ -37,14 +38,17 @@
 #include "port/host/datagrams.h"
 
 /* What a peer has not yet taken, as far as the system keeps no more of it. */
-enum { WAITING_BYTES = 65536, NONE = -1 };
+enum { WAITING_BYTES = 65536, NONE = -1, IDLE_SECONDS = 5 };
+
+static const int64_t second_ns = 1000000000;
 
 typedef struct line {
     const char *variable;
     const char *address;
     int listener; /* where peers come to, NONE for a stream that is open from the start */
     int peer;
-    uint32_t opened; /* peers that have come there */
+    uint32_t opened;   /* peers that have come there */
+    int64_t active_ns; /* when the last byte came from the peer or went to it, or the peer came */
     bool is_datagram;
     size_t waiting_bytes;
     uint8_t waiting[WAITING_BYTES];
@@ -225,13 +229,43 @@ static void part(line *const from)
     from->waiting_bytes = 0;
 }
 
-/* Takes the next peer if there is none. Returns whether there is one. */
+static int64_t now_ns(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return now.tv_sec * second_ns + now.tv_nsec;
+}
+
+/* How long the peer may still be idle; at most zero: the next one takes its place. */
+static int64_t idle_left(const line *const l)
+{
+    return l->active_ns + IDLE_SECONDS * second_ns - now_ns();
+}
+
+/* Whether another peer may take the place of one that is idle. A controller may think for as long as it likes. */
+static bool may_replace(const line *const l)
+{
+    return l == &lines[ISO_CHANNEL_CALIBRATION] && l->peer != NONE && l->listener != NONE;
+}
+
+static bool is_waited_for(const line *const l)
+{
+    struct pollfd file = {.fd = l->listener, .events = POLLIN};
+    return poll(&file, 1, 0) > 0;
+}
+
+/* Takes the next peer if there is none, or if this one is idle. Returns whether there is one. */
 static bool meet(line *const at)
 {
+    if (may_replace(at) && idle_left(at) <= 0 && is_waited_for(at)) {
+        fprintf(stderr, "%s: a client that was idle for %d s is closed: another waits\n", at->variable, IDLE_SECONDS);
+        part(at);
+    }
     if (at->peer == NONE && at->listener != NONE) {
         at->peer = accept(at->listener, NULL, NULL);
         if (at->peer != NONE) {
             at->opened++;
+            at->active_ns = now_ns();
             without_waiting(at, at->peer);
             (void)setsockopt(at->peer, IPPROTO_TCP, TCP_NODELAY, &(int){1}, sizeof(int)); /* of TCP alone */
         }
@@ -257,6 +291,7 @@ size_t iso_port_receive(const iso_channel channel, void *const bytes, const size
     if (came == 0 || (came < 0 && !is_passing(errno))) {
         part(from);
     }
+    from->active_ns = came > 0 ? now_ns() : from->active_ns;
     return came > 0 ? (size_t)came : 0;
 }
 
@@ -277,6 +312,7 @@ static void flush(line *const to)
             part(to);
             return;
         }
+        to->active_ns = now_ns();
         to->waiting_bytes -= (size_t)went;
         memmove(to->waiting, to->waiting + went, to->waiting_bytes);
     }
@@ -301,11 +337,17 @@ bool iso_port_send(const iso_channel channel, const void *const bytes, const siz
     return to->peer != NONE;
 }
 
+/* The shorter of two times, of which a negative one has no end. */
+static int64_t shorter(const int64_t a, const int64_t b)
+{
+    return a < 0 || (b >= 0 && b < a) ? b : a;
+}
+
 void iso_port_idle(void)
 {
-    enum { SECOND_NS = 1000000000 };
-    struct pollfd files[ISO_CHANNELS];
+    struct pollfd files[2 * ISO_CHANNELS];
     nfds_t count = 0;
+    int64_t left = datagrams_wait(&packets) ? 0 : host_until_tick();
     for (size_t i = 0; i < ISO_CHANNELS; i++) {
         line *const l = line_of((iso_channel)i);
         flush(l);
@@ -313,8 +355,13 @@ void iso_port_idle(void)
         const short events = (short)(POLLIN | (l->waiting_bytes > 0 ? POLLOUT : 0));
         files[count] = (struct pollfd){.fd = file, .events = events};
         count += file != NONE;
+        if (may_replace(l) && is_waited_for(l)) {
+            const int64_t rest = idle_left(l);
+            left = shorter(left, rest > 0 ? rest : 0);
+        } else if (may_replace(l)) {
+            files[count++] = (struct pollfd){.fd = l->listener, .events = POLLIN};
+        }
     }
-    const int64_t left = datagrams_wait(&packets) ? 0 : host_until_tick();
     if (count == 0 && left < 0) {
         const line *const controller = line_of(ISO_CHANNEL_CONTROLLER);
         fprintf(stderr, "%s: %s\n", controller->variable,
@@ -322,7 +369,7 @@ void iso_port_idle(void)
                                             : "the controller has gone, and no other can come");
         exit(EXIT_FAILURE);
     }
-    const struct timespec wait = {.tv_sec = left / SECOND_NS, .tv_nsec = left % SECOND_NS};
+    const struct timespec wait = {.tv_sec = left / second_ns, .tv_nsec = left % second_ns};
     (void)ppoll(files, count, left < 0 ? NULL : &wait, NULL);
 }
 

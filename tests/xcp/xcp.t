@@ -53,6 +53,12 @@ for bad in ISOCHRON_CONTROLLER=udp:0 ISOCHRON_CALIBRATION=udp:x ISOCHRON_CALIBRA
     result $? "refused: $bad"
 done
 
+host host
+joined 'idle client' python3 -B tests/xcp/idle.py "$port" "$(sed -n 's/.*IDLE_SECONDS = \([0-9]*\).*/\1/p' port/host/channel.c)"
+kill "$plant"
+wait "$plant" 2>/dev/null
+plant=
+
 host host udp
 build/monitor "$out/host/cart.a2l" "$port" --once >"$out/table" && grep -q '^p.rod_mass  *0.2 kg ' "$out/table"
 result $? "the monitor connects to $(echo "$port" | cut -d : -f 1)"
