@@ -14,7 +14,7 @@
 ##     SCENE=models/double_pendulum.scene  what to run: a scene, or a plant in C (core/runtime/plant.h)
 ##     METHOD=rk4                          the method, instead of that of the scene
 ##     STEP=1ms                            the step, instead of that of the scene
-##     TOLERANCE=1e-9                      largest local error of METHOD=adams, which then uses as many sub-steps as it needs
+##     TOLERANCE=1e-9                      largest local error of METHOD=adams in a state x: TOLERANCE (1 + |x|)
 ##     SET='rod_mass = 0.3 kg; drag = 2'   values of constants and tunables, instead of those of the scene
 ##     WITHOUT='drive; bearing'            effects of the scene that are left out
 ##     CHECKED=yes  COMPENSATED=yes        options of the method of a plant in C; a scene has a statement for each

@@ -3,13 +3,7 @@
 #include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/graph/operations.h"
 #include "tools/isoc/graph/quaternion.h"
-
-/* b of the h b J that an implicit method solves with; 0 of any other method. */
-static double implicit_part(unsigned recipe)
-{
-    const double bdf4 = (double)iso_table_bdf4.derivative / iso_table_bdf4.over;
-    return ISO_IS(recipe, ISO_ROSENBROCK) ? iso_table_ros3.gamma : ISO_IS(recipe, ISO_BDF4) ? bdf4 : 0.0;
-}
+#include "tools/isoc/method/step_map.h"
 
 /* The efforts of dampers, springs and effects, and of the forces of effects on bodies; those of inputs do not count. */
 static node *build_efforts(graph *g, const dynamics *d)
@@ -96,7 +90,7 @@ const mass_matrix *resistance_build(graph *g, const dynamics *d)
 {
     const mechanism *m = d->m;
     const int n = m->dof_count;
-    const double hb = method_step(m) * implicit_part(m->recipe);
+    const double hb = method_step(m) * implicit_part(g->memory, m->recipe);
     if (hb == 0.0) {
         return &d->mass;
     }

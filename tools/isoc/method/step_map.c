@@ -92,10 +92,11 @@ static void set_column(double *map, const double *x, size_t size, size_t column)
     }
 }
 
+/* Nothing is an error for adams, so that it keeps to the step. */
+static const iso_adams_options even = {.tolerance_absolute = (double)INFINITY, .budget = 1};
+
 double *step_map(arena *memory, unsigned recipe, const linear_plant *l, double step, int *size)
 {
-    /* Nothing is an error for adams, so that it keeps to the step. */
-    static const iso_adams_options even = {.tolerance_absolute = (double)INFINITY, .budget = 1};
     enum { STARTING = 4 * ISO_ADAMS_ORDERS }; /* steps of adams from zero, after which its order is the highest */
     const size_t n = (size_t)l->n, kept = ISO_METHOD_STATE(recipe, n);
     const iso_equations equations = {.derivative = derivative,
@@ -124,6 +125,42 @@ double *step_map(arena *memory, unsigned recipe, const linear_plant *l, double s
     }
     *size = (int)kept;
     return map;
+}
+
+/* Of 1 - hb J it keeps hb. */
+static void note_factor(double *restrict const lu, const double *restrict const x, const double *restrict const u,
+                        const double *restrict const p, const double hb)
+{
+    (void)x;
+    (void)u;
+    (void)p;
+    *lu = hb;
+}
+
+static void solve_nothing(double *restrict const d, const double *restrict const lu)
+{
+    (void)d;
+    (void)lu;
+}
+
+double implicit_part(arena *memory, unsigned recipe)
+{
+    static const double resting = 0.0;
+    const iso_equations equations = {.derivative = derivative,
+                                     .factor = note_factor,
+                                     .solve = solve_nothing,
+                                     .factors = 1,
+                                     .rates = rates,
+                                     .positions = 1,
+                                     .adams = &even};
+    const double *p = parameters_of(memory, &(linear_plant){&resting, 1, 1});
+    double *x = arena_take(memory, ISO_METHOD_STATE(recipe, 1), sizeof *x), hb = 0.0;
+    double *work = arena_take(memory, ISO_METHOD_WORK(recipe, 1) + ISO_METHOD_PRIME_WORK(recipe, 1), sizeof *work);
+    iso_any_progress progress = {{.local_error = 0.0}};
+    iso_method_prime(recipe, 1, &equations, 1.0, x, NULL, p, &hb, work, &progress.progress);
+    hb = 0.0;
+    iso_method_step(recipe, 1, &equations, 1.0, x, NULL, p, &hb, work, &progress.progress);
+    return hb;
 }
 
 double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *l, const bool *is_fast, int substeps,

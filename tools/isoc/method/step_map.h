@@ -16,6 +16,9 @@ typedef struct linear_plant {
  * sub-step a step, at its highest order. */
 double *step_map(arena *memory, unsigned recipe, const linear_plant *l, double step, int *size);
 
+/* b of the 1 - h b J that a step of the kernel solves with; 0 where it solves nothing. */
+double implicit_part(arena *memory, unsigned recipe);
+
 /* Of a step of two rates (core/methods/multirate.h) with the fast ones of the states: [n n]; for the methods that it has. */
 double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *l, const bool *is_fast, int substeps,
                       double step);

@@ -99,7 +99,7 @@ static int count_growing_maps(arena *memory, const modes *m, unsigned recipe, do
     const bool is_lenient = grows_on_axis(memory, recipe) || ISO_IS(recipe, ISO_SEMI_IMPLICIT);
     const modes map = modes_of_map(memory, m, recipe, step);
     const double own = own_growth_of(m, step);
-    int count = 0;
+    int count = map.found ? 0 : 1; /* as in growth_of_map: what is not found grows */
     for (int i = 0; map.found && i < map.of.n; i++) {
         /* Forces that follow the speeds across, as of a gyroscope, are those of euler. */
         const double turned =
