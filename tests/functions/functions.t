@@ -54,6 +54,17 @@ result $? 'found: a root that sets errno'
 "$CC" -std=c11 -O2 -ffp-contract=off -fno-math-errno -I"$out/alone" -c "$out/alone/alone.c" -o "$out/alone.o"
 result $? 'a plant with every function compiles alone'
 
+# Tables beyond their places; the control is one that does not end.
+for number in float double; do
+    real "$number"
+    build/isoc tests/functions/table.scene -o "$out/table" --real "$number" >"$out/summary"
+    EXTRA="-I$out/table" program ends tests/functions/table.c tests/tap.c port/sim/*.c "$out/table/plant.c"
+    joined "table, $number" "$out/ends"
+done
+sed -i 's/iso_min(\(.*\), R(1.0))/(\1)/' "$out/table/plant.c"
+EXTRA="-I$out/table" program planted tests/functions/table.c tests/tap.c port/sim/*.c "$out/table/plant.c" && ! "$out/planted" >"$out/tap"
+result $? 'found: a table without an end'
+
 # A plant includes the files of the functions that it calls.
 build/isoc models/pendulum.scene -o "$out/plain" >"$out/summary" && ! grep -E 'exp|log|tanh|angle|pieces|sqrt' "$out/plain/plant.c"
 result $? 'a scene without functions includes none'
