@@ -4,9 +4,8 @@
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"
-#include "tools/isoc/formula/waveform.h"
+#include "tools/isoc/formula/ticks.h"
 #include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/graph/operations.h"
 
 enum { LONGEST_DELAY = 65535 };
 

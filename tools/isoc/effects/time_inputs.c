@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"
+#include "tools/isoc/formula/ticks.h"
 #include "tools/isoc/formula/timing.h"
-#include "tools/isoc/formula/waveform.h"
 #include "tools/isoc/scene/names.h"
 
 static const value nothing = {0};
@@ -131,7 +131,8 @@ static value drive_of(builder *b, const formula *f, const effect_use *within)
     const size_t before = b->s->problem_count;
     if (f->kind == FORMULA_CALL && strcmp(f->name, "noise") == 0) {
         uint32_t seed;
-        const bool is_seed = noise_seed(&b->values, f, &seed) && b->s->problem_count == before;
+        const value given = value_any(&b->values, f->parts[0]);
+        const bool is_seed = noise_seed(&b->values, f, &given, &seed) && b->s->problem_count == before;
         return is_seed ? (value){.count = 1, .parts = {noise_of_seed(b->g, seed_of(within) + seed)}} : nothing;
     }
     b->values.time_allowed = true;

@@ -6,7 +6,7 @@
 
 #include "tools/isoc/base/elementary.h"
 #include "tools/isoc/formula/impact.h"
-#include "tools/isoc/formula/table.h"
+#include "tools/isoc/formula/ticks.h"
 #include "tools/isoc/formula/timing.h"
 #include "tools/isoc/formula/waveform.h"
 #include "tools/isoc/graph/vector.h"
@@ -15,20 +15,6 @@ static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 static const double half_pi = 1.57079632679489661923;
 static const value nothing = {0};
-
-/* A function: what it takes, and its value for arguments that are numbers. A problem of its own is noted at the call. */
-typedef struct function_row {
-    const char *name, *example;
-    size_t least, most; /* arguments */
-    int parts;          /* of each: 1, or those of a vector */
-    value (*call)(values *v, const formula *f, const value *given);
-} function_row;
-
-/* A comparison has no name. */
-static const char *name_of(const formula *f)
-{
-    return f->kind == FORMULA_ORDER ? "a comparison" : f->name;
-}
 
 static value scalar(node n, dimension expected)
 {
@@ -58,17 +44,6 @@ static bool share_dimension(values *v, const formula *f, size_t first, const val
         gather(result, &arguments[i]);
     }
     return true;
-}
-
-static bool depends_on_time(values *v, node n)
-{
-    bool *needed = arena_take(v->s->memory, v->g->count, sizeof *needed), found = false;
-    graph_reach(v->g, &n, 1, needed);
-    for (size_t i = 0; i < v->g->count; i++) {
-        found = found || (needed[i] && is_timed(v->g, (node)i));
-    }
-    arena_return(v->s->memory, needed, v->g->count, sizeof *needed);
-    return found;
 }
 
 /* Whether a number stays within these limits, as far as tunables and constants tell; a limit is excluded with is_strict. */
@@ -126,7 +101,7 @@ static value call_sine(values *v, const formula *f, const value *arguments)
 {
     node s, c;
     if (f->count == 2 || is_frequency(v, arguments)) {
-        return wave_of_formula(v, f);
+        return wave_of_formula(v, f, arguments);
     }
     if (!is_angle(v, arguments)) {
         source_problem(v->s, f->parts[0]->at, "%s is of an angle, as in %s(30 deg), or of a frequency; this %s",
@@ -256,18 +231,6 @@ static value call_impact(values *v, const formula *f, const value *arguments)
     return scalar(impact_damping(v->g, e), plain);
 }
 
-/* What has a corner is no function of time in a motion. */
-static bool refuses_corner(values *v, const formula *f, const value *arguments, size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (v->is_smooth && depends_on_time(v, arguments[i].parts[0])) {
-            source_problem(v->s, f->at, "a motion must be smooth, and %s has a corner", name_of(f));
-            return true;
-        }
-    }
-    return false;
-}
-
 static value call_abs(values *v, const formula *f, const value *arguments)
 {
     value result = arguments[0];
@@ -336,15 +299,9 @@ static value call_if(values *v, const formula *f, const value *arguments)
     return result;
 }
 
-value order_of_formula(values *v, const formula *f)
+value order_of(values *v, const formula *f, const value *given)
 {
-    value given[2];
-    given[0] = value_any(v, f->parts[0]);
-    given[1] = value_any(v, f->parts[1]);
     value both;
-    if (given[0].count == 0 || given[1].count == 0) {
-        return nothing;
-    }
     if (given[0].count != 1 || given[1].count != 1) {
         source_problem(v->s, f->at, "a comparison is of numbers; this is a vector");
         return nothing;
@@ -361,32 +318,13 @@ value order_of_formula(values *v, const formula *f)
 
 static value call_noise(values *v, const formula *f, const value *arguments)
 {
-    (void)arguments;
-    return noise_of_formula(v, f);
+    return noise_of_formula(v, f, arguments);
 }
 
 /* Of time, in an input: a motion is smooth. */
 static value call_waveform(values *v, const formula *f, const value *arguments)
 {
-    (void)arguments;
-    return waveform_of_formula(v, f);
-}
-
-static value call_table(values *v, const formula *f)
-{
-    const value result = f->number > 1.0 ? grid_of_formula(v, f) : table_of_formula(v, f);
-    return result.count > 0 && refuses_corner(v, f, &result, 1) ? nothing : result;
-}
-
-/* What is kept of a formula, which is not evaluated yet. */
-static value call_past(values *v, const formula *f)
-{
-    if (v->around == NULL) {
-        source_problem(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
-                       f->name);
-        return nothing;
-    }
-    return v->around->history_memory(v->around->of, f);
+    return waveform_of_formula(v, f, arguments);
 }
 
 /* --- of vectors --- */
@@ -428,8 +366,6 @@ static value call_norm(values *v, const formula *f, const value *arguments)
 
 /* --- all of them --- */
 
-enum { ANY_NUMBER = 64 };
-
 static const function_row functions[] = {
     {"sqrt", "sqrt(2)", 1, 1, 1, call_root},
     {"sin", "sin(30 deg), or in an input sin(3 Hz, 90 deg)", 1, 2, 1, call_sine},
@@ -440,8 +376,8 @@ static const function_row functions[] = {
     {"atan2", "atan2(3 mm, 4 mm)", 2, 2, 1, call_direction},
     {"exp", "exp(-1)", 1, 1, 1, call_exp},
     {"log", "log(2)", 1, 1, 1, call_log},
-    {"min", "min(1 m, 2 m)", 2, ANY_NUMBER, 1, call_extreme},
-    {"max", "max(1 m, 2 m)", 2, ANY_NUMBER, 1, call_extreme},
+    {"min", "min(1 m, 2 m)", 2, MOST_ARGUMENTS, 1, call_extreme},
+    {"max", "max(1 m, 2 m)", 2, MOST_ARGUMENTS, 1, call_extreme},
     {"abs", "abs(-1 m)", 1, 1, 1, call_abs},
     {"tanh", "tanh(0.5)", 1, 1, 1, call_tanh},
     {"impact_damping", "impact_damping(0.8), of a restitution", 1, 1, 1, call_impact},
@@ -467,7 +403,7 @@ static const function_row functions[] = {
 };
 enum { FUNCTIONS = sizeof functions / sizeof functions[0] };
 
-static const function_row *find_function(values *v, const formula *f)
+const function_row *find_function(values *v, const formula *f)
 {
     const char *names[FUNCTIONS];
     for (size_t i = 0; i < FUNCTIONS; i++) {
@@ -479,35 +415,4 @@ static const function_row *find_function(values *v, const formula *f)
     source_problem(v->s, f->at, "no function is called '%s'%s", f->name,
                    source_suggestion(v->s, f->name, names, FUNCTIONS));
     return NULL;
-}
-
-value call_of_formula(values *v, const formula *f)
-{
-    const function_row *row = find_function(v, f);
-    if (row == NULL) {
-        return nothing;
-    }
-    if (row->call == NULL && row->example == NULL) {
-        return f->number > 0.0 && f->name[0] == 't' ? call_table(v, f) : points_of_formula(v, f);
-    }
-    if (f->count < row->least || f->count > row->most) {
-        source_problem(v->s, f->at, "%s is written like this: %s", f->name, row->example);
-        return nothing;
-    }
-    if (row->call == NULL) {
-        return call_past(v, f);
-    }
-    value given[ANY_NUMBER];
-    for (size_t i = 0; i < f->count; i++) {
-        given[i] = value_any(v, f->parts[i]);
-        if (given[i].count == 0) {
-            return nothing;
-        }
-        if (given[i].count != row->parts) {
-            source_problem(v->s, f->parts[i]->at, "%s is of %s; this is %s", f->name,
-                           row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "none");
-            return nothing;
-        }
-    }
-    return row->call(v, f, given);
 }

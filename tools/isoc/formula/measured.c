@@ -5,8 +5,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/real_range.h"
-#include "tools/isoc/formula/timing.h"
-#include "tools/isoc/formula/waveform.h"
+#include "tools/isoc/formula/ticks.h"
 
 enum { MOST_POINTS = 65535, SHOWN = 40 };
 

@@ -73,14 +73,7 @@ typedef struct values {
     size_t condition_count, condition_room;
 } values;
 
-/* With room for so many tunables besides those that are written. */
-void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double);
-
-/* All parameters, in the order of the scene; notes what is wrong with them. */
-void values_resolve(values *v);
-
-/* The value of f, whatever it is. Count 0 after noting a problem. */
-value value_any(values *v, const formula *f);
+/* --- value.c --- */
 
 /* Whether two dimensions are the same, in these surroundings: in formulas of effects, signals and outputs a radian is the
  * number one, and never decides what is accepted. It is carried along for the units that are shown. */
@@ -93,16 +86,13 @@ void gather(value *all, const value *next);
 /* a times b to the power n, of the formula f. False after noting that a power is beyond 9. */
 bool multiply(values *v, const formula *f, dimension *a, dimension b, int n);
 
-/* The value of f, which must have this dimension and number of parts (1 to 4; 0 for an inertia, which has 3
- * or 6).
- * `what` names the quantity in messages. Returns count 0 after noting a problem. */
-value value_of(values *v, const formula *f, dimension expected, int parts, const char *what);
+/* Notes a number that the plant's type cannot hold. */
+bool check_range(const values *v, const formula *f, const char *what, double number);
 
-/* A constant scalar; `fallback` where f is NULL or wrong. */
-double value_constant(values *v, const formula *f, dimension expected, const char *what, double fallback);
-
-/* The same for what is in metres or in radians. */
-double value_displacement(values *v, const formula *f, const char *what, double fallback);
+/* What value_of and value_constant give for a value of f. */
+value value_fitting(values *v, const formula *f, value r, dimension expected, int parts, const char *what);
+double constant_fitting(values *v, const formula *f, const value *found, dimension expected, const char *what,
+                        double fallback);
 
 /* The number that a node has with the tunables at their defaults. */
 double value_now(values *v, node n);
@@ -113,5 +103,27 @@ bool is_parametric(values *v, node n);
 /* Whether a condition on such numbers holds with the tunables at their defaults; one of others may hold. What a tunable could
  * break is kept: a plant refuses a change that breaks it. */
 bool keeps(values *v, condition c);
+
+/* --- evaluate.c: all that a formula is made of, each kind by a function --- */
+
+/* With room for so many tunables besides those that are written. */
+void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double);
+
+/* All parameters, in the order of the scene; notes what is wrong with them. */
+void values_resolve(values *v);
+
+/* The value of f, whatever it is. Count 0 after noting a problem. */
+value value_any(values *v, const formula *f);
+
+/* The value of f, which must have this dimension and number of parts (1 to 4; 0 for an inertia, which has 3
+ * or 6).
+ * `what` names the quantity in messages. Returns count 0 after noting a problem. */
+value value_of(values *v, const formula *f, dimension expected, int parts, const char *what);
+
+/* A constant scalar; `fallback` where f is NULL or wrong. */
+double value_constant(values *v, const formula *f, dimension expected, const char *what, double fallback);
+
+/* The same for what is in metres or in radians. */
+double value_displacement(values *v, const formula *f, const char *what, double fallback);
 
 #endif

@@ -1,9 +1,8 @@
 #include "tools/isoc/formula/waveform.h"
 
-#include <float.h>
 #include <math.h>
-#include <string.h>
 
+#include "tools/isoc/formula/ticks.h"
 #include "tools/isoc/formula/timing.h"
 
 static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
@@ -17,58 +16,11 @@ static value scalar(node n)
     return (value){.count = 1, .parts = {n}, .of = plain};
 }
 
-bool is_in_input(values *v, const formula *f)
-{
-    if (refuses_time(v, f)) {
-        return false;
-    }
-    if (v->is_smooth) {
-        source_problem(v->s, f->at, "'%s' is for inputs only, not for motions", f->name);
-    }
-    return !v->is_smooth;
-}
-
-/* Numbers with units and the step have a rounding each. */
-bool is_whole_tick(double ticks)
-{
-    return fabs(ticks - round(ticks)) <= 16 * DBL_EPSILON * fmax(1.0, fabs(ticks));
-}
-
-double first_tick_of(double ticks)
-{
-    return is_whole_tick(ticks) ? round(ticks) : ceil(ticks);
-}
-
-const tick_table *table_made(const values *v, const formula *f)
-{
-    for (size_t i = 0; i < v->table_count; i++) {
-        if (v->tables[i].of == f) {
-            return &v->tables[i];
-        }
-    }
-    return NULL;
-}
-
-void tables_forget(values *v, const formula *f)
-{
-    for (size_t i = 0; i < v->table_count; i++) {
-        v->tables[i].of = v->tables[i].of == f ? NULL : v->tables[i].of;
-    }
-}
-
-tick_table *table_new(values *v, const formula *f, operation op)
-{
-    v->tables = arena_grow(v->s->memory, v->tables, v->table_count, &v->table_room, sizeof *v->tables);
-    tick_table *result = &v->tables[v->table_count++];
-    *result = (tick_table){.op = op, .of = f};
-    return result;
-}
-
 /* A time in ticks, from `least` on. */
-static bool ticks_of(values *v, const formula *f, const char *what, double least, double *ticks)
+static bool ticks_of(values *v, const formula *f, const value *given, const char *what, double least, double *ticks)
 {
     const size_t before = v->s->problem_count;
-    *ticks = value_constant(v, f, second, what, 0.0) / v->step;
+    *ticks = constant_fitting(v, f, given, second, what, 0.0) / v->step;
     if (v->s->problem_count == before && !(*ticks >= least && *ticks <= most_ticks)) {
         source_problem(v->s, f->at, "%s is from %g to %g s with this step", what, least * v->step,
                        most_ticks * v->step);
@@ -76,9 +28,9 @@ static bool ticks_of(values *v, const formula *f, const char *what, double least
     return v->s->problem_count == before;
 }
 
-static bool whole_ticks_of(values *v, const formula *f, const char *what, double *ticks)
+static bool whole_ticks_of(values *v, const formula *f, const value *given, const char *what, double *ticks)
 {
-    if (!ticks_of(v, f, what, 1.0, ticks)) {
+    if (!ticks_of(v, f, given, what, 1.0, ticks)) {
         return false;
     }
     if (!is_whole_tick(*ticks)) {
@@ -89,10 +41,10 @@ static bool whole_ticks_of(values *v, const formula *f, const char *what, double
     return true;
 }
 
-static value step_of(values *v, const formula *f)
+static value step_of(values *v, const formula *f, const value *given)
 {
     double ticks;
-    return ticks_of(v, f->parts[0], "the time of a step", 0.0, &ticks)
+    return ticks_of(v, f->parts[0], &given[0], "the time of a step", 0.0, &ticks)
                ? scalar(timed(v->g, OP_FROM, first_tick_of(ticks), 0.0))
                : nothing;
 }
@@ -100,13 +52,14 @@ static value step_of(values *v, const formula *f)
 /* With a period of a whole number of ticks by counting them, so that no rounding moves an edge: with o ticks of the period
  * over at tick 0, `at` and a rest r < 1, tick n is in the first half where (n + at) mod period < period / 2 - r. Any other period by a phase: an edge that falls on
  * a tick is there and not behind it, as long as the phase is exact to the guard, a part of a turn. */
-static value square_of(values *v, const formula *f)
+static value square_of(values *v, const formula *f, const value *given)
 {
     static const double guard = 1e-9;
     const size_t before = v->s->problem_count;
     double turns;
-    const double phase = f->count == 2 ? value_constant(v, f->parts[1], radian, "the phase", 0.0) / (2 * pi) : 0.0;
-    if (!turns_in_tick(v, f->parts[0], &turns) || v->s->problem_count > before) {
+    const double phase =
+        f->count == 2 ? constant_fitting(v, f->parts[1], &given[1], radian, "the phase", 0.0) / (2 * pi) : 0.0;
+    if (!turns_in_tick(v, f->parts[0], given[0], &turns) || v->s->problem_count > before) {
         return nothing;
     }
     if (!(turns > 0.0)) {
@@ -141,14 +94,15 @@ static uint32_t *bits_of_register(values *v, unsigned order, unsigned other, uin
     return words;
 }
 
-static value prbs_of(values *v, const formula *f)
+static value prbs_of(values *v, const formula *f, const value *given)
 {
     enum { REGISTERS = sizeof registers / sizeof registers[0] };
     const size_t before = v->s->problem_count;
-    const double seed = value_constant(v, f->parts[0], plain, "the seed", 1.0);
-    const double order = f->count == 3 ? value_constant(v, f->parts[2], plain, "the order", 11.0) : 11.0;
+    const double seed = constant_fitting(v, f->parts[0], &given[0], plain, "the seed", 1.0);
+    const double order = f->count == 3 ? constant_fitting(v, f->parts[2], &given[2], plain, "the order", 11.0) : 11.0;
     double hold = 1.0;
-    if ((f->count > 1 && !whole_ticks_of(v, f->parts[1], "the time of a bit", &hold)) || v->s->problem_count > before) {
+    if ((f->count > 1 && !whole_ticks_of(v, f->parts[1], &given[1], "the time of a bit", &hold)) ||
+        v->s->problem_count > before) {
         return nothing;
     }
     size_t index = 0;
@@ -177,11 +131,11 @@ static value prbs_of(values *v, const formula *f)
 }
 
 /* The sine of a phase of n first + n^2 curve turns, up to the end of the sweep; from there on the last frequency. */
-static value chirp_of(values *v, const formula *f)
+static value chirp_of(values *v, const formula *f, const value *given)
 {
     double first, last, ticks;
-    if (!turns_in_tick(v, f->parts[0], &first) || !turns_in_tick(v, f->parts[1], &last) ||
-        !whole_ticks_of(v, f->parts[2], "the duration of a chirp", &ticks)) {
+    if (!turns_in_tick(v, f->parts[0], given[0], &first) || !turns_in_tick(v, f->parts[1], given[1], &last) ||
+        !whole_ticks_of(v, f->parts[2], &given[2], "the duration of a chirp", &ticks)) {
         return nothing;
     }
     tick_table *result = table_new(v, f, OP_CHIRP);
@@ -194,7 +148,7 @@ static value chirp_of(values *v, const formula *f)
     return scalar(result->made);
 }
 
-value waveform_of_formula(values *v, const formula *f)
+value waveform_of_formula(values *v, const formula *f, const value *given)
 {
     if (is_time_input(v)) {
         return v->around->time_input(v->around->of, f);
@@ -204,8 +158,8 @@ value waveform_of_formula(values *v, const formula *f)
         return nothing;
     }
     return before != NULL      ? scalar(before->made)
-           : f->name[1] == 't' ? step_of(v, f)
-           : f->name[1] == 'q' ? square_of(v, f)
-           : f->name[0] == 'p' ? prbs_of(v, f)
-                               : chirp_of(v, f);
+           : f->name[1] == 't' ? step_of(v, f, given)
+           : f->name[1] == 'q' ? square_of(v, f, given)
+           : f->name[0] == 'p' ? prbs_of(v, f, given)
+                               : chirp_of(v, f, given);
 }

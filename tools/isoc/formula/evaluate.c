@@ -1,0 +1,488 @@
+/* From formulas to values. */
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/base/real_range.h"
+#include "tools/isoc/formula/functions.h"
+#include "tools/isoc/formula/measured.h"
+#include "tools/isoc/formula/table.h"
+#include "tools/isoc/formula/ticks.h"
+#include "tools/isoc/formula/timing.h"
+#include "tools/isoc/formula/value.h"
+#include "tools/isoc/scene/names.h"
+
+static const dimension plain = {0, 0, 0, 0, 0, 0, 0};
+static const double pi = 3.14159265358979323846;
+
+void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double)
+{
+    *v = (values){.s = s, .g = g, .scene = written, .is_double = is_double};
+    const size_t room = written->parameter_count + 1;
+    v->parameters = arena_take(s->memory, room, sizeof *v->parameters);
+    v->progress = arena_take(s->memory, room, sizeof *v->progress);
+    v->defaults = arena_take(s->memory, room + more, sizeof *v->defaults);
+    v->tunable_index = arena_take(s->memory, room, sizeof *v->tunable_index);
+    v->names = (dictionary){.memory = s->memory};
+    for (size_t i = 0; i < written->parameter_count; i++) {
+        const quantity *q = &written->parameters[i];
+        v->tunable_index[i] = v->tunables;
+        v->tunables += q->tunable;
+        if (q->name.text != NULL && dictionary_find(&v->names, q->name.text) == NULL) {
+            dictionary_put(&v->names, q->name.text, (int)i);
+        }
+    }
+}
+
+static value nothing(void)
+{
+    return (value){0};
+}
+
+static value scalar(node n, dimension expected)
+{
+    return (value){.count = 1, .parts = {n}, .of = expected};
+}
+
+/* What --set gives a parameter: one of the same unit and as many components as the value in the scene. */
+static value check_set(values *v, const quantity *q, value set)
+{
+    const value stated = value_any(v, q->stated);
+    if (set.count == 0 || stated.count == 0) {
+        return nothing();
+    }
+    if (set.count != stated.count) {
+        source_problem(v->s, q->value->at, "'%s' %s; this %s", q->name.text,
+                       stated.count == 1 ? "is one number" : "is a vector (x, y, z)",
+                       set.count == 1 ? "is one number" : "is a vector");
+        return nothing();
+    }
+    if (!set.any && !stated.any && !dimension_equal(set.of, stated.of)) {
+        source_problem(v->s, q->value->at, "'%s' %s in the scene; this %s", q->name.text,
+                       dimension_phrase(v->s->memory, stated.of), dimension_phrase(v->s->memory, set.of));
+        return nothing();
+    }
+    set.of = set.any ? stated.of : set.of;
+    return set;
+}
+
+/* A parameter, from its formula; those that this names have their values. */
+static void evaluate_parameter(values *v, size_t i)
+{
+    const quantity *q = &v->scene->parameters[i];
+    value result = q->value == NULL ? nothing() : value_any(v, q->value);
+    result = q->stated == NULL ? result : check_set(v, q, result);
+    const char *called = q->name.text;
+    if (result.count > 1 && called != NULL && called[0] >= 'x' && called[0] <= 'z' && called[1] == '\0') {
+        source_problem(v->s, q->name.at, "a vector '%s' would be read as the axis: choose another name", called);
+        result = nothing();
+    }
+    if (result.count > 0 && q->tunable) {
+        const int index = v->tunable_index[i];
+        if (result.count != 1 || !is_constant(v->g, result.parts[0])) {
+            source_problem(v->s, q->value->at,
+                           "a tunable parameter must be one number that depends on no other tunable");
+            result = nothing();
+        } else if (!check_range(v, q->value, "this parameter", constant_value(v->g, result.parts[0]))) {
+            result = nothing();
+        } else {
+            v->defaults[index] = constant_value(v->g, result.parts[0]);
+            result.parts[0] = leaf(v->g, OP_PARAMETER, index);
+            result.any = false;
+        }
+    }
+    v->parameters[i] = result;
+    v->progress[i] = DONE;
+}
+
+/* Parameters that wait for one another, the last for nobody. */
+typedef struct queue {
+    size_t *all, count, room;
+} queue;
+
+static void wait_for(values *v, queue *q, size_t i)
+{
+    if (v->progress[i] == NOT_YET) {
+        q->all = arena_grow(v->s->memory, q->all, q->count, &q->room, sizeof *q->all);
+        q->all[q->count++] = i;
+    }
+}
+
+/* Those that a formula names and that have no value yet; the first of them comes last. */
+static void wait_for_names(values *v, queue *q, const formula *f)
+{
+    const int *i = f->kind == FORMULA_NAME ? dictionary_find(&v->names, f->name) : NULL;
+    if (i != NULL) {
+        wait_for(v, q, (size_t)*i);
+    }
+    for (size_t n = f->count; n-- > 0;) {
+        wait_for_names(v, q, f->parts[n]);
+    }
+}
+
+/* What a parameter depends on comes first, by a queue and not by recursion: a chain of them may be long. */
+static void resolve(values *v, size_t wanted)
+{
+    queue q = {0};
+    for (wait_for(v, &q, wanted); q.count > 0;) {
+        const size_t i = q.all[q.count - 1];
+        const formula *f = v->scene->parameters[i].value;
+        if (v->progress[i] == NOT_YET && f != NULL) {
+            v->progress[i] = STARTED;
+            wait_for_names(v, &q, f);
+            if (v->scene->parameters[i].stated != NULL) {
+                wait_for_names(v, &q, v->scene->parameters[i].stated);
+            }
+        } else {
+            if (v->progress[i] != DONE) {
+                evaluate_parameter(v, i);
+            }
+            q.count--;
+        }
+    }
+}
+
+void values_resolve(values *v)
+{
+    for (size_t i = 0; i < v->scene->parameter_count; i++) {
+        resolve(v, i);
+    }
+}
+
+static value refuse_name(values *v, const formula *f)
+{
+    source_problem(v->s, f->at, "no constant%s is called '%s'%s",
+                   v->around == NULL ? " or tunable" : ", tunable, input or signal", f->name,
+                   suggest_number(v->s, v->scene, f->name, v->around != NULL));
+    return nothing();
+}
+
+/* 1024 / rev: a unit, where nothing has its name. */
+static bool is_unit(const values *v, const formula *f, value *found)
+{
+    unit u;
+    if (!unit_find(f->name, &u)) {
+        return false;
+    }
+    *found = scalar(constant(v->g, u.numerator / u.denominator), u.of);
+    if (u.zero != 0.0) {
+        source_problem(v->s, f->at, "'%s' stands alone behind a number, as in 20 %s", f->name, f->name);
+        *found = nothing();
+    }
+    return true;
+}
+
+static value evaluate_name(values *v, const formula *f)
+{
+    value found;
+    if (v->around != NULL && v->around->find(v->around->of, f, &found)) {
+        return found;
+    }
+    if (strcmp(f->name, "pi") == 0) {
+        return scalar(constant(v->g, pi), plain);
+    }
+    if (strcmp(f->name, "time") == 0) {
+        return time_of_formula(v, f);
+    }
+    const int *i = dictionary_find(&v->names, f->name);
+    if (i == NULL && is_unit(v, f, &found)) {
+        return found;
+    }
+    if (i == NULL) {
+        return refuse_name(v, f);
+    }
+    if (v->progress[*i] == STARTED) {
+        source_problem(v->s, f->at, "'%s' depends on itself", f->name);
+        return nothing();
+    }
+    resolve(v, (size_t)*i);
+    return v->parameters[*i];
+}
+
+static value evaluate_number(values *v, const formula *f)
+{
+    const double multiple = f->number * f->unit.numerator / f->unit.denominator;
+    const double number = f->unit.zero == 0.0 ? multiple : (multiple * 100 + f->unit.zero) / 100;
+    value r = scalar(constant(v->g, isfinite(number) ? number : 0.0), f->unit.of);
+    if (!isfinite(number)) {
+        source_problem(v->s, f->at, "the number is too large in SI units: a double ends at 1.8e308");
+        return nothing();
+    }
+    r.any = f->number == 0.0 && dimension_equal(f->unit.of, plain);
+    r.on_scale = f->unit.zero != 0.0;
+    return r;
+}
+
+/* Parts of one dimension, but for plain zeros. */
+static value evaluate_vector(values *v, const formula *f)
+{
+    value r = {.any = true};
+    if (f->count > VALUE_PARTS) {
+        source_problem(v->s, f->at, "%zu parts: a vector has three (x, y, z), an inertia three or six", f->count);
+        return nothing();
+    }
+    for (size_t i = 0; i < f->count; i++) {
+        const value part = value_any(v, f->parts[i]);
+        if (part.count == 0) {
+            return nothing();
+        }
+        if (part.count != 1) {
+            source_problem(v->s, f->parts[i]->at, "a part of a vector must be one number");
+            return nothing();
+        }
+        if (!part.any && !r.any && !agree(v, part.of, r.of)) {
+            source_problem(v->s, f->parts[i]->at, "%s and %s in one vector: its parts must have the same unit",
+                           dimension_text(v->s->memory, part.of), dimension_text(v->s->memory, r.of));
+            return nothing();
+        }
+        gather(&r, &part);
+        r.parts[r.count++] = part.parts[0];
+    }
+    return r;
+}
+
+static value evaluate_scale(values *v, const formula *f)
+{
+    value r = value_any(v, f->parts[0]);
+    if (r.count > 0 && !agree(v, r.of, plain)) {
+        source_problem(v->s, f->at, "units inside the parentheses and after them: write only one of both");
+        return nothing();
+    }
+    for (int i = 0; i < r.count; i++) {
+        const node scaled = mul(v->g, r.parts[i], constant(v->g, f->unit.numerator));
+        r.parts[i] = is_constant(v->g, scaled) ? constant(v->g, constant_value(v->g, scaled) / f->unit.denominator)
+                                               : divide(v->g, scaled, constant(v->g, f->unit.denominator));
+    }
+    for (int i = 0; i < r.count && f->unit.zero != 0.0; i++) {
+        r.parts[i] = add(v->g, r.parts[i], constant(v->g, f->unit.zero / 100));
+    }
+    r.of = f->unit.of;
+    r.any = false;
+    r.on_scale = f->unit.zero != 0.0;
+    return r;
+}
+
+/* 2 * 20 degC, 20 degC + 5 degC: what they mean depends on where the scale begins. False after noting it. */
+static bool is_free_of_scale(values *v, const formula *f, bool on_scale)
+{
+    if (on_scale) {
+        source_problem(v->s, f->at,
+                       "a temperature in degC is no factor, power or term of a sum of two, and has no "
+                       "minus before its parentheses: give a difference in K");
+    }
+    return !on_scale;
+}
+
+static value evaluate_sum(values *v, const formula *f, value a, value b)
+{
+    if (a.count != b.count) {
+        source_problem(v->s, f->at, "a vector and a number cannot be added");
+        return nothing();
+    }
+    if (!a.any && !b.any && !agree(v, a.of, b.of)) {
+        source_problem(v->s, f->at, "%s and %s cannot be added", dimension_text(v->s->memory, a.of),
+                       dimension_text(v->s->memory, b.of));
+        return nothing();
+    }
+    if (!is_free_of_scale(v, f, f->sign == '+' && a.on_scale && b.on_scale)) {
+        return nothing();
+    }
+    value r = a;
+    gather(&r, &b);
+    r.on_scale = f->sign == '+' ? a.on_scale || b.on_scale : a.on_scale && !b.on_scale;
+    for (int i = 0; i < a.count; i++) {
+        r.parts[i] = f->sign == '+' ? add(v->g, a.parts[i], b.parts[i]) : sub(v->g, a.parts[i], b.parts[i]);
+    }
+    return r;
+}
+
+static value evaluate_product(values *v, const formula *f, value a, value b)
+{
+    if ((a.count != 1 && b.count != 1) || (f->sign == '/' && b.count != 1)) {
+        source_problem(v->s, f->at, "a vector cannot be multiplied by a vector, nor divide");
+        return nothing();
+    }
+    const bool is_known = v->around == NULL || is_constant(v->g, b.parts[0]);
+    if (f->sign == '/' && is_known && value_now(v, b.parts[0]) == 0.0) {
+        source_problem(v->s, f->at, "division by zero");
+        return nothing();
+    }
+    if (!is_free_of_scale(v, f, a.on_scale || b.on_scale)) {
+        return nothing();
+    }
+    const value wide = a.count != 1 ? a : b;
+    value r = {.count = wide.count, .of = a.of};
+    for (int i = 0; i < r.count; i++) {
+        const node left = a.parts[a.count == 1 ? 0 : i], right = b.parts[b.count == 1 ? 0 : i];
+        r.parts[i] = f->sign == '*' ? mul(v->g, left, right) : divide(v->g, left, right);
+    }
+    return multiply(v, f, &r.of, b.of, f->sign == '*' ? 1 : -1) ? r : nothing();
+}
+
+static value evaluate_chain(values *v, const formula *f)
+{
+    value r = value_any(v, f->parts[0]);
+    for (size_t i = 1; i < f->count; i++) {
+        const formula *step = f->parts[i];
+        const value right = value_any(v, step->parts[0]);
+        if (r.count == 0 || right.count == 0) {
+            r = nothing();
+        } else if (step->sign == '+' || step->sign == '-') {
+            r = evaluate_sum(v, step, r, right);
+        } else {
+            r = evaluate_product(v, step, r, right);
+        }
+    }
+    return r;
+}
+
+static value evaluate_power(values *v, const formula *f)
+{
+    value r = value_any(v, f->parts[0]);
+    if (r.count > 1) {
+        source_problem(v->s, f->at, "a vector cannot be raised to a power");
+        return nothing();
+    }
+    if (!is_free_of_scale(v, f, r.on_scale)) {
+        return nothing();
+    }
+    if (r.count == 1) {
+        const dimension expected = r.of;
+        r.parts[0] = power(v->g, r.parts[0], (int)f->number);
+        r.of = plain;
+        r.any = false;
+        return multiply(v, f, &r.of, expected, (int)f->number) ? r : nothing();
+    }
+    return r;
+}
+
+/* What is kept of a formula, which is not evaluated yet. */
+static value evaluate_past(values *v, const formula *f)
+{
+    if (v->around == NULL) {
+        source_problem(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
+                       f->name);
+        return nothing();
+    }
+    return v->around->history_memory(v->around->of, f);
+}
+
+/* Points of a function of time, or of one or two quantities. */
+static value evaluate_points(values *v, const formula *f)
+{
+    if (f->number == 0.0 || f->name[0] != 't') {
+        return points_of_formula(v, f);
+    }
+    const value result = f->number > 1.0 ? grid_of_formula(v, f) : table_of_formula(v, f);
+    return result.count > 0 && refuses_corner(v, f, &result, 1) ? nothing() : result;
+}
+
+static value evaluate_call(values *v, const formula *f)
+{
+    const function_row *row = find_function(v, f);
+    if (row == NULL) {
+        return nothing();
+    }
+    if (row->example == NULL) {
+        return evaluate_points(v, f);
+    }
+    if (f->count < row->least || f->count > row->most) {
+        source_problem(v->s, f->at, "%s is written like this: %s", f->name, row->example);
+        return nothing();
+    }
+    if (row->call == NULL) {
+        return evaluate_past(v, f);
+    }
+    value given[MOST_ARGUMENTS];
+    for (size_t i = 0; i < f->count; i++) {
+        given[i] = value_any(v, f->parts[i]);
+        if (given[i].count == 0) {
+            return nothing();
+        }
+        if (given[i].count != row->parts) {
+            source_problem(v->s, f->parts[i]->at, "%s is of %s; this is %s", f->name,
+                           row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "none");
+            return nothing();
+        }
+    }
+    return row->call(v, f, given);
+}
+
+static value evaluate_order(values *v, const formula *f)
+{
+    const value given[] = {value_any(v, f->parts[0]), value_any(v, f->parts[1])};
+    return given[0].count == 0 || given[1].count == 0 ? nothing() : order_of(v, f, given);
+}
+
+static value quantity_of_formula(values *v, const formula *f)
+{
+    if (v->around == NULL) {
+        source_problem(v->s, f->at, "'%s of %s' changes with time: only an effect, a signal or an output can use it",
+                       f->name, f->parts[0]->name);
+        return nothing();
+    }
+    return v->around->quantity(v->around->of, f);
+}
+
+value value_any(values *v, const formula *f)
+{
+    value r;
+    switch (f->kind) {
+    case FORMULA_NUMBER:
+        return evaluate_number(v, f);
+    case FORMULA_NAME:
+        r = evaluate_name(v, f);
+        r.on_scale = false;
+        return r;
+    case FORMULA_VECTOR:
+        return evaluate_vector(v, f);
+    case FORMULA_SCALE:
+        return evaluate_scale(v, f);
+    case FORMULA_CHAIN:
+        return evaluate_chain(v, f);
+    case FORMULA_POWER:
+        return evaluate_power(v, f);
+    case FORMULA_CALL:
+        r = evaluate_call(v, f);
+        r.on_scale = false;
+        return r;
+    case FORMULA_OF:
+        return quantity_of_formula(v, f);
+    case FORMULA_ORDER:
+        return evaluate_order(v, f);
+    case FORMULA_FILE:
+        return file_of_formula(v, f);
+    case FORMULA_STEP:
+    case FORMULA_NEGATE:
+        break;
+    }
+    r = value_any(v, f->parts[0]);
+    if (!is_free_of_scale(v, f, r.on_scale)) {
+        return nothing();
+    }
+    for (int i = 0; i < r.count; i++) {
+        r.parts[i] = neg(v->g, r.parts[i]);
+    }
+    return r;
+}
+
+value value_of(values *v, const formula *f, dimension expected, int parts, const char *what)
+{
+    return value_fitting(v, f, value_any(v, f), expected, parts, what);
+}
+
+double value_constant(values *v, const formula *f, dimension expected, const char *what, double fallback)
+{
+    if (f == NULL) {
+        return fallback;
+    }
+    const value found = value_any(v, f);
+    return constant_fitting(v, f, &found, expected, what, fallback);
+}
+
+double value_displacement(values *v, const formula *f, const char *what, double fallback)
+{
+    static const dimension metre = {0, 1, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
+    const value found = f == NULL ? nothing() : value_any(v, f);
+    const dimension expected = dimension_equal(found.of, radian) ? radian : metre;
+    return found.count == 0 ? fallback : value_constant(v, f, expected, what, fallback);
+}

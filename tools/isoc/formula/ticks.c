@@ -1,0 +1,93 @@
+#include "tools/isoc/formula/ticks.h"
+
+#include <float.h>
+#include <math.h>
+
+bool is_time_input(const values *v)
+{
+    return v->around != NULL && !v->time_allowed;
+}
+
+bool refuses_time(values *v, const formula *f)
+{
+    if (!v->time_allowed) {
+        source_problem(v->s, f->at, "'%s' depends on time: only an input or a motion can", f->name);
+    }
+    return !v->time_allowed;
+}
+
+bool is_in_input(values *v, const formula *f)
+{
+    if (refuses_time(v, f)) {
+        return false;
+    }
+    if (v->is_smooth) {
+        source_problem(v->s, f->at, "'%s' is for inputs only, not for motions", f->name);
+    }
+    return !v->is_smooth;
+}
+
+/* Numbers with units and the step have a rounding each. */
+bool is_whole_tick(double ticks)
+{
+    return fabs(ticks - round(ticks)) <= 16 * DBL_EPSILON * fmax(1.0, fabs(ticks));
+}
+
+double first_tick_of(double ticks)
+{
+    return is_whole_tick(ticks) ? round(ticks) : ceil(ticks);
+}
+
+const tick_table *table_made(const values *v, const formula *f)
+{
+    for (size_t i = 0; i < v->table_count; i++) {
+        if (v->tables[i].of == f) {
+            return &v->tables[i];
+        }
+    }
+    return NULL;
+}
+
+void tables_forget(values *v, const formula *f)
+{
+    for (size_t i = 0; i < v->table_count; i++) {
+        v->tables[i].of = v->tables[i].of == f ? NULL : v->tables[i].of;
+    }
+}
+
+tick_table *table_new(values *v, const formula *f, operation op)
+{
+    v->tables = arena_grow(v->s->memory, v->tables, v->table_count, &v->table_room, sizeof *v->tables);
+    tick_table *result = &v->tables[v->table_count++];
+    *result = (tick_table){.op = op, .of = f};
+    return result;
+}
+
+/* A comparison has no name. */
+const char *name_of(const formula *f)
+{
+    return f->kind == FORMULA_ORDER ? "a comparison" : f->name;
+}
+
+bool depends_on_time(values *v, node n)
+{
+    bool *needed = arena_take(v->s->memory, v->g->count, sizeof *needed), found = false;
+    graph_reach(v->g, &n, 1, needed);
+    for (size_t i = 0; i < v->g->count; i++) {
+        found = found || (needed[i] && is_timed(v->g, (node)i));
+    }
+    arena_return(v->s->memory, needed, v->g->count, sizeof *needed);
+    return found;
+}
+
+/* What has a corner is no function of time in a motion. */
+bool refuses_corner(values *v, const formula *f, const value *arguments, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (v->is_smooth && depends_on_time(v, arguments[i].parts[0])) {
+            source_problem(v->s, f->at, "a motion must be smooth, and %s has a corner", name_of(f));
+            return true;
+        }
+    }
+    return false;
+}
