@@ -54,8 +54,7 @@ static inline uint32_t soft_packed(const uint32_t significand, const uint32_t is
     const uint32_t below = (0 - exponent) & soft_mask(exponent);
     const uint32_t count = 30 - SOFT_FRACTION + is_high + below;
     const uint32_t x = soft_right(significand, count);
-    return soft_limited(soft_rounded(x, soft_left(significand, 32 - count)) +
-                        ((exponent + below) << SOFT_FRACTION));
+    return soft_limited(soft_rounded(x, soft_left(significand, 32 - count)) + ((exponent + below) << SOFT_FRACTION));
 }
 
 /* The sum. The smaller magnitude y is shifted to the exponent of the larger, x. */

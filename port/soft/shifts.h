@@ -107,12 +107,14 @@ static inline uint32_t soft_right(const uint32_t x, const uint32_t count)
 
 #endif
 
-#if defined __ARM_FEATURE_CLZ
+#ifdef __thumb2__
 
 /* The zeros above the highest one of x: the count that shifts this to the top. Of 0 it is 31 or 32. */
 static inline uint32_t soft_zeros(const uint32_t x)
 {
-    return x == 0 ? 32 : (uint32_t)__builtin_clz(x);
+    uint32_t zeros;
+    __asm__("clz %0, %1" : "=r"(zeros) : "r"(x));
+    return zeros;
 }
 
 #else

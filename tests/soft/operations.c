@@ -34,5 +34,5 @@ OPERATION_1(from_uint32)
 OPERATION_1(to_int32)
 OPERATION_1(to_uint32)
 
-const operations the_operations = {add,        subtract,    multiply,   divide,      root,     compare,   from_int32,
+const operations the_operations = {add,         subtract,   multiply,    divide,   root,      compare,  from_int32,
                                    from_uint32, from_int64, from_uint64, to_int32, to_uint32, to_int64, to_uint64};

@@ -67,7 +67,8 @@ static uint32_t root(const uint32_t a, const uint32_t unused)
 static uint32_t compare(const uint32_t a, const uint32_t b)
 {
     const float x = number(a), y = number(b);
-    return (uint32_t)(x < y) | (uint32_t)(x == y) << 1 | (uint32_t)(x <= y) << 2 | (uint32_t)(is_nan(a) || is_nan(b)) << 3;
+    return (uint32_t)(x < y) | (uint32_t)(x == y) << 1 | (uint32_t)(x <= y) << 2 |
+           (uint32_t)(is_nan(a) || is_nan(b)) << 3;
 }
 
 static uint32_t from_int32(const uint32_t n, const uint32_t unused)
@@ -175,10 +176,12 @@ static pair random_pair(uint32_t *const state, const uint32_t turn)
         break;
     case 2: /* significands of few bits, near exponents */
         p.a &= 0xFFFFFFFFU << more % 23;
-        p.b = (p.b & 0x807FFFFFU & 0xFFFFFFFFU << (more >> 8) % 23) | ((exponent + (more >> 16) % 64 - 32) & 0xFF) << 23;
+        p.b = (p.b & 0x807FFFFFU & 0xFFFFFFFFU << (more >> 8) % 23) | ((exponent + (more >> 16) % 64 - 32) & 0xFF)
+                                                                          << 23;
         break;
     default: /* exponents of which a product or a quotient is near the least or the largest */
-        p.b = (p.b & 0x807FFFFFU) | (((more & 0x100U) != 0 ? 127 - exponent : exponent - 127) + (more & 31) - 20) % 256 << 23;
+        p.b = (p.b & 0x807FFFFFU) | (((more & 0x100U) != 0 ? 127 - exponent : exponent - 127) + (more & 31) - 20) % 256
+                                        << 23;
         break;
     }
     return p;

@@ -1,0 +1,103 @@
+#!/bin/sh
+# Float by instructions of integers (port/soft): bit for bit what a floating-point unit computes, on pairs about all powers of
+# two and on 10^7 at random for each operation, with the argument `all` 10^8; and without a branch that follows from an
+# operand. Each kind of shift is tried on the host, and the code for the Cortex-M3 and the Cortex-M0 on a Cortex-M4F, against
+# its floating-point unit.
+. tests/host/test.sh
+begin soft
+real float
+M3="-mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
+M0="-mcpu=cortex-m0 -mthumb -mfloat-abi=soft -masm-syntax-unified -DSOFT_PIECES"
+m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
+case ${1-}${TEST_WHOLE-} in
+'') pairs=10000000 ;;
+*) pairs=100000000 ;;
+esac
+
+# compared PAIRS [FLAG...]: on the host; a flag -I before . finds another port/soft.
+compared()
+{
+    compared_pairs=$1
+    shift
+    # shellcheck disable=SC2086
+    "$CC" "$@" $FLAGS tests/soft/soft.c tests/soft/operations.c tests/tap.c port/sim/*.c -o "$out/soft" -lm &&
+        "$out/soft" "$compared_pairs"
+}
+
+# on_board FLAGS: code for another core, on the board that has a floating-point unit.
+on_board()
+{
+    # shellcheck disable=SC2086
+    arm-none-eabi-gcc $FLAGS $1 -c tests/soft/operations.c -o "$out/operations.o" &&
+        arm-none-eabi-objcopy --remove-section .ARM.attributes "$out/operations.o" &&
+        arm-none-eabi-gcc $FLAGS $m4f -DEXPONENT_STEP=17 -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld \
+            -Wl,--gc-sections tests/soft/soft.c "$out/operations.o" tests/tap.c port/mps2/*.c -lm -o "$out/board" &&
+        timeout 300 qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
+            -semihosting-config enable=on,target=native,arg=soft,arg=20000 -kernel "$out/board"
+}
+
+# watched COMPILER [FLAG...]: under memcheck, with operands that are undefined.
+watched()
+{
+    compiler=$1
+    shift
+    # shellcheck disable=SC2086
+    "$compiler" "$@" $FLAGS tests/soft/poison.c tests/soft/operations.c -o "$out/poison" &&
+        valgrind --quiet --log-file="$out/memcheck" "$out/poison"
+}
+
+# branches FLAGS [FLAG...]: how many instructions of the helpers of an Arm core branch on a condition.
+branches()
+{
+    branches_flags=$1
+    shift
+    # shellcheck disable=SC2086
+    arm-none-eabi-gcc "$@" $FLAGS $branches_flags -c port/soft/aeabi.c -o "$out/aeabi.o" &&
+        arm-none-eabi-objdump -d "$out/aeabi.o" | awk '$0 ~ /\tb(eq|ne|cs|cc|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)(\.[nw])?\t/ ||
+            /\tcbn?z\t/ { n++ } END { print n + 0 }'
+}
+
+joined "by one shift" compared $pairs
+joined "by stages, a product in pieces" compared $((pairs / 10)) -DSOFT_STAGES -DSOFT_PIECES
+joined "code for the Cortex-M3" on_board "$M3"
+joined "code for the Cortex-M0" on_board "$M0"
+for compiler in gcc clang; do
+    joined "$compiler, by one shift, no branch" watched $compiler
+    joined "$compiler, by stages, no branch" watched $compiler -DSOFT_STAGES -DSOFT_PIECES
+done
+# The loop of the quotient counts its bits.
+[ "$(branches "$M3")" -eq 1 ]
+result $? "code for the Cortex-M3 has no condition but that of a loop"
+[ "$(branches "$M0")" -eq 1 ]
+result $? "code for the Cortex-M0 has no condition but that of a loop"
+
+# planted FILE EDIT: another text of it, found by -I$out/planted.
+planted()
+{
+    rm -rf "$out/planted"
+    mkdir -p "$out/planted/port"
+    cp -r port/soft "$out/planted/port"
+    sed "$2" "port/soft/$1" >"$out/planted/port/soft/$1"
+    ! cmp -s "port/soft/$1" "$out/planted/port/soft/$1"
+}
+
+# failed NAME...: these tests, and no other, are among those of $out/tap that did not pass.
+failed()
+{
+    [ "$(sed -n 's/^not ok [0-9]* - //p' "$out/tap" | tr '\n' ' ')" = "$* " ]
+}
+
+planted binary32.h 's/(significand >> 8 & 1) + 0x7F/0x80/' && ! compared 1000 "-I$out/planted" >"$out/tap" && failed sum difference
+result $? "found: a half that is always rounded up"
+planted binary32.h 's/behind + (x & 1) + SOFT_MAGNITUDE/behind + SOFT_MAGNITUDE/' && ! compared 1000 "-I$out/planted" >"$out/tap" &&
+    failed product quotient from int32 from uint32 from int64 from uint64
+result $? "found: a half that is always rounded down, behind a shift"
+planted binary32.h 's/, below = .*;/, below = 0;/; s/const uint32_t below = (0 - .*;/const uint32_t below = 0;/' &&
+    ! compared 1000 "-I$out/planted" >"$out/tap" && failed product quotient
+result $? "found: numbers below the least normal one that are not rounded as such"
+planted binary32.h '/^static inline uint32_t soft_multiply/,/^}/s/^    uint32_t significand;/    if (a == 0) { return 0; }\n&/' &&
+    ! watched gcc "-I$out/planted" >"$out/tap" && failed product
+result $? "found by memcheck: a branch on an operand"
+[ "$(branches "$M0" "-I$out/planted")" -gt 1 ]
+result $? "found in the code: a branch on an operand"
+finish
