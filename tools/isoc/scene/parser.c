@@ -168,7 +168,7 @@ scene parse_scene(source *s)
 {
     static const block whole = {.what = "scene", .properties = statements, .property_count = COUNT_OF(statements)};
     const inclusion opened = {.of = s->scripts[0]};
-    scene result = {0};
+    scene result = {.name = source_name(s)};
     parser p = {.s = s, .made = &result, .next = lex(s, opened.of, 0), .included = &opened};
     p.known = (dictionary){.memory = s->memory};
     const bool read = parse_statements(&p, &whole, &result);

@@ -1,0 +1,159 @@
+#include "tools/isoc/pipeline.h"
+
+#include <stdio.h>
+
+#include "tools/isoc/base/real_range.h"
+#include "tools/isoc/dynamics/assembly.h"
+#include "tools/isoc/emit/emit.h"
+#include "tools/isoc/emit/link.h"
+#include "tools/isoc/emit/standalone.h"
+#include "tools/isoc/plant/check_pivots.h"
+#include "tools/isoc/plant/check_range.h"
+#include "tools/isoc/plant/check_start.h"
+#include "tools/isoc/plant/input_check.h"
+#include "tools/isoc/plant/reduced_plant.h"
+#include "tools/isoc/plant/rows.h"
+#include "tools/isoc/plant/summary.h"
+#include "tools/isoc/scene/dot.h"
+#include "tools/isoc/scene/parser.h"
+#include "tools/isoc/stability/stability.h"
+#include "tools/isoc/stability/switching.h"
+#include "tools/isoc/tree/point_query.h"
+
+/* The files that a scene is read from, one on a line. */
+static bool write_paths(const source *s)
+{
+    text list = {.memory = s->memory};
+    for (size_t i = 0; i < s->path_count; i++) {
+        text_add(&list, "%s\n", s->paths[i]);
+    }
+    return write_out(list.bytes, list.length);
+}
+
+/* The name and the kind of each effect, on a line. */
+static bool write_effects(const source *s, const scene *written)
+{
+    text list = {.memory = s->memory};
+    for (size_t i = 0; i < written->effect_count; i++) {
+        const effect_use *use = &written->effects[i];
+        if (!use->left_out && use->name.text != NULL && use->kind.text != NULL) {
+            text_add(&list, "%s %s\n", use->name.text, use->kind.text);
+        }
+    }
+    return write_out(list.bytes, list.length);
+}
+
+/* Bodies, joints and closures, for graphviz. */
+static bool write_graph(arena *memory, const scene *written, const mechanism *m)
+{
+    text drawing = {.memory = memory};
+    const state *all = mechanism_states(m, memory);
+    name *names = arena_take(memory, (size_t)state_count(m) + 1, sizeof *names);
+    for (int i = 0; i < state_count(m); i++) {
+        names[i] = (name){all[i].about.name, all[i].at};
+    }
+    dot_write(written, &(drawn_states){names, (size_t)state_count(m)}, &drawing);
+    return write_out(drawing.bytes, drawing.length);
+}
+
+/* What is wrong is told, and nothing is written. */
+static bool refuse(source *s)
+{
+    source_report(s);
+    return false;
+}
+
+/* What makes a plant useless at its start, each where those before it hold. */
+static void check(source *s, const graph *g, const plant *p)
+{
+    static void (*const checks[])(source * s, const graph *g, const plant *p) = {
+        pivots_check,    /* a joint moves no inertia: the mass matrix is singular */
+        range_check,     /* a constant is beyond the number type */
+        start_check,     /* the derivative is not finite in that type */
+        stability_check, /* the Jacobian is not finite; warns where method and step do not hold the plant */
+    };
+    for (size_t i = 0; i < sizeof checks / sizeof checks[0] && s->problem_count == 0; i++) {
+        checks[i](s, g, p);
+    }
+}
+
+/* Header and source of the plant, with what stands beside them; and on standard output what it costs. */
+static bool write_plant(arena *memory, const request *r, const plant *p, graph *g)
+{
+    text header = {.memory = memory}, source_text = {.memory = memory}, summary = {.memory = memory};
+    file_list files = {.memory = memory, .folder = r->directory};
+    double out_of_range_value = 0.0;
+    const naming names = naming_of(p, memory, r->name); /* what states, arrays and functions are called in C */
+    emit_header(p, &names, &header);                    /* places, units and limits; the struct of the memory */
+    if (!emit_source(p, g, &names, &source_text,
+                     &out_of_range_value)) { /* straight-line C of the equations; the step */
+        fprintf(stderr, "%s: error: the equations contain %g; %s\n", r->scene, out_of_range_value,
+                real_advice(out_of_range_value, r->is_double));
+        return false;
+    }
+    if (r->is_linked && !link_fits(p, r->scene)) {
+        return false;
+    }
+    file_list_add(&files, arena_format(memory, "%s.h", names.prefix), &header);
+    file_list_add(&files, arena_format(memory, "%s.c", names.prefix), &source_text);
+    if (r->is_linked) {
+        emit_link(p, &names, r->lock, &files); /* the controller's end of a wire */
+    }
+    if (r->is_standalone) {
+        standalone_files(&files, r->is_double); /* what the files so far include of core */
+    }
+    write_summary(p, g, &summary); /* operations of a derivative and of a step, bytes of state */
+    return write_files(&files) && write_out(summary.bytes, summary.length);
+}
+
+/* The whole compiler. A pass notes what is wrong in the source, and goes on with the rest; a group of passes ends at problems. */
+bool compile(arena *memory, const request *r)
+{
+    source s;
+    graph g;
+    /* The scene: statements as they are written. */
+    if (!source_read(&s, memory, r->scene)) { /* the text of its file */
+        return false;
+    }
+    scene written = parse_scene(&s); /* statements with their places, also those of repeats and of included files */
+    if (r->lists_files) {
+        return write_paths(&s);
+    }
+    if (!override_scene(memory, r, &s, &written)) { /* what the command line says instead */
+        return false;
+    }
+    if (r->lists_effects) {
+        return s.problem_count > 0 ? refuse(&s) : write_effects(&s, &written);
+    }
+    /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are carried into segments. */
+    graph_start(&g, memory);
+    graph_section(&g, "Constants of the scene");
+    mechanism m = mechanism_build(&s, &g, &written, r->is_double, NULL); /* by passes of its own */
+    if (r->name != NULL || r->is_standalone) {
+        mechanism_without_loop(&s, &written); /* notes what only the loop of core does */
+    }
+    if (s.problem_count > 0 || !request_fits(r, &m)) {
+        return refuse(&s);
+    }
+    if (r->draws) {
+        return write_graph(memory, &written, &m);
+    }
+    assemble(&s, &g, &m);          /* the start: numbers that satisfy the closures, of which constants may follow */
+    point_queries_resolve(&g, &m); /* what formulas ask of points: nodes of the states instead of leaves */
+    if (s.problem_count > 0) {
+        return refuse(&s);
+    }
+    /* The plant: all that a tick computes, as nodes of states, inputs and tunables. */
+    plant p = plant_build(&g, &m, r->is_double, r->wanted); /* derivative, outputs, factors of an implicit method */
+    rows_build(&s, &g, &p, NULL);                           /* what a row sets, in its order; starts of effects */
+    check(&s, &g, &p);
+    if (s.problem_count > 0) {
+        return refuse(&s);
+    }
+    if (r->inputs == NULL) {
+        samples_check(&s, &g, &written, &p); /* warns of inputs that the method takes for something else */
+    }
+    switching_check(&s, &g, &p);                       /* warns of effects that jump within a step */
+    reduced_plants_build(&s, &written, &p, r->wanted); /* the same without the effects that a ladder drops */
+    return write_plant(memory, r, &p, &g);
+}

@@ -1,0 +1,75 @@
+#include "tools/isoc/request.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "tools/isoc/scene/leave_out.h"
+#include "tools/isoc/scene/parser.h"
+
+bool complain(const char *message, const char *argument)
+{
+    fprintf(stderr, "isoc: error: %s%s%s\nisoc --help lists the options\n", message, argument == NULL ? "" : " ",
+            argument == NULL ? "" : argument);
+    return false;
+}
+
+bool request_fits(const request *r, const mechanism *m)
+{
+    if (r->tolerance != NULL && !ISO_IS(m->recipe, ISO_ADAMS)) {
+        return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m->recipe)]);
+    }
+    if (!r->draws && r->wanted.formulation != FORMULATIONS && !formulation_fits(m, r->wanted.formulation)) {
+        return complain(m->closure_count > 0 ? "closed loops have no such formulation:"
+                                             : "a tree has no such formulation:",
+                        r->scene);
+    }
+    return true;
+}
+
+/* Reads --step, --method and --tolerance as statements of the scene, and reports their problems at once. */
+static bool override_statements(arena *memory, const request *r, scene *s)
+{
+    if (r->step == NULL && r->method == NULL && r->tolerance == NULL) {
+        return true;
+    }
+    const char *step = r->step == NULL ? "" : arena_format(memory, "step %s\n", r->step);
+    const char *method = r->method == NULL ? step : arena_format(memory, "%smethod %s\n", step, r->method);
+    const char *named = r->method != NULL ? r->method : s->method.text;
+    const bool was_adams = s->method.text != NULL && strcmp(s->method.text, "adams") == 0;
+    const bool is_adams = named != NULL && strcmp(named, "adams") == 0;
+    const char *words = r->tolerance == NULL ? method
+                                             : arena_format(memory, "%stolerance %s\n%s", method, r->tolerance,
+                                                            is_adams ? "substeps 1000000\n" : "");
+    source given = source_of_text(memory, "command line", words);
+    const scene read = parse_scene(&given);
+    graph g;
+    graph_start(&g, memory);
+    graph_section(&g, "");
+    mechanism_method_and_step(&given, &g, &read, r->is_double);
+    source_report(&given);
+    if (was_adams != is_adams) {
+        s->substeps = NULL; /* a budget is no number of parts */
+    }
+    s->step = read.step == NULL ? s->step : read.step;
+    s->method = read.method.text == NULL ? s->method : read.method;
+    s->tolerance = read.tolerance == NULL ? s->tolerance : read.tolerance;
+    s->substeps = read.substeps == NULL ? s->substeps : read.substeps;
+    return given.problem_count == 0;
+}
+
+bool override_scene(arena *memory, const request *r, source *s, scene *written)
+{
+    if (!override_statements(memory, r, written)) {
+        return false;
+    }
+    if (r->set != NULL) {
+        scene_set(s, written, source_add(s, "--set", r->set));
+    }
+    if (r->without != NULL) {
+        scene_leave_out(s, written, source_add(s, "--without", r->without));
+    }
+    for (size_t i = 0; i < written->input_count && r->inputs != NULL; i++) {
+        written->inputs[i].smooth = strcmp(r->inputs, "smooth") == 0;
+    }
+    return true;
+}

@@ -1,0 +1,27 @@
+/* What the command line asks for. */
+#ifndef ISOC_REQUEST_H
+#define ISOC_REQUEST_H
+
+#include "tools/isoc/plant/plant.h"
+
+/* NULL is what is not given. */
+typedef struct request {
+    const char *scene, *directory, *name;
+    const char *method, *step, *tolerance, *set, *without, *inputs; /* instead of what the scene says */
+    const char *lock;                                               /* of --xcp */
+    bool draws, lists_files, lists_effects;                         /* nothing else is asked for */
+    bool is_double, is_standalone, is_linked;
+    build_options wanted;
+} request;
+
+/* Says on stderr what is wrong with an option, or with its argument where there is one. Returns false. */
+bool complain(const char *message, const char *argument);
+
+/* Whether the mechanism can be what is asked for; else complains. */
+bool request_fits(const request *r, const mechanism *m);
+
+/* What is said instead of the scene by --step, --method, --tolerance, --set, --without and --inputs. Returns false after
+ * reporting problems of the first three; notes those of the others. */
+bool override_scene(arena *memory, const request *r, source *s, scene *written);
+
+#endif
