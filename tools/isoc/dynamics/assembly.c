@@ -5,7 +5,8 @@
 
 #include "tools/isoc/dynamics/branches.h"
 
-static const double closed = 1e-6; /* m, rad, and per second: the gap that the digits of given values may leave */
+static const double closed_as_given =
+    1e-6;                          /* m, rad, and per second: the gap that the digits of given values may leave */
 static const double exact = 1e-10; /* what rounding leaves */
 
 typedef struct assembly {
@@ -73,7 +74,7 @@ static void tell_open(const assembly *a, gap open, int count)
 {
     const char *list = list_free(a);
     choose_free(a, false, true);
-    const bool would_close = closing_search(&a->c, a->is_free, closed).size <= closed;
+    const bool would_close = closing_search(&a->c, a->is_free, closed_as_given).size <= closed_as_given;
     source_problem(a->s, closure_of(a, open)->at,
                    "'%s' cannot close: a gap of %.3g %s remains; the constraints have rank %d of %d in the coordinates "
                    "without a start: %s%s",
@@ -89,7 +90,7 @@ static void go_near(assembly *a)
         a->keeps_rough = a->keeps_rough || a->m->segments[i].start_is_rough;
     }
     if (a->keeps_rough && choose_free(a, false, false) > 0) {
-        (void)closing_search(&a->c, a->is_free, closed);
+        (void)closing_search(&a->c, a->is_free, closed_as_given);
     }
     a->keeps_rough = false;
 }
@@ -97,8 +98,8 @@ static void go_near(assembly *a)
 static bool close_positions(const assembly *a)
 {
     const int count = choose_free(a, false, false);
-    const gap open = closing_search(&a->c, a->is_free, closed);
-    if (!(open.size <= closed)) {
+    const gap open = closing_search(&a->c, a->is_free, closed_as_given);
+    if (!(open.size <= closed_as_given)) {
         tell_open(a, open, count);
         return false;
     }
@@ -125,7 +126,7 @@ static bool close_speeds(const assembly *a)
 {
     choose_free(a, true, false);
     const gap open = closing_run(&a->c, true, a->is_free);
-    if (!(open.size <= closed)) {
+    if (!(open.size <= closed_as_given)) {
         source_problem(a->s, closure_of(a, open)->at,
                        "the speeds at the start violate '%s' by %.3g %s/s: leave out those that follow from the others",
                        closure_of(a, open)->name, open.size, unit_of(a, open));
@@ -158,7 +159,7 @@ static bool check_dropped(const assembly *a)
     for (int i = 0; i < a->held->dropped; i++) {
         const double off = fabs(a->c.numbers[a->held->dropped_gaps[i]]);
         const closure *c = &a->m->closures[a->held->dropped_closures[i]];
-        if (!(off <= closed)) {
+        if (!(off <= closed_as_given)) {
             source_problem(a->s, c->at, "'%s' cannot close: a gap of %.3g (m or rad) remains that no joint can close",
                            c->name, off);
             return false;
@@ -172,7 +173,7 @@ static bool check_distances(const assembly *a)
 {
     for (int r = 0; r < a->held->count; r++) {
         const constraint *c = &a->held->all[r];
-        if (a->m->closures[c->closure].kind == CLOSE_DISTANCE && !(a->c.numbers[c->length] > closed)) {
+        if (a->m->closures[c->closure].kind == CLOSE_DISTANCE && !(a->c.numbers[c->length] > closed_as_given)) {
             source_problem(a->s, a->m->closures[c->closure].at,
                            "the points of '%s' coincide at the start: write a length, as in length 1 m, or a start at "
                            "which they are apart",
@@ -189,7 +190,7 @@ static bool check_discs(const assembly *a)
     for (int r = 0; r < a->held->count; r++) {
         const constraint *c = &a->held->all[r];
         const closure *at = &a->m->closures[c->closure];
-        if (at->is_disc && !is_zero(a->c.d->g, c->position) && !(a->c.numbers[c->length] > closed)) {
+        if (at->is_disc && !is_zero(a->c.d->g, c->position) && !(a->c.numbers[c->length] > closed_as_given)) {
             source_problem(a->s, at->at, "the disc of '%s' lies flat on its plane at the start, or is below it",
                            at->name);
             return false;
@@ -216,8 +217,8 @@ static void keep_start(const assembly *a)
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             l->start_meets = l->start_meets || a->meets[f];
         }
-        l->start_found = largest_change(l->start, x, positions_of(l->kind)) > closed;
-        l->speed_found = largest_change(l->speed, speed, dofs_of(l->kind)) > closed;
+        l->start_found = largest_change(l->start, x, positions_of(l->kind)) > closed_as_given;
+        l->speed_found = largest_change(l->speed, speed, dofs_of(l->kind)) > closed_as_given;
         memcpy(l->start, x, (size_t)positions_of(l->kind) * sizeof *x);
         memcpy(l->speed, speed, (size_t)dofs_of(l->kind) * sizeof *x);
     }

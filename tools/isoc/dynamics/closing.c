@@ -6,8 +6,8 @@
 #include "tools/isoc/base/least_squares.h"
 #include "tools/isoc/mechanism/states.h"
 
-static const double tight = 1e-13;   /* where Newton's method ends */
-static const double rounding = 1e-6; /* a gap smaller than this that is no longer halved is the smallest possible */
+static const double tight = 1e-13;       /* where Newton's method ends */
+static const double smallest_gap = 1e-6; /* a gap smaller than this that is no longer halved is the smallest possible */
 static const double around = 6.28318530717958648;
 static const double longest_move = 0.5; /* m or rad in an iteration */
 
@@ -139,7 +139,7 @@ gap closing_run(const closing *c, bool rates, const bool *is_free)
         const double size = open.size, square = square_gaps(c, rates);
         move_closer(c, rates, by);
         open = aim(c, rates, is_free, by);
-        if ((open.size < rounding && open.size > 0.5 * size) || square_gaps(c, rates) > (1.0 - 1e-6) * square) {
+        if ((open.size < smallest_gap && open.size > 0.5 * size) || square_gaps(c, rates) > (1.0 - 1e-6) * square) {
             break; /* the least there is near here */
         }
     }

@@ -40,7 +40,7 @@ static kinds_read reads(const builder *b, node root, int depth)
     return found;
 }
 
-static void mark(const graph *g, const node *roots, size_t count, bool *marked)
+static void mark_reached(const graph *g, const node *roots, size_t count, bool *marked)
 {
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     graph_reach(g, roots, count, needed);
@@ -56,15 +56,15 @@ static void mark(const graph *g, const node *roots, size_t count, bool *marked)
 static void mark_equations(const builder *b, bool *marked)
 {
     const mechanism *m = &b->mechanism;
-    mark(b->g, m->efforts, (size_t)m->dof_count, marked);
+    mark_reached(b->g, m->efforts, (size_t)m->dof_count, marked);
     for (int i = 0; i < m->applied_force_count; i++) {
         if (m->applied_forces[i].drive < 0) {
-            mark(b->g, m->applied_forces[i].force.at, 3, marked);
-            mark(b->g, m->applied_forces[i].moment.at, 3, marked);
+            mark_reached(b->g, m->applied_forces[i].force.at, 3, marked);
+            mark_reached(b->g, m->applied_forces[i].moment.at, 3, marked);
         }
     }
     for (int i = 0; i < m->effect_state_count; i++) {
-        mark(b->g, &m->effect_states[i].next, 1, marked);
+        mark_reached(b->g, &m->effect_states[i].next, 1, marked);
     }
 }
 

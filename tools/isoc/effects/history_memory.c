@@ -9,7 +9,6 @@
 
 enum { LONGEST_DELAY = 65535 };
 
-static const value nothing = {0};
 static const double longest_sample = 16777215.0; /* ticks, of core/numbers/waveform.h */
 
 /* The whole ticks of the time that a call has; 1 of previous; 0 after noting a problem. */

@@ -7,8 +7,6 @@
 #include "tools/isoc/graph/operations.h"
 #include "tools/isoc/scene/names.h"
 
-static const value nothing = {0};
-
 /* The dimension that a line declares, by its unit, by what it is like, or by its default; or false. */
 static bool declared_dimension(effect_scope *w, const instance *in, const effect_line *line, const formula *f,
                                dimension *expected)

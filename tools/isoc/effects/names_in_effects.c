@@ -5,8 +5,6 @@
 
 #include "tools/isoc/scene/names.h"
 
-static const value nothing = {0};
-
 /* What the step and the method allow: step, stable_rate, stable_frequency. */
 static bool find_limit(effect_scope *w, const char *called, value *found)
 {

@@ -5,8 +5,6 @@
 #include "tools/isoc/graph/operations.h"
 #include "tools/isoc/scene/names.h"
 
-static const value nothing = {0};
-
 static const struct {
     const char *word;
     point_query_kind kind;

@@ -3,8 +3,6 @@
 
 #include "tools/isoc/effects/effects.h"
 
-static const value nothing = {0};
-
 const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output)
 {
     for (size_t i = 0; i < kind->line_count; i++) {

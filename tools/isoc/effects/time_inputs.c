@@ -8,8 +8,6 @@
 #include "tools/isoc/formula/timing.h"
 #include "tools/isoc/scene/names.h"
 
-static const value nothing = {0};
-
 static bool is_time(const formula *f)
 {
     return f->kind == FORMULA_NAME && strcmp(f->name, "time") == 0;

@@ -35,7 +35,7 @@ static void for_roots(builder *b, void (*visit)(builder *b, node *roots, size_t 
 }
 
 /* Marks the inputs and memories that are read. */
-static void mark(builder *b, node *roots, size_t count, void *context)
+static void mark_read(builder *b, node *roots, size_t count, void *context)
 {
     const graph *g = b->g;
     bool *marked = context, *needed = arena_take(g->memory, g->count, sizeof *needed);
@@ -60,14 +60,14 @@ static bool *find_read(builder *b)
     const size_t count = (size_t)m->memory_count + 1;
     bool *read = arena_take(b->s->memory, (size_t)held_count(m) + 1, sizeof *read);
     bool *is_done = arena_take(b->s->memory, count, sizeof *is_done);
-    for_roots(b, mark, read);
+    for_roots(b, mark_read, read);
     for (bool more = true; more;) {
         more = false;
         for (int i = 0; i < m->memory_count; i++) {
             if (read[m->input_count + i] && !is_done[i]) {
                 is_done[i] = more = true;
-                mark(b, &m->memories[i].begin, 1, read);
-                mark(b, &m->memories[i].next, 1, read);
+                mark_read(b, &m->memories[i].begin, 1, read);
+                mark_read(b, &m->memories[i].next, 1, read);
             }
         }
     }

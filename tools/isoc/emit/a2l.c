@@ -107,8 +107,8 @@ static int unit_number(units *u, const char *word)
     return i + 1;
 }
 
-/* A limit; none is the largest of the type. */
-static const char *limit(arena *memory, const plant *p, double x)
+/* A limit_of_type; none is the largest of the type. */
+static const char *limit_of_type(arena *memory, const plant *p, double x)
 {
     const char *const most = p->is_double ? "1.7976931348623157e+308" : "3.4028234663852886e+38";
     return isinf(x) ? arena_format(memory, "%s%s", x < 0.0 ? "-" : "", most) : arena_format(memory, "%.15g", x);
@@ -125,7 +125,7 @@ static void emit_quantity(const emission *e, const section *s, int i, units *u)
     text *out = e->out;
     const size_t offset =
         memory_place(e, s->array) + (size_t)(s->first + i) * (e->p->is_double ? sizeof(double) : sizeof(float));
-    const char *least = limit(out->memory, e->p, v->least), *most = limit(out->memory, e->p, v->most);
+    const char *least = limit_of_type(out->memory, e->p, v->least), *most = limit_of_type(out->memory, e->p, v->most);
     const int number = unit_number(u, v->unit);
     if (s->is_tunable) {
         text_add(out,
@@ -232,7 +232,7 @@ static const variable *outputs_as_variables(const emission *e)
     return all;
 }
 
-static void emit_beginning(const plant *p, const char *called, uint64_t identity, text *out)
+static void emit_module_beginning(const plant *p, const char *called, uint64_t identity, text *out)
 {
     text_add(out, "ASAP2_VERSION 1 61\n/begin PROJECT %s \"the plant of %s.scene, made by isoc\"\n", called,
              p->m->name);
@@ -264,7 +264,7 @@ void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
         quantities += (size_t)sections[k].count;
     }
     units u = {.all = arena_take(out->memory, quantities, sizeof *u.all)};
-    emit_beginning(p, called, identity, out);
+    emit_module_beginning(p, called, identity, out);
     emit_if_data(p, out);
     for (int k = 0; k < count; k++) {
         for (int i = 0; i < sections[k].count; i++) {

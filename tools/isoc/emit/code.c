@@ -110,7 +110,7 @@ static void heading(emitter *e, int section)
 }
 
 /* Parentheses where the operand binds less than its place asks for. */
-static const char *operand(const emitter *e, node n, binding least)
+static const char *operand_text(const emitter *e, node n, binding least)
 {
     const rendering *r = &e->shown[n];
     return r->binds >= least ? r->text : arena_format(e->g->memory, "(%s)", r->text);
@@ -234,15 +234,15 @@ static void quote_mark(emitter *e, const char *name)
 }
 
 /* What stands for @letter in the text of an operator (tools/isoc/graph/operators.h). */
-static const char *part(emitter *e, const graph_node *n, char letter)
+static const char *letter_text(emitter *e, const graph_node *n, char letter)
 {
     const operator_row *row = &operators[n->op];
     arena *memory = e->g->memory;
     switch (letter) {
     case 'a':
-        return operand(e, n->a, row->least_a);
+        return operand_text(e, n->a, row->least_a);
     case 'b':
-        return operand(e, n->b, row->least_b);
+        return operand_text(e, n->b, row->least_b);
     case 't':
         return turned(e, n);
     case 'x':
@@ -295,7 +295,7 @@ static rendering show_tiny_product(emitter *e, const graph_node *n, node tiny)
         factor *= 0x1p126;
     }
     text_add(&result, "%s %c %s", number(e, factor), n->op == OP_DIV ? '/' : '*',
-             operand(e, tiny == n->a ? n->b : n->a, BINDS_WHOLE));
+             operand_text(e, tiny == n->a ? n->b : n->a, BINDS_WHOLE));
     while (scales-- > 0) {
         text_add(&result, " * %s", down);
     }
@@ -307,7 +307,7 @@ static rendering show(emitter *e, const graph_node *n)
     const operator_row *row = &operators[n->op];
     text result = {.memory = e->g->memory};
     if (n->op == OP_ADD && is_constant(e->g, n->a) && constant_value(e->g, n->a) < 0.0) {
-        text_add(&result, "%s - %s", operand(e, n->b, BINDS_SUM), number(e, -constant_value(e->g, n->a)));
+        text_add(&result, "%s - %s", operand_text(e, n->b, BINDS_SUM), number(e, -constant_value(e->g, n->a)));
         return (rendering){result.bytes, BINDS_SUM};
     }
     const node tiny = tiny_factor(e, n);
@@ -317,7 +317,7 @@ static rendering show(emitter *e, const graph_node *n)
     text_add(&result, "%s", "");
     for (const char *c = row->text; *c != '\0'; c++) {
         if (*c == '@') {
-            text_add(&result, "%s", part(e, n, *++c));
+            text_add(&result, "%s", letter_text(e, n, *++c));
         } else {
             text_add(&result, "%c", *c);
         }

@@ -4,7 +4,7 @@
 #include "tools/isoc/plant/rates.h"
 
 /* A function that computes the values of h from one to before another, from an array. */
-static void emit_held(emission *e, const char *function, const char *array, int first, int end)
+static void emit_held_function(emission *e, const char *function, const char *array, int first, int end)
 {
     code result = code_of(e, numbered(e, "h", end) + first, e->p->held.values + first, end - first);
     result.quotes_leaves = true;
@@ -19,11 +19,11 @@ static void emit_hold(emission *e)
     const held *h = &e->p->held;
     if (h->tuned > 0) {
         text_add(e->out, "/* What follows from tunables alone. */\n");
-        emit_held(e, "tune", "p", 0, h->tuned);
+        emit_held_function(e, "tune", "p", 0, h->tuned);
     }
     if (h->count > h->tuned) {
         text_add(e->out, "/* What does not change within a step. */\n");
-        emit_held(e, "hold", "u", h->tuned, h->count);
+        emit_held_function(e, "hold", "u", h->tuned, h->count);
     }
 }
 
@@ -121,7 +121,7 @@ static void emit_numbers(const emission *e, const char *type, const char *array,
 }
 
 /* The places of the numbers of L U. */
-static void emit_places(const emission *e, const extended *x, int states)
+static void emit_places_of_lu(const emission *e, const extended *x, int states)
 {
     text_add(e->out, "/* Where the numbers of L U stand. */\n");
     emit_numbers(e, "uint32_t", "lu_row", x->e.row, x->e.count + 1);
@@ -149,7 +149,7 @@ static void emit_looped_solver(emission *e)
         }
     }
     const code entries = code_of(e, targets, roots, count);
-    emit_places(e, j->looped, state_count(e->p->m));
+    emit_places_of_lu(e, j->looped, state_count(e->p->m));
     emit_function(e, "entries", "lu", ", const real *restrict const dx, const real hb", &entries);
     text_add(e->out, "static void factor(real *restrict const lu, const real *restrict const x,\n");
     text_add(e->out, "    const real *restrict const u, const real *restrict const p, const real hb)\n{\n");

@@ -120,7 +120,7 @@ static void emit_instance(const emission *e)
 }
 
 /* The core's numbers must be the plant's. */
-static void emit_check(const emission *e)
+static void emit_check_of_real(const emission *e)
 {
     const char *prefix = e->names->prefix;
     if (e->p->is_double) {
@@ -154,7 +154,7 @@ void emit_header(const plant *p, const naming *names, text *out)
         m->name);
     text_add(out, "#ifndef %s_H\n#define %s_H\n\n#include \"core/runtime/plant.h\"\n\n", names->capitals,
              names->capitals);
-    emit_check(&e);
+    emit_check_of_real(&e);
     text_add(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
     for (size_t i = 0; i < count; i++) {
         if (tables[i].count > 0) {

@@ -35,7 +35,7 @@ static uint64_t hash_text(uint64_t hash, const text *t)
     return hash;
 }
 
-static const char *literal(arena *memory, const plant *p, double number)
+static const char *literal_of_plant(arena *memory, const plant *p, double number)
 {
     return code_literal(memory, number, p->is_double);
 }
@@ -54,8 +54,8 @@ static void emit_wires(const plant *p, const naming *names, text *out)
                   "static const iso_wire wires[WIRES] = {\n");
     for (int i = 0; i < m->wire_count; i++) {
         const wire *w = &m->wires[i];
-        text_add(out, "    {%s, %s, %.0f},\n", names->leaves.inputs[w->input].place, literal(out->memory, p, w->safe),
-                 w->after);
+        text_add(out, "    {%s, %s, %.0f},\n", names->leaves.inputs[w->input].place,
+                 literal_of_plant(out->memory, p, w->safe), w->after);
     }
     text_add(out, "};\nstatic real values[WIRES];\n\n");
 }
@@ -120,7 +120,7 @@ static const char *bound(arena *memory, double number, const char *infinity)
 }
 
 /* The places in a frame, and what is known of each: enum {CART_POLE_U_FORCE, ...}. */
-static void emit_places(const terminals *t, char array, const char *what, const terminal *all, int count, text *out)
+static void emit_terminals(const terminals *t, char array, const char *what, const terminal *all, int count, text *out)
 {
     text_add(out, "enum {\n");
     for (int i = 0; i < count; i++) {
@@ -242,9 +242,9 @@ static void emit_client_header(const terminals *t, text *out)
     text_add(out, "#define %s_IDENTITY UINT64_C(0x%016" PRIx64 ")\n", t->capitals, t->identity);
     text_add(out, "#define %s_PERIOD_NS %ld\n\n", t->capitals, t->period_ns);
     text_add(out, "/* Inputs u: place, name, unit and range. */\n");
-    emit_places(t, 'U', "inputs", t->inputs, t->input_count, out);
+    emit_terminals(t, 'U', "inputs", t->inputs, t->input_count, out);
     text_add(out, "/* Outputs y. */\n");
-    emit_places(t, 'Y', "outputs", t->outputs, t->output_count, out);
+    emit_terminals(t, 'Y', "outputs", t->outputs, t->output_count, out);
     text_add(out, "/* Room for every frame: a tick with reals, or how a run went. */\n");
     text_add(out,
              "enum {\n    %s_FRAME_BYTES =\n        ISO_CLIENT_ROOM(8 + sizeof(iso_client_end) + (%s_INPUTS + "

@@ -18,7 +18,7 @@ static const char *place_of(const naming *n, arena *memory, char array, const ch
     return arena_format(memory, "%s_%c_%s", n->capitals, array, capitals_of(memory, word));
 }
 
-static leaf_name leaf_of(const naming *n, arena *memory, char array, const char *symbol, const variable *v)
+static leaf_name leaf_named(const naming *n, arena *memory, char array, const char *symbol, const variable *v)
 {
     return (leaf_name){symbol, place_of(n, memory, array, v->name), v->quote};
 }
@@ -29,7 +29,7 @@ static const leaf_name *leaves_of(const naming *n, arena *memory, char array, co
     leaf_name *result = arena_take(memory, (size_t)count + 1, sizeof *result);
     for (int i = 0; i < count; i++) {
         const char *symbol = arena_format(memory, "%c_%s", tolower((unsigned char)array), all[i].name);
-        result[i] = leaf_of(n, memory, array, symbol, &all[i]);
+        result[i] = leaf_named(n, memory, array, symbol, &all[i]);
     }
     return result;
 }
@@ -38,7 +38,7 @@ static const leaf_name *states_of(const naming *n, arena *memory, int count)
 {
     leaf_name *result = arena_take(memory, (size_t)count + 1, sizeof *result);
     for (int i = 0; i < count; i++) {
-        result[i] = leaf_of(n, memory, 'X', n->states[i].symbol, &n->states[i].about);
+        result[i] = leaf_named(n, memory, 'X', n->states[i].symbol, &n->states[i].about);
     }
     return result;
 }

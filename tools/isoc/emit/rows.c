@@ -203,7 +203,7 @@ static void emit_samples_of(emission *e, const row_order *order, int level, cons
     text_add(e->out, "}\n\n");
 }
 
-static void emit_samples(emission *e, const row_order *order, const char *function)
+static void emit_samples_of_levels(emission *e, const row_order *order, const char *function)
 {
     for (int level = 0; level < order->levels; level++) {
         emit_samples_of(e, order, level, arena_format(e->out->memory, "%s_%d", function, level + 1));
@@ -263,11 +263,11 @@ void emit_advance(emission *e)
         emit_part(e, about, "advance", &nexts);
         return;
     }
-    emit_samples(e, &r->early, "sample_early");
+    emit_samples_of_levels(e, &r->early, "sample_early");
     if (nexts.count > 0) {
         emit_part(e, "The memories of effects.", "follow", &nexts);
     }
-    emit_samples(e, &r->late, "sample");
+    emit_samples_of_levels(e, &r->late, "sample");
     if (kept.count > 0) {
         emit_part(e, "What later rows show.", "keep", &kept);
     }

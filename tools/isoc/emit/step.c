@@ -299,7 +299,7 @@ static void emit_after(emission *e)
 }
 
 /* That the header, which is without the methods, has room for what the method keeps. */
-static void emit_check(emission *e)
+static void emit_check_of_room(emission *e)
 {
     text_add(e->out, "_Static_assert(sizeof((%s_memory *)0)->x == ISO_METHOD_STATE(%s, %s_STATES) * sizeof(real),\n",
              e->names->prefix, recipe_symbol(e->out->memory, e->p->m->recipe), e->names->capitals);
@@ -382,7 +382,7 @@ static void emit_ladder(emission *e)
 
 void emit_step(emission *e)
 {
-    emit_check(e);
+    emit_check_of_room(e);
     emit_memory_check(e);
     if (ISO_IS_SMOOTH(e->p->m->recipe)) {
         emit_smooth(e);

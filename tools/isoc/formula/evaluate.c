@@ -5,14 +5,12 @@
 #include "tools/isoc/base/real_range.h"
 #include "tools/isoc/formula/functions.h"
 #include "tools/isoc/formula/measured.h"
+#include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/formula/table.h"
 #include "tools/isoc/formula/ticks.h"
 #include "tools/isoc/formula/timing.h"
 #include "tools/isoc/formula/value.h"
 #include "tools/isoc/scene/names.h"
-
-static const dimension plain = {0, 0, 0, 0, 0, 0, 0};
-static const double pi = 3.14159265358979323846;
 
 void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double)
 {
@@ -33,33 +31,23 @@ void values_start(values *v, source *s, graph *g, const scene *written, size_t m
     }
 }
 
-static value nothing(void)
-{
-    return (value){0};
-}
-
-static value scalar(node n, dimension expected)
-{
-    return (value){.count = 1, .parts = {n}, .of = expected};
-}
-
 /* What --set gives a parameter: one of the same unit and as many components as the value in the scene. */
 static value check_set(values *v, const quantity *q, value set)
 {
     const value stated = value_any(v, q->stated);
     if (set.count == 0 || stated.count == 0) {
-        return nothing();
+        return nothing;
     }
     if (set.count != stated.count) {
         source_problem(v->s, q->value->at, "'%s' %s; this %s", q->name.text,
                        stated.count == 1 ? "is one number" : "is a vector (x, y, z)",
                        set.count == 1 ? "is one number" : "is a vector");
-        return nothing();
+        return nothing;
     }
     if (!set.any && !stated.any && !dimension_equal(set.of, stated.of)) {
         source_problem(v->s, q->value->at, "'%s' %s in the scene; this %s", q->name.text,
                        dimension_phrase(v->s->memory, stated.of), dimension_phrase(v->s->memory, set.of));
-        return nothing();
+        return nothing;
     }
     set.of = set.any ? stated.of : set.of;
     return set;
@@ -69,21 +57,21 @@ static value check_set(values *v, const quantity *q, value set)
 static void evaluate_parameter(values *v, size_t i)
 {
     const quantity *q = &v->scene->parameters[i];
-    value result = q->value == NULL ? nothing() : value_any(v, q->value);
+    value result = q->value == NULL ? nothing : value_any(v, q->value);
     result = q->stated == NULL ? result : check_set(v, q, result);
     const char *called = q->name.text;
     if (result.count > 1 && called != NULL && called[0] >= 'x' && called[0] <= 'z' && called[1] == '\0') {
         source_problem(v->s, q->name.at, "a vector '%s' would be read as the axis: choose another name", called);
-        result = nothing();
+        result = nothing;
     }
     if (result.count > 0 && q->tunable) {
         const int index = v->tunable_index[i];
         if (result.count != 1 || !is_constant(v->g, result.parts[0])) {
             source_problem(v->s, q->value->at,
                            "a tunable parameter must be one number that depends on no other tunable");
-            result = nothing();
+            result = nothing;
         } else if (!check_range(v, q->value, "this parameter", constant_value(v->g, result.parts[0]))) {
-            result = nothing();
+            result = nothing;
         } else {
             v->defaults[index] = constant_value(v->g, result.parts[0]);
             result.parts[0] = leaf(v->g, OP_PARAMETER, index);
@@ -153,7 +141,7 @@ static value refuse_name(values *v, const formula *f)
     source_problem(v->s, f->at, "no constant%s is called '%s'%s",
                    v->around == NULL ? " or tunable" : ", tunable, input or signal", f->name,
                    suggest_number(v->s, v->scene, f->name, v->around != NULL));
-    return nothing();
+    return nothing;
 }
 
 /* 1024 / rev: a unit, where nothing has its name. */
@@ -166,7 +154,7 @@ static bool is_unit(const values *v, const formula *f, value *found)
     *found = scalar(constant(v->g, u.numerator / u.denominator), u.of);
     if (u.zero != 0.0) {
         source_problem(v->s, f->at, "'%s' stands alone behind a number, as in 20 %s", f->name, f->name);
-        *found = nothing();
+        *found = nothing;
     }
     return true;
 }
@@ -192,7 +180,7 @@ static value evaluate_name(values *v, const formula *f)
     }
     if (v->progress[*i] == STARTED) {
         source_problem(v->s, f->at, "'%s' depends on itself", f->name);
-        return nothing();
+        return nothing;
     }
     resolve(v, (size_t)*i);
     return v->parameters[*i];
@@ -205,7 +193,7 @@ static value evaluate_number(values *v, const formula *f)
     value r = scalar(constant(v->g, isfinite(number) ? number : 0.0), f->unit.of);
     if (!isfinite(number)) {
         source_problem(v->s, f->at, "the number is too large in SI units: a double ends at 1.8e308");
-        return nothing();
+        return nothing;
     }
     r.any = f->number == 0.0 && dimension_equal(f->unit.of, plain);
     r.on_scale = f->unit.zero != 0.0;
@@ -218,21 +206,21 @@ static value evaluate_vector(values *v, const formula *f)
     value r = {.any = true};
     if (f->count > VALUE_PARTS) {
         source_problem(v->s, f->at, "%zu parts: a vector has three (x, y, z), an inertia three or six", f->count);
-        return nothing();
+        return nothing;
     }
     for (size_t i = 0; i < f->count; i++) {
         const value part = value_any(v, f->parts[i]);
         if (part.count == 0) {
-            return nothing();
+            return nothing;
         }
         if (part.count != 1) {
             source_problem(v->s, f->parts[i]->at, "a part of a vector must be one number");
-            return nothing();
+            return nothing;
         }
         if (!part.any && !r.any && !agree(v, part.of, r.of)) {
             source_problem(v->s, f->parts[i]->at, "%s and %s in one vector: its parts must have the same unit",
                            dimension_text(v->s->memory, part.of), dimension_text(v->s->memory, r.of));
-            return nothing();
+            return nothing;
         }
         gather(&r, &part);
         r.parts[r.count++] = part.parts[0];
@@ -245,7 +233,7 @@ static value evaluate_scale(values *v, const formula *f)
     value r = value_any(v, f->parts[0]);
     if (r.count > 0 && !agree(v, r.of, plain)) {
         source_problem(v->s, f->at, "units inside the parentheses and after them: write only one of both");
-        return nothing();
+        return nothing;
     }
     for (int i = 0; i < r.count; i++) {
         const node scaled = mul(v->g, r.parts[i], constant(v->g, f->unit.numerator));
@@ -276,15 +264,15 @@ static value evaluate_sum(values *v, const formula *f, value a, value b)
 {
     if (a.count != b.count) {
         source_problem(v->s, f->at, "a vector and a number cannot be added");
-        return nothing();
+        return nothing;
     }
     if (!a.any && !b.any && !agree(v, a.of, b.of)) {
         source_problem(v->s, f->at, "%s and %s cannot be added", dimension_text(v->s->memory, a.of),
                        dimension_text(v->s->memory, b.of));
-        return nothing();
+        return nothing;
     }
     if (!is_free_of_scale(v, f, f->sign == '+' && a.on_scale && b.on_scale)) {
-        return nothing();
+        return nothing;
     }
     value r = a;
     gather(&r, &b);
@@ -299,15 +287,15 @@ static value evaluate_product(values *v, const formula *f, value a, value b)
 {
     if ((a.count != 1 && b.count != 1) || (f->sign == '/' && b.count != 1)) {
         source_problem(v->s, f->at, "a vector cannot be multiplied by a vector, nor divide");
-        return nothing();
+        return nothing;
     }
     const bool is_known = v->around == NULL || is_constant(v->g, b.parts[0]);
     if (f->sign == '/' && is_known && value_now(v, b.parts[0]) == 0.0) {
         source_problem(v->s, f->at, "division by zero");
-        return nothing();
+        return nothing;
     }
     if (!is_free_of_scale(v, f, a.on_scale || b.on_scale)) {
-        return nothing();
+        return nothing;
     }
     const value wide = a.count != 1 ? a : b;
     value r = {.count = wide.count, .of = a.of};
@@ -315,7 +303,7 @@ static value evaluate_product(values *v, const formula *f, value a, value b)
         const node left = a.parts[a.count == 1 ? 0 : i], right = b.parts[b.count == 1 ? 0 : i];
         r.parts[i] = f->sign == '*' ? mul(v->g, left, right) : divide(v->g, left, right);
     }
-    return multiply(v, f, &r.of, b.of, f->sign == '*' ? 1 : -1) ? r : nothing();
+    return multiply(v, f, &r.of, b.of, f->sign == '*' ? 1 : -1) ? r : nothing;
 }
 
 static value evaluate_chain(values *v, const formula *f)
@@ -325,7 +313,7 @@ static value evaluate_chain(values *v, const formula *f)
         const formula *step = f->parts[i];
         const value right = value_any(v, step->parts[0]);
         if (r.count == 0 || right.count == 0) {
-            r = nothing();
+            r = nothing;
         } else if (step->sign == '+' || step->sign == '-') {
             r = evaluate_sum(v, step, r, right);
         } else {
@@ -340,17 +328,17 @@ static value evaluate_power(values *v, const formula *f)
     value r = value_any(v, f->parts[0]);
     if (r.count > 1) {
         source_problem(v->s, f->at, "a vector cannot be raised to a power");
-        return nothing();
+        return nothing;
     }
     if (!is_free_of_scale(v, f, r.on_scale)) {
-        return nothing();
+        return nothing;
     }
     if (r.count == 1) {
         const dimension expected = r.of;
         r.parts[0] = power(v->g, r.parts[0], (int)f->number);
         r.of = plain;
         r.any = false;
-        return multiply(v, f, &r.of, expected, (int)f->number) ? r : nothing();
+        return multiply(v, f, &r.of, expected, (int)f->number) ? r : nothing;
     }
     return r;
 }
@@ -361,7 +349,7 @@ static value evaluate_past(values *v, const formula *f)
     if (v->around == NULL) {
         source_problem(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
                        f->name);
-        return nothing();
+        return nothing;
     }
     return v->around->history_memory(v->around->of, f);
 }
@@ -373,21 +361,21 @@ static value evaluate_points(values *v, const formula *f)
         return points_of_formula(v, f);
     }
     const value result = f->number > 1.0 ? grid_of_formula(v, f) : table_of_formula(v, f);
-    return result.count > 0 && refuses_corner(v, f, &result, 1) ? nothing() : result;
+    return result.count > 0 && refuses_corner(v, f, &result, 1) ? nothing : result;
 }
 
 static value evaluate_call(values *v, const formula *f)
 {
     const function_row *row = find_function(v, f);
     if (row == NULL) {
-        return nothing();
+        return nothing;
     }
     if (row->example == NULL) {
         return evaluate_points(v, f);
     }
     if (f->count < row->least || f->count > row->most) {
         source_problem(v->s, f->at, "%s is written like this: %s", f->name, row->example);
-        return nothing();
+        return nothing;
     }
     if (row->call == NULL) {
         return evaluate_past(v, f);
@@ -396,12 +384,12 @@ static value evaluate_call(values *v, const formula *f)
     for (size_t i = 0; i < f->count; i++) {
         given[i] = value_any(v, f->parts[i]);
         if (given[i].count == 0) {
-            return nothing();
+            return nothing;
         }
         if (given[i].count != row->parts) {
             source_problem(v->s, f->parts[i]->at, "%s is of %s; this is %s", f->name,
                            row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "none");
-            return nothing();
+            return nothing;
         }
     }
     return row->call(v, f, given);
@@ -410,7 +398,7 @@ static value evaluate_call(values *v, const formula *f)
 static value evaluate_order(values *v, const formula *f)
 {
     const value given[] = {value_any(v, f->parts[0]), value_any(v, f->parts[1])};
-    return given[0].count == 0 || given[1].count == 0 ? nothing() : order_of(v, f, given);
+    return given[0].count == 0 || given[1].count == 0 ? nothing : order_of(v, f, given);
 }
 
 static value quantity_of_formula(values *v, const formula *f)
@@ -418,7 +406,7 @@ static value quantity_of_formula(values *v, const formula *f)
     if (v->around == NULL) {
         source_problem(v->s, f->at, "'%s of %s' changes with time: only an effect, a signal or an output can use it",
                        f->name, f->parts[0]->name);
-        return nothing();
+        return nothing;
     }
     return v->around->quantity(v->around->of, f);
 }
@@ -457,7 +445,7 @@ value value_any(values *v, const formula *f)
     }
     r = value_any(v, f->parts[0]);
     if (!is_free_of_scale(v, f, r.on_scale)) {
-        return nothing();
+        return nothing;
     }
     for (int i = 0; i < r.count; i++) {
         r.parts[i] = neg(v->g, r.parts[i]);
@@ -481,8 +469,8 @@ double value_constant(values *v, const formula *f, dimension expected, const cha
 
 double value_displacement(values *v, const formula *f, const char *what, double fallback)
 {
-    static const dimension metre = {0, 1, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
-    const value found = f == NULL ? nothing() : value_any(v, f);
+    static const dimension metre = {0, 1, 0, 0, 0, 0, 0};
+    const value found = f == NULL ? nothing : value_any(v, f);
     const dimension expected = dimension_equal(found.of, radian) ? radian : metre;
     return found.count == 0 ? fallback : value_constant(v, f, expected, what, fallback);
 }

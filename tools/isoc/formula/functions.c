@@ -6,20 +6,14 @@
 
 #include "tools/isoc/base/elementary.h"
 #include "tools/isoc/formula/impact.h"
+#include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/formula/ticks.h"
 #include "tools/isoc/formula/timing.h"
 #include "tools/isoc/formula/waveform.h"
 #include "tools/isoc/graph/vector.h"
 
-static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 static const double half_pi = 1.57079632679489661923;
-static const value nothing = {0};
-
-static value scalar(node n, dimension expected)
-{
-    return (value){.count = 1, .parts = {n}, .of = expected};
-}
 
 static bool has_dimension(values *v, const formula *f, size_t i, const value *arguments, dimension expected)
 {

@@ -5,12 +5,11 @@
 #include <string.h>
 
 #include "tools/isoc/base/real_range.h"
+#include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/formula/ticks.h"
 
 enum { MOST_POINTS = 65535, SHOWN = 40 };
 
-static const double most_ticks = 4e9; /* of 2^32 */
-static const value nothing = {0};
 static const char digits[] = "0123456789+-."; /* what a number begins with */
 
 /* The points of a file, in ticks and values. */

@@ -3,11 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/formula/ticks.h"
-
-static const dimension second = {0, 0, 1, 0, 0, 0, 0};
-static const double most_ticks = 4e9; /* of 2^32 */
-static const value nothing = {0};
 
 /* The part of a stretch that lies before x: (x - from) / length, limited to [0, 1]. No branch and no index depends on x, so
  * each stretch is computed for every x. */

@@ -3,17 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/formula/ticks.h"
-
-static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0, 0};
-static const double pi = 3.14159265358979323846;
-
-static const value nothing = {0};
-
-static value scalar(node n, dimension expected)
-{
-    return (value){.count = 1, .parts = {n}, .of = expected};
-}
 
 value time_of_formula(values *v, const formula *f)
 {
@@ -45,7 +36,6 @@ bool turns_in_tick(values *v, const formula *f, value frequency, double *turns)
 /* A phase that grows with the ticks. */
 value wave_of_formula(values *v, const formula *f, const value *given)
 {
-    static const dimension radian = {0, 0, 0, 1, 0, 0, 0};
     if (refuses_time(v, f)) {
         return nothing;
     }

@@ -16,6 +16,8 @@ typedef struct value {
     bool on_scale; /* written in degC: not to be multiplied */
 } value;
 
+static const value nothing = {0};
+
 /* How far the value of a parameter is. */
 typedef enum progress { NOT_YET, STARTED, DONE } progress;
 

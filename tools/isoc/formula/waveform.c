@@ -2,19 +2,11 @@
 
 #include <math.h>
 
+#include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/formula/ticks.h"
 #include "tools/isoc/formula/timing.h"
 
-static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0};
-static const double pi = 3.14159265358979323846;
-static const double most_ticks = 4e9;           /* of 2^32 */
 static const double most_repeated = 16777216.0; /* ticks, of core/numbers/waveform.h */
-static const value nothing = {0};
-
-static value scalar(node n)
-{
-    return (value){.count = 1, .parts = {n}, .of = plain};
-}
 
 /* A time in ticks, from `least` on. */
 static bool ticks_of(values *v, const formula *f, const value *given, const char *what, double least, double *ticks)
@@ -45,7 +37,7 @@ static value step_of(values *v, const formula *f, const value *given)
 {
     double ticks;
     return ticks_of(v, f->parts[0], &given[0], "the time of a step", 0.0, &ticks)
-               ? scalar(timed(v->g, OP_FROM, first_tick_of(ticks), 0.0))
+               ? scalar(timed(v->g, OP_FROM, first_tick_of(ticks), 0.0), plain)
                : nothing;
 }
 
@@ -68,12 +60,12 @@ static value square_of(values *v, const formula *f, const value *given)
     }
     const double period = 1.0 / turns;
     if (!is_whole_tick(period) || period >= most_repeated) {
-        return scalar(timed(v->g, OP_SQUARE_OF_PHASE, turns, phase + guard));
+        return scalar(timed(v->g, OP_SQUARE_OF_PHASE, turns, phase + guard), plain);
     }
     const double whole = round(period), over = (phase - floor(phase)) * whole;
     const double at = is_whole_tick(over) ? round(over) : floor(over), rest = is_whole_tick(over) ? 0.0 : over - at;
     const double high = first_tick_of(0.5 * whole - rest);
-    return scalar(timed_by_index(v->g, OP_SQUARE, whole, fmod(at, whole), (int)high));
+    return scalar(timed_by_index(v->g, OP_SQUARE, whole, fmod(at, whole), (int)high), plain);
 }
 
 /* Registers with feedback from two places (ITU-T O.150; of 10, Golomb 1967, Shift Register Sequences). */
@@ -127,7 +119,7 @@ static value prbs_of(values *v, const formula *f, const value *given)
     result->words = bits_of_register(v, registers[index].order, registers[index].other, (uint32_t)seed);
     result->count = (size_t)length / 32 + 1;
     result->made = timed_by_index(v->g, OP_PRBS, hold, length, (int)v->table_count - 1);
-    return scalar(result->made);
+    return scalar(result->made, plain);
 }
 
 /* The sine of a phase of n first + n^2 curve turns, up to the end of the sweep; from there on the last frequency. */
@@ -145,7 +137,7 @@ static value chirp_of(values *v, const formula *f, const value *given)
     result->curve = (last - first) / (2.0 * ticks);
     const node angle = timed_by_index(v->g, OP_CHIRP, 0.0, 0.0, (int)v->table_count - 1);
     result->made = sine(v->g, angle);
-    return scalar(result->made);
+    return scalar(result->made, plain);
 }
 
 value waveform_of_formula(values *v, const formula *f, const value *given)
@@ -157,7 +149,7 @@ value waveform_of_formula(values *v, const formula *f, const value *given)
     if (!is_in_input(v, f)) {
         return nothing;
     }
-    return before != NULL      ? scalar(before->made)
+    return before != NULL      ? scalar(before->made, plain)
            : f->name[1] == 't' ? step_of(v, f, given)
            : f->name[1] == 'q' ? square_of(v, f, given)
            : f->name[0] == 'p' ? prbs_of(v, f, given)

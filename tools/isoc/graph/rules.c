@@ -62,6 +62,6 @@ ISOC_OPERATIONS(RULES_OF)
     RULES_OF(NAME, OPERANDS, VALUE, DERIVATIVE, function(g, OP_##NAME, a, b), )
 ISOC_FUNCTIONS(RULES_OF_CALL)
 
-#define ROW_OF(NAME, ...) [OP_##NAME] = {derivative_of_##NAME, again_##NAME},
+#define RULES_ROW(NAME, ...) [OP_##NAME] = {derivative_of_##NAME, again_##NAME},
 
-const operator_rules rules[OPERATIONS] = {ISOC_OPERATIONS(ROW_OF) ISOC_FUNCTIONS(ROW_OF)};
+const operator_rules rules[OPERATIONS] = {ISOC_OPERATIONS(RULES_ROW) ISOC_FUNCTIONS(RULES_ROW)};

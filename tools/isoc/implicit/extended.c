@@ -16,7 +16,7 @@ typedef struct entry {
  *     of a speed, the balance:         left_w hb dw + hb left_x dx + left_q'' hb dq'' = 0, negated.
  *
  * Unknowns in this order: the quantities, positions, speeds, accelerations. */
-typedef struct unknowns {
+typedef struct extended_unknowns {
     graph *g;
     const dynamics *d;
     int quantities, states, count;
@@ -26,7 +26,7 @@ typedef struct unknowns {
     int *of;        /* [nodes] which one */
     entry *entries;
     size_t entry_count, entry_room;
-} unknowns;
+} extended_unknowns;
 
 /* From the tips to the root, like the factorisation of M, and in a segment the speeds last: before, the quantities follow
  * from one another and from the states, so that their pivots are 1; then those of the speeds are the pivots of the
@@ -38,14 +38,14 @@ static int group_of(int owner, int of_segment)
     return GROUPS * (owner + 1) + of_segment;
 }
 
-static void mark(unknowns *z, node n, int unknown)
+static void mark(extended_unknowns *z, node n, int unknown)
 {
     z->stops[n] = true;
     z->of[n] = unknown;
 }
 
 /* A quantity that is computed, unless it is one already. */
-static void add_quantity(unknowns *z, node n, int owner)
+static void add_quantity(extended_unknowns *z, node n, int owner)
 {
     n = z->g->nodes[n].op == OP_NEG ? z->g->nodes[n].a : n;
     if (operators[z->g->nodes[n].op].kind == KIND_OPERATION && !z->stops[n]) {
@@ -55,7 +55,7 @@ static void add_quantity(unknowns *z, node n, int owner)
     }
 }
 
-static void add_vector(unknowns *z, vector a, int owner)
+static void add_vector(extended_unknowns *z, vector a, int owner)
 {
     for (int i = 0; i < 3; i++) {
         add_quantity(z, a.at[i], owner);
@@ -64,7 +64,7 @@ static void add_vector(unknowns *z, vector a, int owner)
 
 /* A force that several segments hand on unchanged belongs to the last of them: the balance of each of their speeds depends
  * on it. What depends on the rate of a speed then belongs to the speed's segment or to one behind it. */
-static void add_quantities(unknowns *z, const balance *b)
+static void add_quantities(extended_unknowns *z, const balance *b)
 {
     const int segments = z->d->m->segment_count;
     for (int i = segments - 1; i >= 0; i--) {
@@ -78,7 +78,7 @@ static void add_quantities(unknowns *z, const balance *b)
     }
 }
 
-static void add_states(unknowns *z)
+static void add_states(extended_unknowns *z)
 {
     const mechanism *m = z->d->m;
     for (int i = 0; i < m->segment_count; i++) {
@@ -101,11 +101,11 @@ static void add_states(unknowns *z)
     z->count = z->quantities + z->states + m->dof_count;
 }
 
-static unknowns unknowns_of(graph *g, const dynamics *d, const balance *b)
+static extended_unknowns extended_unknowns_of(graph *g, const dynamics *d, const balance *b)
 {
     enum { OF_LINK = 15 };
     const mechanism *m = d->m;
-    unknowns z = {.g = g, .d = d, .states = state_count(m)};
+    extended_unknowns z = {.g = g, .d = d, .states = state_count(m)};
     const size_t most = (size_t)(OF_LINK * m->segment_count), all = most + (size_t)(z.states + m->dof_count);
     z.quantity = arena_take(g->memory, most, sizeof *z.quantity);
     z.group = arena_take(g->memory, all, sizeof *z.group);
@@ -116,19 +116,19 @@ static unknowns unknowns_of(graph *g, const dynamics *d, const balance *b)
     return z;
 }
 
-static void add_entry(unknowns *z, int row, int column, node is)
+static void add_entry(extended_unknowns *z, int row, int column, node is)
 {
     z->entries = arena_grow(z->g->memory, z->entries, z->entry_count, &z->entry_room, sizeof *z->entries);
     z->entries[z->entry_count++] = (entry){row, column, is};
 }
 
-static bool is_state(const unknowns *z, int unknown)
+static bool is_state(const extended_unknowns *z, int unknown)
 {
     return unknown >= z->quantities && unknown < z->quantities + z->states;
 }
 
 /* The row of an equation, `own` = root; one where there is a diagonal of its own, else zero. */
-static void add_row(unknowns *z, partials *p, int row, node own, node root)
+static void add_row(extended_unknowns *z, partials *p, int row, node own, node root)
 {
     graph *g = z->g;
     node *by, *derivatives;
@@ -147,7 +147,7 @@ static void add_row(unknowns *z, partials *p, int row, node own, node root)
     add_entry(z, row, row, diagonal);
 }
 
-static void add_rows(unknowns *z, const balance *b, const node *derivatives)
+static void add_rows(extended_unknowns *z, const balance *b, const node *derivatives)
 {
     graph *g = z->g;
     const mechanism *m = z->d->m;
@@ -171,7 +171,7 @@ const extended *extended_build(graph *g, const dynamics *d, const node *derivati
 {
     const mechanism *m = d->m;
     const balance b = balance_build(d);
-    unknowns z = unknowns_of(g, d, &b);
+    extended_unknowns z = extended_unknowns_of(g, d, &b);
     extended *result = arena_take(g->memory, 1, sizeof *result);
     graph_section(g, "Entries of 1 - hb J, with what Newton-Euler hands on from link to link as unknowns");
     add_rows(&z, &b, derivatives);

@@ -41,7 +41,7 @@ static node with_clocks(builder *b, node moving, place at)
 }
 
 /* The rate of a function of clocks. */
-static node rate_of(builder *b, node moving)
+static node rate_of_motion(builder *b, node moving)
 {
     node sum = constant(b->g, 0.0);
     for (int i = 0; i < b->mechanism.clocks.count; i++) {
@@ -111,8 +111,8 @@ bool build_motion(builder *b, const closure_statement *written, closure *result)
         result->motion = first->continuous ? as_phase(b, written, result->motion) : result->motion;
         result->motion = with_clocks(b, result->motion, written->name.at);
         result->whole = constant(b->g, first->continuous ? 1.0 : 0.0);
-        result->motion_rate = rate_of(b, result->motion);
+        result->motion_rate = rate_of_motion(b, result->motion);
     }
-    result->motion_bias = rate_of(b, result->motion_rate);
+    result->motion_bias = rate_of_motion(b, result->motion_rate);
     return true;
 }

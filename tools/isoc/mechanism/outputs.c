@@ -97,7 +97,7 @@ static void show_formula(builder *b, const output *o, shown *result)
     }
 }
 
-static double rate_of(builder *b, const output *o)
+static double ticks_between(builder *b, const output *o)
 {
     const double most = 16777215.0; /* of iso_tick_modulo */
     const double every = value_constant(&b->values, o->every, no_unit, "the rate of an output", 1.0);
@@ -118,7 +118,7 @@ static void build_output(builder *b, const output *o, shown *result)
                       .closure = -1,
                       .point_spring = -1};
     result->point = vector_value(b, o->point, metre, "a point");
-    result->every = rate_of(b, o);
+    result->every = ticks_between(b, o);
     if (o->formula != NULL) {
         show_formula(b, o, result);
     }

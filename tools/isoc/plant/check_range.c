@@ -28,7 +28,7 @@ static void reach(const graph *g, const plant *p, bool *needed)
 }
 
 /* The first quantity with a name that this constant is part of; NULL if there is none. */
-static const char *quantity_of(const graph *g, size_t i, const bool *needed)
+static const char *named_quantity(const graph *g, size_t i, const bool *needed)
 {
     bool *depends = arena_take(g->memory, g->count, sizeof *depends);
     depends[i] = true;
@@ -130,7 +130,7 @@ void range_check(source *s, const graph *g, const plant *p)
             is_harmless(g, p, needed, numbers, i)) {
             continue;
         }
-        const char *found = quantity_of(g, i, needed), *shown_as = found == NULL ? "an output" : found;
+        const char *found = named_quantity(g, i, needed), *shown_as = found == NULL ? "an output" : found;
         if (isfinite(constant_value(g, (node)i))) {
             source_problem(s, place_of(p->m, shown_as), "the equations contain %g, as a part of %s; %s",
                            constant_value(g, (node)i), shown_as, real_advice(constant_value(g, (node)i), p->is_double));

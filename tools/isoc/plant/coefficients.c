@@ -50,7 +50,7 @@ static bool is_one(const graph *g, node n)
     return is_constant(g, n) && constant_value(g, n) == 1.0;
 }
 
-static node multiply(tuned *t, node a, node b)
+static node product_of(tuned *t, node a, node b)
 {
     graph *g = t->g;
     if (is_tuned(t, a) && is_tuned(t, b)) {
@@ -69,10 +69,10 @@ static node again(tuned *t, const graph_node *n, node a, node b)
 {
     graph *g = t->g;
     if (n->op == OP_MUL) {
-        return multiply(t, a, b);
+        return product_of(t, a, b);
     }
     if (n->op == OP_DIV && is_tuned(t, b) && !is_tuned(t, a)) {
-        return multiply(t, divide(g, constant(g, 1.0), b), a);
+        return product_of(t, divide(g, constant(g, 1.0), b), a);
     }
     return a == n->a && b == n->b ? -1 : rules[n->op].again(g, a, b);
 }

@@ -7,7 +7,7 @@
 #include "tools/isoc/scene/statements.h"
 
 #define IN(member) offsetof(closure_statement, member)
-static const property properties[] = {
+static const property closure_properties[] = {
     {"parent", read_placement, IN(parent), BETWEEN_BODIES, "parent ground"},
     {"child", read_placement, IN(child), BETWEEN_BODIES, "child BODY"},
     {"axis", read_axis, IN(axis), WITH_AXIS, "axis z"},
@@ -22,8 +22,8 @@ static const property properties[] = {
 };
 #undef IN
 
-static const block closure_block = {"closure",      closure_rows, sizeof closure_rows[0], CLOSURE_ROWS,
-                                    closure_traits, properties,   COUNT_OF(properties)};
+static const block closure_block = {"closure",      closure_rows,       sizeof closure_rows[0],      CLOSURE_ROWS,
+                                    closure_traits, closure_properties, COUNT_OF(closure_properties)};
 
 void read_closure(parser *p, const token *word, void *slot)
 {
@@ -41,7 +41,7 @@ void read_closure(parser *p, const token *word, void *slot)
 }
 
 /* A point of a body; the slot is the force. */
-static void read_point(parser *p, const token *word, void *slot)
+static void read_point_of_force(parser *p, const token *word, void *slot)
 {
     body_force *f = slot;
     read_placement(p, word, &f->at);
@@ -51,7 +51,7 @@ static void read_point(parser *p, const token *word, void *slot)
 }
 
 static const property force_properties[] = {
-    {"body", read_point, 0, EVERY_KIND, "body BODY at (0.2, 0, 0) m"},
+    {"body", read_point_of_force, 0, EVERY_KIND, "body BODY at (0.2, 0, 0) m"},
     {"axis", read_axis, offsetof(body_force, axis), EVERY_KIND, "axis z"},
     {"drive", read_input, offsetof(body_force, drive), EVERY_KIND, "drive INPUT"},
     {"moment", read_formula, offsetof(body_force, moment), EVERY_KIND, NULL},

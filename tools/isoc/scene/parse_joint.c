@@ -105,7 +105,7 @@ static void read_continuous(parser *p, const token *word, void *slot)
 }
 
 #define IN(member) offsetof(joint, member)
-static const property properties[] = {
+static const property joint_properties[] = {
     {"parent", read_placement, IN(parent), EVERY_KIND, "parent ground"},
     {"child", read_placement, IN(child), EVERY_KIND, "child BODY"},
     {"axis", read_axis, IN(axis), HAS_AXIS, "axis z"},
@@ -121,8 +121,8 @@ static const property properties[] = {
 };
 #undef IN
 
-static const block joint_block = {"joint",      joint_rows, sizeof joint_rows[0], JOINT_KINDS,
-                                  joint_traits, properties, COUNT_OF(properties)};
+static const block joint_block = {"joint",      joint_rows,       sizeof joint_rows[0],      JOINT_KINDS,
+                                  joint_traits, joint_properties, COUNT_OF(joint_properties)};
 
 void read_joint_statement(parser *p, const token *word, void *slot)
 {

@@ -4,7 +4,7 @@
 #include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/statements.h"
 
-static void read_point(parser *p, const token *word, placement *to)
+static void read_end(parser *p, const token *word, placement *to)
 {
     read_placement(p, word, to);
     if (to->turn_count != 0) {
@@ -16,17 +16,17 @@ static void read_point(parser *p, const token *word, placement *to)
 static void read_between(parser *p, const token *word, void *slot)
 {
     spring_statement *to = slot;
-    read_point(p, word, &to->first);
+    read_end(p, word, &to->first);
     if (!p->failed && !take_word(p, "and")) {
         parse_problem(p, "expected 'and' and the other end: between BODY at (1, 0, 0) m and BODY");
     }
     if (!p->failed) {
-        read_point(p, word, &to->second);
+        read_end(p, word, &to->second);
     }
 }
 
 #define IN(member) offsetof(spring_statement, member)
-static const property properties[] = {
+static const property spring_properties[] = {
     {"between", read_between, 0, EVERY_KIND, "between ground at (1, 0, 0) m and BODY"},
     {"stiffness", read_formula, IN(stiffness), EVERY_KIND, NULL},
     {"damping", read_formula, IN(damping), EVERY_KIND, NULL},
@@ -34,7 +34,8 @@ static const property properties[] = {
 };
 #undef IN
 
-static const block spring_block = {.what = "spring", .properties = properties, .property_count = COUNT_OF(properties)};
+static const block spring_block = {
+    .what = "spring", .properties = spring_properties, .property_count = COUNT_OF(spring_properties)};
 
 void read_spring_statement(parser *p, const token *word, void *slot)
 {

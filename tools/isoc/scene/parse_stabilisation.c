@@ -18,7 +18,7 @@ static void read_near(parser *p, const token *word, void *slot)
 }
 
 #define IN(member) offsetof(stabilisation, member)
-static const property properties[] = {
+static const property stabilisation_properties[] = {
     {"alpha", read_formula, IN(alpha), BAUMGARTE, NULL},
     {"beta", read_formula, IN(beta), BAUMGARTE, NULL},
     {"penalty", read_formula, IN(penalty), LAGRANGIAN, NULL},
@@ -30,8 +30,13 @@ static const property properties[] = {
 };
 #undef IN
 
-static const block stabilisation_block = {
-    "stabilisation", kind_names, sizeof kind_names[0], COUNT_OF(kind_names), NULL, properties, COUNT_OF(properties)};
+static const block stabilisation_block = {"stabilisation",
+                                          kind_names,
+                                          sizeof kind_names[0],
+                                          COUNT_OF(kind_names),
+                                          NULL,
+                                          stabilisation_properties,
+                                          COUNT_OF(stabilisation_properties)};
 
 void read_stabilisation(parser *p, const token *word, void *slot)
 {

@@ -10,7 +10,7 @@
 #include "tools/isoc/scene/statements.h"
 
 enum {
-    DEEPEST = 16,         /* repeats and includes in one another */
+    MOST_NESTED = 16,     /* repeats and includes in one another */
     MOST_WORDS = 1000000, /* of all readings together */
     WORDS_OF_A_TURN = 20, /* that a turn counts as, beside those in it */
     LARGEST_INDEX = 65535,
@@ -149,12 +149,12 @@ static const token *closing_of(const token *t)
 static bool has_room(parser *p, const token *word, size_t words)
 {
     p->words += words;
-    if (p->nested >= DEEPEST || p->words > MOST_WORDS) {
+    if (p->nested >= MOST_NESTED || p->words > MOST_WORDS) {
         if (!p->is_full) {
             source_problem(p->s, word->at,
-                           p->nested >= DEEPEST ? "repeats and includes in one another, more than %d deep"
-                                                : "the repeats make the scene longer than %d words",
-                           p->nested >= DEEPEST ? DEEPEST : MOST_WORDS);
+                           p->nested >= MOST_NESTED ? "repeats and includes in one another, more than %d deep"
+                                                    : "the repeats make the scene longer than %d words",
+                           p->nested >= MOST_NESTED ? MOST_NESTED : MOST_WORDS);
         }
         p->is_full = p->failed = true;
     }

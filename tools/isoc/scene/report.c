@@ -98,7 +98,7 @@ static void report_one(const located *p, const char *kind)
     fprintf(stderr, "\n    %*s^\n", (int)before, "");
 }
 
-static int by_text(const void *left, const void *right)
+static int by_place_and_text(const void *left, const void *right)
 {
     const located *a = left, *b = right;
     if (a->of != b->of) {
@@ -110,7 +110,7 @@ static int by_text(const void *left, const void *right)
 static int by_text_and_reading(const void *left, const void *right)
 {
     const located *a = left, *b = right;
-    const int order = by_text(left, right);
+    const int order = by_place_and_text(left, right);
     return order != 0 ? order : a->first < b->first ? -1 : a->first > b->first;
 }
 
@@ -130,7 +130,7 @@ static size_t locate(const source *s, located *all)
     size_t kept = 0;
     for (size_t i = 0; i < s->problem_count; i++) {
         located *last = kept == 0 ? NULL : &all[kept - 1];
-        if (last == NULL || by_text(last, &all[i]) != 0) {
+        if (last == NULL || by_place_and_text(last, &all[i]) != 0) {
             all[kept++] = all[i];
         } else if (last->first != all[i].first) {
             last->again++;

@@ -71,7 +71,7 @@ static const char *steps_text(arena *memory, const modes *m)
     return all;
 }
 
-static void warn(const source *s, arena *memory, const plant *p, const modes *m, int which, const point *at)
+static void warn_of_growth(const source *s, arena *memory, const plant *p, const modes *m, int which, const point *at)
 {
     const mechanism *of = p->m;
     const cause none = {"mechanism", of->name, of->segments[0].at};
@@ -100,7 +100,7 @@ static bool check_point(const source *s, const graph *g, const plant *p, slopes 
     while (before.found && count_growing(&before, p->m->recipe, method_step(p->m), &fastest) > 0) {
         modes left = before;
         const int which = find_cause(g, p, gone, at, &left);
-        warn(s, g->memory, p, &before, which, at);
+        warn_of_growth(s, g->memory, p, &before, which, at);
         any = true;
         if (which < 0) {
             break;

@@ -38,7 +38,7 @@ static int list_formulas(const mechanism *m, int effect, node *roots)
     return count;
 }
 
-static void evaluate(formulas *f)
+static void evaluate_formulas(formulas *f)
 {
     graph_evaluate(&f->l.g, 0, &(evaluation){.x = f->x, .u = f->given, .p = f->m->defaults}, f->numbers);
 }
@@ -65,7 +65,7 @@ static double distance_from_kink(const formulas *f, size_t i)
 static double distance_at(formulas *f, size_t kink, int state, double moved)
 {
     f->x[state] = moved;
-    evaluate(f);
+    evaluate_formulas(f);
     return distance_from_kink(f, kink);
 }
 
@@ -115,7 +115,7 @@ static void slopes_of(formulas *f, double largest[STEEPEST_POINTS])
         const bool is_position = s < f->m->position_count;
         double sum = 0.0;
         f->given[inputs + s] = 1.0;
-        evaluate(f);
+        evaluate_formulas(f);
         f->given[inputs + s] = 0.0;
         for (int i = 0; i < f->count; i++) {
             sum += fabs(f->numbers[f->l.changes[i]]);

@@ -173,7 +173,7 @@ static double size_of_jump(const gift *g, const double *after, const double *bef
     return sum;
 }
 
-static double size_of(const look *l, const gift *g)
+static double size_of_gift(const look *l, const gift *g)
 {
     double sum = 0.0;
     for (int k = g->first; k < g->first + g->count; k++) {
@@ -188,7 +188,7 @@ static void add_step(look *l, bool jumps, const double *after, const double *bef
     static const double rounding = 1e-9;
     for (int i = 0; i < l->gift_count; i++) {
         gift *g = &l->gifts[i];
-        const double size = size_of(l, g), jump = jumps ? size_of_jump(g, after, before) : 0.0;
+        const double size = size_of_gift(l, g), jump = jumps ? size_of_jump(g, after, before) : 0.0;
         if (jump > rounding * size) {
             g->last = jump;
             g->jumps += jump;
@@ -312,7 +312,7 @@ static bool any_switch(const functions *f)
     return any;
 }
 
-static void warn(const source *s, const look *l, int effect)
+static void warn_of_jumps(const source *s, const look *l, int effect)
 {
     const finding *f = &l->worst[effect];
     const name *n = &l->m->effects[effect];
@@ -370,7 +370,7 @@ void switching_check(const source *s, const graph *g, const plant *p)
     }
     for (int i = 0; i < m->effect_count; i++) {
         if (l.worst[i].share > most_share) {
-            warn(s, &l, i);
+            warn_of_jumps(s, &l, i);
         }
     }
     graph_free(&l.plant.g);

@@ -133,7 +133,7 @@ static void shift(graph *g, articulated *b, vector p)
     put_vector(b->bias, ANGULAR, vector_add(g, vector_at(b->bias, ANGULAR), about));
 }
 
-static void join(graph *g, const articulated *from, articulated *to)
+static void add_inertia(graph *g, const articulated *from, articulated *to)
 {
     for (int i = 0; i < SPATIAL; i++) {
         for (int j = 0; j <= i; j++) {
@@ -176,7 +176,7 @@ static void inward(const kinematics *k, const node *effort, articulated *bodies,
         }
         if (l->parent != GROUND) {
             COMPENSATIONTOP(k, i, &bodies[i]);
-            join(k->g, &bodies[i], &bodies[l->parent]);
+            add_inertia(k->g, &bodies[i], &bodies[l->parent]);
         }
     }
 }

@@ -34,7 +34,7 @@ typedef struct outboard {
 } outboard;
 
 /* What a composite body, in unturned axes, adds to its parent. */
-static void join(const kinematics *k, int i, composite unturned, composite *parent)
+static void join_composite(const kinematics *k, int i, composite unturned, composite *parent)
 {
     graph *g = k->g;
     const segment *l = &k->m->segments[i];
@@ -52,7 +52,7 @@ composite composite_of_all(const kinematics *k)
     composite *bodies = segment_composites(k);
     for (int i = k->m->segment_count - 1; i >= 0; i--) {
         const int parent = k->m->segments[i].parent;
-        join(k, i, unturn_composite(k, i, bodies[i]), parent == GROUND ? &ground : &bodies[parent]);
+        join_composite(k, i, unturn_composite(k, i, bodies[i]), parent == GROUND ? &ground : &bodies[parent]);
     }
     return ground;
 }
@@ -106,7 +106,7 @@ static void hang(const kinematics *k, int i, composite unturned, outboard *paren
     graph *g = k->g;
     const segment *l = &k->m->segments[i];
     composite carried = unturned;
-    join(k, i, unturned, &parent->whole);
+    join_composite(k, i, unturned, &parent->whole);
     if (shared_axis(k, i) != 0) {
         const vector axis = axis_of(k, k->m->segments[l->parent].dof);
         const vector along = vector_cross(g, axis, k->motions[i].p);
@@ -114,7 +114,7 @@ static void hang(const kinematics *k, int i, composite unturned, outboard *paren
         parent->swung = vector_add(g, parent->swung, moment);
         carried = (composite){unturned.mass, vector_zero(g), tensor_zero(g)};
     }
-    join(k, i, carried, &parent->turned);
+    join_composite(k, i, carried, &parent->turned);
 }
 
 static void build_rows(const mass_matrix *m)
