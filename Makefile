@@ -82,18 +82,28 @@ help: ## list the commands and the variables; the same as make without a command
 empty :=
 comma := ,
 space := $(empty) $(empty)
+HASH := \#
 quote = '$(subst ','\'',$(1))'
 Q := $(if $(filter 1,$(V)),,@)
-say = @printf '  %-4s %s\n' $(1) $(call quote,$(2))
+say = $(info $(space) $(1)$(if $(filter CC,$(1)),$(space)$(space),$(if $(filter A2L,$(1)),$(space))) $(2))
 
 # What make can see itself starts no process: a recipe that has nothing to do is empty.
 
 # Whether two texts are the same.
 same = $(and $(findstring =$(1)=,=$(2)=),$(findstring =$(2)=,=$(1)=))
 
-# A recipe that leaves its target alone if it holds this line already, so that only a change makes others follow. Make 4.3
-# does not always leave out the end of the line that it reads.
-remember = $(if $(and $(wildcard $@),$(call same,$(1),$(subst $(newline),,$(file <$@)))),,@mkdir -p $(@D) && printf '%s\n' $(call quote,$(1)) >$@)
+# A recipe that leaves its target alone if it holds these lines already, so that only a change makes others follow. Make 4.3
+# does not always leave out the end of the last line that it reads.
+remember = $(if $(and $(wildcard $@),$(call same,$(call unbroken,$(1)),$(call unbroken,$(file <$@)))),,$(call folders,$(@D))$(if \
+    $(IS_DRY),@printf '%s\n' $(subst $(newline),' ',$(call quote,$(1))) >$@,$(file >$@,$(1))))
+unbroken = $(subst $(newline),,$(1))
+
+# Makes the folders that are missing. As text that is no recipe it is nothing.
+folders = $(call make_folders,$(strip $(foreach folder,$(sort $(1)),$(if $(wildcard $(folder)/.),,$(folder)))))
+make_folders = $(if $(1),$(if $(IS_DRY),,$(shell mkdir -p $(1))))
+
+# Whether make only says what it would do: with -n.
+IS_DRY = $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
 
 # The files in PATH of this command, of which a shell runs the first; none where PATH has spaces.
 files_of = $(wildcard $(if $(findstring /,$(1)),$(1),$(addsuffix /$(1),$(subst :, ,$(PATH)))))
@@ -297,22 +307,35 @@ NUMERICS := -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-
 
 # --- Tools on the host -------------------------------------------------------------------------------------------
 
-TOOL_COMPILE := $(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(CFLAGS)
-TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/*/*/*.c))
+TOOL_COMPILE := $(CC) $(WARNINGS) -O1 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(CFLAGS)
+
+# A folder of isoc is compiled as one, by a file that includes all of it: most of what a compiler does is the same for each of
+# them. A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
+ISOC_FOLDERS := $(sort $(patsubst tools/isoc/%/,%,$(dir $(wildcard tools/isoc/*/*.c))))
+ISOC_OBJECTS := $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o) build/obj/tools/isoc/main.o
+TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)
 
 build/obj/tools/flags: always
+	$(call folders,$(patsubst %/,%,$(dir $(TOOL_OBJECTS))))
 	$(call remember,$(TOOL_COMPILE) $(TOOL_OBJECTS))
 
 build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 	$(call require,$(firstword $(CC)),apt-get install gcc)
 	$(call say,CC,$<)
-	@mkdir -p $(@D)
 	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
+
+$(ISOC_FOLDERS:%=build/obj/tools/isoc/%.c): build/obj/tools/isoc/%.c: always
+	$(call remember,$(foreach file,$(sort $(wildcard tools/isoc/$*/*.c)),$(HASH)include "$(file)"$(newline)))
+
+$(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o): build/obj/tools/isoc/%.o: build/obj/tools/isoc/%.c build/obj/tools/flags
+	$(call require,$(firstword $(CC)),apt-get install gcc)
+	$(call say,CC,tools/isoc/$*/*.c)
+	$(Q)$(TOOL_COMPILE) -Wno-shadow -MMD -MP -c $< -o $@
 
 # Frames are read and written by what the plant has for it.
 build/obj/tools/core/%.o: core/%.c build/obj/tools/flags
+	$(call folders,$(@D))
 	$(call say,CC,$<)
-	@mkdir -p $(@D)
 	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
 
 # Isoc has the text of core in it, for plants that stand alone; they need no loop.
@@ -324,14 +347,13 @@ EMBEDDED := $(addprefix build/obj/tools/isoc/,core_files.o effect_files.o client
 build/obj/tools/isoc/core_files.c: $(EMBEDDED_core)
 build/obj/tools/isoc/effect_files.c: $(EMBEDDED_effect)
 build/obj/tools/isoc/client_files.c: $(EMBEDDED_client)
-build/obj/tools/isoc/%_files.c: tools/build/embed.sh
-	@mkdir -p $(@D)
-	$(Q)sh $< $*_files $(EMBEDDED_$*) >$@
+build/obj/tools/isoc/%_files.c: tools/build/embed.awk | build/obj/tools/flags
+	$(Q)awk -f $< $*_files $(EMBEDDED_$*) >$@
 
 $(EMBEDDED): %.o: %.c build/obj/tools/flags
 	$(Q)$(TOOL_COMPILE) -c $< -o $@
 
-build/isoc: $(filter build/obj/tools/isoc/%,$(TOOL_OBJECTS)) $(EMBEDDED) build/obj/tools/flags
+build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/accuracy: $(filter build/obj/tools/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
@@ -368,11 +390,11 @@ RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OB
 
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
+	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(OBJ)/core/xcp/places.o)))
 	$(call remember,$(COMPILE))
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
-	@mkdir -p $(@D)
 	$(Q)$(COMPILE) -MMD -MP -c $< -o $@
 
 -include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d) $(RECORDED_OBJECTS:.o=.d)) \
@@ -399,8 +421,13 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
 folder_of = $(if $(filter run plot link hil size stack ticks a2l,$(1)),$(OUT),$(if $(filter cost,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
-shared = $(TOOLS) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
+shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
     $(OBJ)/core/xcp/places.o)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
+# Of goals that need few of them; the others have all.
+TOOLS_OF_run := $(addprefix build/,isoc trace duration)
+TOOLS_OF_plot := $(TOOLS_OF_run) build/plot
+TOOLS_OF_link := $(TOOLS_OF_run) build/link
+TOOLS_OF_hil := $(TOOLS_OF_link) build/plot
 LOCK_TOOLS := flock realpath
 LOCK_INSTALL := apt-get install util-linux coreutils
 # The status of flock where another has the lock; make ends with none above 2.
@@ -412,15 +439,17 @@ shared: $(SHARED)
 ifeq ($(ISOCHRON_LOCKED),$(MAKECMDGOALS) $(call folder_of,$(MAKECMDGOALS)))
 include tools/build/goals.mk
 else
+# What all share is made with as many jobs as there are processors, unless make was told a number of them.
+JOBS = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc))
 $(GOALS):
 	$(call require,$(LOCK_TOOLS),$(LOCK_INSTALL))
-	$(if $(wildcard $(call folder_of,$@)/.),,@mkdir -p $(call folder_of,$@))
-	@flock build/lock $(MAKE) --no-print-directory shared SHARED='$(call shared,$@)' TARGET=$(TARGET) REAL=$(REAL)
+	$(call folders,$(call folder_of,$@))
+	@$(if $(IS_DRY),,flock build/lock) $(MAKE) --no-print-directory $(JOBS) shared SHARED='$(call shared,$@)' TARGET=$(TARGET) REAL=$(REAL)
 	@export ISOCHRON_LOCKED='$@ $(call folder_of,$@)' ISOCHRON_FOLDER=$(call quote,$(FOLDER) $(SCENE)); \
-	    flock -n -E $(LOCKED) $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@; \
+	    $(if $(IS_DRY),$(MAKE) --no-print-directory $@,flock -n -E $(LOCKED) $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@; \
 	    status=$$?; test $$status -eq $(LOCKED) || exit $$status; \
 	    echo '  WAIT until another make is done in $(call folder_of,$@)' >&2; \
-	    exec flock $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@
+	    exec flock $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@)
 endif
 
 monitor: build/monitor ## build the terminal of measurement and calibration; then: build/monitor A2L tcp:127.0.0.1:5555 (core/xcp)

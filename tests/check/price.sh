@@ -9,7 +9,7 @@ begin check/price
 # --- isoc --without ---
 
 scene=tests/effects/price.scene
-objects=$(find tools/isoc -name '*.c' | sed 's|\(.*\)\.c$|build/obj/\1.o|')
+objects=$(find build/obj/tools/isoc -maxdepth 1 -name '*.o' ! -name '*_files.o')
 
 # lacking NAME KIND...: $out/NAME/isoc, whose library has not the files of these kinds.
 lacking()
@@ -22,7 +22,7 @@ lacking()
         files=$(echo "$files" | grep -v "/$kind\.scene$")
     done
     # shellcheck disable=SC2086
-    sh tools/build/embed.sh effect_files $files >"$out/$lacking_name/effect_files.c" &&
+    awk -f tools/build/embed.awk effect_files $files >"$out/$lacking_name/effect_files.c" &&
         $CC -std=c11 -I. -c "$out/$lacking_name/effect_files.c" -o "$out/$lacking_name/effect_files.o" &&
         $CC $objects build/obj/tools/isoc/core_files.o build/obj/tools/isoc/client_files.o "$out/$lacking_name/effect_files.o" -o "$out/$lacking_name/isoc" -lm
 }

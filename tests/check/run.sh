@@ -148,6 +148,80 @@ refuses 'needs a Jacobian, and this plant has none' SCENE="$PWD/$out/elsewhere/s
 run SCENE="$PWD/$out/elsewhere/simple.c" METHOD=heun SECONDS=1
 expect $? "a plant without a Jacobian runs with a method that needs none"
 
+# What `make run` starts. Each program notes that it was started, but for those of a compiler: in its place stands one that
+# counts them, and takes objects of the tools from where they are compiled already.
+cat >"$out/note.c" <<'C'
+#include <fcntl.h>
+#include <stdlib.h>
+#include <unistd.h>
+__attribute__((constructor)) static void note(void)
+{
+    const int file = open(getenv("STARTS"), O_WRONLY | O_APPEND | O_CREAT, 0666);
+    if (write(file, "program\n", 8) != 8 || close(file) != 0) {
+        abort();
+    }
+}
+C
+$CC -shared -fPIC "$out/note.c" -o "$out/note.so"
+compiler=${CC%% *}
+mkdir -p "$out/counted"
+cat >"$out/counted/${compiler##*/}" <<END
+#!/bin/sh
+unset LD_PRELOAD
+for argument; do
+    [ "\$before" != -o ] || output=\$argument
+    before=\$argument
+done
+# Beside it cc1 and as; or collect2 and ld.
+printf 'program\nprogram\n' >>"\$STARTS"
+case \$output in
+build/obj/tools/*.o)
+    echo compilation >>"\$STARTS"
+    cp "$PWD/\$output" "\$output" && { test ! -e "$PWD/\${output%.o}.d" || cp "$PWD/\${output%.o}.d" "\${output%.o}.d"; }
+    exit
+    ;;
+*.o) echo compilation >>"\$STARTS" ;;
+esac
+exec "$(command -v "$compiler")" "\$@"
+END
+chmod +x "$out/counted/${compiler##*/}"
+
+# starts PROGRAMS COMPILATIONS ARGUMENT...: make run starts at most so many.
+starts()
+{
+    most_programs=$1
+    most_compilations=$2
+    shift 2
+    rm -f "$out/starts"
+    (
+        PATH=$PWD/$out/counted:$PATH
+        export STARTS="$PWD/$out/starts" LD_PRELOAD="$PWD/$out/note.so"
+        call run SECONDS=0.1 "$@"
+    ) || return
+    programs=$(grep -c '^program' "$out/starts")
+    compilations=$(grep -c '^compilation' "$out/starts")
+    echo "# $programs programs, $compilations compilations"
+    [ "$programs" -gt 5 ] && [ "$programs" -le "$most_programs" ] && [ "$compilations" -le "$most_compilations" ]
+}
+
+rm -rf "$out/project/build"
+starts 160 40
+expect $? "the first make run starts at most 160 programs, and compiles at most 40 units"
+starts 20 0
+expect $? "the second one starts at most 20, and compiles nothing"
+! starts 20 0 REAL=double && [ "$compilations" -gt 0 ]
+expect $? "found: more than that, where something is to be built"
+rm -rf "$out/project/build"
+sed -i '/^TOOLS_OF_run/d' "$out/project/Makefile"
+! starts 160 40 && [ "$programs" -gt 160 ]
+expect $? "found: a first make run that builds tools that it does not use"
+cp Makefile "$out/project/Makefile"
+
+# With -n it builds nothing, not even what it would need to say what it would do.
+rm -rf "$out/project/build"
+call -n run && grep -q '^build/isoc ' "$out/output" && grep -q '^build/trace ' "$out/output" && [ ! -e "$out/project/build" ]
+expect $? "make -n run in a project that has nothing built: it says all, and builds nothing"
+
 # A machine without the cross compiler or the emulator: all tools but those that the target needs.
 mkdir -p "$out/bin"
 IFS=:

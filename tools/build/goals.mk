@@ -3,7 +3,8 @@
 # --- What was chosen ---------------------------------------------------------------------------------------------
 
 # Times come as a number with a unit. The step of a plant in C is checked here, that of a scene by build/isoc.
-duration = $(shell build/duration $(1) $(call quote,$(2)) $(3) $(4))
+# With -n the tool may not be there yet.
+duration = $(if $(wildcard build/duration),$(shell build/duration $(1) $(call quote,$(2)) $(3) $(4)),$(2))
 NANOSECONDS := $(call duration,ns,$(SECONDS),1,1e18)
 ifeq ($(NANOSECONDS),)
 $(error SECONDS=$(SECONDS) is no time to run; it could be 10 or 0.5)
@@ -46,7 +47,7 @@ endif
 PROGRAM := $(OUT)/$(NAME)$(PORT_SUFFIX)
 
 # What a scene says, with the files that it includes, or a plant in C.
-says = $(if $(filter %.c,$(SCENE_FILE)),cksum <$(call quote,$(SCENE)),build/isoc $(call quote,$(SCENE)) --files | while \
+says = $(if $(filter %.c,$(SCENE_FILE)),cksum <$(call quote,$(SCENE)),test ! -e build/isoc || build/isoc $(call quote,$(SCENE)) --files | while \
     IFS= read -r file; do cksum <"$$file" 2>&1; done)
 
 # The scene by its path and by what it says; not by its date, since its path may hold what make cannot.

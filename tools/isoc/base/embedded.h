@@ -1,4 +1,4 @@
-/* Files of the project that isoc has in it, so that it works alone; tools/build/embed.sh writes them down. */
+/* Files of the project that isoc has in it, so that it works alone; tools/build/embed.awk writes them down. */
 #ifndef ISOC_BASE_EMBEDDED_H
 #define ISOC_BASE_EMBEDDED_H
 
