@@ -312,7 +312,7 @@ TOOL_COMPILE := $(CC) $(WARNINGS) -O1 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DIS
 # A folder of isoc is compiled as one, by a file that includes all of it: most of what a compiler does is the same for each of
 # them. A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
 ISOC_FOLDERS := $(sort $(patsubst tools/isoc/%/,%,$(dir $(wildcard tools/isoc/*/*.c))))
-ISOC_OBJECTS := $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o) build/obj/tools/isoc/main.o
+ISOC_OBJECTS := $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o) $(patsubst %.c,build/obj/%.o,$(wildcard tools/isoc/*.c))
 TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)
 
 build/obj/tools/flags: always
