@@ -15,8 +15,8 @@ bool complain(const char *message, const char *argument)
 
 bool request_fits(const request *r, const mechanism *m)
 {
-    if (r->tolerance != NULL && !ISO_IS(m->recipe, ISO_ADAMS)) {
-        return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m->recipe)]);
+    if (r->tolerance != NULL && !ISO_IS(m->method.recipe, ISO_ADAMS)) {
+        return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m->method.recipe)]);
     }
     if (!r->draws && r->wanted.formulation != FORMULATIONS && !formulation_fits(m, r->wanted.formulation)) {
         return complain(m->closure_count > 0 ? "closed loops have no such formulation:"

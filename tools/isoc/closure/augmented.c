@@ -120,11 +120,11 @@ static double regularisation(const augmented *a)
 {
     const mechanism *m = a->mass->k->m;
     graph *g = a->mass->k->g;
-    if (!m->is_redundant || m->penalty > 0.0) {
-        return m->is_redundant ? 1.0 / m->penalty : 0.0;
+    if (!m->drift.is_redundant || m->drift.penalty > 0.0) {
+        return m->drift.is_redundant ? 1.0 / m->drift.penalty : 0.0;
     }
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers), sum = 0.0;
-    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->defaults};
+    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->parameters.defaults};
     graph_evaluate(g, 0, &at, numbers);
     for (int r = 0; r < a->held.count; r++) {
         sum += numbers[a->schur[r * a->held.count + r]];
@@ -135,8 +135,8 @@ static double regularisation(const augmented *a)
 node demand_of(graph *g, const mechanism *m, const constraint *c)
 {
     const bool in_speed = is_zero(g, c->position);
-    const node damping = constant(g, in_speed ? m->alpha : 2.0 * m->alpha);
-    const node square_beta = constant(g, m->beta * m->beta);
+    const node damping = constant(g, in_speed ? m->drift.alpha : 2.0 * m->drift.alpha);
+    const node square_beta = constant(g, m->drift.beta * m->drift.beta);
     const node damped = mul(g, damping, c->rate), drawn = mul(g, square_beta, c->position);
     return add(g, c->bias, add(g, damped, drawn));
 }
@@ -194,7 +194,7 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
     for (int r = 0; r < n; r++) {
         a.multipliers[r] = constant(g, 0.0);
     }
-    for (int i = 0; i < m->multiplier_iterations; i++) {
+    for (int i = 0; i < m->drift.multiplier_iterations; i++) {
         solve(&a, delta);
         for (int r = 0; r < n; r++) {
             a.multipliers[r] = add(g, a.multipliers[r], delta[r]);

@@ -132,7 +132,7 @@ static node distance_at_start(const pair *p)
     graph *g = p->k->g;
     const mechanism *m = p->k->m;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers), square = 0.0;
-    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->defaults};
+    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->parameters.defaults};
     graph_evaluate(g, 0, &at, numbers);
     for (int i = 0; i < 3; i++) {
         square += numbers[p->apart.at[i]] * numbers[p->apart.at[i]];

@@ -28,15 +28,15 @@ node account_energy(const dynamics *d)
     for (int i = 0; i < m->segment_count; i++) {
         sum = add(g, sum, energy_of_segment(d, i));
     }
-    for (int i = 0; i < m->point_spring_count; i++) {
-        sum = add(g, sum, spring_energy(g, &m->point_springs[i], &d->springs[i]));
+    for (int i = 0; i < m->forces.spring_count; i++) {
+        sum = add(g, sum, spring_energy(g, &m->forces.springs[i], &d->springs[i]));
     }
-    for (int i = 0; i < m->effect_count; i++) {
-        stored = add(g, stored, m->accounts[i].stored);
+    for (int i = 0; i < m->effects.count; i++) {
+        stored = add(g, stored, m->effects.accounts[i].stored);
     }
     /* V = -g . (the first moment of everything about the ground's origin) */
     const composite all = composite_of_all(&d->k);
-    return add(g, sub(g, sum, vector_dot(g, m->gravity, all.ms)), stored);
+    return add(g, sub(g, sum, vector_dot(g, m->forces.gravity, all.ms)), stored);
 }
 
 /* How a node changes in the motion. */
@@ -97,20 +97,20 @@ node account_power(const dynamics *d)
     for (int f = 0; f < m->dof_count; f++) {
         sum = add(g, sum, power_of_joint(d, f));
     }
-    for (int i = 0; i < m->point_spring_count; i++) {
+    for (int i = 0; i < m->forces.spring_count; i++) {
         const node rate = d->springs[i].rate;
-        sum = sub(g, sum, mul(g, mul(g, m->point_springs[i].damping, rate), rate));
+        sum = sub(g, sum, mul(g, mul(g, m->forces.springs[i].damping, rate), rate));
     }
-    for (int i = 0; i < m->applied_force_count; i++) {
-        if (m->applied_forces[i].drive >= 0) {
-            sum = add(g, sum, power_of_force(d, &m->applied_forces[i]));
+    for (int i = 0; i < m->forces.applied_count; i++) {
+        if (m->forces.applied[i].drive >= 0) {
+            sum = add(g, sum, power_of_force(d, &m->forces.applied[i]));
         }
     }
     for (int r = 0; r < d->loops.held.count; r++) {
         sum = add(g, sum, power_of_constraint(d, r));
     }
-    for (int i = 0; i < m->effect_count; i++) {
-        sum = add(g, sum, power_of_effect(d, &m->accounts[i]));
+    for (int i = 0; i < m->effects.count; i++) {
+        sum = add(g, sum, power_of_effect(d, &m->effects.accounts[i]));
     }
     return sum;
 }

@@ -134,7 +134,7 @@ static bool close_speeds(const assembly *a)
     }
     choose_free(a, true, true);
     const gap left = closing_run(&a->c, true, a->is_free);
-    if (left.rank == left.all || a->m->is_redundant) {
+    if (left.rank == left.all || a->m->drift.is_redundant) {
         return true;
     }
     const place at = a->m->closures[a->held->all[a->held->count - 1].closure].at;

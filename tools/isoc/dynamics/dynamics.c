@@ -23,8 +23,8 @@ void efforts_less(const dynamics *d, const node *bias, node *effort)
         effort[f] = l->drive < 0 ? constant(g, 0.0) : leaf(g, OP_INPUT, l->drive);
         effort[f] = sub(g, effort[f], mul(g, l->damping, now->qd[f - l->dof]));
         effort[f] = sub(g, effort[f], mul(g, l->spring, sub(g, now->q[0], l->rest)));
-        effort[f] = add(g, effort[f], d->m->efforts[f]);
-        for (int i = 0; i < d->m->point_spring_count; i++) {
+        effort[f] = add(g, effort[f], d->m->effects.efforts[f]);
+        for (int i = 0; i < d->m->forces.spring_count; i++) {
             effort[f] = sub(g, effort[f], mul(g, d->springs[i].by_length, d->springs[i].row[f]));
         }
         effort[f] = graph_name(g, sub(g, effort[f], bias[f]), "tau_%s", d->m->dofs[f].name);

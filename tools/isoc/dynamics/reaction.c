@@ -59,7 +59,7 @@ static wrench closure_on_segment(const dynamics *d, int index, int i)
 static wrench spring_on_body(const dynamics *d, int index, int which)
 {
     graph *g = d->g;
-    const point_spring *s = &d->m->point_springs[index];
+    const point_spring *s = &d->m->forces.springs[index];
     const bool is_second = s->second.body == which;
     const closure_end *end = is_second ? &s->second : &s->first;
     const vector on_second = spring_force(g, &d->springs[index]);
@@ -73,13 +73,13 @@ static wrench acting(const dynamics *d, int index)
     graph *g = d->g;
     const mechanism *m = d->m;
     wrench sum = {vector_zero(g), vector_zero(g)};
-    for (int i = 0; i < m->applied_force_count; i++) {
-        if (m->applied_forces[i].body == index) {
-            sum = wrench_add(g, sum, wrench_of_applied_force(g, &m->applied_forces[i]));
+    for (int i = 0; i < m->forces.applied_count; i++) {
+        if (m->forces.applied[i].body == index) {
+            sum = wrench_add(g, sum, wrench_of_applied_force(g, &m->forces.applied[i]));
         }
     }
-    for (int i = 0; i < m->point_spring_count; i++) {
-        if (m->point_springs[i].second.body == index || m->point_springs[i].first.body == index) {
+    for (int i = 0; i < m->forces.spring_count; i++) {
+        if (m->forces.springs[i].second.body == index || m->forces.springs[i].first.body == index) {
             sum = wrench_add(g, sum, spring_on_body(d, i, index));
         }
     }
@@ -104,16 +104,16 @@ static wrench borne(const dynamics *d, const acceleration *accelerations, int in
 {
     graph *g = d->g;
     const mechanism *m = d->m;
-    const int on = m->frames[index].segment;
+    const int on = m->bodies.frames[index].segment;
     const vector zero = vector_zero(g);
-    const acceleration resting = {zero, vector_sub(g, zero, m->gravity)};
+    const acceleration resting = {zero, vector_sub(g, zero, m->forces.gravity)};
     const vector omega = on == GROUND ? zero : d->k.motions[on].omega;
-    wrench sum = wrench_of_motion(g, m->members[index].own, omega, on == GROUND ? resting : accelerations[on]);
+    wrench sum = wrench_of_motion(g, m->bodies.members[index].own, omega, on == GROUND ? resting : accelerations[on]);
     sum = wrench_sub(g, sum, acting(d, index));
-    for (int child = 0; child < m->body_count; child++) {
-        if (m->members[child].parent == index) {
+    for (int child = 0; child < m->bodies.count; child++) {
+        if (m->bodies.members[child].parent == index) {
             wrench w = borne(d, accelerations, child);
-            for (int i = m->frames[child].segment; i != on; i = m->segments[i].parent) {
+            for (int i = m->bodies.frames[child].segment; i != on; i = m->segments[i].parent) {
                 w = wrench_to_parent(&d->k, i, w);
             }
             sum = wrench_add(g, sum, w);
@@ -131,12 +131,12 @@ static wrench to_ground(const dynamics *d, int i, wrench w)
 wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int index)
 {
     graph *g = d->g;
-    const member *child = &d->m->members[index];
+    const member *child = &d->m->bodies.members[index];
     wrench w = borne(d, accelerations, index);
     w.moment = vector_sub(g, w.moment, vector_cross(g, child->hinge, w.force));
     vector_name(g, w.force, "reaction", child->joint);
     vector_name(g, w.moment, "reaction_moment", child->joint);
-    return to_ground(d, d->m->frames[index].segment, w);
+    return to_ground(d, d->m->bodies.frames[index].segment, w);
 }
 
 wrench closure_reaction(const dynamics *d, int index)

@@ -16,8 +16,8 @@ static node *build_efforts(graph *g, const dynamics *d)
     for (int i = 0; i < m->segment_count; i++) {
         wrenches[i] = none;
     }
-    for (int i = 0; i < m->applied_force_count; i++) {
-        const applied_force *f = &m->applied_forces[i];
+    for (int i = 0; i < m->forces.applied_count; i++) {
+        const applied_force *f = &m->forces.applied[i];
         if (f->drive < 0) {
             wrenches[f->segment] = wrench_sub(g, wrenches[f->segment], wrench_of_applied_force(g, f));
         }
@@ -90,7 +90,7 @@ const mass_matrix *resistance_build(graph *g, const dynamics *d)
 {
     const mechanism *m = d->m;
     const int n = m->dof_count;
-    const double hb = method_step(m) * implicit_part(g->memory, m->recipe);
+    const double hb = method_step(m) * implicit_part(g->memory, m->method.recipe);
     if (hb == 0.0) {
         return &d->mass;
     }

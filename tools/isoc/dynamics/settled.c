@@ -109,9 +109,9 @@ static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, 
 settled settled_build(graph *g, const dynamics *d)
 {
     const mechanism *m = d->m;
-    const bool projected = m->projections > 0 && d->loops.held.count > 0;
+    const bool projected = m->drift.projections > 0 && d->loops.held.count > 0;
     const size_t states = (size_t)state_count(m), n = (size_t)m->dof_count;
-    settled result = {.adds = ISO_IS_COMPENSATED(m->recipe)};
+    settled result = {.adds = ISO_IS_COMPENSATED(m->method.recipe)};
     result.states = arena_take(g->memory, states, sizeof *result.states);
     result.values = arena_take(g->memory, states, sizeof *result.values);
     node *moved = arena_take(g->memory, n, sizeof *moved), *sped = arena_take(g->memory, n, sizeof *sped);

@@ -31,13 +31,13 @@ stretched *springs_build(const kinematics *k)
 {
     graph *g = k->g;
     const mechanism *m = k->m;
-    stretched *result = arena_take(g->memory, (size_t)m->point_spring_count + 1, sizeof *result);
+    stretched *result = arena_take(g->memory, (size_t)m->forces.spring_count + 1, sizeof *result);
     acceleration *still = arena_take(g->memory, (size_t)m->segment_count, sizeof *still);
     for (int i = 0; i < m->segment_count; i++) {
         still[i] = (acceleration){vector_zero(g), vector_zero(g)};
     }
-    for (int i = 0; i < m->point_spring_count; i++) {
-        result[i] = build_one(k, &m->point_springs[i], still);
+    for (int i = 0; i < m->forces.spring_count; i++) {
+        result[i] = build_one(k, &m->forces.springs[i], still);
     }
     return result;
 }

@@ -27,7 +27,7 @@ static bool needs_accelerations(effect_scope *w, const node *roots, size_t count
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
         const bool is_query =
-            n->op == OP_POINT_QUERY && asks_for_acceleration(w->b->mechanism.point_queries[n->index / 3].kind);
+            n->op == OP_POINT_QUERY && asks_for_acceleration(w->b->mechanism.queries.points[n->index / 3].kind);
         found = found || (needed[i] && (is_query || n->op == OP_DERIVATIVE));
     }
     return found;
@@ -84,7 +84,7 @@ static void do_rate(effect_scope *w, const instance *in, const effect_line *line
     if (e != NULL && line->value != NULL) {
         dimension rate = line_value(w, in, e).of;
         dimension_times(&rate, second, -1);
-        effect_quantity *result = &w->b->mechanism.effect_states[in->places[e - in->kind->lines]];
+        effect_quantity *result = &w->b->mechanism.effects.states[in->places[e - in->kind->lines]];
         const value found = value_like(w, in, line, e->parts, rate, "the rate of");
         for (int i = 0; i < e->parts; i++) {
             result[i].effect = number_of(w, in);
@@ -102,8 +102,8 @@ static void do_next(effect_scope *w, const instance *in, const effect_line *line
         const value found = value_like(w, in, line, e->parts, same, "the next");
         for (int i = 0; i < e->parts; i++) {
             const int at = in->places[e - in->kind->lines] + i;
-            w->b->mechanism.memories[at].next =
-                in->use->dropped ? leaf(w->b->g, OP_INPUT, w->b->mechanism.input_count + at) : found.parts[i];
+            w->b->mechanism.effects.memories[at].next =
+                in->use->dropped ? leaf(w->b->g, OP_INPUT, w->b->mechanism.inputs.count + at) : found.parts[i];
         }
     }
 }
@@ -120,9 +120,9 @@ static void do_effort(effect_scope *w, const instance *in, const effect_line *li
         if (in->use->dropped) {
             return;
         }
-        node *sum = &w->b->mechanism.efforts[w->b->mechanism.segments[l].dof];
+        node *sum = &w->b->mechanism.effects.efforts[w->b->mechanism.segments[l].dof];
         *sum = add(g, *sum, added);
-        w->b->mechanism.effort_parts[w->b->mechanism.effort_part_count++] =
+        w->b->mechanism.effects.pushes[w->b->mechanism.effects.push_count++] =
             (effect_effort){number_of(w, in), w->b->mechanism.segments[l].dof, added};
         const node speed = leaf(g, OP_STATE, w->b->mechanism.position_count + w->b->mechanism.segments[l].dof);
         in->account->power = add(g, in->account->power, mul(g, added, speed));
@@ -150,7 +150,7 @@ static int body_of(effect_scope *w, name n, vector *point)
     if (!find_point(w, n.text, &which, point)) {
         source_problem(w->b->s, n.at, "this effect has no body '%s'", n.text);
     }
-    return which >= 0 && w->b->mechanism.frames[which].placed ? which : -1;
+    return which >= 0 && w->b->mechanism.bodies.frames[which].placed ? which : -1;
 }
 
 /* The body that a frame stands on, or the body itself. */
@@ -168,7 +168,7 @@ static void push(effect_scope *w, const instance *in, int which, vector point, c
 {
     graph *g = w->b->g;
     mechanism *m = &w->b->mechanism;
-    const body_frame *frame = &m->frames[which];
+    const body_frame *frame = &m->bodies.frames[which];
     if (frame->segment == GROUND) {
         return;
     }
@@ -189,7 +189,7 @@ static void push(effect_scope *w, const instance *in, int which, vector point, c
     if (!f.in_ground) {
         *to = matrix_apply(g, frame->turn, *to);
     }
-    m->applied_forces[m->applied_force_count++] = f;
+    m->forces.applied[m->forces.applied_count++] = f;
 }
 
 /* A force or a moment on a body, and the opposite one on another. */

@@ -36,25 +36,25 @@ void count_effects(builder *b)
 {
     mechanism *m = &b->mechanism;
     arena *memory = b->s->memory;
-    m->first_effect_state = m->position_count;
-    m->effect_state_count = count_all(b->written, EFFECT_STATE);
-    m->memory_count = count_all(b->written, EFFECT_MEMORY);
-    m->position_count += m->effect_state_count;
-    m->effect_states = arena_take(memory, (size_t)m->effect_state_count + 1, sizeof *m->effect_states);
-    b->memory_room = (size_t)m->memory_count + 1;
-    m->memories = arena_take(memory, b->memory_room, sizeof *m->memories);
-    m->efforts = arena_take(memory, (size_t)m->dof_count + 1, sizeof *m->efforts);
+    m->effects.first_state = m->position_count;
+    m->effects.state_count = count_all(b->written, EFFECT_STATE);
+    m->effects.memory_count = count_all(b->written, EFFECT_MEMORY);
+    m->position_count += m->effects.state_count;
+    m->effects.states = arena_take(memory, (size_t)m->effects.state_count + 1, sizeof *m->effects.states);
+    b->memory_room = (size_t)m->effects.memory_count + 1;
+    m->effects.memories = arena_take(memory, b->memory_room, sizeof *m->effects.memories);
+    m->effects.efforts = arena_take(memory, (size_t)m->dof_count + 1, sizeof *m->effects.efforts);
     const int parts = count_all(b->written, EFFECT_EFFORT);
-    m->effort_parts = arena_take(memory, (size_t)parts + 1, sizeof *m->effort_parts);
-    m->effect_count = (int)b->written->effect_count;
-    m->effects = arena_take(memory, b->written->effect_count + 1, sizeof *m->effects);
-    m->accounts = arena_take(memory, b->written->effect_count + 1, sizeof *m->accounts);
-    for (int i = 0; i < m->effect_count; i++) {
+    m->effects.pushes = arena_take(memory, (size_t)parts + 1, sizeof *m->effects.pushes);
+    m->effects.count = (int)b->written->effect_count;
+    m->effects.names = arena_take(memory, b->written->effect_count + 1, sizeof *m->effects.names);
+    m->effects.accounts = arena_take(memory, b->written->effect_count + 1, sizeof *m->effects.accounts);
+    for (int i = 0; i < m->effects.count; i++) {
         const node zero = constant(b->g, 0.0);
-        m->effects[i] = b->written->effects[i].name;
-        m->accounts[i] = (effect_account){.power = zero, .stored = zero, .loss = zero, .work = zero};
+        m->effects.names[i] = b->written->effects[i].name;
+        m->effects.accounts[i] = (effect_account){.power = zero, .stored = zero, .loss = zero, .work = zero};
     }
     for (int f = 0; f < m->dof_count; f++) {
-        m->efforts[f] = constant(b->g, 0.0);
+        m->effects.efforts[f] = constant(b->g, 0.0);
     }
 }

@@ -10,7 +10,7 @@ typedef struct kinds_read {
 
 static bool is_delay(const mechanism *m, int input)
 {
-    return input >= m->input_count && m->memories[input - m->input_count].kept == KEPT_DELAY;
+    return input >= m->inputs.count && m->effects.memories[input - m->inputs.count].kept == KEPT_DELAY;
 }
 
 /* A delay is as what it is of: of delays one after the other, at most all of them. */
@@ -27,10 +27,10 @@ static kinds_read reads(const builder *b, node root, int depth)
             (n->op != OP_STATE && n->op != OP_POINT_QUERY && n->op != OP_DERIVATIVE && n->op != OP_INPUT)) {
             continue;
         }
-        if (n->op == OP_INPUT && is_delay(m, n->index) && depth < m->memory_count) {
-            const kinds_read k = reads(b, m->memories[n->index - m->input_count].next, depth + 1);
+        if (n->op == OP_INPUT && is_delay(m, n->index) && depth < m->effects.memory_count) {
+            const kinds_read k = reads(b, m->effects.memories[n->index - m->inputs.count].next, depth + 1);
             found = (kinds_read){found.moving || k.moving, found.held || k.held};
-        } else if (n->op == OP_INPUT && !(n->index < m->input_count && m->smooth[n->index])) {
+        } else if (n->op == OP_INPUT && !(n->index < m->inputs.count && m->inputs.smooth[n->index])) {
             found.held = true;
         } else {
             found.moving = true;
@@ -56,22 +56,22 @@ static void mark_reached(const graph *g, const node *roots, size_t count, bool *
 static void mark_equations(const builder *b, bool *marked)
 {
     const mechanism *m = &b->mechanism;
-    mark_reached(b->g, m->efforts, (size_t)m->dof_count, marked);
-    for (int i = 0; i < m->applied_force_count; i++) {
-        if (m->applied_forces[i].drive < 0) {
-            mark_reached(b->g, m->applied_forces[i].force.at, 3, marked);
-            mark_reached(b->g, m->applied_forces[i].moment.at, 3, marked);
+    mark_reached(b->g, m->effects.efforts, (size_t)m->dof_count, marked);
+    for (int i = 0; i < m->forces.applied_count; i++) {
+        if (m->forces.applied[i].drive < 0) {
+            mark_reached(b->g, m->forces.applied[i].force.at, 3, marked);
+            mark_reached(b->g, m->forces.applied[i].moment.at, 3, marked);
         }
     }
-    for (int i = 0; i < m->effect_state_count; i++) {
-        mark_reached(b->g, &m->effect_states[i].next, 1, marked);
+    for (int i = 0; i < m->effects.state_count; i++) {
+        mark_reached(b->g, &m->effects.states[i].next, 1, marked);
     }
 }
 
 /* Whether steps have samples: those of one length, by one method. */
 static bool has_samples(const mechanism *m)
 {
-    return m->parts == 1 && m->fast_substeps == 0 && m->policies.rung_count == 0;
+    return m->method.parts == 1 && m->effects.fast_substeps == 0 && m->policies.rung_count == 0;
 }
 
 void build_delays(builder *b)
@@ -79,25 +79,25 @@ void build_delays(builder *b)
     mechanism *m = &b->mechanism;
     bool *smooth = arena_take(b->s->memory, (size_t)held_count(m) + 1, sizeof *smooth);
     bool *read = arena_take(b->s->memory, (size_t)held_count(m) + 1, sizeof *read);
-    const unsigned with_samples = m->recipe | ISO_SMOOTH;
-    m->sampled_count = m->input_count;
-    for (int i = 0; i < m->input_count; i++) {
-        smooth[i] = m->smooth[i];
+    const unsigned with_samples = m->method.recipe | ISO_SMOOTH;
+    m->inputs.sampled_count = m->inputs.count;
+    for (int i = 0; i < m->inputs.count; i++) {
+        smooth[i] = m->inputs.smooth[i];
     }
     mark_equations(b, read);
-    for (int i = m->input_count; i < held_count(m); i++) {
+    for (int i = m->inputs.count; i < held_count(m); i++) {
         if (!read[i] || !is_delay(m, i)) {
             continue;
         }
-        effect_quantity *e = &m->memories[i - m->input_count];
+        effect_quantity *e = &m->effects.memories[i - m->inputs.count];
         const kinds_read kinds = reads(b, e->next, 0);
         const bool is_sampled = kinds.moving && !kinds.held && has_samples(m);
         e->lags = kinds.moving && !is_sampled;
         smooth[i] = is_sampled && ISO_DEGREE(with_samples) > 0;
         if (smooth[i]) {
-            m->recipe = with_samples;
-            m->sampled_count = held_count(m);
+            m->method.recipe = with_samples;
+            m->inputs.sampled_count = held_count(m);
         }
     }
-    m->smooth = smooth;
+    m->inputs.smooth = smooth;
 }

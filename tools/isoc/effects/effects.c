@@ -151,7 +151,7 @@ static effect_scope *effect_scope_of(builder *b)
     w->signal_progress = arena_take(memory, b->written->signal_count + 1, sizeof *w->signal_progress);
     for (size_t i = 0; i < b->written->effect_count; i++) {
         w->all[i].use = &b->written->effects[i];
-        w->all[i].account = &b->mechanism.accounts[i];
+        w->all[i].account = &b->mechanism.effects.accounts[i];
     }
     return w;
 }

@@ -20,7 +20,8 @@ static double ticks_of(effect_scope *w, const formula *f, bool is_sample)
         return 1.0;
     }
     const size_t before = s->problem_count;
-    const double ticks = value_constant(&w->b->values, f->parts[1], second, "the time", 0.0) / w->b->mechanism.step;
+    const double ticks =
+        value_constant(&w->b->values, f->parts[1], second, "the time", 0.0) / w->b->mechanism.method.step;
     if (s->problem_count > before) {
         return 0.0;
     }
@@ -45,11 +46,12 @@ static int add_history_memory(effect_scope *w, const formula *f, node start, dim
 {
     builder *b = w->b;
     mechanism *whole = &b->mechanism;
-    const size_t count = (size_t)whole->memory_count;
-    whole->memories = arena_grow(b->s->memory, whole->memories, count, &b->memory_room, sizeof *whole->memories);
+    const size_t count = (size_t)whole->effects.memory_count;
+    whole->effects.memories =
+        arena_grow(b->s->memory, whole->effects.memories, count, &b->memory_room, sizeof *whole->effects.memories);
     b->history_memories = arena_grow(b->s->memory, b->history_memories, b->history_memory_count,
                                      &b->history_memory_room, sizeof *b->history_memories);
-    effect_quantity *m = &whole->memories[count];
+    effect_quantity *m = &whole->effects.memories[count];
     *m = (effect_quantity){.begin = start < 0 ? constant(b->g, 0.0) : start, .at = f->at};
     m->next = m->begin;
     m->about =
@@ -61,8 +63,8 @@ static int add_history_memory(effect_scope *w, const formula *f, node start, dim
     m->kept = f->name[0] == 's' ? KEPT_SAMPLE : f->name[0] == 'd' ? KEPT_DELAY : KEPT_PREVIOUS;
     m->ticks = ticks;
     b->history_memories[b->history_memory_count++] =
-        (history_memory){f, w->within, whole->memory_count, expected, start >= 0, false};
-    return whole->memory_count++;
+        (history_memory){f, w->within, whole->effects.memory_count, expected, start >= 0, false};
+    return whole->effects.memory_count++;
 }
 
 value history_memory_value(void *context, const formula *f)
@@ -75,7 +77,7 @@ value history_memory_value(void *context, const formula *f)
         const history_memory *p = &b->history_memories[i];
         if (p->of == f && p->within == w->within) {
             return (value){
-                .count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.input_count + p->memory)}, .of = p->in};
+                .count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.inputs.count + p->memory)}, .of = p->in};
         }
     }
     const double ticks = ticks_of(w, f, f->name[0] == 's');
@@ -88,12 +90,12 @@ value history_memory_value(void *context, const formula *f)
         source_problem(b->s, f->parts[at_start]->at, "the start of a %s must be a constant", f->name);
         return nothing;
     }
-    if (b->mechanism.memory_count + b->mechanism.input_count >= MOST_MEMORIES) {
+    if (b->mechanism.effects.memory_count + b->mechanism.inputs.count >= MOST_MEMORIES) {
         source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
         return nothing;
     }
     const int memory = add_history_memory(w, f, has_start ? first.parts[0] : -1, first.of, ticks);
-    return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.input_count + memory)}, .of = first.of};
+    return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.inputs.count + memory)}, .of = first.of};
 }
 
 void finish_history_memories(builder *b)
@@ -114,7 +116,7 @@ void finish_history_memories(builder *b)
             source_problem(b->s, p.of->parts[0]->at, "a %s that starts with %s is of the same; this %s", p.of->name,
                            dimension_text(b->s->memory, p.in), dimension_phrase(b->s->memory, found.of));
         }
-        effect_quantity *kept = &b->mechanism.memories[p.memory];
+        effect_quantity *kept = &b->mechanism.effects.memories[p.memory];
         kept->next = found.parts[0];
         kept->begin = p.has_start ? kept->begin : found.parts[0];
     }

@@ -64,8 +64,9 @@ static void note_derived(effect_scope *w, const instance *in, const effect_line 
 {
     mechanism *m = &w->b->mechanism;
     arena *memory = w->b->s->memory;
-    m->derived = arena_grow(memory, m->derived, (size_t)m->derived_count, &m->derived_room, sizeof *m->derived);
-    effect_quantity *next = &m->derived[m->derived_count++];
+    m->effects.derived = arena_grow(memory, m->effects.derived, (size_t)m->effects.derived_count,
+                                    &m->effects.derived_room, sizeof *m->effects.derived);
+    effect_quantity *next = &m->effects.derived[m->effects.derived_count++];
     *next = (effect_quantity){.next = found.parts[0], .at = in->use->name.at};
     next->about.name = arena_format(memory, "%s.%s", in->use->name.text, line->name.text);
     next->about.unit = dimension_unit(memory, found.of);
@@ -148,9 +149,9 @@ static value new_value(effect_scope *w, const instance *in, const effect_line *l
     case EFFECT_FAULT:
         return (value){.count = 1, .parts = {leaf(g, OP_PARAMETER, at)}};
     case EFFECT_STATE:
-        return begun(w, in, line, &m->effect_states[at], OP_STATE, m->first_effect_state + at);
+        return begun(w, in, line, &m->effects.states[at], OP_STATE, m->effects.first_state + at);
     case EFFECT_MEMORY:
-        return begun(w, in, line, &m->memories[at], OP_INPUT, m->input_count + at);
+        return begun(w, in, line, &m->effects.memories[at], OP_INPUT, m->inputs.count + at);
     default:
         return line->value == NULL ? nothing : evaluate(w, in, line->value, line->name.text);
     }

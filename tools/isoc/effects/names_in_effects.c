@@ -16,11 +16,11 @@ static bool find_limit(effect_scope *w, const char *called, value *found)
         return false;
     }
     if (!is_step && w->limits.rate == 0.0) {
-        w->limits = limits_of(m->recipe);
+        w->limits = limits_of(m->method.recipe);
     }
     const double limit = margin * (is_rate ? w->limits.rate : w->limits.frequency) / method_step(m);
     *found = (value){.count = 1, .of = is_step ? second : is_rate ? hertz : speed};
-    found->parts[0] = constant(w->b->g, is_step ? m->step : limit);
+    found->parts[0] = constant(w->b->g, is_step ? m->method.step : limit);
     return true;
 }
 

@@ -23,13 +23,13 @@ static vector leaves_of(effect_scope *w, point_query p)
 {
     mechanism *m = &w->b->mechanism;
     vector leaves;
-    m->point_queries = arena_grow(w->b->s->memory, m->point_queries, (size_t)m->point_query_count, &m->point_query_room,
-                                  sizeof *m->point_queries);
-    m->point_queries[m->point_query_count] = p;
+    m->queries.points = arena_grow(w->b->s->memory, m->queries.points, (size_t)m->queries.point_count,
+                                   &m->queries.point_room, sizeof *m->queries.points);
+    m->queries.points[m->queries.point_count] = p;
     for (int i = 0; i < 3; i++) {
-        leaves.at[i] = leaf(w->b->g, OP_POINT_QUERY, 3 * m->point_query_count + i);
+        leaves.at[i] = leaf(w->b->g, OP_POINT_QUERY, 3 * m->queries.point_count + i);
     }
-    m->point_query_count++;
+    m->queries.point_count++;
     return leaves;
 }
 
@@ -76,17 +76,17 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
 {
     mechanism *m = &w->b->mechanism;
     inertia_query q = {which, point, vector_zero(w->b->g), in_body_axes(w, f, false)};
-    if (which < 0 || !m->frames[which].placed || (f->count > 1 && !find_beside(w, f->parts[1], &q.beside))) {
+    if (which < 0 || !m->bodies.frames[which].placed || (f->count > 1 && !find_beside(w, f->parts[1], &q.beside))) {
         return nothing;
     }
-    if (m->frames[which].segment == GROUND) {
+    if (m->bodies.frames[which].segment == GROUND) {
         source_problem(w->b->s, f->parts[0]->at, "'%s' is a part of the ground: no force moves it", f->parts[0]->name);
         return nothing;
     }
-    const int first = m->dof_count + 3 * m->inertia_query_count;
-    m->inertia_queries = arena_grow(w->b->s->memory, m->inertia_queries, (size_t)m->inertia_query_count,
-                                    &m->inertia_query_room, sizeof *m->inertia_queries);
-    m->inertia_queries[m->inertia_query_count++] = q;
+    const int first = m->dof_count + 3 * m->queries.inertia_count;
+    m->queries.inertias = arena_grow(w->b->s->memory, m->queries.inertias, (size_t)m->queries.inertia_count,
+                                     &m->queries.inertia_room, sizeof *m->queries.inertias);
+    m->queries.inertias[m->queries.inertia_count++] = q;
     value found = {.count = 3, .of = kilogram};
     for (int i = 0; i < 3; i++) {
         found.parts[i] = leaf(w->b->g, OP_INERTIA, first + i);
@@ -115,7 +115,7 @@ static value point_value(effect_scope *w, const formula *f, int which, vector po
     if (row < count && f->axes.text != NULL && of_bodies[row].kind != QUERY_VELOCITY && !is_measured) {
         source_problem(w->b->s, f->axes.at, "only a velocity, a spin and a specific force have axes to choose");
     }
-    if (row == count || which < 0 || !m->frames[which].placed) {
+    if (row == count || which < 0 || !m->bodies.frames[which].placed) {
         return nothing;
     }
     const vector leaves = point_query_of(w, of_bodies[row].kind, which, point, in_body);
@@ -158,10 +158,11 @@ static bool find_account(effect_scope *w, const formula *f, value *found)
 static int child_of(const mechanism *m, int at)
 {
     int found = -1;
-    for (int child = 0; child < m->body_count; child++) {
-        const member *of = &m->members[child];
-        const int stop = of->parent == GROUND ? GROUND : m->frames[of->parent].segment;
-        for (int i = m->frames[child].segment; m->frames[child].placed && i != stop; i = m->segments[i].parent) {
+    for (int child = 0; child < m->bodies.count; child++) {
+        const member *of = &m->bodies.members[child];
+        const int stop = of->parent == GROUND ? GROUND : m->bodies.frames[of->parent].segment;
+        for (int i = m->bodies.frames[child].segment; m->bodies.frames[child].placed && i != stop;
+             i = m->segments[i].parent) {
             found = i == at ? child : found;
         }
     }
@@ -184,7 +185,7 @@ static value reaction_value(effect_scope *w, const formula *f)
     if (f->axes.text != NULL) {
         source_problem(b->s, f->axes.at, "a %s of a joint is in the axes of the ground", f->name);
     }
-    if (loop < 0 && (child < 0 || !b->mechanism.frames[child].placed)) {
+    if (loop < 0 && (child < 0 || !b->mechanism.bodies.frames[child].placed)) {
         return nothing;
     }
     const vector zero = vector_zero(b->g);

@@ -20,7 +20,7 @@ static int number_of_substeps(builder *b, const effect_use *use)
 /* Whether the method, or a rung below it, has stages in the middle of a step. */
 static bool has_middle(const mechanism *m)
 {
-    bool has = ISO_IS(m->recipe, ISO_RK4);
+    bool has = ISO_IS(m->method.recipe, ISO_RK4);
     for (int i = 0; i < m->policies.rung_count; i++) {
         has = has || (m->policies.rungs[i] != ISO_METHODS && ISO_IS(m->policies.rungs[i], ISO_RK4));
     }
@@ -30,7 +30,7 @@ static bool has_middle(const mechanism *m)
 /* What else the scene asks for that a step of two rates has not. */
 static void check_method(builder *b, const effect_use *use)
 {
-    const unsigned recipe = b->mechanism.recipe;
+    const unsigned recipe = b->mechanism.method.recipe;
     const place at = use->substeps->at;
     if (!ISO_TAKES_SUBSTEPS(recipe)) {
         source_problem(
@@ -47,7 +47,7 @@ static void check_method(builder *b, const effect_use *use)
                            use->name.text);
         }
     }
-    if (b->mechanism.fast_substeps % 2 != 0 && has_middle(&b->mechanism)) {
+    if (b->mechanism.effects.fast_substeps % 2 != 0 && has_middle(&b->mechanism)) {
         source_problem(b->s, at, "rk4 needs an even number of sub-steps: half of them lead to the middle of the step");
     }
 }
@@ -55,8 +55,8 @@ static void check_method(builder *b, const effect_use *use)
 static bool has_states(const mechanism *m, int effect)
 {
     bool has = false;
-    for (int i = 0; i < m->effect_state_count; i++) {
-        has = has || m->effect_states[i].effect == effect;
+    for (int i = 0; i < m->effects.state_count; i++) {
+        has = has || m->effects.states[i].effect == effect;
     }
     return has;
 }
@@ -64,23 +64,24 @@ static bool has_states(const mechanism *m, int effect)
 void build_substeps(builder *b)
 {
     mechanism *m = &b->mechanism;
-    m->fast_effects = arena_take(b->s->memory, (size_t)m->effect_count + 1, sizeof *m->fast_effects);
-    for (int i = 0; i < m->effect_count; i++) {
+    m->effects.is_fast = arena_take(b->s->memory, (size_t)m->effects.count + 1, sizeof *m->effects.is_fast);
+    for (int i = 0; i < m->effects.count; i++) {
         const effect_use *use = &b->written->effects[i];
         if (use->substeps == NULL || use->left_out || use->dropped || use->broken || b->is_effect_broken) {
             continue;
         }
         const int count = number_of_substeps(b, use);
-        const bool is_first = m->fast_substeps == 0;
+        const bool is_first = m->effects.fast_substeps == 0;
         if (count > 0 && !has_states(m, i)) {
             source_problem(b->s, use->substeps->at,
                            "'%s' has no states, which alone take sub-steps: leave out substeps", use->name.text);
-        } else if (count > 0 && !is_first && count != m->fast_substeps) {
+        } else if (count > 0 && !is_first && count != m->effects.fast_substeps) {
             source_problem(b->s, use->substeps->at,
-                           "effects with sub-steps have the same number of them: another has %d", m->fast_substeps);
+                           "effects with sub-steps have the same number of them: another has %d",
+                           m->effects.fast_substeps);
         } else if (count > 0) {
-            m->fast_effects[i] = true;
-            m->fast_substeps = count;
+            m->effects.is_fast[i] = true;
+            m->effects.fast_substeps = count;
             if (is_first) {
                 check_method(b, use);
             }

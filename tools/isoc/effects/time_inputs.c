@@ -39,7 +39,7 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
     if (f == NULL) {
         return;
     }
-    const size_t all = b->written->input_count + (size_t)(b->mechanism.memory_count + b->time_input_count);
+    const size_t all = b->written->input_count + (size_t)(b->mechanism.effects.memory_count + b->time_input_count);
     const bool is_new = is_stream(f) && time_input_called(b, f, within) == NULL;
     if (is_new && all == MOST_MEMORIES) {
         source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
@@ -92,24 +92,24 @@ void build_time_inputs(builder *b)
 {
     mechanism *m = &b->mechanism;
     const int first = (int)b->written->input_count;
-    m->time_input_of = arena_take(b->s->memory, (size_t)m->input_count + 1, sizeof *m->time_input_of);
-    m->time_inputs = arena_take(b->s->memory, (size_t)b->time_input_count + 1, sizeof *m->time_inputs);
-    m->time_input_count = b->time_input_count;
+    m->inputs.time_input_of = arena_take(b->s->memory, (size_t)m->inputs.count + 1, sizeof *m->inputs.time_input_of);
+    m->inputs.time_inputs = arena_take(b->s->memory, (size_t)b->time_input_count + 1, sizeof *m->inputs.time_inputs);
+    m->inputs.time_input_count = b->time_input_count;
     for (int i = 0; i < first; i++) {
-        m->time_input_of[i] = -1;
+        m->inputs.time_input_of[i] = -1;
     }
     for (int i = 0; i < b->time_input_count; i++) {
         const time_input *t = &b->time_inputs[i];
         const name origin = t->within != NULL ? t->within->name : (name){NULL, t->of->at};
-        m->time_input_of[first + i] = i;
-        m->time_inputs[i] = (time_input_origin){t->of->name, origin};
-        m->inputs[first + i] = (variable){.name = arena_format(b->s->memory, "made_%s_%d", t->of->name, i + 1),
-                                          .unit = is_time(t->of) ? "s" : "1",
-                                          .quote = source_quote(b->s, t->of->at),
-                                          .least = -HUGE_VAL,
-                                          .most = HUGE_VAL};
-        m->driven[first + i] = true;
-        m->drives[first + i] = constant(b->g, 0.0);
+        m->inputs.time_input_of[first + i] = i;
+        m->inputs.time_inputs[i] = (time_input_origin){t->of->name, origin};
+        m->inputs.all[first + i] = (variable){.name = arena_format(b->s->memory, "made_%s_%d", t->of->name, i + 1),
+                                              .unit = is_time(t->of) ? "s" : "1",
+                                              .quote = source_quote(b->s, t->of->at),
+                                              .least = -HUGE_VAL,
+                                              .most = HUGE_VAL};
+        m->inputs.driven[first + i] = true;
+        m->inputs.drives[first + i] = constant(b->g, 0.0);
     }
 }
 
@@ -156,7 +156,7 @@ value time_input_value(void *context, const formula *f)
         const int input = (int)b->written->input_count + (int)(s - b->time_inputs);
         s->drive = drive_of(b, f, within);
         if (s->drive.count == 1) {
-            b->mechanism.drives[input] = s->drive.parts[0];
+            b->mechanism.inputs.drives[input] = s->drive.parts[0];
             s->drive.parts[0] = leaf(b->g, OP_INPUT, input);
         }
     }

@@ -41,7 +41,7 @@ static duration coarse(duration d)
 
 static long period_of(const plant *p)
 {
-    return lround(p->m->step * 1e9);
+    return lround(p->m->method.step * 1e9);
 }
 
 static duration cycle_of(const plant *p)
@@ -62,13 +62,13 @@ void emit_calibration(const plant *p, const naming *names, const char *lock, uin
 {
     const mechanism *m = p->m;
     emission e = {.p = p, .names = names, .out = out};
-    const bool is_open = strcmp(lock, "open") == 0, any = has_limits(m->parameters, m->parameter_count);
+    const bool is_open = strcmp(lock, "open") == 0, any = has_limits(m->parameters.all, m->parameters.count);
     const duration stamp = stamp_of(p), cycle = cycle_of(p);
     text_add(out,
              "_Static_assert(ISO_XCP_MAX_CTO == %d && ISO_XCP_MAX_DTO == %d && ISO_XCP_LISTS == %d && "
              "ISO_XCP_BLOCK_BYTES == %d,\n               \"the A2L tells these sizes\");\n\n",
              MAX_CTO, MAX_DTO, LISTS, BLOCK_BYTES);
-    emit_limits(&e, "parameter_limits", "PARAMETERS", names->leaves.parameters, m->parameters, m->parameter_count);
+    emit_limits(&e, "parameter_limits", "PARAMETERS", names->leaves.parameters, m->parameters.all, m->parameters.count);
     text_add(out, "%s%s%s", is_open ? "" : "extern const iso_xcp_lock ", is_open ? "" : lock, is_open ? "" : ";\n\n");
     text_add(out, "const iso_xcp_description iso_xcp_the_description = {\n    .name = \"%s\",\n", m->name);
     text_add(out, "    .epk = \"%016" PRIx64 "\",\n%s", identity, any ? "    .limits = parameter_limits,\n" : "");
@@ -214,9 +214,9 @@ static const variable *states_as_variables(const emission *e)
 static const variable *memories_as_variables(const emission *e)
 {
     const mechanism *m = e->p->m;
-    variable *all = arena_take(e->out->memory, (size_t)m->memory_count + 1, sizeof *all);
-    for (int i = 0; i < m->memory_count; i++) {
-        all[i] = m->memories[i].about;
+    variable *all = arena_take(e->out->memory, (size_t)m->effects.memory_count + 1, sizeof *all);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        all[i] = m->effects.memories[i].about;
     }
     return all;
 }
@@ -253,9 +253,10 @@ void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
     const char *called = isalpha((unsigned char)m->name[0]) ? m->name : arena_format(out->memory, "plant_%s", m->name);
     const section sections[] = {
         {"states", "state", 'x', states_as_variables(&e), state_count(m), 0, false},
-        {"inputs", "input", 'u', m->inputs, m->input_count, 0, false},
-        {"memories", "memory of an effect", 'u', memories_as_variables(&e), m->memory_count, m->input_count, false},
-        {"tunables", "tunable", 'p', m->parameters, m->parameter_count, 0, true},
+        {"inputs", "input", 'u', m->inputs.all, m->inputs.count, 0, false},
+        {"memories", "memory of an effect", 'u', memories_as_variables(&e), m->effects.memory_count, m->inputs.count,
+         false},
+        {"tunables", "tunable", 'p', m->parameters.all, m->parameters.count, 0, true},
         {"outputs", "output", 'y', outputs_as_variables(&e), p->output_count, 0, false},
     };
     const int count = sizeof sections / sizeof sections[0];

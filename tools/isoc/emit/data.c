@@ -51,13 +51,14 @@ void emit_data(emission *e)
         }
         text_add(e->out, "};\n\n");
     }
-    if (m->parameter_count > 0) {
+    if (m->parameters.count > 0) {
         begin_array(e, "defaults", "PARAMETERS");
-        for (int i = 0; i < m->parameter_count; i++) {
-            add_entry(e, &e->names->leaves.parameters[i], literal(e, m->parameters[i].start));
+        for (int i = 0; i < m->parameters.count; i++) {
+            add_entry(e, &e->names->leaves.parameters[i], literal(e, m->parameters.all[i].start));
         }
         text_add(e->out, "};\n\n");
     }
-    emit_limits(e, "input_limits", "INPUTS", e->names->leaves.inputs, m->inputs, m->input_count);
-    emit_limits(e, "parameter_limits", "PARAMETERS", e->names->leaves.parameters, m->parameters, m->parameter_count);
+    emit_limits(e, "input_limits", "INPUTS", e->names->leaves.inputs, m->inputs.all, m->inputs.count);
+    emit_limits(e, "parameter_limits", "PARAMETERS", e->names->leaves.parameters, m->parameters.all,
+                m->parameters.count);
 }

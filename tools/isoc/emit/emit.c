@@ -25,7 +25,7 @@ static bool uses_waveform(const emission *e)
     const mechanism *m = e->p->m;
     bool any = keeps_rows(e->p);
     for (size_t i = 0; i < sizeof waveforms / sizeof waveforms[0]; i++) {
-        any = any || uses_operation(e->g, m->drives, (size_t)m->input_count, waveforms[i]);
+        any = any || uses_operation(e->g, m->inputs.drives, (size_t)m->inputs.count, waveforms[i]);
     }
     return any;
 }
@@ -38,15 +38,15 @@ static void emit_beginning(const emission *e, const text *rest)
     text_add(e->out, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
     text_add(e->out, "#include \"%s.h\"\n\n", e->names->prefix);
     /* The functions of adams gcc inlines otherwise where it sees no other kernel: as many instructions, more bytes. */
-    if (!ISO_IS_VARYING(m->recipe) && m->policies.rung_count == 0) {
+    if (!ISO_IS_VARYING(m->method.recipe) && m->policies.rung_count == 0) {
         text_add(e->out, "#define ISO_ONLY_METHOD ISO_%s\n",
-                 capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->recipe)]));
+                 capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->method.recipe)]));
     }
     text_add(e->out, "#include \"core/methods/method.h\"\n");
     text_add(e->out, "%s", e->p->fast.count > 0 ? "#include \"core/methods/multirate.h\"\n" : "");
     text_add(e->out, "%s",
              e->p->after.pivot_count == 0 ? ""
-             : m->near_holds              ? "#include \"core/methods/hold_energy.h\"\n"
+             : m->drift.near_holds        ? "#include \"core/methods/hold_energy.h\"\n"
                                           : "#include \"core/methods/pivots.h\"\n");
     text_add(e->out, "%s", e->p->j.looped != NULL ? "#include \"core/methods/sparse.h\"\n" : "");
     text_add(e->out, "%s#include \"core/runtime/tick.h\"\n",
@@ -59,7 +59,7 @@ static void emit_beginning(const emission *e, const text *rest)
         text_add(e->out, "#include \"core/numbers/waveform.h\"\n");
     }
     text_add(e->out, "%s#include \"core/numbers/sincos.h\"\n%s\n",
-             uses_time(e->g, m->drives, (size_t)(m->input_count + m->clocks.count))
+             uses_time(e->g, m->inputs.drives, (size_t)(m->inputs.count + m->clocks.count))
                  ? "#include \"core/numbers/signal.h\"\n"
                  : "",
              e->p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");

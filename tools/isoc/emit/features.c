@@ -16,26 +16,26 @@ static bool is_tuned(const plant *p)
 
 bool is_primed(const plant *p)
 {
-    return ISO_IS_PRIMED(p->m->recipe) || ISO_DEGREE(p->m->recipe) > 0 || is_tuned(p);
+    return ISO_IS_PRIMED(p->m->method.recipe) || ISO_DEGREE(p->m->method.recipe) > 0 || is_tuned(p);
 }
 
 bool watches_parameters(const plant *p)
 {
-    return p->m->parameter_count > 0 && (ISO_IS_PRIMED(p->m->recipe) || is_tuned(p));
+    return p->m->parameters.count > 0 && (ISO_IS_PRIMED(p->m->method.recipe) || is_tuned(p));
 }
 
 bool watches_edges(const mechanism *m)
 {
-    return m->edge_count > 0 && ISO_IS_PRIMED(m->recipe);
+    return m->inputs.edge_count > 0 && ISO_IS_PRIMED(m->method.recipe);
 }
 
 bool watches_inputs(const mechanism *m)
 {
     bool jumps = false;
-    for (int i = 0; i < m->input_count; i++) {
-        jumps = jumps || m->jumps[i] > 0.0;
+    for (int i = 0; i < m->inputs.count; i++) {
+        jumps = jumps || m->inputs.jumps[i] > 0.0;
     }
-    return jumps && (ISO_IS_PRIMED(m->recipe) || ISO_DEGREE(m->recipe) > 0);
+    return jumps && (ISO_IS_PRIMED(m->method.recipe) || ISO_DEGREE(m->method.recipe) > 0);
 }
 
 bool can_restart(const plant *p)
@@ -45,9 +45,9 @@ bool can_restart(const plant *p)
 
 const char *progress_of(const mechanism *m)
 {
-    return !ISO_HAS_PROGRESS(m->recipe) ? "NULL"
-           : ISO_IS_VARYING(m->recipe)  ? "&memory->adams.progress"
-                                        : "&memory->progress";
+    return !ISO_HAS_PROGRESS(m->method.recipe) ? "NULL"
+           : ISO_IS_VARYING(m->method.recipe)  ? "&memory->adams.progress"
+                                               : "&memory->progress";
 }
 
 const char *recipe_symbol(arena *memory, unsigned recipe)
@@ -70,8 +70,8 @@ bool settles_by_parameters(const plant *p, const graph *g)
 bool keeps_rows(const plant *p)
 {
     bool any = has_slow_outputs(p->m) || p->rows.any;
-    for (int i = 0; i < p->m->memory_count; i++) {
-        const effect_quantity *e = &p->m->memories[i];
+    for (int i = 0; i < p->m->effects.memory_count; i++) {
+        const effect_quantity *e = &p->m->effects.memories[i];
         any = any || e->kept == KEPT_SAMPLE || (e->kept == KEPT_DELAY && e->ticks > 1.0);
     }
     return any;
@@ -79,14 +79,14 @@ bool keeps_rows(const plant *p)
 
 bool sets_rows(const plant *p)
 {
-    return p->m->memory_count > 0 || keeps_rows(p);
+    return p->m->effects.memory_count > 0 || keeps_rows(p);
 }
 
 bool is_driven(const plant *p)
 {
     bool any = p->m->clocks.count > 0 || keeps_rows(p);
-    for (int i = 0; i < p->m->input_count; i++) {
-        any = any || p->m->driven[i];
+    for (int i = 0; i < p->m->inputs.count; i++) {
+        any = any || p->m->inputs.driven[i];
     }
     return any;
 }
@@ -110,20 +110,21 @@ bool has_begin(const emission *e)
 {
     const mechanism *m = e->p->m;
     bool any = e->p->rows.starts.count > 0 || e->p->rows.any;
-    for (int i = 0; i < m->memory_count; i++) {
-        any = any || begins(e, &m->memories[i]) || is_late(&m->memories[i]);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        any = any || begins(e, &m->effects.memories[i]) || is_late(&m->effects.memories[i]);
     }
     return any;
 }
 
 const char *held_size(const emission *e)
 {
-    return arena_format(e->out->memory, "%s_%s", e->names->capitals, e->p->m->memory_count > 0 ? "HELD" : "INPUTS");
+    return arena_format(e->out->memory, "%s_%s", e->names->capitals,
+                        e->p->m->effects.memory_count > 0 ? "HELD" : "INPUTS");
 }
 
 const char *sampled_size(const emission *e)
 {
-    const bool is_all = e->p->m->sampled_count > e->p->m->input_count;
+    const bool is_all = e->p->m->inputs.sampled_count > e->p->m->inputs.count;
     return is_all ? held_size(e) : arena_format(e->out->memory, "%s_INPUTS", e->names->capitals);
 }
 

@@ -154,7 +154,7 @@ void emit_arrays(const emission *e, const code *result)
 {
     const mechanism *m = e->p->m;
     const bool derives = code_uses(e, result, OP_DERIVATIVE);
-    const int sizes[] = {state_count(m), held_count(m), m->parameter_count};
+    const int sizes[] = {state_count(m), held_count(m), m->parameters.count};
     for (int i = 0; i < 3; i++) {
         if (code_uses(e, result, arguments[i].op) || (derives && sizes[i] > 0)) {
             text_add(e->out, "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);

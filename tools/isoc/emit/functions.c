@@ -33,8 +33,8 @@ static bool asks_for_derivative(const emission *e)
 {
     const plant *p = e->p;
     bool any = e->suffix[0] == '\0' || uses_operation(e->g, p->outputs, (size_t)p->output_count, OP_DERIVATIVE);
-    for (int i = 0; i < p->m->memory_count; i++) {
-        any = any || uses_operation(e->g, &p->m->memories[i].next, 1, OP_DERIVATIVE);
+    for (int i = 0; i < p->m->effects.memory_count; i++) {
+        any = any || uses_operation(e->g, &p->m->effects.memories[i].next, 1, OP_DERIVATIVE);
     }
     return any;
 }
@@ -182,7 +182,7 @@ static void emit_solver(emission *e)
 /* Behind memory->good: where the tunables stand. */
 static const char *good_inputs(const emission *e)
 {
-    const bool has_inputs = e->p->m->input_count > 0;
+    const bool has_inputs = e->p->m->inputs.count > 0;
     return has_inputs ? arena_format(e->out->memory, " + %s_INPUTS", e->names->capitals) : "";
 }
 
@@ -194,12 +194,12 @@ static void emit_amiss(emission *e)
     text_add(e->out, "/* What comes in from outside is finite, and within its limits. */\n");
     text_add(e->out, "static iso_bits amiss(const void *const instance)\n{\n");
     text_add(e->out, "    const %s_memory *const memory = instance;\n    return", e->names->prefix);
-    if (m->input_count > 0) {
+    if (m->inputs.count > 0) {
         text_add(e->out, " iso_any_amiss(memory->u, %s, %s_INPUTS)%s",
-                 has_limits(m->inputs, m->input_count) ? "input_limits" : "NULL", capitals,
-                 m->parameter_count > 0 ? " |\n          " : "");
+                 has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL", capitals,
+                 m->parameters.count > 0 ? " |\n          " : "");
     }
-    if (m->parameter_count > 0) {
+    if (m->parameters.count > 0) {
         text_add(e->out, " iso_any_changed(memory->p, memory->good%s, %s_PARAMETERS)", good_inputs(e), capitals);
     }
     text_add(e->out, ";\n}\n\n");
@@ -218,15 +218,15 @@ static void emit_admit(emission *e)
                  capitals, inputs, watches ? "    iso_bits changed = 0;\n" : "");
     }
     text_add(e->out, has_conditions ? "    const iso_refused refused =" : "    return");
-    if (m->input_count > 0) {
+    if (m->inputs.count > 0) {
         text_add(e->out, " iso_admit(memory->u, memory->good, %s, %s_INPUTS, NULL)%s",
-                 has_limits(m->inputs, m->input_count) ? "input_limits" : "NULL", capitals,
-                 m->parameter_count > 0 ? " |\n          " : "");
+                 has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL", capitals,
+                 m->parameters.count > 0 ? " |\n          " : "");
     }
-    if (m->parameter_count > 0) {
+    if (m->parameters.count > 0) {
         const char *changed = has_conditions ? "&changed" : "&memory->changed";
         text_add(e->out, " (iso_refused)iso_admit(memory->p, memory->good%s, %s, %s_PARAMETERS, %s) << 32", inputs,
-                 has_limits(m->parameters, m->parameter_count) ? "parameter_limits" : "NULL", capitals,
+                 has_limits(m->parameters.all, m->parameters.count) ? "parameter_limits" : "NULL", capitals,
                  watches ? changed : "NULL");
     }
     text_add(e->out, ";\n");
@@ -249,20 +249,20 @@ static void emit_finish(emission *e)
     const char *advance = arena_format(e->out->memory, "advance%s", e->suffix);
     text_add(e->out, "static uint32_t finish%s(void *const instance)\n{\n", e->suffix);
     text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
-    if (m->input_count > 0) {
+    if (m->inputs.count > 0) {
         text_add(e->out, "    iso_copy(memory->good, memory->u, %s_INPUTS);\n", capitals);
     }
-    if (m->near_stops && e->p->after.pivot_count > 0) {
+    if (m->drift.near_stops && e->p->after.pivot_count > 0) {
         text_add(e->out, "    if (memory->nearness.closure != 0) {\n        return ISO_NEAR;\n    }\n");
     }
     text_add(e->out, "    return iso_finish(memory, memory->x, %s, %s_STATES, %s, output%s%s,\n",
              has_range(e) ? "range" : "NULL", capitals, sets_rows(e->p) ? advance : "NULL",
              has_slow_outputs(m) ? "_due" : "", e->suffix);
     text_add(e->out, "                      memory->y, memory->good");
-    if (m->input_count > 0) {
+    if (m->inputs.count > 0) {
         text_add(e->out, " + %s_INPUTS", capitals);
     }
-    if (m->parameter_count > 0) {
+    if (m->parameters.count > 0) {
         text_add(e->out, " + %s_PARAMETERS", capitals);
     }
     text_add(e->out, ", %s_OUTPUTS);\n}\n\n", capitals);
@@ -295,7 +295,7 @@ void emit_functions(emission *e)
     if (p->broken >= 0) {
         emit_number(e, "broken", &p->broken);
     }
-    if (p->m->input_count + p->m->parameter_count > 0) {
+    if (p->m->inputs.count + p->m->parameters.count > 0) {
         emit_amiss(e);
         emit_admit(e);
     }
@@ -306,7 +306,7 @@ void emit_functions(emission *e)
         emit_begin(e);
     }
     emit_finish(e);
-    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+    if (ISO_IS_IMPLICIT(p->m->method.recipe)) {
         emit_solver(e);
     }
     if (p->rate_count > 0) {

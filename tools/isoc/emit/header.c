@@ -68,9 +68,9 @@ static void emit_memory_places(const emission *e)
 {
     const mechanism *m = e->p->m;
     text_add(e->out, "/* Memories of effects, behind the inputs of u. */\nenum {\n");
-    for (int i = 0; i < m->memory_count; i++) {
-        text_add(e->out, "    %s = %d, /* %s */\n", e->names->leaves.inputs[m->input_count + i].place,
-                 m->input_count + i, m->memories[i].about.unit);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        text_add(e->out, "    %s = %d, /* %s */\n", e->names->leaves.inputs[m->inputs.count + i].place,
+                 m->inputs.count + i, m->effects.memories[i].about.unit);
     }
     text_add(e->out, "    %s = %d\n};\n\n", held_size(e), held_count(m));
 }
@@ -102,7 +102,7 @@ static void emit_instance(const emission *e)
 {
     const mechanism *m = e->p->m;
     const char *prefix = e->names->prefix;
-    const bool watched = ISO_IS_WATCHED(m->recipe);
+    const bool watched = ISO_IS_WATCHED(m->method.recipe);
     text_add(e->out, "extern const iso_model %s_model;\n\n", prefix);
     text_add(e->out, "/* A plant that keeps all in `memory`%s: iso_plant_start puts it to its start. */\n",
              watched ? ", and has room in `before` for a step that is made again" : "");
@@ -111,10 +111,10 @@ static void emit_instance(const emission *e)
     text_add(e->out, "    const iso_plant plant = {\n        &%s_model,\n        memory,\n        memory->x,\n",
              prefix);
     text_add(e->out, "        %s,\n", held_count(m) > 0 ? "memory->u" : "NULL");
-    text_add(e->out, "        %s,\n", m->parameter_count > 0 ? "memory->p" : "NULL");
+    text_add(e->out, "        %s,\n", m->parameters.count > 0 ? "memory->p" : "NULL");
     text_add(e->out, "        memory->y,\n        %s,\n", progress_of(m));
     text_add(e->out, "        %s,\n", e->p->after.pivot_count > 0 ? "&memory->nearness" : "NULL");
-    text_add(e->out, "        %s,\n", ISO_IS_VARYING(m->recipe) ? "&memory->adams" : "NULL");
+    text_add(e->out, "        %s,\n", ISO_IS_VARYING(m->method.recipe) ? "&memory->adams" : "NULL");
     text_add(e->out, "        %s,\n        memory->good,\n    };\n    return plant;\n}\n\n",
              watched ? "before" : "NULL");
 }
@@ -142,9 +142,10 @@ void emit_header(const plant *p, const naming *names, text *out)
     const emission e = {.p = p, .names = names, .out = out, .suffix = ""};
     const table tables[] = {
         {"States x", "states", rows_of_states(&e), state_count(m)},
-        {"Inputs u", "inputs", rows_of(out->memory, names->leaves.inputs, m->inputs, m->input_count), m->input_count},
+        {"Inputs u", "inputs", rows_of(out->memory, names->leaves.inputs, m->inputs.all, m->inputs.count),
+         m->inputs.count},
         {"Tunable parameters p", "parameters",
-         rows_of(out->memory, names->leaves.parameters, m->parameters, m->parameter_count), m->parameter_count},
+         rows_of(out->memory, names->leaves.parameters, m->parameters.all, m->parameters.count), m->parameters.count},
         {"Outputs y", "outputs", rows_of_outputs(&e), p->output_count},
     };
     const size_t count = sizeof tables / sizeof tables[0];
@@ -161,7 +162,7 @@ void emit_header(const plant *p, const naming *names, text *out)
             emit_places(&e, &tables[i]);
         }
     }
-    if (m->memory_count > 0) {
+    if (m->effects.memory_count > 0) {
         emit_memory_places(&e);
     }
     text_add(out, "/* Name, unit, least, most and value at the start of each. */\n");

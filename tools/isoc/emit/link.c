@@ -46,14 +46,14 @@ static const char *literal_of_plant(arena *memory, const plant *p, double number
 static void emit_wires(const plant *p, const naming *names, text *out)
 {
     const mechanism *m = p->m;
-    text_add(out, "enum { WIRES = %d };\n\n", m->wire_count);
-    if (m->wire_count == 0) {
+    text_add(out, "enum { WIRES = %d };\n\n", m->inputs.wire_count);
+    if (m->inputs.wire_count == 0) {
         return;
     }
     text_add(out, "/* The inputs that come in, each with its safe value, and after how many ticks without a frame. */\n"
                   "static const iso_wire wires[WIRES] = {\n");
-    for (int i = 0; i < m->wire_count; i++) {
-        const wire *w = &m->wires[i];
+    for (int i = 0; i < m->inputs.wire_count; i++) {
+        const wire *w = &m->inputs.wires[i];
         text_add(out, "    {%s, %s, %.0f},\n", names->leaves.inputs[w->input].place,
                  literal_of_plant(out->memory, p, w->safe), w->after);
     }
@@ -64,7 +64,7 @@ static void emit_interface(const plant *p, const naming *names, const text *wire
                            text *out)
 {
     const char *capitals = names->capitals;
-    const bool any = p->m->wire_count > 0;
+    const bool any = p->m->inputs.wire_count > 0;
     text_add(out, "/* What the plant of %s.scene shows at its link. Made by isoc. */\n", p->m->name);
     text_add(out, "#include \"%s.h\"\n\n#include \"core/link/link.h\"\n%s\n%s", names->prefix,
              lock == NULL ? "" : "#include \"core/xcp/service.h\"\n", wires->bytes);
@@ -86,10 +86,10 @@ static void emit_interface(const plant *p, const naming *names, const text *wire
 static terminals terminals_of(const plant *p, arena *memory, uint64_t identity)
 {
     const mechanism *m = p->m;
-    terminal *inputs = arena_take(memory, (size_t)m->wire_count + 1, sizeof *inputs);
+    terminal *inputs = arena_take(memory, (size_t)m->inputs.wire_count + 1, sizeof *inputs);
     terminal *outputs = arena_take(memory, (size_t)p->output_count + 1, sizeof *outputs);
-    for (int i = 0; i < m->wire_count; i++) {
-        const variable *v = &m->inputs[m->wires[i].input];
+    for (int i = 0; i < m->inputs.wire_count; i++) {
+        const variable *v = &m->inputs.all[m->inputs.wires[i].input];
         inputs[i] = (terminal){v->name, v->unit, v->least, v->most};
     }
     for (int i = 0; i < p->output_count; i++) {
@@ -105,10 +105,10 @@ static terminals terminals_of(const plant *p, arena *memory, uint64_t identity)
                        .scene = m->name,
                        .inputs = inputs,
                        .outputs = outputs,
-                       .input_count = m->wire_count,
+                       .input_count = m->inputs.wire_count,
                        .output_count = p->output_count,
                        .identity = identity,
-                       .period_ns = lround(m->step * 1e9),
+                       .period_ns = lround(m->method.step * 1e9),
                        .is_double = p->is_double};
 }
 
@@ -279,8 +279,8 @@ bool link_fits(const plant *p, const char *path)
 {
     /* As core/link/frame.h counts them: a tick, the reals, type and CRC; in COBS, between two zeros. */
     enum { CHANNEL_BYTES = 2048, TICK_BYTES = 8, FRAMING_BYTES = 3, COBS_BLOCK = 254, ENDS = 3 };
-    const bool is_in = p->m->wire_count > p->output_count;
-    const int reals = is_in ? p->m->wire_count : p->output_count;
+    const bool is_in = p->m->inputs.wire_count > p->output_count;
+    const int reals = is_in ? p->m->inputs.wire_count : p->output_count;
     const int bytes = TICK_BYTES + reals * (p->is_double ? 8 : 4) + FRAMING_BYTES;
     const int frame = bytes + bytes / COBS_BLOCK + ENDS;
     if (frame > CHANNEL_BYTES) {

@@ -39,19 +39,20 @@ static void add_moving(memory_layout *list)
     const mechanism *m = list->e->p->m;
     arena *memory = list->e->out->memory;
     const char *capitals = list->e->names->capitals;
-    const size_t states = (size_t)state_count(m), vectors = ISO_METHOD_STATE(m->recipe, states) / states;
-    const size_t inputs = (size_t)held_count(m), samples = ISO_METHOD_SAMPLES(m->recipe, (size_t)m->sampled_count);
+    const size_t states = (size_t)state_count(m), vectors = ISO_METHOD_STATE(m->method.recipe, states) / states;
+    const size_t inputs = (size_t)held_count(m),
+                 samples = ISO_METHOD_SAMPLES(m->method.recipe, (size_t)m->inputs.sampled_count);
     if (vectors > 1) {
-        add_reals(
-            list, "x", arena_format(memory, "%s_STATES * %zu", capitals, vectors), states * vectors,
-            arena_format(memory, "the states, and behind them what %s keeps", method_names[ISO_METHOD_OF(m->recipe)]));
+        add_reals(list, "x", arena_format(memory, "%s_STATES * %zu", capitals, vectors), states * vectors,
+                  arena_format(memory, "the states, and behind them what %s keeps",
+                               method_names[ISO_METHOD_OF(m->method.recipe)]));
     } else {
         add_reals(list, "x", arena_format(memory, "%s_STATES", capitals), states, NULL);
     }
-    if (ISO_IS_SMOOTH(m->recipe)) {
+    if (ISO_IS_SMOOTH(m->method.recipe)) {
         add_reals(list, "u",
                   arena_format(memory, "%s + %s * %d + 1", held_size(list->e), sampled_size(list->e),
-                               ISO_DEGREE(m->recipe) + 1),
+                               ISO_DEGREE(m->method.recipe) + 1),
                   inputs + samples, "behind the inputs their samples");
     } else {
         add_reals(list, "u", held_size(list->e), inputs, NULL);
@@ -61,7 +62,7 @@ static void add_moving(memory_layout *list)
 /* How the last step went: iso_progress and iso_adams_state of core/methods/progress.h. */
 static void add_progress(memory_layout *list)
 {
-    const unsigned recipe = list->e->p->m->recipe;
+    const unsigned recipe = list->e->p->m->method.recipe;
     if (ISO_IS_VARYING(recipe)) {
         add_member(list, "iso_adams_state adams", NULL, 5 * list->real_size + 24);
     } else if (ISO_HAS_PROGRESS(recipe)) {
@@ -75,7 +76,7 @@ static void add_pivots(memory_layout *list)
     const int pivots = list->e->p->after.pivot_count;
     add_reals(list, "pivots", arena_format(list->e->out->memory, "%d", pivots), (size_t)pivots,
               "of the closures, at the end of the last step");
-    if (pivots > 0 && list->e->p->m->near_holds) {
+    if (pivots > 0 && list->e->p->m->drift.near_holds) {
         add_member(list, "iso_held_energy held_energy", NULL, 2 * list->real_size);
     }
 }
@@ -87,7 +88,7 @@ static void add_last(memory_layout *list)
     const mechanism *m = p->m;
     arena *memory = list->e->out->memory;
     if (watches_inputs(m)) {
-        add_reals(list, "last_u", arena_format(memory, "%s_INPUTS", list->e->names->capitals), (size_t)m->input_count,
+        add_reals(list, "last_u", arena_format(memory, "%s_INPUTS", list->e->names->capitals), (size_t)m->inputs.count,
                   NULL);
     }
     if (watches_parameters(p)) {
@@ -116,11 +117,11 @@ static void add_rings(memory_layout *list)
 {
     const mechanism *m = list->e->p->m;
     arena *memory = list->e->out->memory;
-    for (int i = 0; i < m->memory_count; i++) {
-        if (is_late(&m->memories[i])) {
-            const size_t places = last_of_ring(&m->memories[i]) + 1;
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        if (is_late(&m->effects.memories[i])) {
+            const size_t places = last_of_ring(&m->effects.memories[i]) + 1;
             add_reals(list, arena_format(memory, "past_%d", i), arena_format(memory, "%zu", places), places,
-                      arena_format(memory, "what %s shows in later rows", m->memories[i].about.name));
+                      arena_format(memory, "what %s shows in later rows", m->effects.memories[i].about.name));
         }
     }
 }
@@ -130,11 +131,11 @@ static void add_good(memory_layout *list)
     const mechanism *m = list->e->p->m;
     arena *memory = list->e->out->memory;
     const char *capitals = list->e->names->capitals;
-    const bool has_inputs = m->input_count > 0, has_tunables = m->parameter_count > 0;
+    const bool has_inputs = m->inputs.count > 0, has_tunables = m->parameters.count > 0;
     const char *size =
         arena_format(memory, "%s%s%s%s%s_OUTPUTS", has_inputs ? capitals : "", has_inputs ? "_INPUTS + " : "",
                      has_tunables ? capitals : "", has_tunables ? "_PARAMETERS + " : "", capitals);
-    add_reals(list, "good", size, (size_t)(m->input_count + m->parameter_count + list->e->p->output_count),
+    add_reals(list, "good", size, (size_t)(m->inputs.count + m->parameters.count + list->e->p->output_count),
               arena_format(memory, "the last good%s%s outputs", has_inputs ? " inputs," : "",
                            has_tunables ? " tunables," : ""));
 }
@@ -165,11 +166,11 @@ static memory_layout layout_of(const emission *e)
     enum { NAMED = 16 };
     const mechanism *m = e->p->m;
     memory_layout list = {.e = e, .real_size = e->p->is_double ? sizeof(double) : sizeof(float)};
-    list.parts =
-        arena_take(e->out->memory, NAMED + (size_t)(m->memory_count + e->p->reduced_plant_count), sizeof *list.parts);
+    list.parts = arena_take(e->out->memory, NAMED + (size_t)(m->effects.memory_count + e->p->reduced_plant_count),
+                            sizeof *list.parts);
     const char *capitals = e->names->capitals;
     add_moving(&list);
-    add_reals(&list, "p", arena_format(e->out->memory, "%s_PARAMETERS", capitals), (size_t)m->parameter_count, NULL);
+    add_reals(&list, "p", arena_format(e->out->memory, "%s_PARAMETERS", capitals), (size_t)m->parameters.count, NULL);
     add_reals(&list, "y", arena_format(e->out->memory, "%s_OUTPUTS", capitals), (size_t)e->p->output_count, NULL);
     add_reals(&list, "rests", arena_format(e->out->memory, "%d", e->p->turn_count), (size_t)e->p->turn_count,
               "what rounding has taken from the angles of continuous joints");

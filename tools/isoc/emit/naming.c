@@ -47,11 +47,11 @@ static const leaf_name *states_of(const naming *n, arena *memory, int count)
 static const leaf_name *held_of(const naming *n, arena *memory, const mechanism *m)
 {
     variable *all = arena_take(memory, (size_t)held_count(m) + 1, sizeof *all);
-    for (int i = 0; i < m->input_count; i++) {
-        all[i] = m->inputs[i];
+    for (int i = 0; i < m->inputs.count; i++) {
+        all[i] = m->inputs.all[i];
     }
-    for (int i = 0; i < m->memory_count; i++) {
-        all[m->input_count + i] = m->memories[i].about;
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        all[m->inputs.count + i] = m->effects.memories[i].about;
     }
     return leaves_of(n, memory, 'U', all, held_count(m));
 }
@@ -64,7 +64,7 @@ naming naming_of(const plant *p, arena *memory, const char *prefix)
     result.states = mechanism_states(m, memory);
     result.leaves.states = states_of(&result, memory, state_count(m));
     result.leaves.inputs = held_of(&result, memory, m);
-    result.leaves.parameters = leaves_of(&result, memory, 'P', m->parameters, m->parameter_count);
+    result.leaves.parameters = leaves_of(&result, memory, 'P', m->parameters.all, m->parameters.count);
     const char **outputs = arena_take(memory, (size_t)p->output_count + 1, sizeof *outputs);
     const char **quotes = arena_take(memory, (size_t)p->output_count + 1, sizeof *quotes);
     for (int i = 0; i < p->output_count; i++) {

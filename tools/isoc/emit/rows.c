@@ -39,13 +39,13 @@ static const char *input_place(const emission *e, int i)
 
 static const char *memory_target(const emission *e, int i)
 {
-    return input_place(e, e->p->m->input_count + i);
+    return input_place(e, e->p->m->inputs.count + i);
 }
 
 /* Where a ring has what is of so many rows ago, once the row has begun. */
 static const char *ring_place(const emission *e, int i, double ago)
 {
-    const unsigned long last = last_of_ring(&e->p->m->memories[i]);
+    const unsigned long last = last_of_ring(&e->p->m->effects.memories[i]);
     return last == 0    ? arena_format(e->out->memory, "memory->past_%d[0]", i)
            : ago == 0.0 ? arena_format(e->out->memory, "memory->past_%d[memory->row & UINT32_C(%lu)]", i, last)
                         : arena_format(e->out->memory,
@@ -64,17 +64,18 @@ static void begin_rows_function(emission *e, const char *head, const char *funct
 static assignments functions_of_time(const emission *e, bool is_row)
 {
     const mechanism *m = e->p->m;
-    assignments result = room_for(e, m->input_count + m->clocks.count);
-    for (int i = 0; i < m->input_count; i++) {
+    assignments result = room_for(e, m->inputs.count + m->clocks.count);
+    for (int i = 0; i < m->inputs.count; i++) {
         const bool is_seen = e->p->rows.sees[i] >= 0, is_again = is_seen && e->p->rows.sees_again[i];
-        if (m->driven[i] && (is_row ? is_seen : !is_seen || is_again)) {
-            assign(&result, input_place(e, i), m->inputs[i].quote, is_row ? e->p->rows.sees[i] : m->drives[i]);
+        if (m->inputs.driven[i] && (is_row ? is_seen : !is_seen || is_again)) {
+            assign(&result, input_place(e, i), m->inputs.all[i].quote,
+                   is_row ? e->p->rows.sees[i] : m->inputs.drives[i]);
         }
     }
     for (int i = 0; i < m->clocks.count && !is_row; i++) {
         const leaf_name *leaf = &e->names->leaves.states[m->clocks.first + i];
         assign(&result, arena_format(e->out->memory, "memory->x[%s]", leaf->place), NULL,
-               m->drives[m->input_count + i]);
+               m->inputs.drives[m->inputs.count + i]);
     }
     return result;
 }
@@ -83,11 +84,11 @@ static assignments functions_of_time(const emission *e, bool is_row)
 static void emit_edges(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char **targets = arena_take(e->out->memory, (size_t)m->edge_count + 1, sizeof *targets);
-    for (int i = 0; i < m->edge_count; i++) {
+    const char **targets = arena_take(e->out->memory, (size_t)m->inputs.edge_count + 1, sizeof *targets);
+    for (int i = 0; i < m->inputs.edge_count; i++) {
         targets[i] = arena_format(e->out->memory, "now[%d]", i);
     }
-    const code result = code_of(e, targets, m->edges, m->edge_count);
+    const code result = code_of(e, targets, m->inputs.edges, m->inputs.edge_count);
     text_add(e->out, "/* What jumps at ticks that are known. */\n");
     text_add(e->out, "static void find_edges(real *const now, const uint64_t tick)\n{\n");
     emit_code(e, &result);
@@ -109,8 +110,8 @@ static void emit_seen(emission *e)
     const code result = code_of_assignments(e, &all);
     text_add(e->out, "/* What a row shows of the functions of time; the step from there gets it too. */\n");
     text_add(e->out, "static void see(%s_memory *const memory, const uint64_t tick)\n{\n", e->names->prefix);
-    for (int i = 0; i < m->change_count; i++) {
-        const switching *c = &m->changes[i];
+    for (int i = 0; i < m->parameters.change_count; i++) {
+        const switching *c = &m->parameters.changes[i];
         const char *at = e->names->leaves.parameters[c->parameter].place;
         text_add(
             e->out,
@@ -126,11 +127,11 @@ void emit_drive(emission *e)
 {
     const mechanism *m = e->p->m;
     const assignments all = functions_of_time(e, false);
-    node *drives = arena_take(e->out->memory, (size_t)(m->input_count + m->clocks.count) + 1, sizeof *drives);
+    node *drives = arena_take(e->out->memory, (size_t)(m->inputs.count + m->clocks.count) + 1, sizeof *drives);
     int count = 0;
-    for (int i = 0; i < m->input_count + m->clocks.count; i++) {
-        if (i >= m->input_count || m->driven[i]) {
-            drives[count++] = m->drives[i];
+    for (int i = 0; i < m->inputs.count + m->clocks.count; i++) {
+        if (i >= m->inputs.count || m->inputs.driven[i]) {
+            drives[count++] = m->inputs.drives[i];
         }
     }
     emit_tick_tables(e, drives, (size_t)count);
@@ -155,9 +156,10 @@ void emit_drive(emission *e)
     emit_parameters(e, &result);
     emit_code(e, &result);
     if (watches_edges(m)) {
-        text_add(e->out, "    real now[%d], before[%d];\n    find_edges(now, tick);\n", m->edge_count, m->edge_count);
+        text_add(e->out, "    real now[%d], before[%d];\n    find_edges(now, tick);\n", m->inputs.edge_count,
+                 m->inputs.edge_count);
         text_add(e->out, "    find_edges(before, tick - (tick > 0));\n");
-        text_add(e->out, "    memory->edge = iso_any_changed(now, before, %d);\n", m->edge_count);
+        text_add(e->out, "    memory->edge = iso_any_changed(now, before, %d);\n", m->inputs.edge_count);
     }
     text_add(e->out, "}\n\n");
 }
@@ -185,8 +187,8 @@ static void emit_samples_of(emission *e, const row_order *order, int level, cons
         const int i = order->all[n] - state_count(m);
         if (order->level[n] == level) {
             text_add(e->out, "    real sampled_%d;\n", i);
-            assign(&all, arena_format(e->out->memory, "sampled_%d", i), m->memories[i].about.quote,
-                   m->memories[i].next);
+            assign(&all, arena_format(e->out->memory, "sampled_%d", i), m->effects.memories[i].about.quote,
+                   m->effects.memories[i].next);
         }
     }
     const code result = code_of_assignments(e, &all);
@@ -197,7 +199,7 @@ static void emit_samples_of(emission *e, const row_order *order, int level, cons
         if (order->level[n] == level) {
             const char *at = memory_target(e, i);
             text_add(e->out, "    %s = iso_select(\n        (iso_bits)0 - (iso_tick_modulo(memory->row, ", at);
-            text_add(e->out, "UINT32_C(%.0f)) == 0), sampled_%d, %s);\n", m->memories[i].ticks, i, at);
+            text_add(e->out, "UINT32_C(%.0f)) == 0), sampled_%d, %s);\n", m->effects.memories[i].ticks, i, at);
         }
     }
     text_add(e->out, "}\n\n");
@@ -221,10 +223,10 @@ static void call_samples(emission *e, const row_order *order, const char *functi
 static assignments nexts_of(const emission *e)
 {
     const mechanism *m = e->p->m;
-    assignments result = room_for(e, m->memory_count);
-    for (int i = 0; i < m->memory_count; i++) {
-        if (m->memories[i].kept == KEPT_NEXT) {
-            assign(&result, memory_target(e, i), m->memories[i].about.quote, m->memories[i].next);
+    assignments result = room_for(e, m->effects.memory_count);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        if (m->effects.memories[i].kept == KEPT_NEXT) {
+            assign(&result, memory_target(e, i), m->effects.memories[i].about.quote, m->effects.memories[i].next);
         }
     }
     return result;
@@ -233,10 +235,10 @@ static assignments nexts_of(const emission *e)
 static assignments kept_of(const emission *e)
 {
     const mechanism *m = e->p->m;
-    assignments result = room_for(e, m->memory_count);
-    for (int i = 0; i < m->memory_count; i++) {
-        if (is_late(&m->memories[i])) {
-            assign(&result, ring_place(e, i, 0.0), m->memories[i].about.quote, m->memories[i].next);
+    assignments result = room_for(e, m->effects.memory_count);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        if (is_late(&m->effects.memories[i])) {
+            assign(&result, ring_place(e, i, 0.0), m->effects.memories[i].about.quote, m->effects.memories[i].next);
         }
     }
     return result;
@@ -246,9 +248,9 @@ static assignments kept_of(const emission *e)
 static void emit_shifts(emission *e)
 {
     const mechanism *m = e->p->m;
-    for (int i = 0; i < m->memory_count; i++) {
-        if (is_late(&m->memories[i])) {
-            text_add(e->out, "    %s = %s;\n", memory_target(e, i), ring_place(e, i, m->memories[i].ticks));
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        if (is_late(&m->effects.memories[i])) {
+            text_add(e->out, "    %s = %s;\n", memory_target(e, i), ring_place(e, i, m->effects.memories[i].ticks));
         }
     }
 }
@@ -287,9 +289,9 @@ void emit_advance(emission *e)
 static assignments constant_starts(const emission *e)
 {
     const mechanism *m = e->p->m;
-    assignments result = room_for(e, m->memory_count);
-    for (int i = 0; i < m->memory_count; i++) {
-        const effect_quantity *q = &m->memories[i];
+    assignments result = room_for(e, m->effects.memory_count);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        const effect_quantity *q = &m->effects.memories[i];
         if (is_constant(e->g, q->begin) && begins(e, q)) {
             assign(&result, memory_target(e, i), q->about.quote, q->begin);
         }
@@ -305,11 +307,11 @@ static assignments starts_of_level(const emission *e, int level)
     for (int n = 0; n < order->count; n++) {
         const int which = order->all[n], i = which - state_count(m);
         if (order->level[n] == level && i < 0) {
-            const effect_quantity *q = &m->effect_states[which - m->first_effect_state];
+            const effect_quantity *q = &m->effects.states[which - m->effects.first_state];
             const char *at = e->names->leaves.states[which].place;
             assign(&result, arena_format(e->out->memory, "memory->x[%s]", at), q->about.quote, q->begin);
         } else if (order->level[n] == level) {
-            assign(&result, memory_target(e, i), m->memories[i].about.quote, m->memories[i].begin);
+            assign(&result, memory_target(e, i), m->effects.memories[i].about.quote, m->effects.memories[i].begin);
         }
     }
     return result;
@@ -319,9 +321,9 @@ static assignments starts_of_level(const emission *e, int level)
 static void emit_rings(emission *e)
 {
     const mechanism *m = e->p->m;
-    for (int i = 0; i < m->memory_count; i++) {
-        const unsigned long places = last_of_ring(&m->memories[i]) + 1;
-        if (is_late(&m->memories[i]) && begins(e, &m->memories[i]) && places > 1) {
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        const unsigned long places = last_of_ring(&m->effects.memories[i]) + 1;
+        if (is_late(&m->effects.memories[i]) && begins(e, &m->effects.memories[i]) && places > 1) {
             text_add(e->out, "    for (uint32_t i = 0; i < %lu; i++) {\n        memory->past_%d[i] = %s;\n    }\n",
                      places, i, memory_target(e, i));
         }

@@ -53,7 +53,7 @@ static void emit_hold_energy(emission *e)
     text_add(e->out, "    return energy;\n}\n\n");
     const char *prefix = e->names->prefix, *capitals = e->names->capitals;
     const char *more = arena_format(e->out->memory, "%s, %s", held_count(m) > 0 ? "memory->u" : "NULL",
-                                    m->parameter_count > 0 ? "memory->p" : "NULL");
+                                    m->parameters.count > 0 ? "memory->p" : "NULL");
     text_add(e->out, "static void hold_energy(%s_memory *const memory, const iso_bits near)\n{\n", prefix);
     text_add(e->out, "    real rest[%s_STATES];\n    memcpy(rest, memory->x, sizeof rest);\n", capitals);
     text_add(e->out, "    memset(rest + %d, 0, %d * sizeof *rest);\n", m->position_count, m->dof_count);
@@ -84,13 +84,13 @@ void emit_settle(emission *e)
     emit_code(e, &result);
     if (after->adds) {
         text_add(e->out, "    iso_method_move(%s, %s_STATES, x, settled_states, moved, %d);\n",
-                 recipe_symbol(e->out->memory, e->p->m->recipe), e->names->capitals, after->count);
+                 recipe_symbol(e->out->memory, e->p->m->method.recipe), e->names->capitals, after->count);
     }
     text_add(e->out, "}\n\n");
     if (after->pivot_count > 0) {
         emit_pivot_closures(e);
     }
-    if (after->pivot_count > 0 && e->p->m->near_holds) {
+    if (after->pivot_count > 0 && e->p->m->drift.near_holds) {
         emit_hold_energy(e);
     }
 }

@@ -13,11 +13,12 @@ static void begin_function(emission *e, const char *head)
 static void emit_adams(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char *tolerance = code_literal(e->out->memory, m->tolerance, e->p->is_double);
+    const char *tolerance = code_literal(e->out->memory, m->method.tolerance, e->p->is_double);
     text_add(e->out, "static const iso_adams_options options = {\n    .tolerance_absolute = %s,\n", tolerance);
-    text_add(e->out, "    .tolerance_relative = %s,\n    .budget = %.0f,\n", tolerance, m->substeps);
-    text_add(e->out, "    .driven = %s,\n", held_count(m) + m->parameter_count > 0 ? "true" : "false");
-    text_add(e->out, "    .level_max = %s,\n};\n\n", m->substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
+    text_add(e->out, "    .tolerance_relative = %s,\n    .budget = %.0f,\n", tolerance, m->method.substeps);
+    text_add(e->out, "    .driven = %s,\n", held_count(m) + m->parameters.count > 0 ? "true" : "false");
+    text_add(e->out, "    .level_max = %s,\n};\n\n",
+             m->method.substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
 }
 
 /* Which inputs a method extrapolates. */
@@ -25,8 +26,8 @@ static void emit_smooth(emission *e)
 {
     const mechanism *m = e->p->m;
     text_add(e->out, "static const bool smooth[%s] = {\n", sampled_size(e));
-    for (int i = 0; i < m->sampled_count; i++) {
-        if (m->smooth[i]) {
+    for (int i = 0; i < m->inputs.sampled_count; i++) {
+        if (m->inputs.smooth[i]) {
             text_add(e->out, "    [%s] = true,\n", e->names->leaves.inputs[i].place);
         }
     }
@@ -39,17 +40,17 @@ static void emit_equations(emission *e)
     const plant *p = e->p;
     text_add(e->out, "static const iso_equations equations%s = {\n    .derivative = %sderivative%s,\n", e->suffix,
              p->held.count > 0 ? "held_" : "", e->suffix);
-    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+    if (ISO_IS_IMPLICIT(p->m->method.recipe)) {
         text_add(e->out, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
     }
     if (p->rate_count > 0) {
         text_add(e->out, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
     }
-    if (ISO_IS_SMOOTH(p->m->recipe)) {
+    if (ISO_IS_SMOOTH(p->m->method.recipe)) {
         text_add(e->out, "    .held = %s,\n    .inputs = %s,\n    .smooth = smooth,\n", held_size(e), sampled_size(e));
         text_add(e->out, "%s", p->is_curved ? "    .curved = true,\n" : "");
     }
-    text_add(e->out, "%s};\n\n", ISO_IS_VARYING(p->m->recipe) ? "    .adams = &options,\n" : "");
+    text_add(e->out, "%s};\n\n", ISO_IS_VARYING(p->m->method.recipe) ? "    .adams = &options,\n" : "");
 }
 
 static void emit_places_of(emission *e, const char *array, const int *states, int count)
@@ -66,7 +67,7 @@ static void emit_fast_states(emission *e)
 {
     const fast_part *fast = &e->p->fast;
     text_add(e->out, "/* States that move in %d sub-steps of a step, and the others that these read. */\n",
-             e->p->m->fast_substeps);
+             e->p->m->effects.fast_substeps);
     emit_places_of(e, "fast_states", fast->states, fast->count);
     if (fast->read_count > 0) {
         emit_places_of(e, "fast_reads", fast->reads, fast->read_count);
@@ -82,7 +83,7 @@ static void emit_fast_states(emission *e)
     if (fast->read_count > 0) {
         text_add(e->out, "    .reads = fast_reads%s,\n    .read_count = %d,\n", e->suffix, fast->read_count);
     }
-    text_add(e->out, "    .substeps = %d,\n};\n\n", e->p->m->fast_substeps);
+    text_add(e->out, "    .substeps = %d,\n};\n\n", e->p->m->effects.fast_substeps);
 }
 
 /* Whether there is something that discontinuity() compares with. */
@@ -107,11 +108,11 @@ static void emit_discontinuity(emission *e)
     const mechanism *m = e->p->m;
     begin_function(e, "static bool discontinuity");
     text_add(e->out, "    bool found = false;\n");
-    for (int i = 0; i < m->input_count && watches_inputs(m); i++) {
-        if (m->jumps[i] > 0.0) {
+    for (int i = 0; i < m->inputs.count && watches_inputs(m); i++) {
+        if (m->inputs.jumps[i] > 0.0) {
             const char *at = e->names->leaves.inputs[i].place;
             text_add(e->out, "    found |= iso_abs(memory->u[%s] - memory->last_u[%s]) > %s;\n", at, at,
-                     code_literal(e->out->memory, m->jumps[i], e->p->is_double));
+                     code_literal(e->out->memory, m->inputs.jumps[i], e->p->is_double));
         }
     }
     text_add(e->out, "%s", watches_parameters(e->p) ? "    found |= memory->changed != 0;\n" : "");
@@ -127,7 +128,7 @@ static const char *array_or_null(int count, const char *array)
 /* That of a step, whose states may be put right after it. */
 static unsigned step_recipe(const emission *e)
 {
-    return e->p->m->recipe | (e->p->after.count > 0 ? ISO_SETTLED : 0U);
+    return e->p->m->method.recipe | (e->p->after.count > 0 ? ISO_SETTLED : 0U);
 }
 
 /* What does not change in a step is computed; returns where that stands, or the tunables. */
@@ -140,7 +141,7 @@ static const char *emit_held(emission *e)
     if (h->count > h->tuned) {
         text_add(e->out, "    hold%s(%s, memory->u);\n", e->suffix, kept);
     }
-    return h->count > 0 ? kept : array_or_null(e->p->m->parameter_count, "memory->p");
+    return h->count > 0 ? kept : array_or_null(e->p->m->parameters.count, "memory->p");
 }
 
 /* The call of iso_method_step or iso_method_prime, with what it works on. */
@@ -149,14 +150,14 @@ static void emit_call(emission *e, const char *function, const char *size)
     const mechanism *m = e->p->m;
     const char *recipe = recipe_symbol(e->out->memory, step_recipe(e)), *capitals = e->names->capitals;
     text_add(e->out, "    real work[%s(%s, %s_STATES)%s];\n", size, recipe, capitals,
-             ISO_IS_SMOOTH(m->recipe) ? arena_format(e->out->memory, " + %s", held_size(e)) : "");
-    if (ISO_IS_IMPLICIT(m->recipe)) {
+             ISO_IS_SMOOTH(m->method.recipe) ? arena_format(e->out->memory, " + %s", held_size(e)) : "");
+    if (ISO_IS_IMPLICIT(m->method.recipe)) {
         text_add(e->out, "    real lu[%d];\n", e->p->j.factor_count);
     }
     const char *parameters = emit_held(e);
     text_add(e->out, "    %s(%s, %s_STATES, &equations%s, %s, memory->x, %s, %s, %s, work,\n", function, recipe,
              capitals, e->suffix, code_literal(e->out->memory, method_step(m), e->p->is_double),
-             array_or_null(held_count(m), "memory->u"), parameters, ISO_IS_IMPLICIT(m->recipe) ? "lu" : "NULL");
+             array_or_null(held_count(m), "memory->u"), parameters, ISO_IS_IMPLICIT(m->method.recipe) ? "lu" : "NULL");
     text_add(e->out, "                    %s);\n", progress_of(m));
 }
 
@@ -164,7 +165,7 @@ static void emit_call(emission *e, const char *function, const char *size)
 static void emit_multirate_call(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char *recipe = recipe_symbol(e->out->memory, m->recipe), *capitals = e->names->capitals;
+    const char *recipe = recipe_symbol(e->out->memory, m->method.recipe), *capitals = e->names->capitals;
     text_add(e->out, "    real work[ISO_MULTIRATE_WORK(%s, %s_STATES, %d, %d)];\n", recipe, capitals, e->p->fast.count,
              e->p->fast.read_count);
     const char *parameters = emit_held(e);
@@ -176,7 +177,7 @@ static void emit_multirate_call(emission *e)
 /* What is done about the samples of smooth inputs before a step or a restart. */
 static void emit_samples(emission *e, const char *function)
 {
-    const unsigned recipe = e->p->m->recipe;
+    const unsigned recipe = e->p->m->method.recipe;
     if (ISO_IS_SMOOTH(recipe)) {
         text_add(e->out, "    %s(%s, &equations%s, memory->u);\n", function, recipe_symbol(e->out->memory, recipe),
                  e->suffix);
@@ -194,7 +195,7 @@ static void emit_prime(emission *e)
         }
     }
     emit_samples(e, "iso_method_forget");
-    if (ISO_IS_PRIMED(e->p->m->recipe)) {
+    if (ISO_IS_PRIMED(e->p->m->method.recipe)) {
         emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
     }
     text_add(e->out, "%s}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
@@ -265,16 +266,16 @@ static void emit_settling(emission *e)
     if (pivots > 0) {
         text_add(e->out, "    real pivots[%d];\n", pivots);
     }
-    if (m->projections > 1) {
-        text_add(e->out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n", m->projections,
-                 more);
+    if (m->drift.projections > 1) {
+        text_add(e->out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n",
+                 m->drift.projections, more);
     } else {
         text_add(e->out, "    settle(memory->x%s);\n", more);
     }
     if (pivots > 0) {
         const char *watch = arena_format(
             e->out->memory, "iso_watch_pivots(memory->pivots, pivots, pivot_closures, %d, &memory->nearness)", pivots);
-        if (m->near_holds) {
+        if (m->drift.near_holds) {
             text_add(e->out, "    hold_energy(memory, %s);\n", watch);
         } else {
             text_add(e->out, "    (void)%s;\n", watch);
@@ -302,12 +303,12 @@ static void emit_after(emission *e)
 static void emit_check_of_room(emission *e)
 {
     text_add(e->out, "_Static_assert(sizeof((%s_memory *)0)->x == ISO_METHOD_STATE(%s, %s_STATES) * sizeof(real),\n",
-             e->names->prefix, recipe_symbol(e->out->memory, e->p->m->recipe), e->names->capitals);
+             e->names->prefix, recipe_symbol(e->out->memory, e->p->m->method.recipe), e->names->capitals);
     text_add(e->out, "    \"made for another version of core/methods/method.h\");\n\n");
-    if (ISO_IS_SMOOTH(e->p->m->recipe)) {
-        text_add(e->out,
-                 "_Static_assert(sizeof((%s_memory *)0)->u == (%s + ISO_METHOD_SAMPLES(%s, %s)) * sizeof(real),\n",
-                 e->names->prefix, held_size(e), recipe_symbol(e->out->memory, e->p->m->recipe), sampled_size(e));
+    if (ISO_IS_SMOOTH(e->p->m->method.recipe)) {
+        text_add(
+            e->out, "_Static_assert(sizeof((%s_memory *)0)->u == (%s + ISO_METHOD_SAMPLES(%s, %s)) * sizeof(real),\n",
+            e->names->prefix, held_size(e), recipe_symbol(e->out->memory, e->p->m->method.recipe), sampled_size(e));
         text_add(e->out, "    \"made for another version of core/methods/inputs.h\");\n\n");
     }
 }
@@ -315,7 +316,7 @@ static void emit_check_of_room(emission *e)
 /* The function of a step by the method of the plant; `suffix` behind its name. */
 static void emit_step_function(emission *e, const char *suffix)
 {
-    const bool has_parts = e->p->m->parts > 1;
+    const bool has_parts = e->p->m->method.parts > 1;
     text_add(e->out, "%s", has_parts ? "/* A part of a step. */\n" : "");
     begin_function(e, arena_format(e->out->memory, "%sstatic void %s%s", e->p->is_flat ? "ISO_FLAT " : "",
                                    has_parts ? "part" : "step", suffix));
@@ -330,7 +331,7 @@ static void emit_step_function(emission *e, const char *suffix)
     text_add(e->out, "}\n\n");
     if (has_parts) {
         text_add(e->out, "static void step%s(void *const instance)\n{\n    for (int i = 0; i < %d; i++) {\n", suffix,
-                 e->p->m->parts);
+                 e->p->m->method.parts);
         text_add(e->out, "        part%s(instance);\n    }\n}\n\n", suffix);
     }
 }
@@ -342,7 +343,7 @@ static const char *emit_step_of_rung(emission *e, int rung)
     emission other = emission_of(e, reduced_plant_on_rung(e->p, rung));
     mechanism by = *other.p->m;
     plant with = *other.p;
-    by.recipe = rung_recipe(e->p, rung);
+    by.method.recipe = rung_recipe(e->p, rung);
     with.m = &by;
     other.p = &with;
     emit_step_function(&other, suffix);
@@ -354,7 +355,7 @@ static const char *emit_step_of_rung(emission *e, int rung)
 static void emit_rest(emission *e)
 {
     text_add(e->out, "/* No step: the states stay. */\n");
-    if (ISO_IS_SMOOTH(e->p->m->recipe)) {
+    if (ISO_IS_SMOOTH(e->p->m->method.recipe)) {
         begin_function(e, "static void rest");
         emit_samples(e, "iso_method_sample");
         text_add(e->out, "}\n\n");
@@ -384,10 +385,10 @@ void emit_step(emission *e)
 {
     emit_check_of_room(e);
     emit_memory_check(e);
-    if (ISO_IS_SMOOTH(e->p->m->recipe)) {
+    if (ISO_IS_SMOOTH(e->p->m->method.recipe)) {
         emit_smooth(e);
     }
-    if (ISO_IS_VARYING(e->p->m->recipe)) {
+    if (ISO_IS_VARYING(e->p->m->method.recipe)) {
         emit_adams(e);
     }
     emit_equations(e);

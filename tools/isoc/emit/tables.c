@@ -61,7 +61,7 @@ void emit_tick_tables(emission *e, const node *roots, size_t count)
         if (!needed[n] || (at->op != OP_PRBS && at->op != OP_CHIRP && at->op != OP_LINES)) {
             continue;
         }
-        const tick_table *t = &m->tables[at->index];
+        const tick_table *t = &m->inputs.tables[at->index];
         if (at->op == OP_PRBS) {
             emit_words(e, "prbs", at->index, t);
             text_add(e->out, "\n");

@@ -199,7 +199,7 @@ static int cost_of(const graph *g, const jacobian *j, int states)
  * Those of more differ from them by e over an eigenvalue of A, which a stiff element makes a multiple of itself. */
 static bool is_balance_exact(const mechanism *m)
 {
-    return !m->is_redundant || m->multiplier_iterations == 1;
+    return !m->drift.is_redundant || m->drift.multiplier_iterations == 1;
 }
 
 /* Each in a copy of the graph. */

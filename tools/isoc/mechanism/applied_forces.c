@@ -20,7 +20,7 @@ static void build_applied_force(builder *b, const body_force *written)
     if (pushed < 0 || drive < 0 || written->axis == NULL || !unit_axis(b, written->axis, axis)) {
         return;
     }
-    const body_frame *frame = &b->mechanism.frames[pushed];
+    const body_frame *frame = &b->mechanism.bodies.frames[pushed];
     if (!frame->placed || frame->segment == GROUND) {
         if (frame->placed) {
             source_problem(b->s, written->at.body.at, "'%s' is fixed to the ground: a force on it has no effect",
@@ -31,13 +31,13 @@ static void build_applied_force(builder *b, const body_force *written)
     applied_force result = {.body = pushed, .segment = frame->segment, .drive = drive, .lever = lever};
     result.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
     result.axis = matrix_apply(g, frame->turn, matrix_apply(g, turned, vector_of(g, axis[0], axis[1], axis[2])));
-    b->mechanism.applied_forces[b->mechanism.applied_force_count++] = result;
+    b->mechanism.forces.applied[b->mechanism.forces.applied_count++] = result;
 }
 
 void build_applied_forces(builder *b)
 {
-    b->mechanism.applied_forces = arena_take(b->s->memory, b->written->force_count + count_forces(b->written) + 1,
-                                             sizeof *b->mechanism.applied_forces);
+    b->mechanism.forces.applied = arena_take(b->s->memory, b->written->force_count + count_forces(b->written) + 1,
+                                             sizeof *b->mechanism.forces.applied);
     for (size_t i = 0; i < b->written->force_count; i++) {
         build_applied_force(b, &b->written->forces[i]);
     }

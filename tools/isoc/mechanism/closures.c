@@ -121,16 +121,16 @@ static void build_near(builder *b, const name *near)
     if (near->text == NULL) {
         return;
     }
-    m->near_stops = strcmp(near->text, "stop") == 0;
-    m->near_holds = strcmp(near->text, "hold") == 0;
-    if (m->projections == 0) {
+    m->drift.near_stops = strcmp(near->text, "stop") == 0;
+    m->drift.near_holds = strcmp(near->text, "hold") == 0;
+    if (m->drift.projections == 0) {
         source_problem(b->s, near->at,
                        "only a projection watches for singular positions: leave out omega and mu, or near");
     }
-    if (m->near_holds && (ISO_PAST_KEPT(m->recipe) > 0 || ISO_IS_VARYING(m->recipe))) {
+    if (m->drift.near_holds && (ISO_PAST_KEPT(m->method.recipe) > 0 || ISO_IS_VARYING(m->method.recipe))) {
         source_problem(b->s, near->at, "near hold needs a method without a history, such as rk4 or rosenbrock");
     }
-    for (int i = 0; i < m->closure_count && m->near_holds; i++) {
+    for (int i = 0; i < m->closure_count && m->drift.near_holds; i++) {
         if (m->closures[i].kind == CLOSE_MOTION) {
             source_problem(b->s, near->at, "near hold needs closures that do no work: '%s' is a motion",
                            m->closures[i].name);
@@ -154,23 +154,24 @@ static void build_stabilisation(builder *b)
     const bool is_lagrangian = strcmp(kind, "lagrangian") == 0, is_baumgarte = strcmp(kind, "baumgarte") == 0;
     const bool draws = is_baumgarte || (is_lagrangian && (written->omega != NULL || written->mu != NULL));
     const double usual = draws ? 0.1 / method_step(m) : 0.0;
-    m->alpha = option(b, written->alpha, rate, "alpha", usual, 0.0);
-    m->beta = option(b, written->beta, rate, "beta", written->alpha != NULL ? m->alpha : usual, 0.0);
-    m->multiplier_iterations = 1;
+    m->drift.alpha = option(b, written->alpha, rate, "alpha", usual, 0.0);
+    m->drift.beta = option(b, written->beta, rate, "beta", written->alpha != NULL ? m->drift.alpha : usual, 0.0);
+    m->drift.multiplier_iterations = 1;
     if (is_lagrangian) {
         const double omega = option(b, written->omega, rate, "omega", usual, 0.0);
-        m->beta = omega;
-        m->alpha = omega * option(b, written->mu, no_unit, "mu", 1.0, 0.0);
-        m->is_redundant = true;
-        m->penalty = option(b, written->penalty, kilogram, "the penalty", 0.0, 1e-9);
-        m->multiplier_iterations = (int)option(b, written->iterations, no_unit, "the number of iterations", 6.0, 1.0);
-        m->projections = draws ? 0 : 1;
+        m->drift.beta = omega;
+        m->drift.alpha = omega * option(b, written->mu, no_unit, "mu", 1.0, 0.0);
+        m->drift.is_redundant = true;
+        m->drift.penalty = option(b, written->penalty, kilogram, "the penalty", 0.0, 1e-9);
+        m->drift.multiplier_iterations =
+            (int)option(b, written->iterations, no_unit, "the number of iterations", 6.0, 1.0);
+        m->drift.projections = draws ? 0 : 1;
     } else if (strcmp(kind, "projection") == 0) {
-        m->projections = (int)option(b, written->iterations, no_unit, "the number of iterations", 1.0, 1.0);
+        m->drift.projections = (int)option(b, written->iterations, no_unit, "the number of iterations", 1.0, 1.0);
     }
     build_near(b, &written->near);
-    m->violation_limit = value_displacement(&b->values, written->limit, "the limit", 0.0);
-    if (m->violation_limit < 0.0) {
+    m->drift.violation_limit = value_displacement(&b->values, written->limit, "the limit", 0.0);
+    if (m->drift.violation_limit < 0.0) {
         source_problem(b->s, written->limit->at, "the limit must be at least 0");
     }
 }

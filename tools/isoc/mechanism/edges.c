@@ -11,12 +11,13 @@ void find_edges(builder *b, node drive)
     for (size_t i = 0; i < g->count; i++) {
         const operation op = g->nodes[i].op;
         bool is_new = needed[i] && (op == OP_FROM || op == OP_SQUARE || op == OP_SQUARE_OF_PHASE || op == OP_PRBS);
-        for (int k = 0; k < m->edge_count; k++) {
-            is_new = is_new && m->edges[k] != (node)i;
+        for (int k = 0; k < m->inputs.edge_count; k++) {
+            is_new = is_new && m->inputs.edges[k] != (node)i;
         }
         if (is_new) {
-            m->edges = arena_grow(b->s->memory, m->edges, (size_t)m->edge_count, &b->edge_room, sizeof *m->edges);
-            m->edges[m->edge_count++] = (node)i;
+            m->inputs.edges = arena_grow(b->s->memory, m->inputs.edges, (size_t)m->inputs.edge_count, &b->edge_room,
+                                         sizeof *m->inputs.edges);
+            m->inputs.edges[m->inputs.edge_count++] = (node)i;
         }
     }
 }

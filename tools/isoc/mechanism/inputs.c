@@ -13,13 +13,13 @@ static void build_smooth(builder *b)
 {
     mechanism *m = &b->mechanism;
     bool any = false;
-    m->smooth = arena_take(b->s->memory, (size_t)m->input_count + 1, sizeof *m->smooth);
+    m->inputs.smooth = arena_take(b->s->memory, (size_t)m->inputs.count + 1, sizeof *m->inputs.smooth);
     for (size_t i = 0; i < b->written->input_count; i++) {
-        m->smooth[i] = b->written->inputs[i].smooth;
-        any = any || m->smooth[i];
+        m->inputs.smooth[i] = b->written->inputs[i].smooth;
+        any = any || m->inputs.smooth[i];
     }
-    const unsigned smooth = m->recipe | ISO_SMOOTH;
-    m->recipe = any && ISO_DEGREE(smooth) > 0 ? smooth : m->recipe;
+    const unsigned smooth = m->method.recipe | ISO_SMOOTH;
+    m->method.recipe = any && ISO_DEGREE(smooth) > 0 ? smooth : m->method.recipe;
 }
 
 /* What joints and forces say of an input: whether it is a torque, or a force. */
@@ -81,11 +81,11 @@ static void build_wire(builder *b, int i, bool is_known, dimension expected)
     static const double most_ticks = 4294967295.0;
     mechanism *m = &b->mechanism;
     const quantity *q = &b->written->inputs[i];
-    const variable *v = &m->inputs[i];
-    if (m->driven[i] && q->safe == NULL) {
+    const variable *v = &m->inputs.all[i];
+    if (m->inputs.driven[i] && q->safe == NULL) {
         return;
     }
-    wire *w = &m->wires[m->wire_count++];
+    wire *w = &m->inputs.wires[m->inputs.wire_count++];
     *w = (wire){.input = i};
     w->safe = value_constant(&b->values, is_known ? q->safe : NULL, expected,
                              arena_format(b->s->memory, "the safe value of '%s'", q->name.text), 0.0);
@@ -108,19 +108,20 @@ static void build_input(builder *b, int i)
                        : dimension_equal(expected, newton)     ? "a force"
                                                                : "this input";
     b->input_dimensions[i] = expected;
-    m->inputs[i] = (variable){.name = q->name.text,
-                              .unit = dimension_unit(b->s->memory, expected),
-                              .quote = source_quote(b->s, q->name.at),
-                              .least = -HUGE_VAL,
-                              .most = HUGE_VAL};
-    read_limits(b, q, is_known, expected, &m->inputs[i]);
-    m->driven[i] = q->value != NULL;
-    m->drives[i] = scalar_value(b, is_known ? q->value : NULL, expected, what);
+    m->inputs.all[i] = (variable){.name = q->name.text,
+                                  .unit = dimension_unit(b->s->memory, expected),
+                                  .quote = source_quote(b->s, q->name.at),
+                                  .least = -HUGE_VAL,
+                                  .most = HUGE_VAL};
+    read_limits(b, q, is_known, expected, &m->inputs.all[i]);
+    m->inputs.driven[i] = q->value != NULL;
+    m->inputs.drives[i] = scalar_value(b, is_known ? q->value : NULL, expected, what);
     if (q->jump == NULL && !q->smooth) {
-        find_edges(b, m->drives[i]);
+        find_edges(b, m->inputs.drives[i]);
     }
-    m->jumps[i] = value_constant(&b->values, is_known ? q->jump : NULL, expected, what, q->jump != NULL ? 1.0 : 0.0);
-    if (q->jump != NULL && !(m->jumps[i] > 0.0)) {
+    m->inputs.jumps[i] =
+        value_constant(&b->values, is_known ? q->jump : NULL, expected, what, q->jump != NULL ? 1.0 : 0.0);
+    if (q->jump != NULL && !(m->inputs.jumps[i] > 0.0)) {
         source_problem(b->s, q->jump->at, "a jump must be larger than zero");
     }
     build_wire(b, i, is_known, expected);
@@ -130,18 +131,18 @@ void build_inputs(builder *b)
 {
     mechanism *m = &b->mechanism;
     find_time_inputs(b);
-    m->input_count = (int)b->written->input_count + b->time_input_count;
-    const size_t room = (size_t)m->input_count + 1;
-    m->inputs = arena_take(b->s->memory, room, sizeof *m->inputs);
-    m->driven = arena_take(b->s->memory, room, sizeof *m->driven);
-    m->jumps = arena_take(b->s->memory, room, sizeof *m->jumps);
-    m->wires = arena_take(b->s->memory, room, sizeof *m->wires);
-    m->drives = arena_take(b->s->memory, room + (size_t)m->clocks.count, sizeof *m->drives);
+    m->inputs.count = (int)b->written->input_count + b->time_input_count;
+    const size_t room = (size_t)m->inputs.count + 1;
+    m->inputs.all = arena_take(b->s->memory, room, sizeof *m->inputs.all);
+    m->inputs.driven = arena_take(b->s->memory, room, sizeof *m->inputs.driven);
+    m->inputs.jumps = arena_take(b->s->memory, room, sizeof *m->inputs.jumps);
+    m->inputs.wires = arena_take(b->s->memory, room, sizeof *m->inputs.wires);
+    m->inputs.drives = arena_take(b->s->memory, room + (size_t)m->clocks.count, sizeof *m->inputs.drives);
     b->input_dimensions = arena_take(b->s->memory, room, sizeof *b->input_dimensions);
     b->is_input_known = arena_take(b->s->memory, room, sizeof *b->is_input_known);
     b->is_input_used = arena_take(b->s->memory, room, sizeof *b->is_input_used);
     for (int i = 0; i < m->clocks.count; i++) {
-        m->drives[m->input_count + i] = m->clocks.all[i].of_tick;
+        m->inputs.drives[m->inputs.count + i] = m->clocks.all[i].of_tick;
     }
     build_smooth(b);
     b->values.time_allowed = true;
@@ -189,22 +190,22 @@ void build_parameters(builder *b)
 {
     const scene *written = b->written;
     mechanism *m = &b->mechanism;
-    m->parameters =
-        arena_take(b->s->memory, written->parameter_count + (size_t)b->fault_count + 1, sizeof *m->parameters);
-    m->defaults = b->values.defaults;
+    m->parameters.all =
+        arena_take(b->s->memory, written->parameter_count + (size_t)b->fault_count + 1, sizeof *m->parameters.all);
+    m->parameters.defaults = b->values.defaults;
     for (size_t i = 0; i < written->parameter_count; i++) {
         const quantity *q = &written->parameters[i];
         const value *resolved = &b->values.parameters[i];
         if (q->tunable) {
-            const int index = m->parameter_count++;
-            m->parameters[index] = (variable){.name = q->name.text};
+            const int index = m->parameters.count++;
+            m->parameters.all[index] = (variable){.name = q->name.text};
             if (resolved->count > 0) {
-                m->parameters[index] = parameter_of(b, q, resolved->of, m->defaults[index]);
+                m->parameters.all[index] = parameter_of(b, q, resolved->of, m->parameters.defaults[index]);
             }
         }
     }
     for (int i = 0; i < b->fault_count; i++) {
-        m->parameters[m->parameter_count++] = b->faults[i];
+        m->parameters.all[m->parameters.count++] = b->faults[i];
     }
 }
 
@@ -212,17 +213,17 @@ void build_parameters(builder *b)
 static int parameter_called(builder *b, name n)
 {
     const mechanism *m = &b->mechanism;
-    const char **names = arena_take(b->s->memory, (size_t)m->parameter_count + 1, sizeof *names);
-    for (int i = 0; i < m->parameter_count; i++) {
-        names[i] = m->parameters[i].name == NULL ? "" : m->parameters[i].name;
-        const bool is_fault = m->parameters[i].display_name != NULL;
-        names[i] = is_fault ? m->parameters[i].display_name : names[i];
+    const char **names = arena_take(b->s->memory, (size_t)m->parameters.count + 1, sizeof *names);
+    for (int i = 0; i < m->parameters.count; i++) {
+        names[i] = m->parameters.all[i].name == NULL ? "" : m->parameters.all[i].name;
+        const bool is_fault = m->parameters.all[i].display_name != NULL;
+        names[i] = is_fault ? m->parameters.all[i].display_name : names[i];
         if (strcmp(names[i], n.text) == 0) {
             return i;
         }
     }
     source_problem(b->s, n.at, "no tunable and no fault is called '%s'%s", n.text,
-                   source_suggestion(b->s, n.text, names, (size_t)m->parameter_count));
+                   source_suggestion(b->s, n.text, names, (size_t)m->parameters.count));
     return -1;
 }
 
@@ -231,14 +232,14 @@ static void check_changes(builder *b, const formula *const *to)
 {
     const mechanism *m = &b->mechanism;
     arena *memory = b->s->memory;
-    double *p = arena_take(memory, (size_t)m->parameter_count + 1, sizeof *p);
+    double *p = arena_take(memory, (size_t)m->parameters.count + 1, sizeof *p);
     double *numbers = arena_take(memory, b->g->count + 1, sizeof *numbers);
-    for (int i = 0; i < m->change_count; i++) {
-        const double tick = m->changes[i].tick;
-        double *latest = arena_take(memory, (size_t)m->parameter_count + 1, sizeof *latest);
-        memcpy(p, m->defaults, (size_t)m->parameter_count * sizeof *p);
-        for (int j = 0; j < m->change_count; j++) {
-            const switching *c = &m->changes[j];
+    for (int i = 0; i < m->parameters.change_count; i++) {
+        const double tick = m->parameters.changes[i].tick;
+        double *latest = arena_take(memory, (size_t)m->parameters.count + 1, sizeof *latest);
+        memcpy(p, m->parameters.defaults, (size_t)m->parameters.count * sizeof *p);
+        for (int j = 0; j < m->parameters.change_count; j++) {
+            const switching *c = &m->parameters.changes[j];
             if (c->tick <= tick && c->tick >= latest[c->parameter]) {
                 latest[c->parameter] = c->tick;
                 p[c->parameter] = c->value;
@@ -261,7 +262,7 @@ void build_changes(builder *b)
 {
     static const double most_ticks = 4294967295.0;
     mechanism *m = &b->mechanism;
-    m->changes = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *m->changes);
+    m->parameters.changes = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *m->parameters.changes);
     const formula **to_values = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *to_values);
     for (size_t i = 0; i < b->written->setting_count; i++) {
         const setting *set = &b->written->settings[i];
@@ -269,18 +270,19 @@ void build_changes(builder *b)
         if (parameter < 0) {
             continue;
         }
-        const variable *v = &m->parameters[parameter];
-        const double ticks = round(value_constant(&b->values, set->time, second, "the time", 0.0) / m->step);
+        const variable *v = &m->parameters.all[parameter];
+        const double ticks = round(value_constant(&b->values, set->time, second, "the time", 0.0) / m->method.step);
         const double to = value_constant(&b->values, set->value, v->dimension, v->name, v->start);
         if (ticks < 0.0 || ticks > most_ticks) {
-            source_problem(b->s, set->time->at, "the time is from 0 to %g s with this step", most_ticks * m->step);
+            source_problem(b->s, set->time->at, "the time is from 0 to %g s with this step",
+                           most_ticks * m->method.step);
         }
         if (to < v->least || to > v->most) {
             source_problem(b->s, set->value->at, "'%s' is from %g to %g, in SI units", set->what.text, v->least,
                            v->most);
         }
-        to_values[m->change_count] = set->value;
-        m->changes[m->change_count++] = (switching){ticks, parameter, to};
+        to_values[m->parameters.change_count] = set->value;
+        m->parameters.changes[m->parameters.change_count++] = (switching){ticks, parameter, to};
     }
     check_changes(b, to_values);
 }

@@ -239,13 +239,13 @@ static bool spin_from_ground(builder *b, const joint *j, double spin[3])
     matrix turned;
     vector origin;
     const int on = stand_on(b, &j->parent, &turned, &origin);
-    if (on >= 0 && b->mechanism.frames[on].segment != GROUND) {
+    if (on >= 0 && b->mechanism.bodies.frames[on].segment != GROUND) {
         source_problem(b->s, j->spin_axes_at, "the joint '%s' is not on the ground: give its spin in the child's axes",
                        j->name.text);
         return false;
     }
     if (on >= 0) {
-        turned = matrix_product(b->g, b->mechanism.frames[on].turn, turned);
+        turned = matrix_product(b->g, b->mechanism.bodies.frames[on].turn, turned);
     }
     const double given_spin[3] = {spin[0], spin[1], spin[2]};
     for (int i = 0; i < 3; i++) {

@@ -35,10 +35,10 @@ static unsigned method_of_rung(builder *b, name rung)
             source_problem(b->s, rung.at, "'%s' is a rung already", rung.text);
         }
     }
-    for (size_t i = 0; i < b->written->input_count && method != ISO_METHOD_OF(b->mechanism.recipe); i++) {
+    for (size_t i = 0; i < b->written->input_count && method != ISO_METHOD_OF(b->mechanism.method.recipe); i++) {
         if (b->written->inputs[i].smooth) {
             source_problem(b->s, rung.at, "the smooth input '%s' is sampled for %s: let it be held, or leave out '%s'",
-                           b->written->inputs[i].name.text, method_names[ISO_METHOD_OF(b->mechanism.recipe)],
+                           b->written->inputs[i].name.text, method_names[ISO_METHOD_OF(b->mechanism.method.recipe)],
                            rung.text);
         }
     }
@@ -141,8 +141,8 @@ static void build_ladder(builder *b)
 {
     const running *written = &b->written->running;
     policies *to = &b->mechanism.policies;
-    unsigned method = ISO_METHOD_OF(b->mechanism.recipe);
-    if (!is_plain(method) || ISO_IS_CHECKED(b->mechanism.recipe)) {
+    unsigned method = ISO_METHOD_OF(b->mechanism.method.recipe);
+    if (!is_plain(method) || ISO_IS_CHECKED(b->mechanism.method.recipe)) {
         source_problem(b->s, written->overrun_at,
                        "a ladder is for the methods euler, heun and rk4, without a check: others keep a history");
     }

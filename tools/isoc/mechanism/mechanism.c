@@ -48,8 +48,8 @@ static composite weld_lump(builder *b, const lump *part, const body_frame *frame
     const vector com = vector_add(g, matrix_apply(g, frame->turn, part->com), frame->offset);
     composite own = {part->mass, vector_scale(g, part->mass, com), tensor_zero(g)};
     if (frame->segment == GROUND) {
-        b->mechanism.ground_mass = add(g, b->mechanism.ground_mass, own.mass);
-        b->mechanism.ground_moment = vector_add(g, b->mechanism.ground_moment, own.ms);
+        b->mechanism.bodies.ground_mass = add(g, b->mechanism.bodies.ground_mass, own.mass);
+        b->mechanism.bodies.ground_moment = vector_add(g, b->mechanism.bodies.ground_moment, own.ms);
         return own;
     }
     segment *l = &b->mechanism.segments[frame->segment];
@@ -80,8 +80,8 @@ static void hang(builder *b, size_t i)
     graph *g = b->g;
     const joint *j = &b->written->joints[i];
     const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
-    const body_frame parent = b->parents[i] == -2 ? ground : b->mechanism.frames[b->parents[i]];
-    body_frame *child = &b->mechanism.frames[b->children[i]];
+    const body_frame parent = b->parents[i] == -2 ? ground : b->mechanism.bodies.frames[b->parents[i]];
+    body_frame *child = &b->mechanism.bodies.frames[b->children[i]];
 
     matrix on_parent, on_child;
     vector at_parent, at_child;
@@ -112,7 +112,7 @@ static void hang(builder *b, size_t i)
     child->offset = vector_add(g, last.offset, back);
     child->placed = true;
 
-    member *result = &b->mechanism.members[b->children[i]];
+    member *result = &b->mechanism.bodies.members[b->children[i]];
     *result = (member){.joint = j->name.text, .parent = b->parents[i] == -2 ? GROUND : b->parents[i]};
     result->hinge = last.offset;
     result->own = weld(b, &b->weights[b->children[i]], child);
@@ -127,7 +127,7 @@ static void build_tree(builder *b)
         going = false;
         for (size_t i = 0; i < joints && !going; i++) {
             const int parent = b->parents[i];
-            const bool placed = parent == -2 || (parent >= 0 && b->mechanism.frames[parent].placed);
+            const bool placed = parent == -2 || (parent >= 0 && b->mechanism.bodies.frames[parent].placed);
             if (!hung[i] && placed && b->children[i] >= 0) {
                 hang(b, i);
                 hung[i] = going = true;
@@ -167,14 +167,14 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     b.parents = arena_take(s->memory, written->joint_count + 1, sizeof *b.parents);
     b.children = arena_take(s->memory, written->joint_count + 1, sizeof *b.children);
     b.mechanism = (mechanism){.name = written->name, .source = s, .is_double = is_double};
-    b.mechanism.ground_mass = constant(g, 0.0);
-    b.mechanism.ground_moment = vector_zero(g);
+    b.mechanism.bodies.ground_mass = constant(g, 0.0);
+    b.mechanism.bodies.ground_moment = vector_zero(g);
     b.mechanism.segments =
         arena_take(s->memory, PARTS_OF_A_JOINT * written->joint_count + 1, sizeof *b.mechanism.segments);
-    b.mechanism.frames =
-        arena_take(s->memory, written->body_count + written->frame_count + 1, sizeof *b.mechanism.frames);
-    b.mechanism.members = arena_take(s->memory, written->body_count + 1, sizeof *b.mechanism.members);
-    b.mechanism.body_count = (int)written->body_count;
+    b.mechanism.bodies.frames =
+        arena_take(s->memory, written->body_count + written->frame_count + 1, sizeof *b.mechanism.bodies.frames);
+    b.mechanism.bodies.members = arena_take(s->memory, written->body_count + 1, sizeof *b.mechanism.bodies.members);
+    b.mechanism.bodies.count = (int)written->body_count;
     values_start(&b.values, s, g, written, count_faults(written), is_double);
 
     if (!counts_check(s, written)) {
@@ -185,7 +185,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_method(&b);
     build_policies(&b);
     values_resolve(&b.values);
-    b.mechanism.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
+    b.mechanism.forces.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
     build_bodies(&b);
     for (size_t i = 0; i < written->joint_count; i++) {
         connect(&b, i);
@@ -209,10 +209,10 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_parameters(&b);
     build_changes(&b);
     states_check(s, &b.mechanism);
-    b.mechanism.tables = b.values.tables;
-    b.mechanism.table_count = (int)b.values.table_count;
-    b.mechanism.conditions = b.values.conditions;
-    b.mechanism.condition_count = (int)b.values.condition_count;
+    b.mechanism.inputs.tables = b.values.tables;
+    b.mechanism.inputs.table_count = (int)b.values.table_count;
+    b.mechanism.parameters.conditions = b.values.conditions;
+    b.mechanism.parameters.condition_count = (int)b.values.condition_count;
 
     if (written->broken) {
         return b.mechanism;

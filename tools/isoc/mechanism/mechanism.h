@@ -266,59 +266,68 @@ typedef struct policies {
     bool delayed, histogram;
 } policies;
 
-typedef struct mechanism {
-    const char *name;
-    const source *source;
-    segment *segments;
-    dof *dofs;
-    int segment_count, position_count, dof_count;
+/* What bodies and frames of the scene become. */
+typedef struct body_set {
     body_frame *frames; /* of the scene's bodies, then of its frames */
     member *members;    /* of the bodies */
-    int body_count;
-    closure *closures;
-    int closure_count;
+    int count;
+    node ground_mass; /* fixed to the ground; for the energy */
+    vector ground_moment;
+} body_set;
+
+/* What acts on bodies besides joints, closures and effects on joints. */
+typedef struct force_set {
+    vector gravity;
+    point_spring *springs;
+    int spring_count;
+    applied_force *applied;
+    int applied_count;
+} force_set;
+
+/* What is done against constraint drift. */
+typedef struct drift_control {
     double alpha, beta; /* 1/s, of Baumgarte */
     bool is_redundant;  /* the Schur complement may be singular: augmented Lagrangian */
     double penalty;     /* kg, of the augmented Lagrangian; 0: from the rounding (tools/isoc/closure/augmented.h) */
-    bool is_double;     /* the number type of the plant */
-    int multiplier_iterations;      /* of the augmented Lagrangian; else 1 */
-    int projections;                /* iterations of the projection after a step */
-    double violation_limit;         /* m or rad; 0: none */
-    bool near_stops;                /* a tick near a singular position of the closures is the guard's; */
-    bool near_holds;                /* or a step there keeps the energy */
-    clocks clocks;                  /* of motions: states between the segments' positions and the speeds */
-    effect_quantity *effect_states; /* states behind the clocks */
-    int effect_state_count, first_effect_state;
-    bool *fast_effects;        /* [effects] those whose states take sub-steps in a step, */
-    int fast_substeps;         /* and how many; 0: none do */
-    effect_quantity *memories; /* of effects and of formulas: numbers that a row sets, behind the inputs */
-    int memory_count;
-    bool *is_read;               /* [inputs and memories that were written] */
-    node *efforts;               /* [degrees of freedom] of effects: */
-    effect_effort *effort_parts; /* the sums of these */
-    int effort_part_count;
-    name *effects; /* what they are called */
-    int effect_count;
+    int multiplier_iterations; /* of the augmented Lagrangian; else 1 */
+    int projections;           /* iterations of the projection after a step */
+    double violation_limit;    /* m or rad; 0: none */
+    bool near_stops;           /* a tick near a singular position of the closures is the guard's; */
+    bool near_holds;           /* or a step there keeps the energy */
+} drift_control;
+
+/* Effects, and the memories of effects and of formulas. */
+typedef struct effect_set {
+    name *names; /* what they are called */
+    int count;
     effect_account *accounts; /* [effects] */
+    effect_quantity *states;  /* behind the clocks */
+    int state_count, first_state;
+    bool *is_fast;             /* [effects] those whose states take sub-steps in a step, */
+    int fast_substeps;         /* and how many; 0: none do */
+    effect_quantity *memories; /* numbers that a row sets, behind the inputs */
+    int memory_count;
+    node *efforts;         /* [degrees of freedom] of effects: */
+    effect_effort *pushes; /* the sums of these */
+    int push_count;
     effect_quantity *derived; /* values of effects that follow from step, method and inertia */
     int derived_count;
     size_t derived_room;
-    point_query *point_queries;
-    int point_query_count;
-    size_t point_query_room;
-    inertia_query *inertia_queries;
-    int inertia_query_count;
-    size_t inertia_query_room;
-    point_spring *point_springs;
-    int point_spring_count;
-    applied_force *applied_forces;
-    int applied_force_count;
-    vector gravity;
-    node ground_mass; /* fixed to the ground; for the energy */
-    vector ground_moment;
+} effect_set;
 
-    int input_count;
-    variable *inputs;
+/* What formulas ask of points. */
+typedef struct query_set {
+    point_query *points;
+    int point_count;
+    size_t point_room;
+    inertia_query *inertias;
+    int inertia_count;
+    size_t inertia_room;
+} query_set;
+
+typedef struct input_set {
+    int count;
+    variable *all;
     bool *driven;       /* inputs that are functions of time; the others are the port's */
     node *drives;       /* the inputs as functions of time, then the clocks */
     double *jumps;      /* the change of an input that restarts the method; 0: none */
@@ -329,34 +338,58 @@ typedef struct mechanism {
     int time_input_count;
     wire *wires; /* inputs that come in over a segment: all that are not driven, and those that have a safe value */
     int wire_count;
-    node *edges; /* functions of the tick in held inputs without a `jump` that jump by themselves */
+    bool *is_read; /* [inputs and memories that were written] */
+    node *edges;   /* functions of the tick in held inputs without a `jump` that jump by themselves */
     int edge_count;
     const tick_table *tables; /* of functions of the tick */
     int table_count;
+} input_set;
 
-    shown *outputs;
-    size_t output_count;
-
-    int parameter_count;
-    variable *parameters;
+typedef struct parameter_set {
+    int count;
+    variable *all;
     const double *defaults;
-    switching *changes; /* of parameters, at given ticks */
+    switching *changes; /* at given ticks */
     int change_count;
     const condition *conditions; /* that a change of a tunable must keep */
     int condition_count;
+} parameter_set;
 
-    policies policies;
+typedef struct method_choice {
     unsigned recipe;  /* method and options: core/methods/table.h */
     double tolerance; /* of adams */
     double substeps;  /* its budget in a tick; 0: unlimited */
     double step;      /* s, of a tick */
     int parts;        /* steps of the method in a tick, of equal length; 1 of adams, which has its own */
+} method_choice;
+
+typedef struct mechanism {
+    const char *name;
+    const source *source;
+    bool is_double; /* the number type of the plant */
+    segment *segments;
+    dof *dofs;
+    int segment_count, position_count, dof_count;
+    body_set bodies;
+    force_set forces;
+    closure *closures;
+    int closure_count;
+    drift_control drift;
+    clocks clocks; /* of motions: states between the segments' positions and the speeds */
+    effect_set effects;
+    query_set queries;
+    input_set inputs;
+    shown *outputs;
+    size_t output_count;
+    parameter_set parameters;
+    policies policies;
+    method_choice method;
 } mechanism;
 
 /* The step of the method, in s. */
 static inline double method_step(const mechanism *m)
 {
-    return m->step / (double)m->parts;
+    return m->method.step / (double)m->method.parts;
 }
 
 /* The names of methods in a scene. */
@@ -381,14 +414,15 @@ static inline int state_count(const mechanism *m)
 /* Whether this state takes sub-steps of its own. */
 static inline bool is_fast_state(const mechanism *m, int state)
 {
-    const int i = state - m->first_effect_state;
-    return m->fast_substeps > 0 && i >= 0 && i < m->effect_state_count && m->fast_effects[m->effect_states[i].effect];
+    const int i = state - m->effects.first_state;
+    return m->effects.fast_substeps > 0 && i >= 0 && i < m->effects.state_count &&
+           m->effects.is_fast[m->effects.states[i].effect];
 }
 
 /* What is constant within a step: inputs and memories. */
 static inline int held_count(const mechanism *m)
 {
-    return m->input_count + m->memory_count;
+    return m->inputs.count + m->effects.memory_count;
 }
 
 /* Resolves names, units and places; notes problems. The result is whole only if there are none. Of a scene in which effects

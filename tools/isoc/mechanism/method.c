@@ -41,8 +41,8 @@ unsigned find_method(builder *b, name word)
 static void build_parts(builder *b, unsigned recipe)
 {
     const formula *f = b->written->substeps;
-    const double ns = floor(b->mechanism.step * 1e9 + 0.5), parts = b->mechanism.substeps;
-    b->mechanism.parts = 1;
+    const double ns = floor(b->mechanism.method.step * 1e9 + 0.5), parts = b->mechanism.method.substeps;
+    b->mechanism.method.parts = 1;
     if (f == NULL || ISO_IS_VARYING(recipe) || !(parts > 1.0)) {
         return;
     }
@@ -62,21 +62,21 @@ static void build_parts(builder *b, unsigned recipe)
                            "a smooth input is for ticks of one step: leave out substeps, or let the input be held");
         }
     }
-    b->mechanism.parts = (int)parts;
+    b->mechanism.method.parts = (int)parts;
 }
 
 /* What adams may do in a tick: a tolerance, and a budget of sub-steps. */
 static void build_adams(builder *b)
 {
     const scene *written = b->written;
-    b->mechanism.tolerance = value_constant(&b->values, written->tolerance, no_unit, "a tolerance", 1e-6);
-    b->mechanism.substeps =
+    b->mechanism.method.tolerance = value_constant(&b->values, written->tolerance, no_unit, "a tolerance", 1e-6);
+    b->mechanism.method.substeps =
         value_constant(&b->values, written->substeps, no_unit, "the number of sub-steps", ISO_ADAMS_BUDGET);
-    if (!(b->mechanism.tolerance > 0.0)) {
+    if (!(b->mechanism.method.tolerance > 0.0)) {
         source_problem(b->s, written->tolerance->at, "a tolerance must be larger than zero");
     }
-    if (!(b->mechanism.substeps >= 1.0 && b->mechanism.substeps <= 1e6) ||
-        b->mechanism.substeps != floor(b->mechanism.substeps)) {
+    if (!(b->mechanism.method.substeps >= 1.0 && b->mechanism.method.substeps <= 1e6) ||
+        b->mechanism.method.substeps != floor(b->mechanism.method.substeps)) {
         source_problem(b->s, written->substeps->at, "the number of sub-steps must be a whole number from 1 to 1000000");
     }
 }
@@ -104,7 +104,7 @@ void build_method(builder *b)
             recipe |= ISO_ITERATIONS((unsigned)count);
         }
     }
-    b->mechanism.recipe = recipe;
+    b->mechanism.method.recipe = recipe;
     build_adams(b);
     build_parts(b, recipe);
 }
@@ -112,16 +112,16 @@ void build_method(builder *b)
 void build_step(builder *b)
 {
     const formula *f = b->written->step;
-    b->mechanism.step = value_constant(&b->values, f, second, "the step", 1e-3);
-    const double ns = b->mechanism.step * 1e9, whole = floor(ns + 0.5);
-    if (f != NULL && !(b->mechanism.step >= 1e-6 && b->mechanism.step <= 1.0)) {
+    b->mechanism.method.step = value_constant(&b->values, f, second, "the step", 1e-3);
+    const double ns = b->mechanism.method.step * 1e9, whole = floor(ns + 0.5);
+    if (f != NULL && !(b->mechanism.method.step >= 1e-6 && b->mechanism.method.step <= 1.0)) {
         source_problem(b->s, f->at, "the step must be between 1 us and 1 s");
-        b->mechanism.step = 1e-3;
+        b->mechanism.method.step = 1e-3;
     } else if (f != NULL && fabs(ns - whole) > rounding * ns) {
         source_problem(b->s, f->at, "the step must be a whole number of nanoseconds, such as %.0f ns or %.0f ns",
                        floor(ns), ceil(ns));
     }
-    b->values.step = b->mechanism.step;
+    b->values.step = b->mechanism.method.step;
 }
 
 void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double)

@@ -17,7 +17,7 @@ static node clock_of(builder *b, node of_tick, place at)
     }
     if (i == c->count) {
         const graph_node n = b->g->nodes[of_tick];
-        const double step = b->mechanism.step, turns = n.second - floor(n.second + 0.5);
+        const double step = b->mechanism.method.step, turns = n.second - floor(n.second + 0.5);
         const clock result = n.op == OP_PHASE ? (clock){of_tick, two_pi * n.value / step, two_pi * turns, "rad", at}
                                               : (clock){of_tick, 1.0, -n.value * step, "s", at};
         c->all = arena_grow(b->s->memory, c->all, (size_t)c->count, &c->room, sizeof *c->all);
@@ -57,7 +57,7 @@ static node rate_of_motion(builder *b, node moving)
 static node as_phase(builder *b, const closure_statement *written, node moving)
 {
     graph *g = b->g;
-    const node time = timed(g, OP_TIME, 0.0, b->mechanism.step);
+    const node time = timed(g, OP_TIME, 0.0, b->mechanism.method.step);
     node speed;
     differentiate(g, &moving, 1, time, &speed);
     if (!is_constant(g, speed)) {
@@ -67,7 +67,7 @@ static node as_phase(builder *b, const closure_statement *written, node moving)
                        written->first.text);
         return moving;
     }
-    const double turns = constant_value(g, speed) * b->mechanism.step / two_pi;
+    const double turns = constant_value(g, speed) * b->mechanism.method.step / two_pi;
     if (fabs(turns) > 0.5) {
         source_problem(b->s, written->motion->at,
                        "the motion turns by more than half a turn in a step: use a shorter step");

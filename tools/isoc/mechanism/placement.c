@@ -97,8 +97,8 @@ void build_frames(builder *b)
         const int on = stand_on(b, &b->written->frames[i].on, &turned, &origin);
         const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
         if (on >= 0 || on == -2) {
-            const body_frame under = on == -2 ? ground : b->mechanism.frames[on];
-            body_frame *result = &b->mechanism.frames[bodies + i];
+            const body_frame under = on == -2 ? ground : b->mechanism.bodies.frames[on];
+            body_frame *result = &b->mechanism.bodies.frames[bodies + i];
             *result = under;
             result->turn = matrix_snap(g, matrix_product(g, under.turn, turned));
             result->offset = vector_add(g, matrix_apply(g, under.turn, origin), under.offset);
@@ -160,11 +160,11 @@ bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end)
     matrix turned;
     vector origin;
     const int on = stand_on(b, p, &turned, &origin);
-    if (on == -1 || (on >= 0 && !b->mechanism.frames[on].placed)) {
+    if (on == -1 || (on >= 0 && !b->mechanism.bodies.frames[on].placed)) {
         return false;
     }
     const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
-    const body_frame frame = on == -2 ? ground : b->mechanism.frames[on];
+    const body_frame frame = on == -2 ? ground : b->mechanism.bodies.frames[on];
     end->body = on == -2 ? GROUND : on;
     end->segment = frame.segment;
     end->turn = matrix_snap(g, matrix_product(g, frame.turn, matrix_product(g, turned, aligned)));

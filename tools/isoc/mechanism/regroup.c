@@ -7,8 +7,8 @@ static void move_to_parent(builder *b, const segment *from, node mass, vector ms
     const vector turned = matrix_apply(g, from->turn, ms);
     const vector moment = vector_add(g, turned, vector_scale(g, mass, from->offset));
     if (from->parent == GROUND) {
-        b->mechanism.ground_mass = add(g, b->mechanism.ground_mass, mass);
-        b->mechanism.ground_moment = vector_add(g, b->mechanism.ground_moment, moment);
+        b->mechanism.bodies.ground_mass = add(g, b->mechanism.bodies.ground_mass, mass);
+        b->mechanism.bodies.ground_moment = vector_add(g, b->mechanism.bodies.ground_moment, moment);
         return;
     }
     segment *to = &b->mechanism.segments[from->parent];

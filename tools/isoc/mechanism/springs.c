@@ -40,13 +40,13 @@ static void build_spring(builder *b, const spring_statement *written)
         return;
     }
     result.base = common_segment(&b->mechanism, result.first.segment, result.second.segment);
-    b->mechanism.point_springs[b->mechanism.point_spring_count++] = result;
+    b->mechanism.forces.springs[b->mechanism.forces.spring_count++] = result;
 }
 
 void build_springs(builder *b)
 {
-    b->mechanism.point_springs =
-        arena_take(b->s->memory, b->written->spring_count + 1, sizeof *b->mechanism.point_springs);
+    b->mechanism.forces.springs =
+        arena_take(b->s->memory, b->written->spring_count + 1, sizeof *b->mechanism.forces.springs);
     for (size_t i = 0; i < b->written->spring_count; i++) {
         build_spring(b, &b->written->springs[i]);
     }

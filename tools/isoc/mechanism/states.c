@@ -63,9 +63,9 @@ const state *mechanism_states(const mechanism *m, arena *memory)
         result->about.start = m->clocks.all[i].start;
         result->symbol = arena_format(memory, "q_%s", result->about.name);
     }
-    for (int i = 0; i < m->effect_state_count; i++) {
-        state *result = &all[m->first_effect_state + i];
-        *result = (state){.about = m->effect_states[i].about, .kind = STATE_OF_EFFECT, .at = m->effect_states[i].at};
+    for (int i = 0; i < m->effects.state_count; i++) {
+        state *result = &all[m->effects.first_state + i];
+        *result = (state){.about = m->effects.states[i].about, .kind = STATE_OF_EFFECT, .at = m->effects.states[i].at};
         result->symbol = arena_format(memory, "z_%s", result->about.name);
     }
     return all;

@@ -6,9 +6,9 @@
 static vector specific_force(const plant *p, graph *g, const point_query *q)
 {
     const kinematics *k = &p->d->k;
-    const body_frame *frame = &p->m->frames[q->body];
+    const body_frame *frame = &p->m->bodies.frames[q->body];
     if (frame->segment == GROUND) {
-        const vector up = vector_sub(g, vector_zero(g), p->m->gravity);
+        const vector up = vector_sub(g, vector_zero(g), p->m->forces.gravity);
         return q->in_body ? matrix_apply(g, matrix_transpose(frame->turn), up) : up;
     }
     const acceleration *now = &p->accelerations[frame->segment];
@@ -45,22 +45,22 @@ static vector answer(plant *p, graph *g, const point_query *q, point_query_kind 
 void accelerations_resolve(plant *p, graph *g)
 {
     const mechanism *m = p->m;
-    node *answers = arena_take(g->memory, 3 * (size_t)m->point_query_count + 1, sizeof *answers);
+    node *answers = arena_take(g->memory, 3 * (size_t)m->queries.point_count + 1, sizeof *answers);
     point_query_kind before = QUERY_POSITION;
-    for (int i = 0; i < m->point_query_count; i++) {
-        const bool is_query = asks_for_acceleration(m->point_queries[i].kind);
-        const vector found = is_query ? answer(p, g, &m->point_queries[i], before) : vector_zero(g);
-        before = is_query ? m->point_queries[i].kind : before;
+    for (int i = 0; i < m->queries.point_count; i++) {
+        const bool is_query = asks_for_acceleration(m->queries.points[i].kind);
+        const vector found = is_query ? answer(p, g, &m->queries.points[i], before) : vector_zero(g);
+        before = is_query ? m->queries.points[i].kind : before;
         for (int n = 0; n < 3; n++) {
             answers[3 * i + n] = found.at[n];
         }
     }
-    for (int i = 0; i < m->memory_count && before != QUERY_POSITION; i++) {
-        replace_leaves(g, &m->memories[i].next, 1, OP_POINT_QUERY, answers);
-        replace_leaves(g, &m->memories[i].begin, 1, OP_POINT_QUERY, answers);
+    for (int i = 0; i < m->effects.memory_count && before != QUERY_POSITION; i++) {
+        replace_leaves(g, &m->effects.memories[i].next, 1, OP_POINT_QUERY, answers);
+        replace_leaves(g, &m->effects.memories[i].begin, 1, OP_POINT_QUERY, answers);
     }
-    for (int i = 0; i < m->effect_state_count && before != QUERY_POSITION; i++) {
-        replace_leaves(g, &m->effect_states[i].begin, 1, OP_POINT_QUERY, answers);
+    for (int i = 0; i < m->effects.state_count && before != QUERY_POSITION; i++) {
+        replace_leaves(g, &m->effects.states[i].begin, 1, OP_POINT_QUERY, answers);
     }
     for (size_t i = 0; i < m->output_count && before != QUERY_POSITION; i++) {
         if (m->outputs[i].kind == OUTPUT_FORMULA) {

@@ -14,7 +14,7 @@ static void reach(const graph *g, const plant *p, bool *needed)
         int count;
     } functions[] = {
         {p->derivatives, state_count(p->m)}, {p->outputs, p->output_count},
-        {p->after.values, p->after.count},   {p->m->drives, p->m->input_count + p->m->clocks.count},
+        {p->after.values, p->after.count},   {p->m->inputs.drives, p->m->inputs.count + p->m->clocks.count},
         {p->j.factors, p->j.factor_count},   {p->j.solution, p->j.solution != NULL ? state_count(p->m) : 0},
         {&p->violation, p->violation >= 0},  {&p->broken, p->broken >= 0},
     };
@@ -68,9 +68,9 @@ static bool check_derived(source *s, const graph *g, const plant *p)
     const mechanism *m = p->m;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     bool any = false;
-    graph_evaluate(g, 0, &(evaluation){.p = m->defaults}, numbers);
-    for (int i = 0; i < m->derived_count && !any; i++) {
-        const effect_quantity *e = &m->derived[i];
+    graph_evaluate(g, 0, &(evaluation){.p = m->parameters.defaults}, numbers);
+    for (int i = 0; i < m->effects.derived_count && !any; i++) {
+        const effect_quantity *e = &m->effects.derived[i];
         any = !isfinite(numbers[e->next]);
         if (any) {
             source_problem(s, e->at, "nothing moves there at the start, so '%s' has no default: give it a value",
@@ -88,11 +88,11 @@ static const double *start_numbers(const graph *g, const plant *p)
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     double *u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *u);
     const double *x = mechanism_start(m, g->memory);
-    graph_evaluate(g, 0, &(evaluation){.x = x, .u = u, .p = m->defaults}, numbers);
-    for (int i = 0; i < m->input_count; i++) {
-        u[i] = m->driven[i] ? numbers[m->drives[i]] : 0.0;
+    graph_evaluate(g, 0, &(evaluation){.x = x, .u = u, .p = m->parameters.defaults}, numbers);
+    for (int i = 0; i < m->inputs.count; i++) {
+        u[i] = m->inputs.driven[i] ? numbers[m->inputs.drives[i]] : 0.0;
     }
-    graph_evaluate(g, 0, &(evaluation){.x = x, .u = u, .p = m->defaults}, numbers);
+    graph_evaluate(g, 0, &(evaluation){.x = x, .u = u, .p = m->parameters.defaults}, numbers);
     return numbers;
 }
 

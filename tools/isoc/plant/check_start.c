@@ -46,8 +46,8 @@ static bool check_springs(source *s, const graph *g, const plant *p, const evalu
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     bool met = false;
     graph_evaluate(g, 0, at, numbers);
-    for (int i = 0; i < p->m->point_spring_count; i++) {
-        const point_spring *of = &p->m->point_springs[i];
+    for (int i = 0; i < p->m->forces.spring_count; i++) {
+        const point_spring *of = &p->m->forces.springs[i];
         const bool is_direct = is_zero(g, of->length) && is_zero(g, of->damping);
         if (!is_direct && numbers[p->d->springs[i].square] < (double)FLT_MIN) {
             source_problem(s, of->at, "the ends of '%s' meet at the start, where it has no direction", of->name);
@@ -79,7 +79,7 @@ static int tunable_of(const graph *g, const plant *p, node divisor)
     graph_reach(g, &divisor, 1, needed);
     for (size_t n = 0; n <= (size_t)divisor; n++) {
         const int index = g->nodes[n].index;
-        if (needed[n] && g->nodes[n].op == OP_PARAMETER && (found < 0 || p->m->defaults[index] == 0.0)) {
+        if (needed[n] && g->nodes[n].op == OP_PARAMETER && (found < 0 || p->m->parameters.defaults[index] == 0.0)) {
             found = index;
         }
     }
@@ -95,7 +95,7 @@ static const char *reason(const graph *g, const plant *p, const evaluation *at, 
         const int tunable = tunable_of(g, p, n->b);
         return tunable < 0 ? ": a division by what is zero at the start"
                            : arena_format(g->memory, ": a division by zero, as the tunable '%s' is %g",
-                                          p->m->parameters[tunable].name, p->m->defaults[tunable]);
+                                          p->m->parameters.all[tunable].name, p->m->parameters.defaults[tunable]);
     }
     evaluation exact = *at;
     exact.rounds_to_float = false;
@@ -129,7 +129,7 @@ static void check_derivative(source *s, const graph *of, const plant *p, const e
 void start_check(source *s, const graph *g, const plant *p)
 {
     const evaluation at = {
-        .x = mechanism_start(p->m, g->memory), .p = p->m->defaults, .rounds_to_float = !p->is_double};
+        .x = mechanism_start(p->m, g->memory), .p = p->m->parameters.defaults, .rounds_to_float = !p->is_double};
     if (!check_springs(s, g, p, &at) && !check_closures(s, g, p, &at)) {
         check_derivative(s, g, p, &at);
     }

@@ -4,17 +4,17 @@
  * evaluates; at the end of a step all weights are one. */
 static operations smooth_operations(const mechanism *m)
 {
-    const int degree = ISO_DEGREE(m->recipe);
+    const int degree = ISO_DEGREE(m->method.recipe);
     operations one = {.add = degree, .mul = 1};
-    if (ISO_IS(m->recipe, ISO_ROSENBROCK)) {
+    if (ISO_IS(m->method.recipe, ISO_ROSENBROCK)) {
         one = operations_plus(one, 1, (operations){.add = 2 * degree, .mul = degree + 1});
     } else {
-        one = operations_plus(one, ISO_IS(m->recipe, ISO_RK4) ? 2 : 1, (operations){.add = degree});
-        one.mul += ISO_IS(m->recipe, ISO_RK4) ? degree : 0;
+        one = operations_plus(one, ISO_IS(m->method.recipe, ISO_RK4) ? 2 : 1, (operations){.add = degree});
+        one.mul += ISO_IS(m->method.recipe, ISO_RK4) ? degree : 0;
     }
     operations all = {0};
-    for (int i = 0; i < m->sampled_count && degree > 0; i++) {
-        all = operations_plus(all, m->smooth[i], one);
+    for (int i = 0; i < m->inputs.sampled_count && degree > 0; i++) {
+        all = operations_plus(all, m->inputs.smooth[i], one);
     }
     return all;
 }
@@ -48,16 +48,16 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
 operations cost_of_settling(const plant *p, const graph *g)
 {
     const operations changes = count_operations(g, p->after.values, (size_t)p->after.count);
-    const operations additions = {.add = sums_of_addition(p->m->recipe)}, watch = {.add = 2, .mul = 2};
+    const operations additions = {.add = sums_of_addition(p->m->method.recipe)}, watch = {.add = 2, .mul = 2};
     const operations total = operations_plus(changes, p->after.adds ? p->after.count : 0, additions);
     const operations energy = count_operations(g, &p->energy, 1);
-    return operations_plus(operations_plus(total, p->after.pivot_count, watch), p->m->near_holds ? 2 : 0, energy);
+    return operations_plus(operations_plus(total, p->after.pivot_count, watch), p->m->drift.near_holds ? 2 : 0, energy);
 }
 
 implicit_cost cost_of_solving(const plant *p, const graph *g)
 {
     implicit_cost cost = {{0}, {0}};
-    if (ISO_IS_IMPLICIT(p->m->recipe)) {
+    if (ISO_IS_IMPLICIT(p->m->method.recipe)) {
         cost.factor = count_operations(g, p->j.factors, (size_t)p->j.factor_count);
         if (p->j.looped != NULL) {
             const elimination *e = &p->j.looped->e;
@@ -78,10 +78,10 @@ implicit_cost cost_of_solving(const plant *p, const graph *g)
  * the derivatives, the sums of the method and of the mean, and the way of the states that they read. */
 static operations fast_operations(const plant *p, const graph *g)
 {
-    const unsigned recipe = p->m->recipe;
+    const unsigned recipe = p->m->method.recipe;
     const int stages = ISO_EVALUATIONS_OF(recipe), count = p->fast.count;
     const int places = ISO_IS(recipe, ISO_RK4) ? 2 : stages - 1;
-    const int passes = p->m->fast_substeps * (ISO_IS(recipe, ISO_RK4) ? 3 : 2) / 2;
+    const int passes = p->m->effects.fast_substeps * (ISO_IS(recipe, ISO_RK4) ? 3 : 2) / 2;
     const operations derivative = count_operations(g, p->fast.derivatives, (size_t)count);
     operations one = operations_plus((operations){0}, stages, derivative);
     if (count == 0) {
@@ -102,7 +102,7 @@ operations cost_of_step(const plant *p, const graph *g)
     const operations rates = count_operations(g, derivatives, (size_t)p->rate_count);
     const operations once =
         count_operations(g, p->held.values + p->held.tuned, (size_t)(p->held.count - p->held.tuned));
-    const operations step = step_operations(p->m->recipe, n, derivative, cost_of_solving(p, g));
+    const operations step = step_operations(p->m->method.recipe, n, derivative, cost_of_solving(p, g));
     const operations all = operations_plus(operations_plus(step, 1, fast_operations(p, g)), 1, rates);
     return operations_plus(operations_plus(operations_plus(all, 1, once), 1, smooth_operations(p->m)), p->is_curved,
                            derivative);

@@ -4,7 +4,7 @@ fast_part fast_build(const graph *g, const mechanism *m, const node *derivatives
 {
     const size_t states = (size_t)state_count(m);
     fast_part result = {0};
-    if (m->fast_substeps == 0) {
+    if (m->effects.fast_substeps == 0) {
         return result;
     }
     result.states = arena_take(g->memory, states, sizeof *result.states);

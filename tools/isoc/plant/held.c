@@ -11,7 +11,7 @@ static void find_held(const graph *g, const mechanism *m, bool of_inputs, bool *
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
         const int operands = operators[n->op].operands;
-        const bool smooth = n->op == OP_INPUT && n->index < m->sampled_count && m->smooth[n->index];
+        const bool smooth = n->op == OP_INPUT && n->index < m->inputs.sampled_count && m->inputs.smooth[n->index];
         const bool a = operands > 0 && (is_held[n->a] || is_constant(g, n->a));
         const bool b = operands < 2 || is_held[n->b] || is_constant(g, n->b);
         const bool leaf = of_inputs ? n->op == OP_HELD || (n->op == OP_INPUT && !smooth) : n->op == OP_PARAMETER;

@@ -55,37 +55,38 @@ static void check_time_inputs(const source *s, const graph *g, const plant *p)
     const mechanism *m = p->m;
     int *known = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *known);
     for (int i = 0; i < held_count(m); i++) {
-        const int index = i < m->input_count ? m->time_input_of[i] : -1;
-        known[i] = index >= 0 && !is_restarting(m->time_inputs[index].word) ? index : -1;
+        const int index = i < m->inputs.count ? m->inputs.time_input_of[i] : -1;
+        known[i] = index >= 0 && !is_restarting(m->inputs.time_inputs[index].word) ? index : -1;
     }
     for (bool more = true; more;) {
         more = false;
-        for (int i = 0; i < m->memory_count; i++) {
-            int *index = &known[m->input_count + i];
-            const int found = *index < 0 ? time_input_called(g, &m->memories[i].next, 1, known) : -1;
+        for (int i = 0; i < m->effects.memory_count; i++) {
+            int *index = &known[m->inputs.count + i];
+            const int found = *index < 0 ? time_input_called(g, &m->effects.memories[i].next, 1, known) : -1;
             more = more || found >= 0;
             *index = found >= 0 ? found : *index;
         }
     }
     const int which = time_input_called(g, p->derivatives, (size_t)state_count(m), known);
     if (which >= 0) {
-        const char *method = method_names[ISO_METHOD_OF(m->recipe)];
-        const time_input_origin *index = &m->time_inputs[which];
+        const char *method = method_names[ISO_METHOD_OF(m->method.recipe)];
+        const time_input_origin *index = &m->inputs.time_inputs[which];
         const char *effect = index->origin.text;
         const char *where = effect == NULL ? "" : arena_format(g->memory, " of the effect '%s'", effect);
         source_warn(
             s, index->origin.at,
             "the %s%s changes at every tick and is held in between, and %s has a history: %s is of order %s; take %s",
-            index->word, where, method, method, ISO_IS_VARYING(m->recipe) ? "two" : "one", without_history(m->recipe));
+            index->word, where, method, method, ISO_IS_VARYING(m->method.recipe) ? "two" : "one",
+            without_history(m->method.recipe));
     }
 }
 
 /* A delay of what moves that the steps have no samples of. */
 static void check_delays(const source *s, const mechanism *m)
 {
-    for (int i = 0; i < m->memory_count; i++) {
-        if (m->memories[i].lags) {
-            source_warn(s, m->memories[i].at,
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        if (m->effects.memories[i].lags) {
+            source_warn(s, m->effects.memories[i].at,
                         "this delay is constant within a step, and so half a step longer in the mean: to act at each "
                         "stage it is of states alone, without inputs and memories, in a scene without sub-steps and "
                         "without a ladder");
@@ -95,9 +96,9 @@ static void check_delays(const source *s, const mechanism *m)
 
 void samples_check(const source *s, const graph *g, const scene *written, const plant *p)
 {
-    check_inputs(s, written, p->m->recipe);
+    check_inputs(s, written, p->m->method.recipe);
     check_delays(s, p->m);
-    if (ISO_PAST_KEPT(p->m->recipe) > 0 && p->m->time_input_count > 0) {
+    if (ISO_PAST_KEPT(p->m->method.recipe) > 0 && p->m->inputs.time_input_count > 0) {
         check_time_inputs(s, g, p);
     }
 }

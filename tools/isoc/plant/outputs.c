@@ -75,18 +75,19 @@ static void show_turns(plant *p, graph *g, const shown *o)
 /* The point that an output is at, in the frame of its body's segment. */
 static vector point_in_segment(const plant *p, graph *g, const shown *o)
 {
-    const body_frame *frame = &p->m->frames[o->body];
+    const body_frame *frame = &p->m->bodies.frames[o->body];
     return vector_add(g, matrix_apply(g, frame->turn, o->point), frame->offset);
 }
 
 static void show_point(plant *p, graph *g, const shown *o)
 {
-    show_vector(p, g, o, outward_point(&p->d->k, p->m->frames[o->body].segment, GROUND, point_in_segment(p, g, o)));
+    show_vector(p, g, o,
+                outward_point(&p->d->k, p->m->bodies.frames[o->body].segment, GROUND, point_in_segment(p, g, o)));
 }
 
 static void show_velocity(plant *p, graph *g, const shown *o)
 {
-    const int segment_shown = p->m->frames[o->body].segment;
+    const int segment_shown = p->m->bodies.frames[o->body].segment;
     const vector velocity = point_velocity(&p->d->k, segment_shown, point_in_segment(p, g, o));
     show_vector(p, g, o, outward_axes(&p->d->k, segment_shown, GROUND, velocity));
 }
@@ -95,7 +96,7 @@ static void show_velocity(plant *p, graph *g, const shown *o)
 static void show_orientation(plant *p, graph *g, const shown *o)
 {
     node q[4];
-    body_orientation(&p->d->k, &p->m->frames[o->body], q);
+    body_orientation(&p->d->k, &p->m->bodies.frames[o->body], q);
     for (int i = 0; i < 4; i++) {
         show_as(p, o, arena_format(g->memory, "%s_%c", o->name.text, output_rows[o->kind].components[i]), q[i]);
     }
@@ -103,7 +104,7 @@ static void show_orientation(plant *p, graph *g, const shown *o)
 
 static void show_spin(plant *p, graph *g, const shown *o)
 {
-    const body_frame *frame = &p->m->frames[o->body];
+    const body_frame *frame = &p->m->bodies.frames[o->body];
     const vector omega = frame->segment == GROUND ? vector_zero(g) : p->d->k.motions[frame->segment].omega;
     show_vector(p, g, o, matrix_apply(g, matrix_transpose(frame->turn), omega));
 }
@@ -122,7 +123,7 @@ static void show_effort(plant *p, graph *g, const shown *o)
 {
     show(p, o,
          o->point_spring >= 0
-             ? spring_tension(g, &p->m->point_springs[o->point_spring], &p->d->springs[o->point_spring])
+             ? spring_tension(g, &p->m->forces.springs[o->point_spring], &p->d->springs[o->point_spring])
              : closure_effort(p->d, o->closure));
 }
 

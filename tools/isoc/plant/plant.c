@@ -17,8 +17,8 @@ const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chos
     for (int i = 0; i < m->clocks.count; i++) {
         derivatives[m->clocks.first + i] = constant(g, m->clocks.all[i].rate);
     }
-    for (int i = 0; i < m->effect_state_count; i++) {
-        derivatives[m->first_effect_state + i] = m->effect_states[i].next;
+    for (int i = 0; i < m->effects.state_count; i++) {
+        derivatives[m->effects.first_state + i] = m->effects.states[i].next;
     }
     for (int f = 0; f < m->dof_count; f++) {
         derivatives[m->position_count + f] = d->acceleration[f];
@@ -32,10 +32,10 @@ static void build_derivatives(plant *p, graph *g, formulation chosen)
     const mechanism *m = p->m;
     p->derivatives = arena_take(g->memory, (size_t)state_count(m), sizeof *p->derivatives);
     p->d = derivatives_build(g, m, chosen, p->derivatives);
-    if (ISO_IS(m->recipe, ISO_SEMI_IMPLICIT) && m->position_count != m->dof_count) {
+    if (ISO_IS(m->method.recipe, ISO_SEMI_IMPLICIT) && m->position_count != m->dof_count) {
         p->rate_count = m->position_count;
     }
-    if (ISO_IS_IMPLICIT(m->recipe)) {
+    if (ISO_IS_IMPLICIT(m->method.recipe)) {
         p->j = jacobian_build(g, p->d, p->derivatives, p->factors);
     }
 }
@@ -59,7 +59,7 @@ static bool is_flat(const plant *p, const graph *g)
     const mechanism *m = p->m;
     const int most = p->is_double ? MOST_DOUBLE : MOST_FLOAT;
     const operations n = count_operations(g, p->derivatives, (size_t)state_count(m));
-    const int evaluations = ISO_IS_VARYING(m->recipe) ? 1 : ISO_EVALUATIONS_OF(m->recipe);
+    const int evaluations = ISO_IS_VARYING(m->method.recipe) ? 1 : ISO_EVALUATIONS_OF(m->method.recipe);
     const fast_part fast = fast_build(g, m, p->derivatives);
     const operations part = count_operations(g, fast.derivatives, (size_t)fast.count);
     const int copies = evaluations > 1 ? evaluations * (evaluations - 1) : 1; /* in the sub-steps of each later stage */
@@ -78,13 +78,13 @@ static void hold(plant *p, graph *g)
     memcpy(roots, p->derivatives, states * sizeof *roots);
     p->held_derivatives = roots;
     p->is_flat = is_flat(p, g);
-    if ((p->is_flat && m->parameter_count == 0) || p->j.looped != NULL) {
+    if ((p->is_flat && m->parameters.count == 0) || p->j.looped != NULL) {
         return;
     }
     if (factors > 0) {
         memcpy(roots + states, p->j.factors, factors * sizeof *roots);
     }
-    p->held = held_build(g, m, roots, states + factors, p->is_flat ? 1 : ISO_EVALUATIONS_OF(m->recipe));
+    p->held = held_build(g, m, roots, states + factors, p->is_flat ? 1 : ISO_EVALUATIONS_OF(m->method.recipe));
     if (p->held.count > 0 && factors > 0) {
         memcpy(p->j.factors, roots + states, factors * sizeof *roots);
     }
@@ -93,7 +93,7 @@ static void hold(plant *p, graph *g)
 /* Cycles of a step, without what follows from tunables alone. */
 static int cost_of_tried(const plant *tried, const graph *g)
 {
-    if (tried->m->parameter_count == 0) {
+    if (tried->m->parameters.count == 0) {
         return cycles_of(cost_of_step(tried, g));
     }
     plant p = *tried;
@@ -156,11 +156,11 @@ static bool is_curved(const graph *of, const plant *p)
     graph g = graph_copy(of);
     node *slopes = arena_take(g.memory, states, sizeof *slopes);
     bool curved = false;
-    for (int i = 0; i < m->sampled_count; i++) {
-        if (m->smooth[i]) {
+    for (int i = 0; i < m->inputs.sampled_count; i++) {
+        if (m->inputs.smooth[i]) {
             differentiate(&g, p->derivatives, states, leaf(&g, OP_INPUT, i), slopes);
-            for (int j = 0; j < m->sampled_count; j++) {
-                curved = curved || (m->smooth[j] && uses_leaf(&g, slopes, states, leaf(&g, OP_INPUT, j)));
+            for (int j = 0; j < m->inputs.sampled_count; j++) {
+                curved = curved || (m->inputs.smooth[j] && uses_leaf(&g, slopes, states, leaf(&g, OP_INPUT, j)));
             }
         }
     }
@@ -173,28 +173,28 @@ static node count_broken(graph *g, const mechanism *m)
 {
     node count = constant(g, 0.0);
     graph_section(g, "Conditions on tunables: how many are broken");
-    for (int i = 0; i < m->condition_count; i++) {
-        const condition *c = &m->conditions[i];
+    for (int i = 0; i < m->parameters.condition_count; i++) {
+        const condition *c = &m->parameters.conditions[i];
         const node is_ordered = c->is_strict ? above(g, c->most, c->least) : above(g, c->least, c->most);
         count = add(g, count, c->is_strict ? sub(g, constant(g, 1.0), is_ordered) : is_ordered);
     }
-    return m->condition_count > 0 ? count : -1;
+    return m->parameters.condition_count > 0 ? count : -1;
 }
 
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted)
 {
-    plant p = {.m = m, .input_count = m->input_count, .is_double = is_double, .factors = wanted.factors};
+    plant p = {.m = m, .input_count = m->inputs.count, .is_double = is_double, .factors = wanted.factors};
     for (int i = 0; i < m->segment_count; i++) {
         p.turn_count += m->segments[i].continuous;
     }
     build_cheapest(&p, g, wanted.formulation);
-    p.is_curved = ISO_IS(m->recipe, ISO_ROSENBROCK) && ISO_IS_SMOOTH(m->recipe) && is_curved(g, &p);
+    p.is_curved = ISO_IS(m->method.recipe, ISO_ROSENBROCK) && ISO_IS_SMOOTH(m->method.recipe) && is_curved(g, &p);
     p.after = settled_build(g, p.d);
     accelerations_resolve(&p, g);
     outputs_build(&p, g);
     hold(&p, g);
     p.fast = fast_build(g, m, p.held_derivatives);
-    p.violation = m->violation_limit > 0.0 && p.d->loops.held.count > 0
+    p.violation = m->drift.violation_limit > 0.0 && p.d->loops.held.count > 0
                       ? largest_violation(&p.d->k, &p.d->loops.held, false)
                       : -1;
     p.broken = count_broken(g, m);

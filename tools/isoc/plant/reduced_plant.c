@@ -35,7 +35,7 @@ static reduced_plant build(source *s, const scene *written, const plant *p, buil
     rows_build(s, result.g, without, p);
     result.suffix = "_without";
     for (int i = 0; i < drops; i++) {
-        result.suffix = arena_format(memory, "%s_%s", result.suffix, m->effects[how->drops[i]].text);
+        result.suffix = arena_format(memory, "%s_%s", result.suffix, m->effects.names[how->drops[i]].text);
     }
     return result;
 }
@@ -57,7 +57,7 @@ const reduced_plant *reduced_plant_on_rung(const plant *p, int rung)
 
 unsigned rung_recipe(const plant *p, int rung)
 {
-    return p->m->policies.rungs[rung] | (p->m->recipe & ~(unsigned)ISO_METHOD_BITS);
+    return p->m->policies.rungs[rung] | (p->m->method.recipe & ~(unsigned)ISO_METHOD_BITS);
 }
 
 /* The method is in the name where it is not that of the scene, and where the rung is there for it: so no two rungs are called
@@ -69,6 +69,6 @@ const char *rung_suffix(const plant *p, int rung, arena *memory)
     const reduced_plant *left = reduced_plant_on_rung(p, rung);
     const bool drops = how->dropped[rung] > (rung > 0 ? how->dropped[rung - 1] : 0);
     const char *called =
-        drops && method == ISO_METHOD_OF(p->m->recipe) ? "" : arena_format(memory, "_%s", method_names[method]);
+        drops && method == ISO_METHOD_OF(p->m->method.recipe) ? "" : arena_format(memory, "_%s", method_names[method]);
     return arena_format(memory, "%s%s", called, left == NULL ? "" : left->suffix);
 }

@@ -62,8 +62,8 @@ static readings readings_of(const rows_builder *b, node root)
 
 static effect_quantity *quantity_of(const mechanism *m, int which)
 {
-    return which < state_count(m) ? &m->effect_states[which - m->first_effect_state]
-                                  : &m->memories[which - state_count(m)];
+    return which < state_count(m) ? &m->effects.states[which - m->effects.first_state]
+                                  : &m->effects.memories[which - state_count(m)];
 }
 
 /* Whether something that waits still is among what is read. */
@@ -73,8 +73,8 @@ static bool reads_any(const mechanism *m, const readings *r, const bool *waits)
     for (int i = 0; i < state_count(m); i++) {
         any = any || (r->states[i] && waits[i]);
     }
-    for (int i = 0; i < m->memory_count; i++) {
-        any = any || (r->held[m->input_count + i] && waits[state_count(m) + i]);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        any = any || (r->held[m->inputs.count + i] && waits[state_count(m) + i]);
     }
     return any;
 }
@@ -84,7 +84,7 @@ static bool reads_any(const mechanism *m, const readings *r, const bool *waits)
 static int put_in_order(const rows_builder *b, bool *waits, const readings *reads, row_order *result)
 {
     const mechanism *m = b->p->m;
-    const int all = state_count(m) + m->memory_count;
+    const int all = state_count(m) + m->effects.memory_count;
     result->all = arena_take(b->g->memory, (size_t)all + 1, sizeof *result->all);
     result->level = arena_take(b->g->memory, (size_t)all + 1, sizeof *result->level);
     int first = -1;
@@ -110,7 +110,7 @@ static int put_in_order(const rows_builder *b, bool *waits, const readings *read
 static readings *room_for_readings(const rows_builder *b)
 {
     const mechanism *m = b->p->m;
-    return arena_take(b->g->memory, (size_t)(state_count(m) + m->memory_count) + 1, sizeof(readings));
+    return arena_take(b->g->memory, (size_t)(state_count(m) + m->effects.memory_count) + 1, sizeof(readings));
 }
 
 /* --- samples --- */
@@ -120,18 +120,18 @@ static void find_early(const rows_builder *b, bool *is_early)
 {
     const mechanism *m = b->p->m;
     readings r = no_readings(b);
-    for (int i = 0; i < m->memory_count; i++) {
-        if (m->memories[i].kept == KEPT_NEXT) {
-            add_readings(b, &m->memories[i].next, 1, &r);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        if (m->effects.memories[i].kept == KEPT_NEXT) {
+            add_readings(b, &m->effects.memories[i].next, 1, &r);
         }
     }
     for (bool more = true; more;) {
         more = false;
-        for (int i = 0; i < m->memory_count; i++) {
+        for (int i = 0; i < m->effects.memory_count; i++) {
             bool *is = &is_early[state_count(m) + i];
-            if (m->memories[i].kept == KEPT_SAMPLE && r.held[m->input_count + i] && !*is) {
+            if (m->effects.memories[i].kept == KEPT_SAMPLE && r.held[m->inputs.count + i] && !*is) {
                 *is = more = true;
-                add_readings(b, &m->memories[i].next, 1, &r);
+                add_readings(b, &m->effects.memories[i].next, 1, &r);
             }
         }
     }
@@ -141,9 +141,9 @@ static void find_early(const rows_builder *b, bool *is_early)
 static bool reads_new(const mechanism *m, const readings *r, const bool *is_late_sample)
 {
     bool any = false;
-    for (int i = 0; i < m->memory_count; i++) {
-        any = any ||
-              (r->held[m->input_count + i] && (m->memories[i].kept == KEPT_NEXT || is_late_sample[state_count(m) + i]));
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        any = any || (r->held[m->inputs.count + i] &&
+                      (m->effects.memories[i].kept == KEPT_NEXT || is_late_sample[state_count(m) + i]));
     }
     return any;
 }
@@ -152,21 +152,21 @@ static void order_samples(rows_builder *b)
 {
     const mechanism *m = b->p->m;
     const int states = state_count(m);
-    const size_t all = (size_t)(states + m->memory_count) + 1;
+    const size_t all = (size_t)(states + m->effects.memory_count) + 1;
     bool *is_early = arena_take(b->g->memory, all, sizeof *is_early),
          *is_after = arena_take(b->g->memory, all, sizeof *is_after);
     readings *reads = room_for_readings(b);
     find_early(b, is_early);
-    for (int i = 0; i < m->memory_count; i++) {
-        if (m->memories[i].kept == KEPT_SAMPLE) {
-            reads[states + i] = readings_of(b, m->memories[i].next);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        if (m->effects.memories[i].kept == KEPT_SAMPLE) {
+            reads[states + i] = readings_of(b, m->effects.memories[i].next);
             is_after[states + i] = !is_early[states + i];
         }
     }
     for (bool more = true; more;) {
         more = false;
-        for (int i = 0; i < m->memory_count; i++) {
-            const bool is_new = m->memories[i].kept == KEPT_SAMPLE && !is_after[states + i] &&
+        for (int i = 0; i < m->effects.memory_count; i++) {
+            const bool is_new = m->effects.memories[i].kept == KEPT_SAMPLE && !is_after[states + i] &&
                                 reads_new(m, &reads[states + i], is_after);
             is_after[states + i] = is_after[states + i] || is_new;
             more = more || is_new;
@@ -195,11 +195,11 @@ static void evaluate_level(rows_builder *b, const row_order *order, int level, d
         replace_leaves(&g, roots, (size_t)order->count, OP_DERIVATIVE, b->p->derivatives);
     }
     double *numbers = arena_take(g.memory, g.count, sizeof *numbers);
-    graph_evaluate(&g, 0, &(evaluation){.x = x, .u = u, .p = m->defaults}, numbers);
+    graph_evaluate(&g, 0, &(evaluation){.x = x, .u = u, .p = m->parameters.defaults}, numbers);
     for (int i = 0; i < order->count; i++) {
         const int which = order->all[i];
         if (order->level[i] == level) {
-            double *to = which < state_count(m) ? &x[which] : &u[m->input_count + which - state_count(m)];
+            double *to = which < state_count(m) ? &x[which] : &u[m->inputs.count + which - state_count(m)];
             *to = quantity_of(m, which)->about.start = numbers[roots[i]];
         }
     }
@@ -212,13 +212,13 @@ static void find_start_numbers(rows_builder *b, const row_order *order)
     const mechanism *m = b->p->m;
     double *u = arena_take(b->g->memory, (size_t)held_count(m) + 1, sizeof *u);
     double *numbers = arena_take(b->g->memory, b->g->count, sizeof *numbers);
-    for (int i = state_count(m); i < state_count(m) + m->memory_count; i++) {
-        u[m->input_count + i - state_count(m)] = quantity_of(m, i)->about.start;
+    for (int i = state_count(m); i < state_count(m) + m->effects.memory_count; i++) {
+        u[m->inputs.count + i - state_count(m)] = quantity_of(m, i)->about.start;
     }
     double *x = mechanism_start(m, b->g->memory);
-    graph_evaluate(b->g, 0, &(evaluation){.x = x, .p = m->defaults}, numbers);
-    for (int i = 0; i < m->input_count; i++) {
-        u[i] = m->driven[i] ? numbers[m->drives[i]] : 0.0;
+    graph_evaluate(b->g, 0, &(evaluation){.x = x, .p = m->parameters.defaults}, numbers);
+    for (int i = 0; i < m->inputs.count; i++) {
+        u[i] = m->inputs.driven[i] ? numbers[m->inputs.drives[i]] : 0.0;
     }
     for (int level = 0; level < order->levels; level++) {
         evaluate_level(b, order, level, x, u);
@@ -230,10 +230,10 @@ static void order_starts(rows_builder *b)
 {
     const mechanism *m = b->p->m;
     const int states = state_count(m);
-    bool *waits = arena_take(b->g->memory, (size_t)(states + m->memory_count) + 1, sizeof *waits);
+    bool *waits = arena_take(b->g->memory, (size_t)(states + m->effects.memory_count) + 1, sizeof *waits);
     readings *reads = room_for_readings(b);
-    for (int n = 0; n < m->effect_state_count + m->memory_count; n++) {
-        const int i = n < m->effect_state_count ? m->first_effect_state + n : states + n - m->effect_state_count;
+    for (int n = 0; n < m->effects.state_count + m->effects.memory_count; n++) {
+        const int i = n < m->effects.state_count ? m->effects.first_state + n : states + n - m->effects.state_count;
         effect_quantity *e = quantity_of(m, i);
         waits[i] = !is_constant(b->g, e->begin);
         e->about.start = waits[i] ? 0.0 : constant_value(b->g, e->begin);
@@ -258,8 +258,8 @@ static void order_starts(rows_builder *b)
 static bool is_wired(const mechanism *m, int input)
 {
     bool is = false;
-    for (int i = 0; i < m->wire_count; i++) {
-        is = is || m->wires[i].input == input;
+    for (int i = 0; i < m->inputs.wire_count; i++) {
+        is = is || m->inputs.wires[i].input == input;
     }
     return is;
 }
@@ -282,17 +282,17 @@ static void find_seen(rows_builder *b, const plant *whole)
     }
     readings r = no_readings(b);
     add_readings(b, b->p->outputs, (size_t)b->p->output_count, &r);
-    for (int i = 0; i < m->memory_count; i++) {
-        add_readings(b, &m->memories[i].next, 1, &r);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        add_readings(b, &m->effects.memories[i].next, 1, &r);
     }
-    result->sees = arena_take(b->g->memory, (size_t)m->input_count + 1, sizeof *result->sees);
-    result->sees_again = arena_take(b->g->memory, (size_t)m->input_count + 1, sizeof *result->sees_again);
-    result->any = m->change_count > 0;
-    for (int i = 0; i < m->input_count; i++) {
-        const bool is = r.held[i] && m->driven[i] && !is_constant(b->g, m->drives[i]) && !is_wired(m, i);
-        result->sees[i] = is ? within_limits(b->g, &m->inputs[i], m->drives[i]) : -1;
-        result->sees_again[i] =
-            is && (result->sees[i] != m->drives[i] || uses_operation(b->g, &m->drives[i], 1, OP_PARAMETER));
+    result->sees = arena_take(b->g->memory, (size_t)m->inputs.count + 1, sizeof *result->sees);
+    result->sees_again = arena_take(b->g->memory, (size_t)m->inputs.count + 1, sizeof *result->sees_again);
+    result->any = m->parameters.change_count > 0;
+    for (int i = 0; i < m->inputs.count; i++) {
+        const bool is = r.held[i] && m->inputs.driven[i] && !is_constant(b->g, m->inputs.drives[i]) && !is_wired(m, i);
+        result->sees[i] = is ? within_limits(b->g, &m->inputs.all[i], m->inputs.drives[i]) : -1;
+        result->sees_again[i] = is && (result->sees[i] != m->inputs.drives[i] ||
+                                       uses_operation(b->g, &m->inputs.drives[i], 1, OP_PARAMETER));
         result->any = result->any || is;
     }
 }

@@ -47,15 +47,15 @@ static void assembled_lines(const mechanism *m, text *out)
 /* What effects have by the step, the method and the inertia at the start. */
 static void derived_lines(const mechanism *m, const graph *g, text *out)
 {
-    if (m->derived_count == 0) {
+    if (m->effects.derived_count == 0) {
         return;
     }
-    const evaluation at = {.p = m->defaults};
+    const evaluation at = {.p = m->parameters.defaults};
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     graph_evaluate(g, 0, &at, numbers);
-    for (int i = 0; i < m->derived_count; i++) {
-        text_add(out, "stable %s %.9g %s\n", m->derived[i].about.name, numbers[m->derived[i].next],
-                 m->derived[i].about.unit);
+    for (int i = 0; i < m->effects.derived_count; i++) {
+        text_add(out, "stable %s %.9g %s\n", m->effects.derived[i].about.name, numbers[m->effects.derived[i].next],
+                 m->effects.derived[i].about.unit);
     }
 }
 
@@ -78,9 +78,9 @@ static void step_lines(const plant *p, const graph *g, text *out)
 {
     const mechanism *m = p->m;
     const operations settle = cost_of_settling(p, g);
-    const int settles = m->projections > 1 ? m->projections : 1;
+    const int settles = m->drift.projections > 1 ? m->drift.projections : 1;
     const operations part = operations_plus(cost_of_step(p, g), settles, settle);
-    count_line(out, "step", operations_plus(part, m->parts - 1, part));
+    count_line(out, "step", operations_plus(part, m->method.parts - 1, part));
     for (int i = 0; i < m->policies.rung_count; i++) {
         if (m->policies.rungs[i] == ISO_METHODS || m->policies.dropped[i] > p->reduced_plant_count) {
             continue;
@@ -88,11 +88,11 @@ static void step_lines(const plant *p, const graph *g, text *out)
         const reduced_plant *left = reduced_plant_on_rung(p, i);
         mechanism by = *m;
         plant with = left == NULL ? *p : *left->p;
-        by.recipe = rung_recipe(p, i);
+        by.method.recipe = rung_recipe(p, i);
         with.m = &by;
         const operations rung = operations_plus(cost_of_step(&with, left == NULL ? g : left->g), settles, settle);
         count_line(out, arena_format(out->memory, "step%s", rung_suffix(p, i, out->memory)),
-                   operations_plus(rung, m->parts - 1, rung));
+                   operations_plus(rung, m->method.parts - 1, rung));
     }
 }
 
@@ -100,30 +100,31 @@ void write_summary(const plant *p, const graph *g, text *out)
 {
     const mechanism *m = p->m;
     const int n = state_count(m), real_bytes = p->is_double ? 8 : 4;
-    text_add(out, "scene %s\nmethod %s\nstep %g s\nreal %s\n", m->name, method_names[ISO_METHOD_OF(m->recipe)], m->step,
-             p->is_double ? "double" : "float");
-    text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->input_count, m->parameter_count,
+    text_add(out, "scene %s\nmethod %s\nstep %g s\nreal %s\n", m->name, method_names[ISO_METHOD_OF(m->method.recipe)],
+             m->method.step, p->is_double ? "double" : "float");
+    text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->inputs.count, m->parameters.count,
              p->output_count);
-    if (m->memory_count > 0) {
-        text_add(out, "memories %d\n", m->memory_count);
+    if (m->effects.memory_count > 0) {
+        text_add(out, "memories %d\n", m->effects.memory_count);
     }
     assembled_lines(m, out);
     derived_lines(m, g, out);
     formulation_lines(p, out);
     count_line(out, "derivative", count_operations(g, p->derivatives, (size_t)n));
-    if (ISO_IS_IMPLICIT(m->recipe)) {
+    if (ISO_IS_IMPLICIT(m->method.recipe)) {
         const implicit_cost cost = cost_of_solving(p, g);
         count_line(out, "factor", cost.factor);
         count_line(out, "solve", cost.solve);
         text_add(out, "factors %d %s\n", p->j.factor_count, factoring_names[p->j.kind]);
     }
-    if (!ISO_IS_VARYING(m->recipe)) { /* whose sub-steps are as many as it needs */
+    if (!ISO_IS_VARYING(m->method.recipe)) { /* whose sub-steps are as many as it needs */
         step_lines(p, g, out);
     }
     if (has_slow_outputs(m)) {
         rate_lines(p, g, out);
     }
-    text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes, ISO_VECTORS_KEPT(m->recipe) * n * real_bytes);
+    text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes,
+             ISO_VECTORS_KEPT(m->method.recipe) * n * real_bytes);
 }
 
 void write_methods(text *out)

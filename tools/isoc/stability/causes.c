@@ -5,20 +5,20 @@
 /* Effects, then joints, springs, and the stabilisation. */
 int cause_count(const mechanism *m)
 {
-    return m->effect_count + m->segment_count + m->point_spring_count + (m->closure_count > 0);
+    return m->effects.count + m->segment_count + m->forces.spring_count + (m->closure_count > 0);
 }
 
 cause cause_of(const mechanism *m, int which)
 {
-    const int at_joint = which - m->effect_count, spring = at_joint - m->segment_count;
+    const int at_joint = which - m->effects.count, spring = at_joint - m->segment_count;
     if (at_joint < 0) {
-        return (cause){"effect", m->effects[which].text, m->effects[which].at};
+        return (cause){"effect", m->effects.names[which].text, m->effects.names[which].at};
     }
     if (spring < 0) {
         return (cause){"spring and damping of the joint", m->segments[at_joint].name, m->segments[at_joint].at};
     }
-    if (spring < m->point_spring_count) {
-        return (cause){"spring", m->point_springs[spring].name, m->point_springs[spring].at};
+    if (spring < m->forces.spring_count) {
+        return (cause){"spring", m->forces.springs[spring].name, m->forces.springs[spring].at};
     }
     return (cause){"stabilisation of the closure", m->closures[0].name, m->closures[0].at};
 }
@@ -38,20 +38,20 @@ static void drop_effect(mechanism *m, graph *g, int which)
     const vector none = vector_zero(g);
     const node zero = constant(g, 0.0);
     for (int f = 0; f < m->dof_count; f++) {
-        m->efforts[f] = zero;
+        m->effects.efforts[f] = zero;
     }
-    for (int i = 0; i < m->effort_part_count; i++) {
-        effect_effort *part = &m->effort_parts[i];
+    for (int i = 0; i < m->effects.push_count; i++) {
+        effect_effort *part = &m->effects.pushes[i];
         part->effort = part->effect == which ? zero : part->effort;
-        m->efforts[part->dof] = add(g, m->efforts[part->dof], part->effort);
+        m->effects.efforts[part->dof] = add(g, m->effects.efforts[part->dof], part->effort);
     }
-    for (int i = 0; i < m->applied_force_count; i++) {
-        if (m->applied_forces[i].drive < 0 && m->applied_forces[i].effect == which) {
-            m->applied_forces[i].force = m->applied_forces[i].moment = none;
+    for (int i = 0; i < m->forces.applied_count; i++) {
+        if (m->forces.applied[i].drive < 0 && m->forces.applied[i].effect == which) {
+            m->forces.applied[i].force = m->forces.applied[i].moment = none;
         }
     }
-    for (int i = 0; i < m->effect_state_count; i++) {
-        m->effect_states[i].next = m->effect_states[i].effect == which ? zero : m->effect_states[i].next;
+    for (int i = 0; i < m->effects.state_count; i++) {
+        m->effects.states[i].next = m->effects.states[i].effect == which ? zero : m->effects.states[i].next;
     }
 }
 
@@ -59,22 +59,22 @@ mechanism without_cause(const mechanism *m, graph *g, int which)
 {
     arena *memory = g->memory;
     const node zero = constant(g, 0.0);
-    const int at_joint = which - m->effect_count, spring = at_joint - m->segment_count;
+    const int at_joint = which - m->effects.count, spring = at_joint - m->segment_count;
     mechanism result = *m;
     if (at_joint < 0) {
-        result.efforts = copy_of(memory, m->efforts, m->dof_count, sizeof *m->efforts);
-        result.effort_parts = copy_of(memory, m->effort_parts, m->effort_part_count, sizeof *m->effort_parts);
-        result.applied_forces = copy_of(memory, m->applied_forces, m->applied_force_count, sizeof *m->applied_forces);
-        result.effect_states = copy_of(memory, m->effect_states, m->effect_state_count, sizeof *m->effect_states);
+        result.effects.efforts = copy_of(memory, m->effects.efforts, m->dof_count, sizeof *m->effects.efforts);
+        result.effects.pushes = copy_of(memory, m->effects.pushes, m->effects.push_count, sizeof *m->effects.pushes);
+        result.forces.applied = copy_of(memory, m->forces.applied, m->forces.applied_count, sizeof *m->forces.applied);
+        result.effects.states = copy_of(memory, m->effects.states, m->effects.state_count, sizeof *m->effects.states);
         drop_effect(&result, g, which);
     } else if (spring < 0) {
         result.segments = copy_of(memory, m->segments, m->segment_count, sizeof *m->segments);
         result.segments[at_joint].damping = result.segments[at_joint].spring = zero;
-    } else if (spring < m->point_spring_count) {
-        result.point_springs = copy_of(memory, m->point_springs, m->point_spring_count, sizeof *m->point_springs);
-        result.point_springs[spring].stiffness = result.point_springs[spring].damping = zero;
+    } else if (spring < m->forces.spring_count) {
+        result.forces.springs = copy_of(memory, m->forces.springs, m->forces.spring_count, sizeof *m->forces.springs);
+        result.forces.springs[spring].stiffness = result.forces.springs[spring].damping = zero;
     } else {
-        result.alpha = result.beta = 0.0;
+        result.drift.alpha = result.drift.beta = 0.0;
     }
     return result;
 }

@@ -79,7 +79,7 @@ static void clear_quaternions(const mechanism *m, slopes *s)
 static void find_fast(const mechanism *m, const turning *all, int count, arena *memory, slopes *s)
 {
     s->is_fast = arena_take(memory, (size_t)s->n + 1, sizeof *s->is_fast);
-    s->substeps = m->fast_substeps;
+    s->substeps = m->effects.fast_substeps;
     for (int i = 0; i < count; i++) {
         if (is_fast_state(m, all[i].state)) {
             s->is_fast[all[i].reduced] = true;
@@ -101,7 +101,7 @@ slopes slopes_at(const linearised *l, const double *x, const double *u)
     result.at = arena_take(g->memory, (size_t)(result.n * result.n) + 1, sizeof *result.at);
     const int count = list_turnings(m, x, all);
     find_fast(m, all, count, g->memory, &result);
-    const evaluation at = {.x = x, .u = given, .p = m->defaults};
+    const evaluation at = {.x = x, .u = given, .p = m->parameters.defaults};
     for (int i = 0; i < inputs; i++) {
         given[i] = u[i];
     }

@@ -39,12 +39,12 @@ static modes modes_without(const graph *g, const mechanism *m, formulation kept,
 static int find_cause(const graph *g, const plant *p, bool *gone, const point *at, modes *left)
 {
     const mechanism *m = p->m;
-    int found = -1, fastest, least = count_growing(left, m->recipe, method_step(m), &fastest);
+    int found = -1, fastest, least = count_growing(left, m->method.recipe, method_step(m), &fastest);
     for (int i = 0; i < cause_count(m) && least > 0; i++) {
         if (!gone[i]) {
             gone[i] = true;
             const modes tried = modes_without(g, m, p->formulations.kept, gone, at);
-            const int count = tried.found ? count_growing(&tried, m->recipe, method_step(m), &fastest) : least;
+            const int count = tried.found ? count_growing(&tried, m->method.recipe, method_step(m), &fastest) : least;
             gone[i] = false;
             if (count < least) {
                 least = count;
@@ -77,17 +77,18 @@ static void warn_of_growth(const source *s, arena *memory, const plant *p, const
     const cause none = {"mechanism", of->name, of->segments[0].at};
     const cause c = which < 0 ? none : cause_of(of, which);
     int fastest = 0;
-    count_growing(m, of->recipe, method_step(of), &fastest);
+    count_growing(m, of->method.recipe, method_step(of), &fastest);
     const double im = fabs(m->im[fastest]);
     const char *oscillation = im == 0.0 ? "" : arena_format(memory, " +- %.4g i", im);
-    const char *parts =
-        of->fast_substeps == 0 ? "" : arena_format(memory, ", %d sub-steps of it for effects", of->fast_substeps);
+    const char *parts = of->effects.fast_substeps == 0
+                            ? ""
+                            : arena_format(memory, ", %d sub-steps of it for effects", of->effects.fast_substeps);
     source_warn(
         s, c.at,
         "the %s '%s' is too fast for %s with a step of %.4g ms%s: the Jacobian %s has the eigenvalue %.4g%s 1/s; the "
         "largest stable steps: %s",
-        c.sort, c.name, method_names[ISO_METHOD_OF(of->recipe)], 1e3 * method_step(of), parts, at->when, m->re[fastest],
-        oscillation, steps_text(memory, m));
+        c.sort, c.name, method_names[ISO_METHOD_OF(of->method.recipe)], 1e3 * method_step(of), parts, at->when,
+        m->re[fastest], oscillation, steps_text(memory, m));
 }
 
 /* Warns of each cause, until what is left is held. Returns whether there was one. */
@@ -97,7 +98,7 @@ static bool check_point(const source *s, const graph *g, const plant *p, slopes 
     modes before = modes_of(g->memory, of);
     int fastest;
     bool any = false;
-    while (before.found && count_growing(&before, p->m->recipe, method_step(p->m), &fastest) > 0) {
+    while (before.found && count_growing(&before, p->m->method.recipe, method_step(p->m), &fastest) > 0) {
         modes left = before;
         const int which = find_cause(g, p, gone, at, &left);
         warn_of_growth(s, g->memory, p, &before, which, at);
@@ -120,7 +121,7 @@ static int find_cause_of_drift(const graph *g, const plant *p, const point *at, 
     for (int i = 0; i < cause_count(m); i++) {
         gone[i] = true;
         const modes tried = modes_without(g, m, p->formulations.kept, gone, at);
-        const double rate = tried.found ? drift_of(&tried, m->recipe, method_step(m)).rate : least;
+        const double rate = tried.found ? drift_of(&tried, m->method.recipe, method_step(m)).rate : least;
         gone[i] = false;
         if (rate < least && rate * life < 1.0) {
             least = rate;
@@ -135,7 +136,7 @@ static void check_drift(const source *s, const graph *g, const plant *p, slopes 
 {
     const mechanism *m = p->m;
     const modes all = modes_of(g->memory, of);
-    const drift found = all.found ? drift_of(&all, m->recipe, method_step(m)) : (drift){0.0, 0.0};
+    const drift found = all.found ? drift_of(&all, m->method.recipe, method_step(m)) : (drift){0.0, 0.0};
     if (found.rate * life < 1.0) {
         return;
     }
@@ -151,8 +152,8 @@ static void check_drift(const source *s, const graph *g, const plant *p, slopes 
         s, c.at,
         "the oscillation of %.4g rad/s by the %s '%s' grows by e in %.3g s with %s and a step of %.4g ms, by the "
         "method alone; take a shorter step%s%s",
-        found.frequency, c.sort, c.name, 1.0 / found.rate, method_names[ISO_METHOD_OF(m->recipe)], 1e3 * method_step(m),
-        others[0] == '\0' ? "" : ", or ", others);
+        found.frequency, c.sort, c.name, 1.0 / found.rate, method_names[ISO_METHOD_OF(m->method.recipe)],
+        1e3 * method_step(m), others[0] == '\0' ? "" : ", or ", others);
 }
 
 /* Inputs that are functions of the tick as they begin, each function of it counting as zero; those of the port zero; and
@@ -161,13 +162,13 @@ static point start_of(const graph *g, const mechanism *m)
 {
     point result = {"at the start", mechanism_start(m, g->memory), NULL};
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    graph_evaluate(g, 0, &(evaluation){.x = result.x, .p = m->defaults}, numbers);
+    graph_evaluate(g, 0, &(evaluation){.x = result.x, .p = m->parameters.defaults}, numbers);
     result.u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *result.u);
-    for (int i = 0; i < m->input_count; i++) {
-        result.u[i] = m->driven[i] ? numbers[m->drives[i]] : 0.0;
+    for (int i = 0; i < m->inputs.count; i++) {
+        result.u[i] = m->inputs.driven[i] ? numbers[m->inputs.drives[i]] : 0.0;
     }
-    for (int i = 0; i < m->memory_count; i++) {
-        result.u[m->input_count + i] = m->memories[i].about.start;
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        result.u[m->inputs.count + i] = m->effects.memories[i].about.start;
     }
     arena_return(g->memory, numbers, g->count, sizeof *numbers);
     return result;
@@ -191,10 +192,10 @@ static bool check_steepest(const source *s, const graph *g, const plant *p, cons
 {
     const mechanism *m = p->m;
     bool any = false;
-    for (int i = 0; i < m->effect_count && m->closure_count == 0; i++) {
+    for (int i = 0; i < m->effects.count && m->closure_count == 0; i++) {
         double *steep[STEEPEST_POINTS];
         const int count = steepest_points(g, m, i, at->x, at->u, steep);
-        const char *when = arena_format(g->memory, "where '%s' is steepest", m->effects[i].text);
+        const char *when = arena_format(g->memory, "where '%s' is steepest", m->effects.names[i].text);
         bool told = false;
         for (int k = 0; k < count && !told; k++) {
             told = check_point(s, g, p, slopes_at(l, steep[k], at->u), &(point){when, steep[k], at->u});
@@ -212,19 +213,19 @@ static void refuse(source *s, const mechanism *m, arena *memory, int which)
         s, n.at,
         "the Jacobian at the start is not finite: something has no slope by '%s' there, and %s needs it; take "
         "another start, or a formula that is smooth there",
-        n.text, method_names[ISO_METHOD_OF(m->recipe)]);
+        n.text, method_names[ISO_METHOD_OF(m->method.recipe)]);
 }
 
 void stability_check(source *s, const graph *g, const plant *p)
 {
     const mechanism *m = p->m;
-    if (ISO_IS_VARYING(m->recipe) || state_count(m) > MOST_STATES) {
+    if (ISO_IS_VARYING(m->method.recipe) || state_count(m) > MOST_STATES) {
         return;
     }
     linearised l = linearise(g, m, p->derivatives, (size_t)state_count(m));
     point at = start_of(g, m);
     const slopes first = slopes_at(&l, at.x, at.u);
-    if (first.infinite >= 0 && ISO_IS_IMPLICIT(m->recipe)) {
+    if (first.infinite >= 0 && ISO_IS_IMPLICIT(m->method.recipe)) {
         refuse(s, m, g->memory, first.infinite);
     } else if (!check_point(s, g, p, first, &at) && !check_steepest(s, g, p, &l, &at)) {
         check_drift(s, g, p, first, &at);

@@ -18,21 +18,21 @@ typedef struct formulas {
 static int list_formulas(const mechanism *m, int effect, node *roots)
 {
     int count = 0;
-    for (int i = 0; i < m->effort_part_count; i++) {
-        if (m->effort_parts[i].effect == effect) {
-            roots[count++] = m->effort_parts[i].effort;
+    for (int i = 0; i < m->effects.push_count; i++) {
+        if (m->effects.pushes[i].effect == effect) {
+            roots[count++] = m->effects.pushes[i].effort;
         }
     }
-    for (int i = 0; i < m->applied_force_count; i++) {
-        const applied_force *f = &m->applied_forces[i];
+    for (int i = 0; i < m->forces.applied_count; i++) {
+        const applied_force *f = &m->forces.applied[i];
         for (int axis = 0; axis < 3 && f->drive < 0 && f->effect == effect; axis++) {
             roots[count++] = f->force.at[axis];
             roots[count++] = f->moment.at[axis];
         }
     }
-    for (int i = 0; i < m->effect_state_count; i++) {
-        if (m->effect_states[i].effect == effect) {
-            roots[count++] = m->effect_states[i].next;
+    for (int i = 0; i < m->effects.state_count; i++) {
+        if (m->effects.states[i].effect == effect) {
+            roots[count++] = m->effects.states[i].next;
         }
     }
     return count;
@@ -40,7 +40,7 @@ static int list_formulas(const mechanism *m, int effect, node *roots)
 
 static void evaluate_formulas(formulas *f)
 {
-    graph_evaluate(&f->l.g, 0, &(evaluation){.x = f->x, .u = f->given, .p = f->m->defaults}, f->numbers);
+    graph_evaluate(&f->l.g, 0, &(evaluation){.x = f->x, .u = f->given, .p = f->m->parameters.defaults}, f->numbers);
 }
 
 /* What is zero where a node has its kink; NAN of a node that has none. */
@@ -159,7 +159,7 @@ int steepest_points(const graph *g, const mechanism *m, int effect, const double
 {
     arena *memory = g->memory;
     const size_t states = (size_t)state_count(m), inputs = (size_t)held_count(m);
-    const size_t room = (size_t)(m->effort_part_count + 6 * m->applied_force_count + m->effect_state_count) + 1;
+    const size_t room = (size_t)(m->effects.push_count + 6 * m->forces.applied_count + m->effects.state_count) + 1;
     node *roots = arena_take(memory, room, sizeof *roots);
     formulas f = {.m = m, .count = list_formulas(m, effect, roots)};
     f.l = linearise(g, m, roots, (size_t)f.count);

@@ -120,8 +120,8 @@ static void swap(double **a, double **b)
 
 static void take_inputs(const look *l, const double *numbers, double *u)
 {
-    for (int i = 0; i < l->m->input_count; i++) {
-        u[i] = l->m->driven[i] ? numbers[l->drives.roots[i]] : 0.0;
+    for (int i = 0; i < l->m->inputs.count; i++) {
+        u[i] = l->m->inputs.driven[i] ? numbers[l->drives.roots[i]] : 0.0;
     }
 }
 
@@ -129,16 +129,16 @@ static void take_inputs(const look *l, const double *numbers, double *u)
 static void begin_tick(look *l, uint64_t tick)
 {
     const mechanism *m = l->m;
-    for (int i = 0; i < m->change_count; i++) {
-        if ((uint64_t)m->changes[i].tick == tick) {
-            l->parameters[m->changes[i].parameter] = m->changes[i].value;
+    for (int i = 0; i < m->parameters.change_count; i++) {
+        if ((uint64_t)m->parameters.changes[i].tick == tick) {
+            l->parameters[m->parameters.changes[i].parameter] = m->parameters.changes[i].value;
         }
     }
     swap(&l->drives.now, &l->drives.before);
     evaluate(l, &l->drives, &(evaluation){.p = l->parameters}, tick, NULL, l->drives.now);
     take_inputs(l, l->drives.now, l->u);
     for (int i = 0; i < m->clocks.count; i++) {
-        l->x[m->clocks.first + i] = l->drives.now[l->drives.roots[m->input_count + i]];
+        l->x[m->clocks.first + i] = l->drives.now[l->drives.roots[m->inputs.count + i]];
     }
 }
 
@@ -240,7 +240,7 @@ static bool move(look *l, uint64_t tick, double *stage, double *sum)
 
 static void follow(look *l, arena *memory, size_t roots)
 {
-    const uint64_t in_tick = (uint64_t)lround(l->m->step / l->step);
+    const uint64_t in_tick = (uint64_t)lround(l->m->method.step / l->step);
     double *after = arena_take(memory, roots + 1, sizeof *after);
     double *before = arena_take(memory, roots + 1, sizeof *before);
     double *stage = arena_take(memory, l->states + 1, sizeof *stage);
@@ -275,19 +275,19 @@ static size_t list_roots(look *l, const plant *p, node *roots)
     const mechanism *m = l->m;
     int count = (int)l->states;
     memcpy(roots, p->derivatives, l->states * sizeof *roots);
-    for (int i = 0; i < m->effort_part_count; i++) {
-        l->gifts[l->gift_count++] = (gift){.effect = m->effort_parts[i].effect, .first = count, .count = 1};
-        roots[count++] = m->effort_parts[i].effort;
+    for (int i = 0; i < m->effects.push_count; i++) {
+        l->gifts[l->gift_count++] = (gift){.effect = m->effects.pushes[i].effect, .first = count, .count = 1};
+        roots[count++] = m->effects.pushes[i].effort;
     }
-    for (int i = 0; i < m->applied_force_count; i++) {
-        const applied_force *f = &m->applied_forces[i];
+    for (int i = 0; i < m->forces.applied_count; i++) {
+        const applied_force *f = &m->forces.applied[i];
         for (int moment = 0; moment < 2 && f->drive < 0; moment++, count += 3) {
             l->gifts[l->gift_count++] = (gift){.effect = f->effect, .first = count, .count = 3};
             memcpy(roots + count, moment ? f->moment.at : f->force.at, 3 * sizeof *roots);
         }
     }
-    for (int i = 0; i < m->effect_state_count; i++) {
-        const effect_quantity *e = &m->effect_states[i];
+    for (int i = 0; i < m->effects.state_count; i++) {
+        const effect_quantity *e = &m->effects.states[i];
         l->gifts[l->gift_count++] = (gift){.effect = e->effect, .first = count, .count = 1, .is_rate = true};
         roots[count++] = e->next;
     }
@@ -298,7 +298,7 @@ static bool uses_memory(const functions *f, const mechanism *m)
 {
     bool any = false;
     for (size_t i = 0; i < f->g.count; i++) {
-        any = any || (f->g.nodes[i].op == OP_INPUT && f->g.nodes[i].index >= m->input_count);
+        any = any || (f->g.nodes[i].op == OP_INPUT && f->g.nodes[i].index >= m->inputs.count);
     }
     return any;
 }
@@ -315,7 +315,7 @@ static bool any_switch(const functions *f)
 static void warn_of_jumps(const source *s, const look *l, int effect)
 {
     const finding *f = &l->worst[effect];
-    const name *n = &l->m->effects[effect];
+    const name *n = &l->m->effects.names[effect];
     source_warn(s, n->at,
                 "the effect '%s' jumps every %.3g steps of %.4g ms in the %.3g s until %.4g s: a jump within a step is "
                 "misplaced by up to half of it, here %.2g %% of what it switches; up to 1 %% takes a step of %.2g ms",
@@ -328,21 +328,21 @@ static look look_of(const graph *g, const plant *p, size_t *root_count)
 {
     const mechanism *m = p->m;
     arena *memory = g->memory;
-    const int parts = m->parts * (m->fast_substeps > 0 ? m->fast_substeps : 1);
+    const int parts = m->method.parts * (m->effects.fast_substeps > 0 ? m->effects.fast_substeps : 1);
     const size_t states = (size_t)state_count(m), inputs = (size_t)held_count(m) + 1;
-    const size_t room = states + (size_t)(m->effort_part_count + 6 * m->applied_force_count + m->effect_state_count);
+    const size_t room = states + (size_t)(m->effects.push_count + 6 * m->forces.applied_count + m->effects.state_count);
     node *roots = arena_take(memory, room + 1, sizeof *roots);
-    look l = {.m = m, .states = states, .step = m->step / (double)parts};
+    look l = {.m = m, .states = states, .step = m->method.step / (double)parts};
     l.gifts = arena_take(memory, room + 1, sizeof *l.gifts);
-    l.worst = arena_take(memory, (size_t)m->effect_count + 1, sizeof *l.worst);
+    l.worst = arena_take(memory, (size_t)m->effects.count + 1, sizeof *l.worst);
     *root_count = list_roots(&l, p, roots);
     l.plant = functions_of(g, roots, *root_count);
     const node first_leaf = 0; /* in the place of an input of the port */
-    const size_t drives = (size_t)(m->input_count + m->clocks.count);
+    const size_t drives = (size_t)(m->inputs.count + m->clocks.count);
     node *driving = arena_take(memory, drives + 1, sizeof *driving);
     for (size_t i = 0; i < drives; i++) {
-        const bool is_clock = i >= (size_t)m->input_count;
-        driving[i] = is_clock || m->driven[i] ? m->drives[i] : first_leaf;
+        const bool is_clock = i >= (size_t)m->inputs.count;
+        driving[i] = is_clock || m->inputs.driven[i] ? m->inputs.drives[i] : first_leaf;
     }
     l.drives = functions_of(g, driving, drives);
     l.x = mechanism_start(m, memory);
@@ -350,9 +350,9 @@ static look look_of(const graph *g, const plant *p, size_t *root_count)
     l.u = arena_take(memory, inputs, sizeof *l.u);
     l.u_before = arena_take(memory, inputs, sizeof *l.u_before);
     l.u_moved = arena_take(memory, inputs, sizeof *l.u_moved);
-    l.parameters = arena_take(memory, (size_t)m->parameter_count + 1, sizeof *l.parameters);
-    if (m->parameter_count > 0) {
-        memcpy(l.parameters, m->defaults, (size_t)m->parameter_count * sizeof *l.parameters);
+    l.parameters = arena_take(memory, (size_t)m->parameters.count + 1, sizeof *l.parameters);
+    if (m->parameters.count > 0) {
+        memcpy(l.parameters, m->parameters.defaults, (size_t)m->parameters.count * sizeof *l.parameters);
     }
     return l;
 }
@@ -360,7 +360,7 @@ static look look_of(const graph *g, const plant *p, size_t *root_count)
 void switching_check(const source *s, const graph *g, const plant *p)
 {
     const mechanism *m = p->m;
-    if (ISO_IS_VARYING(m->recipe) || ISO_IS_IMPLICIT(m->recipe) || m->effect_count == 0) {
+    if (ISO_IS_VARYING(m->method.recipe) || ISO_IS_IMPLICIT(m->method.recipe) || m->effects.count == 0) {
         return;
     }
     size_t roots;
@@ -368,7 +368,7 @@ void switching_check(const source *s, const graph *g, const plant *p)
     if (!uses_memory(&l.plant, m) && (any_switch(&l.plant) || any_switch(&l.drives))) {
         follow(&l, g->memory, roots);
     }
-    for (int i = 0; i < m->effect_count; i++) {
+    for (int i = 0; i < m->effects.count; i++) {
         if (l.worst[i].share > most_share) {
             warn_of_jumps(s, &l, i);
         }

@@ -44,11 +44,11 @@ double tick_function(const mechanism *m, const graph_node *n, uint64_t tick)
     case OP_SQUARE_OF_PHASE:
         return fraction(second + now * first) < 0.5 ? 1.0 : -1.0;
     case OP_PRBS:
-        return iso_prbs(tick, m->tables[n->index].words, whole, other);
+        return iso_prbs(tick, m->inputs.tables[n->index].words, whole, other);
     case OP_CHIRP:
-        return whole_turn * (fraction(turns_of_chirp(&m->tables[n->index], now) + 0.5) - 0.5);
+        return whole_turn * (fraction(turns_of_chirp(&m->inputs.tables[n->index], now) + 0.5) - 0.5);
     case OP_LINES:
-        return value_of_lines(&m->tables[n->index], tick);
+        return value_of_lines(&m->inputs.tables[n->index], tick);
     case OP_SINCE:
         return second * iso_since(tick, whole, first - floor(first));
     default:

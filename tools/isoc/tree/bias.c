@@ -4,7 +4,7 @@ vector point_acceleration(const kinematics *k, const acceleration *all, int i, v
 {
     graph *g = k->g;
     if (i == GROUND) {
-        return vector_sub(g, vector_zero(g), k->m->gravity);
+        return vector_sub(g, vector_zero(g), k->m->forces.gravity);
     }
     return vector_add(g, all[i].a, swing(g, k->motions[i].omega, all[i].alpha, point));
 }
@@ -42,9 +42,9 @@ void inertial_wrenches(const kinematics *k, const acceleration *accelerations, w
         const composite whole = {l->mass, l->first_moment, l->inertia};
         wrenches[i] = wrench_of_motion(k->g, whole, k->motions[i].omega, accelerations[i]);
     }
-    for (int i = 0; i < m->applied_force_count; i++) {
-        wrench *pushed = &wrenches[m->applied_forces[i].segment];
-        *pushed = wrench_sub(k->g, *pushed, wrench_of_applied_force(k->g, &m->applied_forces[i]));
+    for (int i = 0; i < m->forces.applied_count; i++) {
+        wrench *pushed = &wrenches[m->forces.applied[i].segment];
+        *pushed = wrench_sub(k->g, *pushed, wrench_of_applied_force(k->g, &m->forces.applied[i]));
     }
 }
 

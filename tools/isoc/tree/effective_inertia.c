@@ -37,7 +37,7 @@ static void invert(double *a, size_t n)
 static double *inverse_of_mass(const graph *g, const mechanism *m, const mass_matrix *mass)
 {
     const size_t n = (size_t)m->dof_count;
-    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->defaults};
+    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->parameters.defaults};
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     double *inverse = arena_take(g->memory, n * n, sizeof *inverse);
     graph_evaluate(g, 0, &at, numbers);
@@ -55,7 +55,7 @@ static double *inverse_of_mass(const graph *g, const mechanism *m, const mass_ma
 static vector velocity_beside(const kinematics *k, const inertia_query *i)
 {
     graph *g = k->g;
-    const body_frame *frame = &k->m->frames[i->body];
+    const body_frame *frame = &k->m->bodies.frames[i->body];
     const vector point = vector_add(g, matrix_apply(g, frame->turn, i->point), frame->offset);
     vector moves = point_velocity(k, frame->segment, point), turns = k->motions[frame->segment].omega;
     const matrix to_body = matrix_transpose(frame->turn);
@@ -75,7 +75,7 @@ static double *jacobian(const graph *g, const mechanism *m, const node *velociti
     memset(speeds, 0, n * sizeof *speeds);
     for (size_t f = 0; f < n; f++) {
         speeds[f] = 1.0;
-        graph_evaluate(g, 0, &(evaluation){.x = x, .p = m->defaults}, numbers);
+        graph_evaluate(g, 0, &(evaluation){.x = x, .p = m->parameters.defaults}, numbers);
         speeds[f] = 0.0;
         for (size_t i = 0; i < count; i++) {
             rows[i * n + f] = numbers[velocities[i]];
@@ -101,11 +101,11 @@ const node *effective_inertias(graph *g, const mechanism *m)
     graph scratch = graph_copy(g); /* so that nothing of this is in the way of what a plant computes */
     const kinematics k = kinematics_build(&scratch, m);
     kinematics_velocities(&k);
-    const size_t n = (size_t)m->dof_count, points = 3 * (size_t)m->inertia_query_count;
+    const size_t n = (size_t)m->dof_count, points = 3 * (size_t)m->queries.inertia_count;
     const mass_matrix mass = mass_matrix_build(&k);
     node *velocities = arena_take(g->memory, points + 1, sizeof *velocities);
-    for (int i = 0; i < m->inertia_query_count; i++) {
-        const vector v = velocity_beside(&k, &m->inertia_queries[i]);
+    for (int i = 0; i < m->queries.inertia_count; i++) {
+        const vector v = velocity_beside(&k, &m->queries.inertias[i]);
         memcpy(velocities + 3 * i, v.at, sizeof v.at);
     }
     const double *inverse = inverse_of_mass(&scratch, m, &mass), *rows = jacobian(&scratch, m, velocities, points);

@@ -67,7 +67,7 @@ vector from_parent(const kinematics *k, int i, vector a)
  * the one in the place of the other's takes an order from a linearly implicit method. */
 static bool is_turned_back(const mechanism *m, const segment *l)
 {
-    return ISO_IS_IMPLICIT(m->recipe) && l->parent != GROUND;
+    return ISO_IS_IMPLICIT(m->method.recipe) && l->parent != GROUND;
 }
 
 static void start_motion(const kinematics *k, int i)

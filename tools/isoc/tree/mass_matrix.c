@@ -48,7 +48,7 @@ static void join_composite(const kinematics *k, int i, composite unturned, compo
 
 composite composite_of_all(const kinematics *k)
 {
-    composite ground = {k->m->ground_mass, k->m->ground_moment, tensor_zero(k->g)};
+    composite ground = {k->m->bodies.ground_mass, k->m->bodies.ground_moment, tensor_zero(k->g)};
     composite *bodies = segment_composites(k);
     for (int i = k->m->segment_count - 1; i >= 0; i--) {
         const int parent = k->m->segments[i].parent;
