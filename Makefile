@@ -324,13 +324,16 @@ build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 	$(call say,CC,$<)
 	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
 
+# Its kernels stay rolled, whichever file includes them first (tools/isoc/method/step_map.c).
+TOOL_FLAGS_method := -DISO_UNROLL=
+
 $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.c): build/obj/tools/isoc/%.c: always
 	$(call remember,$(foreach file,$(sort $(wildcard tools/isoc/$*/*.c)),$(HASH)include "$(file)"$(newline)))
 
 $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o): build/obj/tools/isoc/%.o: build/obj/tools/isoc/%.c build/obj/tools/flags
 	$(call require,$(firstword $(CC)),apt-get install gcc)
 	$(call say,CC,tools/isoc/$*/*.c)
-	$(Q)$(TOOL_COMPILE) -Wno-shadow -MMD -MP -c $< -o $@
+	$(Q)$(TOOL_COMPILE) $(TOOL_FLAGS_$*) -Wno-shadow -MMD -MP -c $< -o $@
 
 # Frames are read and written by what the plant has for it.
 build/obj/tools/core/%.o: core/%.c build/obj/tools/flags

@@ -1,6 +1,7 @@
 /* The compiler knows neither recipe nor n here: to unroll loops would take it most of its time, and changes no bit. */
-#undef ISO_UNROLL
+#ifndef ISO_UNROLL
 #define ISO_UNROLL
+#endif
 
 #include "tools/isoc/method/step_map.h"
 
