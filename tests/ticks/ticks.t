@@ -60,6 +60,37 @@ result $? "found: a step of 10us is shorter than a tick: $(told late) late, $(to
 run 1ms host && [ -n "$(told hash)" ] && ! grep -qE '^(execution|margin|tick|tracing|instructions_per_step) ' "$out/run"
 result $? "what is not measured on the host is not told"
 
+# What nothing reads costs nothing: an inertial unit of which the spin alone is shown, and a gyro that has nothing else.
+# unit NAME KIND OUTPUT...: the satellite with it; its bits and its tick in $unit.
+unit()
+{
+    name=$1
+    kind=$2
+    shift 2
+    {
+        grep -v '^output' tests/ticks/satellite.scene
+        printf 'output %s = unit.%s\n' spin_x spin_x spin_y spin_y spin_z spin_z "$@"
+        printf 'input n%d = noise(%d)\n' 1 1 2 2 3 3
+        echo "effect unit $kind { on bus; spin_bias 1 mrad/s; spin_density 0.01 deg/s/sqrt(Hz); noise_4 n1; noise_5 n2; noise_6 n3 }"
+        [ "$kind" = imu ] || echo 'effect gyro {
+            body on; value spin_bias rad/s; value spin_density rad/s/sqrt(Hz); signal noise_4; signal noise_5; signal noise_6
+            let turned = spin of on + spin_bias * (1, 1, 1) + spin_density * sqrt(0.5 / step) * (noise_4, noise_5, noise_6)
+            memory turn rad/s = turned; next turn = turned
+            output spin_x = dot(turn, (1, 0, 0)); output spin_y = dot(turn, (0, 1, 0)); output spin_z = dot(turn, (0, 0, 1))
+        }'
+    } >"$out/$name.scene"
+    make -s run SCENE="$out/$name.scene" TARGET=cortex-m4f SECONDS=0.1 >"$out/run" 2>"$out/errors"
+    unit="$(told hash) $(told tick)"
+}
+unit gyro gyro
+gyro=$unit
+unit spin imu
+[ "$unit" = "$gyro" ] && [ "${gyro%% *}" != "" ]
+result $? "the unused half of an inertial unit costs nothing: $unit, a gyro alone $gyro"
+unit force imu force_x force_x
+[ "${unit#* }" != "${gyro#* }" ]
+result $? "found: one that is used: $unit"
+
 ! build/cycles iso_loop_tick_float /dev/null </dev/null 2>"$out/errors" && grep -q 'no function iso_loop_tick_float' "$out/errors"
 result $? "found: a program without a loop"
 finish
