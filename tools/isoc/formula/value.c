@@ -173,3 +173,13 @@ bool keeps(values *v, condition c)
     }
     return c.is_strict ? least < most : least <= most;
 }
+
+bool keeps_above_zero(values *v, node n)
+{
+    return keeps(v, (condition){constant(v->g, 0.0), n, true});
+}
+
+bool keeps_not_below_zero(values *v, node n)
+{
+    return keeps(v, (condition){constant(v->g, 0.0), n, false});
+}

@@ -106,6 +106,10 @@ bool is_parametric(values *v, node n);
  * break is kept: a plant refuses a change that breaks it. */
 bool keeps(values *v, condition c);
 
+/* The same of a number that is above zero, or not below it. */
+bool keeps_above_zero(values *v, node n);
+bool keeps_not_below_zero(values *v, node n);
+
 /* --- evaluate.c: all that a formula is made of, each kind by a function --- */
 
 /* With room for so many tunables besides those that are written. */

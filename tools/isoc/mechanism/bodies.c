@@ -28,6 +28,9 @@ static tensor inertia_value(builder *b, const formula *f, const char *whose)
     for (int i = 0; i < 6; i++) {
         numbers[i] = value_now(&b->values, parts[i]);
     }
+    for (int axis = 0; axis < 3; axis++) {
+        (void)keeps_not_below_zero(&b->values, parts[axis]);
+    }
     const char *fault = inertia_fault(numbers);
     if (fault != NULL) {
         source_problem(b->s, f->at, "the inertia of '%s' %s", whose, fault);
@@ -53,7 +56,7 @@ static tensor tensor_of_size(builder *b, const solid *written, node mass)
                                 arena_format(b->s->memory, "the size of a %s", kind->word));
     for (int n = 0; n < size.count; n++) {
         const node square = mul(g, size.parts[n], size.parts[n]);
-        if (value_now(&b->values, size.parts[n]) < 0.0) {
+        if (!keeps_not_below_zero(&b->values, size.parts[n])) {
             source_problem(b->s, written->size->at, "a size must not be negative");
             break;
         }
@@ -61,8 +64,7 @@ static tensor tensor_of_size(builder *b, const solid *written, node mass)
             moments[axis] = add(g, moments[axis], mul(g, constant(g, kind->moments[axis][n]), square));
         }
     }
-    if (kind->hollow && size.count == 3 &&
-        value_now(&b->values, size.parts[1]) > value_now(&b->values, size.parts[0])) {
+    if (kind->hollow && size.count == 3 && !keeps(&b->values, (condition){size.parts[1], size.parts[0], false})) {
         source_problem(b->s, written->size->at, "a %s is (outer radius, inner radius, length): the first is the larger",
                        kind->word);
     }
@@ -77,7 +79,7 @@ static lump lump_of_solid(builder *b, const solid *written, const char *whose)
 {
     const size_t problems = b->s->problem_count;
     lump result = {.mass = scalar_value(b, written->mass, kilogram, "a mass")};
-    if (b->s->problem_count == problems && !(value_now(&b->values, result.mass) > 0.0)) {
+    if (b->s->problem_count == problems && !keeps_above_zero(&b->values, result.mass)) {
         source_problem(b->s, written->mass->at, "the mass of a solid must be larger than zero");
     }
     const tensor own =
@@ -94,7 +96,7 @@ static lump lump_of_body(builder *b, const body *written)
     lump result = {.mass = scalar_value(b, written->mass, kilogram, "a mass")};
     const bool massless = is_zero(b->g, result.mass);
     if (written->mass != NULL && b->s->problem_count == problems && !massless &&
-        !(value_now(&b->values, result.mass) > 0.0)) {
+        !keeps_above_zero(&b->values, result.mass)) {
         source_problem(b->s, written->mass->at, "a mass must be larger than zero, or 0 where a body has none");
     }
     if (massless && written->mass != NULL && written->inertia != NULL && b->s->problem_count == problems) {

@@ -34,7 +34,7 @@ static bool build_between(builder *b, const closure_statement *written, closure 
         source_problem(b->s, written->parent.body.at, "a ball can roll only on the ground: parent ground");
     }
     const bool sized = rolls || written->kind == CLOSE_DISTANCE;
-    if (sized && (rolls || written->length != NULL) && !(value_now(&b->values, result->length) > 0.0)) {
+    if (sized && (rolls || written->length != NULL) && !keeps_above_zero(&b->values, result->length)) {
         source_problem(b->s, rolls && written->radius != NULL ? written->radius->at : written->name.at,
                        "a %s must be larger than zero", rolls ? "radius" : "length");
         return false;

@@ -1,6 +1,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "tools/isoc/graph/operations.h"
 #include "tools/isoc/mechanism/builder.h"
 
 static bool same_name(name a, name b)
@@ -227,6 +228,39 @@ static int parameter_called(builder *b, name n)
     return -1;
 }
 
+/* The first condition that these tunables break in the arithmetic of the plant; NULL where they keep all. */
+static const condition *broken_condition(const builder *b, const double *p, double *numbers)
+{
+    graph_evaluate(b->g, 0, &(evaluation){.p = p, .rounds_to_float = !b->values.is_double}, numbers);
+    for (size_t i = 0; i < b->values.condition_count; i++) {
+        const condition *c = &b->values.conditions[i];
+        const double least = numbers[c->least], most = numbers[c->most];
+        if (c->is_strict ? !(least < most) : !(least <= most)) {
+            return c;
+        }
+    }
+    return NULL;
+}
+
+/* A condition that the defaults keep in exact numbers, and break by a rounding of the plant: it would refuse every change. */
+static void check_defaults(builder *b)
+{
+    double *numbers = arena_take(b->s->memory, b->g->count + 1, sizeof *numbers);
+    const condition *c = broken_condition(b, b->mechanism.defaults, numbers);
+    for (size_t i = 0; c != NULL && i < b->written->parameter_count; i++) {
+        const quantity *q = &b->written->parameters[i];
+        const node sides[2] = {c->least, c->most};
+        if (q->tunable && uses_leaf(b->g, sides, 2, leaf(b->g, OP_PARAMETER, b->values.tunable_index[i]))) {
+            source_problem(b->s, q->name.at,
+                           "a condition on '%s' holds at the defaults, but not as a %s rounds it: %.9g is not %s %.9g; "
+                           "leave room between them",
+                           q->name.text, b->values.is_double ? "double" : "float", numbers[c->most],
+                           c->is_strict ? "above" : "at least", numbers[c->least]);
+            return;
+        }
+    }
+}
+
 /* What the scene sets at a tick keeps the conditions, with all that it has set until then. */
 static void check_changes(builder *b, const formula *const *to)
 {
@@ -245,15 +279,10 @@ static void check_changes(builder *b, const formula *const *to)
                 p[c->parameter] = c->value;
             }
         }
-        graph_evaluate(b->g, 0, &(evaluation){.p = p}, numbers);
-        for (size_t j = 0; j < b->values.condition_count; j++) {
-            const condition *of = &b->values.conditions[j];
-            const double least = numbers[of->least], most = numbers[of->most];
-            if (of->is_strict ? !(least < most) : !(least <= most)) {
-                source_problem(b->s, to[i]->at, "this breaks a condition of the formulas: %g is not %s %g", most,
-                               of->is_strict ? "above" : "at least", least);
-                break;
-            }
+        const condition *broken = broken_condition(b, p, numbers);
+        if (broken != NULL) {
+            source_problem(b->s, to[i]->at, "this breaks a condition of the formulas: %g is not %s %g",
+                           numbers[broken->most], broken->is_strict ? "above" : "at least", numbers[broken->least]);
         }
     }
 }
@@ -283,6 +312,9 @@ void build_changes(builder *b)
         }
         to_values[m->parameters.change_count] = set->value;
         m->parameters.changes[m->parameters.change_count++] = (switching){ticks, parameter, to};
+    }
+    if (b->s->problem_count == 0) {
+        check_defaults(b);
     }
     check_changes(b, to_values);
 }

@@ -92,7 +92,7 @@ static segment part(builder *b, const joint *j, joint_kind kind, const char *end
     dimension_times(&resistance, per_second(turns ? radian : metre), -1);
     const formula *damping = turns && !joint_has_one_coordinate(j->kind) ? j->spin_damping : j->damping;
     result.damping = scalar_value(b, damping, resistance, "the damping of this joint");
-    if (value_now(&b->values, result.damping) < 0.0) {
+    if (!keeps_not_below_zero(&b->values, result.damping)) {
         source_problem(b->s, damping->at, "damping must not be negative");
     }
     return result;

@@ -6,7 +6,7 @@ static const dimension per_metre = {1, 0, -2, 0, 0, 0, 0}, per_speed = {1, 0, -1
 static node positive(builder *b, const formula *f, dimension expected, const char *what)
 {
     const node n = scalar_value(b, f, expected, what);
-    if (value_now(&b->values, n) < 0.0) {
+    if (!keeps_not_below_zero(&b->values, n)) {
         source_problem(b->s, f->at, "%s must not be negative", what);
     }
     return n;
