@@ -246,7 +246,7 @@ static const condition *broken_condition(const builder *b, const double *p, doub
 static void check_defaults(builder *b)
 {
     double *numbers = arena_take(b->s->memory, b->g->count + 1, sizeof *numbers);
-    const condition *c = broken_condition(b, b->mechanism.defaults, numbers);
+    const condition *c = broken_condition(b, b->mechanism.parameters.defaults, numbers);
     for (size_t i = 0; c != NULL && i < b->written->parameter_count; i++) {
         const quantity *q = &b->written->parameters[i];
         const node sides[2] = {c->least, c->most};
