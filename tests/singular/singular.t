@@ -91,6 +91,16 @@ sed 's/near hold/near stop/' "$out/flat.scene" >"$out/stop.scene"
     grep -q '^trace: guard at tick [0-9]*: near a singular position of closure follower_pin$' "$out/errors"
 expect $? "parallelogram, near stop: $(grep -o 'guard at tick.*' "$out/errors")"
 
+# Two mechanisms of another generator: a loop that gained 28 times its energy in 100 s without a word, and a tree with a gear, of
+# many freedoms, in float.
+for drawn in 'random_loop_5 double 100' 'random_tree_0 float 5' 'random_tree_0 double 5'; do
+    set -- $drawn
+    bound=$([ "$2" = double ] && echo $bound_double || echo $bound_float)
+    seconds=$3
+    passes "tests/singular/$1.scene" "$2" projection && { [ "$near_ticks" -gt 0 ] || within "$change" "$bound"; }
+    result $? "$1, $2, $3 s: energy within $change, $near_ticks ticks near a singular position"
+done
+
 # The option may be left out of a block.
 built $near double 'projection { iterations 2 }' && built $near double 'lagrangian { penalty 1e5 kg }'
 result $? "blocks without near"
