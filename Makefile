@@ -188,6 +188,8 @@ endif
 PORT_OF_host := port/sim
 PORT_OF_posix := port/posix
 PORT_OF_cortex-m4f := port/mps2
+PORT_OF_cortex-m3 := port/m3
+PORT_OF_cortex-m0 := port/m0
 PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is
 # for scenes only.

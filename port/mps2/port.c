@@ -4,8 +4,8 @@
  *
  * The clock counts instructions. QEMU with -icount shift=10 lets one instruction last 2^10 ns, in which SysTick at
  * 25 MHz counts 25.6 times. That would be a processor of one million instructions in a second, slower than any board.
- * So an instruction stands for one cycle of a core of 25 MHz, and the time of the plant is stretched by the same factor
- * of 25.6. On silicon this dilation is 1, and the clock counts cycles.
+ * So an instruction stands for one cycle of a core of 25 MHz, or of BOARD_CYCLE_NS, and the time of the plant is stretched
+ * by the same factor of 25.6, or more. On silicon this dilation is 1, and the clock counts cycles.
  */
 #include "port/port.h"
 
@@ -17,7 +17,11 @@
 #define SYST_RVR (*(volatile uint32_t *)0xE000E014U)
 #define SYST_CVR (*(volatile uint32_t *)0xE000E018U)
 
+#ifdef BOARD_CYCLE_NS
+enum { CYCLE_NS = BOARD_CYCLE_NS };
+#else
 enum { CYCLE_NS = 40 };
+#endif
 
 /* The dilation: SysTick counts per cycle, 25.6 = 2^7 / 5. Whole cycles in whole counts come in fives. */
 enum { DILATION_SHIFT = 7, DILATION_OVER = 5 };
@@ -47,7 +51,7 @@ void tick_interrupt(void)
     }
 }
 
-/* The period is rounded to what the timer can make: multiples of 200 ns for each of its parts. */
+/* The period is rounded to what the timer can make: multiples of five cycles for each of its parts. */
 __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
 {
     const uint32_t fives = (period_ns + CYCLE_NS * DILATION_OVER / 2) / (CYCLE_NS * DILATION_OVER);

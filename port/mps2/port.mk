@@ -16,7 +16,8 @@ PORT_SUFFIX = .elf
 PORT_STACK =
 PORT_CLOCK = instructions
 PORT_EXEC_TOOLS = qemu-system-arm
-PORT_EXEC = qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=$(if $(filter free,$(MODE)),on,off) -display none -monitor none \
+PORT_MACHINE = mps2-an386
+PORT_EXEC = qemu-system-arm -M $(PORT_MACHINE) -icount shift=10,align=off,sleep=$(if $(filter free,$(MODE)),on,off) -display none -monitor none \
     $(PORT_SERIAL) \
     -semihosting-config enable=on,target=native,arg=plant,arg=$(NANOSECONDS) -kernel $(PROGRAM)
 # The serial lines: of a plant with a link, the first is the controller's.

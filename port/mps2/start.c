@@ -63,22 +63,24 @@ __attribute__((naked)) void fault_entry(void)
     __asm__ volatile("    mov r0, sp\n"
                      "    ldr r1, =stack_limit\n"
                      "    cmp r0, r1\n"
-                     "    it lo\n"
-                     "    movlo r0, #0\n"
-                     "    ldr r1, =stack_top\n"
+                     "    bhs 0f\n"
+                     "    movs r0, #0\n"
+                     "0:  ldr r1, =stack_top\n"
                      "    mov sp, r1\n"
-                     "    b fault\n");
+                     "    bl fault\n");
 }
 
-/* Nothing before the first line may use a floating-point register. */
+/* Nothing before the first line may use a floating-point register, where the chip has them. */
 _Noreturn void reset(void)
 {
+#ifdef __ARM_FP
     CPACR |= CPACR_FPU_ON;
     __asm__ volatile("dsb\n    isb" ::: "memory");
 
     /* Round to nearest, keep denormals, keep NaN payloads: here, and in interrupts that use the FPU. */
     FPDSCR = 0;
     __asm__ volatile("vmsr fpscr, %0" ::"r"(0) : "memory");
+#endif
 
     /* A stack that grows out of the RAM faults at once. */
     MPU_RBAR = MPU_BELOW_RAM;
