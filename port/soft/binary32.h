@@ -26,12 +26,6 @@ static inline uint32_t soft_is_special(const uint32_t x)
     return x + (SOFT_SIGN - SOFT_INFINITY);
 }
 
-static inline uint32_t soft_exponent(const uint32_t x)
-{
-    const uint32_t exponent = (x >> SOFT_FRACTION) - 1;
-    return exponent & ~soft_mask(exponent);
-}
-
 /* x, or infinity where it is beyond. */
 static inline uint32_t soft_limited(const uint32_t x)
 {
@@ -39,22 +33,14 @@ static inline uint32_t soft_limited(const uint32_t x)
     return SOFT_INFINITY + (excess & soft_mask(excess));
 }
 
-/* x, with 1 added where the bits that stand behind it are above a half, or a half and x is odd; then the lowest of them is
- * 0. The sum wraps where 1 is to be added. */
-static inline uint32_t soft_rounded(const uint32_t x, const uint32_t behind)
-{
-    const uint32_t sum = behind + (x & 1) + SOFT_MAGNITUDE;
-    return x + (sum < SOFT_MAGNITUDE);
-}
-
 /* The magnitude with a significand of which the top bit is bit 30 + is_high. Its lowest bit tells whether there is anything
  * below. The exponent may be negative, or beyond infinity by up to 128. */
 static inline uint32_t soft_packed(const uint32_t significand, const uint32_t is_high, const uint32_t exponent)
 {
-    const uint32_t below = (0 - exponent) & soft_mask(exponent);
-    const uint32_t count = 30 - SOFT_FRACTION + is_high + below;
+    const uint32_t positive = soft_positive(exponent);
+    const uint32_t count = 30 - SOFT_FRACTION + is_high + (positive - exponent);
     const uint32_t x = soft_right(significand, count);
-    return soft_limited(soft_rounded(x, soft_left(significand, 32 - count)) + ((exponent + below) << SOFT_FRACTION));
+    return soft_limited(soft_rounded(x, soft_left(significand, 32 - count), positive));
 }
 
 /* The sum. The smaller magnitude y is shifted to the exponent of the larger, x. */
@@ -68,7 +54,7 @@ static inline uint32_t soft_add(uint32_t a, uint32_t b)
     const uint32_t x = a & SOFT_MAGNITUDE, y = b & SOFT_MAGNITUDE;
 
     /* Significands with the top bit 29; the lowest bit of the shifted one tells whether anything was lost. */
-    const uint32_t x_exponent = soft_exponent(x), y_exponent = soft_exponent(y);
+    const uint32_t x_exponent = soft_upper(x), y_exponent = soft_upper(y);
     const uint32_t high = (x - (x_exponent << SOFT_FRACTION)) << 6;
     const uint32_t low = (y - (y_exponent << SOFT_FRACTION)) << 6;
     const uint32_t count = x_exponent - y_exponent;
@@ -78,11 +64,10 @@ static inline uint32_t soft_add(uint32_t a, uint32_t b)
 
     /* The top bit of the sum goes to bit 31, as far as the exponent lets it. */
     const uint32_t is_zero = (sum - 1) >> 31;
-    const uint32_t excess = soft_zeros(sum) - (x_exponent + 2) + (is_zero << 8);
-    const uint32_t exponent = excess & soft_mask(excess);
-    const uint32_t significand = soft_left(sum, x_exponent + 2 + exponent);
-    const uint32_t rounding = (significand & 0xFF) + (significand >> 8 & 1) + 0x7F;
-    const uint32_t finite = soft_limited((significand >> 8) + (rounding >> 8) - (exponent << SOFT_FRACTION));
+    const uint32_t target = x_exponent + 2;
+    const uint32_t exponent = soft_positive(target - soft_zeros(sum) - (is_zero << 8));
+    const uint32_t significand = soft_left(sum, target - exponent);
+    const uint32_t finite = soft_limited(soft_rounded(significand >> 8, significand << 24, exponent));
 
     /* An infinity or a NaN is the result as it is, but infinity less infinity. A sum of zero is +0, but for -0 - 0. */
     const uint32_t magnitude = soft_select(soft_is_special(x), x | is_zero << SOFT_QUIET, finite);
@@ -113,7 +98,7 @@ static inline uint32_t soft_upper_product(const uint32_t a, const uint32_t b)
  * the least normal one. */
 static inline uint32_t soft_normalised(const uint32_t y, uint32_t *const significand)
 {
-    const uint32_t exponent = soft_exponent(y);
+    const uint32_t exponent = soft_upper(y);
     const uint32_t bits = (y - (exponent << SOFT_FRACTION)) << 8;
     const uint32_t zeros = soft_zeros(bits);
     *significand = soft_left(bits, zeros);
@@ -239,7 +224,7 @@ static inline uint32_t soft_from_natural(const uint32_t high, const uint32_t low
     const uint32_t behind = soft_left(lower, zeros);
     const uint32_t significand = soft_left(upper, zeros) | soft_right(lower, 32 - zeros) | soft_nonzero(behind);
     const uint32_t exponent = (SOFT_BIAS + 63 - (is_short << 5) - zeros) & soft_mask(significand);
-    return soft_rounded(significand >> 8, significand << 24) + (exponent << SOFT_FRACTION);
+    return soft_rounded(significand >> 8, significand << 24, exponent);
 }
 
 static inline uint32_t soft_from_uint32(const uint32_t n)

@@ -1,10 +1,9 @@
-/* Masks, shifts and the count of leading zeros, in a time that does not follow from the numbers.
+/* What arithmetic without a branch is made of: masks, shifts, the count of leading zeros, rounding. All take a time that does
+ * not follow from the numbers.
  *
- * A count of a shift is from 0 to 255; from 32 on nothing is left. Of three kinds the port of a chip chooses one:
- * - an Arm core shifts by a register in one cycle, and takes the count as it is meant here;
- * - another core with a barrel shifter takes the count modulo 32; a mask does the rest;
- * - a core that shifts by one place at a time would loop as often as the count says. With SOFT_STAGES the shift is made of
- *   five of fixed counts, each of which a mask takes or leaves. */
+ * A count of a shift is from 0 to 255; from 32 on nothing is left. A core with a barrel shifter takes the count modulo 32, and
+ * a mask does the rest; an Arm core takes it as it is meant. A core that shifts by one place at a time would loop as often as
+ * the count says: with SOFT_STAGES the shift is made of five of fixed counts, each of which a mask takes or leaves. */
 #ifndef ISO_PORT_SOFT_SHIFTS_H
 #define ISO_PORT_SOFT_SHIFTS_H
 
@@ -37,7 +36,13 @@ static inline uint32_t soft_nonzero(const uint32_t x)
     return soft_hidden(x | (0 - x)) >> 31;
 }
 
-#if defined SOFT_STAGES
+#if defined __thumb2__
+#include "port/soft/thumb2.h"
+#elif defined __thumb__
+#include "port/soft/thumb.h"
+#else
+
+#ifdef SOFT_STAGES
 
 /* Where that bit of the count is set, what the shift by as many places made of x, else x. */
 #define SOFT_STAGE(x, operator, count, bit)                                                                            \
@@ -63,36 +68,6 @@ static inline uint32_t soft_right(const uint32_t x, const uint32_t count)
     return x1 & soft_mask((count & 0xFF) - 32);
 }
 
-#elif defined __thumb2__
-
-static inline uint32_t soft_left(const uint32_t x, const uint32_t count)
-{
-    uint32_t y;
-    __asm__("lsl %0, %1, %2" : "=r"(y) : "r"(x), "r"(count));
-    return y;
-}
-
-static inline uint32_t soft_right(const uint32_t x, const uint32_t count)
-{
-    uint32_t y;
-    __asm__("lsr %0, %1, %2" : "=r"(y) : "r"(x), "r"(count));
-    return y;
-}
-
-#elif defined __thumb__
-
-static inline uint32_t soft_left(uint32_t x, const uint32_t count)
-{
-    __asm__("lsls %0, %1" : "+l"(x) : "l"(count) : "cc");
-    return x;
-}
-
-static inline uint32_t soft_right(uint32_t x, const uint32_t count)
-{
-    __asm__("lsrs %0, %1" : "+l"(x) : "l"(count) : "cc");
-    return x;
-}
-
 #else
 
 static inline uint32_t soft_left(const uint32_t x, const uint32_t count)
@@ -107,17 +82,30 @@ static inline uint32_t soft_right(const uint32_t x, const uint32_t count)
 
 #endif
 
-#ifdef __thumb2__
-
-/* The zeros above the highest one of x: the count that shifts this to the top. Of 0 it is 31 or 32. */
-static inline uint32_t soft_zeros(const uint32_t x)
+/* x, or 0 where its sign bit is set. */
+static inline uint32_t soft_positive(const uint32_t x)
 {
-    uint32_t zeros;
-    __asm__("clz %0, %1" : "=r"(zeros) : "r"(x));
-    return zeros;
+    return x & ~soft_mask(x);
 }
 
-#else
+/* x / 2^23 - 1, or 0 where that is negative; for x below 2^31. */
+static inline uint32_t soft_upper(const uint32_t x)
+{
+    return soft_positive((x >> 23) - 1);
+}
+
+/* x + 2^23 upper, with 1 added where the bits that stand behind it are above a half, or a half and x is odd; of an odd x the
+ * lowest of them is 0. The sum wraps where 1 is to be added. */
+static inline uint32_t soft_rounded(const uint32_t x, const uint32_t behind, const uint32_t upper)
+{
+    const uint32_t most = UINT32_MAX >> 1;
+    const uint32_t sum = behind + (x & 1) + most;
+    return x + (sum < most) + (upper << 23);
+}
+
+#endif
+
+#ifndef __thumb2__
 
 /* x shifted left by 2^log places where is_empty is 1, not where it is 0. */
 static inline uint32_t soft_raised(const uint32_t x, const uint32_t is_empty, const uint32_t log)
@@ -129,6 +117,7 @@ static inline uint32_t soft_raised(const uint32_t x, const uint32_t is_empty, co
 #endif
 }
 
+/* The zeros above the highest one of x: the count that shifts this to the top. Of 0 it is 31 or 32. */
 static inline uint32_t soft_zeros(const uint32_t x)
 {
     const uint32_t empty16 = ((x >> 16) - 1) >> 31;
