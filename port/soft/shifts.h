@@ -103,10 +103,6 @@ static inline uint32_t soft_rounded(const uint32_t x, const uint32_t behind, con
     return x + (sum < most) + (upper << 23);
 }
 
-#endif
-
-#ifndef __thumb2__
-
 /* x shifted left by 2^log places where is_empty is 1, not where it is 0. */
 static inline uint32_t soft_raised(const uint32_t x, const uint32_t is_empty, const uint32_t log)
 {
