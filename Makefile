@@ -22,7 +22,7 @@
 ##     RECORDED=FILE                       for report and bench: inputs of a controller, a line for each tick
 ##     OUTPUTS=speed,current               for plot: what to draw over time, instead of all
 ##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600, of hil: 60
-##     TARGET=host|posix|cortex-m4f        where to run: on this machine in virtual time or in real time, or on the board in QEMU
+##     TARGET=host|posix|cortex-m4f|...    where to run: on this machine in virtual time or in real time, or on a board in QEMU: port/README.md
 ##     REAL=float|double                   the type of the numbers
 ##     XCP=open|LOCK                       for a2l and link: who may write and measure, all or who has the key of an iso_xcp_lock (core/xcp)
 ##     SCRIPT=FILE                         late, lost and slow ticks, on the host (port/sim/script.h)
@@ -188,8 +188,10 @@ endif
 PORT_OF_host := port/sim
 PORT_OF_posix := port/posix
 PORT_OF_cortex-m4f := port/mps2
+PORT_OF_cortex-m7 := port/m7
 PORT_OF_cortex-m3 := port/m3
 PORT_OF_cortex-m0 := port/m0
+TARGETS := $(patsubst PORT_OF_%,%,$(filter PORT_OF_%,$(.VARIABLES)))
 PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is
 # for scenes only.
@@ -198,7 +200,7 @@ REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
 
 ifeq ($(PORT),)
-$(error TARGET=$(TARGET) is unknown; it can be host, posix or cortex-m4f)
+$(error TARGET=$(TARGET) is unknown; it can be one of: $(sort $(TARGETS)))
 endif
 ifeq ($(filter float double,$(REAL)),)
 $(error REAL=$(REAL) is unknown; it can be float or double)
@@ -206,6 +208,11 @@ endif
 ifneq ($(filter $(if $(OF_ONE_SCENE),,cost) chains ticks,$(MAKECMDGOALS)),)
 ifneq ($(TARGET) $(REAL),cortex-m4f float)
 $(error make $(MAKECMDGOALS) is of the cortex-m4f in float; TARGET and REAL cannot be others)
+endif
+endif
+ifneq ($(filter flags,$(MAKECMDGOALS)),)
+ifeq ($(filter host cortex-m4f,$(TARGET)),)
+$(error make flags is of the host or the cortex-m4f; TARGET cannot be another)
 endif
 endif
 ifneq ($(SCRIPT),)
@@ -233,7 +240,7 @@ ifeq ($(filter lockstep free,$(MODE)),)
 $(error MODE=$(MODE) is unknown; it can be lockstep or free)
 endif
 ifeq ($(MODE) $(TARGET),free host)
-$(error MODE=free needs time that is real; TARGET=host has none, TARGET=posix and cortex-m4f have)
+$(error MODE=free needs time that is real; TARGET=host has none, the others have)
 endif
 endif
 IS_IN_C := $(filter .c,$(suffix $(subst $(space),_,$(SCENE))))
