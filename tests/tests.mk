@@ -115,8 +115,8 @@ TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' \) -mtime 
     rm -rf build/tests/times && mkdir build/tests/times; TEST_BUILT=yes TEST_TIMES=$(CURDIR)/build/tests/times \
     PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
 
-# All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole domains, checkers, models. A few minutes.
-test: ## run all tests, but for those that passed before and follow from nothing that has changed; some minutes
+# All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole domains, checkers, models: 20 minutes on two cores.
+test: ## run all tests, but for those that passed before and follow from nothing that has changed; 20 minutes on two cores
 	@tests/tools.sh
 	@$(MAKE) --no-print-directory -j$(TEST_JOBS) test-run
 
