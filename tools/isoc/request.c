@@ -48,12 +48,12 @@ static bool override_statements(arena *memory, const request *r, scene *s)
     mechanism_method_and_step(&given, &g, &read, r->is_double);
     source_report(&given);
     if (was_adams != is_adams) {
-        s->substeps = NULL; /* a budget is no number of parts */
+        s->options.substeps = NULL; /* a budget is no number of parts */
     }
     s->step = read.step == NULL ? s->step : read.step;
     s->method = read.method.text == NULL ? s->method : read.method;
-    s->tolerance = read.tolerance == NULL ? s->tolerance : read.tolerance;
-    s->substeps = read.substeps == NULL ? s->substeps : read.substeps;
+    s->options.tolerance = read.options.tolerance == NULL ? s->options.tolerance : read.options.tolerance;
+    s->options.substeps = read.options.substeps == NULL ? s->options.substeps : read.options.substeps;
     return given.problem_count == 0;
 }
 
@@ -68,8 +68,8 @@ bool override_scene(arena *memory, const request *r, source *s, scene *written)
     if (r->without != NULL) {
         scene_leave_out(s, written, source_add(s, "--without", r->without));
     }
-    for (size_t i = 0; i < written->input_count && r->inputs != NULL; i++) {
-        written->inputs[i].smooth = strcmp(r->inputs, "smooth") == 0;
+    for (size_t i = 0; i < written->inputs.count && r->inputs != NULL; i++) {
+        written->inputs.all[i].smooth = strcmp(r->inputs, "smooth") == 0;
     }
     return true;
 }

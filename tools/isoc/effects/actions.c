@@ -158,8 +158,8 @@ static int body_under(builder *b, int which)
 {
     matrix turned;
     vector origin;
-    const int frame = which - (int)b->written->body_count;
-    return frame < 0 ? which : stand_on(b, &b->written->frames[frame].on, &turned, &origin);
+    const int frame = which - (int)b->written->bodies.count;
+    return frame < 0 ? which : stand_on(b, &b->written->frames.all[frame].on, &turned, &origin);
 }
 
 /* Adds a force, or a moment, on a body that moves. */

@@ -14,8 +14,8 @@ static int count_lines(const effect_kind *kind, effect_line_kind of)
 static int count_all(const scene *written, effect_line_kind kind)
 {
     int count = 0;
-    for (size_t i = 0; i < written->effect_count; i++) {
-        const effect_use *use = &written->effects[i];
+    for (size_t i = 0; i < written->effects.count; i++) {
+        const effect_use *use = &written->effects.all[i];
         count += use->left_out ? 0 : count_lines(find_effect_kind(written, use->kind), kind);
     }
     return count;
@@ -46,12 +46,12 @@ void count_effects(builder *b)
     m->effects.efforts = arena_take(memory, (size_t)m->dof_count + 1, sizeof *m->effects.efforts);
     const int parts = count_all(b->written, EFFECT_EFFORT);
     m->effects.pushes = arena_take(memory, (size_t)parts + 1, sizeof *m->effects.pushes);
-    m->effects.count = (int)b->written->effect_count;
-    m->effects.names = arena_take(memory, b->written->effect_count + 1, sizeof *m->effects.names);
-    m->effects.accounts = arena_take(memory, b->written->effect_count + 1, sizeof *m->effects.accounts);
+    m->effects.count = (int)b->written->effects.count;
+    m->effects.names = arena_take(memory, b->written->effects.count + 1, sizeof *m->effects.names);
+    m->effects.accounts = arena_take(memory, b->written->effects.count + 1, sizeof *m->effects.accounts);
     for (int i = 0; i < m->effects.count; i++) {
         const node zero = constant(b->g, 0.0);
-        m->effects.names[i] = b->written->effects[i].name;
+        m->effects.names[i] = b->written->effects.all[i].name;
         m->effects.accounts[i] = (effect_account){.power = zero, .stored = zero, .loss = zero, .work = zero};
     }
     for (int f = 0; f < m->dof_count; f++) {

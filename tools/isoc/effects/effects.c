@@ -75,8 +75,8 @@ static bool check_operands(builder *b, const instance *in)
 static double start_of_fault(builder *b, const char *display_name)
 {
     double start = 0.0;
-    for (size_t i = 0; i < b->written->fault_start_count; i++) {
-        const setting *set = &b->written->fault_starts[i];
+    for (size_t i = 0; i < b->written->fault_starts.count; i++) {
+        const setting *set = &b->written->fault_starts.all[i];
         if (set->value != NULL && strcmp(set->what.text, display_name) == 0) {
             start = value_constant(&b->values, set->value, no_unit, display_name, 0.0);
             if (!(start >= 0.0 && start <= 1.0)) {
@@ -146,11 +146,11 @@ static effect_scope *effect_scope_of(builder *b)
     arena *memory = b->s->memory;
     effect_scope *w = arena_take(memory, 1, sizeof *w);
     w->b = b;
-    w->all = arena_take(memory, b->written->effect_count + 1, sizeof *w->all);
-    w->signals = arena_take(memory, b->written->signal_count + 1, sizeof *w->signals);
-    w->signal_progress = arena_take(memory, b->written->signal_count + 1, sizeof *w->signal_progress);
-    for (size_t i = 0; i < b->written->effect_count; i++) {
-        w->all[i].use = &b->written->effects[i];
+    w->all = arena_take(memory, b->written->effects.count + 1, sizeof *w->all);
+    w->signals = arena_take(memory, b->written->signals.count + 1, sizeof *w->signals);
+    w->signal_progress = arena_take(memory, b->written->signals.count + 1, sizeof *w->signal_progress);
+    for (size_t i = 0; i < b->written->effects.count; i++) {
+        w->all[i].use = &b->written->effects.all[i];
         w->all[i].account = &b->mechanism.effects.accounts[i];
     }
     return w;
@@ -168,12 +168,12 @@ void build_effects(builder *b)
     b->around = around;
     b->faults = arena_take(b->s->memory, count_faults(b->written) + 1, sizeof *b->faults);
     int states = 0, memories = 0;
-    for (size_t i = 0; i < b->written->effect_count; i++) {
+    for (size_t i = 0; i < b->written->effects.count; i++) {
         build_instance(w, &w->all[i], &states, &memories);
     }
     b->values.around = around;
     graph_section(b->g, "Effects");
-    for (size_t i = 0; i < b->written->effect_count; i++) {
+    for (size_t i = 0; i < b->written->effects.count; i++) {
         const instance *in = &w->all[i];
         const bool is_there = in->kind != NULL && !in->use->left_out;
         for (size_t j = 0; is_there && j < in->kind->line_count; j++) {
@@ -185,8 +185,8 @@ void build_effects(builder *b)
             enter(w, NULL);
         }
     }
-    for (size_t i = 0; i < b->written->signal_count; i++) {
-        if (!b->written->signals[i].left_out) {
+    for (size_t i = 0; i < b->written->signals.count; i++) {
+        if (!b->written->signals.all[i].left_out) {
             (void)signal_value(w, i);
         }
     }

@@ -56,7 +56,7 @@ static value output_of_effect(effect_scope *w, const formula *f, const char *dot
 {
     source *s = w->b->s;
     const size_t length = (size_t)(dot - f->name);
-    for (size_t i = 0; i < w->b->written->effect_count; i++) {
+    for (size_t i = 0; i < w->b->written->effects.count; i++) {
         const instance *in = &w->all[i];
         const char *called = in->use->name.text;
         if (called == NULL || strlen(called) != length || strncmp(called, f->name, length) != 0) {
@@ -86,7 +86,7 @@ static value input_value(effect_scope *w, const formula *f, int i)
 {
     w->b->is_input_used[i] = true;
     if (!w->b->is_input_known[i]) {
-        source_problem(w->b->s, w->b->written->inputs[i].name.at, "the input '%s' has no unit: input %s V", f->name,
+        source_problem(w->b->s, w->b->written->inputs.all[i].name.at, "the input '%s' has no unit: input %s V", f->name,
                        f->name);
         return nothing;
     }
@@ -106,7 +106,7 @@ static value left_input_value(effect_scope *w, const quantity *q)
 
 value signal_value(effect_scope *w, size_t i)
 {
-    const quantity *q = &w->b->written->signals[i];
+    const quantity *q = &w->b->written->signals.all[i];
     if (w->signal_progress[i] == STARTED) {
         return refuse_loop(w, q->name.at, q->name.text);
     }
@@ -126,16 +126,16 @@ static bool find_in_scene(effect_scope *w, const formula *f, value *found)
         *found = output_of_effect(w, f, dot);
         return true;
     }
-    const size_t inputs = written->input_count;
+    const size_t inputs = written->inputs.count;
     for (size_t i = 0; i < inputs + written->left_input_count; i++) {
-        const quantity *q = &written->inputs[i];
+        const quantity *q = &written->inputs.all[i];
         if (q->name.text != NULL && strcmp(q->name.text, f->name) == 0) {
             *found = i < inputs ? input_value(w, f, (int)i) : left_input_value(w, q);
             return true;
         }
     }
-    for (size_t i = 0; i < written->signal_count; i++) {
-        if (written->signals[i].name.text != NULL && strcmp(written->signals[i].name.text, f->name) == 0) {
+    for (size_t i = 0; i < written->signals.count; i++) {
+        if (written->signals.all[i].name.text != NULL && strcmp(written->signals.all[i].name.text, f->name) == 0) {
             *found = signal_value(w, i);
             return true;
         }

@@ -139,7 +139,7 @@ static bool find_account(effect_scope *w, const formula *f, value *found)
         source_problem(w->b->s, f->at, "the %s of '%s' is for outputs only", f->name, called);
         return true;
     }
-    for (size_t i = 0; i < w->b->written->effect_count && word < WORDS; i++) {
+    for (size_t i = 0; i < w->b->written->effects.count && word < WORDS; i++) {
         const instance *in = &w->all[i];
         if (in->use->name.text != NULL && strcmp(in->use->name.text, called) == 0) {
             const node all[WORDS] = {in->account->power, in->account->stored, in->account->loss, in->account->work};

@@ -108,9 +108,9 @@ bool find_point(effect_scope *w, const char *called, int *which, vector *point)
         }
         return is;
     }
-    for (size_t i = 0; i < written->body_count + written->frame_count; i++) {
-        const char *other =
-            i < written->body_count ? written->bodies[i].name.text : written->frames[i - written->body_count].name.text;
+    for (size_t i = 0; i < written->bodies.count + written->frames.count; i++) {
+        const char *other = i < written->bodies.count ? written->bodies.all[i].name.text
+                                                      : written->frames.all[i - written->bodies.count].name.text;
         *which = other != NULL && strcmp(other, called) == 0 ? (int)i : *which;
     }
     return *which >= 0;

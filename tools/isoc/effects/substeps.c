@@ -40,9 +40,9 @@ static void check_method(builder *b, const effect_use *use)
     if (ISO_IS_CHECKED(recipe)) {
         source_problem(b->s, at, "the local error is that of steps of one rate: leave out substeps, or the check");
     }
-    for (size_t i = 0; i < b->written->input_count; i++) {
-        if (b->written->inputs[i].smooth) {
-            source_problem(b->s, b->written->inputs[i].name.at,
+    for (size_t i = 0; i < b->written->inputs.count; i++) {
+        if (b->written->inputs.all[i].smooth) {
+            source_problem(b->s, b->written->inputs.all[i].name.at,
                            "a smooth input is for steps of one rate: let it be held, or leave out the substeps of '%s'",
                            use->name.text);
         }
@@ -66,7 +66,7 @@ void build_substeps(builder *b)
     mechanism *m = &b->mechanism;
     m->effects.is_fast = arena_take(b->s->memory, (size_t)m->effects.count + 1, sizeof *m->effects.is_fast);
     for (int i = 0; i < m->effects.count; i++) {
-        const effect_use *use = &b->written->effects[i];
+        const effect_use *use = &b->written->effects.all[i];
         if (use->substeps == NULL || use->left_out || use->dropped || use->broken || b->is_effect_broken) {
             continue;
         }

@@ -39,7 +39,7 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
     if (f == NULL) {
         return;
     }
-    const size_t all = b->written->input_count + (size_t)(b->mechanism.effects.memory_count + b->time_input_count);
+    const size_t all = b->written->inputs.count + (size_t)(b->mechanism.effects.memory_count + b->time_input_count);
     const bool is_new = is_stream(f) && time_input_called(b, f, within) == NULL;
     if (is_new && all == MOST_MEMORIES) {
         source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
@@ -67,8 +67,8 @@ static bool is_given(const effect_use *use, const effect_line *line)
 void find_time_inputs(builder *b)
 {
     const scene *written = b->written;
-    for (size_t i = 0; i < written->effect_count; i++) {
-        const effect_use *use = &written->effects[i];
+    for (size_t i = 0; i < written->effects.count; i++) {
+        const effect_use *use = &written->effects.all[i];
         const effect_kind *kind = use->left_out ? NULL : find_effect_kind(written, use->kind);
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
             if (!is_given(use, &kind->lines[n])) {
@@ -80,18 +80,18 @@ void find_time_inputs(builder *b)
             add_time_inputs(b, use->operands[n].value, NULL);
         }
     }
-    for (size_t i = 0; i < written->signal_count; i++) {
-        add_time_inputs(b, written->signals[i].left_out ? NULL : written->signals[i].value, NULL);
+    for (size_t i = 0; i < written->signals.count; i++) {
+        add_time_inputs(b, written->signals.all[i].left_out ? NULL : written->signals.all[i].value, NULL);
     }
-    for (size_t i = 0; i < written->output_count; i++) {
-        add_time_inputs(b, written->outputs[i].formula, NULL);
+    for (size_t i = 0; i < written->outputs.count; i++) {
+        add_time_inputs(b, written->outputs.all[i].formula, NULL);
     }
 }
 
 void build_time_inputs(builder *b)
 {
     mechanism *m = &b->mechanism;
-    const int first = (int)b->written->input_count;
+    const int first = (int)b->written->inputs.count;
     m->inputs.time_input_of = arena_take(b->s->memory, (size_t)m->inputs.count + 1, sizeof *m->inputs.time_input_of);
     m->inputs.time_inputs = arena_take(b->s->memory, (size_t)b->time_input_count + 1, sizeof *m->inputs.time_inputs);
     m->inputs.time_input_count = b->time_input_count;
@@ -153,7 +153,7 @@ value time_input_value(void *context, const formula *f)
         return (value){.count = 1, .parts = {constant(b->g, 0.0)}, .of = is_time(f) ? second : no_unit};
     }
     if (s->drive.count == 0) {
-        const int input = (int)b->written->input_count + (int)(s - b->time_inputs);
+        const int input = (int)b->written->inputs.count + (int)(s - b->time_inputs);
         s->drive = drive_of(b, f, within);
         if (s->drive.count == 1) {
             b->mechanism.inputs.drives[input] = s->drive.parts[0];

@@ -78,7 +78,7 @@ void drop_unread(builder *b)
 {
     mechanism *m = &b->mechanism;
     m->inputs.is_read = b->whole != NULL ? b->whole->inputs.is_read : find_read(b);
-    for (int i = (int)b->written->input_count; i < m->inputs.count; i++) {
+    for (int i = (int)b->written->inputs.count; i < m->inputs.count; i++) {
         m->inputs.driven[i] = m->inputs.driven[i] && m->inputs.is_read[i];
     }
     node *to = arena_take(b->s->memory, (size_t)held_count(m) + 1, sizeof *to);

@@ -15,14 +15,14 @@
 void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double)
 {
     *v = (values){.s = s, .g = g, .scene = written, .is_double = is_double};
-    const size_t room = written->parameter_count + 1;
+    const size_t room = written->parameters.count + 1;
     v->parameters = arena_take(s->memory, room, sizeof *v->parameters);
     v->progress = arena_take(s->memory, room, sizeof *v->progress);
     v->defaults = arena_take(s->memory, room + more, sizeof *v->defaults);
     v->tunable_index = arena_take(s->memory, room, sizeof *v->tunable_index);
     v->names = (dictionary){.memory = s->memory};
-    for (size_t i = 0; i < written->parameter_count; i++) {
-        const quantity *q = &written->parameters[i];
+    for (size_t i = 0; i < written->parameters.count; i++) {
+        const quantity *q = &written->parameters.all[i];
         v->tunable_index[i] = v->tunables;
         v->tunables += q->tunable;
         if (q->name.text != NULL && dictionary_find(&v->names, q->name.text) == NULL) {
@@ -56,7 +56,7 @@ static value check_set(values *v, const quantity *q, value set)
 /* A parameter, from its formula; those that this names have their values. */
 static void evaluate_parameter(values *v, size_t i)
 {
-    const quantity *q = &v->scene->parameters[i];
+    const quantity *q = &v->scene->parameters.all[i];
     value result = q->value == NULL ? nothing : value_any(v, q->value);
     result = q->stated == NULL ? result : check_set(v, q, result);
     const char *called = q->name.text;
@@ -113,12 +113,12 @@ static void resolve(values *v, size_t wanted)
     queue q = {0};
     for (wait_for(v, &q, wanted); q.count > 0;) {
         const size_t i = q.all[q.count - 1];
-        const formula *f = v->scene->parameters[i].value;
+        const formula *f = v->scene->parameters.all[i].value;
         if (v->progress[i] == NOT_YET && f != NULL) {
             v->progress[i] = STARTED;
             wait_for_names(v, &q, f);
-            if (v->scene->parameters[i].stated != NULL) {
-                wait_for_names(v, &q, v->scene->parameters[i].stated);
+            if (v->scene->parameters.all[i].stated != NULL) {
+                wait_for_names(v, &q, v->scene->parameters.all[i].stated);
             }
         } else {
             if (v->progress[i] != DONE) {
@@ -131,7 +131,7 @@ static void resolve(values *v, size_t wanted)
 
 void values_resolve(values *v)
 {
-    for (size_t i = 0; i < v->scene->parameter_count; i++) {
+    for (size_t i = 0; i < v->scene->parameters.count; i++) {
         resolve(v, i);
     }
 }

@@ -36,9 +36,9 @@ static void build_applied_force(builder *b, const body_force *written)
 
 void build_applied_forces(builder *b)
 {
-    b->mechanism.forces.applied = arena_take(b->s->memory, b->written->force_count + count_forces(b->written) + 1,
+    b->mechanism.forces.applied = arena_take(b->s->memory, b->written->forces.count + count_forces(b->written) + 1,
                                              sizeof *b->mechanism.forces.applied);
-    for (size_t i = 0; i < b->written->force_count; i++) {
-        build_applied_force(b, &b->written->forces[i]);
+    for (size_t i = 0; i < b->written->forces.count; i++) {
+        build_applied_force(b, &b->written->forces.all[i]);
     }
 }

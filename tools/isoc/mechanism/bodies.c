@@ -110,8 +110,8 @@ static lump lump_of_body(builder *b, const body *written)
 
 void build_bodies(builder *b)
 {
-    for (size_t i = 0; i < b->written->body_count; i++) {
-        const body *written = &b->written->bodies[i];
+    for (size_t i = 0; i < b->written->bodies.count; i++) {
+        const body *written = &b->written->bodies.all[i];
         weight *result = &b->weights[i];
         result->joint = -1;
         result->lump_count = written->solid_count == 0 ? 1 : written->solid_count;

@@ -178,10 +178,10 @@ static void build_stabilisation(builder *b)
 
 void build_closures(builder *b)
 {
-    b->mechanism.closures = arena_take(b->s->memory, b->written->closure_count + 1, sizeof *b->mechanism.closures);
+    b->mechanism.closures = arena_take(b->s->memory, b->written->closures.count + 1, sizeof *b->mechanism.closures);
     b->mechanism.clocks.first = b->mechanism.position_count;
-    for (size_t i = 0; i < b->written->closure_count; i++) {
-        build_closure(b, &b->written->closures[i]);
+    for (size_t i = 0; i < b->written->closures.count; i++) {
+        build_closure(b, &b->written->closures.all[i]);
     }
     b->mechanism.position_count += b->mechanism.clocks.count;
     build_stabilisation(b);

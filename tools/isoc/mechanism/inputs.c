@@ -15,8 +15,8 @@ static void build_smooth(builder *b)
     mechanism *m = &b->mechanism;
     bool any = false;
     m->inputs.smooth = arena_take(b->s->memory, (size_t)m->inputs.count + 1, sizeof *m->inputs.smooth);
-    for (size_t i = 0; i < b->written->input_count; i++) {
-        m->inputs.smooth[i] = b->written->inputs[i].smooth;
+    for (size_t i = 0; i < b->written->inputs.count; i++) {
+        m->inputs.smooth[i] = b->written->inputs.all[i].smooth;
         any = any || m->inputs.smooth[i];
     }
     const unsigned smooth = m->method.recipe | ISO_SMOOTH;
@@ -27,15 +27,15 @@ static void build_smooth(builder *b)
 static void find_uses(const builder *b, name input, bool *force, bool *torque)
 {
     *force = *torque = false;
-    for (size_t j = 0; j < b->written->joint_count; j++) {
-        const joint *user = &b->written->joints[j];
+    for (size_t j = 0; j < b->written->joints.count; j++) {
+        const joint *user = &b->written->joints.all[j];
         if (same_name(user->drive, input)) {
             *force = *force || user->kind == JOINT_PRISMATIC;
             *torque = *torque || user->kind == JOINT_REVOLUTE;
         }
     }
-    for (size_t j = 0; j < b->written->force_count; j++) {
-        *force = *force || same_name(b->written->forces[j].drive, input);
+    for (size_t j = 0; j < b->written->forces.count; j++) {
+        *force = *force || same_name(b->written->forces.all[j].drive, input);
     }
 }
 
@@ -81,7 +81,7 @@ static void build_wire(builder *b, int i, bool is_known, dimension expected)
 {
     static const double most_ticks = 4294967295.0;
     mechanism *m = &b->mechanism;
-    const quantity *q = &b->written->inputs[i];
+    const quantity *q = &b->written->inputs.all[i];
     const variable *v = &m->inputs.all[i];
     if (m->inputs.driven[i] && q->safe == NULL) {
         return;
@@ -102,7 +102,7 @@ static void build_wire(builder *b, int i, bool is_known, dimension expected)
 static void build_input(builder *b, int i)
 {
     mechanism *m = &b->mechanism;
-    const quantity *q = &b->written->inputs[i];
+    const quantity *q = &b->written->inputs.all[i];
     const dimension expected = input_dimension(b, q, &b->is_input_known[i]);
     const bool is_known = b->is_input_known[i];
     const char *what = dimension_equal(expected, newton_metre) ? "a torque"
@@ -132,7 +132,7 @@ void build_inputs(builder *b)
 {
     mechanism *m = &b->mechanism;
     find_time_inputs(b);
-    m->inputs.count = (int)b->written->input_count + b->time_input_count;
+    m->inputs.count = (int)b->written->inputs.count + b->time_input_count;
     const size_t room = (size_t)m->inputs.count + 1;
     m->inputs.all = arena_take(b->s->memory, room, sizeof *m->inputs.all);
     m->inputs.driven = arena_take(b->s->memory, room, sizeof *m->inputs.driven);
@@ -148,8 +148,8 @@ void build_inputs(builder *b)
     build_smooth(b);
     b->values.time_allowed = true;
     graph_section(b->g, "Inputs as functions of time");
-    for (size_t i = 0; i < b->written->input_count; i++) {
-        if (b->written->inputs[i].name.text != NULL) {
+    for (size_t i = 0; i < b->written->inputs.count; i++) {
+        if (b->written->inputs.all[i].name.text != NULL) {
             build_input(b, (int)i);
         }
     }
@@ -159,8 +159,8 @@ void build_inputs(builder *b)
 
 void check_inputs(builder *b)
 {
-    for (size_t i = 0; i < b->written->input_count && !b->is_effect_broken; i++) {
-        const name input = b->written->inputs[i].name;
+    for (size_t i = 0; i < b->written->inputs.count && !b->is_effect_broken; i++) {
+        const name input = b->written->inputs.all[i].name;
         bool force, torque;
         find_uses(b, input, &force, &torque);
         if (input.text != NULL && !b->written->broken && !force && !torque && !b->is_input_used[i]) {
@@ -192,10 +192,10 @@ void build_parameters(builder *b)
     const scene *written = b->written;
     mechanism *m = &b->mechanism;
     m->parameters.all =
-        arena_take(b->s->memory, written->parameter_count + (size_t)b->fault_count + 1, sizeof *m->parameters.all);
+        arena_take(b->s->memory, written->parameters.count + (size_t)b->fault_count + 1, sizeof *m->parameters.all);
     m->parameters.defaults = b->values.defaults;
-    for (size_t i = 0; i < written->parameter_count; i++) {
-        const quantity *q = &written->parameters[i];
+    for (size_t i = 0; i < written->parameters.count; i++) {
+        const quantity *q = &written->parameters.all[i];
         const value *resolved = &b->values.parameters[i];
         if (q->tunable) {
             const int index = m->parameters.count++;
@@ -247,8 +247,8 @@ static void check_defaults(builder *b)
 {
     double *numbers = arena_take(b->s->memory, b->g->count + 1, sizeof *numbers);
     const condition *c = broken_condition(b, b->mechanism.parameters.defaults, numbers);
-    for (size_t i = 0; c != NULL && i < b->written->parameter_count; i++) {
-        const quantity *q = &b->written->parameters[i];
+    for (size_t i = 0; c != NULL && i < b->written->parameters.count; i++) {
+        const quantity *q = &b->written->parameters.all[i];
         const node sides[2] = {c->least, c->most};
         if (q->tunable && uses_leaf(b->g, sides, 2, leaf(b->g, OP_PARAMETER, b->values.tunable_index[i]))) {
             source_problem(b->s, q->name.at,
@@ -291,10 +291,10 @@ void build_changes(builder *b)
 {
     static const double most_ticks = 4294967295.0;
     mechanism *m = &b->mechanism;
-    m->parameters.changes = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *m->parameters.changes);
-    const formula **to_values = arena_take(b->s->memory, b->written->setting_count + 1, sizeof *to_values);
-    for (size_t i = 0; i < b->written->setting_count; i++) {
-        const setting *set = &b->written->settings[i];
+    m->parameters.changes = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *m->parameters.changes);
+    const formula **to_values = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *to_values);
+    for (size_t i = 0; i < b->written->settings.count; i++) {
+        const setting *set = &b->written->settings.all[i];
         const int parameter = set->value == NULL ? -1 : parameter_called(b, set->what);
         if (parameter < 0) {
             continue;

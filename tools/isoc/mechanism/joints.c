@@ -281,7 +281,7 @@ static void start_ball(builder *b, const joint *j, const given *from, segment *p
     if (!j->spin_in_ground) {
         return;
     }
-    if (!part_made->start_given && b->written->closure_count > 0) {
+    if (!part_made->start_given && b->written->closures.count > 0) {
         source_problem(b->s, j->spin_axes_at, "a spin in the axes of the ground needs the start of the joint '%s'",
                        j->name.text);
     } else if (spin_from_ground(b, j, part_made->speed)) {

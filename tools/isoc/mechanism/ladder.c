@@ -35,10 +35,10 @@ static unsigned method_of_rung(builder *b, name rung)
             source_problem(b->s, rung.at, "'%s' is a rung already", rung.text);
         }
     }
-    for (size_t i = 0; i < b->written->input_count && method != ISO_METHOD_OF(b->mechanism.method.recipe); i++) {
-        if (b->written->inputs[i].smooth) {
+    for (size_t i = 0; i < b->written->inputs.count && method != ISO_METHOD_OF(b->mechanism.method.recipe); i++) {
+        if (b->written->inputs.all[i].smooth) {
             source_problem(b->s, rung.at, "the smooth input '%s' is sampled for %s: let it be held, or leave out '%s'",
-                           b->written->inputs[i].name.text, method_names[ISO_METHOD_OF(b->mechanism.method.recipe)],
+                           b->written->inputs.all[i].name.text, method_names[ISO_METHOD_OF(b->mechanism.method.recipe)],
                            rung.text);
         }
     }
@@ -48,8 +48,8 @@ static unsigned method_of_rung(builder *b, name rung)
 /* No step. */
 static void check_hold(builder *b, name rung)
 {
-    for (size_t j = 0; j < b->written->closure_count; j++) {
-        if (closure_clocks(&b->written->closures[j]) > 0) {
+    for (size_t j = 0; j < b->written->closures.count; j++) {
+        if (closure_clocks(&b->written->closures.all[j]) > 0) {
             source_problem(b->s, rung.at, "a motion goes on while the states are held: leave out hold");
         }
     }
@@ -59,15 +59,15 @@ static void check_hold(builder *b, name rung)
 static int effect_of_rung(builder *b, name rung)
 {
     const scene *written = b->written;
-    const char **names = arena_take(b->s->memory, written->effect_count + 1, sizeof *names);
-    for (size_t i = 0; i < written->effect_count; i++) {
-        names[i] = written->effects[i].name.text == NULL ? "" : written->effects[i].name.text;
+    const char **names = arena_take(b->s->memory, written->effects.count + 1, sizeof *names);
+    for (size_t i = 0; i < written->effects.count; i++) {
+        names[i] = written->effects.all[i].name.text == NULL ? "" : written->effects.all[i].name.text;
         if (strcmp(names[i], rung.text) == 0) {
             return (int)i;
         }
     }
     source_problem(b->s, rung.at, "no effect is called '%s'%s", rung.text,
-                   source_suggestion(b->s, rung.text, names, written->effect_count));
+                   source_suggestion(b->s, rung.text, names, written->effects.count));
     return -1;
 }
 
@@ -96,13 +96,13 @@ static bool refuse_readers(builder *b, name rung, int effect)
 {
     const size_t before = b->s->problem_count;
     scene without = *b->written;
-    without.effects = arena_take(b->s->memory, without.effect_count, sizeof *without.effects);
-    for (size_t i = 0; i < without.effect_count; i++) {
-        without.effects[i] = b->written->effects[i];
-        without.effects[i].left_out = (int)i == effect;
+    without.effects.all = arena_take(b->s->memory, without.effects.count, sizeof *without.effects.all);
+    for (size_t i = 0; i < without.effects.count; i++) {
+        without.effects.all[i] = b->written->effects.all[i];
+        without.effects.all[i].left_out = (int)i == effect;
     }
-    for (size_t i = 0; i < without.effect_count; i++) {
-        const effect_use *other = &b->written->effects[i];
+    for (size_t i = 0; i < without.effects.count; i++) {
+        const effect_use *other = &b->written->effects.all[i];
         bool reads = false;
         for (size_t n = 0; n < other->operand_count; n++) {
             reads = reads || scene_reads_left_out(&without, other->operands[n].value);
@@ -120,7 +120,7 @@ static void drop(builder *b, name rung)
 {
     policies *to = &b->mechanism.policies;
     const int effect = effect_of_rung(b, rung);
-    const effect_use *use = effect < 0 ? NULL : &b->written->effects[effect];
+    const effect_use *use = effect < 0 ? NULL : &b->written->effects.all[effect];
     const effect_kind *kind = use == NULL ? NULL : find_effect_kind(b->written, use->kind);
     if (kind == NULL) {
         return;

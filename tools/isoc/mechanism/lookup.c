@@ -57,7 +57,7 @@ bool find_connection(builder *b, name n, int *child, int *loop)
 {
     bool is_joint;
     const int index = find_joint_or_closure(b->s, b->written, n, &is_joint);
-    if (index >= 0 && !is_joint && acts_along_joints(b->written->closures[index].kind)) {
+    if (index >= 0 && !is_joint && acts_along_joints(b->written->closures.all[index].kind)) {
         source_problem(b->s, n.at, "'%s' has no force between bodies: show effort of %s", n.text, n.text);
     }
     *child = index >= 0 && is_joint ? b->children[index] : -1;

@@ -19,7 +19,7 @@ static int resolve_end(builder *b, const placement *end)
 /* Which bodies a joint connects; a body is the child of one joint. */
 static void connect(builder *b, size_t i)
 {
-    const joint *j = &b->written->joints[i];
+    const joint *j = &b->written->joints.all[i];
     b->parents[i] = resolve_end(b, &j->parent);
     const int child = b->children[i] = resolve_end(b, &j->child);
     if (child == -2) {
@@ -29,7 +29,7 @@ static void connect(builder *b, size_t i)
         source_problem(b->s, j->child.body.at, "a joint needs two bodies; both are '%s'", j->child.body.text);
         b->children[i] = -1;
     } else if (child >= 0 && b->weights[child].joint >= 0) {
-        const name *first = &b->written->joints[b->weights[child].joint].name;
+        const name *first = &b->written->joints.all[b->weights[child].joint].name;
         source_problem(b->s, j->child.body.at,
                        "'%s' is already the child of the joint '%s' in %s: a loop is closed by 'close'",
                        j->child.body.text, first->text, source_line(b->s, first->at));
@@ -78,7 +78,7 @@ static composite weld(builder *b, const weight *whole, const body_frame *frame)
 static void hang(builder *b, size_t i)
 {
     graph *g = b->g;
-    const joint *j = &b->written->joints[i];
+    const joint *j = &b->written->joints.all[i];
     const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
     const body_frame parent = b->parents[i] == -2 ? ground : b->mechanism.bodies.frames[b->parents[i]];
     body_frame *child = &b->mechanism.bodies.frames[b->children[i]];
@@ -121,7 +121,7 @@ static void hang(builder *b, size_t i)
 /* Connects joints whose parent is placed, in the order of the scene, until there are no more. */
 static void build_tree(builder *b)
 {
-    const size_t joints = b->written->joint_count;
+    const size_t joints = b->written->joints.count;
     bool *hung = arena_take(b->s->memory, joints + 1, sizeof *hung);
     for (bool going = true; going;) {
         going = false;
@@ -142,20 +142,20 @@ static void build_tree(builder *b)
             above = b->weights[b->parents[above]].joint;
         }
         if (!hung[i] && b->children[i] >= 0 && steps > joints) {
-            source_problem(b->s, b->written->joints[i].name.at,
+            source_problem(b->s, b->written->joints.all[i].name.at,
                            "the joint '%s' is part of a loop that is not connected to the ground",
-                           b->written->joints[i].name.text);
+                           b->written->joints.all[i].name.text);
         }
     }
     bool known = !b->written->broken;
     for (size_t i = 0; i < joints; i++) {
-        known = known && b->children[i] >= 0 && !b->written->joints[i].broken;
+        known = known && b->children[i] >= 0 && !b->written->joints.all[i].broken;
     }
-    for (size_t i = 0; i < b->written->body_count && known; i++) {
+    for (size_t i = 0; i < b->written->bodies.count && known; i++) {
         if (b->weights[i].joint < 0) {
-            source_problem(b->s, b->written->bodies[i].name.at,
+            source_problem(b->s, b->written->bodies.all[i].name.at,
                            "the body '%s' is not the child of a joint: one that floats needs a free joint",
-                           b->written->bodies[i].name.text);
+                           b->written->bodies.all[i].name.text);
         }
     }
 }
@@ -163,18 +163,18 @@ static void build_tree(builder *b)
 mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
 {
     builder b = {.s = s, .g = g, .written = written, .whole = whole};
-    b.weights = arena_take(s->memory, written->body_count + 1, sizeof *b.weights);
-    b.parents = arena_take(s->memory, written->joint_count + 1, sizeof *b.parents);
-    b.children = arena_take(s->memory, written->joint_count + 1, sizeof *b.children);
+    b.weights = arena_take(s->memory, written->bodies.count + 1, sizeof *b.weights);
+    b.parents = arena_take(s->memory, written->joints.count + 1, sizeof *b.parents);
+    b.children = arena_take(s->memory, written->joints.count + 1, sizeof *b.children);
     b.mechanism = (mechanism){.name = written->name, .source = s, .is_double = is_double};
     b.mechanism.bodies.ground_mass = constant(g, 0.0);
     b.mechanism.bodies.ground_moment = vector_zero(g);
     b.mechanism.segments =
-        arena_take(s->memory, PARTS_OF_A_JOINT * written->joint_count + 1, sizeof *b.mechanism.segments);
+        arena_take(s->memory, PARTS_OF_A_JOINT * written->joints.count + 1, sizeof *b.mechanism.segments);
     b.mechanism.bodies.frames =
-        arena_take(s->memory, written->body_count + written->frame_count + 1, sizeof *b.mechanism.bodies.frames);
-    b.mechanism.bodies.members = arena_take(s->memory, written->body_count + 1, sizeof *b.mechanism.bodies.members);
-    b.mechanism.bodies.count = (int)written->body_count;
+        arena_take(s->memory, written->bodies.count + written->frames.count + 1, sizeof *b.mechanism.bodies.frames);
+    b.mechanism.bodies.members = arena_take(s->memory, written->bodies.count + 1, sizeof *b.mechanism.bodies.members);
+    b.mechanism.bodies.count = (int)written->bodies.count;
     values_start(&b.values, s, g, written, count_faults(written), is_double);
 
     if (!counts_check(s, written)) {
@@ -187,7 +187,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     values_resolve(&b.values);
     b.mechanism.forces.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
     build_bodies(&b);
-    for (size_t i = 0; i < written->joint_count; i++) {
+    for (size_t i = 0; i < written->joints.count; i++) {
         connect(&b, i);
     }
     build_tree(&b);
@@ -218,8 +218,8 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
         return b.mechanism;
     }
     bool moves = false;
-    for (size_t i = 0; i < written->joint_count; i++) {
-        moves = moves || written->joints[i].kind != JOINT_FIXED;
+    for (size_t i = 0; i < written->joints.count; i++) {
+        moves = moves || written->joints.all[i].kind != JOINT_FIXED;
     }
     if (written->step == NULL) {
         source_problem(s, s->main_end, "the scene has no step: step 1 ms");
@@ -227,7 +227,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     if (!moves) {
         source_problem(s, s->main_end, "nothing moves: the scene has no joint that is not fixed");
     }
-    if (written->output_count == 0) {
+    if (written->outputs.count == 0) {
         source_problem(s, s->main_end, "the scene has no output: output angle = position of a joint");
     }
     return b.mechanism;

@@ -40,7 +40,7 @@ unsigned find_method(builder *b, name word)
  * them. */
 static void build_parts(builder *b, unsigned recipe)
 {
-    const formula *f = b->written->substeps;
+    const formula *f = b->written->options.substeps;
     const double ns = floor(b->mechanism.method.step * 1e9 + 0.5), parts = b->mechanism.method.substeps;
     b->mechanism.method.parts = 1;
     if (f == NULL || ISO_IS_VARYING(recipe) || !(parts > 1.0)) {
@@ -56,9 +56,9 @@ static void build_parts(builder *b, unsigned recipe)
         source_problem(b->s, f->at,
                        "the local error is that of a tick of one step: leave out substeps, or checked yes");
     }
-    for (size_t i = 0; i < b->written->input_count; i++) {
-        if (b->written->inputs[i].smooth) {
-            source_problem(b->s, b->written->inputs[i].name.at,
+    for (size_t i = 0; i < b->written->inputs.count; i++) {
+        if (b->written->inputs.all[i].smooth) {
+            source_problem(b->s, b->written->inputs.all[i].name.at,
                            "a smooth input is for ticks of one step: leave out substeps, or let the input be held");
         }
     }
@@ -69,15 +69,17 @@ static void build_parts(builder *b, unsigned recipe)
 static void build_adams(builder *b)
 {
     const scene *written = b->written;
-    b->mechanism.method.tolerance = value_constant(&b->values, written->tolerance, no_unit, "a tolerance", 1e-6);
+    b->mechanism.method.tolerance =
+        value_constant(&b->values, written->options.tolerance, no_unit, "a tolerance", 1e-6);
     b->mechanism.method.substeps =
-        value_constant(&b->values, written->substeps, no_unit, "the number of sub-steps", ISO_ADAMS_BUDGET);
+        value_constant(&b->values, written->options.substeps, no_unit, "the number of sub-steps", ISO_ADAMS_BUDGET);
     if (!(b->mechanism.method.tolerance > 0.0)) {
-        source_problem(b->s, written->tolerance->at, "a tolerance must be larger than zero");
+        source_problem(b->s, written->options.tolerance->at, "a tolerance must be larger than zero");
     }
     if (!(b->mechanism.method.substeps >= 1.0 && b->mechanism.method.substeps <= 1e6) ||
         b->mechanism.method.substeps != floor(b->mechanism.method.substeps)) {
-        source_problem(b->s, written->substeps->at, "the number of sub-steps must be a whole number from 1 to 1000000");
+        source_problem(b->s, written->options.substeps->at,
+                       "the number of sub-steps must be a whole number from 1 to 1000000");
     }
 }
 
@@ -86,19 +88,20 @@ void build_method(builder *b)
 {
     const scene *written = b->written;
     unsigned recipe = find_method(b, written->method);
-    recipe |= is_yes(b, written->compensated) ? ISO_COMPENSATED : 0U;
-    recipe |= is_yes(b, written->checked) ? ISO_CHECKED : 0U;
-    for (size_t i = 0; i < written->output_count; i++) {
-        const output *o = &written->outputs[i];
+    recipe |= is_yes(b, written->options.compensated) ? ISO_COMPENSATED : 0U;
+    recipe |= is_yes(b, written->options.checked) ? ISO_CHECKED : 0U;
+    for (size_t i = 0; i < written->outputs.count; i++) {
+        const output *o = &written->outputs.all[i];
         recipe |= o->kind == OUTPUT_LOCAL_ERROR ? ISO_CHECKED : 0U;
         if (o->kind == OUTPUT_RESIDUAL && !ISO_IS_ITERATING(recipe)) {
             source_problem(b->s, o->kind_at, "only bdf4 has a residual");
         }
     }
-    if (written->iterations != NULL) {
-        const double count = value_constant(&b->values, written->iterations, no_unit, "the number of iterations", 2.0);
+    if (written->options.iterations != NULL) {
+        const double count =
+            value_constant(&b->values, written->options.iterations, no_unit, "the number of iterations", 2.0);
         if (!(count >= 1.0 && count <= 10.0) || count != floor(count)) {
-            source_problem(b->s, written->iterations->at,
+            source_problem(b->s, written->options.iterations->at,
                            "the number of iterations must be a whole number from 1 to 10");
         } else {
             recipe |= ISO_ITERATIONS((unsigned)count);

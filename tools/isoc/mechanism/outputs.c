@@ -46,7 +46,7 @@ static bool find_operand(builder *b, const output *o, shown *result)
         return false;
     }
     if (is_joint && result->segment < 0) {
-        refuse_joint(b, o, &b->written->joints[index]);
+        refuse_joint(b, o, &b->written->joints.all[index]);
         return false;
     }
     if (result->kind == OUTPUT_TURNS && !b->mechanism.segments[result->segment].continuous) {
@@ -61,7 +61,7 @@ static bool find_transmission(builder *b, const output *o, shown *result)
     const int index = find_closure_or_spring(b->s, b->written, o->of, &is_closure);
     result->closure = is_closure ? index : -1;
     result->point_spring = is_closure ? -1 : index;
-    if (result->closure >= 0 && !acts_along_joints(b->written->closures[result->closure].kind)) {
+    if (result->closure >= 0 && !acts_along_joints(b->written->closures.all[result->closure].kind)) {
         source_problem(b->s, o->of.at, "'%s' has no effort: show force of %s, or moment of %s", o->of.text, o->of.text,
                        o->of.text);
     }
@@ -122,7 +122,7 @@ static void build_output(builder *b, const output *o, shown *result)
     if (o->formula != NULL) {
         show_formula(b, o, result);
     }
-    if (kind == OF_CLOSURES && b->written->closure_count == 0) {
+    if (kind == OF_CLOSURES && b->written->closures.count == 0) {
         source_problem(b->s, o->kind_at, "a scene without closures has no violation");
     }
     if (kind >= OF_COORDINATE && o->of.text != NULL) {
@@ -137,10 +137,10 @@ static void build_output(builder *b, const output *o, shown *result)
 
 void build_outputs(builder *b)
 {
-    const size_t count = b->written->output_count;
+    const size_t count = b->written->outputs.count;
     b->mechanism.outputs = arena_take(b->s->memory, count + 1, sizeof *b->mechanism.outputs);
     b->mechanism.output_count = count;
     for (size_t i = 0; i < count; i++) {
-        build_output(b, &b->written->outputs[i], &b->mechanism.outputs[i]);
+        build_output(b, &b->written->outputs.all[i], &b->mechanism.outputs[i]);
     }
 }

@@ -71,9 +71,9 @@ int stand_on(builder *b, const placement *p, matrix *turn_made, vector *origin)
     const scene *written = b->written;
     place_joint(b, p, turn_made, origin);
     int on = p->body.text == NULL ? -1 : find_body(b->s, written, p->body);
-    for (size_t steps = 0; on >= (int)written->body_count; steps++) {
-        const named_frame *under = &written->frames[(size_t)on - written->body_count];
-        if (steps >= written->frame_count) {
+    for (size_t steps = 0; on >= (int)written->bodies.count; steps++) {
+        const named_frame *under = &written->frames.all[(size_t)on - written->bodies.count];
+        if (steps >= written->frames.count) {
             source_problem(b->s, under->name.at, "the frame '%s' stands on itself", under->name.text);
             return -1;
         }
@@ -90,11 +90,11 @@ int stand_on(builder *b, const placement *p, matrix *turn_made, vector *origin)
 void build_frames(builder *b)
 {
     graph *g = b->g;
-    const size_t bodies = b->written->body_count;
-    for (size_t i = 0; i < b->written->frame_count; i++) {
+    const size_t bodies = b->written->bodies.count;
+    for (size_t i = 0; i < b->written->frames.count; i++) {
         matrix turned;
         vector origin;
-        const int on = stand_on(b, &b->written->frames[i].on, &turned, &origin);
+        const int on = stand_on(b, &b->written->frames.all[i].on, &turned, &origin);
         const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
         if (on >= 0 || on == -2) {
             const body_frame under = on == -2 ? ground : b->mechanism.bodies.frames[on];

@@ -46,8 +46,8 @@ static void build_spring(builder *b, const spring_statement *written)
 void build_springs(builder *b)
 {
     b->mechanism.forces.springs =
-        arena_take(b->s->memory, b->written->spring_count + 1, sizeof *b->mechanism.forces.springs);
-    for (size_t i = 0; i < b->written->spring_count; i++) {
-        build_spring(b, &b->written->springs[i]);
+        arena_take(b->s->memory, b->written->springs.count + 1, sizeof *b->mechanism.forces.springs);
+    for (size_t i = 0; i < b->written->springs.count; i++) {
+        build_spring(b, &b->written->springs.all[i]);
     }
 }

@@ -9,12 +9,12 @@ static scene *scene_with_drops(const scene *written, const policies *how, int dr
 {
     scene *whole = arena_take(memory, 1, sizeof *whole);
     *whole = *written;
-    whole->effects = arena_take(memory, written->effect_count, sizeof *whole->effects);
-    for (size_t i = 0; i < written->effect_count; i++) {
-        whole->effects[i] = written->effects[i];
+    whole->effects.all = arena_take(memory, written->effects.count, sizeof *whole->effects.all);
+    for (size_t i = 0; i < written->effects.count; i++) {
+        whole->effects.all[i] = written->effects.all[i];
     }
     for (int i = 0; i < drops; i++) {
-        whole->effects[how->drops[i]].dropped = true;
+        whole->effects.all[how->drops[i]].dropped = true;
     }
     return whole;
 }

@@ -31,31 +31,31 @@ bool counts_check(source *s, const scene *written)
 {
     counter states = {.what = "states"}, inputs = {.what = "inputs and memories"};
     counter tunables = {.what = "tunable parameters"}, outputs = {.what = "outputs"};
-    for (size_t i = 0; i < written->joint_count; i++) {
-        count(s, &states, states_of(&written->joints[i]), written->joints[i].name.at);
+    for (size_t i = 0; i < written->joints.count; i++) {
+        count(s, &states, states_of(&written->joints.all[i]), written->joints.all[i].name.at);
     }
-    for (size_t i = 0; i < written->closure_count; i++) {
-        count(s, &states, (size_t)closure_clocks(&written->closures[i]), written->closures[i].name.at);
+    for (size_t i = 0; i < written->closures.count; i++) {
+        count(s, &states, (size_t)closure_clocks(&written->closures.all[i]), written->closures.all[i].name.at);
     }
-    for (size_t i = 0; i < written->input_count; i++) {
-        count(s, &inputs, 1, written->inputs[i].name.at);
+    for (size_t i = 0; i < written->inputs.count; i++) {
+        count(s, &inputs, 1, written->inputs.all[i].name.at);
     }
-    for (size_t i = 0; i < written->parameter_count; i++) {
-        count(s, &tunables, written->parameters[i].tunable, written->parameters[i].name.at);
+    for (size_t i = 0; i < written->parameters.count; i++) {
+        count(s, &tunables, written->parameters.all[i].tunable, written->parameters.all[i].name.at);
     }
-    for (size_t i = 0; i < written->effect_count; i++) {
-        const effect_kind *kind = find_effect_kind(written, written->effects[i].kind);
+    for (size_t i = 0; i < written->effects.count; i++) {
+        const effect_kind *kind = find_effect_kind(written, written->effects.all[i].kind);
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
-            const place at = written->effects[i].name.at;
+            const place at = written->effects.all[i].name.at;
             const size_t parts = (size_t)kind->lines[n].parts;
             count(s, &states, kind->lines[n].kind == EFFECT_STATE ? parts : 0, at);
             count(s, &inputs, kind->lines[n].kind == EFFECT_MEMORY ? parts : 0, at);
             count(s, &tunables, kind->lines[n].kind == EFFECT_FAULT, at);
         }
     }
-    for (size_t i = 0; i < written->output_count; i++) {
-        const size_t letters = strlen(output_components(written, &written->outputs[i]));
-        count(s, &outputs, letters == 0 ? 1 : letters, written->outputs[i].name.at);
+    for (size_t i = 0; i < written->outputs.count; i++) {
+        const size_t letters = strlen(output_components(written, &written->outputs.all[i]));
+        count(s, &outputs, letters == 0 ? 1 : letters, written->outputs.all[i].name.at);
     }
     return !states.exceeded && !inputs.exceeded && !tunables.exceeded && !outputs.exceeded;
 }

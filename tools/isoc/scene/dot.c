@@ -13,8 +13,8 @@ static bool same(name a, name b)
 static void draw_node(const scene *written, name called, const char *shape, text *out)
 {
     text_add(out, "    \"%s\" [%slabel=\"%s", called.text, shape, called.text);
-    for (size_t j = 0; j < written->force_count; j++) {
-        const body_force *f = &written->forces[j];
+    for (size_t j = 0; j < written->forces.count; j++) {
+        const body_force *f = &written->forces.all[j];
         if (same(f->at.body, called)) {
             text_add(out, "\\nforce %s: %s", f->name.text, f->drive.text);
         }
@@ -26,11 +26,11 @@ static void draw_node(const scene *written, name called, const char *shape, text
 static void draw_bodies(const scene *written, text *out)
 {
     text_add(out, "    \"ground\" [shape=plain];\n");
-    for (size_t i = 0; i < written->body_count; i++) {
-        draw_node(written, written->bodies[i].name, "", out);
+    for (size_t i = 0; i < written->bodies.count; i++) {
+        draw_node(written, written->bodies.all[i].name, "", out);
     }
-    for (size_t i = 0; i < written->frame_count; i++) {
-        const named_frame *f = &written->frames[i];
+    for (size_t i = 0; i < written->frames.count; i++) {
+        const named_frame *f = &written->frames.all[i];
         draw_node(written, f->name, "shape=ellipse, ", out);
         text_add(out, "    \"%s\" -> \"%s\" [style=dotted, arrowhead=none];\n", f->on.body.text, f->name.text);
     }
@@ -70,8 +70,8 @@ static void draw_joint(const joint *j, const drawn_states *states, text *out)
 static const joint *joint_of(const scene *written, name n)
 {
     const joint *whole = NULL, *of_part = NULL;
-    for (size_t i = 0; i < written->joint_count; i++) {
-        const joint *j = &written->joints[i];
+    for (size_t i = 0; i < written->joints.count; i++) {
+        const joint *j = &written->joints.all[i];
         const size_t length = strlen(j->name.text);
         if (same(j->name, n)) {
             whole = j;
@@ -111,14 +111,14 @@ void dot_write(const scene *written, const drawn_states *states, text *out)
              written->name);
     text_add(out, "    edge [fontname=\"sans-serif\", fontsize=10];\n");
     draw_bodies(written, out);
-    for (size_t i = 0; i < written->joint_count; i++) {
-        draw_joint(&written->joints[i], states, out);
+    for (size_t i = 0; i < written->joints.count; i++) {
+        draw_joint(&written->joints.all[i], states, out);
     }
-    for (size_t i = 0; i < written->closure_count; i++) {
-        draw_closure(written, &written->closures[i], states, out);
+    for (size_t i = 0; i < written->closures.count; i++) {
+        draw_closure(written, &written->closures.all[i], states, out);
     }
-    for (size_t i = 0; i < written->spring_count; i++) {
-        draw_spring(&written->springs[i], out);
+    for (size_t i = 0; i < written->springs.count; i++) {
+        draw_spring(&written->springs.all[i], out);
     }
     text_add(out, "}\n");
 }

@@ -76,7 +76,7 @@ static int find_among(group g, name n)
     return -1;
 }
 
-#define GROUP(written, things, number) ((group){(written)->things, (written)->number, sizeof *(written)->things})
+#define GROUP(list) ((group){(list).all, (list).count, sizeof *(list).all})
 
 static void list_group(source *s, listing *l, group g)
 {
@@ -130,8 +130,8 @@ int closure_clocks(const closure_statement *c)
 
 const effect_kind *find_effect_kind(const scene *written, name n)
 {
-    const int found = n.text == NULL ? -1 : find_among(GROUP(written, effect_kinds, effect_kind_count), n);
-    return found < 0 ? NULL : &written->effect_kinds[found];
+    const int found = n.text == NULL ? -1 : find_among(GROUP(written->effect_kinds), n);
+    return found < 0 ? NULL : &written->effect_kinds.all[found];
 }
 
 const char *const effect_endings[] = {"_x", "_y", "_z", ""};
@@ -153,8 +153,8 @@ static void list_effect(source *s, const scene *written, const effect_use *use, 
 
 const char *output_components(const scene *written, const output *o)
 {
-    const bool is_body = o->of.text != NULL && (find_among(GROUP(written, bodies, body_count), o->of) >= 0 ||
-                                                find_among(GROUP(written, frames, frame_count), o->of) >= 0);
+    const bool is_body = o->of.text != NULL && (find_among(GROUP(written->bodies), o->of) >= 0 ||
+                                                find_among(GROUP(written->frames), o->of) >= 0);
     const output_kind of_body = is_body ? output_of(o->kind, OF_BODY) : OUTPUT_ROWS;
     const output_row *row = &output_rows[of_body < OUTPUT_ROWS ? of_body : o->kind];
     return o->along < 0 ? row->components : "";
@@ -171,8 +171,7 @@ static void list_components(source *s, listing *l, const scene *written, const o
 /* output NAME = power, where an input is called so: it is the power of the mechanism, and perhaps not what is meant. */
 static void refuse_doubtful(source *s, const scene *written, const output *o)
 {
-    const group numbers[] = {GROUP(written, parameters, parameter_count), GROUP(written, inputs, input_count),
-                             GROUP(written, signals, signal_count)};
+    const group numbers[] = {GROUP(written->parameters), GROUP(written->inputs), GROUP(written->signals)};
     const char *word = output_rows[o->kind].word;
     for (size_t i = 0; i < 3 && o->formula == NULL && output_rows[o->kind].of < OF_COORDINATE; i++) {
         if (find_among(numbers[i], (name){word, o->kind_at}) >= 0) {
@@ -188,29 +187,29 @@ static void refuse_doubtful(source *s, const scene *written, const output *o)
 void names_check(source *s, const scene *written)
 {
     listing things = {0}, outputs = {0}, kinds = {0}, held = {0}, parameters = {0};
-    list_group(s, &things, GROUP(written, bodies, body_count));
-    list_group(s, &things, GROUP(written, frames, frame_count));
-    list_group(s, &things, GROUP(written, joints, joint_count));
-    list_group(s, &things, GROUP(written, closures, closure_count));
-    list_group(s, &things, GROUP(written, springs, spring_count));
-    list_group(s, &things, GROUP(written, forces, force_count));
-    list_group(s, &things, GROUP(written, parameters, parameter_count));
-    list_group(s, &things, GROUP(written, inputs, input_count));
-    list_group(s, &things, GROUP(written, signals, signal_count));
-    list_group(s, &things, GROUP(written, effects, effect_count));
-    list_group(s, &kinds, GROUP(written, effect_kinds, effect_kind_count));
-    list_group(s, &held, GROUP(written, inputs, input_count));
-    list_group(s, &parameters, GROUP(written, parameters, parameter_count));
-    list_group(s, &outputs, GROUP(written, outputs, output_count));
-    for (size_t i = 0; i < written->output_count; i++) {
-        list_components(s, &outputs, written, &written->outputs[i]);
-        refuse_doubtful(s, written, &written->outputs[i]);
+    list_group(s, &things, GROUP(written->bodies));
+    list_group(s, &things, GROUP(written->frames));
+    list_group(s, &things, GROUP(written->joints));
+    list_group(s, &things, GROUP(written->closures));
+    list_group(s, &things, GROUP(written->springs));
+    list_group(s, &things, GROUP(written->forces));
+    list_group(s, &things, GROUP(written->parameters));
+    list_group(s, &things, GROUP(written->inputs));
+    list_group(s, &things, GROUP(written->signals));
+    list_group(s, &things, GROUP(written->effects));
+    list_group(s, &kinds, GROUP(written->effect_kinds));
+    list_group(s, &held, GROUP(written->inputs));
+    list_group(s, &parameters, GROUP(written->parameters));
+    list_group(s, &outputs, GROUP(written->outputs));
+    for (size_t i = 0; i < written->outputs.count; i++) {
+        list_components(s, &outputs, written, &written->outputs.all[i]);
+        refuse_doubtful(s, written, &written->outputs.all[i]);
     }
-    for (size_t i = 0; i < written->joint_count; i++) {
-        list_parts(s, &things, &written->joints[i]);
+    for (size_t i = 0; i < written->joints.count; i++) {
+        list_parts(s, &things, &written->joints.all[i]);
     }
-    for (size_t i = 0; i < written->effect_count; i++) {
-        list_effect(s, written, &written->effects[i], &held, &parameters);
+    for (size_t i = 0; i < written->effects.count; i++) {
+        list_effect(s, written, &written->effects.all[i], &held, &parameters);
     }
     listing_check(s, &things);
     listing_check(s, &kinds);
@@ -251,7 +250,7 @@ static const char *suggest_among(source *s, const group *groups, size_t count, c
 
 const char *suggest_kind(source *s, const scene *written, const char *typed)
 {
-    const group kinds = GROUP(written, effect_kinds, effect_kind_count);
+    const group kinds = GROUP(written->effect_kinds);
     size_t count = 0, room = 0;
     const char **library = NULL;
     for (const embedded_file *f = effect_files; f->path != NULL; f++) {
@@ -264,17 +263,17 @@ const char *suggest_kind(source *s, const scene *written, const char *typed)
 
 const char *suggest_effect(source *s, const scene *written, const char *typed)
 {
-    const group effects = GROUP(written, effects, effect_count);
+    const group effects = GROUP(written->effects);
     return suggest_among(s, &effects, 1, typed, NULL, 0);
 }
 
 const char *suggest_setting(source *s, const scene *written, const char *typed)
 {
-    const group parameters = GROUP(written, parameters, parameter_count);
+    const group parameters = GROUP(written->parameters);
     size_t count = 0, room = 0;
     const char **faults = NULL;
-    for (size_t i = 0; i < written->effect_count; i++) {
-        const effect_use *use = &written->effects[i];
+    for (size_t i = 0; i < written->effects.count; i++) {
+        const effect_use *use = &written->effects.all[i];
         const effect_kind *kind = use->name.text == NULL ? NULL : find_effect_kind(written, use->kind);
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
             const effect_line *line = &kind->lines[n];
@@ -289,8 +288,7 @@ const char *suggest_setting(source *s, const scene *written, const char *typed)
 
 const char *suggest_number(source *s, const scene *written, const char *typed, bool in_formula)
 {
-    const group groups[] = {GROUP(written, parameters, parameter_count), GROUP(written, inputs, input_count),
-                            GROUP(written, signals, signal_count)};
+    const group groups[] = {GROUP(written->parameters), GROUP(written->inputs), GROUP(written->signals)};
     return suggest_among(s, groups, in_formula ? 3 : 1, typed, NULL, 0);
 }
 
@@ -312,26 +310,26 @@ static int find_in(source *s, const group *groups, size_t count, const char *mor
 
 int find_body(source *s, const scene *written, name n)
 {
-    const group groups[] = {GROUP(written, bodies, body_count), GROUP(written, frames, frame_count)};
+    const group groups[] = {GROUP(written->bodies), GROUP(written->frames)};
     return strcmp(n.text, "ground") == 0 ? -2 : find_in(s, groups, 2, "ground", n, "body");
 }
 
 int find_joint(source *s, const scene *written, name n)
 {
-    const group joints = GROUP(written, joints, joint_count);
+    const group joints = GROUP(written->joints);
     return find_in(s, &joints, 1, NULL, n, "joint");
 }
 
 int find_input(source *s, const scene *written, name n)
 {
-    const group inputs = GROUP(written, inputs, input_count);
+    const group inputs = GROUP(written->inputs);
     return find_in(s, &inputs, 1, NULL, n, "input");
 }
 
 int find_closure_or_spring(source *s, const scene *written, name n, bool *is_closure)
 {
-    const group groups[] = {GROUP(written, closures, closure_count), GROUP(written, springs, spring_count)};
-    const int found = find_in(s, groups, 2, NULL, n, "closure or spring"), closures = (int)written->closure_count;
+    const group groups[] = {GROUP(written->closures), GROUP(written->springs)};
+    const int found = find_in(s, groups, 2, NULL, n, "closure or spring"), closures = (int)written->closures.count;
     *is_closure = found >= 0 && found < closures;
     return found < closures ? found : found - closures;
 }
@@ -340,21 +338,21 @@ int find_closure_or_spring(source *s, const scene *written, name n, bool *is_clo
 static int find_joint_or(source *s, const scene *written, const group *others, size_t count, name n, const char *what,
                          bool *is_joint)
 {
-    group groups[3] = {GROUP(written, joints, joint_count)};
+    group groups[3] = {GROUP(written->joints)};
     memcpy(groups + 1, others, count * sizeof *others);
-    const int found = find_in(s, groups, 1 + count, NULL, n, what), joints = (int)written->joint_count;
+    const int found = find_in(s, groups, 1 + count, NULL, n, what), joints = (int)written->joints.count;
     *is_joint = found >= 0 && found < joints;
     return found < joints ? found : found - joints;
 }
 
 int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint)
 {
-    const group others[] = {GROUP(written, bodies, body_count), GROUP(written, frames, frame_count)};
+    const group others[] = {GROUP(written->bodies), GROUP(written->frames)};
     return find_joint_or(s, written, others, 2, n, "joint or body", is_joint);
 }
 
 int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint)
 {
-    const group closures = GROUP(written, closures, closure_count);
+    const group closures = GROUP(written->closures);
     return find_joint_or(s, written, &closures, 1, n, "joint or closure", is_joint);
 }

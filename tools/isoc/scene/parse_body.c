@@ -87,8 +87,9 @@ void read_body(parser *p, const token *word, void *slot)
     if (!b.broken) {
         check_mass(p, &b);
     }
-    written->bodies = arena_grow(p->s->memory, written->bodies, written->body_count, &written->body_room, sizeof b);
-    written->bodies[written->body_count++] = b;
+    written->bodies.all =
+        arena_grow(p->s->memory, written->bodies.all, written->bodies.count, &written->bodies.room, sizeof b);
+    written->bodies.all[written->bodies.count++] = b;
 }
 
 static const property frame_properties[] = {
@@ -104,6 +105,7 @@ void read_frame(parser *p, const token *word, void *slot)
     scene *written = slot;
     named_frame f = {.name = take_new_name(p, "expected a name for the frame")};
     f.broken = p->failed || !parse_block(p, &frame_block, 0, f.name, &f);
-    written->frames = arena_grow(p->s->memory, written->frames, written->frame_count, &written->frame_room, sizeof f);
-    written->frames[written->frame_count++] = f;
+    written->frames.all =
+        arena_grow(p->s->memory, written->frames.all, written->frames.count, &written->frames.room, sizeof f);
+    written->frames.all[written->frames.count++] = f;
 }

@@ -35,9 +35,9 @@ void read_closure(parser *p, const token *word, void *slot)
     c.kind = c.broken ? CLOSE_FIXED : (closure_kind)kind;
     written->broken |= c.broken;
     c.broken |= p->failed || !parse_block(p, &closure_block, kind, c.name, &c);
-    written->closures =
-        arena_grow(p->s->memory, written->closures, written->closure_count, &written->closure_room, sizeof c);
-    written->closures[written->closure_count++] = c;
+    written->closures.all =
+        arena_grow(p->s->memory, written->closures.all, written->closures.count, &written->closures.room, sizeof c);
+    written->closures.all[written->closures.count++] = c;
 }
 
 /* A point of a body; the slot is the force. */
@@ -66,6 +66,7 @@ void read_force(parser *p, const token *word, void *slot)
     scene *written = slot;
     body_force f = {.name = take_new_name(p, "expected a name for the force")};
     f.broken = p->failed || !parse_block(p, &force_block, 0, f.name, &f);
-    written->forces = arena_grow(p->s->memory, written->forces, written->force_count, &written->force_room, sizeof f);
-    written->forces[written->force_count++] = f;
+    written->forces.all =
+        arena_grow(p->s->memory, written->forces.all, written->forces.count, &written->forces.room, sizeof f);
+    written->forces.all[written->forces.count++] = f;
 }

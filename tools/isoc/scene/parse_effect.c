@@ -259,9 +259,9 @@ static void parse_definition(parser *p, scene *written, name called)
     }
     p->factor_count = factors;
     find_vectors(&kind);
-    written->effect_kinds = arena_grow(p->s->memory, written->effect_kinds, written->effect_kind_count,
-                                       &written->effect_kind_room, sizeof kind);
-    written->effect_kinds[written->effect_kind_count++] = kind;
+    written->effect_kinds.all = arena_grow(p->s->memory, written->effect_kinds.all, written->effect_kinds.count,
+                                           &written->effect_kinds.room, sizeof kind);
+    written->effect_kinds.all[written->effect_kinds.count++] = kind;
 }
 
 /* --- uses --- */
@@ -321,9 +321,9 @@ void read_effect(parser *p, const token *word, void *slot)
         parse_operands(p, &use);
     }
     use.broken = p->failed;
-    written->effects =
-        arena_grow(p->s->memory, written->effects, written->effect_count, &written->effect_room, sizeof use);
-    written->effects[written->effect_count++] = use;
+    written->effects.all =
+        arena_grow(p->s->memory, written->effects.all, written->effects.count, &written->effects.room, sizeof use);
+    written->effects.all[written->effects.count++] = use;
 }
 
 void read_signal(parser *p, const token *word, void *slot)
@@ -335,9 +335,9 @@ void read_signal(parser *p, const token *word, void *slot)
         parse_problem(p, "expected = and a formula");
     }
     q.value = p->failed ? NULL : parse_formula(p);
-    written->signals =
-        arena_grow(p->s->memory, written->signals, written->signal_count, &written->signal_room, sizeof q);
-    written->signals[written->signal_count++] = q;
+    written->signals.all =
+        arena_grow(p->s->memory, written->signals.all, written->signals.count, &written->signals.room, sizeof q);
+    written->signals.all[written->signals.count++] = q;
 }
 
 void read_setting(parser *p, const token *word, void *slot)
@@ -355,7 +355,7 @@ void read_setting(parser *p, const token *word, void *slot)
         parse_problem(p, "expected = and a value");
     }
     set.value = p->failed ? NULL : parse_formula(p);
-    written->settings =
-        arena_grow(p->s->memory, written->settings, written->setting_count, &written->setting_room, sizeof set);
-    written->settings[written->setting_count++] = set;
+    written->settings.all =
+        arena_grow(p->s->memory, written->settings.all, written->settings.count, &written->settings.room, sizeof set);
+    written->settings.all[written->settings.count++] = set;
 }

@@ -139,6 +139,7 @@ void read_joint_statement(parser *p, const token *word, void *slot)
         written->broken = true;
         j = (joint){.name = j.name, .kind = j.kind, .parent = j.parent, .child = j.child, .broken = true};
     }
-    written->joints = arena_grow(p->s->memory, written->joints, written->joint_count, &written->joint_room, sizeof j);
-    written->joints[written->joint_count++] = j;
+    written->joints.all =
+        arena_grow(p->s->memory, written->joints.all, written->joints.count, &written->joints.room, sizeof j);
+    written->joints.all[written->joints.count++] = j;
 }

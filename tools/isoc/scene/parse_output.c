@@ -107,8 +107,8 @@ void read_output(parser *p, const token *word, void *slot)
         parse_rate(p, &o);
     }
     if (!p->failed) {
-        written->outputs =
-            arena_grow(p->s->memory, written->outputs, written->output_count, &written->output_room, sizeof o);
-        written->outputs[written->output_count++] = o;
+        written->outputs.all =
+            arena_grow(p->s->memory, written->outputs.all, written->outputs.count, &written->outputs.room, sizeof o);
+        written->outputs.all[written->outputs.count++] = o;
     }
 }

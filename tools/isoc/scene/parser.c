@@ -32,9 +32,9 @@ static void read_parameter(parser *p, const token *word, void *slot)
     if (!p->failed && q.tunable && take_option(p, "in")) {
         read_limits(p, &q);
     }
-    written->parameters =
-        arena_grow(p->s->memory, written->parameters, written->parameter_count, &written->parameter_room, sizeof q);
-    written->parameters[written->parameter_count++] = q;
+    written->parameters.all = arena_grow(p->s->memory, written->parameters.all, written->parameters.count,
+                                         &written->parameters.room, sizeof q);
+    written->parameters.all[written->parameters.count++] = q;
     note_constant(p, &q);
 }
 
@@ -89,8 +89,9 @@ static void read_input_statement(parser *p, const token *word, void *slot)
         read_safe(p, &q);
     }
     refuse_input_word(p);
-    written->inputs = arena_grow(p->s->memory, written->inputs, written->input_count, &written->input_room, sizeof q);
-    written->inputs[written->input_count++] = q;
+    written->inputs.all =
+        arena_grow(p->s->memory, written->inputs.all, written->inputs.count, &written->inputs.room, sizeof q);
+    written->inputs.all[written->inputs.count++] = q;
 }
 
 static void read_method(parser *p, const token *word, void *slot)
@@ -112,11 +113,11 @@ static const property statements[] = {
     {"gravity", read_formula, IN(gravity), EVERY_KIND, NULL},
     {"step", read_formula, IN(step), EVERY_KIND, NULL},
     {"method", read_method, IN(method), EVERY_KIND, NULL},
-    {"compensated", read_switch, IN(compensated), EVERY_KIND, NULL},
-    {"checked", read_switch, IN(checked), EVERY_KIND, NULL},
-    {"iterations", read_formula, IN(iterations), EVERY_KIND, NULL},
-    {"tolerance", read_formula, IN(tolerance), EVERY_KIND, NULL},
-    {"substeps", read_formula, IN(substeps), EVERY_KIND, NULL},
+    {"compensated", read_switch, IN(options.compensated), EVERY_KIND, NULL},
+    {"checked", read_switch, IN(options.checked), EVERY_KIND, NULL},
+    {"iterations", read_formula, IN(options.iterations), EVERY_KIND, NULL},
+    {"tolerance", read_formula, IN(options.tolerance), EVERY_KIND, NULL},
+    {"substeps", read_formula, IN(options.substeps), EVERY_KIND, NULL},
     {"stabilisation", read_stabilisation, IN(stabilisation), EVERY_KIND, NULL},
     {"overrun", read_overrun, IN(running), EVERY_KIND, NULL},
     {"grace", read_grace, IN(running), EVERY_KIND, NULL},
@@ -150,8 +151,8 @@ static void refuse_factors(parser *p, const quantity *all, size_t count)
 /* The definitions of the kinds of effects that the scene uses and does not define, from those that come with isoc. */
 static void read_library(parser *p, scene *written)
 {
-    for (size_t i = 0; i < written->effect_count; i++) {
-        const name kind = written->effects[i].kind;
+    for (size_t i = 0; i < written->effects.count; i++) {
+        const name kind = written->effects.all[i].kind;
         const char *path = kind.text == NULL ? "" : arena_format(p->s->memory, "models/effects/%s.scene", kind.text);
         const embedded_file *file = effect_files;
         while (file->path != NULL && strcmp(file->path, path) != 0) {
@@ -174,9 +175,9 @@ scene parse_scene(source *s)
     const bool read = parse_statements(&p, &whole, &result);
     result.broken |= !read;
     read_library(&p, &result);
-    refuse_factors(&p, result.parameters, result.parameter_count);
-    refuse_factors(&p, result.inputs, result.input_count);
-    refuse_factors(&p, result.signals, result.signal_count);
+    refuse_factors(&p, result.parameters.all, result.parameters.count);
+    refuse_factors(&p, result.inputs.all, result.inputs.count);
+    refuse_factors(&p, result.signals.all, result.signals.count);
     check_indices(&p);
     return result;
 }
@@ -193,9 +194,9 @@ static bool set_fault(parser *p, scene *whole, const effect_use *use, const toke
         const char *display_name = arena_format(p->s->memory, "%s.%s", use->name.text, line->name.text);
         const char *written = arena_format(p->s->memory, "%s_%s", use->name.text, line->name.text);
         if (strcmp(called->text, display_name) == 0 || strcmp(called->text, written) == 0) {
-            whole->fault_starts = arena_grow(p->s->memory, whole->fault_starts, whole->fault_start_count,
-                                             &whole->fault_start_room, sizeof *whole->fault_starts);
-            whole->fault_starts[whole->fault_start_count++] =
+            whole->fault_starts.all = arena_grow(p->s->memory, whole->fault_starts.all, whole->fault_starts.count,
+                                                 &whole->fault_starts.room, sizeof *whole->fault_starts.all);
+            whole->fault_starts.all[whole->fault_starts.count++] =
                 (setting){.what = {display_name, called->at}, .value = value};
             return true;
         }
@@ -206,17 +207,17 @@ static bool set_fault(parser *p, scene *whole, const effect_use *use, const toke
 /* Takes the place of the value of a parameter, or is the start of a fault. */
 static void set_parameter(parser *p, scene *written, const token *called, formula *value)
 {
-    for (size_t i = 0; i < written->parameter_count; i++) {
-        const name n = written->parameters[i].name;
+    for (size_t i = 0; i < written->parameters.count; i++) {
+        const name n = written->parameters.all[i].name;
         if (n.text != NULL && strcmp(n.text, called->text) == 0) {
-            quantity *q = &written->parameters[i];
+            quantity *q = &written->parameters.all[i];
             q->stated = q->stated == NULL ? q->value : q->stated;
             q->value = value;
             return;
         }
     }
-    for (size_t i = 0; i < written->effect_count; i++) {
-        if (set_fault(p, written, &written->effects[i], called, value)) {
+    for (size_t i = 0; i < written->effects.count; i++) {
+        if (set_fault(p, written, &written->effects.all[i], called, value)) {
             return;
         }
     }

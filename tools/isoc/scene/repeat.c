@@ -326,8 +326,8 @@ void check_indices(const parser *p)
 {
     for (size_t i = 0; i < p->index_count; i++) {
         const scene *written = p->made;
-        for (size_t j = 0; j < written->parameter_count; j++) {
-            const char *called = written->parameters[j].name.text;
+        for (size_t j = 0; j < written->parameters.count; j++) {
+            const char *called = written->parameters.all[j].name.text;
             if (called != NULL && strcmp(called, p->indices[i].text) == 0) {
                 source_problem(p->s, p->indices[i].at, "'%s' is a parameter too: choose another name for the index",
                                called);

@@ -259,31 +259,42 @@ typedef struct running {
     bool histogram; /* of execution times */
 } running;
 
+/* How the method is used, where the scene says so. */
+typedef struct method_options {
+    name compensated, checked; /* yes or no */
+    formula *iterations, *tolerance, *substeps;
+} method_options;
+
+/* All statements of a kind, in their order. */
+#define LIST_OF(TYPE)                                                                                                  \
+    struct {                                                                                                           \
+        TYPE *all;                                                                                                     \
+        size_t count, room;                                                                                            \
+    }
+
 typedef struct scene {
     const char *name;
     bool broken; /* a statement could not be read: what is missing may have been in it */
     formula *gravity, *step;
-    name method, compensated, checked; /* the last two: yes or no */
-    formula *iterations, *tolerance, *substeps;
+    name method;
+    method_options options;
     stabilisation stabilisation;
     running running;
-    body *bodies;
-    named_frame *frames;
-    spring_statement *springs;
-    joint *joints;
-    closure_statement *closures;
-    body_force *forces;
-    quantity *parameters, *inputs, *signals;
-    effect_kind *effect_kinds;
-    effect_use *effects;
-    setting *settings;
-    setting *fault_starts; /* without a time: what --set makes of faults */
-    output *outputs;
-    size_t body_count, frame_count, spring_count, joint_count, closure_count, force_count, parameter_count, input_count,
-        output_count, signal_count, effect_kind_count, effect_count, setting_count, fault_start_count;
+    LIST_OF(body) bodies;
+    LIST_OF(named_frame) frames;
+    LIST_OF(spring_statement) springs;
+    LIST_OF(joint) joints;
+    LIST_OF(closure_statement) closures;
+    LIST_OF(body_force) forces;
+    LIST_OF(quantity) parameters;
+    LIST_OF(quantity) inputs;
+    LIST_OF(quantity) signals;
+    LIST_OF(effect_kind) effect_kinds;
+    LIST_OF(effect_use) effects;
+    LIST_OF(setting) settings;
+    LIST_OF(setting) fault_starts; /* without a time: what --set makes of faults */
+    LIST_OF(output) outputs;
     size_t left_input_count; /* behind the inputs: those that only effects read that are left out */
-    size_t body_room, frame_room, spring_room, joint_room, closure_room, force_room, parameter_room, input_room,
-        output_room, signal_room, effect_kind_room, effect_room, setting_room, fault_start_room;
 } scene;
 
 #endif
