@@ -55,7 +55,7 @@ static double later(const uint64_t tick, const uint32_t seed)
 /* Of the mean of n numbers exp(-x), from both sides (Chernoff); chi-square has half its degrees of freedom for n. */
 static double surprise_of_mean(const double mean, const double n)
 {
-    return n * (mean - 1.0 - log(mean));
+    return mean > 0.0 ? n * (mean - 1.0 - log(mean)) : HUGE_VAL;
 }
 
 /* Of the coherence of two spectra, each the mean of BLOCKS: (1 - c)^(BLOCKS - 1) is the probability of a larger one. */
