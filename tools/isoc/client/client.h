@@ -96,6 +96,12 @@ typedef struct iso_client_quantity {
     double least, most;
 } iso_client_quantity;
 
+/* Bytes that have come at once, and the next of them that is looked at. */
+typedef struct iso_client_chunk {
+    uint8_t bytes[256];
+    size_t count, at;
+} iso_client_chunk;
+
 /* A link, with inputs, outputs and room for a frame in and out that belong to its plant. */
 typedef struct iso_client {
     int file;        /* descriptor; its owner closes it */
@@ -116,8 +122,7 @@ typedef struct iso_client {
     size_t code;    /* where that of the present block of COBS stands */
     uint8_t number; /* of the last command */
     iso_client_state state;
-    uint8_t chunk[256];
-    size_t chunk_count, chunk_at;
+    iso_client_chunk chunk;
 } iso_client;
 
 static inline bool iso_client_fail(iso_client *c, const char *what, const char *why)
@@ -334,20 +339,20 @@ static inline long iso_client_decode(iso_client *c, size_t count)
 /* The next byte: 1; none in so many milliseconds: 0; the link is broken: -1. */
 static inline int iso_client_byte(iso_client *c, int patience_ms, uint8_t *byte)
 {
-    if (c->chunk_at == c->chunk_count) {
+    if (c->chunk.at == c->chunk.count) {
         struct pollfd p = {c->file, POLLIN, 0};
         if (poll(&p, 1, patience_ms) <= 0) {
             return 0;
         }
-        const ssize_t count = read(c->file, c->chunk, sizeof c->chunk);
+        const ssize_t count = read(c->file, c->chunk.bytes, sizeof c->chunk.bytes);
         if (count <= 0) {
             (void)iso_client_fail(c, "the link", count == 0 ? "closed by the plant" : strerror(errno));
             return -1;
         }
-        c->chunk_count = (size_t)count;
-        c->chunk_at = 0;
+        c->chunk.count = (size_t)count;
+        c->chunk.at = 0;
     }
-    *byte = c->chunk[c->chunk_at++];
+    *byte = c->chunk.bytes[c->chunk.at++];
     return 1;
 }
 

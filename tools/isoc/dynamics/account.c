@@ -9,10 +9,10 @@ static node energy_of_segment(const dynamics *d, int i)
     const node half = constant(g, 0.5);
     const segment *l = &d->m->segments[i];
     const motion *now = &d->k.motions[i];
-    const node half_mass = mul(g, half, l->mass);
+    const node half_mass = mul(g, half, l->own.mass);
     const node linear = mul(g, half_mass, vector_dot(g, now->v, now->v));
-    const node mixed = vector_dot(g, now->v, vector_cross(g, now->omega, l->first_moment));
-    const node angular = mul(g, half, vector_dot(g, now->omega, tensor_apply(g, l->inertia, now->omega)));
+    const node mixed = vector_dot(g, now->v, vector_cross(g, now->omega, l->own.ms));
+    const node angular = mul(g, half, vector_dot(g, now->omega, tensor_apply(g, l->own.inertia, now->omega)));
     const node stretch = sub(g, now->q[0], l->rest);
     const node half_spring = mul(g, half, l->spring);
     const node kinetic = add(g, add(g, linear, mixed), angular);

@@ -224,10 +224,10 @@ static const variable *memories_as_variables(const emission *e)
 static const variable *outputs_as_variables(const emission *e)
 {
     const plant *p = e->p;
-    variable *all = arena_take(e->out->memory, (size_t)p->output_count + 1, sizeof *all);
-    for (int i = 0; i < p->output_count; i++) {
+    variable *all = arena_take(e->out->memory, (size_t)p->outputs.count + 1, sizeof *all);
+    for (int i = 0; i < p->outputs.count; i++) {
         all[i] =
-            (variable){.name = p->output_names[i], .unit = p->output_units[i], .least = -HUGE_VAL, .most = HUGE_VAL};
+            (variable){.name = p->outputs.names[i], .unit = p->outputs.units[i], .least = -HUGE_VAL, .most = HUGE_VAL};
     }
     return all;
 }
@@ -257,7 +257,7 @@ void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
         {"memories", "memory of an effect", 'u', memories_as_variables(&e), m->effects.memory_count, m->inputs.count,
          false},
         {"tunables", "tunable", 'p', m->parameters.all, m->parameters.count, 0, true},
-        {"outputs", "output", 'y', outputs_as_variables(&e), p->output_count, 0, false},
+        {"outputs", "output", 'y', outputs_as_variables(&e), p->outputs.count, 0, false},
     };
     const int count = sizeof sections / sizeof sections[0];
     size_t quantities = 1;

@@ -73,8 +73,8 @@ void emit_model(emission *e)
     const char *capitals = e->names->capitals;
     const char *const *names_of_states = state_names(e);
     emit_long_list(e, "state_names", names_of_states, state_count(m));
-    emit_long_list(e, "output_names", p->output_names, p->output_count);
-    emit_long_list(e, "output_units", p->output_units, p->output_count);
+    emit_long_list(e, "output_names", p->outputs.names, p->outputs.count);
+    emit_long_list(e, "output_units", p->outputs.units, p->outputs.count);
     if (p->after.pivot_count > 0) {
         emit_long_list(e, "closure_names", closure_names(e), m->closure_count);
     }
@@ -88,8 +88,8 @@ void emit_model(emission *e)
     text_add(e->out, "    .outputs = %s_OUTPUTS,\n", capitals);
     add_if(e, m->parameters.count > 0, arena_format(e->out->memory, "    .parameters = %s_PARAMETERS,\n", capitals));
     emit_list(e, "state_names", names_of_states, state_count(m));
-    emit_list(e, "output_names", p->output_names, p->output_count);
-    emit_list(e, "output_units", p->output_units, p->output_count);
+    emit_list(e, "output_names", p->outputs.names, p->outputs.count);
+    emit_list(e, "output_units", p->outputs.units, p->outputs.count);
     if (p->after.pivot_count > 0) {
         emit_list(e, "closure_names", closure_names(e), m->closure_count);
     }

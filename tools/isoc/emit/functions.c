@@ -32,7 +32,7 @@ static void emit_hold(emission *e)
 static bool asks_for_derivative(const emission *e)
 {
     const plant *p = e->p;
-    bool any = e->suffix[0] == '\0' || uses_operation(e->g, p->outputs, (size_t)p->output_count, OP_DERIVATIVE);
+    bool any = e->suffix[0] == '\0' || uses_operation(e->g, p->outputs.roots, (size_t)p->outputs.count, OP_DERIVATIVE);
     for (int i = 0; i < p->m->effects.memory_count; i++) {
         any = any || uses_operation(e->g, &p->m->effects.memories[i].next, 1, OP_DERIVATIVE);
     }

@@ -40,11 +40,11 @@ static const row *rows_of_states(const emission *e)
 static const row *rows_of_outputs(const emission *e)
 {
     const plant *p = e->p;
-    row *rows = arena_take(e->out->memory, (size_t)p->output_count + 1, sizeof *rows);
-    for (int i = 0; i < p->output_count; i++) {
+    row *rows = arena_take(e->out->memory, (size_t)p->outputs.count + 1, sizeof *rows);
+    for (int i = 0; i < p->outputs.count; i++) {
         rows[i] = (row){e->names->outputs[i],
-                        p->output_names[i],
-                        p->output_units[i],
+                        p->outputs.names[i],
+                        p->outputs.units[i],
                         e->names->output_quotes[i],
                         -HUGE_VAL,
                         HUGE_VAL,
@@ -146,7 +146,7 @@ void emit_header(const plant *p, const naming *names, text *out)
          m->inputs.count},
         {"Tunable parameters p", "parameters",
          rows_of(out->memory, names->leaves.parameters, m->parameters.all, m->parameters.count), m->parameters.count},
-        {"Outputs y", "outputs", rows_of_outputs(&e), p->output_count},
+        {"Outputs y", "outputs", rows_of_outputs(&e), p->outputs.count},
     };
     const size_t count = sizeof tables / sizeof tables[0];
     text_add(

@@ -87,13 +87,13 @@ static terminals terminals_of(const plant *p, arena *memory, uint64_t identity)
 {
     const mechanism *m = p->m;
     terminal *inputs = arena_take(memory, (size_t)m->inputs.wire_count + 1, sizeof *inputs);
-    terminal *outputs = arena_take(memory, (size_t)p->output_count + 1, sizeof *outputs);
+    terminal *outputs = arena_take(memory, (size_t)p->outputs.count + 1, sizeof *outputs);
     for (int i = 0; i < m->inputs.wire_count; i++) {
         const variable *v = &m->inputs.all[m->inputs.wires[i].input];
         inputs[i] = (terminal){v->name, v->unit, v->least, v->most};
     }
-    for (int i = 0; i < p->output_count; i++) {
-        outputs[i] = (terminal){p->output_names[i], p->output_units[i], -HUGE_VAL, HUGE_VAL};
+    for (int i = 0; i < p->outputs.count; i++) {
+        outputs[i] = (terminal){p->outputs.names[i], p->outputs.units[i], -HUGE_VAL, HUGE_VAL};
     }
     char *prefix = arena_copy(memory, m->name, strlen(m->name));
     for (char *c = prefix; *c != '\0'; c++) {
@@ -106,7 +106,7 @@ static terminals terminals_of(const plant *p, arena *memory, uint64_t identity)
                        .inputs = inputs,
                        .outputs = outputs,
                        .input_count = m->inputs.wire_count,
-                       .output_count = p->output_count,
+                       .output_count = p->outputs.count,
                        .identity = identity,
                        .period_ns = lround(m->method.step * 1e9),
                        .is_double = p->is_double};
@@ -140,88 +140,90 @@ static void emit_terminals(const terminals *t, char array, const char *what, con
     text_add(out, "\n");
 }
 
+/* What a controller calls: @ is the prefix of its names, ~ the same in capitals. */
+static const char calls[] =
+    "/* The link: set u, then exchange, and read y. It stays where it was opened. */\n"
+    "typedef struct @_link {\n"
+    "    @_real u[~_INPUTS + 1], y[~_OUTPUTS + 1];\n"
+    "    iso_client client; /* client.tick, client.problem, client.over, client.end */\n"
+    "    uint8_t received[~_FRAME_BYTES], sent[~_FRAME_BYTES];\n"
+    "} @_link;\n\n"
+    "/* Connects with unix:PATH, tcp:HOST:PORT, fd:NUMBER or the path of a device; NULL: as ISOCHRON_LINK says. "
+    "*/\n"
+    "static inline bool @_open(@_link *link, const char *address)\n"
+    "{\n"
+    "    memset(link, 0, sizeof *link);\n"
+    "    link->client.identity = ~_IDENTITY;\n"
+    "    link->client.real_bytes = sizeof(@_real);\n"
+    "    link->client.inputs = ~_INPUTS;\n"
+    "    link->client.outputs = ~_OUTPUTS;\n"
+    "    link->client.u = link->u;\n"
+    "    link->client.y = link->y;\n"
+    "    link->client.received = link->received;\n"
+    "    link->client.sent = link->sent;\n"
+    "    link->client.room = sizeof link->received;\n"
+    "    link->client.patience_ms = ISO_CLIENT_PATIENCE_MS;\n"
+    "    link->client.file = iso_client_connect(address);\n"
+    "    return link->client.file >= 0 || iso_client_fail(&link->client, \"the link\", strerror(errno));\n"
+    "}\n\n"
+    "/* Starts a run of so many ticks, 0: until it is stopped; ISO_CLIENT_LOCKSTEP or ISO_CLIENT_FREE. y is that "
+    "of tick 0. "
+    "*/\n"
+    "static inline bool @_start(@_link *link, int mode, uint64_t ticks)\n"
+    "{\n"
+    "    return iso_client_start(&link->client, mode, ticks);\n"
+    "}\n\n"
+    "/* Sends u, and waits for the next y; in a free run for the latest. False: the run is over, or there is a "
+    "problem. */\n"
+    "static inline bool @_exchange(@_link *link)\n"
+    "{\n"
+    "    return iso_client_exchange(&link->client);\n"
+    "}\n\n"
+    "/* Ends the run. */\n"
+    "static inline bool @_stop(@_link *link)\n"
+    "{\n"
+    "    return iso_client_stop(&link->client);\n"
+    "}\n\n"
+    "/* Commands, between two ticks; client.state is then how the plant is. Runs for so many ticks, 0: without an "
+    "end. "
+    "*/\n"
+    "static inline bool @_run(@_link *link, uint64_t ticks)\n"
+    "{\n"
+    "    return iso_client_do(&link->client, ISO_CLIENT_RUN, ticks, 8);\n"
+    "}\n\n"
+    "/* Rests. */\n"
+    "static inline bool @_pause(@_link *link)\n"
+    "{\n"
+    "    return iso_client_do(&link->client, ISO_CLIENT_REST, 0, 0);\n"
+    "}\n\n"
+    "/* Asks how the plant is. */\n"
+    "static inline bool @_state(@_link *link)\n"
+    "{\n"
+    "    return iso_client_do(&link->client, ISO_CLIENT_STATE, 0, 0);\n"
+    "}\n\n"
+    "/* Begins a run in the mode of the last, also after the guard; the plant rests at tick 0. */\n"
+    "static inline bool @_reset(@_link *link)\n"
+    "{\n"
+    "    return iso_client_move(&link->client, ISO_CLIENT_RESET, 0, 0);\n"
+    "}\n\n"
+    "/* Takes a snapshot of the plant into record[room]. Returns its bytes; 0: there is a problem. */\n"
+    "static inline size_t @_snapshot(@_link *link, void *record, size_t room)\n"
+    "{\n"
+    "    return iso_client_snapshot(&link->client, record, room);\n"
+    "}\n\n"
+    "/* Puts the plant to a snapshot of any plant of its kind, on any target; it rests there. */\n"
+    "static inline bool @_restore(@_link *link, const void *record, size_t bytes)\n"
+    "{\n"
+    "    return iso_client_restore(&link->client, record, bytes);\n"
+    "}\n\n"
+    "static inline void @_close(@_link *link)\n"
+    "{\n"
+    "    (void)close(link->client.file);\n"
+    "}\n";
+
 /* Calls of the client, for the plant's own struct. */
 static void emit_calls(const terminals *t, text *out)
 {
-    static const char *const calls =
-        "/* The link: set u, then exchange, and read y. It stays where it was opened. */\n"
-        "typedef struct @_link {\n"
-        "    @_real u[~_INPUTS + 1], y[~_OUTPUTS + 1];\n"
-        "    iso_client client; /* client.tick, client.problem, client.over, client.end */\n"
-        "    uint8_t received[~_FRAME_BYTES], sent[~_FRAME_BYTES];\n"
-        "} @_link;\n\n"
-        "/* Connects with unix:PATH, tcp:HOST:PORT, fd:NUMBER or the path of a device; NULL: as ISOCHRON_LINK says. "
-        "*/\n"
-        "static inline bool @_open(@_link *link, const char *address)\n"
-        "{\n"
-        "    memset(link, 0, sizeof *link);\n"
-        "    link->client.identity = ~_IDENTITY;\n"
-        "    link->client.real_bytes = sizeof(@_real);\n"
-        "    link->client.inputs = ~_INPUTS;\n"
-        "    link->client.outputs = ~_OUTPUTS;\n"
-        "    link->client.u = link->u;\n"
-        "    link->client.y = link->y;\n"
-        "    link->client.received = link->received;\n"
-        "    link->client.sent = link->sent;\n"
-        "    link->client.room = sizeof link->received;\n"
-        "    link->client.patience_ms = ISO_CLIENT_PATIENCE_MS;\n"
-        "    link->client.file = iso_client_connect(address);\n"
-        "    return link->client.file >= 0 || iso_client_fail(&link->client, \"the link\", strerror(errno));\n"
-        "}\n\n"
-        "/* Starts a run of so many ticks, 0: until it is stopped; ISO_CLIENT_LOCKSTEP or ISO_CLIENT_FREE. y is that "
-        "of tick 0. "
-        "*/\n"
-        "static inline bool @_start(@_link *link, int mode, uint64_t ticks)\n"
-        "{\n"
-        "    return iso_client_start(&link->client, mode, ticks);\n"
-        "}\n\n"
-        "/* Sends u, and waits for the next y; in a free run for the latest. False: the run is over, or there is a "
-        "problem. */\n"
-        "static inline bool @_exchange(@_link *link)\n"
-        "{\n"
-        "    return iso_client_exchange(&link->client);\n"
-        "}\n\n"
-        "/* Ends the run. */\n"
-        "static inline bool @_stop(@_link *link)\n"
-        "{\n"
-        "    return iso_client_stop(&link->client);\n"
-        "}\n\n"
-        "/* Commands, between two ticks; client.state is then how the plant is. Runs for so many ticks, 0: without an "
-        "end. "
-        "*/\n"
-        "static inline bool @_run(@_link *link, uint64_t ticks)\n"
-        "{\n"
-        "    return iso_client_do(&link->client, ISO_CLIENT_RUN, ticks, 8);\n"
-        "}\n\n"
-        "/* Rests. */\n"
-        "static inline bool @_pause(@_link *link)\n"
-        "{\n"
-        "    return iso_client_do(&link->client, ISO_CLIENT_REST, 0, 0);\n"
-        "}\n\n"
-        "/* Asks how the plant is. */\n"
-        "static inline bool @_state(@_link *link)\n"
-        "{\n"
-        "    return iso_client_do(&link->client, ISO_CLIENT_STATE, 0, 0);\n"
-        "}\n\n"
-        "/* Begins a run in the mode of the last, also after the guard; the plant rests at tick 0. */\n"
-        "static inline bool @_reset(@_link *link)\n"
-        "{\n"
-        "    return iso_client_move(&link->client, ISO_CLIENT_RESET, 0, 0);\n"
-        "}\n\n"
-        "/* Takes a snapshot of the plant into record[room]. Returns its bytes; 0: there is a problem. */\n"
-        "static inline size_t @_snapshot(@_link *link, void *record, size_t room)\n"
-        "{\n"
-        "    return iso_client_snapshot(&link->client, record, room);\n"
-        "}\n\n"
-        "/* Puts the plant to a snapshot of any plant of its kind, on any target; it rests there. */\n"
-        "static inline bool @_restore(@_link *link, const void *record, size_t bytes)\n"
-        "{\n"
-        "    return iso_client_restore(&link->client, record, bytes);\n"
-        "}\n\n"
-        "static inline void @_close(@_link *link)\n"
-        "{\n"
-        "    (void)close(link->client.file);\n"
-        "}\n";
     for (const char *c = calls; *c != '\0'; c++) {
         if (*c == '@' || *c == '~') {
             text_add(out, "%s", *c == '@' ? t->prefix : t->capitals);
@@ -279,8 +281,8 @@ bool link_fits(const plant *p, const char *path)
 {
     /* As core/link/frame.h counts them: a tick, the reals, type and CRC; in COBS, between two zeros. */
     enum { CHANNEL_BYTES = 2048, TICK_BYTES = 8, FRAMING_BYTES = 3, COBS_BLOCK = 254, ENDS = 3 };
-    const bool is_in = p->m->inputs.wire_count > p->output_count;
-    const int reals = is_in ? p->m->inputs.wire_count : p->output_count;
+    const bool is_in = p->m->inputs.wire_count > p->outputs.count;
+    const int reals = is_in ? p->m->inputs.wire_count : p->outputs.count;
     const int bytes = TICK_BYTES + reals * (p->is_double ? 8 : 4) + FRAMING_BYTES;
     const int frame = bytes + bytes / COBS_BLOCK + ENDS;
     if (frame > CHANNEL_BYTES) {

@@ -135,7 +135,7 @@ static void add_good(memory_layout *list)
     const char *size =
         arena_format(memory, "%s%s%s%s%s_OUTPUTS", has_inputs ? capitals : "", has_inputs ? "_INPUTS + " : "",
                      has_tunables ? capitals : "", has_tunables ? "_PARAMETERS + " : "", capitals);
-    add_reals(list, "good", size, (size_t)(m->inputs.count + m->parameters.count + list->e->p->output_count),
+    add_reals(list, "good", size, (size_t)(m->inputs.count + m->parameters.count + list->e->p->outputs.count),
               arena_format(memory, "the last good%s%s outputs", has_inputs ? " inputs," : "",
                            has_tunables ? " tunables," : ""));
 }
@@ -171,7 +171,7 @@ static memory_layout layout_of(const emission *e)
     const char *capitals = e->names->capitals;
     add_moving(&list);
     add_reals(&list, "p", arena_format(e->out->memory, "%s_PARAMETERS", capitals), (size_t)m->parameters.count, NULL);
-    add_reals(&list, "y", arena_format(e->out->memory, "%s_OUTPUTS", capitals), (size_t)e->p->output_count, NULL);
+    add_reals(&list, "y", arena_format(e->out->memory, "%s_OUTPUTS", capitals), (size_t)e->p->outputs.count, NULL);
     add_reals(&list, "rests", arena_format(e->out->memory, "%d", e->p->turn_count), (size_t)e->p->turn_count,
               "what rounding has taken from the angles of continuous joints");
     add_progress(&list);

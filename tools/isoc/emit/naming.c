@@ -65,11 +65,11 @@ naming naming_of(const plant *p, arena *memory, const char *prefix)
     result.leaves.states = states_of(&result, memory, state_count(m));
     result.leaves.inputs = held_of(&result, memory, m);
     result.leaves.parameters = leaves_of(&result, memory, 'P', m->parameters.all, m->parameters.count);
-    const char **outputs = arena_take(memory, (size_t)p->output_count + 1, sizeof *outputs);
-    const char **quotes = arena_take(memory, (size_t)p->output_count + 1, sizeof *quotes);
-    for (int i = 0; i < p->output_count; i++) {
-        outputs[i] = place_of(&result, memory, 'Y', p->output_names[i]);
-        quotes[i] = source_quote(m->source, p->output_shows[i]->name.at);
+    const char **outputs = arena_take(memory, (size_t)p->outputs.count + 1, sizeof *outputs);
+    const char **quotes = arena_take(memory, (size_t)p->outputs.count + 1, sizeof *quotes);
+    for (int i = 0; i < p->outputs.count; i++) {
+        outputs[i] = place_of(&result, memory, 'Y', p->outputs.names[i]);
+        quotes[i] = source_quote(m->source, p->outputs.shows[i]->name.at);
     }
     result.outputs = outputs;
     result.output_quotes = quotes;

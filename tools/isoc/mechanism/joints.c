@@ -83,9 +83,9 @@ static segment part(builder *b, const joint *j, joint_kind kind, const char *end
     result.axis = axis;
     result.sign = sign;
     result.drive = -1;
-    result.mass = result.spring = result.rest = constant(b->g, 0.0);
-    result.first_moment = vector_zero(b->g);
-    result.inertia = tensor_zero(b->g);
+    result.own.mass = result.spring = result.rest = constant(b->g, 0.0);
+    result.own.ms = vector_zero(b->g);
+    result.own.inertia = tensor_zero(b->g);
     result.start_given = result.speed_given = true;
 
     dimension resistance = turns ? newton_metre : newton;

@@ -55,9 +55,9 @@ static composite weld_lump(builder *b, const lump *part, const body_frame *frame
     segment *l = &b->mechanism.segments[frame->segment];
     const tensor turned = tensor_rotate(g, frame->turn, part->inertia);
     own.inertia = tensor_shift(g, turned, part->mass, vector_zero(g), com);
-    l->inertia = tensor_add(g, l->inertia, own.inertia);
-    l->first_moment = vector_add(g, l->first_moment, own.ms);
-    l->mass = add(g, l->mass, own.mass);
+    l->own.inertia = tensor_add(g, l->own.inertia, own.inertia);
+    l->own.ms = vector_add(g, l->own.ms, own.ms);
+    l->own.mass = add(g, l->own.mass, own.mass);
     return own;
 }
 
@@ -160,63 +160,16 @@ static void build_tree(builder *b)
     }
 }
 
-mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
+static void connect_joints(builder *b)
 {
-    builder b = {.s = s, .g = g, .written = written, .whole = whole};
-    b.weights = arena_take(s->memory, written->bodies.count + 1, sizeof *b.weights);
-    b.parents = arena_take(s->memory, written->joints.count + 1, sizeof *b.parents);
-    b.children = arena_take(s->memory, written->joints.count + 1, sizeof *b.children);
-    b.mechanism = (mechanism){.name = written->name, .source = s, .is_double = is_double};
-    b.mechanism.bodies.ground_mass = constant(g, 0.0);
-    b.mechanism.bodies.ground_moment = vector_zero(g);
-    b.mechanism.segments =
-        arena_take(s->memory, PARTS_OF_A_JOINT * written->joints.count + 1, sizeof *b.mechanism.segments);
-    b.mechanism.bodies.frames =
-        arena_take(s->memory, written->bodies.count + written->frames.count + 1, sizeof *b.mechanism.bodies.frames);
-    b.mechanism.bodies.members = arena_take(s->memory, written->bodies.count + 1, sizeof *b.mechanism.bodies.members);
-    b.mechanism.bodies.count = (int)written->bodies.count;
-    values_start(&b.values, s, g, written, count_faults(written), is_double);
+    for (size_t i = 0; i < b->written->joints.count; i++) {
+        connect(b, i);
+    }
+}
 
-    if (!counts_check(s, written)) {
-        return b.mechanism;
-    }
-    names_check(s, written);
-    build_step(&b);
-    build_method(&b);
-    build_policies(&b);
-    values_resolve(&b.values);
-    b.mechanism.forces.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
-    build_bodies(&b);
-    for (size_t i = 0; i < written->joints.count; i++) {
-        connect(&b, i);
-    }
-    build_tree(&b);
-    build_frames(&b);
-    list_dofs(&b);
-    build_applied_forces(&b);
-    build_springs(&b);
-    build_closures(&b);
-    count_effects(&b);
-    regroup(&b);
-    build_inputs(&b);
-    build_effects(&b);
-    build_substeps(&b);
-    build_outputs(&b);
-    finish_history_memories(&b);
-    drop_unread(&b);
-    build_delays(&b);
-    check_inputs(&b);
-    build_parameters(&b);
-    build_changes(&b);
-    states_check(s, &b.mechanism);
-    b.mechanism.inputs.tables = b.values.tables;
-    b.mechanism.inputs.table_count = (int)b.values.table_count;
-    b.mechanism.parameters.conditions = b.values.conditions;
-    b.mechanism.parameters.condition_count = (int)b.values.condition_count;
-
-    if (written->broken) {
-        return b.mechanism;
-    }
+/* What a scene must have. */
+static void check_whole(source *s, const scene *written)
+{
     bool moves = false;
     for (size_t i = 0; i < written->joints.count; i++) {
         moves = moves || written->joints.all[i].kind != JOINT_FIXED;
@@ -229,6 +182,70 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     }
     if (written->outputs.count == 0) {
         source_problem(s, s->main_end, "the scene has no output: output angle = position of a joint");
+    }
+}
+
+/* A mechanism of which nothing is known, with room for what the scene has. */
+static builder builder_of(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
+{
+    builder b = {.s = s, .g = g, .written = written, .whole = whole};
+    mechanism *m = &b.mechanism;
+    const size_t bodies = written->bodies.count, joints = written->joints.count;
+    b.weights = arena_take(s->memory, bodies + 1, sizeof *b.weights);
+    b.parents = arena_take(s->memory, joints + 1, sizeof *b.parents);
+    b.children = arena_take(s->memory, joints + 1, sizeof *b.children);
+    *m = (mechanism){.name = written->name, .source = s, .is_double = is_double};
+    m->bodies.ground_mass = constant(g, 0.0);
+    m->bodies.ground_moment = vector_zero(g);
+    m->segments = arena_take(s->memory, PARTS_OF_A_JOINT * joints + 1, sizeof *m->segments);
+    m->bodies.frames = arena_take(s->memory, bodies + written->frames.count + 1, sizeof *m->bodies.frames);
+    m->bodies.members = arena_take(s->memory, bodies + 1, sizeof *m->bodies.members);
+    m->bodies.count = (int)bodies;
+    return b;
+}
+
+mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
+{
+    builder b = builder_of(s, g, written, is_double, whole);
+    values_start(&b.values, s, g, written, count_faults(written), is_double);
+
+    if (!counts_check(s, written)) {
+        return b.mechanism;
+    }
+    names_check(s, written);   /* no two things with one name */
+    build_step(&b);            /* of a tick, in whole nanoseconds */
+    build_method(&b);          /* the recipe */
+    build_policies(&b);        /* what the loop does about late ticks */
+    values_resolve(&b.values); /* constants and tunables, each after those that it names */
+    b.mechanism.forces.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
+    build_bodies(&b);              /* what they weigh, in parts, each in the axes of its body */
+    connect_joints(&b);            /* which body is the child of which */
+    build_tree(&b);                /* segments from the ground on, with the bodies that they carry */
+    build_frames(&b);              /* on their bodies, which are placed */
+    list_dofs(&b);                 /* the degrees of freedom of all segments */
+    build_applied_forces(&b);      /* of inputs */
+    build_springs(&b);             /* between two points */
+    build_closures(&b);            /* on segments; clocks of motions are states behind the positions */
+    count_effects(&b);             /* room for their states, behind the clocks, and their memories */
+    regroup(&b);                   /* masses and moments go to the parent where no motion tells them apart */
+    build_inputs(&b);              /* those of the scene, then one for each function of time in a formula */
+    build_effects(&b);             /* operands are bound, lines evaluated: rates, nexts, efforts, forces */
+    build_substeps(&b);            /* of effects with sub-steps of their own */
+    build_outputs(&b);             /* what each shows */
+    finish_history_memories(&b);   /* what is kept of formulas, which are all known now */
+    drop_unread(&b);               /* memories and functions of time that nothing reads */
+    build_delays(&b);              /* which of them are samples of continuous signals */
+    check_inputs(&b);              /* whether each has a use */
+    build_parameters(&b);          /* tunables with their limits, then faults */
+    build_changes(&b);             /* what is set at times */
+    states_check(s, &b.mechanism); /* no two states with one name */
+    b.mechanism.inputs.tables = b.values.tables;
+    b.mechanism.inputs.table_count = (int)b.values.table_count;
+    b.mechanism.parameters.conditions = b.values.conditions;
+    b.mechanism.parameters.condition_count = (int)b.values.condition_count;
+
+    if (!written->broken) {
+        check_whole(s, written);
     }
     return b.mechanism;
 }

@@ -18,6 +18,13 @@
 
 enum { GROUND = -1 };
 
+/* A body, or several rigidly connected bodies, in the frame of a segment or of the ground. */
+typedef struct composite {
+    node mass;
+    vector ms;      /* first moment, about the frame's origin */
+    tensor inertia; /* likewise */
+} composite;
+
 typedef struct segment {
     const char *name; /* of the joint, or of its part */
     place at;         /* where it is declared */
@@ -31,9 +38,7 @@ typedef struct segment {
     matrix turn;   /* constant: the segment's axes at coordinate zero, in the parent's axes */
     vector offset; /* the segment's origin at coordinate zero, in the parent's frame */
 
-    node mass; /* with all welded bodies, about the segment's origin, in its axes */
-    vector first_moment;
-    tensor inertia;
+    composite own; /* with all welded bodies */
 
     node damping, spring, rest; /* zero where the scene names none */
     int drive;                  /* an input, or -1 */
@@ -148,13 +153,6 @@ typedef struct closure {
     node whole;    /* with continuous joints: Phi times this is zero up to whole turns; zero: Phi itself is zero */
     bool in_speed; /* a gear or a motion that constrains only speeds */
 } closure;
-
-/* A body, or several rigidly connected bodies, in the frame of a segment or of the ground. */
-typedef struct composite {
-    node mass;
-    vector ms;      /* first moment, about the frame's origin */
-    tensor inertia; /* likewise */
-} composite;
 
 /* A body with its own mass, for the reactions of joints: without the terms that regroup.c moves between segments. */
 typedef struct member {

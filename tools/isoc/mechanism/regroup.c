@@ -13,9 +13,9 @@ static void move_to_parent(builder *b, const segment *from, node mass, vector ms
     }
     segment *to = &b->mechanism.segments[from->parent];
     const tensor shifted = tensor_shift(g, tensor_rotate(g, from->turn, inertia), mass, turned, from->offset);
-    to->inertia = tensor_add(g, to->inertia, shifted);
-    to->first_moment = vector_add(g, to->first_moment, moment);
-    to->mass = add(g, to->mass, mass);
+    to->own.inertia = tensor_add(g, to->own.inertia, shifted);
+    to->own.ms = vector_add(g, to->own.ms, moment);
+    to->own.mass = add(g, to->own.mass, mass);
 }
 
 /* Inertial parameters that a joint's motion does not change can be moved to the parent (Gautier and Khalil 1990,
@@ -30,28 +30,28 @@ void regroup(builder *b)
     for (int i = b->mechanism.segment_count - 1; i >= 0; i--) {
         segment *l = &b->mechanism.segments[i];
         if (l->kind == JOINT_PRISMATIC) {
-            move_to_parent(b, l, zero, vector_zero(g), l->inertia);
-            l->inertia = tensor_zero(g);
+            move_to_parent(b, l, zero, vector_zero(g), l->own.inertia);
+            l->own.inertia = tensor_zero(g);
             continue;
         }
         if (l->kind == JOINT_SPHERICAL) {
-            move_to_parent(b, l, l->mass, vector_zero(g), tensor_zero(g));
-            l->mass = zero;
+            move_to_parent(b, l, l->own.mass, vector_zero(g), tensor_zero(g));
+            l->own.mass = zero;
             continue;
         }
-        node *const diagonal[3] = {&l->inertia.xx, &l->inertia.yy, &l->inertia.zz};
+        node *const diagonal[3] = {&l->own.inertia.xx, &l->own.inertia.yy, &l->own.inertia.zz};
         node *const one = diagonal[(l->axis + 1) % 3], *const other = diagonal[(l->axis + 2) % 3];
         const node across = *other;
         tensor ring = {across, across, across, zero, zero, zero};
         node *const of_ring[3] = {&ring.xx, &ring.yy, &ring.zz};
         *of_ring[l->axis] = zero;
         vector along = vector_zero(g);
-        along.at[l->axis] = l->first_moment.at[l->axis];
+        along.at[l->axis] = l->own.ms.at[l->axis];
 
-        move_to_parent(b, l, l->mass, along, ring);
+        move_to_parent(b, l, l->own.mass, along, ring);
         *one = sub(g, *one, across);
         *other = zero;
-        l->first_moment.at[l->axis] = zero;
-        l->mass = zero;
+        l->own.ms.at[l->axis] = zero;
+        l->own.mass = zero;
     }
 }

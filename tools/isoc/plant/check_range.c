@@ -13,7 +13,7 @@ static void reach(const graph *g, const plant *p, bool *needed)
         const node *roots;
         int count;
     } functions[] = {
-        {p->derivatives, state_count(p->m)}, {p->outputs, p->output_count},
+        {p->derivatives, state_count(p->m)}, {p->outputs.roots, p->outputs.count},
         {p->after.values, p->after.count},   {p->m->inputs.drives, p->m->inputs.count + p->m->clocks.count},
         {p->j.factors, p->j.factor_count},   {p->j.solution, p->j.solution != NULL ? state_count(p->m) : 0},
         {&p->violation, p->violation >= 0},  {&p->broken, p->broken >= 0},

@@ -23,10 +23,10 @@ static const char *unit_of(const plant *p, const shown *o)
 
 static void show_as(plant *p, const shown *o, const char *label, node n)
 {
-    p->output_names[p->output_count] = label;
-    p->output_units[p->output_count] = unit_of(p, o);
-    p->output_shows[p->output_count] = o;
-    p->outputs[p->output_count++] = n;
+    p->outputs.names[p->outputs.count] = label;
+    p->outputs.units[p->outputs.count] = unit_of(p, o);
+    p->outputs.shows[p->outputs.count] = o;
+    p->outputs.roots[p->outputs.count++] = n;
 }
 
 static void show(plant *p, const shown *o, node n)
@@ -220,10 +220,10 @@ void outputs_build(plant *p, graph *g)
     enum { MOST_COMPONENTS = 4 };
     const mechanism *m = p->m;
     const size_t room = MOST_COMPONENTS * m->output_count + 1;
-    p->output_names = arena_take(g->memory, room, sizeof *p->output_names);
-    p->output_units = arena_take(g->memory, room, sizeof *p->output_units);
-    p->output_shows = arena_take(g->memory, room, sizeof *p->output_shows);
-    p->outputs = arena_take(g->memory, room, sizeof *p->outputs);
+    p->outputs.names = arena_take(g->memory, room, sizeof *p->outputs.names);
+    p->outputs.units = arena_take(g->memory, room, sizeof *p->outputs.units);
+    p->outputs.shows = arena_take(g->memory, room, sizeof *p->outputs.shows);
+    p->outputs.roots = arena_take(g->memory, room, sizeof *p->outputs.roots);
     kinematics_velocities(&p->d->k);
     p->energy = account_energy(p->d);
     graph_section(g, "Points in the ground's frame");

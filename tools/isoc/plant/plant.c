@@ -183,7 +183,7 @@ static node count_broken(graph *g, const mechanism *m)
 
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted)
 {
-    plant p = {.m = m, .input_count = m->inputs.count, .is_double = is_double, .factors = wanted.factors};
+    plant p = {.m = m, .is_double = is_double, .factors = wanted.factors};
     for (int i = 0; i < m->segment_count; i++) {
         p.turn_count += m->segments[i].continuous;
     }

@@ -44,16 +44,21 @@ typedef struct reduced_plant {
     const char *suffix; /* of the names of its functions: _without_rub */
 } reduced_plant;
 
+/* Its outputs, one for each component of what the scene shows. */
+typedef struct output_set {
+    int count;
+    const char **names, **units;
+    const shown **shows; /* what of */
+    node *roots;
+} output_set;
+
 /* All that is known of a plant when its equations are nodes. */
 typedef struct plant {
     const mechanism *m;
     const dynamics *d;
     choice formulations;
-    int input_count, output_count, turn_count;
-    const char **output_names; /* one for each component */
-    const char **output_units;
-    const shown **output_shows; /* what of */
-    node *outputs;
+    int turn_count;
+    output_set outputs;
     node *derivatives;           /* the derivative of each state */
     int rate_count;              /* of them those that semi_implicit evaluates again; 0: they are the speeds */
     settled after;               /* of a step */

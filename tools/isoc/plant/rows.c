@@ -281,7 +281,7 @@ static void find_seen(rows_builder *b, const plant *whole)
         return;
     }
     readings r = no_readings(b);
-    add_readings(b, b->p->outputs, (size_t)b->p->output_count, &r);
+    add_readings(b, b->p->outputs.roots, (size_t)b->p->outputs.count, &r);
     for (int i = 0; i < m->effects.memory_count; i++) {
         add_readings(b, &m->effects.memories[i].next, 1, &r);
     }

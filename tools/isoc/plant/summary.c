@@ -103,7 +103,7 @@ void write_summary(const plant *p, const graph *g, text *out)
     text_add(out, "scene %s\nmethod %s\nstep %g s\nreal %s\n", m->name, method_names[ISO_METHOD_OF(m->method.recipe)],
              m->method.step, p->is_double ? "double" : "float");
     text_add(out, "states %d\ninputs %d\nparameters %d\noutputs %d\n", n, m->inputs.count, m->parameters.count,
-             p->output_count);
+             p->outputs.count);
     if (m->effects.memory_count > 0) {
         text_add(out, "memories %d\n", m->effects.memory_count);
     }

@@ -57,10 +57,10 @@ static matrix cross_matrix(graph *g, vector a)
 /* A segment alone; `still` is the wrench that it needs when its origin and its rotation are not accelerated. */
 static articulated rigid(graph *g, const segment *l, wrench still)
 {
-    const node zero = constant(g, 0.0), mass = l->mass;
+    const node zero = constant(g, 0.0), mass = l->own.mass;
     articulated result;
-    put_block(&result, ANGULAR, ANGULAR, tensor_matrix(l->inertia));
-    put_block(&result, ANGULAR, LINEAR, cross_matrix(g, l->first_moment));
+    put_block(&result, ANGULAR, ANGULAR, tensor_matrix(l->own.inertia));
+    put_block(&result, ANGULAR, LINEAR, cross_matrix(g, l->own.ms));
     put_block(&result, LINEAR, LINEAR, (matrix){{{mass, zero, zero}, {zero, mass, zero}, {zero, zero, mass}}});
     put_vector(result.bias, ANGULAR, still.moment);
     put_vector(result.bias, LINEAR, still.force);

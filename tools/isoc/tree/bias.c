@@ -39,7 +39,7 @@ void inertial_wrenches(const kinematics *k, const acceleration *accelerations, w
     const mechanism *m = k->m;
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
-        const composite whole = {l->mass, l->first_moment, l->inertia};
+        const composite whole = {l->own.mass, l->own.ms, l->own.inertia};
         wrenches[i] = wrench_of_motion(k->g, whole, k->motions[i].omega, accelerations[i]);
     }
     for (int i = 0; i < m->forces.applied_count; i++) {

@@ -15,7 +15,7 @@ static composite *segment_composites(const kinematics *k)
     composite *bodies = arena_take(k->g->memory, (size_t)k->m->segment_count, sizeof *bodies);
     for (int i = 0; i < k->m->segment_count; i++) {
         const segment *l = &k->m->segments[i];
-        bodies[i] = (composite){l->mass, l->first_moment, l->inertia};
+        bodies[i] = (composite){l->own.mass, l->own.ms, l->own.inertia};
     }
     return bodies;
 }
