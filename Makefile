@@ -191,6 +191,8 @@ PORT_OF_cortex-m4f := port/mps2
 PORT_OF_cortex-m7 := port/m7
 PORT_OF_cortex-m3 := port/m3
 PORT_OF_cortex-m0 := port/m0
+PORT_OF_rv32imac := port/rv32imac
+PORT_OF_rv32imafc := port/rv32imafc
 TARGETS := $(patsubst PORT_OF_%,%,$(filter PORT_OF_%,$(.VARIABLES)))
 PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is

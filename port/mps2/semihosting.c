@@ -6,6 +6,25 @@ enum { SYS_OPEN = 0x01, SYS_WRITE = 0x05, SYS_GET_CMDLINE = 0x15, SYS_EXIT_EXTEN
 enum { MODE_APPEND_BINARY = 9, APPLICATION_EXIT = 0x20026 };
 #define OPEN_FAILED UINTPTR_MAX
 
+#ifdef __riscv
+/* Three instructions of 32 bits, of which the debugger knows the middle one by the others. */
+static uintptr_t call(const uintptr_t operation, const uintptr_t *const arguments)
+{
+    register uintptr_t a0 __asm__("a0") = operation;
+    register const uintptr_t *a1 __asm__("a1") = arguments;
+    __asm__ volatile("    .option push\n"
+                     "    .option norvc\n"
+                     "    .balign 16\n"
+                     "    slli zero, zero, 0x1F\n"
+                     "    ebreak\n"
+                     "    srai zero, zero, 7\n"
+                     "    .option pop"
+                     : "+r"(a0)
+                     : "r"(a1)
+                     : "memory");
+    return a0;
+}
+#else
 static uintptr_t call(const uintptr_t operation, const uintptr_t *const arguments)
 {
     register uintptr_t r0 __asm__("r0") = operation;
@@ -13,6 +32,7 @@ static uintptr_t call(const uintptr_t operation, const uintptr_t *const argument
     __asm__ volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
     return r0;
 }
+#endif
 
 /* The host's standard output as a file: a write to it waits for a slow reader, while the time of the board stands
  * still. QEMU's console would write a part and let time run on. Where the host has no such file, the console it is. */

@@ -1,5 +1,5 @@
 /* Arm semihosting: the debugger, or QEMU, as console, command line and exit.
- * Arm (2023), Semihosting for AArch32 and AArch64, version 2023Q3. */
+ * Arm (2023), Semihosting for AArch32 and AArch64, version 2023Q3. RISC-V (2023), RISC-V Semihosting, version 0.3. */
 #ifndef ISO_PORT_MPS2_SEMIHOSTING_H
 #define ISO_PORT_MPS2_SEMIHOSTING_H
 

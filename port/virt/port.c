@@ -1,0 +1,137 @@
+/* QEMU's RISC-V board `virt` as a platform: the machine timer is the tick and the clock, semihosting the console.
+ *
+ *     arguments: PROGRAM [NANOSECONDS]
+ *
+ * The clock counts instructions. QEMU with -icount shift=10 lets one instruction last 2^10 ns, in which the timer at 10 MHz
+ * counts 10.24 times. An instruction stands for one cycle of a core of 100 MHz, and the time of the plant is stretched by
+ * 102.4. On silicon a timer counts at a rate of its own.
+ * RISC-V (2021), The RISC-V Instruction Set Manual, Volume II: Privileged Architecture, version 20211203: 3.2.1. */
+#include "port/port.h"
+
+#include <stdbool.h>
+
+#include "port/mps2/semihosting.h"
+#include "port/virt/tick.h"
+
+#define MTIME ((volatile uint32_t *)0x0200BFF8U)
+#define MTIMECMP ((volatile uint32_t *)0x02004000U)
+
+enum { CYCLE_NS = 10 };
+
+/* The timer counts 10.24 = 2^8 / 25 times in a cycle: whole cycles in whole counts come in 25. */
+enum { DILATION_SHIFT = 8, DILATION_OVER = 25 };
+
+/* Bits of mstatus and of mie. */
+enum { INTERRUPTS_ON = 1 << 3, TIMER_ON = 1 << 7 };
+
+static struct {
+    uint64_t start;          /* of the clock, in counts of the timer */
+    uint64_t next;           /* when the next tick is due, likewise */
+    uint32_t period;         /* likewise */
+    volatile uint32_t ticks; /* due: the low half */
+    uint64_t reported;       /* by iso_port_wait: the latest tick */
+} board;
+
+static uint64_t timer(void)
+{
+    uint32_t high, low;
+    do {
+        high = MTIME[1];
+        low = MTIME[0];
+    } while (high != MTIME[1]);
+    return (uint64_t)high << 32 | low;
+}
+
+/* The high half stands at its most meanwhile, so that no time between is due. */
+static void set_alarm(const uint64_t time)
+{
+    MTIMECMP[1] = UINT32_MAX;
+    MTIMECMP[0] = (uint32_t)time;
+    MTIMECMP[1] = (uint32_t)(time >> 32);
+}
+
+void tick_interrupt(void)
+{
+    board.next += board.period;
+    set_alarm(board.next);
+    board.ticks++;
+}
+
+/* The period is rounded to what the timer can make: multiples of 250 ns. */
+__attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
+{
+    const uint32_t parts = (period_ns + CYCLE_NS * DILATION_OVER / 2) / (CYCLE_NS * DILATION_OVER);
+    board.period = parts << DILATION_SHIFT;
+    board.start = timer();
+    board.next = board.start + board.period;
+    set_alarm(board.next);
+    __asm__ volatile("csrs mie, %0\n    csrs mstatus, %1" ::"r"(TIMER_ON), "r"(INTERRUPTS_ON) : "memory");
+    return parts * DILATION_OVER;
+}
+
+/* Ticks that are due and that the last call of iso_port_wait did not report; less than 2^32. */
+static uint32_t due(void)
+{
+    return board.ticks - (uint32_t)board.reported;
+}
+
+/* Interrupts are held off between the look and the sleep, so that a tick cannot slip in between; a pending one wakes the
+ * processor all the same. */
+uint64_t iso_port_wait(void)
+{
+    uint32_t ticks = due();
+    while (ticks == 0) {
+        __asm__ volatile("csrc mstatus, %0" ::"r"(INTERRUPTS_ON) : "memory");
+        if (due() == 0) {
+            __asm__ volatile("wfi" ::: "memory");
+        }
+        __asm__ volatile("csrs mstatus, %0" ::"r"(INTERRUPTS_ON) : "memory");
+        ticks = due();
+    }
+    board.reported += ticks;
+    return board.reported;
+}
+
+/* The nearest count of the clock. */
+uint64_t iso_port_clock(void)
+{
+    const uint32_t half = 1 << (DILATION_SHIFT - 1);
+    return ((timer() - board.start) * DILATION_OVER + half) >> DILATION_SHIFT;
+}
+
+void iso_port_read(real *const u, const size_t inputs)
+{
+    (void)u;
+    (void)inputs;
+}
+
+void iso_port_publish(const real *const y, const size_t outputs)
+{
+    (void)y;
+    (void)outputs;
+}
+
+void iso_port_safe(void)
+{
+}
+
+void iso_port_write(const void *const bytes, const size_t count)
+{
+    semihosting_write(bytes, count);
+}
+
+__attribute__((cold)) uint64_t iso_port_duration(const int argc, char **const argv)
+{
+    uint64_t duration = 0;
+    if (argc > 1) {
+        for (const char *digit = argv[1]; *digit >= '0' && *digit <= '9'; digit++) {
+            duration = duration * 10 + (uint64_t)(*digit - '0');
+        }
+    }
+    return duration;
+}
+
+_Noreturn void iso_port_exit(const int status)
+{
+    semihosting_exit(status);
+}

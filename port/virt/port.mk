@@ -1,0 +1,21 @@
+# Building for QEMU's RISC-V board `virt` and running in QEMU: 2^10 ns of its time for one instruction. A chip's port.mk sets
+# PORT_CHIP.
+PORT_CC = riscv64-unknown-elf-gcc
+PORT_TOOLS = riscv64-unknown-elf-gcc
+PORT_INSTALL = apt-get install gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc
+PORT_FLAGS = $(PORT_CHIP) -misa-spec=2.2 -mcmodel=medany -msmall-data-limit=0 --specs=picolibc.specs -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter
+PORT_OPTIMISE = -O2
+PORT_LINK = -nostartfiles -T port/virt/virt.ld -Wl,--gc-sections -Wl,--no-warn-rwx-segments
+# The root of a double, and what both C libraries have.
+PORT_LIBRARIES = -lm
+PORT_SUFFIX = .elf
+PORT_STACK =
+PORT_CLOCK = instructions
+PORT_EXEC_TOOLS = qemu-system-riscv32
+PORT_EXEC = qemu-system-riscv32 -M virt -bios none -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
+    -semihosting-config enable=on,target=native,arg=plant,arg=$(NANOSECONDS) -kernel $(PROGRAM)
+PORT_NM = riscv64-unknown-elf-nm
+PORT_SIZE = riscv64-unknown-elf-size
+# No channels.
+PORT_CHANNEL =
+PORT_LINK_LINKED =
