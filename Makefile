@@ -307,6 +307,12 @@ OUT := $(if $(filter hil,$(MAKECMDGOALS)),build/hil/$(TARGET)/$(REAL),build/$(TA
 
 include $(PORT)/port.mk
 
+ifneq ($(filter link hil a2l,$(MAKECMDGOALS)),)
+ifeq ($(PORT_CHANNEL),)
+$(error make $(MAKECMDGOALS) needs channels (port/channel.h), and TARGET=$(TARGET) has none)
+endif
+endif
+
 # --- How everything is compiled ----------------------------------------------------------------------------------
 
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \

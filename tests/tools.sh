@@ -12,6 +12,12 @@ have_newlib()
     have arm-none-eabi-gcc && [ -f "$(arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -print-file-name=libc.a)" ]
 }
 
+# The C library for RISC-V.
+have_picolibc()
+{
+    echo '#include <string.h>' | riscv64-unknown-elf-gcc --specs=picolibc.specs -fsyntax-only -x c - 2>/dev/null
+}
+
 have_sanitizers()
 {
     echo 'int main(void) { return 0; }' | ${CC:-cc} -fsanitize=address,undefined -x c - -o /dev/null 2>/dev/null
@@ -30,6 +36,9 @@ missing()
     have arm-none-eabi-gcc || echo gcc-arm-none-eabi
     have_newlib || echo libnewlib-arm-none-eabi
     have qemu-system-arm || echo qemu-system-arm
+    have riscv64-unknown-elf-gcc || echo gcc-riscv64-unknown-elf
+    have_picolibc || echo picolibc-riscv64-unknown-elf
+    have qemu-system-riscv32 || echo qemu-system-misc
     have valgrind || echo valgrind
     have clang || echo clang
     have_fuzzer || echo libclang-rt-dev

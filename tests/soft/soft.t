@@ -8,6 +8,7 @@ begin soft
 real float
 M3="-mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
 M0="-mcpu=cortex-m0 -mthumb -mfloat-abi=soft -masm-syntax-unified -DSOFT_PIECES"
+RV32IMAC="-march=rv32imac -mabi=ilp32 --specs=picolibc.specs"
 m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
 case ${1-}${TEST_WHOLE-} in
 '') pairs=10000000 ;;
@@ -46,15 +47,17 @@ watched()
         valgrind --quiet --log-file="$out/memcheck" "$out/poison"
 }
 
-# branches FLAGS [FLAG...]: how many instructions of the helpers of an Arm core branch on a condition.
+# branches TOOLS FLAGS HELPERS [FLAG...]: how many instructions of the helpers of a core branch on a condition.
 branches()
 {
-    branches_flags=$1
-    shift
+    branches_tools=$1
+    branches_flags=$2
+    branches_helpers=$3
+    shift 3
     # shellcheck disable=SC2086
-    arm-none-eabi-gcc "$@" $FLAGS $branches_flags -c port/soft/aeabi.c -o "$out/aeabi.o" &&
-        arm-none-eabi-objdump -d "$out/aeabi.o" | awk '$0 ~ /\tb(eq|ne|cs|cc|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le)(\.[nw])?\t/ ||
-            /\tcbn?z\t/ { n++ } END { print n + 0 }'
+    "$branches_tools-gcc" "$@" $FLAGS $branches_flags -c "port/soft/$branches_helpers.c" -o "$out/helpers.o" &&
+        "$branches_tools-objdump" -d "$out/helpers.o" |
+        awk '/\t(b(eq|ne|cs|cc|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le|geu|ltu|gtu|leu)(z|\.[nw])?|cbn?z)\t/ { n++ } END { print n + 0 }'
 }
 
 joined "by one shift" compared $pairs
@@ -66,10 +69,12 @@ for compiler in gcc clang; do
     joined "$compiler, by stages, no branch" watched $compiler -DSOFT_STAGES -DSOFT_PIECES
 done
 # The loop of the quotient counts its bits.
-[ "$(branches "$M3")" -eq 1 ]
+[ "$(branches arm-none-eabi "$M3" aeabi)" -eq 1 ]
 result $? "code for the Cortex-M3 has no condition but that of a loop"
-[ "$(branches "$M0")" -eq 1 ]
+[ "$(branches arm-none-eabi "$M0" aeabi)" -eq 1 ]
 result $? "code for the Cortex-M0 has no condition but that of a loop"
+[ "$(branches riscv64-unknown-elf "$RV32IMAC" gcc)" -eq 1 ]
+result $? "code for the RV32IMAC has no condition but that of a loop"
 
 # planted FILE EDIT: another text of it, found by -I$out/planted.
 planted()
@@ -98,6 +103,8 @@ result $? "found: numbers below the least normal one that are not rounded as suc
 planted binary32.h '/^static inline uint32_t soft_multiply/,/^}/s/^    uint32_t significand;/    if (a == 0) { return 0; }\n&/' &&
     ! watched gcc "-I$out/planted" >"$out/tap" && failed product
 result $? "found by memcheck: a branch on an operand"
-[ "$(branches "$M0" "-I$out/planted")" -gt 1 ]
-result $? "found in the code: a branch on an operand"
+[ "$(branches arm-none-eabi "$M0" aeabi "-I$out/planted")" -gt 1 ]
+result $? "found in the code for the Cortex-M0: a branch on an operand"
+[ "$(branches riscv64-unknown-elf "$RV32IMAC" gcc "-I$out/planted")" -gt 1 ]
+result $? "found in the code for the RV32IMAC: a branch on an operand"
 finish

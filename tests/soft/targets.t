@@ -22,7 +22,7 @@ varies()
     esac
 }
 
-targets="cortex-m7 cortex-m3 cortex-m0"
+targets="cortex-m7 cortex-m3 cortex-m0 rv32imafc rv32imac"
 while read -r scene seconds; do
     ran "$scene" host "$seconds" && hash=$(value hash)
     expect $? "$scene on the host: $hash"
@@ -39,9 +39,9 @@ END
 
 # What libgcc takes, from the least to the most.
 hash=
-for port in m3 m0; do
-    sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/$port/port.mk"
-    ran double_pendulum host 2 && hash=$(value hash) && ran double_pendulum cortex-$port 2 && [ "$(value hash)" = "$hash" ] && varies
-    expect $? "found: helpers of libgcc on the cortex-$port: $(value instructions_per_step) instructions, mean $(value execution)"
+for target in cortex-m3 cortex-m0 rv32imac; do
+    sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/${target#cortex-}/port.mk"
+    ran double_pendulum host 2 && hash=$(value hash) && ran double_pendulum $target 2 && [ "$(value hash)" = "$hash" ] && varies
+    expect $? "found: helpers of libgcc on the $target: $(value instructions_per_step) instructions, mean $(value execution)"
 done
 finish
