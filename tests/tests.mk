@@ -60,7 +60,7 @@ build/tests/$(1)/$(2)/command: always
 
 build/tests/$(1)/$(2)/%.o: private TEST_COMMAND := $$(TEST_COMMAND)
 build/tests/$(1)/$(2)/%.o: %.c build/tests/$(1)/$(2)/command
-	@mkdir -p $$(@D)
+	$$(folder)
 	@$$(TEST_COMMAND) -MMD -MP -c $$< -o $$@
 
 # The programs of several parts.
@@ -82,16 +82,16 @@ $(foreach variant,plain asan m4f,$(foreach real,$(TEST_REALS),$(eval $(call TEST
 # Under memcheck run the very programs that run plainly; the name of the folder tells tests/exec.sh.
 TEST_PROGRAMS_memcheck := $(TEST_PROGRAMS_plain:build/tests/plain/%=build/tests/memcheck/%)
 build/tests/memcheck/%: build/tests/plain/%
-	@mkdir -p $(@D)
+	$(folder)
 	@ln -f $< $@
 
 # In the fast part of the tests every 11th float is tried, in the whole every one.
 TEST_PROGRAMS_exhaustive := $(foreach real,$(TEST_REALS),$(TEST_EXHAUSTIVE:%=build/tests/exhaustive/$(real)/%))
 build/tests/exhaustive/float/%: tests/exhaustive/%.c $(wildcard core/*/*.h tests/exhaustive/*.h) build/tests/plain/float/command
-	@mkdir -p $(@D)
+	$(folder)
 	$(call link,$(CC) $(TEST_FLAGS) $< -lm)
 build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h tests/exhaustive/*.h) build/tests/plain/double/command
-	@mkdir -p $(@D)
+	$(folder)
 	$(call link,$(CC) $(TEST_FLAGS) -DISO_REAL_DOUBLE $< -lm)
 
 -include $(TEST_OBJECTS:.o=.d)
@@ -111,24 +111,29 @@ $(TEST_ONCE)/once: tests/host/once.c build/tests/plain/float/command
 
 TEST_FAST := $(filter build/tests/plain/float/% build/tests/m4f/float/%,$(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f))
 TEST_ALL := $(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f) $(TEST_PROGRAMS_exhaustive) $(TEST_PROGRAMS_memcheck) $(TEST_PROGRAMS_asan)
-TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' \) -mtime +2 -delete; export TEST_STATE=$$(sh tests/host/state.sh); \
-    rm -rf build/tests/times && mkdir build/tests/times; TEST_BUILT=yes TEST_TIMES=$(CURDIR)/build/tests/times \
-    PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
+TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' \) -mtime +2 -delete; rm -rf build/tests/times && mkdir build/tests/times; \
+    TEST_BUILT=yes TEST_TIMES=$(CURDIR)/build/tests/times PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
+
+# What make builds first it compiles by that program too: tests that build the tools in a copy of the project have their objects.
+# The state is that of the compilers themselves.
+define TEST_RUN
+@tests/tools.sh
++@$(MAKE) --no-print-directory $(TEST_ONCE)/once
++@export TEST_STATE=$$(sh tests/host/state.sh); PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" $(MAKE) --no-print-directory -j$(TEST_JOBS) $(1)
+endef
 
 # All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole domains, checkers, models: 20 minutes on two cores.
 test: ## run all tests, but for those that passed before and follow from nothing that has changed; 20 minutes on two cores
-	@tests/tools.sh
-	@$(MAKE) --no-print-directory -j$(TEST_JOBS) test-run
+	$(call TEST_RUN,test-run)
 
 # The fast part: units in float, and the checkers that are quick.
 check: ## run the fast tests
-	@tests/tools.sh
-	@$(MAKE) --no-print-directory -j$(TEST_JOBS) check-run
+	$(call TEST_RUN,check-run)
 
-test-run: $(TEST_ALL) $(TOOLS) $(TEST_ONCE)/once
+test-run: $(TEST_ALL) $(TOOLS)
 	@export TEST_STRIDE=1; $(TEST_PROVE) $(TEST_ALL) $(TEST_SCRIPTS)
 
-check-run: $(TEST_FAST) $(TOOLS) $(TEST_ONCE)/once
+check-run: $(TEST_FAST) $(TOOLS)
 	@export TEST_STRIDE=11 TALLY_MOST=$(TEST_QUICK); $(TEST_PROVE) $(TEST_FAST) $(TEST_SCRIPTS)
 
 # What each test of the last `make test` took. `make test-times >tests/times` keeps it: an order, and what is quick.
