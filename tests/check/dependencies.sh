@@ -120,15 +120,15 @@ expect $? "METHOD of a plant in C: the program that ran is the new one"
 touched models/oscillator.c
 change "a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/oscillator.c METHOD=heun
 
-# All that follows keeps these flags, since a change of them builds everything.
+# A flag that changes no object, so that none is compiled for it. All that follows keeps it: a change builds everything.
 state >"$out/before"
-change "CFLAGS" "$program build/obj/host/float/core/runtime/loop.o build/host/float/double_pendulum/plant.o" CFLAGS=-DPLANTED
+change "CFLAGS" "$program build/obj/host/float/core/runtime/loop.o build/host/float/double_pendulum/plant.o" CFLAGS=-MP
 
 # A Makefile that forgets a header is found: without the lists of included files, a touched header builds nothing, if it is
 # no part of isoc.
 sed -i 's/^-include .*//' "$out/project/Makefile" "$out/project/tools/build/goals.mk"
-call run SECONDS=1 CFLAGS=-DPLANTED
+call run SECONDS=1 CFLAGS=-MP
 touched core/runtime/loop.h
-! { call run SECONDS=1 CFLAGS=-DPLANTED && built $program; }
+! { call run SECONDS=1 CFLAGS=-MP && built $program; }
 expect $? "found: headers that make does not know of"
 finish

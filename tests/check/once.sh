@@ -21,6 +21,14 @@ kept()
     find "$store" -name '*.o' | wc -l
 }
 
+# header FOLDER FACTOR [DATE]: writes part.h there. What is as new as the command is not kept, so this waits for the next date.
+header()
+{
+    printf '#ifndef FACTOR\n#define FACTOR %s\n#endif\n' "$2" >"$out/$1/part.h"
+    [ -z "${3-}" ] || touch -d "$3" "$out/$1/part.h"
+    sleep 0.05
+}
+
 # compiles NUMBER NAME ARGUMENT...: the object is what the compiler makes, and the store then has so many.
 compiles()
 {
@@ -33,14 +41,14 @@ compiles()
 }
 
 for folder in a b; do
-    printf '#ifndef FACTOR\n#define FACTOR 3\n#endif\n' >"$out/$folder/part.h"
+    header $folder 3
     printf '#include "part.h"\nint f(int x);\nint f(int x)\n{\n    return FACTOR * x;\n}\n' >"$out/$folder/part.c"
 done
 compiles 1 "a source" -O1 -c "$out/a/part.c"
 compiles 1 "the same again" -O1 -c "$out/a/part.c"
 compiles 1 "the same elsewhere" -O1 -c "$out/b/part.c"
 compiles 2 "another optimisation" -O2 -c "$out/a/part.c"
-printf '#define FACTOR 5\n' >"$out/b/part.h"
+header b 5
 compiles 3 "another header" -O1 -c "$out/b/part.c"
 compiles 4 "another macro" -O1 -DFACTOR=7 -c "$out/a/part.c"
 compiles 4 "with debug information, which names its folder" -g -O1 -c "$out/a/part.c"
@@ -53,45 +61,69 @@ unasked()
     : >"$log"
     compiles "$@"
     ! grep -q . "$log"
-    result $? "$2: without the preprocessor"
+    result $? "$2: the compiler is not asked"
 }
 
-# What is older than the command is known by its text.
-cp "$out/a/part.h" "$out/first.h"
-touch -d '1 minute ago' "$out"/a/part.[ch]
-compiles 5 "the source once more, older" -O1 -c "$out/a/part.c"
-unasked 5 "the same again" -O1 -c "$out/a/part.c"
-grep -q "^p .* $out/a/part.h\$" "$store"/*.list
-result $? "a list has the header"
-printf '#define FACTOR 9\n' >"$out/a/part.h"
-touch -d '1 minute ago' "$out/a/part.h"
-compiles 6 "its header is another of the same date" -O1 -c "$out/a/part.c"
-unasked 6 "the same again" -O1 -c "$out/a/part.c"
-cp "$out/first.h" "$out/a/part.h"
-touch -d '2 minutes ago' "$out/a/part.h"
-unasked 6 "the header is as it was" -O1 -c "$out/a/part.c"
-touch -d 'next minute' "$out/a/part.h"
-: >"$log"
-compiles 6 "a header that is newer than the command" -O1 -c "$out/a/part.c"
-grep -q -- -E "$log"
-result $? "control: then the preprocessor is asked"
-touch -d '1 minute ago' "$out/a/part.h"
+# asked NUMBER NAME ARGUMENT...: the same, and it ran.
+asked()
+{
+    : >"$log"
+    compiles "$@"
+    grep -q . "$log"
+    result $? "$2: the compiler is asked"
+}
 
-"$once" -O1 -MMD -MP -c "$out/a/part.c" -o "$out/listed.o" && [ "$(kept)" -eq 6 ] && grep -q "^$out/listed.o:" "$out/listed.d" &&
+unasked 5 "the same again" -O1 -c "$out/a/part.c"
+grep -q '^l .* part\.h$' "$store"/*.list
+result $? "a list has the header beside the source"
+header a 9 '1 minute ago'
+asked 6 "its header is another" -O1 -c "$out/a/part.c"
+header a 8 '1 minute ago'
+asked 7 "and another of the same date" -O1 -c "$out/a/part.c"
+header a 3 '2 minutes ago'
+unasked 7 "the header is as it was" -O1 -c "$out/a/part.c"
+header b 3
+unasked 7 "the same elsewhere" -O1 -c "$out/b/part.c"
+header a 3 'next minute'
+unasked 7 "the same header, with a date to come" -O1 -c "$out/a/part.c"
+header a 2 'next minute'
+asked 7 "a header that may have changed meanwhile is not kept" -O1 -c "$out/a/part.c"
+asked 7 "nor the next time" -O1 -c "$out/a/part.c"
+header a 3
+
+# A header in a folder of -I, and then one of its name beside the source.
+mkdir -p "$out/c" "$out/d" "$out/i"
+cp "$out/a/part.h" "$out/i/part.h"
+cp "$out/a/part.c" "$out/c/part.c"
+cp "$out/a/part.c" "$out/d/part.c"
+sleep 0.05
+asked 8 "a header in a folder of -I" -O1 "-I$out/i" -c "$out/c/part.c"
+unasked 8 "the same elsewhere" -O1 "-I$out/i" -c "$out/d/part.c"
+header d 5
+asked 9 "another that is found before it" -O1 "-I$out/i" -c "$out/d/part.c"
+unasked 9 "the source without that" -O1 "-I$out/i" -c "$out/c/part.c"
+
+printf 'const char *name(void);\nconst char *name(void)\n{\n    return __FILE__;\n}\n' | tee "$out/c/name.c" >"$out/d/name.c"
+sleep 0.05
+asked 10 "a source that names its folder" -O1 -c "$out/c/name.c"
+asked 11 "the same elsewhere" -O1 -c "$out/d/name.c"
+unasked 11 "the same again" -O1 -c "$out/c/name.c"
+
+"$once" -O1 -MMD -MP -c "$out/a/part.c" -o "$out/listed.o" && [ "$(kept)" -eq 11 ] && grep -q "^$out/listed.o:" "$out/listed.d" &&
     grep -q "$out/a/part.h" "$out/listed.d"
 result $? "the list of headers is written for what was kept as well"
 mv "$out/listed.d" "$out/first.d" && : >"$log" && "$once" -O1 -MMD -MP -c "$out/a/part.c" -o "$out/listed.o" && ! grep -q . "$log" &&
     grep -q "^$out/listed.o: $out/a/part.c $out/a/part.h\$" "$out/listed.d" && grep -qx "$out/a/part.h:" "$out/listed.d"
-result $? "and so without the preprocessor"
+result $? "and so without the compiler"
 printf 'int f(int x);\nint main(void)\n{\n    return f(2) - 6;\n}\n' >"$out/a/main.c"
-"$once" -O1 "$out/a/main.c" "$out/a/part.c" -o "$out/program" -lm && "$out/program" && [ "$(kept)" -eq 7 ]
+"$once" -O1 "$out/a/main.c" "$out/a/part.c" -o "$out/program" -lm && "$out/program" && [ "$(kept)" -eq 12 ]
 result $? "a command that links keeps the object of each source"
 mkdir -p "$out/quoted" && echo '#define FACTOR 4' >"$out/quoted/factor.h"
 printf '#include "factor.h"\nint main(void)\n{\n    return FACTOR - 4;\n}\n' >"$out/a/quoting.c"
-"$once" -O1 -iquote "$out/quoted" "$out/a/quoting.c" -o "$out/program" && "$out/program" && [ "$(kept)" -eq 8 ]
+"$once" -O1 -iquote "$out/quoted" "$out/a/quoting.c" -o "$out/program" && "$out/program" && [ "$(kept)" -eq 13 ]
 result $? "an option is kept with its folder"
 ! "$once" -O1 -c -DFACTOR=g "$out/a/part.c" -o "$out/none.o" 2>/dev/null &&
-    [ ! -e "$out/none.o" ] && [ "$(kept)" -eq 8 ]
+    [ ! -e "$out/none.o" ] && [ "$(kept)" -eq 13 ]
 result $? "what does not compile fails, and nothing is kept"
 
 # That the store is asked at all: another object in the place of one of its own is what is then handed out.
