@@ -4,7 +4,7 @@
 # tests/times has the seconds of processor time that each test took when they were measured last, longest first. In that
 # order they begin, so that every core has work to the end; what is not in it begins first of all. Of what took longer than
 # $TALLY_MOST nothing is run. What they take this time goes to $TEST_TIMES.txt. What passes is marked with $TEST_STATE, and with
-# the same state tests/exec.sh does not run it again.
+# the same state tests/exec.sh does not run it again. $TEST_BEGAN is how many processes the machine had started when all began.
 package Tally;
 
 use strict;
@@ -130,6 +130,13 @@ sub compare_variants {
     return ($passed, $failed);
 }
 
+# How many processes the machine has started since all began, those of others among them; nothing where it does not say.
+sub count_processes {
+    open my $file, '<', '/proc/stat' or return;
+    my ($now) = join('', <$file>) =~ /^processes ([0-9]+)$/m;
+    return defined $now && $ENV{TEST_BEGAN} ? $now - $ENV{TEST_BEGAN} : undef;
+}
+
 sub runtests {
     my ($self, @tests) = @_;
     $self->callback(made_parser => \&listen_to);
@@ -150,6 +157,8 @@ sub runtests {
     $sum[1] += $compared[1];
     my ($kept, $all) = (count_kept(), scalar keys %parsers);
     print "$kept of $all tests were not run again: they passed, and nothing has changed since\n" if $kept;
+    my $started = count_processes();
+    print "$started processes were started meanwhile on this machine\n" if defined $started;
     print "$sum[0] passed, $sum[1] failed", $sum[2] ? ", $sum[2] skipped" : '', "\n";
     exit($sum[1] || !$sum[0] ? 1 : 0);
 }

@@ -118,8 +118,9 @@ TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' \) -mtime 
 # The state is that of the compilers themselves.
 define TEST_RUN
 @tests/tools.sh
-+@$(MAKE) --no-print-directory $(TEST_ONCE)/once
-+@export TEST_STATE=$$(sh tests/host/state.sh); PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" $(MAKE) --no-print-directory -j$(TEST_JOBS) $(1)
++@$(MAKE) -s --no-print-directory $(TEST_ONCE)/once
++@export TEST_STATE=$$(sh tests/host/state.sh) TEST_BEGAN=$$(awk '$$1 == "processes" { print $$2 }' /proc/stat); \
+    PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" $(MAKE) --no-print-directory -j$(TEST_JOBS) $(1)
 endef
 
 # All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole domains, checkers, models: 20 minutes on two cores.

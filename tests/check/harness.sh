@@ -4,7 +4,7 @@
 begin check/harness
 mkdir -p "$out/tests"
 # What the harness that runs this test was told is no concern of the one that is tried.
-unset TEST_TIMES TEST_STATE TALLY_MOST
+unset TEST_TIMES TEST_STATE TEST_BEGAN TALLY_MOST
 
 # one NAME TEXT: a test script of that name in the small set that the harness is tried on.
 one()
@@ -67,6 +67,17 @@ grep -q 'not ok 2 - this one fails' "$out/output" && grep -q '# for a reason' "$
 result $? "what failed is shown, with its comments"
 grep -qx 'ok 2 - b' "$out/log" && grep -qx 'not ok 2 - this one fails' "$out/log"
 result $? "everything printed stands in the log"
+
+# The number of processes, if the machine tells it, stands before the last line.
+one many 'for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do cat /dev/null; done; echo "ok 1 - a"; echo 1..1'
+started=$(awk '$1 == "processes" { print $2 }' /proc/stat)
+export TEST_BEGAN="$started"
+tally many
+ended=$(awk '$1 == "processes" { print $2 }' /proc/stat)
+told=$(tail -n 2 "$out/output" | sed -n '1s/^\([0-9]*\) processes were started meanwhile on this machine$/\1/p')
+[ "${told:-0}" -gt 20 ] && [ "$told" -lt $((ended - started)) ] && [ "$(tail -n 1 "$out/output")" = "1 passed, 0 failed" ]
+result $? "the number of processes is told: $told"
+unset TEST_BEGAN
 
 # Times: the longest of the list first, before it what is not in it; none that took longer than is wanted.
 one slow 'echo "ok 1 - a"; i=0; while [ $i -lt 300000 ]; do i=$((i + 1)); done; echo 1..1'
