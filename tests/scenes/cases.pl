@@ -12,7 +12,7 @@ my ($kind, @compiler) = @ARGV;
 my $dir = "build/tests/scenes/$kind";
 my $number = 0;
 my ($answers, $requests);
-open2($answers, $requests, @compiler) if $kind eq 'memcheck';
+my $many_runs = $kind eq 'memcheck' ? open2($answers, $requests, @compiler) : 0;
 system('rm', '-rf', $dir) == 0 && system('mkdir', '-p', $dir) == 0 or die "$dir: $!\n";
 
 sub check {
@@ -281,4 +281,9 @@ if ($kind eq 'memcheck') {
     }
 }
 
+# What it took of the processor counts when it has ended.
+if ($many_runs) {
+    close $requests;
+    waitpid $many_runs, 0;
+}
 print "1..$number\n";

@@ -141,10 +141,24 @@ static const property statements[] = {
 };
 #undef IN
 
-static void refuse_factors(parser *p, const quantity *all, size_t count)
+/* The factors of units by their words, of which there are few: a scene may have as many names as it has factors. */
+static dictionary factor_words(const parser *p)
+{
+    dictionary words = {.memory = p->s->memory};
+    for (size_t i = 0; i < p->factor_count; i++) {
+        if (dictionary_find(&words, p->factors[i].text) == NULL) {
+            dictionary_put(&words, p->factors[i].text, 0);
+        }
+    }
+    return words;
+}
+
+static void refuse_factors(parser *p, const dictionary *words, const quantity *all, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        refuse_factor(p, 0, all[i].name.text);
+        if (all[i].name.text != NULL && dictionary_find(words, all[i].name.text) != NULL) {
+            refuse_factor(p, 0, all[i].name.text);
+        }
     }
 }
 
@@ -175,9 +189,10 @@ scene parse_scene(source *s)
     const bool read = parse_statements(&p, &whole, &result);
     result.broken |= !read;
     read_library(&p, &result);
-    refuse_factors(&p, result.parameters.all, result.parameters.count);
-    refuse_factors(&p, result.inputs.all, result.inputs.count);
-    refuse_factors(&p, result.signals.all, result.signals.count);
+    const dictionary words = factor_words(&p);
+    refuse_factors(&p, &words, result.parameters.all, result.parameters.count);
+    refuse_factors(&p, &words, result.inputs.all, result.inputs.count);
+    refuse_factors(&p, &words, result.signals.all, result.signals.count);
     check_indices(&p);
     return result;
 }
