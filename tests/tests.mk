@@ -60,7 +60,7 @@ build/tests/$(1)/$(2)/command: always
 
 build/tests/$(1)/$(2)/%.o: private TEST_COMMAND := $$(TEST_COMMAND)
 build/tests/$(1)/$(2)/%.o: %.c build/tests/$(1)/$(2)/command
-	$$(folder)
+	$$(call folders,$$(@D))
 	@$$(TEST_COMMAND) -MMD -MP -c $$< -o $$@
 
 # The programs of several parts.
@@ -82,16 +82,16 @@ $(foreach variant,plain asan m4f,$(foreach real,$(TEST_REALS),$(eval $(call TEST
 # Under memcheck run the very programs that run plainly; the name of the folder tells tests/exec.sh.
 TEST_PROGRAMS_memcheck := $(TEST_PROGRAMS_plain:build/tests/plain/%=build/tests/memcheck/%)
 build/tests/memcheck/%: build/tests/plain/%
-	$(folder)
+	$(call folders,$(@D))
 	@ln -f $< $@
 
 # In the fast part of the tests every 11th float is tried, in the whole every one.
 TEST_PROGRAMS_exhaustive := $(foreach real,$(TEST_REALS),$(TEST_EXHAUSTIVE:%=build/tests/exhaustive/$(real)/%))
 build/tests/exhaustive/float/%: tests/exhaustive/%.c $(wildcard core/*/*.h tests/exhaustive/*.h) build/tests/plain/float/command
-	$(folder)
+	$(call folders,$(@D))
 	$(call link,$(CC) $(TEST_FLAGS) $< -lm)
 build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h tests/exhaustive/*.h) build/tests/plain/double/command
-	$(folder)
+	$(call folders,$(@D))
 	$(call link,$(CC) $(TEST_FLAGS) -DISO_REAL_DOUBLE $< -lm)
 
 -include $(TEST_OBJECTS:.o=.d)
