@@ -362,13 +362,15 @@ build/obj/tools/core/%.o: core/%.c build/obj/tools/flags
 PLANT_CORE := $(filter-out core/runtime/loop.%,$(wildcard core/numbers/*.[ch] core/methods/*.[ch] core/runtime/*.[ch]))
 EMBEDDED_core := $(PLANT_CORE)
 EMBEDDED_effect := $(sort $(wildcard models/effects/*.scene))
-EMBEDDED_client := $(wildcard tools/isoc/client/*)
+EMBEDDED_client := $(wildcard tools/client/*)
 EMBEDDED := $(addprefix build/obj/tools/isoc/,core_files.o effect_files.o client_files.o)
 build/obj/tools/isoc/core_files.c: $(EMBEDDED_core)
 build/obj/tools/isoc/effect_files.c: $(EMBEDDED_effect)
 build/obj/tools/isoc/client_files.c: $(EMBEDDED_client)
-build/obj/tools/isoc/%_files.c: tools/build/embed.awk | build/obj/tools/flags
-	$(Q)awk -f $< $*_files $(EMBEDDED_$*) >$@
+$(EMBEDDED:.o=.list): build/obj/tools/isoc/%_files.list: always
+	$(call remember,$(EMBEDDED_$*))
+$(EMBEDDED:.o=.c): build/obj/tools/isoc/%_files.c: build/obj/tools/isoc/%_files.list tools/build/embed.awk | build/obj/tools/flags
+	$(Q)awk -f tools/build/embed.awk $*_files $(EMBEDDED_$*) >$@
 
 $(EMBEDDED): %.o: %.c build/obj/tools/flags
 	$(Q)$(TOOL_COMPILE) -c $< -o $@
@@ -376,14 +378,15 @@ $(EMBEDDED): %.o: %.c build/obj/tools/flags
 build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
+build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
 build/accuracy: $(filter build/obj/tools/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
-SMALL_TOOLS := $(addprefix build/,cycles duration effect forced price size stack)
-$(SMALL_TOOLS): build/%: build/obj/tools/build/%.o build/obj/tools/table/table.o build/obj/tools/flags
+COST_TOOLS := $(addprefix build/,cycles effect forced price size stack)
+$(COST_TOOLS): build/%: build/obj/tools/cost/%.o build/obj/tools/table/table.o build/obj/tools/flags
 build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
     build/obj/tools/core/link/frame.o build/obj/tools/flags
 build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
     build/obj/tools/flags
-TOOLS := build/isoc build/trace build/plot build/link build/monitor build/accuracy $(SMALL_TOOLS)
+TOOLS := build/isoc build/trace build/plot build/link build/monitor build/accuracy build/duration $(COST_TOOLS)
 .PHONY: tools
 tools: $(TOOLS)
 	@:
@@ -490,7 +493,7 @@ digits: build/isoc ## print a table of errors against reference solutions
 
 functions: ## print a table of the functions of core: domain, error, instructions; on the Cortex-M4F in float
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	@COMPILE=$(call quote,$(COMPILE)) OBJDUMP=$(PORT_SIZE:size=objdump) sh tools/build/functions.sh
+	@COMPILE=$(call quote,$(COMPILE)) OBJDUMP=$(PORT_SIZE:size=objdump) sh tools/cost/functions.sh
 
 # What they call makes the tools first, so that a table has no line of the compiler.
 tables: $(TOOLS) ## write the generated tables again, in the Markdown files TABLES

@@ -1,4 +1,4 @@
-/* The statistics that a master can read, for its A2L: nothing that a program has. tools/build/a2l.sh reads the symbols of the
+/* The statistics that a master can read, for its A2L: nothing that a program has. tools/a2l/a2l.sh reads the symbols of the
  * object: place__TYPE__SYMBOL__NAME is as large as the offset of what is there, behind SYMBOL, and one byte more; choice__ is one that a
  * program may not have, since its scene does not ask for it. */
 #include "core/link/link.h"

@@ -154,6 +154,20 @@ for document in $documents; do
     [ ! -s "$out/wrong" ]
     result $? "$document shows what its commands print; its links lead somewhere; its lines are short enough"
 done
+# unnamed FILE: folders of tools that have no line in its table.
+unnamed()
+{
+    for folder in tools/*/; do
+        folder=$(basename "$folder")
+        grep -q "^| [^|]*\`$folder\`[^|]*|" "$1" || echo "$folder"
+    done
+}
+[ -z "$(unnamed tools/README.md)" ]
+result $? "tools/README.md has a line for each folder"
+grep -v '^| `plot` ' tools/README.md >"$out/tools.md"
+[ "$(unnamed "$out/tools.md")" = plot ]
+result $? "found: a folder without one"
+
 [ "$(wc -l <README.md)" -le 200 ]
 result $? "README.md has $(wc -l <README.md) lines, at most 200"
 head -n 40 README.md | grep -q '^hash '

@@ -6,8 +6,8 @@
 begin growth
 
 for n in 8 25 50 64 200; do
-    sh tools/build/chain.sh $n spatial >"$out/spatial_$n.scene"
-    sh tools/build/chain.sh $n planar >"$out/planar_$n.scene"
+    sh tools/cost/chain.sh $n spatial >"$out/spatial_$n.scene"
+    sh tools/cost/chain.sh $n planar >"$out/planar_$n.scene"
 done
 
 # within KILOBYTES NAME METHOD: isoc makes the plant with so much memory.

@@ -99,9 +99,9 @@ $(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS) $(O
 # The A2L, beside the program: what isoc wrote, with the addresses of the linked program.
 A2L := $(OUT)/$(NAME).a2l
 
-$(A2L): $(LINKED_PROGRAM) $(OBJ)/core/xcp/places.o tools/build/a2l.sh
+$(A2L): $(LINKED_PROGRAM) $(OBJ)/core/xcp/places.o tools/a2l/a2l.sh
 	$(call say,A2L,$@)
-	$(Q)sh tools/build/a2l.sh $(PORT_NM) $(LINKED_PROGRAM) $(OBJ)/core/xcp/places.o $(LINKED)/plant.a2l.in $(REAL) >$@
+	$(Q)sh tools/a2l/a2l.sh $(PORT_NM) $(LINKED_PROGRAM) $(OBJ)/core/xcp/places.o $(LINKED)/plant.a2l.in $(REAL) >$@
 
 a2l: $(A2L)
 	@echo program $(LINKED_PROGRAM)
@@ -193,7 +193,7 @@ LIMITS := $(if $(findstring $(LIMITED),$(TARGET) $(REAL) $(SCENE)),$(if $(filter
 # Ten periods: the period with a zero behind it.
 ticks: NANOSECONDS = $(shell sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\10/p' $(OUT)/plant.c)
 ticks: $(PROGRAM) build/cycles
-	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) sh tools/build/ticks.sh
+	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) sh tools/cost/ticks.sh
 
 # GCC writes the call graph with the frame of every function into plant.ci.
 stack: $(OUT)/plant.o build/stack
@@ -208,21 +208,21 @@ cost: build/isoc build/trace build/price build/plot
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(if $(filter host,$(TARGET)),$(call require,valgrind,apt-get install valgrind))
 	@MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=build/cost/$(FOLDER) TARGET=$(TARGET) \
-	    REAL=$(REAL) sh tools/build/price.sh
+	    REAL=$(REAL) sh tools/cost/price.sh
 else
 cost: build/isoc build/trace build/forced build/effect
-	@MAKE=$(call quote,$(MAKE)) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/build/cost.sh
+	@MAKE=$(call quote,$(MAKE)) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/cost/cost.sh
 endif
 
 chains: build/isoc build/trace
-	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/build/chains.sh
+	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/cost/chains.sh
 
 flags: PROGRAM := build/flags/program
 flags: NANOSECONDS := 1
 flags: build/isoc build/cycles
 	$(call require,valgrind,apt-get install valgrind)
 	@TARGET=$(TARGET) REAL=$(REAL) COMPILE=$(call quote,$(COMPILE)) LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK)) \
-	    EXEC=$(call quote,$(PORT_EXEC)) MODELS=$(call quote,$(MODELS)) sh tools/build/flags.sh
+	    EXEC=$(call quote,$(PORT_EXEC)) MODELS=$(call quote,$(MODELS)) sh tools/cost/flags.sh
 
 # Both measure the methods of METHODS; default: all.
 REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) NANOSECONDS=$(NANOSECONDS) \

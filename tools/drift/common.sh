@@ -13,7 +13,7 @@ fail()
 # stabilised WORDS: the scene with this in the place of its own stabilisation, and with the outputs that drift.c asks for.
 stabilised()
 {
-    sh tools/build/elsewhere.sh "$SCENE" | awk '/^ *stabilisation / { on = 1 }
+    sh tools/cost/elsewhere.sh "$SCENE" | awk '/^ *stabilisation / { on = 1 }
         !on
         on && (/}/ || !/{/) { on = 0 }'
     printf '\nstabilisation %s\noutput drift_violation = violation\n' "$1"

@@ -36,7 +36,7 @@ prepare()
             cp "$SCENE" "$dir/$kind/$NAME.c"
             ;;
         *)
-            { sh tools/build/elsewhere.sh "$SCENE" | sed '/^ *compensated /d' && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
+            { sh tools/cost/elsewhere.sh "$SCENE" | sed '/^ *compensated /d' && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
             ;;
         esac || exit 1
     done

@@ -236,7 +236,7 @@ static void emit_module_beginning(const plant *p, const char *called, uint64_t i
 {
     text_add(out, "ASAP2_VERSION 1 61\n/begin PROJECT %s \"the plant of %s.scene, made by isoc\"\n", called,
              p->m->name);
-    text_add(out, "  /begin MODULE %s \"\"\n%s", called, embedded_text(client_files, "tools/isoc/client/xcp.aml"));
+    text_add(out, "  /begin MODULE %s \"\"\n%s", called, embedded_text(client_files, "tools/client/xcp.aml"));
     text_add(out, "    /begin MOD_PAR \"\"\n      EPK \"%016" PRIx64 "\"\n    /end MOD_PAR\n", identity);
     text_add(out,
              "    /begin MOD_COMMON \"\"\n      BYTE_ORDER MSB_LAST\n      ALIGNMENT_BYTE 1\n      ALIGNMENT_WORD 2\n"

@@ -10,7 +10,7 @@
  * iso_xcp_lock, or "open". */
 void emit_calibration(const plant *p, const naming *names, const char *lock, uint64_t identity, text *out);
 
-/* The A2L without the addresses, which a linker gives: where it has @SYMBOL+OFFSET@, tools/build/a2l.sh puts a number, and
+/* The A2L without the addresses, which a linker gives: where it has @SYMBOL+OFFSET@, tools/a2l/a2l.sh puts a number, and
  * for lines of `@statistics@` and `@names of statistics@` what core/xcp/places.c has. ASAP2, version 1.61. */
 void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out);
 

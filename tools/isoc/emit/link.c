@@ -237,7 +237,7 @@ static void emit_client_header(const terminals *t, text *out)
 {
     text_add(out, "/* A controller's end of the link to the plant of %s.scene. Made by isoc. In SI units. */\n",
              t->scene);
-    text_add(out, "%s\n", embedded_text(client_files, "tools/isoc/client/client.h"));
+    text_add(out, "%s\n", embedded_text(client_files, "tools/client/client.h"));
     text_add(out, "#ifndef %s_LINK_H\n#define %s_LINK_H\n\n#include <math.h>\n\n", t->capitals, t->capitals);
     text_add(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
     text_add(out, "typedef %s %s_real;\n", t->is_double ? "double" : "float", t->prefix);
@@ -274,7 +274,7 @@ static void emit_client_module(const terminals *t, text *out)
     text_add(out, "# Unit, least and most of each.\n");
     emit_dictionary("INPUTS", t->inputs, t->input_count, out);
     emit_dictionary("OUTPUTS", t->outputs, t->output_count, out);
-    text_add(out, "\n%s", embedded_text(client_files, "tools/isoc/client/client.py"));
+    text_add(out, "\n%s", embedded_text(client_files, "tools/client/client.py"));
 }
 
 bool link_fits(const plant *p, const char *path)

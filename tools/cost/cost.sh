@@ -4,14 +4,14 @@
 #     models    states, operations, instructions and bytes of each model
 #     methods   instructions of a step with each method
 #     restarts  instructions of the longest step, which is one with a restart
-#     effects   what each effect of tools/build/effects.txt adds to the pendulum
-#     library   what each effect of models/effects adds, in a scene of tools/build/library.txt
+#     effects   what each effect of tools/cost/effects.txt adds to the pendulum
+#     library   what each effect of models/effects adds, in a scene of tools/cost/library.txt
 #
 # Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 3, only every fourth
 # row of a table is measured, from that row on (tests/check/tables.sh).
 set -u
 
-. tools/build/measure.sh
+. tools/cost/measure.sh
 
 # due: whether the next row of the table is measured.
 due()
@@ -92,7 +92,7 @@ effect()
 {
     folder=build/cost/effects/$(echo "$1" | tr -cs 'a-z\n' -)
     mkdir -p "$folder"
-    build/effect "$1" tools/build/effects.txt models/pendulum.scene \
+    build/effect "$1" tools/cost/effects.txt models/pendulum.scene \
         >"$folder/pendulum.scene" || fail "no scene for '$1'"
     measure "${folder#build/cost/}" "$folder/pendulum.scene" rk4 size
     with=$(cost) || exit 1
@@ -106,7 +106,7 @@ effects()
     echo '|---|--:|--:|--:|--:|'
     measure pendulum-rk4 models/pendulum.scene rk4 size
     without=$(cost) || exit 1
-    sed -n 's/^\([^#|][^|]*[^ |]\) *|.*/\1/p' tools/build/effects.txt | while IFS= read -r name; do
+    sed -n 's/^\([^#|][^|]*[^ |]\) *|.*/\1/p' tools/cost/effects.txt | while IFS= read -r name; do
         ! due || effect "$name" || exit 1
     done
 }
@@ -118,7 +118,7 @@ library_scene()
     {
         cat models/pendulum.scene
         awk -F ' *[|] *' -v name="$1" -v signal="$2" '
-            $1 == "base" && $2 == name { gsub(/SIGNAL/, signal == "" ? $3 : signal, $4); print $4 }' tools/build/library.txt
+            $1 == "base" && $2 == name { gsub(/SIGNAL/, signal == "" ? $3 : signal, $4); print $4 }' tools/cost/library.txt
         echo "${3-}"
     } >"build/cost/$folder/pendulum.scene"
     measure "$folder" "build/cost/$folder/pendulum.scene" rk4
@@ -150,7 +150,7 @@ library()
     rm -rf build/cost/library
     echo '| effect | what it is | operands | step | rest of the tick |'
     echo '|---|---|---|--:|--:|'
-    grep -v '^#\|^base ' tools/build/library.txt | while IFS='|' read -r kind base signal statements; do
+    grep -v '^#\|^base ' tools/cost/library.txt | while IFS='|' read -r kind base signal statements; do
         due || continue
         kind=${kind% }
         base=$(echo "$base" | tr -d ' ')

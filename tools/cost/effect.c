@@ -1,6 +1,6 @@
 /* A scene with one effect more, from the list of effects and the scene.
  *
- *     effect NAME tools/build/effects.txt models/pendulum.scene
+ *     effect NAME tools/cost/effects.txt models/pendulum.scene
  *
  * Status 1 if the list has no such effect or the scene no joint that it could stand in.
  */

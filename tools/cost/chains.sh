@@ -5,14 +5,14 @@
 # found, and their bytes; instructions of a step of bdf4, and all code and tables of the plant. Called by `make chains`,
 # with the make to call in $MAKE and the lengths in $LENGTHS.
 set -u
-. tools/build/measure.sh
+. tools/cost/measure.sh
 
 # chain KIND N: a row.
 chain()
 {
     folder=build/cost/$1_$2
     mkdir -p "$folder"
-    sh tools/build/chain.sh "$2" "$1" >"$folder/chain.scene"
+    sh tools/cost/chain.sh "$2" "$1" >"$folder/chain.scene"
     measure "$1_$2" "$folder/chain.scene" euler size
     kept=$(awk '$1 == "formulation" && $3 == "kept" { print $2 }' "$dir/plant.txt")
     operations=$(operations) && instructions=$(get instructions_per_step) && text=$(get step_text) || exit 1
@@ -24,7 +24,7 @@ implicit()
 {
     folder=build/cost/implicit_$1
     mkdir -p "$folder"
-    sh tools/build/chain.sh "$1" planar >"$folder/chain.scene"
+    sh tools/cost/chain.sh "$1" planar >"$folder/chain.scene"
     step=10ms
     measure "implicit_$1" "$folder/chain.scene" bdf4 size
     factors=$(awk '$1 == "factor" { made = $3 " | " $5 " | " $7 } $1 == "factors" { print $3 " | " made " | " 4 * $2 }' "$dir/plant.txt")

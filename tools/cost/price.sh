@@ -3,7 +3,7 @@
 # each, and without any. Called by `make cost SCENE=...`, with the make to call in $MAKE, and SCENE, NAME, TARGET and
 # REAL in the environment; the other variables of make run go from make to make. All stands in $FOLDER.
 set -u
-. tools/build/measure.sh
+. tools/cost/measure.sh
 work=$FOLDER/$TARGET-$REAL
 counts=$work/counts
 

@@ -56,7 +56,7 @@ longest_step()
 {
     folder=build/cost/$1
     mkdir -p "$folder"
-    sh tools/build/elsewhere.sh "$2" | sed '/^method /d' >"$folder/forced.scene"
+    sh tools/cost/elsewhere.sh "$2" | sed '/^method /d' >"$folder/forced.scene"
     method=$3
     discontinuity=$4
     firmware=$1/firmware
