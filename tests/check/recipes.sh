@@ -1,6 +1,6 @@
 #!/bin/sh
 # The recipes of tests/README.md, done literally: each patch of tests/recipes changes at most two files, which the recipe names,
-# and what it adds works: a method, a kind of joint, a kind of output. Without the patches nothing of it is known.
+# and what it adds works: a method, a kind of joint, a kind of output, a kind of closure, a function. Without the patches nothing of it is known.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/recipes
@@ -33,6 +33,17 @@ SCENE
 expect $? "without the patches: the kind of joint is unknown"
 ! call run METHOD=ralston && grep -q 'METHOD=ralston is unknown' "$out/errors"
 expect $? "without the patches: the method is unknown"
+
+sed 's/^close rocker_pin line/close rocker_pin cylindrical/' models/four_bar.scene >"$out/project/cylindrical.scene"
+cat >>"$out/project/cylindrical.scene" <<'SCENE'
+output speed_of_two = hypotenuse(dot(velocity of coupler, (1, 0, 0)), dot(velocity of coupler, (0, 1, 0)))
+output speed_of_pin = norm(velocity of coupler)
+SCENE
+! call run SCENE=cylindrical.scene && grep -q "'cylindrical'" "$out/errors"
+expect $? "without the patches: the kind of closure is unknown"
+sed 's/ cylindrical {/ line {/' "$out/project/cylindrical.scene" >"$out/project/plain.scene"
+! call run SCENE=plain.scene && grep -q "'hypotenuse'" "$out/errors"
+expect $? "without the patches: the function is unknown"
 
 for recipe in tests/recipes/*.patch; do
     sed -n 's|^+++ b/||p' "$recipe" >"$out/files"
@@ -71,6 +82,15 @@ expect $? "the joint slides 1 m and turns by 3 rad in 1 s"
 # The second axis of the joint, y, is -x of the ground.
 near "$(cell -1 turning_x)" -3 && near "$(cell -1 turning_y)" 0 && near "$(cell 0 turning_x)" -3
 expect $? "the angular velocity is in the axes of the ground"
+
+# In the plane such a closure holds what one on a line does.
+call run SCENE=models/four_bar.scene SECONDS=1 REAL=double && crank=$(cell -1 crank_angle) &&
+    call run SCENE=cylindrical.scene SECONDS=1 REAL=double
+expect $? "a scene with the new closure and the new function runs"
+near "$(cell -1 crank_angle)" "$crank" && ! near "$crank" "$(cell 0 crank_angle)"
+expect $? "the closure holds a linkage as it does without: the crank is at $crank"
+near "$(cell 0 speed_of_two)" "$(cell 0 speed_of_pin)" && near "$(cell -1 speed_of_two)" "$(cell -1 speed_of_pin)" && ! near "$(cell 0 speed_of_pin)" "$(cell -1 speed_of_pin)"
+expect $? "the function gives the speed of a point: $(cell -1 speed_of_two)"
 
 # state_error METHOD STEP: of the first angle of the double pendulum after 1 s, in double; the reference is rk4 with a step that
 # is short enough.
