@@ -164,6 +164,16 @@ beside_table()
         EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program "$(basename "$1" .c)" "$1" tests/host/report.c
 }
 
+# isoc_parts END: the files in build/obj with this end that make compiles isoc of: one for each of its folders, and what it has in
+# it. That of a folder that is gone is no part.
+isoc_parts()
+{
+    for isoc_part in tools/isoc/*/*.c; do
+        echo "build/obj/${isoc_part%/*}.$1"
+    done | sort -u
+    printf "build/obj/tools/isoc/%s_files.$1\n" core effect client
+}
+
 # waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives.
 waited()
 {

@@ -1,6 +1,6 @@
 /* isoc as often as it is asked for, in one process, so that memcheck, which takes longer to start than isoc to run,
- * starts once, and translates once what all runs have in common with a first one, which this program's own arguments
- * are for. A request on stdin is a line of arguments that end with a 0 each: the files for stdout and stderr, then
+ * starts once, and translates once what all runs have in common with the first ones, of the scenes that this program's own
+ * arguments name behind their folder. A request on stdin is a line of arguments that end with a 0 each: the files for stdout and stderr, then
  * those of isoc. The answer is a line with the status as waitpid has it. Every run is a process of its own, which
  * memcheck judges at its end; this program itself keeps nothing on the heap, so that what is left there is isoc's.
  */
@@ -59,11 +59,13 @@ static int run(const int count, char **const arguments)
 
 int main(const int own_count, char **const own_arguments)
 {
-    static char line[REQUEST_BYTES];
+    static char line[REQUEST_BYTES], own_option[] = "-o";
     const int answers = dup(STDOUT_FILENO);
     redirect("/dev/null", STDOUT_FILENO);
-    if (isoc_main(own_count, own_arguments) != 0) {
-        return EXIT_FAILURE;
+    redirect("/dev/null", STDERR_FILENO);
+    for (int i = 2; i < own_count; i++) {
+        char *first[] = {own_arguments[0], own_arguments[i], own_option, own_arguments[1], NULL};
+        (void)isoc_main(4, first);
     }
     for (int length = read_line(line); length > 0; length = read_line(line)) {
         char *arguments[ARGUMENTS + 1] = {NULL};
