@@ -8,6 +8,7 @@
 begin check/readme
 project
 mkdir -p "$out/printed"
+find . -name .git -prune -o -path ./build -prune -o -print >"$out/exists"
 documents=$(find . -name '*.md' ! -path './build/*' ! -path './.*/*' | sed 's|^\./||' | sort)
 
 # commands FILE: those after `$ ` in its ```sh blocks, one on a line.
@@ -32,16 +33,20 @@ shown()
         $0 == command { on = 1 }' "$1"
 }
 
-# printed COMMAND: the file with what a command printed.
-printed()
+# What was run: on each line of $out/ran a command, in the order of the files $out/printed/NUMBER with what it printed.
+: >"$out/ran"
+ran=0
+has_run()
 {
-    echo "$out/printed/$(printf %s "$1" | cksum | tr ' ' -)"
+    grep -qxF -- "$1" "$out/ran"
 }
 
 # try FILE COMMAND: runs it in the copy. A command whose output shows an error must fail, every other must not.
 try()
 {
-    (cd "$out/project" && eval "$2") </dev/null >"$(printed "$2")" 2>&1
+    ran=$((ran + 1))
+    printf '%s\n' "$2" >>"$out/ran"
+    (cd "$out/project" && eval "$2") </dev/null >"$out/printed/$ran" 2>&1
     try_status=$?
     if shown "$1" "$2" | grep -q ': error: '; then
         [ $try_status -ne 0 ]
@@ -64,43 +69,74 @@ known()
 # unlike_commands FILE: commands that were not run, and lines that they did not print.
 unlike_commands()
 {
-    commands "$1" | while IFS= read -r command; do
-        if [ ! -e "$(printed "$command")" ]; then
-            echo "$1: not run: $command"
-            continue
-        fi
-        shown "$1" "$command" | while IFS= read -r line; do
-            grep -qxF -- "$line" "$(printed "$command")" || echo "$1: not printed by '$command': $line"
-        done
-    done
-}
-
-# links FILE: what it links to, as far as it is in the project.
-links()
-{
-    grep -o '](\([^)]*\))' "$1" | sed 's/^](//; s/)$//' | grep -v '^https\{0,1\}:'
-}
-
-# anchors FILE: those of its headings.
-anchors()
-{
-    awk '/^```/ { code = !code } !code && sub(/^##* /, "")' "$1" | tr 'A-Z ' 'a-z-' | tr -cd 'a-z0-9_\n-'
+    awk -v file="$1" -v printed="$out/printed/" '
+        FILENAME != file { if (!($0 in number)) number[$0] = FNR; next }
+        /^```/ { shell = $0 == "```sh"; command = ""; next }
+        !shell { next }
+        sub(/^\$ /, "") {
+            command = $0
+            if (!(command in number)) {
+                print file ": not run: " command
+                command = ""
+            } else if (!(command in read)) {
+                read[command]
+                while ((getline line <(printed number[command])) > 0) has[command, line]
+            }
+            next
+        }
+        command != "" && !((command, $0) in has) { print file ": not printed by \047" command "\047: " $0 }' "$out/ran" "$1"
 }
 
 # dead_links FILE [FOLDER]: links of a file, as one of this folder, that lead nowhere.
 dead_links()
 {
-    folder=${2-$(dirname "$1")}
-    links "$1" | while IFS= read -r link; do
-        path=${link%%#*}
-        target=$folder/$path
-        [ -n "$path" ] || target=$1
-        if [ ! -e "$target" ]; then
-            echo "$1: leads nowhere: $link"
-        elif [ "$link" != "$path" ] && ! anchors "$target" | grep -qxF -- "${link#*#}"; then
-            echo "$1: no such heading: $link"
-        fi
-    done
+    folder=${1%/*}
+    [ "$folder" != "$1" ] || folder=.
+    awk -v file="$1" -v folder="${2-$folder}" '
+        # plain PATH: without its empty steps and those that lead back.
+        function plain(path,    steps, count, i, depth, kept, joined) {
+            count = split(path, steps, "/")
+            depth = 0
+            for (i = 1; i <= count; i++) {
+                if (steps[i] == ".." && depth > 0) depth--
+                else if (steps[i] != "" && steps[i] != ".") kept[++depth] = steps[i]
+            }
+            joined = "."
+            for (i = 1; i <= depth; i++) joined = joined "/" kept[i]
+            return joined
+        }
+        function read_anchors(target,    line, code) {
+            if (target in read) return
+            read[target]
+            code = 0
+            while ((getline line <target) > 0) {
+                if (line ~ /^```/) code = !code
+                else if (!code && sub(/^##* /, "", line)) {
+                    line = tolower(line)
+                    gsub(/ /, "-", line)
+                    gsub(/[^a-z0-9_-]/, "", line)
+                    anchors[target, line]
+                }
+            }
+        }
+        FILENAME != file { exists[$0]; next }
+        {
+            text = $0
+            while (match(text, /\]\([^)]*\)/)) {
+                link = substr(text, RSTART + 2, RLENGTH - 3)
+                text = substr(text, RSTART + RLENGTH)
+                if (link ~ /^https?:/) continue
+                path = link
+                sub(/#.*/, "", path)
+                target = path == "" ? file : plain(folder "/" path)
+                if (path != "" && !(target in exists)) {
+                    print file ": leads nowhere: " link
+                } else if (link != path) {
+                    read_anchors(target)
+                    if (!((target, substr(link, length(path) + 2)) in anchors)) print file ": no such heading: " link
+                }
+            }
+        }' "$out/exists" "$1"
 }
 
 # write_code FILE: in the copy, the files of its blocks in C and Python, the first line of which is a comment, /* NAME */.
@@ -132,10 +168,10 @@ for document in $documents; do
     write_code "$document"
     commands "$document" >"$out/commands"
     while IFS= read -r command; do
-        [ ! -e "$(printed "$command")" ] || continue
+        ! has_run "$command" || continue
         try "$document" "$command"
         status=$?
-        [ $status -eq 0 ] || tail -n 5 "$(printed "$command")" | sed 's/^/# /'
+        [ $status -eq 0 ] || tail -n 5 "$out/printed/$ran" | sed 's/^/# /'
         result $status "$document: $command"
     done <"$out/commands"
 done
