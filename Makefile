@@ -341,8 +341,9 @@ build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 	$(call say,CC,$<)
 	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
 
-# Its kernels stay rolled, whichever file includes them first (tools/isoc/method/step_map.c).
-TOOL_FLAGS_method := -DISO_UNROLL=
+# It has every kernel, to see what a step does to a linear plant: they stay rolled, whichever file includes them first
+# (tools/isoc/method/step_map.c), and as they are, which isoc takes no longer for.
+TOOL_FLAGS_method := -O0 -DISO_UNROLL=
 
 $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.c): build/obj/tools/isoc/%.c: always
 	$(call remember,$(foreach file,$(sort $(wildcard tools/isoc/$*/*.c)),$(HASH)include "$(file)"$(newline)))

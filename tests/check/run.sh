@@ -221,6 +221,9 @@ cp Makefile "$out/project/Makefile"
 rm -rf "$out/project/build"
 call -n run && grep -q '^build/isoc ' "$out/output" && grep -q '^build/trace ' "$out/output" && [ ! -e "$out/project/build" ]
 expect $? "make -n run in a project that has nothing built: it says all, and builds nothing"
+grep -q "^make.* -j[0-9]* shared " "$out/output" && call -n -j1 run && grep -q "^make.* shared " "$out/output" &&
+    ! grep -q "^make.* -j[0-9]* shared " "$out/output"
+expect $? "it takes as many jobs as there are processors, unless it is told how many"
 
 # A machine without the cross compiler or the emulator: all tools but those that the target needs.
 mkdir -p "$out/bin"
