@@ -5,7 +5,6 @@
 
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/formula/ticks.h"
-#include "tools/isoc/graph/differentiate.h"
 
 enum { LONGEST_DELAY = 65535 };
 

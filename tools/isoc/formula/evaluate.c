@@ -2,7 +2,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/base/real_range.h"
 #include "tools/isoc/formula/functions.h"
 #include "tools/isoc/formula/measured.h"
 #include "tools/isoc/formula/scalar.h"

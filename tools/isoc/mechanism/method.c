@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 static const double rounding = 1e-12; /* of a decimal number in s, relative */
 

@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "tools/isoc/scene/parser.h"
-
 static bool same(name a, name b)
 {
     return strcmp(a.text, b.text) == 0;

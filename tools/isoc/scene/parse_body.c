@@ -87,9 +87,7 @@ void read_body(parser *p, const token *word, void *slot)
     if (!b.broken) {
         check_mass(p, &b);
     }
-    written->bodies.all =
-        arena_grow(p->s->memory, written->bodies.all, written->bodies.count, &written->bodies.room, sizeof b);
-    written->bodies.all[written->bodies.count++] = b;
+    LIST_ADD(p->s->memory, written->bodies, b);
 }
 
 static const property frame_properties[] = {
@@ -105,7 +103,5 @@ void read_frame(parser *p, const token *word, void *slot)
     scene *written = slot;
     named_frame f = {.name = take_new_name(p, "expected a name for the frame")};
     f.broken = p->failed || !parse_block(p, &frame_block, 0, f.name, &f);
-    written->frames.all =
-        arena_grow(p->s->memory, written->frames.all, written->frames.count, &written->frames.room, sizeof f);
-    written->frames.all[written->frames.count++] = f;
+    LIST_ADD(p->s->memory, written->frames, f);
 }

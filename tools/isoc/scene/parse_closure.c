@@ -2,7 +2,6 @@
 #include <stddef.h>
 
 #include "tools/isoc/scene/parse_formula.h"
-#include "tools/isoc/scene/parser.h"
 #include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/statements.h"
 
@@ -35,9 +34,7 @@ void read_closure(parser *p, const token *word, void *slot)
     c.kind = c.broken ? CLOSE_FIXED : (closure_kind)kind;
     written->broken |= c.broken;
     c.broken |= p->failed || !parse_block(p, &closure_block, kind, c.name, &c);
-    written->closures.all =
-        arena_grow(p->s->memory, written->closures.all, written->closures.count, &written->closures.room, sizeof c);
-    written->closures.all[written->closures.count++] = c;
+    LIST_ADD(p->s->memory, written->closures, c);
 }
 
 /* A point of a body; the slot is the force. */
@@ -66,7 +63,5 @@ void read_force(parser *p, const token *word, void *slot)
     scene *written = slot;
     body_force f = {.name = take_new_name(p, "expected a name for the force")};
     f.broken = p->failed || !parse_block(p, &force_block, 0, f.name, &f);
-    written->forces.all =
-        arena_grow(p->s->memory, written->forces.all, written->forces.count, &written->forces.room, sizeof f);
-    written->forces.all[written->forces.count++] = f;
+    LIST_ADD(p->s->memory, written->forces, f);
 }

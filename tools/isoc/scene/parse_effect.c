@@ -259,9 +259,7 @@ static void parse_definition(parser *p, scene *written, name called)
     }
     p->factor_count = factors;
     find_vectors(&kind);
-    written->effect_kinds.all = arena_grow(p->s->memory, written->effect_kinds.all, written->effect_kinds.count,
-                                           &written->effect_kinds.room, sizeof kind);
-    written->effect_kinds.all[written->effect_kinds.count++] = kind;
+    LIST_ADD(p->s->memory, written->effect_kinds, kind);
 }
 
 /* --- uses --- */
@@ -321,9 +319,7 @@ void read_effect(parser *p, const token *word, void *slot)
         parse_operands(p, &use);
     }
     use.broken = p->failed;
-    written->effects.all =
-        arena_grow(p->s->memory, written->effects.all, written->effects.count, &written->effects.room, sizeof use);
-    written->effects.all[written->effects.count++] = use;
+    LIST_ADD(p->s->memory, written->effects, use);
 }
 
 void read_signal(parser *p, const token *word, void *slot)
@@ -335,9 +331,7 @@ void read_signal(parser *p, const token *word, void *slot)
         parse_problem(p, "expected = and a formula");
     }
     q.value = p->failed ? NULL : parse_formula(p);
-    written->signals.all =
-        arena_grow(p->s->memory, written->signals.all, written->signals.count, &written->signals.room, sizeof q);
-    written->signals.all[written->signals.count++] = q;
+    LIST_ADD(p->s->memory, written->signals, q);
 }
 
 void read_setting(parser *p, const token *word, void *slot)
@@ -355,7 +349,5 @@ void read_setting(parser *p, const token *word, void *slot)
         parse_problem(p, "expected = and a value");
     }
     set.value = p->failed ? NULL : parse_formula(p);
-    written->settings.all =
-        arena_grow(p->s->memory, written->settings.all, written->settings.count, &written->settings.room, sizeof set);
-    written->settings.all[written->settings.count++] = set;
+    LIST_ADD(p->s->memory, written->settings, set);
 }

@@ -3,7 +3,6 @@
 #include <stdint.h>
 
 #include "tools/isoc/scene/parse_formula.h"
-#include "tools/isoc/scene/parser.h"
 #include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/statements.h"
 
@@ -139,7 +138,5 @@ void read_joint_statement(parser *p, const token *word, void *slot)
         written->broken = true;
         j = (joint){.name = j.name, .kind = j.kind, .parent = j.parent, .child = j.child, .broken = true};
     }
-    written->joints.all =
-        arena_grow(p->s->memory, written->joints.all, written->joints.count, &written->joints.room, sizeof j);
-    written->joints.all[written->joints.count++] = j;
+    LIST_ADD(p->s->memory, written->joints, j);
 }

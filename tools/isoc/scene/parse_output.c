@@ -107,8 +107,6 @@ void read_output(parser *p, const token *word, void *slot)
         parse_rate(p, &o);
     }
     if (!p->failed) {
-        written->outputs.all =
-            arena_grow(p->s->memory, written->outputs.all, written->outputs.count, &written->outputs.room, sizeof o);
-        written->outputs.all[written->outputs.count++] = o;
+        LIST_ADD(p->s->memory, written->outputs, o);
     }
 }

@@ -43,7 +43,5 @@ void read_spring_statement(parser *p, const token *word, void *slot)
     scene *written = slot;
     spring_statement s = {.name = take_new_name(p, "expected a name for the spring")};
     s.broken = p->failed || !parse_block(p, &spring_block, 0, s.name, &s);
-    written->springs.all =
-        arena_grow(p->s->memory, written->springs.all, written->springs.count, &written->springs.room, sizeof s);
-    written->springs.all[written->springs.count++] = s;
+    LIST_ADD(p->s->memory, written->springs, s);
 }

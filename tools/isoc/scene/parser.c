@@ -32,9 +32,7 @@ static void read_parameter(parser *p, const token *word, void *slot)
     if (!p->failed && q.tunable && take_option(p, "in")) {
         read_limits(p, &q);
     }
-    written->parameters.all = arena_grow(p->s->memory, written->parameters.all, written->parameters.count,
-                                         &written->parameters.room, sizeof q);
-    written->parameters.all[written->parameters.count++] = q;
+    LIST_ADD(p->s->memory, written->parameters, q);
     note_constant(p, &q);
 }
 
@@ -89,9 +87,7 @@ static void read_input_statement(parser *p, const token *word, void *slot)
         read_safe(p, &q);
     }
     refuse_input_word(p);
-    written->inputs.all =
-        arena_grow(p->s->memory, written->inputs.all, written->inputs.count, &written->inputs.room, sizeof q);
-    written->inputs.all[written->inputs.count++] = q;
+    LIST_ADD(p->s->memory, written->inputs, q);
 }
 
 static void read_method(parser *p, const token *word, void *slot)
@@ -209,10 +205,8 @@ static bool set_fault(parser *p, scene *whole, const effect_use *use, const toke
         const char *display_name = arena_format(p->s->memory, "%s.%s", use->name.text, line->name.text);
         const char *written = arena_format(p->s->memory, "%s_%s", use->name.text, line->name.text);
         if (strcmp(called->text, display_name) == 0 || strcmp(called->text, written) == 0) {
-            whole->fault_starts.all = arena_grow(p->s->memory, whole->fault_starts.all, whole->fault_starts.count,
-                                                 &whole->fault_starts.room, sizeof *whole->fault_starts.all);
-            whole->fault_starts.all[whole->fault_starts.count++] =
-                (setting){.what = {display_name, called->at}, .value = value};
+            const setting start = {.what = {display_name, called->at}, .value = value};
+            LIST_ADD(p->s->memory, whole->fault_starts, start);
             return true;
         }
     }

@@ -2,6 +2,7 @@
 #ifndef ISOC_SCENE_SCENE_H
 #define ISOC_SCENE_SCENE_H
 
+#include "tools/isoc/base/list.h"
 #include "tools/isoc/scene/closure_kinds.h"
 #include "tools/isoc/scene/joint_kinds.h"
 #include "tools/isoc/scene/output_kinds.h"
@@ -265,13 +266,6 @@ typedef struct method_options {
     formula *iterations, *tolerance, *substeps;
 } method_options;
 
-/* All statements of a kind, in their order. */
-#define LIST_OF(TYPE)                                                                                                  \
-    struct {                                                                                                           \
-        TYPE *all;                                                                                                     \
-        size_t count, room;                                                                                            \
-    }
-
 typedef struct scene {
     const char *name;
     bool broken; /* a statement could not be read: what is missing may have been in it */
@@ -280,7 +274,7 @@ typedef struct scene {
     method_options options;
     stabilisation stabilisation;
     running running;
-    LIST_OF(body) bodies;
+    LIST_OF(body) bodies; /* all statements of a kind, in their order */
     LIST_OF(named_frame) frames;
     LIST_OF(spring_statement) springs;
     LIST_OF(joint) joints;

@@ -5,7 +5,7 @@
 
 /* Goldstein, Poole and Safko (2002), Classical Mechanics, sec. 5.3; a homogeneous body, its own axis along z. */
 #define TWELFTH (1.0 / 12.0)
-const solid_row solid_rows[SOLIDS] = {
+static const solid_row solid_rows[SOLIDS] = {
     {"box",
      "box (1, 2, 3) cm of 2 kg",
      3,

@@ -15,8 +15,6 @@ typedef struct solid_row {
 
 enum { SOLIDS = 6 };
 
-extern const solid_row solid_rows[SOLIDS];
-
 /* The row of a word; NULL if there is none. */
 const solid_row *find_solid(const char *word);
 

@@ -3,8 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/graph/operations.h"
-
 /* The formulas of one effect, with what they change by. */
 typedef struct formulas {
     const mechanism *m;

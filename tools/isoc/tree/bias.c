@@ -1,6 +1,7 @@
 #include "tools/isoc/tree/bias.h"
 
-vector point_acceleration(const kinematics *k, const acceleration *all, int i, vector point)
+/* The acceleration of a point of a segment, or of the ground, in its axes. */
+static vector point_acceleration(const kinematics *k, const acceleration *all, int i, vector point)
 {
     graph *g = k->g;
     if (i == GROUND) {

@@ -24,7 +24,4 @@ void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts);
 /* Fills bias[degrees of freedom] with the efforts, less those of forces on bodies, and accelerations[segments]. */
 void bias_build(const kinematics *k, node *bias, acceleration *accelerations);
 
-/* The acceleration of a point of a segment, or of the ground, in its axes. */
-vector point_acceleration(const kinematics *k, const acceleration *accelerations, int segment, vector point);
-
 #endif
