@@ -1,6 +1,6 @@
 #include "core/link/link.h"
 
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 #include "core/methods/adams.h"
 #include "port/channel.h"
 #include "port/port.h"

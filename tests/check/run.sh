@@ -56,7 +56,7 @@ expect $? "a second run gives the same hash and the same table"
 # The table reads back exactly: from its columns, which begin with the four states, comes the hash of the run: that of ticks
 # 1 and after.
 cat >"$out/hash.c" <<'C'
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 #include <stdio.h>
 #include <stdlib.h>
 int main(void)

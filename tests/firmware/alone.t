@@ -30,7 +30,7 @@ standalone()
 # moves COMPILER FLAGS INSTANCES: the folder compiles alone, and each instance ends with the hash of make run.
 moves()
 {
-    cp tests/firmware/alone.c core/application/hash.h "$out/alone"
+    cp tests/firmware/alone.c core/runtime/hash.h "$out/alone"
     # shellcheck disable=SC2086
     (cd "$out/alone" && $1 $strict -O1 $2 -I. ./*.c core/numbers/self_check.c -o alone && ./alone >hashes) 2>"$out/errors" &&
         [ "$(sort -u "$out/alone/hashes")" = "$hash" ] && [ "$(wc -l <"$out/alone/hashes")" -eq "$3" ]

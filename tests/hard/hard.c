@@ -3,7 +3,7 @@
 #include <complex.h>
 #include <math.h>
 
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 
 /* The accepted distance of an observed order from the method's, where the stiff part of the error has not died away. */
 #define ORDER_TOLERANCE 0.35

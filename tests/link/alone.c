@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 #include "core/runtime/tick.h"
 #include "tests/link/law.h"
 

@@ -28,7 +28,7 @@ done
 # The inputs of the table, given to the same plant without a wire: the same hash. Row k has the inputs of the step from k to k + 1.
 cat >"$out/replay.c" <<'C'
 #include "cart_pole.h"
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 #include "core/runtime/tick.h"
 #include <inttypes.h>
 #include <stdio.h>

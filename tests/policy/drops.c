@@ -15,7 +15,7 @@
 #include "by_least.h"
 #include "by_less.h"
 
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 #include "core/runtime/tick.h"
 
 enum { PLANTS = 3, REST = 3 };

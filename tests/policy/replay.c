@@ -7,7 +7,7 @@
 #include "by_heun.h"
 #include "by_rk4.h"
 
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 #include "core/runtime/tick.h"
 
 int main(void)

@@ -11,7 +11,7 @@
 #include <stdio.h>
 
 #include PLANT
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 #include "core/runtime/tick.h"
 #include "tests/host/report.h"
 

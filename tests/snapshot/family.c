@@ -3,7 +3,7 @@
  * with the same hash. Ticks are random, by the seed that is printed. */
 #include <stdlib.h>
 
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 #include "core/runtime/snapshot.h"
 #include "core/runtime/tick.h"
 #include "tests/host/report.h"

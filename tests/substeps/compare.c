@@ -3,7 +3,7 @@
 #include <inttypes.h>
 #include <stdio.h>
 
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 #include "fine.h"
 #include "parted.h"
 

@@ -1,5 +1,5 @@
-/* core/application/hash.h: FNV-1a in 64 bits against the vectors of its authors. */
-#include "core/application/hash.h"
+/* core/runtime/hash.h: FNV-1a in 64 bits against the vectors of its authors. */
+#include "core/runtime/hash.h"
 #include "tests/tap.h"
 
 /* The hash of reals that consist of the bytes of a text, as many as they hold. */

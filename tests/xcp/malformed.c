@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "core/application/hash.h"
+#include "core/runtime/hash.h"
 #include "core/runtime/tick.h"
 #include "plant.h"
 #include "tests/host/report.h"

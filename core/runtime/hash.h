@@ -1,6 +1,6 @@
 /* Fowler, Noll and Vo's hash FNV-1a in 64 bits: the fingerprint of a trajectory. */
-#ifndef ISO_CORE_APPLICATION_HASH_H
-#define ISO_CORE_APPLICATION_HASH_H
+#ifndef ISO_CORE_RUNTIME_HASH_H
+#define ISO_CORE_RUNTIME_HASH_H
 
 #include <stddef.h>
 #include <stdint.h>

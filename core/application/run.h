@@ -1,0 +1,68 @@
+/* A run: the plant for as long as the port says, written to the console. Both programs have it: that of every run
+ * (core/application/main.c), and that of a run with snapshots (core/record/main.c). */
+#ifndef ISO_CORE_APPLICATION_RUN_H
+#define ISO_CORE_APPLICATION_RUN_H
+
+#include "core/application/stream.h"
+#include "core/application/times.h"
+#include "core/numbers/self_check.h"
+#include "core/runtime/hash.h"
+#include "core/runtime/loop.h"
+#include "port/port.h"
+
+/* What a run with snapshots does besides. */
+typedef struct iso_recording {
+    uint64_t (*begin)(iso_loop *loop, uint64_t end); /* puts the loop to the first tick; returns the hash until there */
+    void (*row)(const iso_loop *loop, uint64_t hash); /* after the row of each tick that is done, and of the first */
+} iso_recording;
+
+_Noreturn static inline void iso_run_give_up(const char *const why)
+{
+    iso_stream_bail_out(why);
+    iso_port_exit(1);
+}
+
+static inline void iso_run_row(const iso_loop *const loop, const uint64_t hash, const iso_recording *const recording)
+{
+    iso_stream_row(loop->plant->y, loop->plant->model->outputs);
+    if (recording != NULL) {
+        recording->row(loop, hash);
+    }
+}
+
+/* Ends the program, with status 1 where the guard stopped the run. A duration of zero has no end. */
+_Noreturn static inline void iso_run(iso_loop *const loop, const uint64_t duration,
+                                     const iso_recording *const recording)
+{
+    const iso_plant *const plant = &iso_the_plant;
+    const uint64_t period = plant->model->period_ns;
+    const uint64_t end = duration == 0 ? UINT64_MAX : duration / period + (duration % period > 0);
+    iso_times times = {0};
+    bool good = true;
+
+    if (!iso_self_check()) {
+        iso_run_give_up("the processor or a flag of the compiler changes the bits of results; compile with "
+                        "-std=c11 -ffp-contract=off, round to nearest, and do not flush denormals to zero");
+    }
+    iso_loop_start(loop, plant);
+    uint64_t hash = recording == NULL ? ISO_HASH_START : recording->begin(loop, end);
+    iso_stream_header(plant, duration);
+    if (recording != NULL) {
+        iso_stream_from(loop->tick);
+    }
+    iso_run_row(loop, hash, recording);
+    while (good && loop->tick < end) {
+        good = iso_loop_tick(loop);
+        if (loop->guard == plant->model->states) { /* a run that a policy stops ends with a good tick */
+            iso_times_done(&times, loop);
+            hash = iso_hash_reals(hash, plant->x, plant->model->states);
+            iso_run_row(loop, hash, recording);
+            iso_times_go_on(&times, loop);
+        }
+    }
+    iso_stream_times(&times);
+    iso_stream_end(loop, hash);
+    iso_port_exit(good ? 0 : 1);
+}
+
+#endif
