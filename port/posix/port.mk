@@ -1,4 +1,3 @@
 # Building for Linux and running there in real time, as the host is built.
 include port/sim/port.mk
-PORT_SHARED = port/sim/console.c
 PORT_EXEC = $(PROGRAM) $(NANOSECONDS)

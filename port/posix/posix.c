@@ -17,7 +17,7 @@
 
 #include "port/host/channel.h"
 #include "port/port.h"
-#include "port/sim/console.h"
+#include "port/host/console.h"
 
 /* In the middle of the real-time priorities: above all programs that have none, and below what serves devices. */
 enum { PRIORITY = 49 };

@@ -7,7 +7,7 @@ PORT_FLAGS := $(if $(call is_gcc,$(PORT_CC)),-fno-tree-ter)
 # By `make flags TARGET=host REAL=double`: no other takes a twentieth less.
 PORT_OPTIMISE = -O2
 # What this port shares with others, and what links have beyond.
-PORT_SHARED =
+PORT_SHARED = port/host/console.c
 PORT_CHANNEL = port/host/channel.c port/host/datagrams.c
 PORT_LINK =
 PORT_LIBRARIES =

@@ -6,7 +6,7 @@
  */
 #include "port/host/channel.h"
 #include "port/port.h"
-#include "port/sim/console.h"
+#include "port/host/console.h"
 #include "port/sim/script.h"
 
 static uint64_t now;      /* ns since the start */

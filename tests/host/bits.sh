@@ -30,7 +30,7 @@ variant()
     compiler="$compiler $*"
     base=$out/$variant
     mkdir -p "$base"
-    for source in core/numbers/*.c core/runtime/*.c core/application/*.c port/"$port"/*.c; do
+    for source in core/numbers/*.c core/runtime/*.c core/application/*.c port/"$port"/*.c $(of_port "$port" PORT_SHARED); do
         $compiler -c "$source" -o "$base/${source##*/}.o" || return
     done
 }

@@ -166,12 +166,12 @@ static int reach(const char *const where)
     return connect(file, (const struct sockaddr *)&path, sizeof path) == 0 ? file : -1;
 }
 
-/* Reads so many bytes; whether they came. */
-static bool take(const int file, uint8_t *const bytes, const size_t count)
+/* Reads so many bytes; whether they came, each within so many milliseconds. */
+static bool take_within(const int file, uint8_t *const bytes, const size_t count, const int patience)
 {
     size_t came = 0;
     struct pollfd wait = {.fd = file, .events = POLLIN};
-    while (came < count && poll(&wait, 1, PATIENCE_MS) > 0) {
+    while (came < count && poll(&wait, 1, patience) > 0) {
         const ssize_t more = read(file, bytes + came, count - came);
         if (more <= 0) {
             break;
@@ -179,6 +179,11 @@ static bool take(const int file, uint8_t *const bytes, const size_t count)
         came += (size_t)more;
     }
     return came == count;
+}
+
+static bool take(const int file, uint8_t *const bytes, const size_t count)
+{
+    return take_within(file, bytes, count, PATIENCE_MS);
 }
 
 static uint32_t seed = 20261122;
@@ -259,9 +264,11 @@ static void try_both(const char *const first, const char *const second)
     end(&one);
 }
 
-/* A peer that takes nothing until there is no room: all that was sent is whole. */
+/* A peer that takes nothing until there is no room: all that was sent is whole. It has been sent before this reads, so that a
+ * byte that does not come within a minute was cut off. */
 static void try_flood(const char *const address)
 {
+    enum { MINUTE_MS = 60000 };
     const child one = start(flood, address, "", -1);
     char where[TEXT];
     snprintf(where, sizeof where, "%s", place(&one));
@@ -270,9 +277,10 @@ static void try_flood(const char *const address)
     bool whole = write(peer, record, 1) == 1 && strcmp(says(&one), "full") == 0;
     uint32_t number = 0;
     uint32_t records = 0;
-    for (whole = whole && take(peer, record, sizeof record); whole && record[RECORD - 1] == 0; records++) {
+    for (whole = whole && take_within(peer, record, sizeof record, MINUTE_MS); whole && record[RECORD - 1] == 0;
+         records++) {
         memcpy(&number, record, sizeof number);
-        whole = number == records && take(peer, record, sizeof record);
+        whole = number == records && take_within(peer, record, sizeof record, MINUTE_MS);
     }
     memcpy(&number, record + 1, sizeof number);
     report_ok(whole && records + 1 == number && records > 64 && records < MOST_RECORDS,

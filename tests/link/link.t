@@ -190,7 +190,7 @@ defect()
 {
     sed "s/$1/$2/" core/link/link.c >"$out/tree/core/link/link.c"
     ! cmp -s core/link/link.c "$out/tree/core/link/link.c" &&
-        EXTRA="-I$out/tree -Wno-error" program defect -iquote "$out/tree" tests/unit/link.c tests/tap.c port/sim/*.c &&
+        EXTRA="-I$out/tree -Wno-error" program defect -iquote "$out/tree" tests/unit/link.c tests/tap.c port/sim/*.c port/host/console.c &&
         ! "$out/defect" >"$out/tap" && grep -q '^not ok' "$out/tap"
     result $? "found: $1 changed into $2"
 }

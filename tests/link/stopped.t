@@ -15,8 +15,8 @@ awk '{ print } /^void iso_port_safe/ { getline; print; print "    (void)fputs(\"
 
 build/isoc "$out/plant.scene" -o "$out/plant" --link >"$out/summary" &&
     EXTRA=-D_POSIX_C_SOURCE=200809L program join tests/link/join.c &&
-    program alone "$out/plant/plant.c" $common core/application/main.c "$out/sim.c" port/sim/script.c port/sim/console.c &&
-    program linked "$out"/plant/*.c $common core/link/*.c "$out/sim.c" port/sim/script.c port/sim/console.c port/host/*.c
+    program alone "$out/plant/plant.c" $common core/application/main.c "$out/sim.c" port/sim/script.c port/host/console.c &&
+    program linked "$out"/plant/*.c $common core/link/*.c "$out/sim.c" port/sim/script.c port/host/*.c
 result $? "the plant is built, without a link and with one"
 
 # run NAME COMMAND...: its table, its summary and what it says in $out/NAME; it fails, as a run that an overrun stops does.

@@ -22,7 +22,7 @@ plant()
 }
 
 # What all programs share, compiled once.
-for source in core/runtime/loop.c core/application/*.c core/numbers/self_check.c port/sim/*.c; do
+for source in core/runtime/loop.c core/application/*.c core/numbers/self_check.c port/sim/*.c port/host/console.c; do
     program "$(basename "$source" .c).o" -c "$source"
 done
 
@@ -178,12 +178,12 @@ scene=tests/policy/pendulum.scene
 plant restored 'overrun degrade { method heun; method euler; after 30 ticks }
 publish next_tick; histogram' &&
     EXTRA="-O0 -I$out/restored" program restored/control tests/policy/restored.c "$out/restored/plant.c" core/runtime/*.c \
-        tests/host/report.c port/sim/*.c
+        tests/host/report.c port/sim/*.c port/host/console.c
 result $? "a plant with a ladder builds"
 joined restored "$out/restored/control" 0 "$out/script"
 sed 's/head.rung = (uint16_t)ladder->rung;/head.rung = 1;/' core/runtime/snapshot.c >"$out/planted.c"
 EXTRA="-O0 -I$out/restored" program restored/planted tests/policy/restored.c "$out/restored/plant.c" core/runtime/loop.c core/runtime/control.c \
-    "$out/planted.c" tests/host/report.c port/sim/*.c && ! "$out/restored/planted" 0 "$out/script" >"$out/found" &&
+    "$out/planted.c" tests/host/report.c port/sim/*.c port/host/console.c && ! "$out/restored/planted" 0 "$out/script" >"$out/found" &&
     grep -q '^not ok .* to the same hash' "$out/found"
 result $? "found: a record with another rung"
 

@@ -21,7 +21,7 @@ compared()
     compared_pairs=$1
     shift
     # shellcheck disable=SC2086
-    "$CC" "$@" $FLAGS tests/soft/soft.c tests/soft/operations.c tests/tap.c port/sim/*.c -o "$out/soft" -lm &&
+    "$CC" "$@" $FLAGS tests/soft/soft.c tests/soft/operations.c tests/tap.c port/sim/*.c port/host/console.c -o "$out/soft" -lm &&
         "$out/soft" "$compared_pairs"
 }
 

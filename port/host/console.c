@@ -1,4 +1,4 @@
-#include "port/sim/console.h"
+#include "port/host/console.h"
 
 #include <errno.h>
 #include <stdio.h>

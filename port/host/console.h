@@ -1,6 +1,6 @@
 /* Standard output and arguments: those of a host, whatever its time is. */
-#ifndef ISO_PORT_SIM_CONSOLE_H
-#define ISO_PORT_SIM_CONSOLE_H
+#ifndef ISO_PORT_HOST_CONSOLE_H
+#define ISO_PORT_HOST_CONSOLE_H
 
 #include <stdint.h>
 
