@@ -63,8 +63,12 @@ int main(void)
     }
     expect(is_finite, "a mass of zero is that of its limit");
     expect(counts.parameters.held + counts.parameters.clamped == counted + TICKS, "and counted");
+    const real weight = outside.p[OPEN_P_WEIGHT];
+    iso_tick_counts of_open = {.restarts = 0};
     outside.p[OPEN_P_WEIGHT] = R(0.0);
-    expect(iso_plant_tick(&open, TICKS) < open.model->states, "without limits the guard stops such a plant");
+    expect(iso_plant_tick_counted(&open, TICKS, &of_open) == open.model->states && outside.p[OPEN_P_WEIGHT] == weight &&
+               of_open.parameters.held == 1,
+           "without limits it is refused");
 
     /* A quotient by zero is infinite: then the last good outputs stand. */
     const real place = inside.y[LIMITED_Y_PLACE], ratio = inside.y[LIMITED_Y_RATIO];
