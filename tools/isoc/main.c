@@ -102,11 +102,11 @@ static const struct {
                             "--formulation must be composite, articulated, parent_axes or child_axes, not"},
     [OPTION_FACTORS] = {"--factors", true, factoring_names, FACTORINGS,
                         "--factors must be full, sparse or looped, not"},
-    [OPTION_DOT] = {"--dot"},
-    [OPTION_FILES] = {"--files"},
-    [OPTION_EFFECTS] = {"--effects"},
-    [OPTION_STANDALONE] = {"--standalone"},
-    [OPTION_LINK] = {"--link"},
+    [OPTION_DOT] = {.word = "--dot"},
+    [OPTION_FILES] = {.word = "--files"},
+    [OPTION_EFFECTS] = {.word = "--effects"},
+    [OPTION_STANDALONE] = {.word = "--standalone"},
+    [OPTION_LINK] = {.word = "--link"},
 };
 
 /* Where a word stands among others, or their number. */
