@@ -27,7 +27,7 @@ for real in float double; do
     real $real
     compare
     # shellcheck disable=SC2086
-    "$CC" $FLAGS $REAL_FLAG -c tests/dynamics/reactions.c -o "$out/reactions.$real.o"
+    "$CC" $quick $REAL_FLAG -c tests/dynamics/reactions.c -o "$out/reactions.$real.o"
     result $? "tests/dynamics/reactions.c compiles in $real"
     reactions="$out/reactions.$real.o $(echo "$compare" | sed 's|[^ ]*/compare[^ ]*||')"
     for name in arm6 tree pendulum double_pendulum cart_pole; do

@@ -3,6 +3,7 @@
 . tests/host/test.sh
 begin stability
 rolled
+optimised -O1
 
 for type in float double; do
     real $type
@@ -18,6 +19,7 @@ derived()
         tools/isoc/method/step_map.c tools/isoc/base/eigenvalues.c tools/isoc/base/arena.c tests/host/report.c
 }
 real double
+optimised -O0
 derived growth
 result $? "growth builds"
 joined growth "$out/growth"
