@@ -193,6 +193,7 @@ PORT_OF_cortex-m3 := port/m3
 PORT_OF_cortex-m0 := port/m0
 PORT_OF_rv32imac := port/rv32imac
 PORT_OF_rv32imafc := port/rv32imafc
+PORT_OF_atmega1284p := port/atmega1284p
 TARGETS := $(patsubst PORT_OF_%,%,$(filter PORT_OF_%,$(.VARIABLES)))
 PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is

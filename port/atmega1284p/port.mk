@@ -1,0 +1,21 @@
+# Building for the ATmega1284P and running in simavr, which counts cycles. The compiler is older than what it does not know;
+# an integer of 16 bits gets warnings that no other target has, and -fpack-struct is none of its defaults.
+PORT_CC = avr-gcc
+PORT_TOOLS = avr-gcc
+PORT_INSTALL = apt-get install gcc-avr avr-libc simavr
+PORT_FLAGS = -mmcu=atmega1284p -DSOFT_STAGES -DSOFT_PIECES -ffunction-sections -fdata-sections -fno-tree-ter \
+    -Wno-unknown-pragmas -Wno-conversion -Wno-pedantic -Wno-shift-count-overflow
+PORT_OPTIMISE = -O2
+PORT_LINK = -Wl,--gc-sections
+PORT_LIBRARIES = -lm
+PORT_SHARED = port/soft/gcc.c port/soft/root.c
+PORT_SUFFIX = .elf
+PORT_STACK =
+PORT_CLOCK = cycles
+PORT_EXEC_TOOLS = simavr perl
+PORT_EXEC = sh port/atmega1284p/run.sh $(PROGRAM) $(NANOSECONDS)
+PORT_NM = avr-nm
+PORT_SIZE = avr-size
+# No channels.
+PORT_CHANNEL =
+PORT_LINK_LINKED =
