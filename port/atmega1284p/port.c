@@ -1,8 +1,8 @@
 /* The microcontroller as a platform: Timer 1 is the tick and the clock, USART 0 the console, the EEPROM has how long to run.
  *
  * The clock counts cycles. The timer overflows after 2^16 of them, and a tick is a whole number of overflows, so that the
- * same ones fall into each step. One stands for 62.5 us of the plant: a millisecond has 2^20 cycles, in which a step in software
- * ends. On silicon at 20 MHz the time of the plant is stretched by 52.4.
+ * same ones fall into each step. One stands for 15.625 us of the plant: a millisecond has 2^22 cycles, in which a step in
+ * software ends. On silicon at 20 MHz the time of the plant is stretched by 210.
  *
  * The console writes lines of hexadecimal digits: a simulator shows them, which shows no other bytes (run.sh).
  * Microchip (2020), ATmega164A/PA/324A/PA/644A/PA/1284/P, DS40002070B. */
@@ -29,7 +29,7 @@
 enum { READ = 1 << 0, OVERFLOW = 1 << 0, CLOCK_ON = 1 << 0, SLEEP_ON = 1 << 0, IS_EMPTY = 1 << 5, SEND_ON = 1 << 3 };
 enum { TWICE = 1 << 1 }; /* the rate of the console */
 
-#define OVERFLOW_NS UINT32_C(62500)
+#define OVERFLOW_NS UINT32_C(15625)
 #define OVERFLOW_COUNTS UINT32_C(65536)
 
 static struct {
@@ -61,7 +61,7 @@ static void interrupts_on(void)
     __asm__ volatile("sei" ::: "memory");
 }
 
-/* The period is rounded to multiples of 62.5 us. */
+/* The period is rounded to multiples of 15.625 us. */
 __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
 {
     const uint32_t parts = (period_ns + OVERFLOW_NS / 2) / OVERFLOW_NS;
