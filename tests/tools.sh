@@ -18,6 +18,12 @@ have_picolibc()
     echo '#include <string.h>' | riscv64-unknown-elf-gcc --specs=picolibc.specs -fsyntax-only -x c - 2>/dev/null
 }
 
+# The C library for AVR.
+have_avr_libc()
+{
+    echo '#include <string.h>' | avr-gcc -fsyntax-only -x c - 2>/dev/null
+}
+
 have_sanitizers()
 {
     echo 'int main(void) { return 0; }' | ${CC:-cc} -fsanitize=address,undefined -x c - -o /dev/null 2>/dev/null
@@ -39,6 +45,9 @@ missing()
     have riscv64-unknown-elf-gcc || echo gcc-riscv64-unknown-elf
     have_picolibc || echo picolibc-riscv64-unknown-elf
     have qemu-system-riscv32 || echo qemu-system-misc
+    have avr-gcc || echo gcc-avr
+    have_avr_libc || echo avr-libc
+    have simavr || echo simavr
     have valgrind || echo valgrind
     have clang || echo clang
     have_fuzzer || echo libclang-rt-dev

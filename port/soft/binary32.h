@@ -17,8 +17,8 @@
 #define SOFT_INFINITY UINT32_C(0x7F800000)
 #define SOFT_NAN UINT32_C(0x7FC00000)
 
-/* The exponent of 1, places of the significand behind its top bit, and the place of the bit that makes a NaN quiet. */
-enum { SOFT_BIAS = 126, SOFT_FRACTION = 23, SOFT_QUIET = 22 };
+/* The exponent of 1, and the places of the significand behind its top bit. */
+enum { SOFT_BIAS = 126, SOFT_FRACTION = 23 };
 
 /* Has the sign bit set where the magnitude x is infinity or a NaN. */
 static inline uint32_t soft_is_special(const uint32_t x)
@@ -55,8 +55,8 @@ static inline uint32_t soft_add(uint32_t a, uint32_t b)
 
     /* Significands with the top bit 29; the lowest bit of the shifted one tells whether anything was lost. */
     const uint32_t x_exponent = soft_upper(x), y_exponent = soft_upper(y);
-    const uint32_t high = (x - (x_exponent << SOFT_FRACTION)) << 6;
-    const uint32_t low = (y - (y_exponent << SOFT_FRACTION)) << 6;
+    const uint32_t high = (x - soft_up(x_exponent)) << 6;
+    const uint32_t low = (y - soft_up(y_exponent)) << 6;
     const uint32_t count = x_exponent - y_exponent;
     const uint32_t kept = soft_right(low, count);
     const uint32_t shifted = kept | (soft_left(kept, count) - low) >> 31;
@@ -70,7 +70,7 @@ static inline uint32_t soft_add(uint32_t a, uint32_t b)
     const uint32_t finite = soft_limited(soft_rounded(significand >> 8, significand << 24, exponent));
 
     /* An infinity or a NaN is the result as it is, but infinity less infinity. A sum of zero is +0, but for -0 - 0. */
-    const uint32_t magnitude = soft_select(soft_is_special(x), x | is_zero << SOFT_QUIET, finite);
+    const uint32_t magnitude = soft_select(soft_is_special(x), x | soft_up(is_zero) >> 1, finite);
     return magnitude | (a & ~(difference & is_zero << 31) & SOFT_SIGN);
 }
 
@@ -99,7 +99,7 @@ static inline uint32_t soft_upper_product(const uint32_t a, const uint32_t b)
 static inline uint32_t soft_normalised(const uint32_t y, uint32_t *const significand)
 {
     const uint32_t exponent = soft_upper(y);
-    const uint32_t bits = (y - (exponent << SOFT_FRACTION)) << 8;
+    const uint32_t bits = (y - soft_up(exponent)) << 8;
     const uint32_t zeros = soft_zeros(bits);
     *significand = soft_left(bits, zeros);
     return exponent - zeros;
@@ -116,13 +116,13 @@ static inline uint32_t soft_multiply(const uint32_t a, const uint32_t b)
 
     uint32_t significand;
     const uint32_t is_zero = (y - 1) >> 31; /* then the exponent becomes less than any */
-    const uint32_t exponent = (x >> SOFT_FRACTION) + soft_normalised(y, &significand) - (is_zero << 9);
+    const uint32_t exponent = soft_down(x) + soft_normalised(y, &significand) - (is_zero << 16);
     const uint32_t product = soft_upper_product(x << 8 | SOFT_SIGN, significand);
     const uint32_t is_high = product >> 31;
     const uint32_t finite = soft_packed(product, is_high, exponent + is_high - (SOFT_BIAS + 1));
 
     /* An infinity or a NaN is the result as it is, but infinity times zero. */
-    const uint32_t magnitude = soft_select(soft_is_special(x), x | is_zero << SOFT_QUIET, finite);
+    const uint32_t magnitude = soft_select(soft_is_special(x), x | soft_up(is_zero) >> 1, finite);
     return magnitude | (difference & SOFT_SIGN);
 }
 
@@ -171,8 +171,7 @@ static inline uint32_t soft_root(const uint32_t a)
         root += bit & ~is_below;
     }
     /* One bit more than the significand has, and no root lies halfway between two numbers. */
-    const uint32_t finite =
-        (root >> 1) + (root & soft_nonzero(rest)) + (((exponent - SOFT_BIAS - 4) >> 1) << SOFT_FRACTION);
+    const uint32_t finite = (root >> 1) + (root & soft_nonzero(rest)) + soft_up((exponent - SOFT_BIAS - 4) >> 1);
 
     const uint32_t is_zero = x - 1;
     const uint32_t magnitude = soft_select(is_zero | soft_is_special(x), x, finite);
@@ -257,7 +256,7 @@ static inline uint64_t soft_to_natural(const uint32_t a)
 {
     const uint32_t x = a & SOFT_MAGNITUDE;
     const uint32_t significand = x << 8 | SOFT_SIGN;
-    const uint32_t places = (x >> SOFT_FRACTION) - (SOFT_BIAS + 32); /* to the left, of bit 31 in 64 bits */
+    const uint32_t places = soft_down(x) - (SOFT_BIAS + 32); /* to the left, of bit 31 in 64 bits */
     const uint32_t beyond = soft_mask(32 - places) & ~soft_mask(places);
     const uint32_t high = soft_right(significand, 32 - places) | beyond;
     const uint32_t low = soft_left(significand, places) | soft_right(significand, 0 - places) | beyond;

@@ -37,16 +37,6 @@ static inline uint32_t soft_zeros(uint32_t x)
     return zeros;
 }
 
-static inline uint32_t soft_positive(const uint32_t x)
-{
-    return x & ~(0 - (x >> 31));
-}
-
-static inline uint32_t soft_upper(const uint32_t x)
-{
-    return soft_positive((x >> 23) - 1);
-}
-
 /* The carry of a sum is what is to be added. */
 static inline uint32_t soft_rounded(const uint32_t x, const uint32_t behind, const uint32_t upper)
 {
