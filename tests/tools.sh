@@ -82,7 +82,7 @@ else
     echo "tests: something is missing; install it with: sudo $install" >&2
     exit 1
 fi
-echo "tests: installs what is missing, which takes some minutes; all of it would be 300 MB to download and 1.4 GB on the disk:"
+echo "tests: installs what is missing, which takes some minutes; all of it would be 500 MB to download and 3 GB on the disk:"
 echo "tests: ${root:+$root }$install"
 log=build/tests/install.log
 mkdir -p build/tests

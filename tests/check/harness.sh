@@ -177,8 +177,8 @@ result $? "found: a variant with another number of tests"
 
 # A machine that lacks a tool, with a package manager and a user that are made up.
 mkdir -p "$out/bin"
-for tool in sh cut tr cat uname env ln mkdir tail perl prove grep g++ patch flock arm-none-eabi-gcc qemu-system-arm valgrind \
-    clang-format cppcheck gnuplot dot python3 as ld "$CC"; do
+for tool in sh cut tr cat uname env ln mkdir tail perl prove grep g++ patch flock arm-none-eabi-gcc qemu-system-arm \
+    riscv64-unknown-elf-gcc qemu-system-riscv32 valgrind clang-format cppcheck gnuplot dot python3 as ld "$CC"; do
     ln -sf "$(command -v "$tool")" "$out/bin/$tool"
 done
 
@@ -202,8 +202,8 @@ result $? "an installation that fails is told"
 result $? "an installation that brings nothing is told"
 tools 0 "ln -s $(command -v clang) $out/bin/clang" && grep -q '^install .* clang' "$out/asked"
 result $? "root installs what is missing"
-[ "$(sed -n '1s/.*\(some minutes\).*\( 300 MB\).*/\1\2/p; 2s/.* \(apt-get install\) .* clang .*/ \1/p' "$out/output" | tr -d '\n')" = \
-    "some minutes 300 MB apt-get install" ]
+[ "$(sed -n '1s/.*\(some minutes\).*\( 500 MB\).*/\1\2/p; 2s/.* \(apt-get install\) .* clang .*/ \1/p' "$out/output" | tr -d '\n')" = \
+    "some minutes 500 MB apt-get install" ]
 result $? "and says before what, how much and how long"
 tools 0 false && [ ! -f "$out/asked" ]
 result $? "nothing missing: nothing asked for"
