@@ -1,7 +1,7 @@
 #include "core/link/link.h"
 
-#include "core/runtime/hash.h"
 #include "core/methods/adams.h"
+#include "core/runtime/hash.h"
 #include "port/channel.h"
 #include "port/port.h"
 

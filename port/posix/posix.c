@@ -16,8 +16,8 @@
 #include <time.h>
 
 #include "port/host/channel.h"
-#include "port/port.h"
 #include "port/host/console.h"
+#include "port/port.h"
 
 /* In the middle of the real-time priorities: above all programs that have none, and below what serves devices. */
 enum { PRIORITY = 49 };

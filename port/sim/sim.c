@@ -5,8 +5,8 @@
  * A step needs no time, unless the script makes it slow.
  */
 #include "port/host/channel.h"
-#include "port/port.h"
 #include "port/host/console.h"
+#include "port/port.h"
 #include "port/sim/script.h"
 
 static uint64_t now;      /* ns since the start */
