@@ -197,7 +197,7 @@ END
 plant old <<'END'
 gravity (0, -9.81, 0) m/s^2; step 1 ms; tunable load = 2 kg
 body arm { mass 0 }
-body a1 { mass load; inertia (load * ((0.02 m)^2 / 12 + (0.03 m)^2 / 12), load * ((0.01 m)^2 / 12 + (0.03 m)^2 / 12), load * ((0.01 m)^2 / 12 + (0.02 m)^2 / 12)) }
+body a1 { box (10, 20, 30) mm of load }
 body a2 { mass 1 kg; inertia ((0.01 m)^2 / 4 + (0.3 m)^2 / 12, (0.01 m)^2 / 4 + (0.3 m)^2 / 12, (0.01 m)^2 / 2) * (1 kg) }
 body a3 { mass 300 g; inertia (3, 4, 5; 0.1, 0.2, 0.3) g*m^2 }
 joint pivot spherical { parent ground; child arm; spin (1, 2, 3) rad/s }

@@ -1,21 +1,20 @@
 /* What is kept of a formula from tick to tick: previous(x), sample(x, every 5 ms), delay(x, 5 ms). Each is a memory that
  * no effect declares; what it is of is evaluated when all lines are, so that a formula may need its own past. */
-#include <math.h>
-#include <string.h>
-
 #include "tools/isoc/effects/effects.h"
+#include "tools/isoc/formula/functions.h"
 #include "tools/isoc/formula/ticks.h"
+#include <math.h>
 
 enum { LONGEST_DELAY = 65535 };
 
 static const double longest_sample = 16777215.0; /* ticks, of core/numbers/waveform.h */
 
 /* The whole ticks of the time that a call has; 1 of previous; 0 after noting a problem. */
-static double ticks_of(effect_scope *w, const formula *f, bool is_sample)
+static double ticks_of(effect_scope *w, const formula *f, keeping kept)
 {
     source *s = w->b->s;
-    const double most = is_sample ? longest_sample : LONGEST_DELAY;
-    if (strcmp(f->name, "previous") == 0) {
+    const double most = kept == KEPT_SAMPLE ? longest_sample : LONGEST_DELAY;
+    if (kept == KEPT_PREVIOUS) {
         return 1.0;
     }
     const size_t before = s->problem_count;
@@ -59,7 +58,7 @@ static int add_history_memory(effect_scope *w, const formula *f, node start, dim
                    .quote = source_quote(b->s, f->at),
                    .least = -HUGE_VAL,
                    .most = HUGE_VAL};
-    m->kept = f->name[0] == 's' ? KEPT_SAMPLE : f->name[0] == 'd' ? KEPT_DELAY : KEPT_PREVIOUS;
+    m->kept = function_called(f->name)->kept;
     m->ticks = ticks;
     b->history_memories[b->history_memory_count++] =
         (history_memory){f, w->within, whole->effects.memory_count, expected, start >= 0, false};
@@ -70,8 +69,8 @@ value history_memory_value(void *context, const formula *f)
 {
     effect_scope *w = context;
     builder *b = w->b;
-    const bool is_previous = strcmp(f->name, "previous") == 0;
-    const size_t before = b->s->problem_count, at_start = is_previous ? 1 : 2;
+    const keeping kept = function_called(f->name)->kept;
+    const size_t before = b->s->problem_count, at_start = kept == KEPT_PREVIOUS ? 1 : 2;
     for (size_t i = 0; i < b->history_memory_count; i++) {
         const history_memory *p = &b->history_memories[i];
         if (p->of == f && p->within == w->within) {
@@ -79,7 +78,7 @@ value history_memory_value(void *context, const formula *f)
                 .count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.inputs.count + p->memory)}, .of = p->in};
         }
     }
-    const double ticks = ticks_of(w, f, f->name[0] == 's');
+    const double ticks = ticks_of(w, f, kept);
     const bool has_start = f->count > at_start;
     const value first = evaluate(w, w->within, f->parts[has_start ? at_start : 0], f->name);
     if (ticks == 0.0 || b->s->problem_count > before || !is_number(w, f, &first)) {

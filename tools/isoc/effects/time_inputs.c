@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"
+#include "tools/isoc/formula/functions.h"
 #include "tools/isoc/formula/ticks.h"
 #include "tools/isoc/formula/timing.h"
 #include "tools/isoc/scene/names.h"
@@ -13,14 +14,10 @@ static bool is_time(const formula *f)
     return f->kind == FORMULA_NAME && strcmp(f->name, "time") == 0;
 }
 
-static bool is_stream(const formula *f)
+static bool is_time_function(const formula *f)
 {
-    static const char *const words[] = {"noise", "step", "square", "prbs", "chirp"};
-    bool is = f->kind == FORMULA_FILE || is_time(f);
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        is = is || (f->kind == FORMULA_CALL && strcmp(f->name, words[i]) == 0);
-    }
-    return is;
+    const function_row *row = f->kind == FORMULA_CALL ? function_called(f->name) : NULL;
+    return f->kind == FORMULA_FILE || is_time(f) || (row != NULL && (row->kind == OF_TIME || row->kind == OF_JUMPS));
 }
 
 static time_input *time_input_called(const builder *b, const formula *f, const effect_use *within)
@@ -40,7 +37,7 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
         return;
     }
     const size_t all = b->written->inputs.count + (size_t)(b->mechanism.effects.memory_count + b->time_input_count);
-    const bool is_new = is_stream(f) && time_input_called(b, f, within) == NULL;
+    const bool is_new = is_time_function(f) && time_input_called(b, f, within) == NULL;
     if (is_new && all == MOST_MEMORIES) {
         source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
     }

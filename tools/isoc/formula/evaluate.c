@@ -356,7 +356,7 @@ static value evaluate_past(values *v, const formula *f)
 /* Points of a function of time, or of one or two quantities. */
 static value evaluate_points(values *v, const formula *f)
 {
-    if (f->number == 0.0 || f->name[0] != 't') {
+    if (f->number == 0.0 || strcmp(f->name, "table") != 0) {
         return points_of_formula(v, f);
     }
     const value result = f->number > 1.0 ? grid_of_formula(v, f) : table_of_formula(v, f);
@@ -369,14 +369,14 @@ static value evaluate_call(values *v, const formula *f)
     if (row == NULL) {
         return nothing;
     }
-    if (row->example == NULL) {
+    if (row->kind == OF_POINTS) {
         return evaluate_points(v, f);
     }
     if (f->count < row->least || f->count > row->most) {
         source_problem(v->s, f->at, "%s is written like this: %s", f->name, row->example);
         return nothing;
     }
-    if (row->call == NULL) {
+    if (row->kind == OF_PAST) {
         return evaluate_past(v, f);
     }
     value given[MOST_ARGUMENTS];

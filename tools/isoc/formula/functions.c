@@ -91,18 +91,28 @@ static bool is_frequency(const values *v, const value *arguments)
 }
 
 /* Of an angle; of a frequency it is a wave, which may have a phase. */
-static value call_sine(values *v, const formula *f, const value *arguments)
+static value sine_or_cosine(values *v, const formula *f, const value *arguments, bool is_sine)
 {
     node s, c;
     if (f->count == 2 || is_frequency(v, arguments)) {
-        return wave_of_formula(v, f, arguments);
+        return wave_of_formula(v, f, arguments, is_sine ? sine : cosine);
     }
     if (!is_angle(v, arguments)) {
         source_problem(v->s, f->parts[0]->at, "%s is of an angle, as in %s(30 deg), or of a frequency; this %s",
                        f->name, f->name, dimension_phrase(v->s->memory, arguments[0].of));
         return nothing;
     }
-    return turn_of(v, f, arguments, &s, &c) ? scalar(f->name[0] == 's' ? s : c, plain) : nothing;
+    return turn_of(v, f, arguments, &s, &c) ? scalar(is_sine ? s : c, plain) : nothing;
+}
+
+static value call_sine(values *v, const formula *f, const value *arguments)
+{
+    return sine_or_cosine(v, f, arguments, true);
+}
+
+static value call_cosine(values *v, const formula *f, const value *arguments)
+{
+    return sine_or_cosine(v, f, arguments, false);
 }
 
 static value call_tangent(values *v, const formula *f, const value *arguments)
@@ -119,10 +129,9 @@ static value call_tangent(values *v, const formula *f, const value *arguments)
 }
 
 /* asin and acos: beyond 1 only by the rounding of what gave the argument. asin x is the angle of (sqrt(1 - x^2), x). */
-static value call_inverse(values *v, const formula *f, const value *arguments)
+static value inverse_of(values *v, const formula *f, const value *arguments, bool is_sine)
 {
     const node x = arguments[0].parts[0], one = constant(v->g, 1.0);
-    const bool is_sine = f->name[1] == 's';
     if (!has_dimension(v, f, 0, arguments, plain)) {
         return nothing;
     }
@@ -137,6 +146,16 @@ static value call_inverse(values *v, const formula *f, const value *arguments)
     const node less = sub(v->g, one, x), more = add(v->g, one, x);
     const node other = function(v->g, OP_SQRT, mul(v->g, less, more), 0);
     return scalar(is_sine ? function(v->g, OP_ATAN2, x, other) : function(v->g, OP_ATAN2, other, x), radian);
+}
+
+static value call_arcsine(values *v, const formula *f, const value *arguments)
+{
+    return inverse_of(v, f, arguments, true);
+}
+
+static value call_arccosine(values *v, const formula *f, const value *arguments)
+{
+    return inverse_of(v, f, arguments, false);
 }
 
 static value call_direction(values *v, const formula *f, const value *arguments)
@@ -235,18 +254,31 @@ static value call_abs(values *v, const formula *f, const value *arguments)
     return result;
 }
 
-static value call_extreme(values *v, const formula *f, const value *arguments)
+static node lesser_of(graph *g, node a, node b)
 {
-    const bool largest = f->name[1] == 'a';
+    return function(g, OP_MIN, a, b);
+}
+
+static value extreme_of(values *v, const formula *f, const value *arguments, node (*of)(graph *g, node a, node b))
+{
     value result;
     if (!share_dimension(v, f, 0, arguments, &result) || refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
     for (size_t i = 1; i < f->count; i++) {
-        const node next = arguments[i].parts[0];
-        result.parts[0] = largest ? larger(v->g, result.parts[0], next) : function(v->g, OP_MIN, result.parts[0], next);
+        result.parts[0] = of(v->g, result.parts[0], arguments[i].parts[0]);
     }
     return result;
+}
+
+static value call_min(values *v, const formula *f, const value *arguments)
+{
+    return extreme_of(v, f, arguments, lesser_of);
+}
+
+static value call_max(values *v, const formula *f, const value *arguments)
+{
+    return extreme_of(v, f, arguments, larger);
 }
 
 static value call_clamp(values *v, const formula *f, const value *arguments)
@@ -270,13 +302,22 @@ static value call_sign(values *v, const formula *f, const value *arguments)
                                                      : scalar(function(v->g, OP_SIGN, arguments[0].parts[0], 0), plain);
 }
 
-static value call_whole(values *v, const formula *f, const value *arguments)
+static value whole_of(values *v, const formula *f, const value *arguments, operation op)
 {
-    const operation op = f->name[0] == 'f' ? OP_FLOOR : OP_ROUND;
     if (!has_dimension(v, f, 0, arguments, plain) || refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
     return scalar(function(v->g, op, arguments[0].parts[0], 0), plain);
+}
+
+static value call_floor(values *v, const formula *f, const value *arguments)
+{
+    return whole_of(v, f, arguments, OP_FLOOR);
+}
+
+static value call_round(values *v, const formula *f, const value *arguments)
+{
+    return whole_of(v, f, arguments, OP_ROUND);
 }
 
 /* if(condition, a, b): a where the condition is 1, b where it is 0. Exactly one of both is added to zero. */
@@ -308,17 +349,6 @@ value order_of(values *v, const formula *f, const value *given)
     /* a <= b where a is not above b. */
     const node is_above = (f->sign == '>') != or_equal ? above(v->g, a, b) : above(v->g, b, a);
     return scalar(or_equal ? sub(v->g, constant(v->g, 1.0), is_above) : is_above, plain);
-}
-
-static value call_noise(values *v, const formula *f, const value *arguments)
-{
-    return noise_of_formula(v, f, arguments);
-}
-
-/* Of time, in an input: a motion is smooth. */
-static value call_waveform(values *v, const formula *f, const value *arguments)
-{
-    return waveform_of_formula(v, f, arguments);
 }
 
 /* --- of vectors --- */
@@ -361,50 +391,63 @@ static value call_norm(values *v, const formula *f, const value *arguments)
 /* --- all of them --- */
 
 static const function_row functions[] = {
-    {"sqrt", "sqrt(2)", 1, 1, 1, call_root},
-    {"sin", "sin(30 deg), or in an input sin(3 Hz, 90 deg)", 1, 2, 1, call_sine},
-    {"cos", "cos(30 deg), or in an input cos(3 Hz, 90 deg)", 1, 2, 1, call_sine},
-    {"tan", "tan(30 deg)", 1, 1, 1, call_tangent},
-    {"asin", "asin(0.5)", 1, 1, 1, call_inverse},
-    {"acos", "acos(0.5)", 1, 1, 1, call_inverse},
-    {"atan2", "atan2(3 mm, 4 mm)", 2, 2, 1, call_direction},
-    {"exp", "exp(-1)", 1, 1, 1, call_exp},
-    {"log", "log(2)", 1, 1, 1, call_log},
-    {"min", "min(1 m, 2 m)", 2, MOST_ARGUMENTS, 1, call_extreme},
-    {"max", "max(1 m, 2 m)", 2, MOST_ARGUMENTS, 1, call_extreme},
-    {"abs", "abs(-1 m)", 1, 1, 1, call_abs},
-    {"tanh", "tanh(0.5)", 1, 1, 1, call_tanh},
-    {"impact_damping", "impact_damping(0.8), of a restitution", 1, 1, 1, call_impact},
-    {"sign", "sign(-1 m)", 1, 1, 1, call_sign},
-    {"floor", "floor(2.5)", 1, 1, 1, call_whole},
-    {"round", "round(2.5)", 1, 1, 1, call_whole},
-    {"clamp", "clamp(x, -1 m, 1 m)", 3, 3, 1, call_clamp},
-    {"if", "if(x > 0, 1 m, 2 m)", 3, 3, 1, call_if},
-    {"dot", "dot(a, b), of two vectors", 2, 2, 3, call_dot},
-    {"cross", "cross(a, b), of two vectors", 2, 2, 3, call_cross},
-    {"norm", "norm(a), of a vector", 1, 1, 3, call_norm},
-    {"noise", "noise(7), with a seed", 1, 1, 1, call_noise},
-    {"step", "step(0.5 s)", 1, 1, 1, call_waveform},
-    {"square", "square(2 Hz), or with a phase square(2 Hz, 90 deg)", 1, 2, 1, call_waveform},
+    {"sqrt", "sqrt(2)", 1, 1, 1, call_root, OF_VALUES, KEPT_NEXT},
+    {"sin", "sin(30 deg), or in an input sin(3 Hz, 90 deg)", 1, 2, 1, call_sine, OF_VALUES, KEPT_NEXT},
+    {"cos", "cos(30 deg), or in an input cos(3 Hz, 90 deg)", 1, 2, 1, call_cosine, OF_VALUES, KEPT_NEXT},
+    {"tan", "tan(30 deg)", 1, 1, 1, call_tangent, OF_VALUES, KEPT_NEXT},
+    {"asin", "asin(0.5)", 1, 1, 1, call_arcsine, OF_VALUES, KEPT_NEXT},
+    {"acos", "acos(0.5)", 1, 1, 1, call_arccosine, OF_VALUES, KEPT_NEXT},
+    {"atan2", "atan2(3 mm, 4 mm)", 2, 2, 1, call_direction, OF_VALUES, KEPT_NEXT},
+    {"exp", "exp(-1)", 1, 1, 1, call_exp, OF_VALUES, KEPT_NEXT},
+    {"log", "log(2)", 1, 1, 1, call_log, OF_VALUES, KEPT_NEXT},
+    {"min", "min(1 m, 2 m)", 2, MOST_ARGUMENTS, 1, call_min, OF_VALUES, KEPT_NEXT},
+    {"max", "max(1 m, 2 m)", 2, MOST_ARGUMENTS, 1, call_max, OF_VALUES, KEPT_NEXT},
+    {"abs", "abs(-1 m)", 1, 1, 1, call_abs, OF_VALUES, KEPT_NEXT},
+    {"tanh", "tanh(0.5)", 1, 1, 1, call_tanh, OF_VALUES, KEPT_NEXT},
+    {"impact_damping", "impact_damping(0.8), of a restitution", 1, 1, 1, call_impact, OF_VALUES, KEPT_NEXT},
+    {"sign", "sign(-1 m)", 1, 1, 1, call_sign, OF_VALUES, KEPT_NEXT},
+    {"floor", "floor(2.5)", 1, 1, 1, call_floor, OF_VALUES, KEPT_NEXT},
+    {"round", "round(2.5)", 1, 1, 1, call_round, OF_VALUES, KEPT_NEXT},
+    {"clamp", "clamp(x, -1 m, 1 m)", 3, 3, 1, call_clamp, OF_VALUES, KEPT_NEXT},
+    {"if", "if(x > 0, 1 m, 2 m)", 3, 3, 1, call_if, OF_VALUES, KEPT_NEXT},
+    {"dot", "dot(a, b), of two vectors", 2, 2, 3, call_dot, OF_VALUES, KEPT_NEXT},
+    {"cross", "cross(a, b), of two vectors", 2, 2, 3, call_cross, OF_VALUES, KEPT_NEXT},
+    {"norm", "norm(a), of a vector", 1, 1, 3, call_norm, OF_VALUES, KEPT_NEXT},
+    {"noise", "noise(7), with a seed", 1, 1, 1, noise_of_formula, OF_TIME, KEPT_NEXT},
+    {"step", "step(0.5 s)", 1, 1, 1, step_of_formula, OF_JUMPS, KEPT_NEXT},
+    {"square", "square(2 Hz), or with a phase square(2 Hz, 90 deg)", 1, 2, 1, square_of_formula, OF_JUMPS, KEPT_NEXT},
     {"prbs", "prbs(7), with a seed; or with the time of a bit and their order, prbs(7, 10 ms, 9)", 1, 3, 1,
-     call_waveform},
-    {"chirp", "chirp(1 Hz, 50 Hz, 10 s), from one frequency to another, and how long it takes", 3, 3, 1, call_waveform},
-    {"previous", "previous(x), or with a start previous(x, 0 V)", 1, 2, 0, NULL},
-    {"delay", "delay(x, 5 ms), or with a start delay(x, 5 ms, 0 V)", 2, 3, 0, NULL},
-    {"sample", "sample(x, every 5 ms), or with a start sample(x, every 5 ms, 0 V)", 2, 3, 0, NULL},
-    {"table", NULL, 0, 0, 1, NULL},
-    {"ramp", NULL, 0, 0, 1, NULL},
+     prbs_of_formula, OF_JUMPS, KEPT_NEXT},
+    {"chirp", "chirp(1 Hz, 50 Hz, 10 s), from one frequency to another, and how long it takes", 3, 3, 1,
+     chirp_of_formula, OF_TIME, KEPT_NEXT},
+    {"previous", "previous(x), or with a start previous(x, 0 V)", 1, 2, 0, NULL, OF_PAST, KEPT_PREVIOUS},
+    {"delay", "delay(x, 5 ms), or with a start delay(x, 5 ms, 0 V)", 2, 3, 0, NULL, OF_PAST, KEPT_DELAY},
+    {"sample", "sample(x, every 5 ms), or with a start sample(x, every 5 ms, 0 V)", 2, 3, 0, NULL, OF_PAST,
+     KEPT_SAMPLE},
+    {"table", NULL, 0, 0, 1, NULL, OF_POINTS, KEPT_NEXT},
+    {"ramp", NULL, 0, 0, 1, NULL, OF_POINTS, KEPT_NEXT},
 };
 enum { FUNCTIONS = sizeof functions / sizeof functions[0] };
+
+const function_row *function_called(const char *name)
+{
+    for (size_t i = 0; i < FUNCTIONS; i++) {
+        if (strcmp(name, functions[i].name) == 0) {
+            return &functions[i];
+        }
+    }
+    return NULL;
+}
 
 const function_row *find_function(values *v, const formula *f)
 {
     const char *names[FUNCTIONS];
+    const function_row *found = function_called(f->name);
+    if (found != NULL) {
+        return found;
+    }
     for (size_t i = 0; i < FUNCTIONS; i++) {
         names[i] = functions[i].name;
-        if (strcmp(f->name, names[i]) == 0) {
-            return &functions[i];
-        }
     }
     source_problem(v->s, f->at, "no function is called '%s'%s", f->name,
                    source_suggestion(v->s, f->name, names, FUNCTIONS));

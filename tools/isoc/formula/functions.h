@@ -7,17 +7,33 @@
 
 enum { MOST_ARGUMENTS = 64 };
 
-/* A function: what it takes, and its value for arguments that are numbers. A problem of its own is noted at the call. NULL:
- * its arguments are not evaluated before. */
+typedef enum function_kind {
+    OF_VALUES, /* of its arguments alone */
+    OF_TIME,   /* of the tick too: in formulas that are not of an input, an input of its own */
+    OF_JUMPS,  /* such a one that jumps, at each of which a method with a history starts again */
+    OF_POINTS, /* of the tick, or of its arguments, by points */
+    OF_PAST,   /* of its first argument in rows before */
+} function_kind;
+
+/* How a memory follows its `next`: one of an effect is its next, of what was before; what is kept of a formula is that in
+ * rows whose number is a multiple of some ticks, or that of so many ticks before. */
+typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_PREVIOUS, KEPT_DELAY } keeping;
+
+/* A function: what it takes, and its value for arguments that are numbers. A problem of its own is noted at the call. */
 typedef struct function_row {
-    const char *name, *example;
-    size_t least, most; /* arguments */
-    int parts;          /* of each: 1, or those of a vector */
-    value (*call)(values *v, const formula *f, const value *given);
+    const char *name, *example;                                     /* NULL: points have no number of arguments */
+    size_t least, most;                                             /* arguments */
+    int parts;                                                      /* of each: 1, or those of a vector */
+    value (*call)(values *v, const formula *f, const value *given); /* NULL: its arguments are not evaluated before */
+    function_kind kind;
+    keeping kept; /* of OF_PAST */
 } function_row;
 
 /* That of a call; NULL after noting a problem. */
 const function_row *find_function(values *v, const formula *f);
+
+/* The one with this name; NULL where there is none. */
+const function_row *function_called(const char *name);
 
 /* Of a comparison of two values: 1 or 0. */
 value order_of(values *v, const formula *f, const value *given);

@@ -140,7 +140,9 @@ static value chirp_of(values *v, const formula *f, const value *given)
     return scalar(result->made, plain);
 }
 
-value waveform_of_formula(values *v, const formula *f, const value *given)
+/* In the formula of an input its nodes, once for each call; elsewhere an input of its own. */
+static value waveform_of(values *v, const formula *f, const value *given,
+                         value (*of)(values *v, const formula *f, const value *given))
 {
     if (is_time_input(v)) {
         return v->around->time_input(v->around->of, f);
@@ -149,9 +151,25 @@ value waveform_of_formula(values *v, const formula *f, const value *given)
     if (!is_in_input(v, f)) {
         return nothing;
     }
-    return before != NULL      ? scalar(before->made, plain)
-           : f->name[1] == 't' ? step_of(v, f, given)
-           : f->name[1] == 'q' ? square_of(v, f, given)
-           : f->name[0] == 'p' ? prbs_of(v, f, given)
-                               : chirp_of(v, f, given);
+    return before != NULL ? scalar(before->made, plain) : of(v, f, given);
+}
+
+value step_of_formula(values *v, const formula *f, const value *given)
+{
+    return waveform_of(v, f, given, step_of);
+}
+
+value square_of_formula(values *v, const formula *f, const value *given)
+{
+    return waveform_of(v, f, given, square_of);
+}
+
+value prbs_of_formula(values *v, const formula *f, const value *given)
+{
+    return waveform_of(v, f, given, prbs_of);
+}
+
+value chirp_of_formula(values *v, const formula *f, const value *given)
+{
+    return waveform_of(v, f, given, chirp_of);
 }

@@ -13,6 +13,7 @@
 #define ISOC_MECHANISM_MECHANISM_H
 
 #include "core/methods/table.h"
+#include "tools/isoc/formula/functions.h"
 #include "tools/isoc/formula/value.h"
 #include "tools/isoc/graph/vector.h"
 
@@ -195,10 +196,6 @@ typedef struct variable {
     dimension dimension;      /* of a parameter */
     const char *display_name; /* of a fault: EFFECT.FAULT */
 } variable;
-
-/* How a memory follows its `next`: one of an effect is its next, of what was before; what is kept of a formula is that in
- * rows whose number is a multiple of some ticks, or that of so many ticks before. */
-typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_PREVIOUS, KEPT_DELAY } keeping;
 
 /* A state of an effect, or a memory of one: what it is called, its start, and its rate, or its next. */
 typedef struct effect_quantity {

@@ -1,6 +1,6 @@
 #include "tools/isoc/plant/input_check.h"
 
-#include <string.h>
+#include "tools/isoc/formula/functions.h"
 
 static const char *without_history(unsigned recipe)
 {
@@ -32,7 +32,8 @@ static void check_inputs(const source *s, const scene *written, unsigned recipe)
 /* What jumps starts a new history; all else changes at every tick. */
 static bool is_restarting(const char *word)
 {
-    return strcmp(word, "step") == 0 || strcmp(word, "square") == 0 || strcmp(word, "prbs") == 0;
+    const function_row *row = function_called(word);
+    return row != NULL && row->kind == OF_JUMPS;
 }
 
 /* The first function of time that these depend on, by what is known of the inputs and memories; -1: none. */
