@@ -5,15 +5,25 @@
 
 #include "tools/isoc/scene/names.h"
 
-/* The joint that the use names for an operand. */
-static int bound_segment(effect_scope *w, const instance *in, const effect_line *line)
+/* What the use gives for an operand, which is the name of a joint or of a body; NULL if it gives none. */
+static const quantity *name_given(effect_scope *w, const instance *in, const effect_line *line, const char *what)
 {
     const quantity *given = operand_called(in, line->name.text);
     if (given == NULL || given->value == NULL) {
-        return -1;
+        return NULL;
     }
     if (given->value->kind != FORMULA_NAME) {
-        source_problem(w->b->s, given->value->at, "expected the name of a joint for '%s'", line->name.text);
+        source_problem(w->b->s, given->value->at, "expected the name of a %s for '%s'", what, line->name.text);
+        return NULL;
+    }
+    return given;
+}
+
+/* The joint that the use names for an operand. */
+static int bound_segment(effect_scope *w, const instance *in, const effect_line *line)
+{
+    const quantity *given = name_given(w, in, line, "joint");
+    if (given == NULL) {
         return -1;
     }
     const int found = segment_of(w, (name){given->value->name, given->value->at});
@@ -28,13 +38,9 @@ static int bound_segment(effect_scope *w, const instance *in, const effect_line 
 /* The body that it names, and its point. */
 static int bound_body(effect_scope *w, const instance *in, const effect_line *line, vector *point)
 {
-    const quantity *given = operand_called(in, line->name.text);
+    const quantity *given = name_given(w, in, line, "body");
     *point = vector_zero(w->b->g);
-    if (given == NULL || given->value == NULL) {
-        return -1;
-    }
-    if (given->value->kind != FORMULA_NAME) {
-        source_problem(w->b->s, given->value->at, "expected the name of a body for '%s'", line->name.text);
+    if (given == NULL) {
         return -1;
     }
     *point = vector_value(w->b, given->point, metre, "a point");
