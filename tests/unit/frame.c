@@ -5,6 +5,7 @@
 #undef iso_frame_put_reals
 #undef iso_frame_real
 #include "core/link/frame.c"
+#include "core/link/link.h"
 
 /* Of a generator of 32 bits (Marsaglia 2003, xorshift). */
 static uint32_t seed;
@@ -264,9 +265,41 @@ static void test_reals(void)
     tap_same(iso_frame_real(received + 1 + sizeof(real)), x[1], "reals: with the sign of its zero");
 }
 
+/* --- The numbers of the wire: those of core/link/README.md, which programs of others have too ------------------------ */
+
+static void test_numbers(void)
+{
+    static const uint8_t types[] = {ISO_LINK_HELLO,  ISO_LINK_START,   ISO_LINK_INPUTS,
+                                    ISO_LINK_END,    ISO_LINK_COMMAND, ISO_LINK_OUTPUTS,
+                                    ISO_LINK_ANSWER, ISO_LINK_PLANT,   ISO_LINK_REFUSAL};
+    static const char letters[] = "hsuecyCHn";
+    static const uint8_t commands[] = {ISO_COMMAND_STATE, ISO_COMMAND_RUN,  ISO_COMMAND_REST,  ISO_COMMAND_RESET,
+                                       ISO_COMMAND_TAKE,  ISO_COMMAND_READ, ISO_COMMAND_WRITE, ISO_COMMAND_RESTORE};
+    static const uint8_t reasons[] = {ISO_LINK_UNKNOWN, ISO_LINK_FOREIGN, ISO_LINK_NO_MODE, ISO_LINK_NOT_STARTED,
+                                      ISO_LINK_ALREADY_STARTED};
+    bool good = true;
+    for (size_t i = 0; i < sizeof types; i++) {
+        good = good && types[i] == (uint8_t)letters[i];
+    }
+    tap_ok(good, "types of frames");
+    good = true;
+    for (size_t i = 0; i < sizeof commands; i++) {
+        good = good && commands[i] == i + 1;
+    }
+    tap_ok(good, "commands");
+    good = true;
+    for (size_t i = 0; i < sizeof reasons; i++) {
+        good = good && reasons[i] == i + 1;
+    }
+    tap_ok(good, "reasons of a refusal");
+    tap_ok(ISO_LINK_VERSION == 1 && ISO_LINK_FREE == 0 && ISO_LINK_LOCKSTEP == 1, "version and modes");
+    tap_count(ISO_COMMAND_PIECE, 128, "bytes of a piece of a snapshot");
+}
+
 int main(void)
 {
     seed = 12345;
+    test_numbers();
     test_crc();
     test_cobs();
     test_wire();
