@@ -406,7 +406,7 @@ OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(filter-out $(CONTROL),$(wildcard $(addsuf
     $(filter-out $(PORT_CHANNEL),$(wildcard $(PORT)/*.c)) $(PORT_SHARED))
 
 # What a plant with a link has besides, and its own main. The last of core/xcp no program has: the A2L follows from it.
-CALIBRATION := $(filter-out core/xcp/places.c,$(wildcard core/xcp/*.c))
+CALIBRATION := $(wildcard core/xcp/*.c)
 LINKED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) \
     $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/link/*.c) $(CONTROL) $(PORT_CHANNEL) $(if $(XCP),$(CALIBRATION)))
 
@@ -415,7 +415,7 @@ RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OB
 
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(OBJ)/core/xcp/places.o)))
+	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(OBJ)/tools/a2l/places.o)))
 	$(call remember,$(COMPILE))
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
@@ -423,7 +423,7 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(Q)$(COMPILE) -MMD -MP -c $< -o $@
 
 -include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d) $(RECORDED_OBJECTS:.o=.d)) \
-    $(OBJ)/core/xcp/places.d
+    $(OBJ)/tools/a2l/places.d
 
 # --- Goals -------------------------------------------------------------------------------------------------------
 
@@ -447,7 +447,7 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 folder_of = $(if $(filter run plot link hil size stack ticks a2l,$(1)),$(OUT),$(if $(filter cost,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
 shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
-    $(OBJ)/core/xcp/places.o)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
+    $(OBJ)/tools/a2l/places.o)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
 # Of goals that need few of them; the others have all.
 TOOLS_OF_run := $(addprefix build/,isoc trace duration)
 TOOLS_OF_plot := $(TOOLS_OF_run) build/plot

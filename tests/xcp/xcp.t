@@ -123,7 +123,7 @@ refused "--link --xcp a-lock" "--xcp is open, or the name of an iso_xcp_lock in 
 # A symbol that the program does not have, and one that has fewer bytes.
 for symbol in absent+0 memory+4096; do
     echo "ECU_ADDRESS @$symbol@" >"$out/template"
-    ! sh tools/a2l/a2l.sh nm "$out/host/cart" "$out/project/build/obj/host/float/core/xcp/places.o" "$out/template" float \
+    ! sh tools/a2l/a2l.sh nm "$out/host/cart" "$out/project/build/obj/host/float/tools/a2l/places.o" "$out/template" float \
         >"$out/bad.a2l" 2>"$out/errors" && [ ! -s "$out/bad.a2l" ]
     result $? "found: $(cat "$out/errors")"
 done

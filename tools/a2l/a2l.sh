@@ -3,7 +3,7 @@
 #
 #     a2l.sh NM PROGRAM PLACES TEMPLATE float|double
 #
-# @SYMBOL+OFFSET@ in the template becomes a number. The symbols of PLACES, the object of core/xcp/places.c, say which statistics there
+# @SYMBOL+OFFSET@ in the template becomes a number. The symbols of PLACES, the object of tools/a2l/places.c, say which statistics there
 # are; choice__ those that a program may not have. Any other symbol that the program does not have, or has twice, is an error: then
 # nothing is written.
 set -eu

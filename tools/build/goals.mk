@@ -99,9 +99,9 @@ $(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS) $(O
 # The A2L, beside the program: what isoc wrote, with the addresses of the linked program.
 A2L := $(OUT)/$(NAME).a2l
 
-$(A2L): $(LINKED_PROGRAM) $(OBJ)/core/xcp/places.o tools/a2l/a2l.sh
+$(A2L): $(LINKED_PROGRAM) $(OBJ)/tools/a2l/places.o tools/a2l/a2l.sh
 	$(call say,A2L,$@)
-	$(Q)sh tools/a2l/a2l.sh $(PORT_NM) $(LINKED_PROGRAM) $(OBJ)/core/xcp/places.o $(LINKED)/plant.a2l.in $(REAL) >$@
+	$(Q)sh tools/a2l/a2l.sh $(PORT_NM) $(LINKED_PROGRAM) $(OBJ)/tools/a2l/places.o $(LINKED)/plant.a2l.in $(REAL) >$@
 
 a2l: $(A2L)
 	@echo program $(LINKED_PROGRAM)

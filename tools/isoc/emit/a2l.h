@@ -11,7 +11,7 @@
 void emit_calibration(const plant *p, const naming *names, const char *lock, uint64_t identity, text *out);
 
 /* The A2L without the addresses, which a linker gives: where it has @SYMBOL+OFFSET@, tools/a2l/a2l.sh puts a number, and
- * for lines of `@statistics@` and `@names of statistics@` what core/xcp/places.c has. ASAP2, version 1.61. */
+ * for lines of `@statistics@` and `@names of statistics@` what tools/a2l/places.c has. ASAP2, version 1.61. */
 void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out);
 
 #endif
