@@ -25,7 +25,7 @@ static bool is_plain(unsigned recipe)
 /* A method that takes over. */
 static unsigned method_of_rung(builder *b, name rung)
 {
-    const running *written = &b->written->running;
+    const policy_statement *written = &b->written->policies;
     const unsigned method = find_method(b, rung);
     if (!is_plain(method)) {
         source_problem(b->s, rung.at, "a rung is one of the methods euler, heun and rk4, drop EFFECT, or hold");
@@ -139,7 +139,7 @@ static void drop(builder *b, name rung)
 /* The rungs of a ladder, from the method of the scene downwards: what a rung changes holds on those below it. */
 static void build_ladder(builder *b)
 {
-    const running *written = &b->written->running;
+    const policy_statement *written = &b->written->policies;
     policies *to = &b->mechanism.policies;
     unsigned method = ISO_METHOD_OF(b->mechanism.method.recipe);
     if (!is_plain(method) || ISO_IS_CHECKED(b->mechanism.method.recipe)) {
@@ -175,7 +175,7 @@ static void build_ladder(builder *b)
 
 void build_policies(builder *b)
 {
-    const running *written = &b->written->running;
+    const policy_statement *written = &b->written->policies;
     b->mechanism.policies = (policies){.overrun = written->overrun,
                                        .catch_up = ticks_of(b, written->catch_up, "what is caught up", 0.0),
                                        .grace = ticks_of(b, written->grace, "the grace", 1.0),
@@ -190,7 +190,7 @@ void build_policies(builder *b)
 
 void mechanism_without_loop(source *s, const scene *written)
 {
-    const running *r = &written->running;
+    const policy_statement *r = &written->policies;
     const struct {
         bool is_there;
         place at;

@@ -248,7 +248,7 @@ typedef enum rung_kind { RUNG_METHOD, RUNG_DROP, RUNG_HOLD } rung_kind;
 
 enum { MOST_RUNGS = 8 };
 
-typedef struct running {
+typedef struct policy_statement {
     overrun_kind overrun;
     place overrun_at, publish_at, histogram_at;
     formula *catch_up, *grace; /* ticks; NULL where none is given */
@@ -258,7 +258,7 @@ typedef struct running {
     formula *after; /* so many good ticks one rung up again */
     bool delayed;   /* outputs are published when the next tick begins */
     bool histogram; /* of execution times */
-} running;
+} policy_statement;
 
 /* How the method is used, where the scene says so. */
 typedef struct method_options {
@@ -273,7 +273,7 @@ typedef struct scene {
     name method;
     method_options options;
     stabilisation stabilisation;
-    running running;
+    policy_statement policies;
     LIST_OF(body) bodies; /* all statements of a kind, in their order */
     LIST_OF(named_frame) frames;
     LIST_OF(spring_statement) springs;

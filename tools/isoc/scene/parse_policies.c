@@ -10,7 +10,7 @@ static const char *const publish_names[] = {"at_once", "next_tick"};
 /* method NAME, drop EFFECT, or hold: the next rung. */
 static void read_rung(parser *p, const token *word, void *slot)
 {
-    running *to = slot;
+    policy_statement *to = slot;
     const rung_kind kind = strcmp(word->text, "hold") == 0   ? RUNG_HOLD
                            : strcmp(word->text, "drop") == 0 ? RUNG_DROP
                                                              : RUNG_METHOD;
@@ -28,7 +28,7 @@ static void read_rung(parser *p, const token *word, void *slot)
 static void read_after(parser *p, const token *word, void *slot)
 {
     (void)word;
-    running *to = slot;
+    policy_statement *to = slot;
     to->after = parse_formula(p);
     if (!p->failed && !take_word(p, "ticks")) {
         parse_problem(p, "expected ticks: after 100 ticks");
@@ -47,7 +47,7 @@ static const block ladder = {
 
 void read_overrun(parser *p, const token *word, void *slot)
 {
-    running *to = slot;
+    policy_statement *to = slot;
     to->overrun_at = word->at;
     const size_t kind = take_one_of(p, overrun_names, COUNT_OF(overrun_names));
     to->overrun = kind < COUNT_OF(overrun_names) ? (overrun_kind)kind : OVERRUN_COUNT;
@@ -62,7 +62,7 @@ void read_overrun(parser *p, const token *word, void *slot)
 void read_grace(parser *p, const token *word, void *slot)
 {
     (void)word;
-    running *to = slot;
+    policy_statement *to = slot;
     to->grace = parse_formula(p);
     if (!p->failed && !take_word(p, "ticks")) {
         source_problem(p->s, to->grace->at, "a grace is a number of ticks: grace 10 ticks");
@@ -72,7 +72,7 @@ void read_grace(parser *p, const token *word, void *slot)
 
 void read_publish(parser *p, const token *word, void *slot)
 {
-    running *to = slot;
+    policy_statement *to = slot;
     to->publish_at = word->at;
     to->delayed = take_one_of(p, publish_names, COUNT_OF(publish_names)) == 1;
 }
@@ -80,7 +80,7 @@ void read_publish(parser *p, const token *word, void *slot)
 void read_histogram(parser *p, const token *word, void *slot)
 {
     (void)p;
-    running *to = slot;
+    policy_statement *to = slot;
     to->histogram_at = word->at;
     to->histogram = true;
 }
