@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 void text_add(text *t, const char *format, ...)
 {
@@ -14,6 +15,30 @@ void text_add(text *t, const char *format, ...)
     vsnprintf(t->bytes + t->length, length + 1, format, again);
     va_end(again);
     t->length += length;
+}
+
+/* The filling of the place that begins at an @; the last of them if it is none. */
+static const filling *filling_of(const char *at, const filling *f)
+{
+    while (f->place != NULL && (strncmp(at + 1, f->place, strlen(f->place)) != 0 || at[1 + strlen(f->place)] != '@')) {
+        f++;
+    }
+    return f;
+}
+
+void text_fill(text *t, const char *template, const filling *fillings)
+{
+    for (const char *at = template; *at != '\0';) {
+        const filling *f = at[0] == '@' ? filling_of(at, fillings) : NULL;
+        if (f != NULL && f->place != NULL) {
+            text_add(t, "%s", f->words);
+            at += strlen(f->place) + 2;
+        } else {
+            const size_t length = 1 + strcspn(at + 1, "@");
+            text_add(t, "%.*s", (int)length, at);
+            at += length;
+        }
+    }
 }
 
 const char *alternatives(arena *memory, const char *const *words, size_t count)

@@ -13,6 +13,14 @@ typedef struct text {
 /* Adds what printf would write. */
 void text_add(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/* What stands for a place of a template, @name@; the last of an array has none. */
+typedef struct filling {
+    const char *place, *words;
+} filling;
+
+/* Adds a template with its places filled. What is none of them stays as it is. */
+void text_fill(text *t, const char *template, const filling *fillings);
+
 /* The words as a person lists them: a, b or c. */
 const char *alternatives(arena *memory, const char *const *words, size_t count);
 

@@ -112,6 +112,11 @@ static terminals terminals_of(const plant *p, arena *memory, uint64_t identity)
                        .is_double = p->is_double};
 }
 
+static const char *identity_of(const terminals *t, arena *memory)
+{
+    return arena_format(memory, "0x%016" PRIx64, t->identity);
+}
+
 /* A number of a range as C or Python has it; none is `infinity`. */
 static const char *bound(arena *memory, double number, const char *infinity)
 {
@@ -137,144 +142,48 @@ static void emit_terminals(const terminals *t, char array, const char *what, con
         }
         text_add(out, "};\n");
     }
-    text_add(out, "\n");
-}
-
-/* What a controller calls: @ is the prefix of its names, ~ the same in capitals. */
-static const char calls[] =
-    "/* The link: set u, then exchange, and read y. It stays where it was opened. */\n"
-    "typedef struct @_link {\n"
-    "    @_real u[~_INPUTS + 1], y[~_OUTPUTS + 1];\n"
-    "    iso_client client; /* client.tick, client.problem, client.over, client.end */\n"
-    "    uint8_t received[~_FRAME_BYTES], sent[~_FRAME_BYTES];\n"
-    "} @_link;\n\n"
-    "/* Connects with unix:PATH, tcp:HOST:PORT, fd:NUMBER or the path of a device; NULL: as ISOCHRON_LINK says. "
-    "*/\n"
-    "static inline bool @_open(@_link *link, const char *address)\n"
-    "{\n"
-    "    memset(link, 0, sizeof *link);\n"
-    "    link->client.identity = ~_IDENTITY;\n"
-    "    link->client.real_bytes = sizeof(@_real);\n"
-    "    link->client.inputs = ~_INPUTS;\n"
-    "    link->client.outputs = ~_OUTPUTS;\n"
-    "    link->client.u = link->u;\n"
-    "    link->client.y = link->y;\n"
-    "    link->client.received = link->received;\n"
-    "    link->client.sent = link->sent;\n"
-    "    link->client.room = sizeof link->received;\n"
-    "    link->client.patience_ms = ISO_CLIENT_PATIENCE_MS;\n"
-    "    link->client.file = iso_client_connect(address);\n"
-    "    return link->client.file >= 0 || iso_client_fail(&link->client, \"the link\", strerror(errno));\n"
-    "}\n\n"
-    "/* Starts a run of so many ticks, 0: until it is stopped; ISO_CLIENT_LOCKSTEP or ISO_CLIENT_FREE. y is that "
-    "of tick 0. "
-    "*/\n"
-    "static inline bool @_start(@_link *link, int mode, uint64_t ticks)\n"
-    "{\n"
-    "    return iso_client_start(&link->client, mode, ticks);\n"
-    "}\n\n"
-    "/* Sends u, and waits for the next y; in a free run for the latest. False: the run is over, or there is a "
-    "problem. */\n"
-    "static inline bool @_exchange(@_link *link)\n"
-    "{\n"
-    "    return iso_client_exchange(&link->client);\n"
-    "}\n\n"
-    "/* Ends the run. */\n"
-    "static inline bool @_stop(@_link *link)\n"
-    "{\n"
-    "    return iso_client_stop(&link->client);\n"
-    "}\n\n"
-    "/* Commands, between two ticks; client.state is then how the plant is. Runs for so many ticks, 0: without an "
-    "end. "
-    "*/\n"
-    "static inline bool @_run(@_link *link, uint64_t ticks)\n"
-    "{\n"
-    "    return iso_client_do(&link->client, ISO_CLIENT_RUN, ticks, 8);\n"
-    "}\n\n"
-    "/* Rests. */\n"
-    "static inline bool @_pause(@_link *link)\n"
-    "{\n"
-    "    return iso_client_do(&link->client, ISO_CLIENT_REST, 0, 0);\n"
-    "}\n\n"
-    "/* Asks how the plant is. */\n"
-    "static inline bool @_state(@_link *link)\n"
-    "{\n"
-    "    return iso_client_do(&link->client, ISO_CLIENT_STATE, 0, 0);\n"
-    "}\n\n"
-    "/* Begins a run in the mode of the last, also after the guard; the plant rests at tick 0. */\n"
-    "static inline bool @_reset(@_link *link)\n"
-    "{\n"
-    "    return iso_client_move(&link->client, ISO_CLIENT_RESET, 0, 0);\n"
-    "}\n\n"
-    "/* Takes a snapshot of the plant into record[room]. Returns its bytes; 0: there is a problem. */\n"
-    "static inline size_t @_snapshot(@_link *link, void *record, size_t room)\n"
-    "{\n"
-    "    return iso_client_snapshot(&link->client, record, room);\n"
-    "}\n\n"
-    "/* Puts the plant to a snapshot of any plant of its kind, on any target; it rests there. */\n"
-    "static inline bool @_restore(@_link *link, const void *record, size_t bytes)\n"
-    "{\n"
-    "    return iso_client_restore(&link->client, record, bytes);\n"
-    "}\n\n"
-    "static inline void @_close(@_link *link)\n"
-    "{\n"
-    "    (void)close(link->client.file);\n"
-    "}\n";
-
-/* Calls of the client, for the plant's own struct. */
-static void emit_calls(const terminals *t, text *out)
-{
-    for (const char *c = calls; *c != '\0'; c++) {
-        if (*c == '@' || *c == '~') {
-            text_add(out, "%s", *c == '@' ? t->prefix : t->capitals);
-        } else {
-            text_add(out, "%c", *c);
-        }
-    }
 }
 
 static void emit_client_header(const terminals *t, text *out)
 {
-    text_add(out, "/* A controller's end of the link to the plant of %s.scene. Made by isoc. In SI units. */\n",
-             t->scene);
-    text_add(out, "%s\n", embedded_text(client_files, "tools/client/client.h"));
-    text_add(out, "#ifndef %s_LINK_H\n#define %s_LINK_H\n\n#include <math.h>\n\n", t->capitals, t->capitals);
-    text_add(out, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
-    text_add(out, "typedef %s %s_real;\n", t->is_double ? "double" : "float", t->prefix);
-    text_add(out, "#define %s_IDENTITY UINT64_C(0x%016" PRIx64 ")\n", t->capitals, t->identity);
-    text_add(out, "#define %s_PERIOD_NS %ld\n\n", t->capitals, t->period_ns);
-    text_add(out, "/* Inputs u: place, name, unit and range. */\n");
-    emit_terminals(t, 'U', "inputs", t->inputs, t->input_count, out);
-    text_add(out, "/* Outputs y. */\n");
-    emit_terminals(t, 'Y', "outputs", t->outputs, t->output_count, out);
-    text_add(out, "/* Room for every frame: a tick with reals, or how a run went. */\n");
-    text_add(out,
-             "enum {\n    %s_FRAME_BYTES =\n        ISO_CLIENT_ROOM(8 + sizeof(iso_client_end) + (%s_INPUTS + "
-             "%s_OUTPUTS) * sizeof(%s_real))\n};\n\n",
-             t->capitals, t->capitals, t->capitals, t->prefix);
-    emit_calls(t, out);
-    text_add(out, "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n");
+    text inputs = {.memory = out->memory}, outputs = {.memory = out->memory};
+    emit_terminals(t, 'U', "inputs", t->inputs, t->input_count, &inputs);
+    emit_terminals(t, 'Y', "outputs", t->outputs, t->output_count, &outputs);
+    text_fill(out, embedded_text(client_files, "tools/client/link.h.in"),
+              (const filling[]){{"scene", t->scene},
+                                {"client", embedded_text(client_files, "tools/client/client.h")},
+                                {"prefix", t->prefix},
+                                {"PREFIX", t->capitals},
+                                {"real", t->is_double ? "double" : "float"},
+                                {"identity", identity_of(t, out->memory)},
+                                {"period_ns", arena_format(out->memory, "%ld", t->period_ns)},
+                                {"inputs", inputs.bytes},
+                                {"outputs", outputs.bytes},
+                                {NULL, NULL}});
 }
 
-static void emit_dictionary(const char *called, const terminal *all, int count, text *out)
+static const char *python_dictionary(arena *memory, const terminal *all, int count)
 {
-    text_add(out, "%s = {\n", called);
+    text rows = {.memory = memory};
+    text_add(&rows, "{\n");
     for (int i = 0; i < count; i++) {
-        text_add(out, "    \"%s\": (\"%s\", %s, %s),\n", all[i].name, all[i].unit,
-                 bound(out->memory, all[i].least, "float(\"inf\")"), bound(out->memory, all[i].most, "float(\"inf\")"));
+        text_add(&rows, "    \"%s\": (\"%s\", %s, %s),\n", all[i].name, all[i].unit,
+                 bound(memory, all[i].least, "float(\"inf\")"), bound(memory, all[i].most, "float(\"inf\")"));
     }
-    text_add(out, "}\n");
+    text_add(&rows, "}");
+    return rows.bytes;
 }
 
 static void emit_client_module(const terminals *t, text *out)
 {
-    text_add(out, "# A controller's end of the link to the plant of %s.scene. Made by isoc. In SI units.\n", t->scene);
-    text_add(out, "IDENTITY = 0x%016" PRIx64 "\nPERIOD_NS = %ld\nREAL = \"%s\"\n", t->identity, t->period_ns,
-             t->is_double ? "d" : "f");
-    text_add(out, "# Unit, least and most of each.\n");
-    emit_dictionary("INPUTS", t->inputs, t->input_count, out);
-    emit_dictionary("OUTPUTS", t->outputs, t->output_count, out);
-    text_add(out, "\n%s", embedded_text(client_files, "tools/client/client.py"));
+    text_fill(out, embedded_text(client_files, "tools/client/client.py.in"),
+              (const filling[]){{"scene", t->scene},
+                                {"type", t->is_double ? "d" : "f"},
+                                {"identity", identity_of(t, out->memory)},
+                                {"period_ns", arena_format(out->memory, "%ld", t->period_ns)},
+                                {"inputs", python_dictionary(out->memory, t->inputs, t->input_count)},
+                                {"outputs", python_dictionary(out->memory, t->outputs, t->output_count)},
+                                {NULL, NULL}});
 }
 
 bool link_fits(const plant *p, const char *path)
