@@ -9,7 +9,7 @@
 #include "tools/isoc/emit/parts.h"
 
 /* The sizes of core/xcp, which the A2L tells; the program that has both asserts them. */
-enum { MAX_CTO = 64, MAX_DTO = 256, LISTS = 4, BLOCK_BYTES = 255, BAUD = 1000000, ETHERNET_PORT = 5555 };
+enum { MAX_CTO = 64, MAX_DTO = 256, LISTS = 4, BLOCK_BYTES = 255 };
 
 /* A duration of `count` times 10^unit ns. */
 typedef struct duration {
@@ -114,6 +114,11 @@ static const char *limit_of_type(arena *memory, const plant *p, double x)
     return isinf(x) ? arena_format(memory, "%s%s", x < 0.0 ? "-" : "", most) : arena_format(memory, "%.15g", x);
 }
 
+static const char *type_of_reals(const plant *p)
+{
+    return p->is_double ? "FLOAT64_IEEE" : "FLOAT32_IEEE";
+}
+
 static const char *about(arena *memory, const section *s, const variable *v)
 {
     return v->display_name != NULL ? arena_format(memory, "fault %s", v->display_name) : s->about;
@@ -136,8 +141,7 @@ static void emit_quantity(const emission *e, const section *s, int i, units *u)
         text_add(out,
                  "    /begin MEASUREMENT %c.%s \"%s\" %s unit_%d 0 0 %s %s\n      ECU_ADDRESS @memory+%zu@\n    /end "
                  "MEASUREMENT\n",
-                 s->array, v->name, about(out->memory, s, v), e->p->is_double ? "FLOAT64_IEEE" : "FLOAT32_IEEE", number,
-                 least, most, offset);
+                 s->array, v->name, about(out->memory, s, v), type_of_reals(e->p), number, least, most, offset);
     }
 }
 
@@ -149,48 +153,6 @@ static void emit_group(text *out, const section *s)
         text_add(out, "        %c.%s\n", s->array, s->all[i].name);
     }
     text_add(out, "      /end %s\n    /end GROUP\n", refers);
-}
-
-/* What a tool needs to connect; XCP 1.x. */
-static void emit_if_data(const plant *p, text *out)
-{
-    static const char *const unit_names[] = {"1NS",   "10NS", "100NS", "1US",   "10US",
-                                             "100US", "1MS",  "10MS",  "100MS", "1S"};
-    static const char *const commands =
-        "GET_COMM_MODE_INFO GET_ID GET_SEED UNLOCK SET_MTA UPLOAD SHORT_UPLOAD BUILD_CHECKSUM DOWNLOAD DOWNLOAD_NEXT "
-        "SHORT_DOWNLOAD CLEAR_DAQ_LIST SET_DAQ_PTR WRITE_DAQ SET_DAQ_LIST_MODE GET_DAQ_LIST_MODE START_STOP_DAQ_LIST "
-        "START_STOP_SYNCH GET_DAQ_CLOCK GET_DAQ_PROCESSOR_INFO GET_DAQ_RESOLUTION_INFO GET_DAQ_EVENT_INFO FREE_DAQ "
-        "ALLOC_DAQ ALLOC_ODT ALLOC_ODT_ENTRY";
-    const duration stamp = stamp_of(p), cycle = cycle_of(p);
-    text_add(out,
-             "    /begin IF_DATA XCP\n      /begin PROTOCOL_LAYER\n        0x0100\n        2000 2000 2000 2000 2000 "
-             "2000 2000\n");
-    text_add(out, "        %d %d\n        BYTE_ORDER_MSB_LAST\n        ADDRESS_GRANULARITY_BYTE\n", MAX_CTO, MAX_DTO);
-    for (const char *c = commands; *c != '\0'; c += strcspn(c, " "), c += *c == ' ') {
-        text_add(out, "        OPTIONAL_CMD %.*s\n", (int)strcspn(c, " "), c);
-    }
-    text_add(out, "        COMMUNICATION_MODE_SUPPORTED BLOCK SLAVE MASTER 255 0\n      /end PROTOCOL_LAYER\n");
-    text_add(out, "      /begin DAQ\n        DYNAMIC %d 1 0\n        OPTIMISATION_TYPE_DEFAULT\n", LISTS);
-    text_add(out, "        ADDRESS_EXTENSION_FREE\n        IDENTIFICATION_FIELD_TYPE_ABSOLUTE\n        "
-                  "GRANULARITY_ODT_ENTRY_SIZE_DAQ_BYTE 255\n        OVERLOAD_INDICATION_PID\n        "
-                  "PRESCALER_SUPPORTED\n");
-    text_add(out,
-             "        /begin TIMESTAMP_SUPPORTED\n          %ld SIZE_DWORD UNIT_%s\n        /end "
-             "TIMESTAMP_SUPPORTED\n",
-             stamp.count, unit_names[stamp.unit]);
-    text_add(out,
-             "        /begin EVENT\n          \"tick\" \"tick\" 0 DAQ %d %ld %d 0\n        /end EVENT\n      /end "
-             "DAQ\n",
-             LISTS, cycle.count, cycle.unit);
-    text_add(out,
-             "      /begin XCP_ON_SxI\n        0x0100 %d\n        ASYNCH_FULL_DUPLEX_MODE PARITY_NONE ONE_STOP_BIT\n"
-             "        HEADER_LEN_CTR_WORD CHECKSUM_WORD\n      /end XCP_ON_SxI\n",
-             BAUD);
-    for (const char *const *of = (const char *const[]){"TCP", "UDP", NULL}; *of != NULL; of++) {
-        text_add(out, "      /begin XCP_ON_%s_IP\n        0x0100 %d ADDRESS \"127.0.0.1\"\n      /end XCP_ON_%s_IP\n",
-                 *of, ETHERNET_PORT, *of);
-    }
-    text_add(out, "    /end IF_DATA\n");
 }
 
 static void emit_units(const units *u, text *out)
@@ -232,24 +194,26 @@ static const variable *outputs_as_variables(const emission *e)
     return all;
 }
 
-static void emit_module_beginning(const plant *p, const char *called, uint64_t identity, text *out)
+/* How long a tick is, to a clock and as the cycle of an event. */
+static const char *stamp_words(const plant *p, arena *memory)
 {
-    text_add(out, "ASAP2_VERSION 1 61\n/begin PROJECT %s \"the plant of %s.scene, made by isoc\"\n", called,
-             p->m->name);
-    text_add(out, "  /begin MODULE %s \"\"\n%s", called, embedded_text(client_files, "tools/client/xcp.aml"));
-    text_add(out, "    /begin MOD_PAR \"\"\n      EPK \"%016" PRIx64 "\"\n    /end MOD_PAR\n", identity);
-    text_add(out,
-             "    /begin MOD_COMMON \"\"\n      BYTE_ORDER MSB_LAST\n      ALIGNMENT_BYTE 1\n      ALIGNMENT_WORD 2\n"
-             "      ALIGNMENT_LONG 4\n      ALIGNMENT_INT64 8\n      ALIGNMENT_FLOAT32_IEEE 4\n      "
-             "ALIGNMENT_FLOAT64_IEEE 8\n    /end MOD_COMMON\n");
-    text_add(out, "    /begin RECORD_LAYOUT real\n      FNC_VALUES 1 %s COLUMN_DIR DIRECT\n    /end RECORD_LAYOUT\n",
-             p->is_double ? "FLOAT64_IEEE" : "FLOAT32_IEEE");
+    static const char *const unit_names[] = {"1NS",   "10NS", "100NS", "1US",   "10US",
+                                             "100US", "1MS",  "10MS",  "100MS", "1S"};
+    const duration stamp = stamp_of(p);
+    return arena_format(memory, "%ld SIZE_DWORD UNIT_%s", stamp.count, unit_names[stamp.unit]);
+}
+
+static const char *cycle_words(const plant *p, arena *memory)
+{
+    const duration cycle = cycle_of(p);
+    return arena_format(memory, "%ld %d", cycle.count, cycle.unit);
 }
 
 void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
 {
     const mechanism *m = p->m;
-    const emission e = {.p = p, .names = names, .out = out};
+    text all = {.memory = out->memory}, of_units = all, groups = all;
+    const emission e = {.p = p, .names = names, .out = &all};
     const char *called = isalpha((unsigned char)m->name[0]) ? m->name : arena_format(out->memory, "plant_%s", m->name);
     const section sections[] = {
         {"states", "state", 'x', states_as_variables(&e), state_count(m), 0, false},
@@ -265,21 +229,29 @@ void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
         quantities += (size_t)sections[k].count;
     }
     units u = {.all = arena_take(out->memory, quantities, sizeof *u.all)};
-    emit_module_beginning(p, called, identity, out);
-    emit_if_data(p, out);
     for (int k = 0; k < count; k++) {
         for (int i = 0; i < sections[k].count; i++) {
             emit_quantity(&e, &sections[k], i, &u);
         }
     }
-    text_add(out, "@statistics@\n");
-    emit_units(&u, out);
+    emit_units(&u, &of_units);
     for (int k = 0; k < count; k++) {
         if (sections[k].count > 0) {
-            emit_group(out, &sections[k]);
+            emit_group(&groups, &sections[k]);
         }
     }
-    text_add(out, "    /begin GROUP statistics \"statistics\"\n      ROOT\n      /begin REF_MEASUREMENT\n@names of "
-                  "statistics@\n      /end REF_MEASUREMENT\n    /end GROUP\n");
-    text_add(out, "  /end MODULE\n/end PROJECT\n");
+    text_fill(out, embedded_text(client_files, "tools/client/plant.a2l.in"),
+              (const filling[]){{"module", called},
+                                {"scene", m->name},
+                                {"identity", arena_format(out->memory, "%016" PRIx64, identity)},
+                                {"type", type_of_reals(p)},
+                                {"most of a command", arena_format(out->memory, "%d", MAX_CTO)},
+                                {"most of a sample", arena_format(out->memory, "%d", MAX_DTO)},
+                                {"lists", arena_format(out->memory, "%d", LISTS)},
+                                {"stamp", stamp_words(p, out->memory)},
+                                {"cycle", cycle_words(p, out->memory)},
+                                {"quantities", all.bytes},
+                                {"units", of_units.bytes},
+                                {"groups", groups.bytes},
+                                {NULL, NULL}});
 }
