@@ -375,7 +375,7 @@ $(EMBEDDED:.o=.c): build/obj/tools/isoc/%_files.c: build/obj/tools/isoc/%_files.
 	$(Q)awk -f tools/build/embed.awk $*_files $(EMBEDDED_$*) >$@
 
 $(EMBEDDED): %.o: %.c build/obj/tools/flags
-	$(Q)$(TOOL_COMPILE) -c $< -o $@
+	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
 
 build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
@@ -405,7 +405,7 @@ CONTROL := core/runtime/control.c core/runtime/snapshot.c
 OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(filter-out $(CONTROL),$(wildcard $(addsuffix /*.c,core/numbers core/runtime core/application))) \
     $(filter-out $(PORT_CHANNEL),$(wildcard $(PORT)/*.c)) $(PORT_SHARED))
 
-# What a plant with a link has besides, and its own main. The last of core/xcp no program has: the A2L follows from it.
+# What a plant with a link has besides, and its own main.
 CALIBRATION := $(wildcard core/xcp/*.c)
 LINKED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) \
     $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/link/*.c) $(CONTROL) $(PORT_CHANNEL) $(if $(XCP),$(CALIBRATION)))
@@ -415,7 +415,7 @@ RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OB
 
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(OBJ)/tools/a2l/places.o)))
+	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(CALIBRATION:%=$(OBJ)/%) $(OBJ)/tools/a2l/places.o)))
 	$(call remember,$(COMPILE))
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
