@@ -12,7 +12,8 @@
 
 /* What a run with snapshots does besides. */
 typedef struct iso_recording {
-    uint64_t (*begin)(iso_loop *loop, uint64_t end); /* puts the loop to the first tick; returns the hash until there */
+    uint64_t (*begin)(iso_loop *loop,
+                      uint64_t duration); /* puts the loop to the first tick; returns the hash until there */
     void (*row)(const iso_loop *loop, uint64_t hash); /* after the row of each tick that is done, and of the first */
 } iso_recording;
 
@@ -35,8 +36,6 @@ _Noreturn static inline void iso_run(iso_loop *const loop, const uint64_t durati
                                      const iso_recording *const recording)
 {
     const iso_plant *const plant = &iso_the_plant;
-    const uint64_t period = plant->model->period_ns;
-    const uint64_t end = duration == 0 ? UINT64_MAX : duration / period + (duration % period > 0);
     iso_times times = {0};
     bool good = true;
 
@@ -44,17 +43,20 @@ _Noreturn static inline void iso_run(iso_loop *const loop, const uint64_t durati
         iso_run_give_up("the processor or a flag of the compiler changes the bits of results; compile with "
                         "-std=c11 -ffp-contract=off, round to nearest, and do not flush denormals to zero");
     }
-    iso_loop_start(loop, plant);
-    uint64_t hash = recording == NULL ? ISO_HASH_START : recording->begin(loop, end);
     iso_stream_header(plant, duration);
+    iso_loop_start(loop, plant);
+    uint64_t hash = ISO_HASH_START;
     if (recording != NULL) {
+        hash = recording->begin(loop, duration);
         iso_stream_from(loop->tick);
     }
+    uint64_t time = loop->tick * plant->model->period_ns;
     iso_run_row(loop, hash, recording);
-    while (good && loop->tick < end) {
+    while (good && (time < duration || duration == 0)) {
         good = iso_loop_tick(loop);
         if (loop->guard == plant->model->states) { /* a run that a policy stops ends with a good tick */
             iso_times_done(&times, loop);
+            time += plant->model->period_ns;
             hash = iso_hash_reals(hash, plant->x, plant->model->states);
             iso_run_row(loop, hash, recording);
             iso_times_go_on(&times, loop);

@@ -32,10 +32,11 @@ static uint64_t restore(iso_loop *const loop)
     return hash;
 }
 
-/* The run ends after the tick `end`: what is asked for must be within. */
-static uint64_t begin(iso_loop *const loop, const uint64_t end)
+/* What is asked for must be within the run, which ends after the tick `end`. */
+static uint64_t begin(iso_loop *const loop, const uint64_t duration)
 {
-    const uint64_t hash = restore(loop);
+    const uint64_t period = loop->plant->model->period_ns, hash = restore(loop);
+    const uint64_t end = duration == 0 ? UINT64_MAX : duration / period + (duration % period > 0);
     if (loop->tick > end) {
         iso_run_give_up("the run ends before the tick of the snapshot that it begins at: SECONDS is of the whole run");
     }

@@ -28,7 +28,7 @@ for real in float double; do
     EXTRA="-I$made" program "$real/controller" tests/link/controller.c
     result $? "$real: so is a controller"
     # shellcheck disable=SC2086
-    program "$real/alone" "$made/plant.c" tests/link/alone.c $plain && "$made/alone" 3000 >"$out/alone.txt" &&
+    program "$real/alone" "$made/plant.c" tests/link/alone.c $plain port/host/console.c && "$made/alone" 3000 >"$out/alone.txt" &&
         "$out/join" "$made/program" -- "$made/controller" 3000 >"$out/joined.txt" && cmp "$out/alone.txt" "$out/joined.txt"
     result $? "$real, in C: the hash is that without a wire: $(cat "$out/joined.txt")"
     "$out/join" "$made/program" -- python3 tests/link/controller.py "$made" 3000 >"$out/joined.txt" &&

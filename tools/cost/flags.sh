@@ -37,7 +37,7 @@ cost()
 }
 
 mkdir -p "$dir/objects" && rm -f "$dir"/objects/*
-for source in core/numbers/*.c core/runtime/*.c core/application/*.c port/$port/*.c; do
+for source in core/numbers/*.c core/runtime/*.c core/application/*.c port/$port/*.c $(sed -n "s/^PORT_SHARED = //p" port/$port/port.mk); do
     $COMPILE -c "$source" -o "$dir/objects/$(echo "$source" | tr / -).o" || fail "$source is not compiled"
 done
 for method in rk4 bdf4; do
