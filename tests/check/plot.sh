@@ -126,7 +126,7 @@ expect $? "told: an output that is not there"
 result $? "no path without a point"
 
 # The unit of every kind of output, of what turns and of what slides.
-sed -n 's/.*ROW(OUTPUT_[A-Z_]*, "\([a-z_][a-z_]*\)".*/\1/p' tools/isoc/scene/output_kinds.h | sort -u >"$out/kinds"
+sed -n '/OF_EFFECT/d; s/.*ROW(QUANTITY_[A-Z_]*, "\([a-z_][a-z_]*\)".*/\1/p' tools/isoc/scene/quantities.h | sort -u >"$out/kinds"
 sed -n 's/^output [a-z_]* = \([a-z_]*\).*/\1/p' tests/scenes/units.scene | sort -u | cmp -s - "$out/kinds" && [ -s "$out/kinds" ]
 result $? "tests/scenes/units.scene has every kind of output"
 units='t s
@@ -151,6 +151,15 @@ orientation_z 1
 spin_x rad/s
 spin_y rad/s
 spin_z rad/s
+x_axis_x 1
+x_axis_y 1
+x_axis_z 1
+y_axis 1
+z_axis 1
+specific_force_x m/s^2
+specific_force_y m/s^2
+specific_force_z m/s^2
+inertia kg*m^2
 force_x N
 force_y N
 force_z N

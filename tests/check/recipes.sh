@@ -27,6 +27,9 @@ joint slot pin_slot {
 output slide = position of slot_slide
 output turn = position of slot_turn
 output turning = angular_velocity of bar
+effect brake { body on; moment on on = -1 N*m*s * angular_velocity of on * (time > 5 s) }
+effect late_brake brake { on bar }
+output twice = 2 * angular_velocity of bar along x
 SCENE
 
 ! call run SCENE=pin_slot.scene && grep -q "'pin_slot'" "$out/errors"
@@ -82,6 +85,8 @@ expect $? "the joint slides 1 m and turns by 3 rad in 1 s"
 # The second axis of the joint, y, is -x of the ground.
 near "$(cell -1 turning_x)" -3 && near "$(cell -1 turning_y)" 0 && near "$(cell 0 turning_x)" -3
 expect $? "the angular velocity is in the axes of the ground"
+near "$(cell -1 twice)" -6 && near "$(cell 0 twice)" -6
+expect $? "a formula has it, and so has an effect"
 
 # In the plane such a closure holds what one on a line does.
 call run SCENE=models/four_bar.scene SECONDS=1 REAL=double && crank=$(cell -1 crank_angle) &&

@@ -18,31 +18,41 @@ static const effect_line *subject(effect_scope *w, const instance *in, const eff
     return found;
 }
 
-/* Whether accelerations are needed, which are known only when all efforts are. */
-static bool needs_accelerations(effect_scope *w, const node *roots, size_t count)
+/* What is needed that is known only when all efforts are, or after the step; QUANTITY_ROWS: nothing. */
+static quantity_kind late_quantity(effect_scope *w, const node *roots, size_t count)
 {
     const graph *g = w->b->g;
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed), found = false;
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    quantity_kind found = QUANTITY_ROWS;
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
-        const bool is_query =
-            n->op == OP_POINT_QUERY && asks_for_acceleration(w->b->mechanism.queries.points[n->index / 3].kind);
-        found = found || (needed[i] && (is_query || n->op == OP_DERIVATIVE));
+        const quantity_kind kind = n->op == OP_QUERY        ? w->b->mechanism.queries.all[n->index / QUERY_PARTS].kind
+                                   : n->op == OP_DERIVATIVE ? QUANTITY_ACCELERATION
+                                                            : QUANTITY_ROWS;
+        found = needed[i] && kind < QUANTITY_ROWS && is_known_late(kind) ? kind : found;
     }
     return found;
 }
 
-/* Notes an effort or a rate that needs accelerations. */
-static bool refuse_accelerations(effect_scope *w, const effect_line *line, const node *roots, size_t count)
+/* Notes an effort or a rate that needs what is known later. */
+static bool refuse_late(effect_scope *w, const effect_line *line, const node *roots, size_t count)
 {
-    const bool needs = line->kind != EFFECT_NEXT && needs_accelerations(w, roots, count);
-    if (needs) {
-        source_problem(w->b->s, line->value->at,
-                       "an algebraic loop: '%s' needs an acceleration, which depends on it; a memory breaks it",
-                       line->name.text);
+    const quantity_kind late = line->kind == EFFECT_NEXT ? QUANTITY_ROWS : late_quantity(w, roots, count);
+    if (late == QUANTITY_ROWS) {
+        return false;
     }
-    return needs;
+    const char *word = quantity_rows[late].word;
+    if (quantity_rows[late].known == KNOWN_AFTER_STEP) {
+        source_problem(w->b->s, line->value->at,
+                       "'%s' is known after the step: for outputs and the next of memories, not for '%s'", word,
+                       line->name.text);
+    } else {
+        source_problem(w->b->s, line->value->at,
+                       "an algebraic loop: '%s' needs the %s, which depends on it; a memory breaks it", line->name.text,
+                       word);
+    }
+    return true;
 }
 
 /* A formula of so many numbers of this dimension; zeros after noting a problem. */
@@ -59,7 +69,7 @@ static value value_like(effect_scope *w, const instance *in, const effect_line *
                                              : dimension_phrase(s->memory, found.of));
         found.count = 0;
     }
-    const bool is_good = found.count == parts && !refuse_accelerations(w, line, found.parts, (size_t)parts);
+    const bool is_good = found.count == parts && !refuse_late(w, line, found.parts, (size_t)parts);
     for (int i = 0; i < parts && !is_good; i++) {
         found.parts[i] = constant(w->b->g, 0.0);
     }
@@ -114,7 +124,7 @@ static void do_effort(effect_scope *w, const instance *in, const effect_line *li
     const int l = e == NULL ? -1 : in->segments[e - in->kind->lines];
     if (l >= 0 && line->value != NULL) {
         graph *g = w->b->g;
-        const dimension effort = quantity_dimension("effort", &w->b->mechanism.segments[l]);
+        const dimension effort = quantity_dimension(QUANTITY_EFFORT, &w->b->mechanism.segments[l]);
         const node added =
             graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
         if (in->use->dropped) {
@@ -183,8 +193,9 @@ static void push(effect_scope *w, const instance *in, int which, vector point, c
     for (int i = 0; i < 3; i++) {
         to->at[i] = sign < 0.0 ? neg(g, along->parts[i]) : along->parts[i];
     }
-    const point_query_kind moves = line->kind == EFFECT_FORCE ? QUERY_VELOCITY : QUERY_SPIN;
-    const vector moved = point_query_of(w, moves, which, point, line->in_body);
+    const quantity_kind moves = line->kind == EFFECT_FORCE ? QUANTITY_VELOCITY : QUANTITY_SPIN;
+    const value of = point_query_of(w, moves, which, point, line->in_body);
+    const vector moved = {{of.parts[0], of.parts[1], of.parts[2]}};
     in->account->power = add(g, in->account->power, vector_dot(g, *to, moved));
     if (!f.in_ground) {
         *to = matrix_apply(g, frame->turn, *to);
@@ -214,7 +225,7 @@ static void do_push(effect_scope *w, const instance *in, const effect_line *line
     } else if (!found.any && !dimension_equal_but_angle(found.of, expected)) {
         source_problem(s, line->value->at, "the %s on '%s' %s; this %s", what, line->name.text,
                        dimension_phrase(s->memory, expected), dimension_phrase(s->memory, found.of));
-    } else if (!refuse_accelerations(w, line, found.parts, 3) && !in->use->dropped) {
+    } else if (!refuse_late(w, line, found.parts, 3) && !in->use->dropped) {
         push(w, in, which, point, line, &found, 1.0);
         if (other >= 0) {
             push(w, in, other, other_point, line, &found, -1.0);

@@ -13,6 +13,12 @@ static bool is_delay(const mechanism *m, int input)
     return input >= m->inputs.count && m->effects.memories[input - m->inputs.count].kept == KEPT_DELAY;
 }
 
+/* What changes at the end of a step, if at all. */
+static bool jumps(quantity_kind kind)
+{
+    return kind == QUANTITY_TURNS || quantity_rows[kind].of == OF_STEP;
+}
+
 /* A delay is as what it is of: of delays one after the other, at most all of them. */
 static kinds_read reads(const builder *b, node root, int depth)
 {
@@ -23,14 +29,14 @@ static kinds_read reads(const builder *b, node root, int depth)
     graph_reach(g, &root, 1, needed);
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
-        if (!needed[i] ||
-            (n->op != OP_STATE && n->op != OP_POINT_QUERY && n->op != OP_DERIVATIVE && n->op != OP_INPUT)) {
+        if (!needed[i] || (n->op != OP_STATE && n->op != OP_QUERY && n->op != OP_DERIVATIVE && n->op != OP_INPUT)) {
             continue;
         }
         if (n->op == OP_INPUT && is_delay(m, n->index) && depth < m->effects.memory_count) {
             const kinds_read k = reads(b, m->effects.memories[n->index - m->inputs.count].next, depth + 1);
             found = (kinds_read){found.moving || k.moving, found.held || k.held};
-        } else if (n->op == OP_INPUT && !(n->index < m->inputs.count && m->inputs.smooth[n->index])) {
+        } else if ((n->op == OP_INPUT && !(n->index < m->inputs.count && m->inputs.smooth[n->index])) ||
+                   (n->op == OP_QUERY && jumps(m->queries.all[n->index / QUERY_PARTS].kind))) {
             found.held = true;
         } else {
             found.moving = true;

@@ -83,11 +83,14 @@ value signal_value(effect_scope *w, size_t i);
 
 /* --- quantities.c --- */
 
-/* A quantity of a point of a body, as three leaves. */
-vector point_query_of(effect_scope *w, point_query_kind kind, int which, vector point, bool in_body);
+/* A quantity of a point of a body, as leaves. */
+value point_query_of(effect_scope *w, quantity_kind kind, int which, vector point, bool in_body);
 
 /* The value of `speed of NAME` and the like, as value.h asks for it. */
 value quantity_value(void *context, const formula *f);
+
+/* The value of `energy` and the like: false, where the word is of no such quantity. */
+bool find_quantity(effect_scope *w, const formula *f, value *found);
 
 /* --- lines.c --- */
 

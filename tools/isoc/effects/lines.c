@@ -7,6 +7,13 @@
 #include "tools/isoc/graph/operations.h"
 #include "tools/isoc/scene/names.h"
 
+/* The dimension of the position, speed or effort of a coordinate. */
+static dimension like_dimension(const char *word, const segment *l)
+{
+    const quantity_kind kind = quantity_called(word, OF_COORDINATE);
+    return quantity_dimension(kind < QUANTITY_ROWS ? kind : quantity_called(word, OF_TRANSMISSION), l);
+}
+
 /* The dimension that a line declares, by its unit, by what it is like, or by its default; or false. */
 static bool declared_dimension(effect_scope *w, const instance *in, const effect_line *line, const formula *f,
                                dimension *expected)
@@ -22,7 +29,7 @@ static bool declared_dimension(effect_scope *w, const instance *in, const effect
         const instance *before = enter(w, in);
         const int l = segment_of(w, line->like_of);
         enter(w, before);
-        *expected = l < 0 ? no_unit : quantity_dimension(line->like.text, &w->b->mechanism.segments[l]);
+        *expected = l < 0 ? no_unit : like_dimension(line->like.text, &w->b->mechanism.segments[l]);
     }
     return line->has_unit || line->like.text != NULL;
 }

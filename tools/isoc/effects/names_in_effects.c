@@ -32,8 +32,8 @@ static bool find_in_instance(effect_scope *w, const formula *f, value *found)
     }
     if (line == NULL && strcmp(f->name, "pi") != 0 && strcmp(f->name, "time") != 0) {
         unit u;
-        if (unit_find(f->name, &u)) {
-            return false;
+        if (unit_find(f->name, &u) || find_quantity(w, f, found)) {
+            return !unit_find(f->name, &u);
         }
         source_problem(w->b->s, f->at, "this effect has no '%s': no operand, let, state or memory is called so%s",
                        f->name, suggestion(w->b->s, w->within->kind, f->name, EFFECT_JOINT, EFFECT_MEMORY));
@@ -140,7 +140,7 @@ static bool find_in_scene(effect_scope *w, const formula *f, value *found)
             return true;
         }
     }
-    return false;
+    return dictionary_find(&w->b->values.names, f->name) == NULL && find_quantity(w, f, found);
 }
 
 bool find_name(void *context, const formula *f, value *found)

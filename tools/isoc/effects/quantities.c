@@ -1,41 +1,36 @@
-/* QUANTITY of NAME: what a formula of an effect, a signal or an output asks of a joint, a body or an effect. */
+/* QUANTITY of NAME: what a formula of an effect, a signal or an output asks of a joint, a body or an effect; and what it asks of
+ * the mechanism itself, as energy. */
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/graph/operations.h"
 #include "tools/isoc/scene/names.h"
 
-static const struct {
-    const char *word;
-    point_query_kind kind;
-    dimension unit;
-} of_bodies[] = {
-    {"position", QUERY_POSITION, {0, 1, 0, 0, 0, 0, 0}},
-    {"velocity", QUERY_VELOCITY, {0, 1, -1, 0, 0, 0, 0}},
-    {"spin", QUERY_SPIN, {0, 0, -1, 1, 0, 0, 0}},
-    {"x_axis", QUERY_X_AXIS, {0, 0, 0, 0, 0, 0, 0}},
-    {"y_axis", QUERY_Y_AXIS, {0, 0, 0, 0, 0, 0, 0}},
-    {"z_axis", QUERY_Z_AXIS, {0, 0, 0, 0, 0, 0, 0}},
-    {"specific_force", QUERY_SPECIFIC_FORCE, {0, 1, -2, 0, 0, 0, 0}},
-};
+static const query no_query = {.segment = -1, .body = -1, .closure = -1, .spring = -1};
 
-static vector leaves_of(effect_scope *w, point_query p)
+/* The numbers of a quantity, as leaves. */
+static value leaves_of(effect_scope *w, query q)
 {
     mechanism *m = &w->b->mechanism;
-    vector leaves;
-    m->queries.points = arena_grow(w->b->s->memory, m->queries.points, (size_t)m->queries.point_count,
-                                   &m->queries.point_room, sizeof *m->queries.points);
-    m->queries.points[m->queries.point_count] = p;
-    for (int i = 0; i < 3; i++) {
-        leaves.at[i] = leaf(w->b->g, OP_POINT_QUERY, 3 * m->queries.point_count + i);
+    value found = {.count = quantity_parts(&quantity_rows[q.kind]), .of = dimension_of_unit(query_unit(m, &q))};
+    m->queries.all =
+        arena_grow(w->b->s->memory, m->queries.all, (size_t)m->queries.count, &m->queries.room, sizeof *m->queries.all);
+    m->queries.all[m->queries.count] = q;
+    for (int i = 0; i < found.count; i++) {
+        found.parts[i] = leaf(w->b->g, OP_QUERY, QUERY_PARTS * m->queries.count + i);
     }
-    m->queries.point_count++;
-    return leaves;
+    m->queries.count++;
+    return found;
 }
 
-vector point_query_of(effect_scope *w, point_query_kind kind, int which, vector point, bool in_body)
+value point_query_of(effect_scope *w, quantity_kind kind, int which, vector point, bool in_body)
 {
-    return leaves_of(w, (point_query){kind, which, point, in_body, -1});
+    query q = no_query;
+    q.kind = kind;
+    q.body = which;
+    q.point = point;
+    q.in_body = in_body;
+    return leaves_of(w, q);
 }
 
 /* Whether the answer is in the axes of the body, which the formula may choose. */
@@ -48,8 +43,8 @@ static bool in_body_axes(effect_scope *w, const formula *f, bool by_default)
     return f->axes.text == NULL ? by_default : is_body;
 }
 
-/* A constant vector from the point of a body; false after noting a problem. */
-static bool find_beside(effect_scope *w, const formula *f, vector *beside)
+/* A constant vector behind `at`; false after noting a problem. */
+static bool find_beside(effect_scope *w, const formula *f, bool of_inertia, vector *beside)
 {
     source *s = w->b->s;
     graph *g = w->b->g;
@@ -64,7 +59,8 @@ static bool find_beside(effect_scope *w, const formula *f, vector *beside)
     for (int i = 0; i < 3; i++) {
         beside->at[i] = found.parts[i];
         if (can_change(g, found.parts[i]) || uses_operation(g, &found.parts[i], 1, OP_INERTIA)) {
-            source_problem(s, f->at, "the inertia is that at the start: 'at' is a constant or a tunable");
+            source_problem(s, f->at, "%s'at' is a constant or a tunable",
+                           of_inertia ? "the inertia is that at the start: " : "");
             return false;
         }
     }
@@ -76,7 +72,8 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
 {
     mechanism *m = &w->b->mechanism;
     inertia_query q = {which, point, vector_zero(w->b->g), in_body_axes(w, f, false)};
-    if (which < 0 || !m->bodies.frames[which].placed || (f->count > 1 && !find_beside(w, f->parts[1], &q.beside))) {
+    if (which < 0 || !m->bodies.frames[which].placed ||
+        (f->count > 1 && !find_beside(w, f->parts[1], true, &q.beside))) {
         return nothing;
     }
     if (m->bodies.frames[which].segment == GROUND) {
@@ -97,61 +94,51 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
 /* position of BODY, and the like */
 static value point_value(effect_scope *w, const formula *f, int which, vector point)
 {
-    const mechanism *m = &w->b->mechanism;
-    const size_t count = sizeof of_bodies / sizeof of_bodies[0];
-    size_t row = 0;
-    while (row < count && strcmp(f->name, of_bodies[row].word) != 0) {
-        row++;
+    graph *g = w->b->g;
+    const quantity_kind kind = quantity_called(f->name, OF_BODY);
+    if (kind == QUANTITY_INERTIA_OF_POINT) {
+        return inertia_of_point(w, f, which, point);
     }
-    if (row == count) {
-        source_problem(
-            w->b->s, f->at,
-            "a body has no %s: its position, velocity, spin, specific_force, inertia, x_axis, y_axis or z_axis",
-            f->name);
-    }
-    const bool is_measured =
-        row < count && (of_bodies[row].kind == QUERY_SPIN || of_bodies[row].kind == QUERY_SPECIFIC_FORCE);
-    const bool in_body = in_body_axes(w, f, is_measured);
-    if (row < count && f->axes.text != NULL && of_bodies[row].kind != QUERY_VELOCITY && !is_measured) {
-        source_problem(w->b->s, f->axes.at, "only a velocity, a spin and a specific force have axes to choose");
-    }
-    if (row == count || which < 0 || !m->bodies.frames[which].placed) {
+    if (kind == QUANTITY_ROWS) {
+        source_problem(w->b->s, f->at, "a body has no %s: its %s", f->name,
+                       quantity_words(w->b->s->memory, OF_BODY, OF_BODY));
         return nothing;
     }
-    const vector leaves = point_query_of(w, of_bodies[row].kind, which, point, in_body);
-    value found = {.count = 3, .of = of_bodies[row].unit};
-    memcpy(found.parts, leaves.at, sizeof leaves.at);
-    return found;
+    const asking asks = quantity_rows[kind].asks;
+    vector beside = vector_zero(g);
+    const bool in_body = in_body_axes(w, f, (asks & OF_BODY_AXES) != 0);
+    if (f->axes.text != NULL && (asks & IN_AXES) == 0) {
+        source_problem(w->b->s, f->axes.at, "only a velocity, a spin and a specific force have axes to choose");
+    }
+    if (which < 0 || !w->b->mechanism.bodies.frames[which].placed ||
+        (f->count > 1 && !find_beside(w, f->parts[1], false, &beside))) {
+        return nothing;
+    }
+    return point_query_of(w, kind, which, vector_add(g, point, beside), in_body);
 }
 
 /* power, energy, loss and work of EFFECT, in the scene alone: there all that it does is known. */
-static bool find_account(effect_scope *w, const formula *f, value *found)
+static value account_value(effect_scope *w, const formula *f, quantity_kind kind)
 {
-    enum { POWER, ENERGY, LOSS, WORK, WORDS };
-    static const char *const words[WORDS] = {"power", "energy", "loss", "work"};
     const char *called = f->parts[0]->name;
-    size_t word = POWER;
-    while (word < WORDS && strcmp(f->name, words[word]) != 0) {
-        word++;
-    }
-    *found = nothing;
-    if (word < WORDS && !w->is_done) {
+    if (!w->is_done) {
         source_problem(w->b->s, f->at, "the %s of '%s' is for outputs only", f->name, called);
-        return true;
+        return nothing;
     }
-    for (size_t i = 0; i < w->b->written->effects.count && word < WORDS; i++) {
+    for (size_t i = 0; i < w->b->written->effects.count; i++) {
         const instance *in = &w->all[i];
         if (in->use->name.text != NULL && strcmp(in->use->name.text, called) == 0) {
-            const node all[WORDS] = {in->account->power, in->account->stored, in->account->loss, in->account->work};
-            *found = (value){.count = in->kind != NULL, .parts = {all[word]}, .of = word == ENERGY ? joule : watt};
-            return true;
+            const node part = kind == QUANTITY_POWER_OF_EFFECT    ? in->account->power
+                              : kind == QUANTITY_ENERGY_OF_EFFECT ? in->account->stored
+                              : kind == QUANTITY_LOSS             ? in->account->loss
+                                                                  : in->account->work;
+            return (value){
+                .count = in->kind != NULL, .parts = {part}, .of = dimension_of_unit(quantity_rows[kind].unit)};
         }
     }
-    if (word < WORDS) {
-        source_problem(w->b->s, f->at, "no effect is called '%s'%s", called,
-                       suggest_effect(w->b->s, w->b->written, called));
-    }
-    return word < WORDS;
+    source_problem(w->b->s, f->at, "no effect is called '%s'%s", called,
+                   suggest_effect(w->b->s, w->b->written, called));
+    return nothing;
 }
 
 /* The body that the joint of a segment carries: its own segments lead from that body's to the parent's. */
@@ -170,76 +157,137 @@ static int child_of(const mechanism *m, int at)
 }
 
 /* force of JOINT, moment of CLOSURE and the like: a fixed joint, which is no operand of an effect, is one of the scene. */
-static value reaction_value(effect_scope *w, const formula *f)
+static value reaction_value(effect_scope *w, const formula *f, quantity_kind kind)
 {
     builder *b = w->b;
     const name called = {f->parts[0]->name, f->parts[0]->at};
-    const bool is_force = strcmp(f->name, "force") == 0;
-    int child = -1, loop = -1;
+    query q = no_query;
+    q.kind = kind;
+    q.point = vector_zero(b->g);
     if (w->within == NULL) {
-        find_connection(b, called, &child, &loop);
+        find_connection(b, called, &q.body, &q.closure);
     } else {
         const int l = segment_of(w, called);
-        child = l < 0 ? -1 : child_of(&b->mechanism, l);
+        q.body = l < 0 ? -1 : child_of(&b->mechanism, l);
     }
     if (f->axes.text != NULL) {
         source_problem(b->s, f->axes.at, "a %s of a joint is in the axes of the ground", f->name);
     }
-    if (loop < 0 && (child < 0 || !b->mechanism.bodies.frames[child].placed)) {
+    if (q.closure < 0 && (q.body < 0 || !b->mechanism.bodies.frames[q.body].placed)) {
         return nothing;
     }
-    const vector zero = vector_zero(b->g);
-    const vector leaves = leaves_of(w, (point_query){is_force ? QUERY_FORCE : QUERY_MOMENT, child, zero, false, loop});
-    value found = {.count = 3, .of = is_force ? newton : newton_metre};
-    memcpy(found.parts, leaves.at, sizeof leaves.at);
-    return found;
+    return leaves_of(w, q);
+}
+
+/* effort of a gear, a motion or a spring, which are no operands of effects. */
+static value effort_value(effect_scope *w, const formula *f)
+{
+    const name called = {f->parts[0]->name, f->parts[0]->at};
+    query q = no_query;
+    q.kind = QUANTITY_EFFORT;
+    q.point = vector_zero(w->b->g);
+    if (w->within != NULL) {
+        source_problem(w->b->s, f->at, "the effort of '%s' is for formulas of the scene: here it is a signal",
+                       called.text);
+        return nothing;
+    }
+    return find_transmission(w->b, called, &q.closure, &q.spring) ? leaves_of(w, q) : nothing;
+}
+
+/* position of JOINT, and the like */
+static value coordinate_value(effect_scope *w, const formula *f)
+{
+    graph *g = w->b->g;
+    const mechanism *m = &w->b->mechanism;
+    const int i = segment_of(w, (name){f->parts[0]->name, f->parts[0]->at});
+    const quantity_kind kind = quantity_called(f->name, OF_COORDINATE);
+    if (i < 0) {
+        return nothing;
+    }
+    if (kind == QUANTITY_ROWS) {
+        source_problem(w->b->s, f->at, "a joint has no %s: its %s", f->name,
+                       quantity_words(w->b->s->memory, OF_COORDINATE, OF_CONNECTION));
+        return nothing;
+    }
+    query q = no_query;
+    q.kind = kind;
+    q.segment = i;
+    q.point = vector_zero(g);
+    const segment *l = &m->segments[i];
+    value found = {.count = 1, .of = dimension_of_unit(query_unit(m, &q))};
+    switch (kind) {
+    case QUANTITY_POSITION:
+        found.parts[0] = leaf(g, OP_STATE, l->position);
+        return found;
+    case QUANTITY_SPEED:
+        found.parts[0] = leaf(g, OP_STATE, m->position_count + l->dof);
+        return found;
+    case QUANTITY_ACCELERATION:
+        found.parts[0] = leaf(g, OP_DERIVATIVE, m->position_count + l->dof);
+        return found;
+    case QUANTITY_INERTIA:
+        found.parts[0] = leaf(g, OP_INERTIA, l->dof);
+        return found;
+    default:
+        return counts_turns(w->b, &q, f->at) ? leaves_of(w, q) : nothing;
+    }
+}
+
+/* A component of a vector. */
+static value component(effect_scope *w, const formula *f, value whole)
+{
+    if (whole.count == 0 || f->along == '\0') {
+        return whole;
+    }
+    if (whole.count != 3) {
+        source_problem(w->b->s, f->at, "'along' is only for vectors: the %s",
+                       quantity_list(w->b->s->memory, quantity_is_vector));
+        return nothing;
+    }
+    return (value){.count = 1, .parts = {whole.parts[f->along - 'x']}, .of = whole.of};
 }
 
 value quantity_value(void *context, const formula *f)
 {
     effect_scope *w = context;
-    if (strcmp(f->name, "force") == 0 || strcmp(f->name, "moment") == 0) {
-        return reaction_value(w, f);
-    }
-    value account;
-    if (find_account(w, f, &account)) {
-        return account;
-    }
-    graph *g = w->b->g;
-    const mechanism *m = &w->b->mechanism;
     int which;
     vector point;
+    const quantity_kind of_effect = quantity_called(f->name, OF_EFFECT);
+    const quantity_kind of_connection = quantity_called(f->name, OF_CONNECTION);
+    const quantity_kind of_body = quantity_called(f->name, OF_BODY);
+    if (f->count > 1 && (of_body == QUANTITY_ROWS || !quantity_has_point(&quantity_rows[of_body]))) {
+        source_problem(w->b->s, f->parts[1]->at, "'at' is only for the %s",
+                       quantity_list(w->b->s->memory, quantity_has_point));
+        return nothing;
+    }
+    if (of_connection < QUANTITY_ROWS) {
+        return component(w, f, reaction_value(w, f, of_connection));
+    }
+    if (of_effect < QUANTITY_ROWS) {
+        return component(w, f, account_value(w, f, of_effect));
+    }
+    if (quantity_called(f->name, OF_TRANSMISSION) < QUANTITY_ROWS) {
+        return component(w, f, effort_value(w, f));
+    }
     if (find_point(w, f->parts[0]->name, &which, &point)) {
-        return strcmp(f->name, "inertia") == 0 ? inertia_of_point(w, f, which, point) : point_value(w, f, which, point);
+        return component(w, f, point_value(w, f, which, point));
     }
     if (f->count > 1) {
-        source_problem(w->b->s, f->parts[1]->at, "'%s' is no body: only the inertia of a body is at a point",
+        source_problem(w->b->s, f->parts[1]->at, "'%s' is no body: only what is of a body is at a point",
                        f->parts[0]->name);
         return nothing;
     }
-    const int i = segment_of(w, (name){f->parts[0]->name, f->parts[0]->at});
-    if (i < 0) {
-        return nothing;
+    return component(w, f, coordinate_value(w, f));
+}
+
+bool find_quantity(effect_scope *w, const formula *f, value *found)
+{
+    query q = no_query;
+    q.kind = quantity_of_nothing(f->name);
+    q.point = vector_zero(w->b->g);
+    if (q.kind == QUANTITY_ROWS) {
+        return false;
     }
-    const segment *l = &m->segments[i];
-    if (strcmp(f->name, "inertia") == 0) {
-        static const dimension turning = {1, 2, 0, 0, 0, 0, 0};
-        return (value){
-            .count = 1, .parts = {leaf(g, OP_INERTIA, l->dof)}, .of = l->kind == JOINT_REVOLUTE ? turning : kilogram};
-    }
-    if (strcmp(f->name, "acceleration") == 0) {
-        value found = {.count = 1, .of = quantity_dimension("speed", l)};
-        dimension_times(&found.of, second, -1);
-        found.parts[0] = leaf(g, OP_DERIVATIVE, m->position_count + l->dof);
-        return found;
-    }
-    if (strcmp(f->name, "position") != 0 && strcmp(f->name, "speed") != 0) {
-        source_problem(w->b->s, f->at, "a joint has no %s: its position, speed, acceleration, inertia, force or moment",
-                       f->name);
-        return nothing;
-    }
-    const bool is_speed = strcmp(f->name, "speed") == 0;
-    value found = {.count = 1, .of = quantity_dimension(f->name, l)};
-    found.parts[0] = leaf(g, OP_STATE, is_speed ? m->position_count + l->dof : l->position);
-    return found;
+    *found = is_of_plant(w->b, q.kind, f->at) ? leaves_of(w, q) : nothing;
+    return true;
 }

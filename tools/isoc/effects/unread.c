@@ -28,9 +28,7 @@ static void for_roots(builder *b, void (*visit)(builder *b, node *roots, size_t 
         visit(b, &m->effects.accounts[i].work, 1, context);
     }
     for (size_t i = 0; i < m->output_count; i++) {
-        if (m->outputs[i].kind == OUTPUT_FORMULA) {
-            visit(b, &m->outputs[i].formula, 1, context);
-        }
+        visit(b, m->outputs[i].formula.parts, (size_t)m->outputs[i].formula.count, context);
     }
 }
 

@@ -164,4 +164,7 @@ void emit_arrays(const emission *e, const code *result)
         text_add(e->out, "    real dx[%s_STATES];\n    derivative%s(dx, x, %s, %s);\n", e->names->capitals, e->suffix,
                  sizes[1] > 0 ? "u" : "NULL", sizes[2] > 0 ? "p" : "NULL");
     }
+    if (code_uses(e, result, OP_LOCAL_ERROR) || code_uses(e, result, OP_RESIDUAL)) {
+        text_add(e->out, "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));
+    }
 }

@@ -16,9 +16,6 @@ static void emit_outputs_of(emission *e, const char *head, const char *function,
     text_add(e->out, "%sstatic void %s%s(void *const instance)\n{\n", head, function, e->suffix);
     text_add(e->out, "    %s_memory *const memory = instance;\n    real *const y = memory->y;\n", e->names->prefix);
     emit_arrays(e, &result);
-    if (code_uses(e, &result, OP_LOCAL_ERROR) || code_uses(e, &result, OP_RESIDUAL)) {
-        text_add(e->out, "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));
-    }
     emit_code(e, &result);
     text_add(e->out, "}\n\n");
 }

@@ -137,6 +137,11 @@ void values_resolve(values *v)
 
 static value refuse_name(values *v, const formula *f)
 {
+    if (v->around == NULL && quantity_of_nothing(f->name) < QUANTITY_ROWS) {
+        source_problem(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
+                       f->name);
+        return nothing;
+    }
     source_problem(v->s, f->at, "no constant%s is called '%s'%s",
                    v->around == NULL ? " or tunable" : ", tunable, input or signal", f->name,
                    suggest_number(v->s, v->scene, f->name, v->around != NULL));

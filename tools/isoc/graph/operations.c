@@ -77,5 +77,5 @@ bool uses_time(const graph *g, const node *roots, size_t count)
 bool can_change(const graph *g, node n)
 {
     return uses_operation(g, &n, 1, OP_STATE) || uses_operation(g, &n, 1, OP_INPUT) ||
-           uses_operation(g, &n, 1, OP_POINT_QUERY) || uses_operation(g, &n, 1, OP_DERIVATIVE);
+           uses_operation(g, &n, 1, OP_QUERY) || uses_operation(g, &n, 1, OP_DERIVATIVE);
 }

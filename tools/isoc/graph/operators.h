@@ -51,7 +51,7 @@ typedef struct evaluation {
     LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until what computes it takes its place */   \
     LEAF(HELD, NULL, "h[@i]", 0.0)                              /* what does not change within a step */               \
     LEAF(INERTIA, NULL, "", 0.0)                                /* of a degree of freedom at the start, likewise */    \
-    LEAF(POINT_QUERY, NULL, "", 0.0)                                  /* a component of a point's motion, likewise */       \
+    LEAF(QUERY, NULL, "", 0.0)                                        /* a number that a formula asks for */       \
     LEAF(DERIVATIVE, NULL, "dx[@X]", 0.0)                       /* where a derivative has been evaluated before */
 
 /* Functions of the tick; constants as far as derivatives go.

@@ -76,9 +76,17 @@ int coordinate_of(builder *b, name n);
 /* The child of a joint, or a closure between bodies, and -1 for the other; false after noting a problem. */
 bool find_connection(builder *b, name n, int *child, int *loop);
 
-/* Of the coordinate of a joint; of its effort, its speed or its position. */
+/* A gear, a motion or a spring, as a closure or a spring, and -1 for the other; false after noting a problem. */
+bool find_transmission(builder *b, name n, int *loop, int *spring);
+
+/* Of the coordinate of a joint; of a quantity of it. */
 dimension coordinate_dimension(const segment *l);
-dimension quantity_dimension(const char *word, const segment *l);
+dimension quantity_dimension(quantity_kind kind, const segment *l);
+
+/* Whether a joint counts its turns, if it is these that are asked for; whether a plant has what is of nothing in it: false after
+ * noting a problem. */
+bool counts_turns(builder *b, const query *q, place at);
+bool is_of_plant(builder *b, quantity_kind kind, place at);
 
 /* joints.c: the chain of segments that a joint stands for, beginning at the parent, each with its axes in the joint's
  * frame; returns their number. And the degrees of freedom of all segments. */

@@ -70,12 +70,53 @@ dimension coordinate_dimension(const segment *l)
     return l->kind == JOINT_PRISMATIC ? metre : radian;
 }
 
-dimension quantity_dimension(const char *word, const segment *l)
+dimension quantity_dimension(quantity_kind kind, const segment *l)
 {
-    const bool turns = l->kind == JOINT_REVOLUTE;
-    dimension expected = turns ? radian : metre;
-    if (strcmp(word, "speed") == 0) {
-        dimension_times(&expected, second, -1);
+    const quantity_row *row = &quantity_rows[kind];
+    return dimension_of_unit(l->kind == JOINT_PRISMATIC ? row->unit : row->turning_unit);
+}
+
+const char *query_unit(const mechanism *m, const query *q)
+{
+    const quantity_row *row = &quantity_rows[q->kind];
+    const int index = q->closure >= 0 ? m->closures[q->closure].parent.segment : q->segment;
+    const bool slides = q->spring >= 0 || (index >= 0 && m->segments[index].kind == JOINT_PRISMATIC);
+    return slides ? row->unit : row->turning_unit;
+}
+
+bool find_transmission(builder *b, name n, int *loop, int *spring)
+{
+    bool is_closure;
+    const int index = find_closure_or_spring(b->s, b->written, n, &is_closure);
+    *loop = is_closure ? index : -1;
+    *spring = is_closure ? -1 : index;
+    const bool has = index < 0 || !is_closure || acts_along_joints(b->written->closures.all[index].kind);
+    if (!has) {
+        source_problem(b->s, n.at, "'%s' has no effort: show force of %s, or moment of %s", n.text, n.text, n.text);
     }
-    return strcmp(word, "effort") == 0 ? (turns ? newton_metre : newton) : expected;
+    return index >= 0 && has;
+}
+
+bool counts_turns(builder *b, const query *q, place at)
+{
+    const bool counts = q->kind != QUANTITY_TURNS || b->mechanism.segments[q->segment].continuous;
+    if (!counts) {
+        source_problem(b->s, at, "only a continuous joint counts its turns");
+    }
+    return counts;
+}
+
+bool is_of_plant(builder *b, quantity_kind kind, place at)
+{
+    const unsigned recipe = b->mechanism.method.recipe;
+    const char *lack = quantity_rows[kind].of == OF_CLOSURES && b->written->closures.count == 0
+                           ? "a scene without closures has no violation"
+                       : kind == QUANTITY_RESIDUAL && !ISO_IS_ITERATING(recipe) ? "only bdf4 has a residual"
+                       : kind == QUANTITY_LOCAL_ERROR && !ISO_IS_CHECKED(recipe)
+                           ? "a formula has the local error where the scene says: checked yes"
+                           : NULL;
+    if (lack != NULL) {
+        source_problem(b->s, at, "%s", lack);
+    }
+    return lack == NULL;
 }

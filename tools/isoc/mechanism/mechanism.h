@@ -68,32 +68,25 @@ typedef struct applied_force {
     bool in_ground;       /* until then in those of the ground */
 } applied_force;
 
-/* What formulas ask of a point of a body: three components. A leaf OP_ASKED stands for each,
- * until tools/isoc/tree/point_query.h puts what it is in its place. */
-typedef enum point_query_kind {
-    QUERY_POSITION,
-    QUERY_VELOCITY,
-    QUERY_SPIN,
-    QUERY_X_AXIS,
-    QUERY_Y_AXIS,
-    QUERY_Z_AXIS,
-    QUERY_SPECIFIC_FORCE, /* what an accelerometer measures; known with the accelerations: plant/accelerations.h */
-    QUERY_FORCE,          /* likewise: what a joint or a closure gives to its child */
-    QUERY_MOMENT,
-} point_query_kind;
-
-static inline bool asks_for_acceleration(point_query_kind kind)
-{
-    return kind >= QUERY_SPECIFIC_FORCE;
-}
-
-typedef struct point_query {
-    point_query_kind kind;
-    int body;     /* of a reaction the joint's child */
+/* A quantity, and what of. In formulas a leaf OP_QUERY stands for each of its numbers, until tools/isoc/tree/point_query.h
+ * or, where it is known later, tools/isoc/plant/quantities.h puts what it is in its place. */
+typedef struct query {
+    quantity_kind kind;
+    int segment;  /* of a coordinate */
+    int body;     /* of a body; of what a joint gives to it */
+    int closure;  /* of a closure; -1: of none */
+    int spring;   /* of a spring between points; -1: of none */
     vector point; /* in the body's frame */
     bool in_body; /* in its axes, not those of the ground */
-    int closure;  /* of a reaction: the closure; -1: that of the joint */
-} point_query;
+} query;
+
+enum { QUERY_PARTS = 4 };
+
+/* Whether efforts cannot read it. */
+static inline bool is_known_late(quantity_kind kind)
+{
+    return quantity_rows[kind].known >= KNOWN_WITH_EFFORTS;
+}
 
 /* A point whose inertia formulas ask for: that of a body, moved by a vector in the same axes as the answer. A leaf OP_INERTIA
  * stands for each of three components, behind those of the degrees of freedom, until tools/isoc/tree/effective_inertia.h puts what it
@@ -171,20 +164,26 @@ typedef struct body_frame {
     bool placed;
 } body_frame;
 
-/* What an output shows. */
+/* What an output shows: a quantity, or where its kind is QUANTITY_ROWS a formula. */
 typedef struct shown {
     name name;
-    output_kind kind;
-    int along;        /* 0, 1, 2: only this component; -1: all */
-    int segment;      /* of a coordinate */
-    int body;         /* of a body; of what a joint gives to it */
-    int closure;      /* of a closure; -1: of none */
-    int point_spring; /* of a spring; -1: of none */
-    vector point;     /* in the body's frame */
-    node formula;     /* of OUTPUT_FORMULA, and its unit */
-    const char *unit;
-    double every; /* ticks: it is computed at the end of those whose number is a multiple of this; 1: each */
+    query of;
+    int along; /* 0, 1, 2: only this component; -1: all */
+    value formula;
+    const char *unit; /* of a formula */
+    double every;     /* ticks: it is computed at the end of those whose number is a multiple of this; 1: each */
 } shown;
+
+static inline bool shows_formula(const shown *o)
+{
+    return o->of.kind == QUANTITY_ROWS;
+}
+
+/* The endings of the names of a formula's numbers: of a vector, a quaternion, or one number. */
+static inline const char *formula_components(const value *v)
+{
+    return v->count == 3 ? "xyz" : v->count == 4 ? "wxyz" : "";
+}
 
 /* What the header says of a quantity of the plant. */
 typedef struct variable {
@@ -310,11 +309,11 @@ typedef struct effect_set {
     size_t derived_room;
 } effect_set;
 
-/* What formulas ask of points. */
+/* What formulas ask for. */
 typedef struct query_set {
-    point_query *points;
-    int point_count;
-    size_t point_room;
+    query *all;
+    int count;
+    size_t room;
     inertia_query *inertias;
     int inertia_count;
     size_t inertia_room;
@@ -419,6 +418,9 @@ static inline int held_count(const mechanism *m)
 {
     return m->inputs.count + m->effects.memory_count;
 }
+
+/* The unit of a quantity: a coordinate that turns has another than one that slides. */
+const char *query_unit(const mechanism *m, const query *q);
 
 /* Resolves names, units and places; notes problems. The result is whole only if there are none. Of a scene in which effects
  * are dropped, `whole` is the mechanism with them: both have the same states, inputs, memories and parameters. Else it is

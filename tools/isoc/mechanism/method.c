@@ -91,10 +91,7 @@ void build_method(builder *b)
     recipe |= is_yes(b, written->options.checked) ? ISO_CHECKED : 0U;
     for (size_t i = 0; i < written->outputs.count; i++) {
         const output *o = &written->outputs.all[i];
-        recipe |= o->kind == OUTPUT_LOCAL_ERROR ? ISO_CHECKED : 0U;
-        if (o->kind == OUTPUT_RESIDUAL && !ISO_IS_ITERATING(recipe)) {
-            source_problem(b->s, o->kind_at, "only bdf4 has a residual");
-        }
+        recipe |= o->kind == QUANTITY_LOCAL_ERROR ? ISO_CHECKED : 0U;
     }
     if (written->options.iterations != NULL) {
         const double count =

@@ -1,5 +1,6 @@
 /* What the outputs show: the operand of each, found by its name, and the row that its word has for that operand. */
 #include <math.h>
+#include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/scene/names.h"
@@ -32,68 +33,55 @@ static void refuse_joint(builder *b, const output *o, const joint *j)
 static bool find_operand(builder *b, const output *o, shown *result)
 {
     bool is_joint = true;
-    result->segment = segment_called(&b->mechanism, o->of);
-    const int index = result->segment >= 0 ? -1 : find_joint_or_body(b->s, b->written, o->of, &is_joint);
-    if (result->segment < 0 && index < 0) {
+    query *q = &result->of;
+    q->segment = segment_called(&b->mechanism, o->of);
+    const int index = q->segment >= 0 ? -1 : find_joint_or_body(b->s, b->written, o->of, &is_joint);
+    if (q->segment < 0 && index < 0) {
         return false;
     }
-    result->body = is_joint ? -1 : index;
-    result->kind = output_of(o->kind, is_joint ? OF_COORDINATE : OF_BODY);
-    if (result->kind == OUTPUT_ROWS) {
-        source_problem(b->s, o->kind_at, "'%s' needs %s; '%s' is %s", output_rows[o->kind].word,
+    q->body = is_joint ? -1 : index;
+    q->kind = quantity_called(quantity_rows[o->kind].word, is_joint ? OF_COORDINATE : OF_BODY);
+    if (q->kind == QUANTITY_ROWS) {
+        source_problem(b->s, o->kind_at, "'%s' needs %s; '%s' is %s", quantity_rows[o->kind].word,
                        operand_phrases[is_joint ? OF_BODY : OF_COORDINATE], o->of.text,
                        operand_phrases[is_joint ? OF_COORDINATE : OF_BODY]);
         return false;
     }
-    if (is_joint && result->segment < 0) {
+    if (is_joint && q->segment < 0) {
         refuse_joint(b, o, &b->written->joints.all[index]);
         return false;
     }
-    if (result->kind == OUTPUT_TURNS && !b->mechanism.segments[result->segment].continuous) {
-        source_problem(b->s, o->kind_at, "only a continuous joint counts its turns");
-    }
-    return true;
+    return counts_turns(b, q, o->kind_at);
 }
 
-static bool find_transmission(builder *b, const output *o, shown *result)
+/* `at`, `in` and `along`, where the output has a point, axes or components. */
+static void check_parts(builder *b, const output *o, const quantity_row *row, shown *result)
 {
-    bool is_closure;
-    const int index = find_closure_or_spring(b->s, b->written, o->of, &is_closure);
-    result->closure = is_closure ? index : -1;
-    result->point_spring = is_closure ? -1 : index;
-    if (result->closure >= 0 && !acts_along_joints(b->written->closures.all[result->closure].kind)) {
-        source_problem(b->s, o->of.at, "'%s' has no effort: show force of %s, or moment of %s", o->of.text, o->of.text,
-                       o->of.text);
+    const bool is_body = o->axes.text != NULL && strcmp(o->axes.text, "body") == 0;
+    if (o->point != NULL && !quantity_has_point(row)) {
+        source_problem(b->s, o->point_at, "'at' is only for the %s", quantity_list(b->s->memory, quantity_has_point));
     }
-    return index >= 0;
-}
-
-static bool has_point(const output_row *row)
-{
-    return row->is_of_point;
-}
-
-/* `at` and `along`, where the output has a point or components. */
-static void check_parts(builder *b, const output *o, const output_row *row)
-{
-    if (o->point != NULL && !row->is_of_point) {
-        source_problem(b->s, o->point_at, "'at' is only for the %s", output_list(b->s->memory, has_point));
-    }
-    if (o->along >= 0 && !output_is_vector(row)) {
+    if (o->along >= 0 && !quantity_is_vector(row)) {
         source_problem(b->s, o->along_at, "'along' is only for vectors: the %s",
-                       output_list(b->s->memory, output_is_vector));
+                       quantity_list(b->s->memory, quantity_is_vector));
     }
+    if (o->axes.text != NULL && (row->asks & IN_AXES) == 0) {
+        source_problem(b->s, o->axes.at, "only a velocity, a spin and a specific force have axes to choose");
+    } else if (o->axes.text != NULL && !is_body && strcmp(o->axes.text, "ground") != 0) {
+        source_problem(b->s, o->axes.at, "expected 'in body' or 'in ground', the axes that it is in");
+    }
+    result->of.in_body = o->axes.text == NULL ? (row->asks & OF_BODY_AXES) != 0 : is_body;
 }
 
 /* Any formula: its unit is that of its dimension, without the angle where nothing else has a name. */
 static void show_formula(builder *b, const output *o, shown *result)
 {
     const value v = value_in_scene(b, o->formula);
-    result->formula = v.count == 0 ? constant(b->g, 0.0) : v.parts[0];
+    result->formula = v.count == 0 ? (value){.count = 1, .parts = {constant(b->g, 0.0)}} : v;
     result->unit =
         dimension_equal_but_angle(v.of, no_unit) && v.of.rad == 0 ? "1" : dimension_text_but_angle(b->s->memory, v.of);
-    if (v.count > 1) {
-        source_problem(b->s, o->formula->at, "an output is one number; this is %d", v.count);
+    if (v.count > 1 && formula_components(&v)[0] == '\0') {
+        source_problem(b->s, o->formula->at, "an output is one number, a vector or a quaternion; this is %d", v.count);
     }
 }
 
@@ -109,29 +97,46 @@ static double ticks_between(builder *b, const output *o)
 
 static void build_output(builder *b, const output *o, shown *result)
 {
-    const operand kind = output_rows[o->kind].of;
+    query *q = &result->of;
     *result = (shown){.name = o->name,
-                      .kind = o->kind,
-                      .along = o->along,
-                      .segment = -1,
-                      .body = -1,
-                      .closure = -1,
-                      .point_spring = -1};
-    result->point = vector_value(b, o->point, metre, "a point");
+                      .of = {.kind = o->kind, .segment = -1, .body = -1, .closure = -1, .spring = -1},
+                      .along = o->along};
+    q->point = vector_value(b, o->point, metre, "a point");
     result->every = ticks_between(b, o);
     if (o->formula != NULL) {
         show_formula(b, o, result);
+        return;
     }
-    if (kind == OF_CLOSURES && b->written->closures.count == 0) {
-        source_problem(b->s, o->kind_at, "a scene without closures has no violation");
-    }
-    if (kind >= OF_COORDINATE && o->of.text != NULL) {
-        const bool found = kind == OF_CONNECTION     ? find_connection(b, o->of, &result->body, &result->closure)
-                           : kind == OF_TRANSMISSION ? find_transmission(b, o, result)
+    const operand kind = quantity_rows[o->kind].of;
+    if (kind < OF_COORDINATE) {
+        (void)is_of_plant(b, o->kind, o->kind_at);
+    } else if (o->of.text != NULL) {
+        const bool found = kind == OF_CONNECTION     ? find_connection(b, o->of, &q->body, &q->closure)
+                           : kind == OF_TRANSMISSION ? find_transmission(b, o->of, &q->closure, &q->spring)
                                                      : find_operand(b, o, result);
         if (found) {
-            check_parts(b, o, &output_rows[result->kind]);
+            check_parts(b, o, &quantity_rows[result->of.kind], result);
         }
+    }
+}
+
+/* The names of all components, where those of a formula are among them: which it has is known only now. */
+static void check_names(builder *b)
+{
+    listing all = {0};
+    bool any = false;
+    for (size_t i = 0; i < b->mechanism.output_count; i++) {
+        const shown *o = &b->mechanism.outputs[i];
+        const char *of_formula = formula_components(&o->formula);
+        any = any || of_formula[0] != '\0';
+        listing_add(b->s, &all, o->name);
+        for (const char *c = shows_formula(o) ? of_formula : output_components(b->written, &b->written->outputs.all[i]);
+             *c != '\0' && o->name.text != NULL; c++) {
+            listing_add(b->s, &all, (name){arena_format(b->s->memory, "%s_%c", o->name.text, *c), o->name.at});
+        }
+    }
+    if (any) {
+        listing_check(b->s, &all);
     }
 }
 
@@ -143,4 +148,5 @@ void build_outputs(builder *b)
     for (size_t i = 0; i < count; i++) {
         build_output(b, &b->written->outputs.all[i], &b->mechanism.outputs[i]);
     }
+    check_names(b);
 }

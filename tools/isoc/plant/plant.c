@@ -3,9 +3,9 @@
 #include <string.h>
 
 #include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/plant/accelerations.h"
 #include "tools/isoc/plant/cost.h"
 #include "tools/isoc/plant/outputs.h"
+#include "tools/isoc/plant/quantities.h"
 
 const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chosen, node *derivatives)
 {
@@ -183,14 +183,14 @@ static node count_broken(graph *g, const mechanism *m)
 
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted)
 {
-    plant p = {.m = m, .is_double = is_double, .factors = wanted.factors};
+    plant p = {.m = m, .is_double = is_double, .factors = wanted.factors, .energy = -1};
     for (int i = 0; i < m->segment_count; i++) {
         p.turn_count += m->segments[i].continuous;
     }
     build_cheapest(&p, g, wanted.formulation);
     p.is_curved = ISO_IS(m->method.recipe, ISO_ROSENBROCK) && ISO_IS_SMOOTH(m->method.recipe) && is_curved(g, &p);
     p.after = settled_build(g, p.d);
-    accelerations_resolve(&p, g);
+    late_queries_resolve(&p, g);
     outputs_build(&p, g);
     hold(&p, g);
     p.fast = fast_build(g, m, p.held_derivatives);

@@ -71,9 +71,9 @@ typedef struct plant {
     node *held_derivatives;      /* the derivatives by that; where nothing is held, themselves */
     fast_part fast;              /* of these derivatives: the states with sub-steps of their own */
     row_plan rows;               /* what each row sets */
-    node energy;
-    node violation; /* of the closures, where the loop counts it; else -1 */
-    node broken;    /* how many conditions the tunables break; -1: there are none */
+    node energy;                 /* -1 until something asks for it */
+    node violation;              /* of the closures, where the loop counts it; else -1 */
+    node broken;                 /* how many conditions the tunables break; -1: there are none */
     bool is_double;
     reduced_plant *reduced_plants; /* of a program: without the first drop of its ladder, without the first two, ... */
     int reduced_plant_count;

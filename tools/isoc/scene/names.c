@@ -153,10 +153,13 @@ static void list_effect(source *s, const scene *written, const effect_use *use, 
 
 const char *output_components(const scene *written, const output *o)
 {
+    if (o->formula != NULL) {
+        return "";
+    }
     const bool is_body = o->of.text != NULL && (find_among(GROUP(written->bodies), o->of) >= 0 ||
                                                 find_among(GROUP(written->frames), o->of) >= 0);
-    const output_kind of_body = is_body ? output_of(o->kind, OF_BODY) : OUTPUT_ROWS;
-    const output_row *row = &output_rows[of_body < OUTPUT_ROWS ? of_body : o->kind];
+    const quantity_kind of_body = is_body ? quantity_called(quantity_rows[o->kind].word, OF_BODY) : QUANTITY_ROWS;
+    const quantity_row *row = &quantity_rows[of_body < QUANTITY_ROWS ? of_body : o->kind];
     return o->along < 0 ? row->components : "";
 }
 
@@ -172,8 +175,9 @@ static void list_components(source *s, listing *l, const scene *written, const o
 static void refuse_doubtful(source *s, const scene *written, const output *o)
 {
     const group numbers[] = {GROUP(written->parameters), GROUP(written->inputs), GROUP(written->signals)};
-    const char *word = output_rows[o->kind].word;
-    for (size_t i = 0; i < 3 && o->formula == NULL && output_rows[o->kind].of < OF_COORDINATE; i++) {
+    const bool is_alone = o->formula == NULL && quantity_rows[o->kind].of < OF_COORDINATE;
+    const char *word = is_alone ? quantity_rows[o->kind].word : "";
+    for (size_t i = 0; i < 3 && is_alone; i++) {
         if (find_among(numbers[i], (name){word, o->kind_at}) >= 0) {
             source_problem(s, o->kind_at,
                            "'%s' is of the mechanism, but something else is called so too: for that one "

@@ -292,9 +292,10 @@ static formula *parse_parenthesis(parser *p)
 
 static formula *parse_primary(parser *p);
 
-/* speed of JOINT, force of CLOSURE, velocity of BODY [in body], spin of BODY [in ground], inertia of BODY [at VECTOR] [in body] */
+/* speed of JOINT, force of CLOSURE, velocity of BODY [at VECTOR] [in body | in ground] [along AXIS] */
 static formula *parse_quantity(parser *p)
 {
+    static const char *const axes[] = {"x", "y", "z"};
     formula *f = formula_new(p, FORMULA_OF, p->next->at);
     f->name = p->next->text;
     p->next += 2;
@@ -303,7 +304,7 @@ static formula *parse_quantity(parser *p)
     p->next++;
     of->name = take_indices(p, of->name);
     add_part(p, f, of);
-    if (strcmp(f->name, "inertia") == 0 && take_option(p, "at")) {
+    if (take_option(p, "at")) {
         formula *beside = parse_primary(p);
         if (beside == NULL) {
             return NULL;
@@ -314,7 +315,11 @@ static formula *parse_quantity(parser *p)
         f->axes = (name){p->next[1].text, p->next[1].at};
         p->next += 2;
     }
-    return f;
+    if (take_option(p, "along")) {
+        const size_t which = take_one_of(p, axes, COUNT_OF(axes));
+        f->along = (char)(which < COUNT_OF(axes) ? axes[which][0] : '\0');
+    }
+    return p->failed ? NULL : f;
 }
 
 bool next_is_owned(const parser *p)
@@ -325,12 +330,9 @@ bool next_is_owned(const parser *p)
 
 bool next_is_quantity(const parser *p)
 {
-    static const char *const words[] = {"position", "speed",   "velocity",     "spin",           "x_axis", "y_axis",
-                                        "z_axis",   "inertia", "acceleration", "specific_force", "power",  "energy",
-                                        "loss",     "work",    "force",        "moment"};
     bool is = false;
-    for (size_t i = 0; i < COUNT_OF(words); i++) {
-        is = is || next_is_word(p, words[i]);
+    for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
+        is = is || (quantity_rows[kind].of >= OF_COORDINATE && next_is_word(p, quantity_rows[kind].word));
     }
     return is && next_is_owned(p) && p->next[2].kind == TOKEN_NAME;
 }

@@ -1,4 +1,4 @@
-/* output NAME = KIND [of NAME [at FORMULA] [along AXIS]] [every NUMBER ticks], or a formula in the place of the kind */
+/* output NAME = KIND [of NAME [at FORMULA] [in AXES] [along AXIS]] [every NUMBER ticks], or a formula in the place of the kind */
 #include <string.h>
 
 #include "tools/isoc/scene/parse_formula.h"
@@ -11,9 +11,10 @@ static bool next_is_output_kind(const parser *p)
     const token *last = p->next;
     const bool has_owner = next_is_owned(p);
     bool is_known = false;
-    for (output_kind kind = 0; kind < OUTPUT_FORMULA; kind++) {
-        const bool is_owned = output_rows[kind].of >= OF_COORDINATE;
-        is_known = is_known || (next_is_word(p, output_rows[kind].word) && (is_owned || !has_owner));
+    for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
+        const bool is_owned = quantity_rows[kind].of >= OF_COORDINATE;
+        is_known = is_known || (quantity_is_shown(&quantity_rows[kind]) && next_is_word(p, quantity_rows[kind].word) &&
+                                (is_owned || !has_owner));
     }
     if (last->kind != TOKEN_NAME || (!is_known && (!has_owner || next_is_quantity(p)))) {
         return false;
@@ -24,15 +25,15 @@ static bool next_is_output_kind(const parser *p)
 }
 
 /* The first row of the next word, which is taken. */
-static output_kind parse_output_kind(parser *p)
+static quantity_kind parse_output_kind(parser *p)
 {
-    const char *words[OUTPUT_ROWS];
-    output_kind kinds[OUTPUT_ROWS] = {0};
+    const char *words[QUANTITY_ROWS];
+    quantity_kind kinds[QUANTITY_ROWS] = {0};
     const char *last = "";
     size_t count = 0;
-    for (output_kind kind = 0; kind < OUTPUT_FORMULA; kind++) {
-        if (strcmp(last, output_rows[kind].word) != 0) {
-            last = words[count] = output_rows[kind].word;
+    for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
+        if (quantity_is_shown(&quantity_rows[kind]) && strcmp(last, quantity_rows[kind].word) != 0) {
+            last = words[count] = quantity_rows[kind].word;
             kinds[count++] = kind;
         }
     }
@@ -41,12 +42,12 @@ static output_kind parse_output_kind(parser *p)
 }
 
 /* What outputs of this word are of: a joint or a body. */
-static const char *owners(arena *memory, output_kind kind)
+static const char *owners(arena *memory, quantity_kind kind)
 {
     const char *phrases[OPERANDS];
     size_t count = 0;
     for (operand of = 0; of < OPERANDS; of++) {
-        if (output_of(kind, of) < OUTPUT_ROWS) {
+        if (of < OF_EFFECT && quantity_called(quantity_rows[kind].word, of) < QUANTITY_ROWS) {
             phrases[count++] = operand_phrases[of];
         }
     }
@@ -64,6 +65,9 @@ static void parse_owner(parser *p, output *o)
     o->point_at = p->next->at;
     if (!p->failed && take_option(p, "at")) {
         o->point = parse_formula(p);
+    }
+    if (!p->failed && take_option(p, "in")) {
+        o->axes = take_name(p, "expected body or ground");
     }
     o->along_at = p->next->at;
     if (!p->failed && take_option(p, "along")) {
@@ -95,12 +99,12 @@ void read_output(parser *p, const token *word, void *slot)
     }
     o.kind_at = p->next->at;
     if (!p->failed && !next_is_output_kind(p)) {
-        o.kind = OUTPUT_FORMULA;
+        o.kind = QUANTITY_ROWS;
         o.formula = parse_formula(p);
     } else if (!p->failed) {
         o.kind = parse_output_kind(p);
     }
-    if (!p->failed && output_rows[o.kind].of >= OF_COORDINATE) {
+    if (!p->failed && o.formula == NULL && quantity_rows[o.kind].of >= OF_COORDINATE) {
         parse_owner(p, &o);
     }
     if (!p->failed && take_option(p, "every")) {

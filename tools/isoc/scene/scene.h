@@ -5,7 +5,7 @@
 #include "tools/isoc/base/list.h"
 #include "tools/isoc/scene/closure_kinds.h"
 #include "tools/isoc/scene/joint_kinds.h"
-#include "tools/isoc/scene/output_kinds.h"
+#include "tools/isoc/scene/quantities.h"
 #include "tools/isoc/scene/solid_kinds.h"
 #include "tools/isoc/scene/source.h"
 #include "tools/isoc/scene/unit.h"
@@ -41,7 +41,8 @@ typedef struct formula {
     char sign;
     const script *file; /* of FORMULA_FILE; its text stands at `text_at` */
     place text_at;
-    name axes; /* of FORMULA_OF: body or ground; NULL where none are given */
+    name axes;  /* of FORMULA_OF: body or ground; NULL where none are given */
+    char along; /* likewise: x, y or z; 0: the whole vector */
     struct formula **parts;
     size_t count, room;
 } formula;
@@ -231,11 +232,12 @@ typedef struct setting {
 
 typedef struct output {
     name name;
-    output_kind kind; /* the first row of its word; mechanism/outputs.c finds the right one */
-    formula *formula; /* in its place, where it begins with no such word */
+    quantity_kind kind; /* the first row of its word; mechanism/outputs.c finds the right one */
+    formula *formula;   /* in its place, where it begins with no such word */
     place kind_at;
     name of;        /* a joint, a body or a closure */
     formula *point; /* in the body's frame; NULL: its origin */
+    name axes;      /* body or ground; NULL where none are given */
     int along;      /* 0, 1, 2: only x, y or z; -1: all three */
     formula *every; /* ticks; NULL: each */
     place point_at, along_at;

@@ -1,40 +1,57 @@
 #include "tools/isoc/tree/point_query.h"
 
+#include <string.h>
+
 #include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/tree/effective_inertia.h"
 
-static vector answer(const kinematics *k, const point_query *p)
+/* In the axes of the body's segment. */
+static vector in_segment(const kinematics *k, const query *q, vector point)
 {
-    graph *g = k->g;
-    const body_frame *frame = &k->m->bodies.frames[p->body];
+    const body_frame *frame = &k->m->bodies.frames[q->body];
     const int at = frame->segment;
-    const vector point = vector_add(g, matrix_apply(g, frame->turn, p->point), frame->offset);
-    if (p->kind == QUERY_POSITION && !p->in_body) {
-        return outward_point(k, at, GROUND, point);
-    }
-    vector in_segment = vector_zero(g);
-    if (p->kind == QUERY_VELOCITY) {
-        in_segment = point_velocity(k, at, point);
-    } else if (p->kind == QUERY_SPIN) {
-        in_segment = at == GROUND ? in_segment : k->motions[at].omega;
+    vector found = vector_zero(k->g);
+    if (q->kind == QUANTITY_VELOCITY) {
+        found = point_velocity(k, at, point);
+    } else if (q->kind == QUANTITY_SPIN) {
+        found = at == GROUND ? found : k->motions[at].omega;
     } else {
         for (int i = 0; i < 3; i++) {
-            in_segment.at[i] = frame->turn.at[i][p->kind - QUERY_X_AXIS];
+            found.at[i] = frame->turn.at[i][q->kind - QUANTITY_X_AXIS];
         }
     }
-    return p->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_segment)
-                      : outward_axes(k, at, GROUND, in_segment);
+    return found;
+}
+
+void point_query_nodes(const kinematics *k, const query *q, node parts[QUERY_PARTS])
+{
+    graph *g = k->g;
+    const body_frame *frame = &k->m->bodies.frames[q->body];
+    if (q->kind == QUANTITY_ORIENTATION) {
+        body_orientation(k, frame, parts);
+        return;
+    }
+    const vector point = vector_add(g, matrix_apply(g, frame->turn, q->point), frame->offset);
+    vector found;
+    if (q->kind == QUANTITY_POINT) {
+        found = outward_point(k, frame->segment, GROUND, point);
+    } else {
+        found = in_segment(k, q, point);
+        found = q->in_body ? matrix_apply(g, matrix_transpose(frame->turn), found)
+                           : outward_axes(k, frame->segment, GROUND, found);
+    }
+    memcpy(parts, found.at, sizeof found.at);
 }
 
 /* What stands in the place of the leaves. */
 typedef struct answers {
-    const node *points;   /* three of each question */
+    const node *points;   /* QUERY_PARTS of each question */
     const node *inertias; /* NULL where none is asked for */
 } answers;
 
 static void replace(graph *g, node *roots, int count, const answers *by)
 {
-    replace_leaves(g, roots, (size_t)count, OP_POINT_QUERY, by->points);
+    replace_leaves(g, roots, (size_t)count, OP_QUERY, by->points);
     if (by->inertias != NULL) {
         replace_leaves(g, roots, (size_t)count, OP_INERTIA, by->inertias);
     }
@@ -43,7 +60,7 @@ static void replace(graph *g, node *roots, int count, const answers *by)
 void point_queries_resolve(graph *g, mechanism *m)
 {
     const bool by_inertia = asks_for_inertia(g);
-    bool any = m->queries.point_count > 0 || by_inertia;
+    bool any = m->queries.count > 0 || by_inertia;
     for (int i = 0; i < m->forces.applied_count; i++) {
         any = any || m->forces.applied[i].drive < 0;
     }
@@ -53,12 +70,13 @@ void point_queries_resolve(graph *g, mechanism *m)
     const kinematics k = kinematics_build(g, m);
     kinematics_velocities(&k);
     graph_section(g, "Points of effects, in the ground's frame");
-    node *points = arena_take(g->memory, 3 * (size_t)m->queries.point_count + 1, sizeof *points);
-    for (int i = 0; i < m->queries.point_count; i++) {
-        const bool is_later = asks_for_acceleration(m->queries.points[i].kind);
-        const vector a = is_later ? vector_zero(g) : answer(&k, &m->queries.points[i]);
-        for (int n = 0; n < 3; n++) {
-            points[3 * i + n] = is_later ? leaf(g, OP_POINT_QUERY, 3 * i + n) : a.at[n];
+    node *points = arena_take(g->memory, QUERY_PARTS * (size_t)m->queries.count + 1, sizeof *points);
+    for (int i = 0; i < m->queries.count; i++) {
+        for (int n = 0; n < QUERY_PARTS; n++) {
+            points[QUERY_PARTS * i + n] = leaf(g, OP_QUERY, QUERY_PARTS * i + n);
+        }
+        if (!is_known_late(m->queries.all[i].kind)) {
+            point_query_nodes(&k, &m->queries.all[i], &points[QUERY_PARTS * i]);
         }
     }
     const answers all = {points, by_inertia ? effective_inertias(g, m) : NULL};
@@ -82,9 +100,7 @@ void point_queries_resolve(graph *g, mechanism *m)
         replace(g, &m->effects.memories[i].begin, 1, &all);
     }
     for (size_t i = 0; i < m->output_count; i++) {
-        if (m->outputs[i].kind == OUTPUT_FORMULA) {
-            replace(g, &m->outputs[i].formula, 1, &all);
-        }
+        replace(g, m->outputs[i].formula.parts, m->outputs[i].formula.count, &all);
     }
     for (int i = 0; i < m->forces.applied_count; i++) {
         applied_force *f = &m->forces.applied[i];

@@ -5,6 +5,9 @@
 
 #include "tools/isoc/tree/kinematics.h"
 
+/* The numbers of such a quantity of a point. */
+void point_query_nodes(const kinematics *k, const query *q, node parts[QUERY_PARTS]);
+
 void point_queries_resolve(graph *g, mechanism *m);
 
 #endif

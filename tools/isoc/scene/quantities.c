@@ -1,0 +1,112 @@
+#include "tools/isoc/scene/quantities.h"
+
+#include <string.h>
+
+#include "tools/isoc/base/text.h"
+
+#define QUANTITY_ROW(kind, word, of, asks, components, unit, turning_unit, known)                                      \
+    {word, of, asks, components, unit, turning_unit, known},
+const quantity_row quantity_rows[QUANTITY_ROWS] = {QUANTITIES(QUANTITY_ROW)};
+#undef QUANTITY_ROW
+
+const char *const operand_phrases[OPERANDS] = {
+    [OF_COORDINATE] = "a joint",
+    [OF_BODY] = "a body",
+    [OF_CONNECTION] = "a joint or a closure",
+    [OF_TRANSMISSION] = "a gear, a motion or a spring",
+    [OF_EFFECT] = "an effect",
+};
+
+quantity_kind quantity_called(const char *word, operand of)
+{
+    quantity_kind found = 0;
+    while (found < QUANTITY_ROWS && (quantity_rows[found].of != of || strcmp(quantity_rows[found].word, word) != 0)) {
+        found++;
+    }
+    return found;
+}
+
+quantity_kind quantity_of_nothing(const char *word)
+{
+    quantity_kind found = QUANTITY_ROWS;
+    for (operand of = 0; of < OF_COORDINATE && found == QUANTITY_ROWS; of++) {
+        found = quantity_called(word, of);
+    }
+    return found;
+}
+
+bool quantity_is_shown(const quantity_row *row)
+{
+    return row->known != KNOWN_AT_START && row->known != KNOWN_IN_OUTPUTS;
+}
+
+bool quantity_is_vector(const quantity_row *row)
+{
+    return strcmp(row->components, "xyz") == 0;
+}
+
+bool quantity_has_point(const quantity_row *row)
+{
+    return (row->asks & AT_POINT) != 0;
+}
+
+int quantity_parts(const quantity_row *row)
+{
+    return row->components[0] == '\0' ? 1 : (int)strlen(row->components);
+}
+
+const char *quantity_list(arena *memory, bool (*is_listed)(const quantity_row *row))
+{
+    const char *list = "";
+    for (operand of = 0; of < OPERANDS; of++) {
+        const char *words[QUANTITY_ROWS];
+        size_t count = 0;
+        for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
+            const quantity_row *row = &quantity_rows[kind];
+            if (row->of == of && quantity_is_shown(row) && is_listed(row)) {
+                words[count++] = row->word;
+            }
+        }
+        if (count > 0) {
+            list = arena_format(memory, "%s%s%s of %s", list, list[0] == '\0' ? "" : "; ",
+                                alternatives(memory, words, count), operand_phrases[of]);
+        }
+    }
+    return list;
+}
+
+const char *quantity_words(arena *memory, operand of, operand or_of)
+{
+    const char *words[QUANTITY_ROWS];
+    size_t count = 0;
+    for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
+        if (quantity_rows[kind].of == of || quantity_rows[kind].of == or_of) {
+            words[count++] = quantity_rows[kind].word;
+        }
+    }
+    return alternatives(memory, words, count);
+}
+
+dimension dimension_of_unit(const char *written)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    static const dimension none = {0};
+    dimension all = none;
+    int sign = 1;
+    while (strchr(letters, *written) != NULL && *written != '\0') {
+        char called[8] = "";
+        const size_t length = strspn(written, letters);
+        unit u;
+        memcpy(called, written, length < sizeof called ? length : 0);
+        if (!unit_find(called, &u)) {
+            return none;
+        }
+        written += length;
+        const bool is_power = *written == '^';
+        dimension_times(&all, u.of, is_power ? sign * (written[1] - '0') : sign);
+        written += is_power ? 2 : 0;
+        sign = *written == '/' ? -1 : 1;
+        written += *written == '*' || *written == '/';
+    }
+    return *written == '\0' ? all : none;
+}
