@@ -14,6 +14,7 @@
 #ifndef ISO_CORE_APPLICATION_STREAM_H
 #define ISO_CORE_APPLICATION_STREAM_H
 
+#include "core/application/protocol.h"
 #include "core/application/times.h"
 #include "core/runtime/loop.h"
 
@@ -52,40 +53,6 @@ enum {
     X(duration_ns, duration)                                                                                           \
     X(states, model->states)                                                                                           \
     X(outputs, model->outputs)
-
-/* The end record begins with the whole numbers of the statistics, in their order there, 64 bits each: what the reader
- * calls them, and what they are called there. margin has a sign. */
-#define ISO_STREAM_COUNTS(X)                                                                                           \
-    X(ticks, ticks)                                                                                                    \
-    X(late, late)                                                                                                      \
-    X(lost, lost)                                                                                                      \
-    X(overruns, overruns)                                                                                              \
-    X(restarts, restarts)                                                                                              \
-    X(violated, violated)                                                                                              \
-    X(margin, margin)                                                                                                  \
-    X(execution_min, execution_min)                                                                                    \
-    X(execution_max, execution_max)                                                                                    \
-    X(execution_sum, execution_sum)                                                                                    \
-    X(restart_max, restart_max)                                                                                        \
-    X(inputs_held, inputs.held)                                                                                        \
-    X(inputs_clamped, inputs.clamped)                                                                                  \
-    X(tunables_held, parameters.held)                                                                                  \
-    X(tunables_clamped, parameters.clamped)                                                                            \
-    X(outputs_held, outputs_held)                                                                                      \
-    X(near_singular, near_singular)                                                                                    \
-    X(near_singular_first, near_singular_first)                                                                        \
-    X(near_singular_closure, near_singular_closure)
-
-/* Then come these, 64 bits each: what the reader calls them, and what the writer puts there. */
-#define ISO_STREAM_WORDS(X)                                                                                            \
-    X(guard, loop->guard)                                                                                              \
-    X(tick, loop->tick)                                                                                                \
-    X(adams_restarts, adams->restarts)                                                                                 \
-    X(substeps, adams->substeps)                                                                                       \
-    X(rejected, adams->rejected)                                                                                       \
-    X(budget_bound, adams->budget_bound)                                                                               \
-    X(evaluations, adams->evaluations)                                                                                 \
-    X(hash, hash)
 
 /* In place of a run: why there is none. */
 void iso_stream_bail_out(const char *why);

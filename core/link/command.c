@@ -1,5 +1,9 @@
 #include "core/link/command.h"
 
+#define IS_NUMBERED(constant, number, words) _Static_assert((int)(constant) == (number), words);
+ISO_SNAPSHOT_REFUSALS(IS_NUMBERED)
+ISO_CONTROL_REFUSALS(IS_NUMBERED)
+
 /* What stands before that of a command: its type and its number. */
 enum { HEAD_BYTES = 2, TICKS_BYTES = 8, OFFSET_BYTES = 4 };
 
@@ -125,6 +129,8 @@ static iso_command_state state_of(const iso_control *const control, const bool i
                                              : ISO_COMMAND_RUNS;
 }
 
+#define FIELD(name, bytes) uint64_t name;
+#define PUT_FIELD(name, bytes) iso_frame_put(w, fields.name, bytes);
 void iso_command_put_answer(const iso_commands *const commands, const iso_control *const control, const bool is_running,
                             const uint8_t *const payload, iso_frame_writer *const w)
 {
@@ -138,10 +144,15 @@ void iso_command_put_answer(const iso_commands *const commands, const iso_contro
             iso_frame_put(w, control->record[offset + i], 1);
         }
     } else {
-        iso_frame_put(w, state_of(control, is_running), 1);
-        iso_frame_put(w, control->loop->tick, 8);
-        iso_frame_put(w, control->left, 8);
-        iso_frame_put(w, control->hash, 8);
-        iso_frame_put(w, control->record_bytes, 4);
+        const struct {
+            ISO_COMMAND_STATE_FIELDS(FIELD)
+        } fields = {
+            .state = state_of(control, is_running),
+            .tick = control->loop->tick,
+            .left = control->left,
+            .hash = control->hash,
+            .snapshot_bytes = control->record_bytes,
+        };
+        ISO_COMMAND_STATE_FIELDS(PUT_FIELD)
     }
 }

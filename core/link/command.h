@@ -6,6 +6,7 @@
 #ifndef ISO_CORE_LINK_COMMAND_H
 #define ISO_CORE_LINK_COMMAND_H
 
+#include "core/application/protocol.h"
 #include "core/link/frame.h"
 #include "core/runtime/control.h"
 
@@ -13,32 +14,16 @@
 #define iso_command_restore ISO_REAL_NAME(iso_command_restore)
 #define iso_command_put_answer ISO_REAL_NAME(iso_command_put_answer)
 
-/* Each is a byte, followed by its number, a byte, and by this. */
-typedef enum iso_command_type {
-    ISO_COMMAND_STATE = 1, /* : how it is */
-    ISO_COMMAND_RUN,       /* u64 ticks, 0 without an end: runs, then rests */
-    ISO_COMMAND_REST,      /* : pauses */
-    ISO_COMMAND_RESET,     /* : a run from tick 0, in the mode of the last start; rests there */
-    ISO_COMMAND_TAKE,      /* : takes a snapshot into the record */
-    ISO_COMMAND_READ,      /* u32 offset: a piece of the record */
-    ISO_COMMAND_WRITE,     /* u32 offset, the bytes of a piece */
-    ISO_COMMAND_RESTORE,   /* u32 bytes of the record: puts the plant to it; rests there */
-    ISO_COMMANDS
-} iso_command_type;
-
-/* The most bytes of a piece. All pieces of a record are as long, but for the last one. */
-enum { ISO_COMMAND_PIECE = 128 };
+/* As the tables of core/application/protocol.h have them. */
+#define ISO_COMMAND_TYPE_CONSTANT(name, number) ISO_COMMAND_##name = (number),
+typedef enum iso_command_type { ISO_COMMAND_LIST(ISO_COMMAND_TYPE_CONSTANT) ISO_COMMANDS } iso_command_type;
 
 /* Bytes of the payload of the longest answer. */
 enum { ISO_COMMAND_ANSWER_BYTES = 3 + 4 + ISO_COMMAND_PIECE };
 
 /* How a plant is. */
-typedef enum iso_command_state {
-    ISO_COMMAND_NO_RUN,  /* none has been started, or it is over */
-    ISO_COMMAND_RUNS,    /* or waits for inputs, in lockstep */
-    ISO_COMMAND_RESTS,   /* between two ticks */
-    ISO_COMMAND_STOPPED, /* by the guard, until a reset, a restore or a start */
-} iso_command_state;
+#define ISO_COMMAND_STATE_CONSTANT(name, number, words) ISO_COMMAND_##name = (number),
+typedef enum iso_command_state { ISO_COMMAND_STATE_LIST(ISO_COMMAND_STATE_CONSTANT) } iso_command_state;
 
 /* The last command. */
 typedef struct iso_commands {

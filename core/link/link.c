@@ -10,7 +10,8 @@
 enum { CHUNK_BYTES = 64, CHUNKS = 64 };
 
 /* Bytes of payload of frames whose size does not depend on the plant. */
-enum { HELLO_BYTES = 0, START_BYTES = 8 + 1 + 8, ASK_END_BYTES = 0 };
+#define FIELD_BYTES(name, bytes) +(bytes)
+enum { HELLO_BYTES = 0, START_BYTES = 0 ISO_LINK_START_FIELDS(FIELD_BYTES), ASK_END_BYTES = 0 };
 
 /* --- Frames to the controller ------------------------------------------------------------------------------------ */
 
@@ -81,23 +82,30 @@ static void refuse(iso_link *const link, const iso_link_reason reason)
 
 /* --- Frames from it ---------------------------------------------------------------------------------------------- */
 
+#define FIELD(name, bytes) uint64_t name;
+#define TAKE_FIELD(name, bytes)                                                                                        \
+    start.name = iso_frame_number(at, bytes);                                                                          \
+    at += (bytes);
+
 /* A start that comes again before the first step, because its answer was lost, is answered again. */
 static void take_start(iso_link *const link, const uint8_t *const payload)
 {
-    const uint64_t identity = iso_frame_number(payload, 8);
-    const uint8_t mode = payload[8];
-    const uint64_t ticks = iso_frame_number(payload + 9, 8);
-    if (identity != link->interface->identity) {
+    struct {
+        ISO_LINK_START_FIELDS(FIELD)
+    } start;
+    const uint8_t *at = payload;
+    ISO_LINK_START_FIELDS(TAKE_FIELD)
+    if (start.identity != link->interface->identity) {
         refuse(link, ISO_LINK_FOREIGN);
-    } else if (mode >= ISO_LINK_MODES) {
+    } else if (start.mode >= ISO_LINK_MODES) {
         refuse(link, ISO_LINK_NO_MODE);
-    } else if (link->running && link->loop->tick == 0 && mode == link->mode && ticks == link->ticks) {
+    } else if (link->running && link->loop->tick == 0 && start.mode == link->mode && start.ticks == link->ticks) {
         send_outputs(link);
     } else if (link->running && link->once) {
         refuse(link, ISO_LINK_ALREADY_STARTED);
     } else {
-        link->mode = (iso_link_mode)mode;
-        link->ticks = ticks;
+        link->mode = (iso_link_mode)start.mode;
+        link->ticks = start.ticks;
         link->asked = true;
     }
 }

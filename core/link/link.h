@@ -20,45 +20,15 @@
 #define iso_link_restore ISO_REAL_NAME(iso_link_restore)
 #define iso_the_link ISO_REAL_NAME(iso_the_link)
 
-enum { ISO_LINK_VERSION = 1 };
+/* As the tables of core/application/protocol.h have them. */
+#define ISO_LINK_TYPE_CONSTANT(name, letter) ISO_LINK_##name = (letter),
+typedef enum iso_link_type { ISO_LINK_TYPE_LIST(ISO_LINK_TYPE_CONSTANT) } iso_link_type;
 
-/* The types of frames: what the controller sends, and what the plant sends. */
-typedef enum iso_link_type {
-    ISO_LINK_HELLO = 'h',   /* asks who is there */
-    ISO_LINK_START = 's',   /* u64 identity, u8 mode, u64 ticks (0: until it is ended): a run from tick 0 */
-    ISO_LINK_INPUTS = 'u',  /* u64 tick of the outputs that they answer, reals of the wires */
-    ISO_LINK_END = 'e',     /* from the controller: ends the run; from the plant: how it went, 64 bits each */
-    ISO_LINK_COMMAND = 'c', /* what else can be asked of a plant: core/link/command.h */
+#define ISO_LINK_CONSTANT(name, number, words) ISO_LINK_##name = (number),
+typedef enum iso_link_reason { ISO_LINK_REASON_LIST(ISO_LINK_CONSTANT) } iso_link_reason;
+typedef enum iso_link_mode { ISO_LINK_MODE_LIST(ISO_LINK_CONSTANT) ISO_LINK_MODES } iso_link_mode;
 
-    ISO_LINK_PLANT =
-        'H', /* u8 version, u8 bytes of a real, u16 wires, outputs, states, tunables, u64 identity, u32 period_ns */
-    ISO_LINK_OUTPUTS = 'y', /* u64 tick, reals of the outputs */
-    ISO_LINK_ANSWER = 'C',  /* to a command */
-    ISO_LINK_REFUSAL = 'n'  /* u8 reason, u8 type of the frame that is refused */
-} iso_link_type;
-
-typedef enum iso_link_reason {
-    ISO_LINK_UNKNOWN = 1,     /* no frame of this type, or of this length */
-    ISO_LINK_FOREIGN,         /* a start for another plant, method, step or type of numbers */
-    ISO_LINK_NO_MODE,         /* a start in a mode that there is not */
-    ISO_LINK_NOT_STARTED,     /* inputs, and no run */
-    ISO_LINK_ALREADY_STARTED, /* a start during the run of a program that makes only one */
-} iso_link_reason;
-
-typedef enum iso_link_mode { ISO_LINK_FREE, ISO_LINK_LOCKSTEP, ISO_LINK_MODES } iso_link_mode;
-
-/* How a run went on the wire: what each is called, in the order of the end frame. */
-#define ISO_LINK_COUNTS(X)                                                                                             \
-    X(inputs)   /* frames of inputs whose values were taken */                                                         \
-    X(late)     /* of them, those that answer an earlier tick than the last */                                         \
-    X(repeated) /* frames that answer the same tick as the newest before; not taken */                                 \
-    X(stale)    /* frames that answer an earlier tick than that, or one that has not been; not taken */                \
-    X(missing)  /* ticks of a free run for which no values came: the last ones held */                                 \
-    X(safe)     /* of them, those in which an input had become its safe value */                                       \
-    X(damaged)  /* pieces between zeros that are no frame */                                                           \
-    X(refused)  /* frames that were refused */                                                                         \
-    X(unsent)   /* frames that the channel had no room for */
-
+/* How a run went on the wire. */
 #define ISO_LINK_MEMBER(name) uint64_t name;
 typedef struct iso_link_statistics {
     ISO_LINK_COUNTS(ISO_LINK_MEMBER)

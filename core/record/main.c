@@ -1,5 +1,6 @@
 /* The program of a run that begins at a snapshot, takes one, or both; else as that of every run (core/application/main.c). The
  * identity of the plant, and the room for a record, are those that it has with a link. */
+#include "core/application/protocol.h"
 #include "core/application/run.h"
 #include "core/link/interface.h"
 #include "core/record/request.h"
@@ -8,16 +9,8 @@
 /* Puts the plant to the snapshot of the request, if there is one. Returns the hash of the trajectory so far. */
 static uint64_t restore(iso_loop *const loop)
 {
-    static const char *const refusals[] = {
-        [ISO_SNAPSHOT_NO_SNAPSHOT] = "the file is no snapshot",
-        [ISO_SNAPSHOT_OTHER_VERSION] = "the snapshot is of another version of the record",
-        [ISO_SNAPSHOT_WRONG_SIZE] = "the snapshot is not whole, or something follows it",
-        [ISO_SNAPSHOT_DAMAGED] = "the snapshot is damaged: its check is another",
-        [ISO_SNAPSHOT_OTHER_NUMBERS] =
-            "the snapshot has the other type of numbers, float for double or double for float",
-        [ISO_SNAPSHOT_OTHER_PLANT] = "the snapshot is of another plant, method or step",
-        [ISO_SNAPSHOT_NOT_A_STATE] = "the snapshot has a number that is not finite or out of range",
-    };
+#define REFUSAL(constant, number, words) [constant] = (words),
+    static const char *const refusals[] = {ISO_SNAPSHOT_REFUSALS(REFUSAL)};
     const iso_request *const request = &iso_the_request;
     uint64_t hash = ISO_HASH_START;
     if (request->from != NULL) {

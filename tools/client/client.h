@@ -31,54 +31,24 @@
 extern "C" {
 #endif
 
-enum { ISO_CLIENT_VERSION = 1, ISO_CLIENT_PATIENCE_MS = 500, ISO_CLIENT_TRIES = 20 };
-enum { ISO_CLIENT_FREE, ISO_CLIENT_LOCKSTEP }; /* modes of a run */
+enum { ISO_CLIENT_PATIENCE_MS = 500, ISO_CLIENT_TRIES = 20 };
 
-/* How a run went, in the order of the frame. */
-#define ISO_CLIENT_WORDS(X)                                                                                            \
-    X(ticks)                                                                                                           \
-    X(late)                                                                                                            \
-    X(lost)                                                                                                            \
-    X(overruns)                                                                                                        \
-    X(restarts)                                                                                                        \
-    X(violated)                                                                                                        \
-    X(margin)                                                                                                          \
-    X(execution_min)                                                                                                   \
-    X(execution_max)                                                                                                   \
-    X(execution_sum)                                                                                                   \
-    X(restart_max)                                                                                                     \
-    X(inputs_held)                                                                                                     \
-    X(inputs_clamped)                                                                                                  \
-    X(tunables_held)                                                                                                   \
-    X(tunables_clamped)                                                                                                \
-    X(outputs_held)                                                                                                    \
-    X(near_singular)                                                                                                   \
-    X(near_singular_first)                                                                                             \
-    X(near_singular_closure)                                                                                           \
-    X(guard)                                                                                                           \
-    X(tick)                                                                                                            \
-    X(adams_restarts)                                                                                                  \
-    X(substeps)                                                                                                        \
-    X(rejected)                                                                                                        \
-    X(budget_bound)                                                                                                    \
-    X(evaluations)                                                                                                     \
-    X(hash)                                                                                                            \
-    X(link_inputs)                                                                                                     \
-    X(link_late)                                                                                                       \
-    X(link_repeated)                                                                                                   \
-    X(link_stale)                                                                                                      \
-    X(link_missing)                                                                                                    \
-    X(link_safe)                                                                                                       \
-    X(link_damaged)                                                                                                    \
-    X(link_refused)                                                                                                    \
-    X(link_unsent)
+/* Types of frames, modes of a run, commands, and how a plant is by its answer to one. */
+#define ISO_CLIENT_FRAME(name, letter) ISO_CLIENT_FRAME_##name = (letter),
+#define ISO_CLIENT_COMMAND(name, number) ISO_CLIENT_##name = (number),
+#define ISO_CLIENT_CONSTANT(name, number, words) ISO_CLIENT_##name = (number),
+enum { ISO_CLIENT_FRAMES(ISO_CLIENT_FRAME) };
+enum { ISO_CLIENT_MODES(ISO_CLIENT_CONSTANT) };
+enum { ISO_CLIENT_COMMANDS(ISO_CLIENT_COMMAND) };
+enum { ISO_CLIENT_STATES(ISO_CLIENT_CONSTANT) };
+
+/* How a run went. */
 #define ISO_CLIENT_MEMBER(name) uint64_t name;
 typedef struct iso_client_end {
     ISO_CLIENT_WORDS(ISO_CLIENT_MEMBER)
 } iso_client_end;
 
 /* How a plant is, by its answer to a command. */
-enum { ISO_CLIENT_NO_RUN, ISO_CLIENT_RUNS, ISO_CLIENT_RESTS, ISO_CLIENT_STOPPED /* by the guard */ };
 typedef struct iso_client_state {
     int state;
     uint64_t tick;
@@ -271,13 +241,13 @@ static inline void iso_client_get_reals(iso_client *c, void *reals, const uint8_
     }
 }
 
-static inline void iso_client_begin(iso_client *c, char type)
+static inline void iso_client_begin(iso_client *c, uint8_t type)
 {
     c->sent[0] = 0;
     c->code = 1;
     c->sent_used = 2;
     c->crc = 0xFFFF;
-    iso_client_put_byte(c, (uint8_t)type);
+    iso_client_put_byte(c, type);
 }
 
 /* Bytes to a socket, or to a file that is none. No signal where the plant has closed the link. */
@@ -383,16 +353,33 @@ static inline int iso_client_receive(iso_client *c, int patience_ms, size_t *len
 
 /* --- A run ------------------------------------------------------------------------------------------------------- */
 
+#define ISO_CLIENT_CASE(number, words)                                                                                 \
+    case number:                                                                                                       \
+        return words;
+
+/* Why a frame was refused. */
+static inline const char *iso_client_reason(unsigned reason)
+{
+    switch (reason) {
+        ISO_CLIENT_REASONS(ISO_CLIENT_CASE)
+    default:
+        return "for a reason that is not known";
+    }
+}
+
+/* Why a command was not done. */
+static inline const char *iso_client_answer(unsigned answer)
+{
+    switch (answer) {
+        ISO_CLIENT_ANSWERS(ISO_CLIENT_CASE)
+    default:
+        return "not known";
+    }
+}
+
 static inline bool iso_client_refused(iso_client *c)
 {
-    static const char *const reasons[] = {"for a reason that is not known",
-                                          "a frame of this type or length is not known",
-                                          "another plant, method, step or type of numbers: build the controller again",
-                                          "there is no such mode",
-                                          "no run has been started",
-                                          "the program makes one run, and it has begun"};
-    const size_t reason = c->received[1];
-    return iso_client_fail(c, "refused", reasons[reason < sizeof reasons / sizeof reasons[0] ? reason : 0]);
+    return iso_client_fail(c, "refused", iso_client_reason(c->received[1]));
 }
 
 /* Takes a frame. Returns 1 if outputs came of a tick from `from` on, or, where those of the next tick are due, of an earlier one
@@ -400,8 +387,8 @@ static inline bool iso_client_refused(iso_client *c)
  * is over or the plant has refused it. */
 static inline int iso_client_take(iso_client *c, size_t length, uint64_t from)
 {
-    const char type = (char)c->received[0];
-    if (type == 'y' && length == 8 + c->outputs * c->real_bytes) {
+    const uint8_t type = c->received[0];
+    if (type == ISO_CLIENT_FRAME_OUTPUTS && length == 8 + c->outputs * c->real_bytes) {
         const uint64_t tick = iso_client_number(c->received + 1, 8);
         const bool is_taken = tick >= from || (from == c->tick + 1 && tick < c->tick);
         if (is_taken) {
@@ -410,15 +397,15 @@ static inline int iso_client_take(iso_client *c, size_t length, uint64_t from)
         }
         return is_taken && (c->ticks == 0 || tick < c->ticks);
     }
-    if (type == 'e' && length == sizeof c->end) {
+    if (type == ISO_CLIENT_FRAME_END && length == sizeof c->end) {
         const uint8_t *at = c->received + 1;
-#define ISO_CLIENT_TAKE(name) c->end.name = iso_client_number(at, 8), at += 8;
-        ISO_CLIENT_WORDS(ISO_CLIENT_TAKE)
+#define ISO_CLIENT_TAKE_WORD(name) c->end.name = iso_client_number(at, 8), at += 8;
+        ISO_CLIENT_WORDS(ISO_CLIENT_TAKE_WORD)
         c->over = true;
         c->problem[0] = '\0';
         return -1;
     }
-    if (type == 'n' && length == 2) {
+    if (type == ISO_CLIENT_FRAME_REFUSAL && length == 2) {
         (void)iso_client_refused(c);
         return -1;
     }
@@ -462,10 +449,9 @@ static inline bool iso_client_start(iso_client *c, int mode, uint64_t ticks)
     c->mode = mode;
     c->ticks = ticks;
     iso_client_drop(c);
-    iso_client_begin(c, 's');
-    iso_client_put(c, c->identity, 8);
-    iso_client_put(c, (uint64_t)mode, 1);
-    iso_client_put(c, ticks, 8);
+    iso_client_begin(c, ISO_CLIENT_FRAME_START);
+#define ISO_CLIENT_PUT_FIELD(name, bytes) iso_client_put(c, (uint64_t)c->name, bytes);
+    ISO_CLIENT_START_FIELDS(ISO_CLIENT_PUT_FIELD)
     if (!iso_client_finish(c)) {
         return false;
     }
@@ -480,7 +466,7 @@ static inline bool iso_client_start(iso_client *c, int mode, uint64_t ticks)
 static inline bool iso_client_exchange(iso_client *c)
 {
     size_t length = 0;
-    iso_client_begin(c, 'u');
+    iso_client_begin(c, ISO_CLIENT_FRAME_INPUTS);
     iso_client_put(c, c->tick, 8);
     iso_client_put_reals(c, c->u, c->inputs);
     if (!iso_client_finish(c) || !iso_client_await(c, c->tick + 1)) {
@@ -497,43 +483,15 @@ static inline bool iso_client_exchange(iso_client *c)
 /* Ends the run; then `end` says how it went. */
 static inline bool iso_client_stop(iso_client *c)
 {
-    iso_client_begin(c, 'e');
+    iso_client_begin(c, ISO_CLIENT_FRAME_END);
     return c->over || (iso_client_finish(c) && !iso_client_await(c, UINT64_MAX) && c->over);
 }
 
 /* --- Commands ---------------------------------------------------------------------------------------------------- */
 
-enum {
-    ISO_CLIENT_STATE = 1, /* as in core/link/command.h */
-    ISO_CLIENT_RUN,
-    ISO_CLIENT_REST,
-    ISO_CLIENT_RESET,
-    ISO_CLIENT_TAKE,
-    ISO_CLIENT_READ,
-    ISO_CLIENT_WRITE,
-    ISO_CLIENT_RESTORE,
-    ISO_CLIENT_PIECE = 128
-};
-
-/* Why a command was not done. */
-static inline const char *iso_client_reason(unsigned answer)
-{
-    static const char *const of_snapshots[] = {"nothing",
-                                               "this is no snapshot",
-                                               "the snapshot is of another version",
-                                               "the snapshot is not whole",
-                                               "the snapshot is damaged",
-                                               "the snapshot has another type of numbers",
-                                               "the snapshot is of another plant, method or step",
-                                               "the snapshot has a number that no plant has"};
-    static const char *const others[] = {"there is no run", "the guard has stopped the plant",
-                                         "a piece beyond the end"};
-    return answer < 8 ? of_snapshots[answer] : answer >= 16 && answer < 19 ? others[answer - 16] : "not known";
-}
-
 static inline void iso_client_command(iso_client *c, uint8_t command, uint64_t argument, size_t bytes)
 {
-    iso_client_begin(c, 'c');
+    iso_client_begin(c, ISO_CLIENT_FRAME_COMMAND);
     iso_client_put(c, command, 1);
     iso_client_put(c, ++c->number, 1);
     iso_client_put(c, argument, bytes);
@@ -552,15 +510,21 @@ static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length
         if (came == 0) {
             tries++;
             sent = iso_client_write(c);
-        } else if (c->received[0] == 'C' && *length >= 3 && c->received[1] == command && c->received[2] == c->number) {
+        } else if (c->received[0] == ISO_CLIENT_FRAME_ANSWER && *length >= 3 && c->received[1] == command &&
+                   c->received[2] == c->number) {
             *length -= 3;
-            return c->received[3] == 0 || iso_client_fail(c, "refused", iso_client_reason(c->received[3]));
+            return c->received[3] == 0 || iso_client_fail(c, "refused", iso_client_answer(c->received[3]));
         } else if (iso_client_take(c, *length, 0) < 0 && !c->over) {
             return false;
         }
     }
     return sent && iso_client_fail(c, "the plant does not answer", NULL);
 }
+
+#define ISO_CLIENT_FIELD(name, bytes) uint64_t name;
+#define ISO_CLIENT_FIELD_BYTES(name, bytes) +(bytes)
+#define ISO_CLIENT_TAKE_FIELD(name, bytes) said.name = iso_client_number(at, bytes), at += (bytes);
+enum { ISO_CLIENT_STATE_BYTES = 0 ISO_CLIENT_STATE_FIELDS(ISO_CLIENT_FIELD_BYTES) };
 
 /* A command whose answer says how the plant is. The first one of a link asks for that alone: then no number of a controller
  * before is taken for one of this. */
@@ -571,15 +535,19 @@ static inline bool iso_client_do(iso_client *c, uint8_t command, uint64_t argume
         return false;
     }
     iso_client_command(c, command, argument, bytes);
-    if (!iso_client_ask(c, command, &length) || length != 29) {
+    if (!iso_client_ask(c, command, &length) || length != ISO_CLIENT_STATE_BYTES) {
         return false;
     }
     const uint8_t *at = c->received + 4;
-    c->state.state = at[0];
-    c->state.tick = iso_client_number(at + 1, 8);
-    c->state.left = iso_client_number(at + 9, 8);
-    c->state.hash = iso_client_number(at + 17, 8);
-    c->state.snapshot_bytes = (size_t)iso_client_number(at + 25, 4);
+    struct {
+        ISO_CLIENT_STATE_FIELDS(ISO_CLIENT_FIELD)
+    } said;
+    ISO_CLIENT_STATE_FIELDS(ISO_CLIENT_TAKE_FIELD)
+    c->state.state = (int)said.state;
+    c->state.tick = said.tick;
+    c->state.left = said.left;
+    c->state.hash = said.hash;
+    c->state.snapshot_bytes = (size_t)said.snapshot_bytes;
     return true;
 }
 
@@ -619,7 +587,7 @@ static inline bool iso_client_restore(iso_client *c, const void *record, size_t 
 {
     size_t length = 0;
     for (size_t at = 0; at < bytes; at += ISO_CLIENT_PIECE) {
-        const size_t piece = bytes - at < ISO_CLIENT_PIECE ? bytes - at : ISO_CLIENT_PIECE;
+        const size_t piece = bytes - at < ISO_CLIENT_PIECE ? bytes - at : (size_t)ISO_CLIENT_PIECE;
         iso_client_command(c, ISO_CLIENT_WRITE, at, 4);
         for (size_t i = 0; i < piece; i++) {
             iso_client_put_byte(c, ((const uint8_t *)record)[at + i]);

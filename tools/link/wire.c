@@ -69,13 +69,14 @@ static bool look_outwards(void *const context, uint8_t *const frame, const size_
 /* A start has the identity of the plant, the mode and the number of ticks. */
 static bool look_inwards(void *const context, uint8_t *const frame, const size_t length)
 {
-    enum { MODE_AT = 1 + 8, START_BYTES = 8 + 1 + 8 };
+#define FIELD_AT(name, bytes) AT_##name, LAST_OF_##name = AT_##name + (bytes)-1,
+    enum { TYPE_AT, ISO_LINK_START_FIELDS(FIELD_AT) END_AT };
     wire *const w = context;
     account_controller(&w->account, frame[0], frame + 1, length, wire_clock());
-    if (frame[0] != ISO_LINK_START || length != START_BYTES || w->mode == WIRE_NONE) {
+    if (frame[TYPE_AT] != ISO_LINK_START || length != END_AT - 1 || w->mode == WIRE_NONE) {
         return false;
     }
-    frame[MODE_AT] = (uint8_t)w->mode;
+    frame[AT_mode] = (uint8_t)w->mode;
     return true;
 }
 

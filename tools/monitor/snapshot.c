@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/application/protocol.h"
 #include "core/runtime/control.h"
 
 enum { RECORD_MOST = 1 << 24, PATH_BYTES = 4096 };
@@ -23,26 +24,11 @@ static bool fail(master *const m, const char *const what, const char *const why)
 static const char *reason(const uint8_t answer)
 {
     switch (answer) {
-    case ISO_SNAPSHOT_NO_SNAPSHOT:
-        return "this is no snapshot";
-    case ISO_SNAPSHOT_OTHER_VERSION:
-        return "the snapshot is of another version";
-    case ISO_SNAPSHOT_WRONG_SIZE:
-        return "the snapshot is not whole, or of another plant";
-    case ISO_SNAPSHOT_DAMAGED:
-        return "the snapshot is damaged";
-    case ISO_SNAPSHOT_OTHER_NUMBERS:
-        return "the snapshot has another type of numbers";
-    case ISO_SNAPSHOT_OTHER_PLANT:
-        return "the snapshot is of another plant, method or step";
-    case ISO_SNAPSHOT_NOT_A_STATE:
-        return "the snapshot has a number that no plant has";
-    case ISO_CONTROL_NO_RUN:
-        return "there is no run";
-    case ISO_CONTROL_BAD_STATE:
-        return "the guard has stopped the plant";
-    case ISO_CONTROL_RUNS:
-        return "the plant does not rest";
+#define REASON(constant, number, words)                                                                                \
+    case number:                                                                                                       \
+        return words;
+        ISO_SNAPSHOT_REFUSALS(REASON)
+        ISO_CONTROL_REFUSALS(REASON)
     default:
         return "the plant refuses";
     }

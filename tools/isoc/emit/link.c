@@ -8,6 +8,7 @@
 
 #include "tools/isoc/base/embedded.h"
 #include "tools/isoc/emit/a2l.h"
+#include "tools/isoc/emit/protocol.h"
 
 /* A quantity in a frame: an input, or an output. */
 typedef struct terminal {
@@ -151,6 +152,7 @@ static void emit_client_header(const terminals *t, text *out)
     emit_terminals(t, 'Y', "outputs", t->outputs, t->output_count, &outputs);
     text_fill(out, embedded_text(client_files, "tools/client/link.h.in"),
               (const filling[]){{"scene", t->scene},
+                                {"tables", protocol_in_c(out->memory)},
                                 {"client", embedded_text(client_files, "tools/client/client.h")},
                                 {"prefix", t->prefix},
                                 {"PREFIX", t->capitals},
@@ -176,13 +178,27 @@ static const char *python_dictionary(arena *memory, const terminal *all, int cou
 
 static void emit_client_module(const terminals *t, text *out)
 {
+    static const char assignment[] = "    @name@=@number@,\n", entry[] = "    @number@: @words@,\n",
+                      field[] = "    \"@name@\": @number@,\n";
+    arena *memory = out->memory;
     text_fill(out, embedded_text(client_files, "tools/client/client.py.in"),
               (const filling[]){{"scene", t->scene},
                                 {"type", t->is_double ? "d" : "f"},
-                                {"identity", identity_of(t, out->memory)},
-                                {"period_ns", arena_format(out->memory, "%ld", t->period_ns)},
-                                {"inputs", python_dictionary(out->memory, t->inputs, t->input_count)},
-                                {"outputs", python_dictionary(out->memory, t->outputs, t->output_count)},
+                                {"identity", identity_of(t, memory)},
+                                {"period_ns", arena_format(memory, "%ld", t->period_ns)},
+                                {"inputs", python_dictionary(memory, t->inputs, t->input_count)},
+                                {"outputs", python_dictionary(memory, t->outputs, t->output_count)},
+                                {"frames", protocol_rows(memory, PROTOCOL_FRAMES, "    @name@=b@number@,\n")},
+                                {"modes", protocol_rows(memory, PROTOCOL_MODES, "    @words@: @number@,\n")},
+                                {"reasons", protocol_rows(memory, PROTOCOL_REASONS, entry)},
+                                {"commands", protocol_rows(memory, PROTOCOL_COMMANDS, assignment)},
+                                {"states", protocol_rows(memory, PROTOCOL_STATES, entry)},
+                                {"answers", protocol_rows(memory, PROTOCOL_ANSWERS, entry)},
+                                {"version", protocol_version(memory)},
+                                {"piece", protocol_piece(memory)},
+                                {"start fields", protocol_rows(memory, PROTOCOL_START_FIELDS, field)},
+                                {"state fields", protocol_rows(memory, PROTOCOL_STATE_FIELDS, field)},
+                                {"words", protocol_rows(memory, PROTOCOL_WORDS, "    \"@name@\",\n")},
                                 {NULL, NULL}});
 }
 

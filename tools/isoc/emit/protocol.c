@@ -1,0 +1,84 @@
+#include "tools/isoc/emit/protocol.h"
+
+#include "core/application/protocol.h"
+
+/* As C writes them; NULL where a table has none of these. */
+typedef struct row_of_protocol {
+    const char *name, *number, *words;
+} row_of_protocol;
+
+#define WORD(name, ...) {#name, NULL, NULL},
+#define WORD_OF_LINK(name) {"link_" #name, NULL, NULL},
+#define NUMBER(name, number) {#name, #number, NULL},
+#define CONSTANT(name, number, words) {#name, #number, #words},
+#define TEXT(name, number, words) {NULL, #number, #words},
+static const row_of_protocol words[] = {ISO_STREAM_COUNTS(WORD) ISO_STREAM_WORDS(WORD) ISO_LINK_COUNTS(WORD_OF_LINK)};
+static const row_of_protocol frames[] = {ISO_LINK_TYPE_LIST(NUMBER)};
+static const row_of_protocol start_fields[] = {ISO_LINK_START_FIELDS(NUMBER)};
+static const row_of_protocol modes[] = {ISO_LINK_MODE_LIST(CONSTANT)};
+static const row_of_protocol reasons[] = {ISO_LINK_REASON_LIST(TEXT)};
+static const row_of_protocol commands[] = {ISO_COMMAND_LIST(NUMBER)};
+static const row_of_protocol state_fields[] = {ISO_COMMAND_STATE_FIELDS(NUMBER)};
+static const row_of_protocol states[] = {ISO_COMMAND_STATE_LIST(CONSTANT)};
+static const row_of_protocol answers[] = {ISO_SNAPSHOT_REFUSALS(TEXT) ISO_CONTROL_REFUSALS(TEXT)};
+
+#define TABLE(rows) rows, sizeof(rows) / sizeof(rows)[0]
+static const struct {
+    const char *name;
+    const row_of_protocol *rows;
+    size_t count;
+    const char *pattern; /* of a row in C */
+} tables[PROTOCOL_TABLES] = {
+    [PROTOCOL_WORDS] = {"WORDS", TABLE(words), "X(@name@)"},
+    [PROTOCOL_FRAMES] = {"FRAMES", TABLE(frames), "X(@name@, @number@)"},
+    [PROTOCOL_START_FIELDS] = {"START_FIELDS", TABLE(start_fields), "X(@name@, @number@)"},
+    [PROTOCOL_MODES] = {"MODES", TABLE(modes), "X(@name@, @number@, @words@)"},
+    [PROTOCOL_REASONS] = {"REASONS", TABLE(reasons), "X(@number@, @words@)"},
+    [PROTOCOL_COMMANDS] = {"COMMANDS", TABLE(commands), "X(@name@, @number@)"},
+    [PROTOCOL_STATE_FIELDS] = {"STATE_FIELDS", TABLE(state_fields), "X(@name@, @number@)"},
+    [PROTOCOL_STATES] = {"STATES", TABLE(states), "X(@name@, @number@, @words@)"},
+    [PROTOCOL_ANSWERS] = {"ANSWERS", TABLE(answers), "X(@number@, @words@)"},
+};
+
+static const char *row_as(arena *memory, const row_of_protocol *r, const char *pattern)
+{
+    text row = {.memory = memory};
+    text_fill(&row, pattern,
+              (const filling[]){{"name", r->name}, {"number", r->number}, {"words", r->words}, {NULL, NULL}});
+    return row.bytes;
+}
+
+const char *protocol_rows(arena *memory, protocol_table table, const char *pattern)
+{
+    text all = {.memory = memory};
+    for (size_t i = 0; i < tables[table].count; i++) {
+        text_add(&all, "%s", row_as(memory, &tables[table].rows[i], pattern));
+    }
+    return all.bytes;
+}
+
+const char *protocol_in_c(arena *memory)
+{
+    enum { BACKSLASH_AT = 119 };
+    text all = {.memory = memory};
+    text_add(&all, "enum { ISO_CLIENT_VERSION = %d, ISO_CLIENT_PIECE = %d };\n", ISO_LINK_VERSION, ISO_COMMAND_PIECE);
+    for (int k = 0; k < PROTOCOL_TABLES; k++) {
+        const char *line = arena_format(memory, "#define ISO_CLIENT_%s(X)", tables[k].name);
+        for (size_t i = 0; i < tables[k].count; i++) {
+            text_add(&all, "%-*s\\\n", BACKSLASH_AT, line);
+            line = arena_format(memory, "    %s", row_as(memory, &tables[k].rows[i], tables[k].pattern));
+        }
+        text_add(&all, "%s\n", line);
+    }
+    return all.bytes;
+}
+
+const char *protocol_version(arena *memory)
+{
+    return arena_format(memory, "%d", ISO_LINK_VERSION);
+}
+
+const char *protocol_piece(arena *memory)
+{
+    return arena_format(memory, "%d", ISO_COMMAND_PIECE);
+}
