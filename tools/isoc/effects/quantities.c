@@ -91,32 +91,6 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
     return found;
 }
 
-/* position of BODY, and the like */
-static value point_value(effect_scope *w, const formula *f, int which, vector point)
-{
-    graph *g = w->b->g;
-    const quantity_kind kind = quantity_called(f->name, OF_BODY);
-    if (kind == QUANTITY_INERTIA_OF_POINT) {
-        return inertia_of_point(w, f, which, point);
-    }
-    if (kind == QUANTITY_ROWS) {
-        source_problem(w->b->s, f->at, "a body has no %s: its %s", f->name,
-                       quantity_words(w->b->s->memory, OF_BODY, OF_BODY));
-        return nothing;
-    }
-    const asking asks = quantity_rows[kind].asks;
-    vector beside = vector_zero(g);
-    const bool in_body = in_body_axes(w, f, (asks & OF_BODY_AXES) != 0);
-    if (f->axes.text != NULL && (asks & IN_AXES) == 0) {
-        source_problem(w->b->s, f->axes.at, "only a velocity, a spin and a specific force have axes to choose");
-    }
-    if (which < 0 || !w->b->mechanism.bodies.frames[which].placed ||
-        (f->count > 1 && !find_beside(w, f->parts[1], false, &beside))) {
-        return nothing;
-    }
-    return point_query_of(w, kind, which, vector_add(g, point, beside), in_body);
-}
-
 /* power, energy, loss and work of EFFECT, in the scene alone: there all that it does is known. */
 static value account_value(effect_scope *w, const formula *f, quantity_kind kind)
 {
@@ -141,6 +115,34 @@ static value account_value(effect_scope *w, const formula *f, quantity_kind kind
     return nothing;
 }
 
+/* --- what a quantity is of: false after noting a problem --- */
+
+/* position of BODY, and the like */
+static bool find_of_point(effect_scope *w, const formula *f, query *q)
+{
+    q->kind = quantity_called(f->name, OF_BODY);
+    if (q->kind == QUANTITY_ROWS) {
+        source_problem(w->b->s, f->at, "a body has no %s: its %s", f->name,
+                       quantity_words(w->b->s->memory, OF_BODY, OF_BODY));
+        return false;
+    }
+    if (q->kind == QUANTITY_INERTIA_OF_POINT) {
+        return true;
+    }
+    const asking asks = quantity_rows[q->kind].asks;
+    vector beside = vector_zero(w->b->g);
+    q->in_body = in_body_axes(w, f, (asks & OF_BODY_AXES) != 0);
+    if (f->axes.text != NULL && (asks & IN_AXES) == 0) {
+        source_problem(w->b->s, f->axes.at, "only a velocity, a spin and a specific force have axes to choose");
+    }
+    if (q->body < 0 || !w->b->mechanism.bodies.frames[q->body].placed ||
+        (f->count > 1 && !find_beside(w, f->parts[1], false, &beside))) {
+        return false;
+    }
+    q->point = vector_add(w->b->g, q->point, beside);
+    return true;
+}
+
 /* The body that the joint of a segment carries: its own segments lead from that body's to the parent's. */
 static int child_of(const mechanism *m, int at)
 {
@@ -157,65 +159,90 @@ static int child_of(const mechanism *m, int at)
 }
 
 /* force of JOINT, moment of CLOSURE and the like: a fixed joint, which is no operand of an effect, is one of the scene. */
-static value reaction_value(effect_scope *w, const formula *f, quantity_kind kind)
+static bool find_reaction(effect_scope *w, const formula *f, query *q)
 {
     builder *b = w->b;
     const name called = {f->parts[0]->name, f->parts[0]->at};
-    query q = no_query;
-    q.kind = kind;
-    q.point = vector_zero(b->g);
     if (w->within == NULL) {
-        find_connection(b, called, &q.body, &q.closure);
+        find_connection(b, called, &q->body, &q->closure);
     } else {
         const int l = segment_of(w, called);
-        q.body = l < 0 ? -1 : child_of(&b->mechanism, l);
+        q->body = l < 0 ? -1 : child_of(&b->mechanism, l);
     }
     if (f->axes.text != NULL) {
         source_problem(b->s, f->axes.at, "a %s of a joint is in the axes of the ground", f->name);
     }
-    if (q.closure < 0 && (q.body < 0 || !b->mechanism.bodies.frames[q.body].placed)) {
-        return nothing;
-    }
-    return leaves_of(w, q);
+    return q->closure >= 0 || (q->body >= 0 && b->mechanism.bodies.frames[q->body].placed);
 }
 
 /* effort of a gear, a motion or a spring, which are no operands of effects. */
-static value effort_value(effect_scope *w, const formula *f)
+static bool find_effort(effect_scope *w, const formula *f, query *q)
 {
     const name called = {f->parts[0]->name, f->parts[0]->at};
-    query q = no_query;
-    q.kind = QUANTITY_EFFORT;
-    q.point = vector_zero(w->b->g);
     if (w->within != NULL) {
         source_problem(w->b->s, f->at, "the effort of '%s' is for formulas of the scene: here it is a signal",
                        called.text);
-        return nothing;
+        return false;
     }
-    return find_transmission(w->b, called, &q.closure, &q.spring) ? leaves_of(w, q) : nothing;
+    return find_transmission(w->b, called, &q->closure, &q->spring);
 }
 
 /* position of JOINT, and the like */
-static value coordinate_value(effect_scope *w, const formula *f)
+static bool find_of_coordinate(effect_scope *w, const formula *f, query *q)
+{
+    q->kind = quantity_called(f->name, OF_COORDINATE);
+    const name of = {f->parts[0]->name, f->parts[0]->at};
+    bool is_joint;
+    if (w->within == NULL && segment_called(&w->b->mechanism, of) < 0 &&
+        find_joint_or_body(w->b->s, w->b->written, of, &is_joint) < 0) {
+        return false;
+    }
+    if (f->count > 1) {
+        source_problem(w->b->s, f->parts[1]->at, "'%s' is no body: only what is of a body is at a point",
+                       f->parts[0]->name);
+        return false;
+    }
+    q->segment = segment_of(w, of);
+    if (q->segment >= 0 && q->kind == QUANTITY_ROWS) {
+        source_problem(w->b->s, f->at, "a joint has no %s: its %s", f->name,
+                       quantity_words(w->b->s->memory, OF_COORDINATE, OF_CONNECTION));
+    }
+    return q->segment >= 0 && q->kind < QUANTITY_ROWS && counts_turns(w->b, q, f->at);
+}
+
+static bool find_query(effect_scope *w, const formula *f, query *q)
+{
+    const quantity_kind of_connection = quantity_called(f->name, OF_CONNECTION);
+    const quantity_kind of_transmission = quantity_called(f->name, OF_TRANSMISSION);
+    const quantity_kind of_body = quantity_called(f->name, OF_BODY);
+    *q = no_query;
+    q->point = vector_zero(w->b->g);
+    q->kind = of_connection < QUANTITY_ROWS ? of_connection : of_transmission;
+    if (f->count > 1 && (of_body == QUANTITY_ROWS || !quantity_has_point(&quantity_rows[of_body]))) {
+        source_problem(w->b->s, f->parts[1]->at, "'at' is only for the %s",
+                       quantity_list(w->b->s->memory, quantity_has_point));
+        return false;
+    }
+    const bool is = q->kind == of_connection && q->kind < QUANTITY_ROWS     ? find_reaction(w, f, q)
+                    : q->kind < QUANTITY_ROWS                               ? find_effort(w, f, q)
+                    : find_point(w, f->parts[0]->name, &q->body, &q->point) ? find_of_point(w, f, q)
+                                                                            : find_of_coordinate(w, f, q);
+    if (is && f->along.text != NULL && !quantity_is_vector(&quantity_rows[q->kind])) {
+        source_problem(w->b->s, f->along.at, "'along' is only for vectors: the %s",
+                       quantity_list(w->b->s->memory, quantity_is_vector));
+    }
+    return is;
+}
+
+/* --- and its value --- */
+
+static value value_of_query(effect_scope *w, const formula *f, const query *q)
 {
     graph *g = w->b->g;
     const mechanism *m = &w->b->mechanism;
-    const int i = segment_of(w, (name){f->parts[0]->name, f->parts[0]->at});
-    const quantity_kind kind = quantity_called(f->name, OF_COORDINATE);
-    if (i < 0) {
-        return nothing;
-    }
-    if (kind == QUANTITY_ROWS) {
-        source_problem(w->b->s, f->at, "a joint has no %s: its %s", f->name,
-                       quantity_words(w->b->s->memory, OF_COORDINATE, OF_CONNECTION));
-        return nothing;
-    }
-    query q = no_query;
-    q.kind = kind;
-    q.segment = i;
-    q.point = vector_zero(g);
-    const segment *l = &m->segments[i];
-    value found = {.count = 1, .of = dimension_of_unit(query_unit(m, &q))};
-    switch (kind) {
+    value found = {.count = 1, .of = dimension_of_unit(query_unit(m, q))};
+    const segment *l = q->segment < 0 ? NULL : &m->segments[q->segment];
+    switch (q->kind) {
     case QUANTITY_POSITION:
         found.parts[0] = leaf(g, OP_STATE, l->position);
         return found;
@@ -228,66 +255,62 @@ static value coordinate_value(effect_scope *w, const formula *f)
     case QUANTITY_INERTIA:
         found.parts[0] = leaf(g, OP_INERTIA, l->dof);
         return found;
+    case QUANTITY_INERTIA_OF_POINT:
+        return inertia_of_point(w, f, q->body, q->point);
     default:
-        return counts_turns(w->b, &q, f->at) ? leaves_of(w, q) : nothing;
+        return leaves_of(w, *q);
     }
-}
-
-/* A component of a vector. */
-static value component(effect_scope *w, const formula *f, value whole)
-{
-    if (whole.count == 0 || f->along == '\0') {
-        return whole;
-    }
-    if (whole.count != 3) {
-        source_problem(w->b->s, f->at, "'along' is only for vectors: the %s",
-                       quantity_list(w->b->s->memory, quantity_is_vector));
-        return nothing;
-    }
-    return (value){.count = 1, .parts = {whole.parts[f->along - 'x']}, .of = whole.of};
 }
 
 value quantity_value(void *context, const formula *f)
 {
     effect_scope *w = context;
-    int which;
-    vector point;
     const quantity_kind of_effect = quantity_called(f->name, OF_EFFECT);
-    const quantity_kind of_connection = quantity_called(f->name, OF_CONNECTION);
-    const quantity_kind of_body = quantity_called(f->name, OF_BODY);
-    if (f->count > 1 && (of_body == QUANTITY_ROWS || !quantity_has_point(&quantity_rows[of_body]))) {
-        source_problem(w->b->s, f->parts[1]->at, "'at' is only for the %s",
-                       quantity_list(w->b->s->memory, quantity_has_point));
-        return nothing;
-    }
-    if (of_connection < QUANTITY_ROWS) {
-        return component(w, f, reaction_value(w, f, of_connection));
-    }
-    if (of_effect < QUANTITY_ROWS) {
-        return component(w, f, account_value(w, f, of_effect));
-    }
-    if (quantity_called(f->name, OF_TRANSMISSION) < QUANTITY_ROWS) {
-        return component(w, f, effort_value(w, f));
-    }
-    if (find_point(w, f->parts[0]->name, &which, &point)) {
-        return component(w, f, point_value(w, f, which, point));
-    }
-    if (f->count > 1) {
-        source_problem(w->b->s, f->parts[1]->at, "'%s' is no body: only what is of a body is at a point",
-                       f->parts[0]->name);
-        return nothing;
-    }
-    return component(w, f, coordinate_value(w, f));
+    query q;
+    const value whole = of_effect < QUANTITY_ROWS ? account_value(w, f, of_effect)
+                        : find_query(w, f, &q)    ? value_of_query(w, f, &q)
+                                                  : nothing;
+    return whole.count != 3 || f->along.text == NULL
+               ? whole
+               : (value){.count = 1, .parts = {whole.parts[f->along.text[0] - 'x']}, .of = whole.of};
+}
+
+/* Of the mechanism, its closures or the step. */
+static bool find_of_nothing(effect_scope *w, const formula *f, query *q)
+{
+    *q = no_query;
+    q->point = vector_zero(w->b->g);
+    q->kind = quantity_of_nothing(f->name);
+    return q->kind < QUANTITY_ROWS;
 }
 
 bool find_quantity(effect_scope *w, const formula *f, value *found)
 {
-    query q = no_query;
-    q.kind = quantity_of_nothing(f->name);
-    q.point = vector_zero(w->b->g);
-    if (q.kind == QUANTITY_ROWS) {
+    query q;
+    const bool is = find_of_nothing(w, f, &q);
+    if (is) {
+        *found = is_of_plant(w->b, q.kind, f->at) ? leaves_of(w, q) : nothing;
+    }
+    return is;
+}
+
+bool find_shown(builder *b, const formula *f, query *q)
+{
+    effect_scope *w = b->around->of;
+    *q = no_query;
+    q->kind = QUANTITY_ROWS;
+    if (f->kind == FORMULA_NAME && find_of_nothing(w, f, q)) {
+        (void)is_of_plant(b, q->kind, f->at);
+        return true;
+    }
+    if (f->kind != FORMULA_OF || quantity_called(f->name, OF_EFFECT) < QUANTITY_ROWS ||
+        quantity_called(f->name, OF_BODY) == QUANTITY_INERTIA_OF_POINT) {
         return false;
     }
-    *found = is_of_plant(w->b, q.kind, f->at) ? leaves_of(w, q) : nothing;
+    b->values.around = b->around;
+    if (!find_query(w, f, q)) {
+        q->kind = QUANTITY_ROWS;
+    }
+    b->values.around = NULL;
     return true;
 }

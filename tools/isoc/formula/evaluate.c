@@ -142,6 +142,11 @@ static value refuse_name(values *v, const formula *f)
                        f->name);
         return nothing;
     }
+    const char *owners = quantity_owners(v->s->memory, f->name);
+    if (owners != NULL) {
+        source_problem(v->s, f->at, "'%s' is of %s: %s of NAME", f->name, owners, f->name);
+        return nothing;
+    }
     source_problem(v->s, f->at, "no constant%s is called '%s'%s",
                    v->around == NULL ? " or tunable" : ", tunable, input or signal", f->name,
                    suggest_number(v->s, v->scene, f->name, v->around != NULL));

@@ -36,6 +36,29 @@ int segment_called(const mechanism *m, name n)
     return -1;
 }
 
+/* The parts of a joint that have one coordinate, as a list; or what to write instead. */
+static const char *parts_of(builder *b, const joint *j)
+{
+    const char *list = "";
+    for (int i = 0; i < b->mechanism.segment_count; i++) {
+        const segment *l = &b->mechanism.segments[i];
+        if (l->at == j->name.at && l->kind != JOINT_SPHERICAL) {
+            list = arena_format(b->s->memory, "%s%s%s", list, list[0] == '\0' ? "" : ", ", l->name);
+        }
+    }
+    return list[0] == '\0' ? "the orientation of its child" : list;
+}
+
+/* A joint that is no segment by itself: has it no coordinate, or several? */
+static void refuse_joint(builder *b, name n, const joint *j)
+{
+    if (j->kind == JOINT_FIXED) {
+        source_problem(b->s, n.at, "the joint '%s' is fixed: it has no coordinate", n.text);
+    } else if (!joint_has_one_coordinate(j->kind)) {
+        source_problem(b->s, n.at, "the joint '%s' has more than one coordinate: take %s", n.text, parts_of(b, j));
+    }
+}
+
 int coordinate_of(builder *b, name n)
 {
     if (n.text == NULL || b->written->broken) {
@@ -48,7 +71,7 @@ int coordinate_of(builder *b, name n)
     }
     const int found = find_joint(b->s, b->written, n);
     if (found >= 0) {
-        source_problem(b->s, n.at, "this needs one coordinate; the joint '%s' has none or several", n.text);
+        refuse_joint(b, n, &b->written->joints.all[found]);
     }
     return -1;
 }

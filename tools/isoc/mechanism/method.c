@@ -91,7 +91,8 @@ void build_method(builder *b)
     recipe |= is_yes(b, written->options.checked) ? ISO_CHECKED : 0U;
     for (size_t i = 0; i < written->outputs.count; i++) {
         const output *o = &written->outputs.all[i];
-        recipe |= o->kind == QUANTITY_LOCAL_ERROR ? ISO_CHECKED : 0U;
+        const bool is_error = o->formula->kind == FORMULA_NAME && strcmp(o->formula->name, "local_error") == 0;
+        recipe |= is_error ? ISO_CHECKED : 0U;
     }
     if (written->options.iterations != NULL) {
         const double count =

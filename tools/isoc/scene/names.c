@@ -153,36 +153,28 @@ static void list_effect(source *s, const scene *written, const effect_use *use, 
 
 const char *output_components(const scene *written, const output *o)
 {
-    if (o->formula != NULL) {
+    const formula *f = o->formula;
+    if (f->kind != FORMULA_OF || f->along.text != NULL) {
         return "";
     }
-    const bool is_body = o->of.text != NULL && (find_among(GROUP(written->bodies), o->of) >= 0 ||
-                                                find_among(GROUP(written->frames), o->of) >= 0);
-    const quantity_kind of_body = is_body ? quantity_called(quantity_rows[o->kind].word, OF_BODY) : QUANTITY_ROWS;
-    const quantity_row *row = &quantity_rows[of_body < QUANTITY_ROWS ? of_body : o->kind];
-    return o->along < 0 ? row->components : "";
-}
-
-/* An output of several components declares NAME_x and so on as well. */
-static void list_components(source *s, listing *l, const scene *written, const output *o)
-{
-    for (const char *c = output_components(written, o); *c != '\0' && o->name.text != NULL; c++) {
-        listing_add(s, l, (name){arena_format(s->memory, "%s_%c", o->name.text, *c), o->name.at});
-    }
+    const name of = {f->parts[0]->name, f->parts[0]->at};
+    const bool is_body = find_among(GROUP(written->bodies), of) >= 0 || find_among(GROUP(written->frames), of) >= 0;
+    const quantity_kind kind = quantity_called(f->name, is_body ? OF_BODY : OF_CONNECTION);
+    return kind < QUANTITY_ROWS ? quantity_rows[kind].components : "";
 }
 
 /* output NAME = power, where an input is called so: it is the power of the mechanism, and perhaps not what is meant. */
 static void refuse_doubtful(source *s, const scene *written, const output *o)
 {
     const group numbers[] = {GROUP(written->parameters), GROUP(written->inputs), GROUP(written->signals)};
-    const bool is_alone = o->formula == NULL && quantity_rows[o->kind].of < OF_COORDINATE;
-    const char *word = is_alone ? quantity_rows[o->kind].word : "";
+    const formula *f = o->formula;
+    const bool is_alone = f->kind == FORMULA_NAME && quantity_of_nothing(f->name) < QUANTITY_ROWS;
     for (size_t i = 0; i < 3 && is_alone; i++) {
-        if (find_among(numbers[i], (name){word, o->kind_at}) >= 0) {
-            source_problem(s, o->kind_at,
+        if (find_among(numbers[i], (name){f->name, f->at}) >= 0) {
+            source_problem(s, f->at,
                            "'%s' is of the mechanism, but something else is called so too: for that one "
                            "write 1 * %s, or choose another name for it",
-                           word, word);
+                           f->name, f->name);
         }
     }
 }
@@ -190,7 +182,7 @@ static void refuse_doubtful(source *s, const scene *written, const output *o)
 /* Outputs have a name space of their own: an output may have the name of what it shows. */
 void names_check(source *s, const scene *written)
 {
-    listing things = {0}, outputs = {0}, kinds = {0}, held = {0}, parameters = {0};
+    listing things = {0}, kinds = {0}, held = {0}, parameters = {0};
     list_group(s, &things, GROUP(written->bodies));
     list_group(s, &things, GROUP(written->frames));
     list_group(s, &things, GROUP(written->joints));
@@ -204,9 +196,7 @@ void names_check(source *s, const scene *written)
     list_group(s, &kinds, GROUP(written->effect_kinds));
     list_group(s, &held, GROUP(written->inputs));
     list_group(s, &parameters, GROUP(written->parameters));
-    list_group(s, &outputs, GROUP(written->outputs));
     for (size_t i = 0; i < written->outputs.count; i++) {
-        list_components(s, &outputs, written, &written->outputs.all[i]);
         refuse_doubtful(s, written, &written->outputs.all[i]);
     }
     for (size_t i = 0; i < written->joints.count; i++) {
@@ -219,7 +209,6 @@ void names_check(source *s, const scene *written)
     listing_check(s, &kinds);
     listing_check(s, &held);
     listing_check(s, &parameters);
-    listing_check(s, &outputs);
 }
 
 static size_t collect(const char **names, group g)

@@ -197,10 +197,13 @@ static bool names_vector(const effect_kind *e, const char *called, size_t depth)
     return is;
 }
 
-/* What is asked of a body, and a force or a moment of a joint. */
+/* What is asked of a body, and a force or a moment of a joint, but for their components. */
 static bool asks_for_vector(const effect_kind *e, const formula *f)
 {
-    bool is = strcmp(f->name, "force") == 0 || strcmp(f->name, "moment") == 0;
+    bool is = quantity_called(f->name, OF_CONNECTION) < QUANTITY_ROWS;
+    if (f->along.text != NULL) {
+        return false;
+    }
     for (size_t i = 0; i < e->line_count && f->parts[0]->name != NULL && !is; i++) {
         const effect_line *line = &e->lines[i];
         is = line->kind == EFFECT_BODY && line->name.text != NULL && strcmp(line->name.text, f->parts[0]->name) == 0;

@@ -315,9 +315,10 @@ static formula *parse_quantity(parser *p)
         f->axes = (name){p->next[1].text, p->next[1].at};
         p->next += 2;
     }
+    f->along.at = p->next->at;
     if (take_option(p, "along")) {
         const size_t which = take_one_of(p, axes, COUNT_OF(axes));
-        f->along = (char)(which < COUNT_OF(axes) ? axes[which][0] : '\0');
+        f->along.text = which < COUNT_OF(axes) ? axes[which] : NULL;
     }
     return p->failed ? NULL : f;
 }

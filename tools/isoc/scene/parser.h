@@ -1,6 +1,6 @@
-/* A source to a scene. In the grammar, JOINT, CLOSURE, SOLID and OUTPUT are words of the tables in joint_kinds.c, closure_kinds.h
- * and quantities.h. Which properties a kind has, and which it needs, is in the tables of parse_*.c. README.md in
- * tools/isoc has examples.
+/* A source to a scene. In the grammar, JOINT, CLOSURE, SOLID and QUANTITY are words of the tables in joint_kinds.c,
+ * closure_kinds.h, solid_kinds.c and quantities.h. Which properties a kind has, and which it needs, is in the tables of
+ * parse_*.c. README.md in tools/isoc has examples.
  *
  *   scene         = { statement }
  *   statement     = gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
@@ -24,7 +24,8 @@
  *   parameter     = constant NAME = FORMULA | tunable NAME = FORMULA [in FORMULA to FORMULA]
  *   input         = input NAME [UNIT] [held | smooth] [jump FORMULA] [= FORMULA] [in FORMULA to FORMULA]
  *                 [safe FORMULA after FORMULA ticks]
- *   output        = output NAME = OUTPUT [of NAME [at FORMULA] [along (x | y | z)]]
+ *   output        = output NAME = FORMULA [every FORMULA ticks]
+ *                 a FORMULA has QUANTITY [of NAME [at FORMULA] [in (body | ground)] [along (x | y | z)]]
  *   repeat        = repeat WORD from FORMULA to FORMULA { { statement } }
  *   include       = include "FILE"
  *

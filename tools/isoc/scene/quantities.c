@@ -35,11 +35,6 @@ quantity_kind quantity_of_nothing(const char *word)
     return found;
 }
 
-bool quantity_is_shown(const quantity_row *row)
-{
-    return row->known != KNOWN_AT_START && row->known != KNOWN_IN_OUTPUTS;
-}
-
 bool quantity_is_vector(const quantity_row *row)
 {
     return strcmp(row->components, "xyz") == 0;
@@ -63,7 +58,7 @@ const char *quantity_list(arena *memory, bool (*is_listed)(const quantity_row *r
         size_t count = 0;
         for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
             const quantity_row *row = &quantity_rows[kind];
-            if (row->of == of && quantity_is_shown(row) && is_listed(row)) {
+            if (row->of == of && is_listed(row)) {
                 words[count++] = row->word;
             }
         }
@@ -85,6 +80,18 @@ const char *quantity_words(arena *memory, operand of, operand or_of)
         }
     }
     return alternatives(memory, words, count);
+}
+
+const char *quantity_owners(arena *memory, const char *word)
+{
+    const char *phrases[OPERANDS];
+    size_t count = 0;
+    for (operand of = OF_COORDINATE; of < OPERANDS; of++) {
+        if (quantity_called(word, of) < QUANTITY_ROWS) {
+            phrases[count++] = operand_phrases[of];
+        }
+    }
+    return count == 0 ? NULL : alternatives(memory, phrases, count);
 }
 
 dimension dimension_of_unit(const char *written)

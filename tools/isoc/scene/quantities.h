@@ -104,9 +104,6 @@ quantity_kind quantity_called(const char *word, operand of);
 /* The row of a word that is of nothing: of the mechanism, its closures or the step; QUANTITY_ROWS if there is none. */
 quantity_kind quantity_of_nothing(const char *word);
 
-/* Whether an output shows it by its row: the others are formulas there. */
-bool quantity_is_shown(const quantity_row *row);
-
 /* Whether it is a vector, of which `along` shows a component; whether it is at a point. */
 bool quantity_is_vector(const quantity_row *row);
 bool quantity_has_point(const quantity_row *row);
@@ -114,11 +111,14 @@ bool quantity_has_point(const quantity_row *row);
 /* How many numbers it is. */
 int quantity_parts(const quantity_row *row);
 
-/* Those that such an output shows, as a list: position or velocity of a body; force of a joint or a closure. */
+/* Those that are such, as a list: position or velocity of a body; force of a joint or a closure. */
 const char *quantity_list(arena *memory, bool (*is_listed)(const quantity_row *row));
 
 /* The words of what is of this operand, or one of these two: its position, speed or acceleration. */
 const char *quantity_words(arena *memory, operand of, operand or_of);
+
+/* What a word is of, where that has a name: a joint or a body; NULL where no quantity is called so. */
+const char *quantity_owners(arena *memory, const char *word);
 
 /* The dimension of a unit such as kg*m^2; of "m or rad" none. */
 dimension dimension_of_unit(const char *unit);

@@ -42,7 +42,7 @@ typedef struct formula {
     const script *file; /* of FORMULA_FILE; its text stands at `text_at` */
     place text_at;
     name axes;  /* of FORMULA_OF: body or ground; NULL where none are given */
-    char along; /* likewise: x, y or z; 0: the whole vector */
+    name along; /* likewise: x, y or z; NULL: the whole vector */
     struct formula **parts;
     size_t count, room;
 } formula;
@@ -232,15 +232,8 @@ typedef struct setting {
 
 typedef struct output {
     name name;
-    quantity_kind kind; /* the first row of its word; mechanism/outputs.c finds the right one */
-    formula *formula;   /* in its place, where it begins with no such word */
-    place kind_at;
-    name of;        /* a joint, a body or a closure */
-    formula *point; /* in the body's frame; NULL: its origin */
-    name axes;      /* body or ground; NULL where none are given */
-    int along;      /* 0, 1, 2: only x, y or z; -1: all three */
-    formula *every; /* ticks; NULL: each */
-    place point_at, along_at;
+    formula *formula; /* a quantity alone, or any other */
+    formula *every;   /* ticks; NULL: each */
 } output;
 
 /* What the loop does about ticks that do not keep their time, and what it counts of them. */
