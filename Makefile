@@ -365,10 +365,12 @@ PLANT_CORE := $(filter-out core/runtime/loop.%,$(wildcard core/numbers/*.[ch] co
 EMBEDDED_core := $(PLANT_CORE)
 EMBEDDED_effect := $(sort $(wildcard models/effects/*.scene))
 EMBEDDED_client := $(wildcard tools/client/*)
-EMBEDDED := $(addprefix build/obj/tools/isoc/,core_files.o effect_files.o client_files.o)
+EMBEDDED_help := tools/isoc/help.txt
+EMBEDDED := $(addprefix build/obj/tools/isoc/,core_files.o effect_files.o client_files.o help_files.o)
 build/obj/tools/isoc/core_files.c: $(EMBEDDED_core)
 build/obj/tools/isoc/effect_files.c: $(EMBEDDED_effect)
 build/obj/tools/isoc/client_files.c: $(EMBEDDED_client)
+build/obj/tools/isoc/help_files.c: $(EMBEDDED_help)
 $(EMBEDDED:.o=.list): build/obj/tools/isoc/%_files.list: always
 	$(call remember,$(EMBEDDED_$*))
 $(EMBEDDED:.o=.c): build/obj/tools/isoc/%_files.c: build/obj/tools/isoc/%_files.list tools/build/embed.awk | build/obj/tools/flags

@@ -24,7 +24,7 @@ lacking()
     # shellcheck disable=SC2086
     awk -f tools/build/embed.awk effect_files $files >"$out/$lacking_name/effect_files.c" &&
         $CC -std=c11 -I. -c "$out/$lacking_name/effect_files.c" -o "$out/$lacking_name/effect_files.o" &&
-        $CC $objects build/obj/tools/isoc/core_files.o build/obj/tools/isoc/client_files.o "$out/$lacking_name/effect_files.o" -o "$out/$lacking_name/isoc" -lm
+        $CC $objects build/obj/tools/isoc/core_files.o build/obj/tools/isoc/client_files.o build/obj/tools/isoc/help_files.o "$out/$lacking_name/effect_files.o" -o "$out/$lacking_name/isoc" -lm
 }
 
 # written NAME SED: the scene, edited, and its plant by an isoc that lacks what is left out, in $out/NAME.

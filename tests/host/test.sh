@@ -171,7 +171,7 @@ isoc_parts()
     for isoc_part in tools/isoc/*/*.c; do
         echo "build/obj/${isoc_part%/*}.$1"
     done | sort -u
-    printf "build/obj/tools/isoc/%s_files.$1\n" core effect client
+    printf "build/obj/tools/isoc/%s_files.$1\n" core effect client help
 }
 
 # waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives.

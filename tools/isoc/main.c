@@ -2,57 +2,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "tools/isoc/base/embedded.h"
 #include "tools/isoc/emit/prefix.h"
 #include "tools/isoc/emit/write.h"
 #include "tools/isoc/pipeline.h"
 #include "tools/isoc/plant/summary.h"
 
 static const char version[] = "isoc 0.1\n";
-
-static const char help[] =
-    "isoc: compiles a scene to a plant in straight-line C\n"
-    "\n"
-    "  isoc SCENE -o DIR [--name NAME] [--standalone] [--link [--xcp LOCK]] [--method M] [--step H] [--tolerance T] "
-    "[--real "
-    "float|double]\n"
-    "       [--inputs held|smooth] [--set 'NAME = VALUE'] [--without 'EFFECT; ...'] [--formulation F] [--factors F]\n"
-    "  isoc SCENE --dot\n"
-    "  isoc SCENE --files\n"
-    "  isoc SCENE --effects\n"
-    "\n"
-    "  SCENE          the scene, a text file\n"
-    "  -o DIR         where plant.h and plant.c go; made if it is not there\n"
-    "  --name NAME    for a part of other firmware: NAME.h and NAME.c, in which all names begin with NAME_, so that\n"
-    "                 several plants, and several of one, stand in one program\n"
-    "  --standalone   puts beside it what it needs of core, so that the folder compiles alone\n"
-    "  --link         puts beside it what it shows to a controller at the other end of a wire, interface.c, and that "
-    "end\n"
-    "                 in C and in Python, SCENE_link.h and SCENE_link.py\n"
-    "  --xcp LOCK     with --link: measurement and calibration, and plant.a2l.in; LOCK is open, or the name of an "
-    "iso_xcp_lock\n"
-    "  --method M     a method, instead of the scene's; --methods lists them\n"
-    "  --step H       the step with its unit, e.g. 1ms, instead of the scene's\n"
-    "  --tolerance T  of adams, which then takes as many sub-steps as it needs\n"
-    "  --real R       the number type of the plant: float (default) or double\n"
-    "  --inputs R     all inputs held, or all smooth, instead of the scene's reading\n"
-    "  --set 'NAME = VALUE; ...'  constants and tunables, instead of the scene's values\n"
-    "  --without 'EFFECT; ...'  leaves out these effects of the scene, with the outputs and the inputs that are theirs "
-    "alone\n"
-    "  --formulation F  instead of the cheapest; of a tree composite or articulated bodies, of closed loops composite "
-    "bodies\n"
-    "                 with the closures in the axes of their base, composite, or of a side, parent_axes or child_axes\n"
-    "  --factors F    of an implicit method of a tree, instead of what suits its size: of a full or of a sparse "
-    "matrix, or\n"
-    "                 looped, of the sparse one by loops over constant tables\n"
-    "  --dot          nothing but a graph of bodies, joints and closures, for graphviz: isoc SCENE --dot | dot -Tsvg\n"
-    "  --files        nothing but the files that the scene is read from, one on a line, also those that are not there\n"
-    "  --effects      nothing but the effects of the scene: the name and the kind of each, on a line\n"
-    "  --methods      what each method costs, as a table\n"
-    "  --help         this text\n"
-    "  --version      the version\n"
-    "\n"
-    "Prints what the plant costs: states, inputs, outputs, operations of a derivative and of a step, bytes of state.\n"
-    "A mistake in the scene is told as file:line:column; the exit status is then 1 and no file is touched.\n";
 
 /* What can be given; the scene is what stands without an option. */
 typedef enum option {
@@ -242,6 +198,7 @@ static bool answer(arena *memory, const char *question)
 {
     text table = {.memory = memory};
     write_methods(&table);
+    const char *help = embedded_text(help_files, "tools/isoc/help.txt");
     return strcmp(question, "--version") == 0 ? write_out(version, strlen(version))
            : strcmp(question, "--help") == 0  ? write_out(help, strlen(help))
                                               : write_out(table.bytes, table.length);
