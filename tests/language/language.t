@@ -58,6 +58,60 @@ sh tests/language/n_four_bar.sh 3 | plant old
 sed 's/^constant windows = 2/constant windows = 3/' models/n_four_bar.scene | plant new
 same 'models/n_four_bar.scene with three windows is what n_four_bar.sh writes out'
 
+# An operand that is a vector, one that has its default, and a quantity by its point and component.
+plant new <<'END'
+step 1 ms
+gravity (0, 0, -9.81) m/s^2
+body kite { mass 1 kg; com (0, 0, 1) m; inertia (1, 1, 1) g*m^2 }
+joint line universal { parent ground; child kite; axis x; second y; start rotate 10 deg rotate 20 deg }
+effect air {
+    body on
+    signal wind m/s = (0, 0, 0)
+    value drag N*s/m = (0, 0, 0)
+    let past = wind - velocity of on
+    force on on = (1 N*s/m) * past - cross((0, 0, 1), wind) * 2 N*s/m + drag * (0 m/s)
+    require dot(wind, wind) >= 0
+    output past
+}
+input gust m/s = 1 m/s * sin(3 Hz)
+signal blown = (1, 0, 0) * gust
+effect up air { on kite at (0, 0, 1) m; wind blown }
+effect calm air { on kite }
+output z = velocity of kite at (0, 0, 1) m along z
+output low = 2 * position of kite at (0, 0, -1) m along y
+output past = up.past
+END
+plant old <<'END'
+step 1 ms
+gravity (0, 0, -9.81) m/s^2
+body kite { mass 1 kg; com (0, 0, 1) m; inertia (1, 1, 1) g*m^2 }
+frame under { on kite at (0, 0, -1) m }
+joint line universal { parent ground; child kite; axis x; second y; start rotate 10 deg rotate 20 deg }
+effect up_air {
+    body on
+    signal x m/s
+    let wind = (1, 0, 0) * x
+    let past = wind - velocity of on
+    force on on = (1 N*s/m) * past - cross((0, 0, 1), wind) * 2 N*s/m
+    output x_past = dot(past, (1, 0, 0))
+    output y_past = dot(past, (0, 1, 0))
+    output z_past = dot(past, (0, 0, 1))
+}
+effect calm_air {
+    body on
+    force on on = (-1 N*s/m) * velocity of on
+}
+input gust m/s = 1 m/s * sin(3 Hz)
+effect up up_air { on kite at (0, 0, 1) m; x gust }
+effect calm calm_air { on kite }
+output z = velocity of kite at (0, 0, 1) m along z
+output low = 2 * dot(position of under, (0, 1, 0))
+output past_x = up.x_past
+output past_y = up.y_past
+output past_z = up.z_past
+END
+same 'operands can be vectors, and formulas ask for points and components'
+
 # Two loops in one another, names with a rest, an index after a digit, and a file for each turn.
 mkdir -p "$out/new/parts"
 cat >"$out/new/parts/arm.scene" <<'END'

@@ -253,6 +253,9 @@ static void do_require(effect_scope *w, const instance *in, const effect_line *l
     source *s = w->b->s;
     const value least = evaluate(w, in, line->value, "require"), most = evaluate(w, in, line->most, "require");
     if (least.count != 1 || most.count != 1) {
+        if (least.count > 1 || most.count > 1) {
+            source_problem(s, line->at, "only numbers can be required, and no vector");
+        }
         return;
     }
     if (can_change(w->b->g, least.parts[0]) || can_change(w->b->g, most.parts[0])) {

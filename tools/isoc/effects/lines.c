@@ -24,7 +24,7 @@ static bool declared_dimension(effect_scope *w, const instance *in, const effect
     } else if (has_default && line->like.text == NULL) {
         const value found = evaluate(w, in, line->value, line->name.text);
         *expected = found.of;
-        return found.count == 1;
+        return found.count > 0;
     } else if (line->like.text != NULL && line->like_of.text != NULL) {
         const instance *before = enter(w, in);
         const int l = segment_of(w, line->like_of);
@@ -34,13 +34,15 @@ static bool declared_dimension(effect_scope *w, const instance *in, const effect
     return line->has_unit || line->like.text != NULL;
 }
 
-/* One number, or a vector where it starts as one, of the dimension that the line declares, if it does. */
+/* One number, or a vector where it starts as one or has one as its default, of the dimension that the line declares, if it does. */
 static value checked(effect_scope *w, const instance *in, const effect_line *line, const formula *f, value found)
 {
     dimension expected;
     source *s = w->b->s;
     if (found.count > 0 && found.count != line->parts) {
-        source_problem(s, f->at, "'%s' is one number; this is %d", line->name.text, found.count);
+        const char *is = line->parts == 1 ? "one number" : "a vector (x, y, z)";
+        source_problem(s, f->at, "'%s' is %s; this is %s", line->name.text, is,
+                       found.count == 1 ? "one number" : arena_format(s->memory, "%d", found.count));
         return nothing;
     }
     if (found.count == 0 || !declared_dimension(w, in, line, f, &expected)) {
@@ -89,7 +91,11 @@ static value operand_value(effect_scope *w, const instance *in, const effect_lin
     }
     const instance *i = given != NULL ? NULL : in, *before = enter(w, i);
     value found = checked(w, in, line, f, evaluate(w, i, f, line->name.text));
-    if (found.count == 1 && line->kind == EFFECT_VALUE && can_change(w->b->g, found.parts[0])) {
+    bool changes = false;
+    for (int part = 0; part < found.count; part++) {
+        changes = changes || can_change(w->b->g, found.parts[part]);
+    }
+    if (changes && line->kind == EFFECT_VALUE) {
         source_problem(w->b->s, f->at, "'%s' is a constant or a tunable: it cannot change with time", line->name.text);
         found = nothing;
     }

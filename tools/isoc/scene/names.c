@@ -282,7 +282,14 @@ const char *suggest_setting(source *s, const scene *written, const char *typed)
 const char *suggest_number(source *s, const scene *written, const char *typed, bool in_formula)
 {
     const group groups[] = {GROUP(written->parameters), GROUP(written->inputs), GROUP(written->signals)};
-    return suggest_among(s, groups, in_formula ? 3 : 1, typed, NULL, 0);
+    const char *words[QUANTITY_ROWS];
+    size_t count = 0;
+    for (quantity_kind kind = 0; kind < QUANTITY_ROWS && in_formula; kind++) {
+        if (quantity_rows[kind].of < OF_COORDINATE) {
+            words[count++] = quantity_rows[kind].word;
+        }
+    }
+    return suggest_among(s, groups, in_formula ? 3 : 1, typed, words, count);
 }
 
 /* The index in these groups, one after the other; `more` is a further name to suggest. */

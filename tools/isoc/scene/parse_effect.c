@@ -183,14 +183,21 @@ static const block definition = {.what = "effect", .properties = lines, .propert
 
 static bool is_vector(const effect_kind *e, const formula *f, size_t depth);
 
-/* A name of the definition: a let, a state or a memory, by its formula. `depth`: names on the way, which may need each other
+/* Whether its formula is a start or a default. */
+static bool has_start(const effect_line *line)
+{
+    return line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY || line->kind == EFFECT_SIGNAL ||
+           line->kind == EFFECT_VALUE;
+}
+
+/* A name of the definition: a let, a state, a memory or an operand, by its formula. `depth`: names on the way, which may need each other
  * in a loop that is an error for others to tell. */
 static bool names_vector(const effect_kind *e, const char *called, size_t depth)
 {
     bool is = false;
     for (size_t i = 0; i < e->line_count && depth <= e->line_count && !is; i++) {
         const effect_line *line = &e->lines[i];
-        const bool has_value = line->kind == EFFECT_LET || line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY;
+        const bool has_value = line->kind == EFFECT_LET || has_start(line);
         is = has_value && line->name.text != NULL && strcmp(line->name.text, called) == 0 &&
              is_vector(e, line->value, depth + 1);
     }
@@ -242,13 +249,12 @@ static bool is_vector(const effect_kind *e, const formula *f, size_t depth)
     return is;
 }
 
-/* States and memories that start with a vector have three numbers. */
+/* States and memories that start with a vector have three numbers, and so have operands whose default is one. */
 static void find_vectors(effect_kind *e)
 {
     for (size_t i = 0; i < e->line_count; i++) {
         effect_line *line = &e->lines[i];
-        const bool has_start = line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY;
-        line->parts = has_start && is_vector(e, line->value, 0) ? 3 : 1;
+        line->parts = has_start(line) && is_vector(e, line->value, 0) ? 3 : 1;
     }
 }
 
