@@ -10,7 +10,7 @@
 #include "core/runtime/loop.h"
 #include "port/port.h"
 
-/* What a run with snapshots does besides. */
+/* The additions of a run with snapshots. */
 typedef struct iso_recording {
     uint64_t (*begin)(iso_loop *loop,
                       uint64_t duration); /* puts the loop to the first tick; returns the hash until there */

@@ -69,7 +69,7 @@ void iso_stream_from(uint64_t tick);
 /* A snapshot that was taken: behind the row of its tick. */
 void iso_stream_snapshot(const unsigned char *record, size_t bytes);
 
-/* What the ticks took, and what was beside them. */
+/* The times of the ticks, and of the work beside them. */
 void iso_stream_times(const iso_times *times);
 
 /* Ends the stream: how the loop kept its time, where it stopped, and the hash of the trajectory. */

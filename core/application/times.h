@@ -1,4 +1,4 @@
-/* What whole ticks took, and what a run takes beside them: its rows and its hash. That is no time of the plant's: ticks of the
+/* The times of whole ticks, and of a run's work beside them: its rows and its hash. That is no time of the plant's: ticks of the
  * port that come meanwhile pass, so that a late tick is one that the plant made late. */
 #ifndef ISO_CORE_APPLICATION_TIMES_H
 #define ISO_CORE_APPLICATION_TIMES_H

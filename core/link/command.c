@@ -4,7 +4,7 @@
 ISO_SNAPSHOT_REFUSALS(IS_NUMBERED)
 ISO_CONTROL_REFUSALS(IS_NUMBERED)
 
-/* What stands before that of a command: its type and its number. */
+/* The bytes before those of a command: its type and its number. */
 enum { HEAD_BYTES = 2, TICKS_BYTES = 8, OFFSET_BYTES = 4 };
 
 /* Whether the bytes behind the head are as many as the command has. */

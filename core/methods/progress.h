@@ -1,4 +1,4 @@
-/* What a method reports of its steps. It is a part of the plant's memory, so this header is C and C++. */
+/* The report of a method on its steps. It is a part of the plant's memory, so this header is C and C++. */
 #ifndef ISO_CORE_METHODS_PROGRESS_H
 #define ISO_CORE_METHODS_PROGRESS_H
 

@@ -25,7 +25,7 @@ static uint64_t restore(iso_loop *const loop)
     return hash;
 }
 
-/* What is asked for must be within the run, which ends after the tick `end`. */
+/* The request must be within the run, which ends after the tick `end`. */
 static uint64_t begin(iso_loop *const loop, const uint64_t duration)
 {
     const uint64_t period = loop->plant->model->period_ns, hash = restore(loop);

@@ -1,4 +1,4 @@
-/* What comes into a plant from outside, inputs and tunables: never a number that is not finite. The plant keeps the last good
+/* Inputs and tunables that come into a plant: never a number that is not finite. The plant keeps the last good
  * ones. Nothing here branches on a number. Most ticks have nothing to put right: that is what iso_plant_admit asks first, its one
  * branch. On the Cortex-M4F an input then costs 6 instructions a tick, with limits 12, and a tunable 4; a tick with something to
  * put right, or with another value of a tunable, 14 more for each, with limits 35. A plant without inputs and tunables has none
@@ -25,7 +25,7 @@ typedef struct iso_refusals {
     uint64_t clamped;
 } iso_refusals;
 
-/* What was refused in a tick, 16 bits each from the lowest: inputs held and clamped, parameters held and clamped. Nothing of
+/* Refusals of a tick, 16 bits each from the lowest: inputs held and clamped, parameters held and clamped. Nothing of
  * it is a branch: 0 is the rule, and the rest is counted by iso_count_refused. */
 typedef uint64_t iso_refused;
 

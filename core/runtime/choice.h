@@ -1,4 +1,4 @@
-/* What every plant written by hand has in common. Its method and its step, where the build says nothing else:
+/* Shared by all plants written by hand. Its method and its step, where the build says nothing else:
  * -DISO_METHOD=ISO_HEUN -DISO_METHOD_NAME=heun -DISO_STEP=0.0005 (seconds, with a decimal point). The options of the
  * method: -DISO_CHECK -DISO_COMPENSATE, and -DISO_TOLERANCE=1e-9 of adams, which then makes as many sub-steps as it needs.
  * Its memory; and how that and its equations make an iso_plant. A generated plant has its own. */

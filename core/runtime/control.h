@@ -1,4 +1,4 @@
-/* What is asked of a plant from outside, between two ticks: to run for so many ticks, to rest, to be what a snapshot was. All of
+/* Commands to a plant from outside, between two ticks: to run for so many ticks, to rest, to be what a snapshot was. All of
  * it is kept here, to be read at any time.
  *
  * A plant that rests keeps its outputs; ticks of the port pass meanwhile, and none is lost or late (iso_loop_rest). So does a plant
@@ -15,7 +15,7 @@
 
 #define ISO_CONTROL_ENDLESS UINT64_MAX
 
-/* What became of it. The first are those of iso_snapshot_answer. */
+/* The answer. The first are those of iso_snapshot_answer. */
 typedef enum iso_control_answer {
     ISO_CONTROL_DONE = ISO_SNAPSHOT_GOOD,
     ISO_CONTROL_NO_RUN =

@@ -1,4 +1,4 @@
-/* What a plant is to everything downstream: generated and hand-written plants fill in the same structs.
+/* The interface of a plant: generated and hand-written plants fill in the same structs.
  *
  * A plant is x' = f(x, u, p), y = g(x, u, p): states x, inputs u held over a step, tunable parameters p, outputs y,
  * all in SI units (m, kg, s, rad). Its model is constant, and all plants of one kind share it. Its memory is one flat
@@ -21,7 +21,7 @@ extern "C" {
 /* Beyond it, the domain of iso_sincos, the sine of an angle is a number of no meaning (rad). */
 #define ISO_ANGLE_RANGE R(1e4)
 
-/* What is known of a state, an input, a parameter or an output: a generated header has tables of them. */
+/* A state, an input, a parameter or an output by name, unit and limits: a generated header has tables of them. */
 typedef struct iso_quantity {
     const char *name;
     const char *unit; /* m, rad/s, N*m, ..., 1 for a pure number */
@@ -33,7 +33,7 @@ typedef struct iso_quantity {
 struct iso_plant;
 struct iso_policy;
 
-/* What all plants of one kind share. */
+/* Shared by all plants of one kind. */
 typedef struct iso_model {
     const char *name;
     const char *method;    /* as a scene calls it */

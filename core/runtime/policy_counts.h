@@ -1,4 +1,4 @@
-/* What policies on ticks that do not keep their time count, and how the loop calls them (core/runtime/policy.h). */
+/* The counts of policies on ticks that do not keep their time, and how the loop calls them (core/runtime/policy.h). */
 #ifndef ISO_CORE_RUNTIME_POLICY_COUNTS_H
 #define ISO_CORE_RUNTIME_POLICY_COUNTS_H
 
@@ -15,7 +15,7 @@ typedef struct iso_news {
 
 enum { ISO_HISTOGRAM_BINS = 32 };
 
-/* What is counted, one after another, 64 bits each. */
+/* The counts, one after another, 64 bits each. */
 typedef struct iso_policy_counts {
     uint64_t skipped;       /* ticks of the port that nothing was done for */
     uint64_t skipped_first; /* the number of the first, as the port counts */

@@ -1,4 +1,4 @@
-/* What the loop counts. */
+/* The counts of the loop. */
 #ifndef ISO_CORE_RUNTIME_STATISTICS_H
 #define ISO_CORE_RUNTIME_STATISTICS_H
 

@@ -162,7 +162,7 @@ static inline bool iso_plant_output(const iso_plant *const plant)
     return held;
 }
 
-/* What the plant refused, and its restarts. */
+/* Refusals and restarts of the plant. */
 typedef struct iso_tick_counts {
     iso_refusals inputs;
     iso_refusals parameters;

@@ -24,7 +24,7 @@ PLACE(A_UINT64, iso_the_link, iso_link, control.hash, hash)
 PLACE(A_UINT64, iso_the_link, iso_link, commands.done, commands)
 PLACE(A_UINT64, iso_the_link, iso_link, commands.refused, commands_refused)
 
-/* What policies count: of a plant that has some. */
+/* The counts of policies, of a plant that has some. */
 #define CHOICE(member, name)                                                                                           \
     extern char choice__A_UINT64__policed__##name[offsetof(iso_policy_histogram, member) + 1];                         \
     char choice__A_UINT64__policed__##name[offsetof(iso_policy_histogram, member) + 1];

@@ -1,4 +1,4 @@
-/* What make report and make bench compute. Each function is one of the program's commands and writes to the standard
+/* The computations of make report and make bench. Each function is one of the program's commands and writes to the standard
  * output; 0 is its exit status where all is well. */
 #ifndef ISO_TOOLS_ACCURACY_ACCURACY_H
 #define ISO_TOOLS_ACCURACY_ACCURACY_H

@@ -25,7 +25,7 @@ static void trim(char *const cell)
     }
 }
 
-/* What the table of methods says of one; "" if it says nothing. */
+/* The text of a method in the table of methods; "" if there is none. */
 static const char *of_method(const table *const methods, const char *const method, const size_t cell)
 {
     for (size_t row = 0; row < methods->rows; row++) {

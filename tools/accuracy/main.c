@@ -1,4 +1,4 @@
-/* What make report and make bench compute; accuracy.h says it for each command.
+/* The computations of make report and make bench; accuracy.h says it for each command.
  *
  *     accuracy plan NANOSECONDS STEP
  *     accuracy agree TIME TOLERANCE <references

@@ -7,7 +7,7 @@
 #include "tools/accuracy/accuracy.h"
 #include "tools/accuracy/reference.h"
 
-/* What is searched with: the program, the time, and what its states are compared with. */
+/* The means of the search: the program, the time, and what its states are compared with. */
 typedef struct search {
     const char *drive;
     const char *time;

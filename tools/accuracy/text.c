@@ -65,7 +65,7 @@ static const char *short_error(const table *const rows, const size_t row, char s
     return said;
 }
 
-/* What is told of a point: in the table over instructions, or in that over the step. */
+/* The text of a point: in the table over instructions, or in that over the step. */
 static void put_cell(const table *const rows, const size_t row, const bool over_cost)
 {
     char said[16];

@@ -60,7 +60,7 @@ typedef struct iso_client_state {
 /* Bytes of a buffer for frames of up to so many bytes of payload. */
 #define ISO_CLIENT_ROOM(payload) ((payload) + (payload) / 254 + 8)
 
-/* What is known of an input or an output; -HUGE_VAL and HUGE_VAL in `least` and `most`: no limit. */
+/* An input or an output; -HUGE_VAL and HUGE_VAL in `least` and `most`: no limit. */
 typedef struct iso_client_quantity {
     const char *name, *unit;
     double least, most;

@@ -1,4 +1,4 @@
-/* What each effect of a scene costs and what it changes, from the counts of tools/cost/price.sh and the traces beside them.
+/* The cost and the influence of each effect of a scene, from the counts of tools/cost/price.sh and the traces beside them.
  *
  *     price FOLDER effects.tsv
  *

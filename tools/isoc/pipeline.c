@@ -56,14 +56,14 @@ static bool write_graph(arena *memory, const scene *written, const mechanism *m)
     return write_out(drawing.bytes, drawing.length);
 }
 
-/* What is wrong is told, and nothing is written. */
+/* Prints the problems; then nothing is written. */
 static bool refuse(source *s)
 {
     source_report(s);
     return false;
 }
 
-/* What makes a plant useless at its start, each where those before it hold. */
+/* Checks that a plant is useful at its start, each where those before it hold. */
 static void check(source *s, const graph *g, const plant *p)
 {
     static void (*const checks[])(source * s, const graph *g, const plant *p) = {

@@ -1,4 +1,4 @@
-/* What the command line asks for. */
+/* The request of the command line. */
 #ifndef ISOC_REQUEST_H
 #define ISOC_REQUEST_H
 
@@ -20,7 +20,7 @@ bool complain(const char *message, const char *argument);
 /* Whether the mechanism can be what is asked for; else complains. */
 bool request_fits(const request *r, const mechanism *m);
 
-/* What is said instead of the scene by --step, --method, --tolerance, --set, --without and --inputs. Returns false after
+/* Replaces parts of the scene by --step, --method, --tolerance, --set, --without and --inputs. Returns false after
  * reporting problems of the first three; notes those of the others. */
 bool override_scene(arena *memory, const request *r, source *s, scene *written);
 

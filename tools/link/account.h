@@ -1,4 +1,4 @@
-/* What a run looks like on its wire: how long each exchange took, what the inputs were, and how it ended. */
+/* The account of a run on its wire: how long each exchange took, what the inputs were, and how it ended. */
 #ifndef ISO_TOOLS_LINK_ACCOUNT_H
 #define ISO_TOOLS_LINK_ACCOUNT_H
 
@@ -11,7 +11,7 @@
 /* Outputs that are younger than so many ticks can be answered. */
 enum { ACCOUNT_OPEN = 4096 };
 
-/* What the end frame says. */
+/* The content of the end frame. */
 typedef struct account_end {
 #define ACCOUNT_FIELD(name, value) uint64_t name;
     ISO_STREAM_COUNTS(ACCOUNT_FIELD)

@@ -28,7 +28,7 @@ typedef struct options {
     char **plant;
 } options;
 
-/* What runs, and what went wrong with it first. */
+/* The programs that run, and the first failure. */
 typedef struct session {
     const options *chosen;
     wire wire;

@@ -58,7 +58,7 @@ int wire_open(wire *const w, const char *const path, const int mode)
     return ends[1];
 }
 
-/* What the plant sends is passed on as it is. */
+/* Bytes of the plant are passed on as they are. */
 static bool look_outwards(void *const context, uint8_t *const frame, const size_t length)
 {
     wire *const w = context;

@@ -128,7 +128,7 @@ static bool take_options(options *const chosen, const int argc, char **const arg
 
 /* --- Values ------------------------------------------------------------------------------------------------------ */
 
-/* What stands in one piece of memory: the plant's, or the statistics of the loop, the link or the slave. */
+/* The quantities of one piece of memory: the plant's, or the statistics of the loop, the link or the slave. */
 static int place_of(const char *const name)
 {
     return strncmp(name, "statistics.", 11) != 0 ? 0
@@ -256,7 +256,7 @@ static bool end_record(session *const s)
     return good;
 }
 
-/* What a command of the plant came to. */
+/* The result of a command of the plant. */
 static bool told(session *const s, const bool good, const char *const done)
 {
     snprintf(s->said, sizeof s->said, "%s", good ? done : s->master.problem);

@@ -139,7 +139,7 @@ bool snapshot_save(master *const m, const char *const path)
     return good;
 }
 
-/* What was taken at first says where the record is. */
+/* The first answer says where the record is. */
 bool snapshot_load(master *const m, const char *const path)
 {
     place at;

@@ -1,4 +1,4 @@
-/* What is shown, and how: from numbers to text, on any stream. */
+/* The table on the terminal: from numbers to text, on any stream. */
 #ifndef ISO_TOOLS_MONITOR_TABLE_H
 #define ISO_TOOLS_MONITOR_TABLE_H
 

@@ -101,7 +101,7 @@ static void end_group(char *const text)
     }
 }
 
-/* What stands between two places, without the blanks around it. */
+/* The text between two places, without the blanks around it. */
 static void take(char *start, char *end)
 {
     static char group_end[] = "</g>";

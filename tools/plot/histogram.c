@@ -12,7 +12,7 @@ enum { BINS = 32, BOUND_BYTES = 16 };
 
 static const double below_one = 0.5; /* where the bars begin: a bin of one tick has a height too */
 
-/* What the summary tells: lines `histogram 0 to 31250 ns: 9999`, and of the last bin `histogram from 968750 ns: 1`. */
+/* The histogram in the summary: lines `histogram 0 to 31250 ns: 9999`, and of the last bin `histogram from 968750 ns: 1`. */
 typedef struct histogram {
     double ticks[BINS];
     double width, all;

@@ -1,4 +1,4 @@
-/* What a report has measured: its table, line by line, the methods and ranges of it, and the Pareto front. */
+/* The measurements of a report: its table, line by line, the methods and ranges of it, and the Pareto front. */
 #ifndef ISO_TOOLS_PLOT_MEASURED_H
 #define ISO_TOOLS_PLOT_MEASURED_H
 

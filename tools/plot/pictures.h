@@ -24,7 +24,7 @@ void picture_work_precision(const char *scene, const char *time, const char *pat
  * stabilisation; thin, what the violation may be. */
 void picture_violation(const char *scene, const char *path);
 
-/* What each effect of a scene costs and changes, and the scene without any, as bars: the table of tools/cost/price.c. */
+/* The cost and the influence of each effect of a scene, and the scene without any, as bars: the table of tools/cost/price.c. */
 void picture_effects(const char *scene, const char *target, const char *path);
 
 /* The outputs that the runs in two folders have in common, a panel for each, one run over the other. Exits if there are none,

@@ -43,7 +43,7 @@ static bool put_points(const table *const lines, const char *const name)
     return points > 0;
 }
 
-/* What the violation may be, 0 if nothing bounds it. */
+/* The bound of the violation; 0 if there is none. */
 static double bound_of(const table *const lines, const char *const name)
 {
     for (size_t row = 0; row < lines->rows; row++) {

@@ -192,7 +192,7 @@ static void print_execution(const stream *const run, const char *const unit)
     }
 }
 
-/* What the policies of the scene counted: core/runtime/policy.h. */
+/* The counts of the scene's policies: core/runtime/policy.h. */
 static void print_policy(const stream *const run, const char *const unit)
 {
     const iso_policy_counts *const counts = &run->policy.counted.counts;

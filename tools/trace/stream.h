@@ -12,7 +12,7 @@
 
 enum { STREAM_TEXT_BYTES = 65536, STREAM_VALUES_MAX = 65535, STREAM_SNAPSHOT_MAX = 1 << 24 };
 
-/* What the header says. */
+/* The content of the header. */
 typedef struct stream_header {
     char scene[256];
     char method[16];
@@ -28,7 +28,7 @@ typedef struct stream_header {
     ISO_STREAM_NUMBERS(STREAM_HEADER_NUMBER) /* duration_ns is 0 where there is no end */
 } stream_header;
 
-/* What the end record says. */
+/* The content of the end record. */
 typedef struct stream_end {
 #define STREAM_FIELD(name, value) uint64_t name;
     ISO_STREAM_COUNTS(STREAM_FIELD)
@@ -37,7 +37,7 @@ typedef struct stream_end {
 
 enum { STREAM_POLICY_WORDS = sizeof(iso_policy_histogram) / sizeof(uint64_t) };
 
-/* What policies counted, if there are any. */
+/* The counts of policies, if there are any. */
 typedef union stream_policy {
     iso_policy_histogram counted;
     uint64_t words[STREAM_POLICY_WORDS];

@@ -9,7 +9,7 @@ bool real_holds(double number, bool is_double);
 /* Whether it is less than the least normal float, but not zero: a float takes it as a factor, scaled by powers of two. */
 bool real_is_tiny(double number, bool is_double);
 
-/* What a message says of a number that it does not hold: the range, and what would be right. */
+/* The advice for a number that the type does not hold: the range, and a remedy. */
 const char *real_advice(double number, bool is_double);
 
 #endif

@@ -13,7 +13,7 @@ typedef struct text {
 /* Adds what printf would write. */
 void text_add(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* What stands for a place of a template, @name@; the last of an array has none. */
+/* The text for a place of a template, @name@; the last of an array has none. */
 typedef struct filling {
     const char *place, *words;
 } filling;

@@ -1,4 +1,4 @@
-/* What joints and closures give to their children, as nodes: force and moment in the ground's axes, the moment about
+/* Reactions of joints and closures on their children, as nodes: force and moment in the ground's axes, the moment about
  * the origin of the joint's frame on the child.
  *
  * Of a joint it is all that passes through it: what it constrains, and what drive, damping and spring, gear and motion

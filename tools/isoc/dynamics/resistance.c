@@ -37,7 +37,7 @@ static void add_column(graph *g, const node *efforts, int n, int state, node fac
     }
 }
 
-/* What is added to the mass matrix, [n n], before its symmetric part is taken. A turn about axis c of a spherical joint
+/* The addition to the mass matrix, [n n], before its symmetric part is taken. A turn about axis c of a spherical joint
  * changes its quaternion by q (0, e_c) / 2. */
 static node *build_addition(graph *g, const dynamics *d, const node *efforts, double hb)
 {

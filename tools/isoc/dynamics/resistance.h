@@ -1,4 +1,4 @@
-/* What a push meets within a step, as nodes: the mass matrix; with an implicit method, what the method solves with,
+/* The resistance to a push within a step, as nodes: the mass matrix; with an implicit method, what the method solves with,
  *
  *     M - h b dQ/dq' - (h b)^2 dQ/dq,
  *

@@ -26,7 +26,7 @@ vector spring_force(graph *g, const stretched *s);
 /* T, larger than zero where it pulls. */
 node spring_tension(graph *g, const point_spring *p, const stretched *s);
 
-/* What it stores. */
+/* Its potential energy. */
 node spring_energy(graph *g, const point_spring *p, const stretched *s);
 
 #endif

@@ -1,4 +1,4 @@
-/* What the lines of an effect do to the mechanism. One that is dropped does nothing, and its states and memories stay as they
+/* The actions of an effect's lines on the mechanism. One that is dropped does nothing, and its states and memories stay as they
  * are. But its formulas are evaluated, so that what they keep from tick to tick stands where it does with the effect. */
 #include "tools/isoc/effects/effects.h"
 

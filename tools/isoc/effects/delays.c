@@ -3,7 +3,7 @@
  * of each stage. One of what is constant within a step is constant too. */
 #include "tools/isoc/mechanism/builder.h"
 
-/* What a formula reads besides parameters. */
+/* The operands of a formula besides parameters. */
 typedef struct kinds_read {
     bool moving, held;
 } kinds_read;
@@ -13,7 +13,7 @@ static bool is_delay(const mechanism *m, int input)
     return input >= m->inputs.count && m->effects.memories[input - m->inputs.count].kept == KEPT_DELAY;
 }
 
-/* What changes at the end of a step, if at all. */
+/* Quantities that change at the end of a step only. */
 static bool jumps(quantity_kind kind)
 {
     return kind == QUANTITY_TURNS || quantity_rows[kind].of == OF_STEP;

@@ -5,7 +5,7 @@
 
 #include "tools/isoc/scene/names.h"
 
-/* What the use gives for an operand, which is the name of a joint or of a body; NULL if it gives none. */
+/* The use's text for an operand, which is the name of a joint or of a body; NULL if it gives none. */
 static const quantity *name_given(effect_scope *w, const instance *in, const effect_line *line, const char *what)
 {
     const quantity *given = operand_called(in, line->name.text);
@@ -77,7 +77,7 @@ static bool check_operands(builder *b, const instance *in)
     return s->problem_count == problems;
 }
 
-/* What a fault is at the start: 0, or what --set says. */
+/* The value of a fault at the start: 0, or that of --set. */
 static double start_of_fault(builder *b, const char *display_name)
 {
     double start = 0.0;

@@ -1,4 +1,4 @@
-/* What the files of effects share: the uses of effects, and what the formulas in them mean.
+/* Shared by the files of effects: the uses of effects, and what the formulas in them mean.
  *
  * A formula is evaluated when something asks for it; so the lines of a definition may stand in any order, and what would
  * need its own value is found.
@@ -54,7 +54,7 @@ const effect_line *line_called(const effect_kind *kind, const char *called, bool
 const char *suggestion(source *s, const effect_kind *kind, const char *typed, effect_line_kind from,
                        effect_line_kind to);
 
-/* What the use gives for an operand, or NULL. */
+/* The use's text for an operand, or NULL. */
 const quantity *operand_called(const instance *in, const char *called);
 
 /* From here on names are those of an instance, or of the scene where it is NULL, and problems are of it. Returns what it

@@ -68,7 +68,7 @@ static bool names_limit(const formula *f)
     return is;
 }
 
-/* What isoc chose is told. */
+/* Prints the value that isoc chose. */
 static void note_derived(effect_scope *w, const instance *in, const effect_line *line, value found)
 {
     mechanism *m = &w->b->mechanism;
@@ -107,7 +107,7 @@ static value operand_value(effect_scope *w, const instance *in, const effect_lin
     return found;
 }
 
-/* What a state or a memory has at the start, which gives its dimension. */
+/* The start of a state or a memory, which gives its dimension. */
 static value start_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     return checked(w, in, line, line->value, evaluate(w, in, line->value, line->name.text));
@@ -170,7 +170,7 @@ static value new_value(effect_scope *w, const instance *in, const effect_line *l
     }
 }
 
-/* What an output without a formula shows: a line that has a name, or else the energy, the loss or the work. */
+/* The quantity of an output without a formula: a line that has a name, or else the energy, the loss or the work. */
 static const effect_line *line_shown(const effect_kind *kind, const char *called)
 {
     const effect_line *found = line_called(kind, called, false);

@@ -1,11 +1,11 @@
-/* What a formula of an effect, a signal or an output can name. */
+/* The names in formulas of effects, signals and outputs. */
 #include "tools/isoc/effects/effects.h"
 
 #include <string.h>
 
 #include "tools/isoc/scene/names.h"
 
-/* What the step and the method allow: step, stable_rate, stable_frequency. */
+/* Values that follow from step and method: step, stable_rate, stable_frequency. */
 static bool find_limit(effect_scope *w, const char *called, value *found)
 {
     static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};

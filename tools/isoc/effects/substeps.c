@@ -27,7 +27,7 @@ static bool has_middle(const mechanism *m)
     return has;
 }
 
-/* What else the scene asks for that a step of two rates has not. */
+/* Features of the scene that a step of two rates has not. */
 static void check_method(builder *b, const effect_use *use)
 {
     const unsigned recipe = b->mechanism.method.recipe;

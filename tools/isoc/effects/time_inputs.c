@@ -120,7 +120,7 @@ static uint32_t seed_of(const effect_use *within)
     return within == NULL ? 0 : hash;
 }
 
-/* What drives its input; count 0 after noting a problem. */
+/* The function that drives its input; count 0 after noting a problem. */
 static value drive_of(builder *b, const formula *f, const effect_use *within)
 {
     const size_t before = b->s->problem_count;

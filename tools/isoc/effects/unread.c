@@ -51,7 +51,7 @@ static void renumber(builder *b, node *roots, size_t count, void *context)
     replace_leaves(b->g, roots, count, OP_INPUT, context);
 }
 
-/* What a memory that is read follows from is read too. */
+/* A memory that is read reads all that it follows from. */
 static bool *find_read(builder *b)
 {
     mechanism *m = &b->mechanism;

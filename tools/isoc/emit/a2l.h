@@ -6,7 +6,7 @@
 
 #include "tools/isoc/emit/naming.h"
 
-/* What the interface of a plant has for core/xcp: iso_xcp_the_description, and `services`. The lock is the name of an
+/* The interface of a plant for core/xcp: iso_xcp_the_description, and `services`. The lock is the name of an
  * iso_xcp_lock, or "open". */
 void emit_calibration(const plant *p, const naming *names, const char *lock, uint64_t identity, text *out);
 

@@ -13,7 +13,7 @@
 
 enum { LONGEST_INLINE = 72 }; /* characters of an expression that stands inside another */
 
-/* What stands for a node where it is used. */
+/* The text of a node where it is used. */
 typedef struct rendering {
     const char *text;
     binding binds;
@@ -148,7 +148,7 @@ static void note_reads(emitter *e, code_piece *result, const node *open, size_t 
     }
 }
 
-/* What was written since the last piece is one, made of these nodes. */
+/* The text since the last piece is a piece, of these nodes. */
 static void note_piece(emitter *e, const char *declares, bool is_turn, const node *n, size_t count)
 {
     code_pieces *p = e->pieces;
@@ -233,7 +233,7 @@ static void quote_mark(emitter *e, const char *name)
     }
 }
 
-/* What stands for @letter in the text of an operator (tools/isoc/graph/operators.h). */
+/* The text for @letter in the text of an operator (tools/isoc/graph/operators.h). */
 static const char *letter_text(emitter *e, const graph_node *n, char letter)
 {
     const operator_row *row = &operators[n->op];

@@ -1,4 +1,4 @@
-/* What a plant has, and how its parts are called in C. These call no other part of its source. */
+/* The features of a plant, and the names of its parts in C. These call no other part of its source. */
 #include <math.h>
 
 #include "tools/isoc/emit/parts.h"

@@ -1,4 +1,4 @@
-/* What the functions of a plant are made of: a head, the arrays that it reads, and statements. */
+/* The parts of a plant's functions: a head, the arrays that it reads, and statements. */
 #include <string.h>
 
 #include "tools/isoc/emit/parts.h"
@@ -15,7 +15,7 @@ emission emission_of(const emission *e, const reduced_plant *left)
     return other;
 }
 
-/* What the equations read, as arrays. The functions of a step read what is held (tools/isoc/plant/held.h) in the place of
+/* The arrays that the equations read. The functions of a step read what is held (tools/isoc/plant/held.h) in the place of
  * the tunables, where something is. */
 typedef struct argument {
     operation op;

@@ -160,7 +160,7 @@ static void emit_looped_solver(emission *e)
     text_add(e->out, "    real work[%d];\n    iso_sparse_solve(&places, d, lu, work);\n}\n\n", j->looped->e.count);
 }
 
-/* What an implicit method solves with. */
+/* The factors that an implicit method solves with. */
 static void emit_solver(emission *e)
 {
     const jacobian *j = &e->p->j;
@@ -186,7 +186,7 @@ static const char *good_inputs(const emission *e)
     return has_inputs ? arena_format(e->out->memory, " + %s_INPUTS", e->names->capitals) : "";
 }
 
-/* What asks whether anything that came in is to be put right, or to be kept. */
+/* The function that asks whether an input or a tunable is to be put right, or to be kept. */
 static void emit_amiss(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -205,7 +205,7 @@ static void emit_amiss(emission *e)
     text_add(e->out, ";\n}\n\n");
 }
 
-/* What puts inputs and tunables right, with the limits that the scene gives, and with its conditions. */
+/* The function that puts inputs and tunables right, with the limits that the scene gives, and with its conditions. */
 static void emit_admit(emission *e)
 {
     const mechanism *m = e->p->m;

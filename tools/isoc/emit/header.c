@@ -63,7 +63,7 @@ static void emit_places(const emission *e, const table *t)
     text_add(e->out, "    %s_%s\n};\n\n", e->names->capitals, capitals_of(e->out->memory, t->what));
 }
 
-/* What effects keep from tick to tick stands in u, behind the inputs. */
+/* The memories of effects stand in u, behind the inputs. */
 static void emit_memory_places(const emission *e)
 {
     const mechanism *m = e->p->m;
@@ -84,7 +84,7 @@ static const char *limit(const emission *e, double x)
     return code_literal(e->out->memory, x, e->p->is_double);
 }
 
-/* What is known of the quantities of an array, for those who ask at run time. */
+/* Name, unit and limits of the quantities of an array, for programs that read them at run time. */
 static void emit_table(const emission *e, const table *t)
 {
     text_add(e->out, "static const iso_quantity %s_%s[%s_%s] = {\n", e->names->prefix, t->what, e->names->capitals,
@@ -97,7 +97,7 @@ static void emit_table(const emission *e, const table *t)
     text_add(e->out, "};\n\n");
 }
 
-/* What makes a plant of the model and a memory. */
+/* The function that joins model and memory to a plant. */
 static void emit_instance(const emission *e)
 {
     const mechanism *m = e->p->m;

@@ -1,4 +1,4 @@
-/* What a plant shows at its link, and the controller's end of it in C and in Python. */
+/* The link of a plant, and the controller's end of it in C and in Python. */
 #ifndef ISOC_EMIT_LINK_H
 #define ISOC_EMIT_LINK_H
 

@@ -70,7 +70,7 @@ static void add_progress(memory_layout *list)
     }
 }
 
-/* What steps are watched by for singular positions: iso_watch_pivots. */
+/* The pivots by which steps are watched for singular positions: iso_watch_pivots. */
 static void add_pivots(memory_layout *list)
 {
     const int pivots = list->e->p->after.pivot_count;
@@ -81,7 +81,7 @@ static void add_pivots(memory_layout *list)
     }
 }
 
-/* What a restart is found by. */
+/* The values by which a restart is found. */
 static void add_last(memory_layout *list)
 {
     const plant *p = list->e->p;

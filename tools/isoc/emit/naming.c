@@ -43,7 +43,7 @@ static const leaf_name *states_of(const naming *n, arena *memory, int count)
     return result;
 }
 
-/* What is constant within a step: inputs, then memories. */
+/* Quantities that are constant within a step: inputs, then memories. */
 static const leaf_name *held_of(const naming *n, arena *memory, const mechanism *m)
 {
     variable *all = arena_take(memory, (size_t)held_count(m) + 1, sizeof *all);

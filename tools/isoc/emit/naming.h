@@ -1,4 +1,4 @@
-/* What the generated files call things: with a prefix, so that several plants can stand in one program. */
+/* The names in generated files: with a prefix, so that several plants can stand in one program. */
 #ifndef ISOC_EMIT_NAMING_H
 #define ISOC_EMIT_NAMING_H
 

@@ -20,7 +20,7 @@ static void emit_outputs_of(emission *e, const char *head, const char *function,
     text_add(e->out, "}\n\n");
 }
 
-/* What is not due stays as it is. The branch follows from the number of the tick alone. */
+/* An output that is not due stays as it is. The branch follows from the number of the tick alone. */
 static void emit_due(emission *e, const output_rates *rates)
 {
     text_add(e->out, "/* Those of the end of a tick. */\nstatic void output_due%s(void *const instance)\n{\n",

@@ -13,7 +13,7 @@ static void emit_table_of_rungs(emission *e, const char *type, const char *funct
     text_add(e->out, "};\n\n");
 }
 
-/* What of a tick depends on the rung: the step; and where effects are dropped, what follows it. The rung changes only behind
+/* The parts of a tick that depend on the rung: the step; and where effects are dropped, what follows it. The rung changes only behind
  * all that. */
 static void emit_rungs(emission *e, const char *counts)
 {

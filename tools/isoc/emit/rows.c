@@ -1,4 +1,4 @@
-/* What a row sets, in the order of tools/isoc/plant/rows.h. */
+/* The assignments of a row, in the order of tools/isoc/plant/rows.h. */
 
 #include "tools/isoc/emit/parts.h"
 
@@ -80,7 +80,7 @@ static assignments functions_of_time(const emission *e, bool is_row)
     return result;
 }
 
-/* What of the inputs jumps by itself, at any tick. */
+/* Inputs that jump by themselves, at any tick. */
 static void emit_edges(emission *e)
 {
     const mechanism *m = e->p->m;

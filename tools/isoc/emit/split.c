@@ -67,7 +67,7 @@ static void declare(splitter *s, size_t begin, size_t end, code_part *part, text
     arena_return(s->memory, is_loaded, p->count, sizeof *is_loaded);
 }
 
-/* What later parts read of this one. */
+/* The values of this part that later ones read. */
 static void carry(splitter *s, size_t begin, size_t end, code_part *part, text *out)
 {
     for (size_t i = begin; i < end; i++) {

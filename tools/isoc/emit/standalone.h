@@ -1,4 +1,4 @@
-/* What a plant needs of core, so that its folder compiles alone. */
+/* The files of core that a plant needs, so that its folder compiles alone. */
 #ifndef ISOC_EMIT_STANDALONE_H
 #define ISOC_EMIT_STANDALONE_H
 

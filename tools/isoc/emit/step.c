@@ -9,7 +9,7 @@ static void begin_function(emission *e, const char *head)
     text_add(e->out, "%s(void *const instance)\n{\n    %s_memory *const memory = instance;\n", head, e->names->prefix);
 }
 
-/* What a method that varies its step may do in a tick. */
+/* The limits of a method that varies its step. */
 static void emit_adams(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -101,7 +101,7 @@ static void emit_remember(emission *e)
     text_add(e->out, "%s}\n\n", watches_parameters(e->p) ? "    memory->changed = 0;\n" : "");
 }
 
-/* What restarts the method: an input that changed by more than its jump in a tick, or that has an edge there, or a parameter
+/* Causes of a restart of the method: an input that changed by more than its jump in a tick, or that has an edge there, or a parameter
  * that changed. */
 static void emit_discontinuity(emission *e)
 {

@@ -30,7 +30,7 @@ void values_start(values *v, source *s, graph *g, const scene *written, size_t m
     }
 }
 
-/* What --set gives a parameter: one of the same unit and as many components as the value in the scene. */
+/* A value of --set for a parameter: one of the same unit and as many components as the value in the scene. */
 static value check_set(values *v, const quantity *q, value set)
 {
     const value stated = value_any(v, q->stated);
@@ -106,7 +106,7 @@ static void wait_for_names(values *v, queue *q, const formula *f)
     }
 }
 
-/* What a parameter depends on comes first, by a queue and not by recursion: a chain of them may be long. */
+/* The parameters that a parameter depends on come first, by a queue and not by recursion: a chain of them may be long. */
 static void resolve(values *v, size_t wanted)
 {
     queue q = {0};
@@ -352,7 +352,7 @@ static value evaluate_power(values *v, const formula *f)
     return r;
 }
 
-/* What is kept of a formula, which is not evaluated yet. */
+/* The past of a formula, which is not evaluated yet. */
 static value evaluate_past(values *v, const formula *f)
 {
     if (v->around == NULL) {

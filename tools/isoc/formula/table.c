@@ -29,7 +29,7 @@ static value value_at_point(values *v, const formula *f, const value *all)
     return here;
 }
 
-/* What the table is of: a number. */
+/* The argument of a table: a number. */
 static value argument_of_table(values *v, const formula *f)
 {
     const value x = value_any(v, f);

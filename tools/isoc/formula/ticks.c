@@ -80,7 +80,7 @@ bool depends_on_time(values *v, node n)
     return found;
 }
 
-/* What has a corner is no function of time in a motion. */
+/* A function with a corner is no function of time in a motion. */
 bool refuses_corner(values *v, const formula *f, const value *arguments, size_t count)
 {
     for (size_t i = 0; i < count; i++) {

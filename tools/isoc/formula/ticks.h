@@ -1,4 +1,4 @@
-/* What functions of time in formulas share: where they may stand, ticks, and the tables that they read. */
+/* Shared by functions of time in formulas: where they may stand, ticks, and the tables that they read. */
 #ifndef ISOC_FORMULA_TICKS_H
 #define ISOC_FORMULA_TICKS_H
 
@@ -18,7 +18,7 @@ bool is_in_input(values *v, const formula *f);
 bool depends_on_time(values *v, node n);
 bool refuses_corner(values *v, const formula *f, const value *arguments, size_t count);
 
-/* What messages call a function. */
+/* The name of a function in messages. */
 const char *name_of(const formula *f);
 
 /* The first tick that is not before a time; a time that is a whole number of ticks but for the rounding of its unit counts

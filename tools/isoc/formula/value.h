@@ -21,7 +21,7 @@ static const value nothing = {0};
 /* How far the value of a parameter is. */
 typedef enum progress { NOT_YET, STARTED, DONE } progress;
 
-/* What effects and signals can name besides parameters. There numbers change with the states, and a radian is the number
+/* The names that effects and signals have besides parameters. There numbers change with the states, and a radian is the number
  * one. */
 typedef struct surroundings {
     void *of;
@@ -31,7 +31,7 @@ typedef struct surroundings {
     value (*time_input)(void *of, const formula *f);        /* a function of time: noise(SEED), step(0.5 s), time */
 } surroundings;
 
-/* What a function of the tick reads: the bits of a sequence, the coefficients of a sweep, or straight lines. */
+/* The table of a function of the tick: the bits of a sequence, the coefficients of a sweep, or straight lines. */
 typedef struct tick_table {
     operation op; /* OP_PRBS, OP_CHIRP or OP_LINES */
     const formula *of;
@@ -43,7 +43,7 @@ typedef struct tick_table {
     double curve, ticks;
 } tick_table;
 
-/* What must hold of tunables: least <= most, or with is_strict least < most. */
+/* A condition on tunables: least <= most, or with is_strict least < most. */
 typedef struct condition {
     node least, most;
     bool is_strict;
@@ -91,7 +91,7 @@ bool multiply(values *v, const formula *f, dimension *a, dimension b, int n);
 /* Notes a number that the plant's type cannot hold. */
 bool check_range(const values *v, const formula *f, const char *what, double number);
 
-/* What value_of and value_constant give for a value of f. */
+/* The results of value_of and value_constant for a value of f. */
 value value_fitting(values *v, const formula *f, value r, dimension expected, int parts, const char *what);
 double constant_fitting(values *v, const formula *f, const value *found, dimension expected, const char *what,
                         double fallback);

@@ -69,7 +69,7 @@ static int in_order(const void *a, const void *b)
     return (first > second) - (first < second);
 }
 
-/* What the root is made of, down to stops and leaves, each after what it is made of itself. */
+/* The nodes below the root, down to stops and leaves, each after what it is made of itself. */
 static size_t list_parts(partials *p, node root)
 {
     size_t count = 0;

@@ -1,4 +1,4 @@
-/* What only the whole of a function tells: which simplifications pay depends on who else uses a node. */
+/* Simplifications of a whole function: which simplifications pay depends on who else uses a node. */
 #ifndef ISOC_GRAPH_ECONOMY_H
 #define ISOC_GRAPH_ECONOMY_H
 

@@ -1,10 +1,10 @@
-/* What a set of nodes takes to compute: operations, and the cycles that they mean. */
+/* The operations of a set of nodes, and their cycles. */
 #ifndef ISOC_GRAPH_OPERATIONS_H
 #define ISOC_GRAPH_OPERATIONS_H
 
 #include "tools/isoc/graph/graph.h"
 
-/* What the code of these roots computes. */
+/* The operations of the code of these roots. */
 operations count_operations(const graph *g, const node *roots, size_t count);
 
 /* a + times * b */

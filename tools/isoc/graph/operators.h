@@ -23,7 +23,7 @@ typedef enum binding { BINDS_SUM, BINDS_PRODUCT, BINDS_WHOLE } binding;
 /* Whether the code declares a variable for what has a name or several uses, or always writes the text itself. */
 typedef enum place_in_code { DECLARED, IN_PLACE } place_in_code;
 
-/* What it takes to compute; comparisons and signs count as additions. */
+/* Its operations; comparisons and signs count as additions. */
 typedef struct operations {
     int add, mul, div, sincos; /* sine and cosine of one angle count once */
 } operations;

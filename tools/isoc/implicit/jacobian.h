@@ -1,4 +1,4 @@
-/* What an implicit method solves with: 1 - hb J for the Jacobian J of x' = f(x), by symbolic differentiation, factored
+/* The matrix of an implicit method: 1 - hb J for the Jacobian J of x' = f(x), by symbolic differentiation, factored
  * without a pivot search. The matrix is J itself, which is full for a chain, unrolled for its zeros; or for long trees a
  * sparse one with more unknowns (tools/isoc/implicit/extended.h), unrolled as well, or eliminated by loops over constant
  * tables (core/methods/sparse.h) where the code would be too large.

@@ -1,4 +1,4 @@
-/* What bodies weigh: a mass with its centre and inertia, or solids. */
+/* The masses of bodies: a mass with its centre and inertia, or solids. */
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/mechanism/inertia.h"
 

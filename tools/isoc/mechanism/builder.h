@@ -1,4 +1,4 @@
-/* What the files that build a mechanism share: the scene as written, its values, and the mechanism so far. */
+/* Shared by the files that build a mechanism: the scene as written, its values, and the mechanism so far. */
 #ifndef ISOC_MECHANISM_BUILDER_H
 #define ISOC_MECHANISM_BUILDER_H
 
@@ -18,14 +18,14 @@ typedef struct lump {
     tensor inertia; /* about the centre of mass, in the body's axes */
 } lump;
 
-/* What a body adds to its segment. */
+/* The contribution of a body to its segment. */
 typedef struct weight {
     lump *lumps;
     size_t lump_count;
     int joint; /* whose child it is, or -1 */
 } weight;
 
-/* What is kept of a formula: the call, in which effect, and the memory that keeps it. */
+/* The past of a formula: the call, in which effect, and the memory that keeps it. */
 typedef struct history_memory {
     const formula *of;
     const void *within;

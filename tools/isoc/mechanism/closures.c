@@ -113,7 +113,7 @@ static double option(builder *b, const formula *f, dimension expected, const cha
     return number;
 }
 
-/* What is done about a tick near a singular position. The energy can be held where closures do no work, and where the step is
+/* The policy on a tick near a singular position. The energy can be held where closures do no work, and where the step is
  * made from its start alone: what a history keeps of a step near there would act later. */
 static void build_near(builder *b, const name *near)
 {

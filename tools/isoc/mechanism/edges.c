@@ -1,4 +1,4 @@
-/* What jumps by itself at ticks that are known, in a function of time. */
+/* Jumps of a function of time at ticks that are known. */
 #include "tools/isoc/mechanism/builder.h"
 
 /* Steps, squares and sequences. Each counts once. */

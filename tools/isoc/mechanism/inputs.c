@@ -23,7 +23,7 @@ static void build_smooth(builder *b)
     m->method.recipe = any && ISO_DEGREE(smooth) > 0 ? smooth : m->method.recipe;
 }
 
-/* What joints and forces say of an input: whether it is a torque, or a force. */
+/* The uses of an input by joints and forces: whether it is a torque, or a force. */
 static void find_uses(const builder *b, name input, bool *force, bool *torque)
 {
     *force = *torque = false;
@@ -261,7 +261,7 @@ static void check_defaults(builder *b)
     }
 }
 
-/* What the scene sets at a tick keeps the conditions, with all that it has set until then. */
+/* A change at a tick keeps the conditions, together with all changes until then. */
 static void check_changes(builder *b, const formula *const *to)
 {
     const mechanism *m = &b->mechanism;

@@ -91,7 +91,7 @@ static bool is_dropped(const policies *how, int effect)
     return is;
 }
 
-/* What another effect computes from must be there: a machine that runs on zeros is another machine, not a coarser one. */
+/* An effect that another reads must be there: a machine that runs on zeros is another machine, not a coarser one. */
 static bool refuse_readers(builder *b, name rung, int effect)
 {
     const size_t before = b->s->problem_count;

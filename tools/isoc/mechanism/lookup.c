@@ -1,4 +1,4 @@
-/* What is found by its name in a mechanism, and the values of formulas. These call none of the files that build it. */
+/* Search by name in a mechanism, and the values of formulas. These call none of the files that build it. */
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"

@@ -134,7 +134,7 @@ static void build_tree(builder *b)
             }
         }
     }
-    /* What is left is part of a loop, or its parent is unknown. */
+    /* The rest is part of a loop, or its parent is unknown. */
     for (size_t i = 0; i < joints; i++) {
         int above = (int)i;
         size_t steps = 0;
@@ -167,7 +167,7 @@ static void connect_joints(builder *b)
     }
 }
 
-/* What a scene must have. */
+/* Statements that a scene must have. */
 static void check_whole(source *s, const scene *written)
 {
     bool moves = false;

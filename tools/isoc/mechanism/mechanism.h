@@ -164,7 +164,7 @@ typedef struct body_frame {
     bool placed;
 } body_frame;
 
-/* What an output shows: a quantity, or where its kind is QUANTITY_ROWS a formula. */
+/* The content of an output: a quantity, or where its kind is QUANTITY_ROWS a formula. */
 typedef struct shown {
     name name;
     query of;
@@ -185,7 +185,7 @@ static inline const char *formula_components(const value *v)
     return v->count == 3 ? "xyz" : v->count == 4 ? "wxyz" : "";
 }
 
-/* What the header says of a quantity of the plant. */
+/* A quantity of the plant as the header has it. */
 typedef struct variable {
     const char *name;         /* in the header in capitals */
     const char *unit;         /* SI */
@@ -213,13 +213,13 @@ static inline bool is_late(const effect_quantity *e)
     return e->kept >= KEPT_PREVIOUS;
 }
 
-/* What an effect adds to the effort of a degree of freedom. */
+/* The effort of an effect on a degree of freedom. */
 typedef struct effect_effort {
     int effect, dof;
     node effort;
 } effect_effort;
 
-/* What an effect has to do with energy; zeros of one that is left out. */
+/* The energies of an effect; zeros of one that is left out. */
 typedef struct effect_account {
     node power;      /* that it gives to the mechanism */
     node stored;     /* energy */
@@ -227,7 +227,7 @@ typedef struct effect_account {
     bool is_told;
 } effect_account;
 
-/* What a parameter is from a tick on. */
+/* The value of a parameter from a tick on. */
 typedef struct switching {
     double tick;
     int parameter;
@@ -260,7 +260,7 @@ typedef struct policies {
     bool delayed, histogram;
 } policies;
 
-/* What bodies and frames of the scene become. */
+/* Bodies and frames of the scene. */
 typedef struct body_set {
     body_frame *frames; /* of the scene's bodies, then of its frames */
     member *members;    /* of the bodies */
@@ -269,7 +269,7 @@ typedef struct body_set {
     vector ground_moment;
 } body_set;
 
-/* What acts on bodies besides joints, closures and effects on joints. */
+/* Forces on bodies besides those of joints, closures and effects on joints. */
 typedef struct force_set {
     vector gravity;
     point_spring *springs;
@@ -278,7 +278,7 @@ typedef struct force_set {
     int applied_count;
 } force_set;
 
-/* What is done against constraint drift. */
+/* The stabilisation of closures. */
 typedef struct drift_control {
     double alpha, beta; /* 1/s, of Baumgarte */
     bool is_redundant;  /* the Schur complement may be singular: augmented Lagrangian */
@@ -309,7 +309,7 @@ typedef struct effect_set {
     size_t derived_room;
 } effect_set;
 
-/* What formulas ask for. */
+/* The queries of formulas. */
 typedef struct query_set {
     query *all;
     int count;
@@ -413,7 +413,7 @@ static inline bool is_fast_state(const mechanism *m, int state)
            m->effects.is_fast[m->effects.states[i].effect];
 }
 
-/* What is constant within a step: inputs and memories. */
+/* Quantities that are constant within a step: inputs and memories. */
 static inline int held_count(const mechanism *m)
 {
     return m->inputs.count + m->effects.memory_count;

@@ -64,7 +64,7 @@ static void build_parts(builder *b, unsigned recipe)
     b->mechanism.method.parts = (int)parts;
 }
 
-/* What adams may do in a tick: a tolerance, and a budget of sub-steps. */
+/* The limits of adams in a tick: a tolerance, and a budget of sub-steps. */
 static void build_adams(builder *b)
 {
     const scene *written = b->written;

@@ -1,4 +1,4 @@
-/* What a step of a method does to x' = J x: a matrix, since every kernel is linear there. It is that of the kernel itself, which
+/* The map of a step of a method on x' = J x: a matrix, since every kernel is linear there. It is that of the kernel itself, which
  * tools have in double: a step from each unit vector. */
 #ifndef ISOC_METHOD_STEP_MAP_H
 #define ISOC_METHOD_STEP_MAP_H

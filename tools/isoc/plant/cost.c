@@ -1,6 +1,6 @@
 #include "tools/isoc/plant/cost.h"
 
-/* What smooth inputs add: their differences in a tick, and polynomials in Horner's form at the places where the method
+/* The cost of smooth inputs: their differences in a tick, and polynomials in Horner's form at the places where the method
  * evaluates; at the end of a step all weights are one. */
 static operations smooth_operations(const mechanism *m)
 {
@@ -74,7 +74,7 @@ implicit_cost cost_of_solving(const plant *p, const graph *g)
     return cost;
 }
 
-/* What the states with sub-steps of their own add: these, a half more where two stages are in the middle of a step; in each
+/* The cost of states with sub-steps of their own: these, a half more where two stages are in the middle of a step; in each
  * the derivatives, the sums of the method and of the mean, and the way of the states that they read. */
 static operations fast_operations(const plant *p, const graph *g)
 {

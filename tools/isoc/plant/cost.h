@@ -1,4 +1,4 @@
-/* What a step costs, counted: operations of the equations, of the method, and of what follows it. */
+/* The cost of a step: operations of the equations, of the method, and of what follows it. */
 #ifndef ISOC_PLANT_COST_H
 #define ISOC_PLANT_COST_H
 

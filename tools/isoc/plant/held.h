@@ -1,4 +1,4 @@
-/* What does not change within a step stands in an array h for all evaluations of the derivative. What follows from tunables
+/* Values that do not change within a step stand in an array h for all evaluations of the derivative. What follows from tunables
  * alone is computed when one changes; behind it is what a step computes once, from that, held inputs and memories. */
 #ifndef ISOC_PLANT_HELD_H
 #define ISOC_PLANT_HELD_H

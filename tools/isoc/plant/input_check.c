@@ -29,7 +29,7 @@ static void check_inputs(const source *s, const scene *written, unsigned recipe)
     }
 }
 
-/* What jumps starts a new history; all else changes at every tick. */
+/* A function that jumps starts a new history at each jump; all others change at every tick. */
 static bool is_restarting(const char *word)
 {
     const function_row *row = function_called(word);

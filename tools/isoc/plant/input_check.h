@@ -1,4 +1,4 @@
-/* What the reading of the inputs and the method make of each other: a method with a history takes what it is given for
+/* Warns where held inputs lower the order of a method: a method with a history takes what it is given for
  * samples of a smooth curve. */
 #ifndef ISOC_PLANT_INPUT_CHECK_H
 #define ISOC_PLANT_INPUT_CHECK_H

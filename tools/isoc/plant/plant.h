@@ -26,7 +26,7 @@ typedef struct row_order {
     int count, levels;
 } row_order;
 
-/* What a row sets besides the memories of effects (tools/isoc/plant/rows.h). */
+/* The assignments of a row besides the memories of effects (tools/isoc/plant/rows.h). */
 typedef struct row_plan {
     node *sees; /* [inputs] what an input that is a function of time is in the row, within its limits, where a memory or
                          an output reads it; else -1 */
@@ -79,7 +79,7 @@ typedef struct plant {
     int reduced_plant_count;
 } plant;
 
-/* What is wanted in the place of what isoc finds best. */
+/* Choices of the command line that replace those of isoc. */
 typedef struct build_options {
     formulation formulation; /* FORMULATIONS: the cheapest */
     factoring factors;       /* FACTORINGS: that which suits the size */

@@ -117,7 +117,7 @@ static void find_violation(plant *p, graph *g, const query *q, node *parts)
     parts[0] = largest_violation(&p->d->k, &p->d->loops.held, q->kind == QUANTITY_VIOLATION_RATE);
 }
 
-/* What the multipliers leave of the closures' equations for the accelerations: rounding, but where an augmented Lagrangian
+/* The residual of the closures' equations for the accelerations: rounding, but where an augmented Lagrangian
  * does not reach. */
 static void find_violation_acceleration(plant *p, graph *g, const query *q, node *parts)
 {

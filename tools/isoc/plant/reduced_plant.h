@@ -1,4 +1,4 @@
-/* What is left of a plant on the rungs of a ladder that drop effects. */
+/* The plant on the rungs of a ladder that drop effects. */
 #ifndef ISOC_PLANT_REDUCED_PLANT_H
 #define ISOC_PLANT_REDUCED_PLANT_H
 
@@ -9,7 +9,7 @@
  * they were left out, but with their states, inputs, memories and tunables in their places. */
 void reduced_plants_build(source *s, const scene *written, plant *p, build_options wanted);
 
-/* What is left on a rung, counted from 0; NULL where nothing is dropped. The recipe of its step, and what
+/* The plant on a rung, counted from 0; NULL where nothing is dropped. The recipe of its step, and what
  * that is called behind `step`: _heun_without_rub. */
 const reduced_plant *reduced_plant_on_rung(const plant *p, int rung);
 unsigned rung_recipe(const plant *p, int rung);

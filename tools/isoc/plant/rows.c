@@ -7,7 +7,7 @@
 #include "tools/isoc/graph/operations.h"
 #include "tools/isoc/mechanism/states.h"
 
-/* What a formula reads: states, inputs and memories. */
+/* The states, inputs and memories that a formula reads. */
 typedef struct readings {
     bool *states, *held;
 } readings;

@@ -1,4 +1,4 @@
-/* What a row sets, and in which order: the functions of time, then the memories, then the outputs. Row k is the time k h.
+/* The assignments of a row in their order: the functions of time, then the memories, then the outputs. Row k is the time k h.
  *
  *     functions of time that a memory or an output reads, at the row
  *     what previous and delay show: what was kept in an earlier row

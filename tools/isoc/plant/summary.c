@@ -44,7 +44,7 @@ static void assembled_lines(const mechanism *m, text *out)
     text_add(out, meeting[0] == '\0' ? "%s" : "dead_position%s\n", meeting);
 }
 
-/* What effects have by the step, the method and the inertia at the start. */
+/* Values of effects that follow from the step, the method and the inertia at the start. */
 static void derived_lines(const mechanism *m, const graph *g, text *out)
 {
     if (m->effects.derived_count == 0) {

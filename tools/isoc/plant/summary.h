@@ -1,4 +1,4 @@
-/* What isoc prints of a plant and of the methods. */
+/* The summaries of a plant and of the methods that isoc prints. */
 #ifndef ISOC_PLANT_SUMMARY_H
 #define ISOC_PLANT_SUMMARY_H
 

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* What a property of a closure asks of its kind. */
+/* The kinds of closures that have a property. */
 enum {
     ANY_CLOSURE = 1,
     BETWEEN_BODIES = 2,
@@ -18,7 +18,7 @@ enum {
     WITH_MOTION = 128,
 };
 
-/* What a closure between bodies constrains: the child's frame relative to the parent's, where `axis` is an axis of
+/* The constraints of a closure between bodies: on the child's frame relative to the parent's, where `axis` is an axis of
  * both. The constraints are made in this order. */
 enum {
     HOLDS_ORIGIN = 1,   /* at the parent's */

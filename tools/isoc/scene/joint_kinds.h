@@ -18,7 +18,7 @@ typedef enum joint_kind {
     JOINT_KINDS
 } joint_kind;
 
-/* What a part slides along or turns about. */
+/* The axis that a part slides along or turns about. */
 typedef enum part_axis {
     NO_AXIS,
     ALONG_AXIS, /* the joint's `axis` */

@@ -136,7 +136,7 @@ const effect_kind *find_effect_kind(const scene *written, name n)
 
 const char *const effect_endings[] = {"_x", "_y", "_z", ""};
 
-/* What an effect has stands in plant.h as EFFECT_NAME. */
+/* The names of an effect stand in plant.h as EFFECT_NAME. */
 static void list_effect(source *s, const scene *written, const effect_use *use, listing *held, listing *parameters)
 {
     const effect_kind *kind = find_effect_kind(written, use->kind);

@@ -40,7 +40,7 @@ static void parse_optional_value(parser *p, effect_line *line)
     }
 }
 
-/* What a line has besides its name. */
+/* The parts of a line besides its name. */
 static void parse_rest(parser *p, effect_line *line)
 {
     switch (line->kind) {

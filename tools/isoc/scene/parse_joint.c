@@ -6,7 +6,7 @@
 #include "tools/isoc/scene/pose.h"
 #include "tools/isoc/scene/statements.h"
 
-/* What the start of a kind is made of. */
+/* The parts of the start of a kind. */
 typedef struct start_form {
     bool coordinate, position, quaternion;
     bool own_axes; /* each turn names its axis; otherwise the joint has it */
@@ -134,7 +134,7 @@ void read_joint_statement(parser *p, const token *word, void *slot)
     j.broken = !known;
     j.broken |= p->failed || !parse_block(p, &joint_block, kind, j.name, &j);
     if (!known) {
-        /* What is unknown counts as a joint that moves. */
+        /* An unknown kind counts as a joint that moves. */
         written->broken = true;
         j = (joint){.name = j.name, .kind = j.kind, .parent = j.parent, .child = j.child, .broken = true};
     }

@@ -37,7 +37,7 @@
 #include "tools/isoc/scene/lexer.h"
 #include "tools/isoc/scene/scene.h"
 
-/* What the source says, as far as it can be understood; the rest is noted as problems. */
+/* The statements of the source, as far as it can be understood; the rest is noted as problems. */
 scene parse_scene(source *s);
 
 /* NAME = VALUE; ...: values that take the place of those of the constants and tunables that have these names, and starts of the

@@ -166,7 +166,7 @@ typedef struct quantity {
     bool left_out;  /* a signal that nothing reads once effects are left out */
 } quantity;
 
-/* What a line of an effect says. The operands come first. */
+/* The kinds of lines of an effect. The operands come first. */
 typedef enum effect_line_kind {
     EFFECT_JOINT,
     EFFECT_BODY,   /* a point of it */
@@ -236,7 +236,7 @@ typedef struct output {
     formula *every;   /* ticks; NULL: each */
 } output;
 
-/* What the loop does about ticks that do not keep their time, and what it counts of them. */
+/* The policies of the loop on ticks that do not keep their time. */
 typedef enum overrun_kind { OVERRUN_COUNT, OVERRUN_CATCH_UP, OVERRUN_STOP, OVERRUN_DEGRADE } overrun_kind;
 
 typedef enum rung_kind { RUNG_METHOD, RUNG_DROP, RUNG_HOLD } rung_kind;

@@ -66,7 +66,7 @@ place source_passage(source *s, const script *of, size_t offset, size_t length, 
 /* The reading that a place belongs to. */
 const passage *source_find(const source *s, place at);
 
-/* What the scene is called: its file's name without folder and ending, as an identifier. */
+/* The name of the scene: its file's name without folder and ending, as an identifier. */
 const char *source_name(const source *s);
 
 /* "line 3", "line 3 of legs.scene", "line 3 (i = 2)". */

@@ -1,4 +1,4 @@
-/* What all parts of the parser share: its position, and how it reads tokens. */
+/* Shared by all parts of the parser: its position, and how it reads tokens. */
 #ifndef ISOC_SCENE_TAKE_H
 #define ISOC_SCENE_TAKE_H
 

@@ -1,4 +1,4 @@
-/* What makes a mechanism stiff: its effects, the damping and the springs of its joints, springs between points, and the
+/* Causes of stiffness: the effects, the damping and the springs of its joints, springs between points, and the
  * stabilisation of its closures; and the mechanism without one of them. */
 #ifndef ISOC_STABILITY_CAUSES_H
 #define ISOC_STABILITY_CAUSES_H

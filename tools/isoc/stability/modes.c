@@ -52,7 +52,7 @@ static double own_growth_of(const modes *m, double step)
     return exponential(step * rate);
 }
 
-/* What a method is held against: growth per step of what grows by itself, and whether undamped oscillations all grow. */
+/* The standard for a method: growth per step of what grows by itself, and whether undamped oscillations all grow. */
 typedef struct scale {
     unsigned recipe;
     double own;

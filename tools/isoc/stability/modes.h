@@ -18,7 +18,7 @@ int count_growing(const modes *m, unsigned recipe, double step, int *fastest);
 /* The largest step up to which none does; infinite where there is no such limit. */
 double largest_step(const modes *m, unsigned recipe);
 
-/* What grows fastest by the method alone, however slowly. */
+/* The fastest growth by the method alone, however slow. */
 typedef struct drift {
     double rate;      /* 1/s: by e in 1 / rate; 0 where nothing does */
     double frequency; /* rad/s */

@@ -12,7 +12,7 @@ typedef struct formulas {
     double *x;               /* where they are evaluated */
 } formulas;
 
-/* What an effect adds: its efforts, forces, moments, and the rates of its states. */
+/* The contributions of an effect: its efforts, forces, moments, and the rates of its states. */
 static int list_formulas(const mechanism *m, int effect, node *roots)
 {
     int count = 0;
@@ -41,7 +41,7 @@ static void evaluate_formulas(formulas *f)
     graph_evaluate(&f->l.g, 0, &(evaluation){.x = f->x, .u = f->given, .p = f->m->parameters.defaults}, f->numbers);
 }
 
-/* What is zero where a node has its kink; NAN of a node that has none. */
+/* A number that is zero where a node has its kink; NAN of a node that has none. */
 static double distance_from_kink(const formulas *f, size_t i)
 {
     const graph_node *n = &f->l.g.nodes[i];

@@ -27,7 +27,7 @@ typedef struct functions {
     double *now, *before, *moved; /* [nodes] */
 } functions;
 
-/* What an effect gives as one quantity: an effort, a force, a moment, or the rate of a state. */
+/* A contribution of an effect: an effort, a force, a moment, or the rate of a state. */
 typedef struct gift {
     int effect, first, count; /* of the roots */
     bool is_rate;
@@ -142,7 +142,7 @@ static void begin_tick(look *l, uint64_t tick)
     }
 }
 
-/* What the roots jump by: the plant here as it is switched on the other side, jumped[roots]. `sign` is 1 where the other side
+/* The jumps of the roots: the plant here as it is switched on the other side, jumped[roots]. `sign` is 1 where the other side
  * is the step before. */
 static void jump_at(look *l, const double *x, const double *u, uint64_t tick, double sign, double *jumped)
 {

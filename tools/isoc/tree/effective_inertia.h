@@ -9,7 +9,7 @@
 /* Whether any formula asks for one. */
 bool asks_for_inertia(const graph *g);
 
-/* What stands in the place of the leaves OP_INERTIA, as constants: of each degree of freedom, then three of each point that
+/* The values of the leaves OP_INERTIA, as constants: of each degree of freedom, then three of each point that
  * is asked for (mechanism.h), infinite along an axis along which it cannot move. Closures would make them larger. */
 const node *effective_inertias(graph *g, const mechanism *m);
 

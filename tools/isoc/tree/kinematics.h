@@ -4,7 +4,7 @@
 
 #include "tools/isoc/mechanism/mechanism.h"
 
-/* What each segment's joint does, and what the segment does by it and those before it. */
+/* The motion of each segment's joint, and of the segment by it and those before it. */
 typedef struct motion {
     node q[4], qd[3]; /* positions and speeds: states */
     node s, c;        /* sine and cosine of the turn about the segment's axis; 0 and 1 where it slides */

@@ -33,7 +33,7 @@ typedef struct outboard {
     vector swung;
 } outboard;
 
-/* What a composite body, in unturned axes, adds to its parent. */
+/* The contribution of a composite body, in unturned axes, to its parent. */
 static void join_composite(const kinematics *k, int i, composite unturned, composite *parent)
 {
     graph *g = k->g;

@@ -43,7 +43,7 @@ void point_query_nodes(const kinematics *k, const query *q, node parts[QUERY_PAR
     memcpy(parts, found.at, sizeof found.at);
 }
 
-/* What stands in the place of the leaves. */
+/* The nodes in the place of the leaves. */
 typedef struct answers {
     const node *points;   /* QUERY_PARTS of each question */
     const node *inertias; /* NULL where none is asked for */
