@@ -10,7 +10,7 @@
 
 static const char version[] = "isoc 0.1\n";
 
-/* What can be given; the scene is what stands without an option. */
+/* The options; the argument without an option is the scene. */
 typedef enum option {
     OPTION_SCENE,
     OPTION_DIRECTORY,
@@ -95,7 +95,7 @@ static option option_called(const char *word)
     return found;
 }
 
-/* What is given for each option: its value, or itself where none follows. */
+/* The text of each option: its value, or itself where none follows. */
 static bool read_options(char **arguments, const char **given)
 {
     for (char **a = arguments; *a != NULL; a++) {
@@ -145,7 +145,7 @@ static bool check_together(arena *memory, const char *const *given)
     return true;
 }
 
-/* What can be their values. */
+/* Their possible values. */
 static bool check_options(arena *memory, const char *const *given)
 {
     if (!check_together(memory, given)) {

@@ -34,7 +34,7 @@ bool turns_in_tick(values *v, const formula *f, value frequency, double *turns)
 }
 
 /* A phase that grows with the ticks. */
-value wave_of_formula(values *v, const formula *f, const value *given, node (*turn)(graph *g, node angle))
+value wave_of_formula(values *v, const formula *f, const value *given, node (*of_angle)(graph *g, node angle))
 {
     if (refuses_time(v, f)) {
         return nothing;
@@ -45,7 +45,7 @@ value wave_of_formula(values *v, const formula *f, const value *given, node (*tu
     }
     const double phase = f->count == 2 ? constant_fitting(v, f->parts[1], &given[1], radian, "the phase", 0.0) : 0.0;
     const node angle = timed(v->g, OP_PHASE, turns, phase / (2 * pi));
-    return scalar(turn(v->g, angle), plain);
+    return scalar(of_angle(v->g, angle), plain);
 }
 
 bool noise_seed(values *v, const formula *f, const value *given, uint32_t *seed)

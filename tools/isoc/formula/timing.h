@@ -6,7 +6,7 @@
 
 /* `time`; and of evaluated arguments sin(3 Hz), cos(3 Hz, 90 deg), sin(2 rad/s), noise(7). Count 0 after noting a problem. */
 value time_of_formula(values *v, const formula *f);
-value wave_of_formula(values *v, const formula *f, const value *given, node (*turn)(graph *g, node angle));
+value wave_of_formula(values *v, const formula *f, const value *given, node (*of_angle)(graph *g, node angle));
 value noise_of_formula(values *v, const formula *f, const value *given);
 
 /* The seed of a call of noise; false after noting a problem. And the noise that it gives. */
