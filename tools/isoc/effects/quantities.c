@@ -91,31 +91,25 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
     return found;
 }
 
-/* power, energy, loss and work of EFFECT, in the scene alone: there all that it does is known. */
-static value account_value(effect_scope *w, const formula *f, quantity_kind kind)
-{
-    const char *called = f->parts[0]->name;
-    if (!w->is_done) {
-        source_problem(w->b->s, f->at, "the %s of '%s' is for outputs only", f->name, called);
-        return nothing;
-    }
-    for (size_t i = 0; i < w->b->written->effects.count; i++) {
-        const instance *in = &w->all[i];
-        if (in->use->name.text != NULL && strcmp(in->use->name.text, called) == 0) {
-            const node part = kind == QUANTITY_POWER_OF_EFFECT    ? in->account->power
-                              : kind == QUANTITY_ENERGY_OF_EFFECT ? in->account->stored
-                              : kind == QUANTITY_LOSS             ? in->account->loss
-                                                                  : in->account->work;
-            return (value){
-                .count = in->kind != NULL, .parts = {part}, .of = dimension_of_unit(quantity_rows[kind].unit)};
-        }
-    }
-    source_problem(w->b->s, f->at, "no effect is called '%s'%s", called,
-                   suggest_effect(w->b->s, w->b->written, called));
-    return nothing;
-}
-
 /* --- what a quantity is of: false after noting a problem --- */
+
+/* `at`, `in` and `along`, where it has a point, axes or components. */
+static bool check_parts(effect_scope *w, const formula *f, const quantity_row *row)
+{
+    source *s = w->b->s;
+    const size_t before = s->problem_count;
+    if (f->count > 1 && !quantity_has_point(row)) {
+        source_problem(s, f->parts[1]->at, "'at' is only for the %s", quantity_list(s->memory, quantity_has_point));
+    }
+    if (f->axes.text != NULL && (row->asks & IN_AXES) == 0) {
+        source_problem(s, f->axes.at, "only a velocity, a spin, a specific force and an inertia have axes to choose");
+    }
+    if (f->along.text != NULL && !quantity_is_vector(row)) {
+        source_problem(s, f->along.at, "'along' is only for vectors: the %s",
+                       quantity_list(s->memory, quantity_is_vector));
+    }
+    return s->problem_count == before;
+}
 
 /* position of BODY, and the like */
 static bool find_of_point(effect_scope *w, const formula *f, query *q)
@@ -132,9 +126,6 @@ static bool find_of_point(effect_scope *w, const formula *f, query *q)
     const asking asks = quantity_rows[q->kind].asks;
     vector beside = vector_zero(w->b->g);
     q->in_body = in_body_axes(w, f, (asks & OF_BODY_AXES) != 0);
-    if (f->axes.text != NULL && (asks & IN_AXES) == 0) {
-        source_problem(w->b->s, f->axes.at, "only a velocity, a spin and a specific force have axes to choose");
-    }
     if (q->body < 0 || !w->b->mechanism.bodies.frames[q->body].placed ||
         (f->count > 1 && !find_beside(w, f->parts[1], false, &beside))) {
         return false;
@@ -169,9 +160,6 @@ static bool find_reaction(effect_scope *w, const formula *f, query *q)
         const int l = segment_of(w, called);
         q->body = l < 0 ? -1 : child_of(&b->mechanism, l);
     }
-    if (f->axes.text != NULL) {
-        source_problem(b->s, f->axes.at, "a %s of a joint is in the axes of the ground", f->name);
-    }
     return q->closure >= 0 || (q->body >= 0 && b->mechanism.bodies.frames[q->body].placed);
 }
 
@@ -197,11 +185,6 @@ static bool find_of_coordinate(effect_scope *w, const formula *f, query *q)
         find_joint_or_body(w->b->s, w->b->written, of, &is_joint) < 0) {
         return false;
     }
-    if (f->count > 1) {
-        source_problem(w->b->s, f->parts[1]->at, "'%s' is no body: only what is of a body is at a point",
-                       f->parts[0]->name);
-        return false;
-    }
     q->segment = segment_of(w, of);
     if (q->segment >= 0 && q->kind == QUANTITY_ROWS) {
         source_problem(w->b->s, f->at, "a joint has no %s: its %s", f->name,
@@ -214,24 +197,14 @@ static bool find_query(effect_scope *w, const formula *f, query *q)
 {
     const quantity_kind of_connection = quantity_called(f->name, OF_CONNECTION);
     const quantity_kind of_transmission = quantity_called(f->name, OF_TRANSMISSION);
-    const quantity_kind of_body = quantity_called(f->name, OF_BODY);
     *q = no_query;
     q->point = vector_zero(w->b->g);
     q->kind = of_connection < QUANTITY_ROWS ? of_connection : of_transmission;
-    if (f->count > 1 && (of_body == QUANTITY_ROWS || !quantity_has_point(&quantity_rows[of_body]))) {
-        source_problem(w->b->s, f->parts[1]->at, "'at' is only for the %s",
-                       quantity_list(w->b->s->memory, quantity_has_point));
-        return false;
-    }
     const bool is = q->kind == of_connection && q->kind < QUANTITY_ROWS     ? find_reaction(w, f, q)
                     : q->kind < QUANTITY_ROWS                               ? find_effort(w, f, q)
                     : find_point(w, f->parts[0]->name, &q->body, &q->point) ? find_of_point(w, f, q)
                                                                             : find_of_coordinate(w, f, q);
-    if (is && f->along.text != NULL && !quantity_is_vector(&quantity_rows[q->kind])) {
-        source_problem(w->b->s, f->along.at, "'along' is only for vectors: the %s",
-                       quantity_list(w->b->s->memory, quantity_is_vector));
-    }
-    return is;
+    return is && check_parts(w, f, &quantity_rows[q->kind]);
 }
 
 /* --- and its value --- */
@@ -260,6 +233,33 @@ static value value_of_query(effect_scope *w, const formula *f, const query *q)
     default:
         return leaves_of(w, *q);
     }
+}
+
+/* power, energy, loss and work of EFFECT, in the scene alone: there all that it does is known. */
+static value account_value(effect_scope *w, const formula *f, quantity_kind kind)
+{
+    const char *called = f->parts[0]->name;
+    if (!w->is_done) {
+        source_problem(w->b->s, f->at, "the %s of '%s' is for outputs only", f->name, called);
+        return nothing;
+    }
+    if (!check_parts(w, f, &quantity_rows[kind])) {
+        return nothing;
+    }
+    for (size_t i = 0; i < w->b->written->effects.count; i++) {
+        const instance *in = &w->all[i];
+        if (in->use->name.text != NULL && strcmp(in->use->name.text, called) == 0) {
+            const node part = kind == QUANTITY_POWER_OF_EFFECT    ? in->account->power
+                              : kind == QUANTITY_ENERGY_OF_EFFECT ? in->account->stored
+                              : kind == QUANTITY_LOSS             ? in->account->loss
+                                                                  : in->account->work;
+            return (value){
+                .count = in->kind != NULL, .parts = {part}, .of = dimension_of_unit(quantity_rows[kind].unit)};
+        }
+    }
+    source_problem(w->b->s, f->at, "no effect is called '%s'%s", called,
+                   suggest_effect(w->b->s, w->b->written, called));
+    return nothing;
 }
 
 value quantity_value(void *context, const formula *f)

@@ -4,7 +4,7 @@
 #include "tools/isoc/scene/parse_formula.h"
 #include "tools/isoc/scene/statements.h"
 
-/* Of what no quantity is called: place of hinge. */
+/* Of what no quantity is called: place of hinge; or of nothing. */
 static void refuse_quantity(parser *p)
 {
     const char *words[QUANTITY_ROWS];
@@ -15,7 +15,12 @@ static void refuse_quantity(parser *p)
             words[count++] = row->word;
         }
     }
-    (void)take_one_of(p, words, count);
+    const size_t found = take_one_of(p, words, count);
+    if (found < count) {
+        p->next++;
+        (void)take_name(
+            p, arena_format(p->s->memory, "expected the name of %s", quantity_owners(p->s->memory, words[found])));
+    }
 }
 
 /* Behind `every`: 4 ticks. */
