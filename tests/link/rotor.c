@@ -76,7 +76,11 @@ int main(void)
     plant.u[ROTOR_U_TORQUE] = (rotor_real)NAN;
     report_ok(rotor_run(&plant, 0) && rotor_exchange(&plant) && plant.client.tick > 800, "an input that is no number");
     plant.u[ROTOR_U_TORQUE] = (rotor_real)INFINITY;
-    report_ok(rotor_exchange(&plant) && isfinite(plant.y[ROTOR_Y_SPEED]), "and one that is infinite");
+    bool good = true;
+    for (int i = 0; i < 4; i++) { /* in a free run the ticks of the first outputs may be older than the inputs */
+        good = good && rotor_exchange(&plant) && isfinite(plant.y[ROTOR_Y_SPEED]);
+    }
+    report_ok(good, "and one that is infinite");
     report_ok(rotor_stop(&plant) && plant.client.end.inputs_held >= 2 && plant.client.end.guard >= 2,
               "are held and counted");
     rotor_close(&plant);
