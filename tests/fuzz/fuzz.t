@@ -67,7 +67,7 @@ fuzzed scene tests/fuzz/scene -dict="$out/words" -max_len=4096
 # list of words has room for one.
 mkdir -p "$out/others" && cp "$out"/scene_objects/*.o "$out/others" && rm "$out"/others/*lexer.c.o "$out"/others/*parse_output.c.o &&
     sed 's/ && is_letter(look(&l, 1)))) {$/)) {/' tools/isoc/scene/lexer.c >"$out/lexer.c" &&
-    sed 's/words\[OUTPUT_ROWS\]/words[1]/' tools/isoc/scene/parse_output.c >"$out/parse_output.c" &&
+    sed 's/words\[QUANTITY_ROWS\]/words[1]/' tools/isoc/scene/parse_output.c >"$out/parse_output.c" &&
     objects planted "$out/lexer.c" "$out/parse_output.c"
 result $? "two planted defects"
 
