@@ -429,10 +429,10 @@ static const function_row functions[] = {
 };
 enum { FUNCTIONS = sizeof functions / sizeof functions[0] };
 
-const function_row *function_called(const char *name)
+const function_row *function_called(const char *word)
 {
     for (size_t i = 0; i < FUNCTIONS; i++) {
-        if (strcmp(name, functions[i].name) == 0) {
+        if (strcmp(word, functions[i].name) == 0) {
             return &functions[i];
         }
     }

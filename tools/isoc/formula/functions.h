@@ -32,8 +32,8 @@ typedef struct function_row {
 /* That of a call; NULL after noting a problem. */
 const function_row *find_function(values *v, const formula *f);
 
-/* The one with this name; NULL where there is none. */
-const function_row *function_called(const char *name);
+/* The one with this word; NULL where there is none. */
+const function_row *function_called(const char *word);
 
 /* Of a comparison of two values: 1 or 0. */
 value order_of(values *v, const formula *f, const value *given);
