@@ -304,4 +304,19 @@ END
 spinning '(1, 2, 3) rad/s in ground' | plant new
 spinning '(-1, 3, 2) rad/s' | plant old
 same "a spin in the ground's axes is that in the child's"
+
+# The point of a quantity is a product, in outputs and within formulas; a sum stands in parentheses.
+pointed()
+{
+    cat <<END
+step 1 ms
+body bob { mass 1 kg; com (0, -1, 0) m }
+joint pivot revolute { parent ground; child bob; axis z; start 1 rad }
+output tip = position of bob at $1
+output shift = position of bob at $1 - (1, 0, 0) m
+END
+}
+pointed '2 * (0, -1, 0) m' | plant new
+pointed '((0, -1, 0) m + (0, -1, 0) m)' | plant old
+same "a product and a sum in parentheses are the same point"
 finish

@@ -290,9 +290,9 @@ static formula *parse_parenthesis(parser *p)
     return f;
 }
 
-static formula *parse_primary(parser *p);
+static formula *parse_product(parser *p);
 
-/* speed of JOINT, force of CLOSURE, velocity of BODY [at VECTOR] [in body | in ground] [along AXIS] */
+/* speed of JOINT, force of CLOSURE, velocity of BODY [at PRODUCT] [in body | in ground] [along AXIS] */
 static formula *parse_quantity(parser *p)
 {
     static const char *const axes[] = {"x", "y", "z"};
@@ -305,7 +305,7 @@ static formula *parse_quantity(parser *p)
     of->name = take_indices(p, of->name);
     add_part(p, f, of);
     if (take_option(p, "at")) {
-        formula *beside = parse_primary(p);
+        formula *beside = parse_product(p);
         if (beside == NULL) {
             return NULL;
         }
