@@ -2,6 +2,7 @@
 # Files of isoc call one another in one direction: what a reader follows from a file downward does not lead back to it. Only
 # two languages call themselves, statements and formulas as they are read, and formulas as they are evaluated.
 . tests/host/test.sh
+. tests/host/plain.sh
 begin check/circles
 
 MOST_CIRCLES=2 MOST_FILES=4
@@ -10,18 +11,7 @@ MOST_CIRCLES=2 MOST_FILES=4
 # at its top.
 calls()
 {
-    (cd "$1" && find tools/isoc -name '*.c' | sort | xargs awk '
-        # A line without strings, and without what of it is a comment.
-        function plain(line, text, at) {
-            gsub(/"([^"\\]|\\.)*"|\x27([^\x27\\]|\\.)*\x27/, "0", line)
-            for (text = ""; line != "";) {
-                at = index(line, inside ? "*/" : "/*")
-                if (!inside) text = text (at ? substr(line, 1, at - 1) : line)
-                line = at ? substr(line, at + 2) : ""
-                if (at) inside = !inside
-            }
-            return text
-        }
+    (cd "$1" && find tools/isoc -name '*.c' | sort | xargs awk "$PLAIN"'
         # What is read and not called is data, or a function of two words that stands in a table.
         function edge(pair, is_read, part) {
             split(pair, part, SUBSEP)

@@ -1,6 +1,7 @@
 #!/bin/sh
 # What a reader holds in mind at once: in core and the tools a function fits a screen, and a struct has few members.
 . tests/host/test.sh
+. tests/host/plain.sh
 begin check/sizes
 
 MOST_LINES=60 MOST_MEMBERS=25
@@ -9,18 +10,7 @@ MOST_LINES=60 MOST_MEMBERS=25
 # clang-format writes them.
 sizes()
 {
-    (cd "$1" && find core tools -name '*.[ch]' | sort | xargs awk '
-        # A line without strings, and without what of it is a comment.
-        function plain(line, text, at) {
-            gsub(/"([^"\\]|\\.)*"|\x27([^\x27\\]|\\.)*\x27/, "0", line)
-            for (text = ""; line != "";) {
-                at = index(line, inside ? "*/" : "/*")
-                if (!inside) text = text (at ? substr(line, 1, at - 1) : line)
-                line = at ? substr(line, at + 2) : ""
-                if (at) inside = !inside
-            }
-            return text
-        }
+    (cd "$1" && find core tools -name '*.[ch]' | sort | xargs awk "$PLAIN"'
         FNR == 1 { inside = begins = depth = 0 }
         {
             line = plain($0)
