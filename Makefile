@@ -331,7 +331,7 @@ TOOL_COMPILE := $(CC) $(WARNINGS) -O1 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DIS
 # them. A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
 ISOC_FOLDERS := $(sort $(patsubst tools/isoc/%/,%,$(dir $(wildcard tools/isoc/*/*.c))))
 ISOC_OBJECTS := $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o) $(patsubst %.c,build/obj/%.o,$(wildcard tools/isoc/*.c))
-TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)
+TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/measure/*/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)
 
 build/obj/tools/flags: always
 	$(call folders,$(patsubst %/,%,$(dir $(TOOL_OBJECTS))))
@@ -383,9 +383,9 @@ build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
-build/accuracy: $(filter build/obj/tools/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
+build/accuracy: $(filter build/obj/tools/measure/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 COST_TOOLS := $(addprefix build/,cycles effect forced price size stack)
-$(COST_TOOLS): build/%: build/obj/tools/cost/%.o build/obj/tools/table/table.o build/obj/tools/flags
+$(COST_TOOLS): build/%: build/obj/tools/measure/%.o build/obj/tools/table/table.o build/obj/tools/flags
 build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
     build/obj/tools/core/link/frame.o build/obj/tools/flags
 build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
@@ -497,7 +497,7 @@ digits: build/isoc ## print a table of errors against reference solutions
 
 functions: ## print a table of the functions of core: domain, error, instructions; on the Cortex-M4F in float
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	@COMPILE=$(call quote,$(COMPILE)) OBJDUMP=$(PORT_SIZE:size=objdump) sh tools/cost/functions.sh
+	@COMPILE=$(call quote,$(COMPILE)) OBJDUMP=$(PORT_SIZE:size=objdump) sh tools/measure/functions.sh
 
 # What they call makes the tools first, so that a table has no line of the compiler.
 tables: $(TOOLS) ## write the generated tables again, in the Markdown files TABLES

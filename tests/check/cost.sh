@@ -72,7 +72,7 @@ finds 'no function' 'no step at all' 'int leap(int n); int leap(int n) { return 
 # tables COMMAND...: in the copy, with the functions of the tables of costs; what they say is in $out/errors.
 tables()
 {
-    (cd "$out/project" && . tools/cost/measure.sh && "$@") 2>"$out/errors"
+    (cd "$out/project" && . tools/measure/board.sh && "$@") 2>"$out/errors"
 }
 
 # A restart has one number of instructions for every motion: from the horizontal, and from 10 deg with a push.

@@ -1,10 +1,10 @@
 #!/bin/sh
 # Only what the scene calls for: an effect that it does not name leaves no instruction, no byte and no symbol in the
-# plant's object for the Cortex-M4F; one that it names is there. The effects are those of tools/cost/effects.txt.
+# plant's object for the Cortex-M4F; one that it names is there. The effects are those of tools/measure/effects.txt.
 . tests/host/test.sh
 begin check/effects
 
-list=tools/cost/effects.txt
+list=tools/measure/effects.txt
 base=models/pendulum.scene
 m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
 
@@ -128,7 +128,7 @@ lists()
     ln -sfn "$PWD/models" "$out/list/models"
     printf '#!/bin/sh\nprintf "%%s\\n" "%s"\n' "$1" >"$out/list/make"
     chmod +x "$out/list/make"
-    (cd "$out/list" && MAKE=./make PARTS=models METHODS="euler rk4" sh tools/cost/cost.sh >output 2>errors)
+    (cd "$out/list" && MAKE=./make PARTS=models METHODS="euler rk4" sh tools/measure/cost.sh >output 2>errors)
 }
 
 ! lists 'instructions_per_step 65 66' && grep -q 'not one instructions_per_step' "$out/list/errors"

@@ -77,7 +77,7 @@ expect $? "it shows its progress"
 # A warning of many kinds and methods is told once, with the place in the scene.
 printf 'DIR/%s/a.scene:3:1: warning: %s\n    text\n    ^\n' one first one second >"$out/warned"
 (
-    SCENE=models/a.scene dir=$out/told && mkdir -p "$dir/told" && . tools/report/common.sh
+    SCENE=models/a.scene dir=$out/told && mkdir -p "$dir/told" && . tools/measure/methods.sh
     for kind in one two; do
         sed "s|DIR/one|$dir/$kind|" "$out/warned" >"$out/warned.$kind"
         tell "$out/warned.$kind" "$dir/$kind/a.scene"

@@ -1,12 +1,12 @@
 #!/bin/sh
 # Closed loops over 600,000 steps in float: with every stabilisation the violation stays within the bound that
-# tools/drift/drift.c derives from what rounding may do in a step; without any it drifts. A stabilisation that is too weak
+# tools/measure/drift.c derives from what rounding may do in a step; without any it drifts. A stabilisation that is too weak
 # is seen.
 . tests/host/test.sh
 begin drift/drift
 COMPILE="$CC $FLAGS -D_POSIX_C_SOURCE=200809L"
 STEP=
-. tools/drift/common.sh
+. tools/measure/stabilised.sh
 
 # get NAME KEY
 get()

@@ -6,7 +6,7 @@
 . tests/host/project.sh
 begin drift/singular
 project
-. tools/drift/common.sh
+. tools/measure/stabilised.sh
 
 # swing MODEL STABILISATION: runs the model so; $csv is then the table.
 swing()

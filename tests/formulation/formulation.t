@@ -32,7 +32,7 @@ both()
 
 for kind in planar spatial; do
     for n in 3 8 16; do
-        sh tools/cost/chain.sh $n $kind >"$out/${kind}_$n.scene"
+        sh tools/measure/chain.sh $n $kind >"$out/${kind}_$n.scene"
     done
 done
 # held SCENE FORMULATION: it says the same as composite bodies do.

@@ -6,8 +6,8 @@
 begin growth
 
 for n in 8 25 32 50 64 200; do
-    sh tools/cost/chain.sh $n spatial >"$out/spatial_$n.scene"
-    sh tools/cost/chain.sh $n planar >"$out/planar_$n.scene"
+    sh tools/measure/chain.sh $n spatial >"$out/spatial_$n.scene"
+    sh tools/measure/chain.sh $n planar >"$out/planar_$n.scene"
 done
 
 # within KILOBYTES NAME METHOD: isoc makes the plant with so much memory.

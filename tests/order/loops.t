@@ -34,7 +34,7 @@ order()
     for part in coarse:1ms middle:500us fine:250us; do
         build/isoc "$out/held.scene" -o "$out/order" --real double --name "${part%:*}" --step "${part#*:}" >"$out/summary" || return 1
     done
-    EXTRA="-O0 -I$out/order" program order.run tools/drift/order.c "$out/order/coarse.c" "$out/order/middle.c" \
+    EXTRA="-O0 -I$out/order" program order.run tools/measure/order.c "$out/order/coarse.c" "$out/order/middle.c" \
         "$out/order/fine.c" && "$out/order.run" 0.25 | sed -n 's/^order //p'
 }
 

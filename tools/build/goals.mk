@@ -193,7 +193,7 @@ LIMITS := $(if $(findstring $(LIMITED),$(TARGET) $(REAL) $(SCENE)),$(if $(filter
 # Ten periods: the period with a zero behind it.
 ticks: NANOSECONDS = $(shell sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\10/p' $(OUT)/plant.c)
 ticks: $(PROGRAM) build/cycles
-	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) sh tools/cost/ticks.sh
+	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) sh tools/measure/ticks.sh
 
 # GCC writes the call graph with the frame of every function into plant.ci.
 stack: $(OUT)/plant.o build/stack
@@ -208,21 +208,21 @@ cost: build/isoc build/trace build/price build/plot
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(if $(filter host,$(TARGET)),$(call require,valgrind,apt-get install valgrind))
 	@MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=build/cost/$(FOLDER) TARGET=$(TARGET) \
-	    REAL=$(REAL) sh tools/cost/price.sh
+	    REAL=$(REAL) sh tools/measure/price.sh
 else
 cost: build/isoc build/trace build/forced build/effect
-	@MAKE=$(call quote,$(MAKE)) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/cost/cost.sh
+	@MAKE=$(call quote,$(MAKE)) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/measure/cost.sh
 endif
 
 chains: build/isoc build/trace
-	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/cost/chains.sh
+	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/measure/chains.sh
 
 flags: PROGRAM := build/flags/program
 flags: NANOSECONDS := 1
 flags: build/isoc build/cycles
 	$(call require,valgrind,apt-get install valgrind)
 	@TARGET=$(TARGET) REAL=$(REAL) COMPILE=$(call quote,$(COMPILE)) LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK)) \
-	    EXEC=$(call quote,$(PORT_EXEC)) MODELS=$(call quote,$(MODELS)) sh tools/cost/flags.sh
+	    EXEC=$(call quote,$(PORT_EXEC)) MODELS=$(call quote,$(MODELS)) sh tools/measure/flags.sh
 
 # Both measure the methods of METHODS; default: all.
 REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) NANOSECONDS=$(NANOSECONDS) \
@@ -234,13 +234,13 @@ REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu
 report: build/isoc build/trace build/plot build/accuracy
 	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
-	@$(REPORT) sh tools/report/report.sh
+	@$(REPORT) sh tools/measure/report.sh
 
 bench: build/isoc build/trace build/accuracy
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
-	@$(REPORT) sh tools/report/bench.sh
+	@$(REPORT) sh tools/measure/bench.sh
 
 drift: build/isoc build/trace build/plot
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
-	@$(REPORT) sh tools/drift/drift.sh
+	@$(REPORT) sh tools/measure/drift.sh

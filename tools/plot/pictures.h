@@ -17,14 +17,14 @@ void picture_path(const char *directory);
  * histogram. */
 void picture_histogram(const char *directory);
 
-/* Error over cost and over the step for every method, from a report's table, tab-separated (tools/report). */
+/* Error over cost and over the step for every method, from a report's table, tab-separated (tools/measure). */
 void picture_work_precision(const char *scene, const char *time, const char *path);
 
-/* The largest violation over time for every stabilisation: the lines of tools/drift/drift.c, each after the name of the
+/* The largest violation over time for every stabilisation: the lines of tools/measure/drift.c, each after the name of the
  * stabilisation; thin, what the violation may be. */
 void picture_violation(const char *scene, const char *path);
 
-/* The cost and the influence of each effect of a scene, and the scene without any, as bars: the table of tools/cost/price.c. */
+/* The cost and the influence of each effect of a scene, and the scene without any, as bars: the table of tools/measure/price.c. */
 void picture_effects(const char *scene, const char *target, const char *path);
 
 /* The outputs that the runs in two folders have in common, a panel for each, one run over the other. Exits if there are none,

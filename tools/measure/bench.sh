@@ -1,0 +1,35 @@
+#!/bin/sh
+# The methods at equal step and at equal error, as a Markdown table, and what it answers; with inputs that keep their values,
+# and of a scene with inputs in a loop, where they change at every tick. Called by `make bench`; what is made stands in
+# build/bench/NAME/.
+WHAT="make bench"
+dir=build/bench/$FOLDER
+. tools/measure/methods.sh
+error=1e-6
+export error
+
+start
+reference "$time"
+first_m4f
+for method in $METHODS; do
+    echo double "$method"
+done | each tools/measure/search.sh
+for method in $METHODS; do
+    echo float "$method"
+done | each tools/measure/instructions.sh
+
+build/isoc --methods >"$dir/methods.md"
+for method in $METHODS; do
+    echo "$method $(cat "$dir/double-$method/bench" "$dir/float-$method/instructions" | tr '\n' ' ')"
+done | build/accuracy bench "$dir/methods.md" - "$time" "$step" "$error"
+
+[ "$inputs" -gt 0 ] || exit 0
+fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
+loop_references
+for method in $fixed; do
+    echo double "$method"
+done | each tools/measure/loop.sh
+echo
+for method in $fixed; do
+    echo "$method $(cat "$dir/double-$method/loop" "$dir/float-$method/instructions" "$dir/smooth_float-$method/instructions" | tr '\n' ' ')"
+done | build/accuracy loop - "$time" "$step" "$error"

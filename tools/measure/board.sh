@@ -1,0 +1,78 @@
+# shellcheck shell=sh
+# Measuring firmware on the Cortex-M4F in float; read by the tables of costs, with the make to call in $MAKE.
+
+fail()
+{
+    echo "$1" >&2
+    exit 1
+}
+
+# measure DIR SCENE METHOD [GOAL...]: builds the firmware in build/cost/DIR and runs it for $seconds, in steps of $step where
+# that is not empty; the lines of make run, and of the further goals, stand in build/cost/DIR/measured.
+step=
+seconds=0.05
+measure()
+{
+    dir=build/cost/$1
+    scene=$2
+    method=$3
+    shift 3
+    mkdir -p "$dir"
+    "${MAKE:-make}" --no-print-directory run "$@" TARGET=cortex-m4f REAL=float OUT="$dir" SCENE="$scene" \
+        METHOD="$method" STEP="$step" SECONDS="$seconds" >"$dir/measured" 2>"$dir/said" </dev/null ||
+        fail "$scene with $method cannot be measured; see $dir/measured and $dir/said"
+}
+
+# get KEY: the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
+get()
+{
+    awk -v key="$1" '$1 == key && (NF == 2 || $3 == "of") { value = $2; n++ } END { if (n != 1) exit 1; print value }' "$dir/measured" ||
+        fail "$dir/measured has not one $1"
+}
+
+# tick: the most instructions from the time that a tick is due until its outputs are published: 25 in a microsecond, less
+# what was left.
+tick()
+{
+    awk '$1 == "step" { step = $2 } $1 == "margin" { margin = $2; n++ }
+        END { if (n != 1) exit 1; printf "%.0f\n", step * 25e6 - margin }' "$dir/measured" ||
+        fail "$dir/measured has not one margin"
+}
+
+# operations: of a derivative, as cells: add, mul, div, sincos.
+operations()
+{
+    awk '$1 == "derivative" { printf "%s | %s | %s | %s", $3, $5, $7, $9; n++ } END { exit n != 1 }' \
+        "$dir/plant.txt" || fail "$dir/plant.txt has not one line of operations"
+}
+
+# longest_step DIR SCENE METHOD announced|detected [STATEMENT...]: the instructions of the longest step of a run in which
+# every second tick has a discontinuity; the scene with these statements, and what causes it, is in build/cost/DIR. The run of
+# adams has a tolerance that cannot be met as well: it restarts, then tries all of its sub-steps and rejects none. A rejected
+# sub-step has no correction, which is the longest part of one; the restart within the tick, or the half step, that it has
+# instead is shorter. How often order and step change depends on the motion: that adds less than a sub-step
+# (tests/check/cost.sh).
+longest_step()
+{
+    folder=build/cost/$1
+    mkdir -p "$folder"
+    sh tools/measure/elsewhere.sh "$2" | sed '/^method /d' >"$folder/forced.scene"
+    method=$3
+    discontinuity=$4
+    firmware=$1/firmware
+    shift 4
+    case $method-$discontinuity-$* in
+    adams-*-tolerance*) ;;
+    adams-*) set -- 'tolerance 1e-30' "$@" ;;
+    *-detected-*) set -- 'checked yes' "$@" ;;
+    esac
+    printf '%s\n' "method $method" 'tunable forced = 1' "$@" >>"$folder/forced.scene"
+    { build/isoc "$folder/forced.scene" -o "$folder" >"$folder/plant.txt" &&
+        build/forced "$discontinuity" <"$folder/plant.c" >"$folder/forced.c"; } ||
+        fail "no plant of $folder/forced.scene"
+    seconds=2
+    measure "$firmware" "$folder/forced.c" ''
+    seconds=0.05
+    awk '$1 == "execution" { most = $4 } $1 == "restart_execution" { n++; most = $2 > most ? $2 : most }
+        END { if (n != 1) exit 1; print most }' "$dir/measured" || fail "$dir/measured has not one restart_execution"
+}

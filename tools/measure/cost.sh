@@ -1,0 +1,180 @@
+#!/bin/sh
+# Tables of costs on the Cortex-M4F in float, as Markdown; the parts of $PARTS, with an empty line between them:
+#
+#     models    states, operations, instructions and bytes of each model
+#     methods   instructions of a step with each method
+#     restarts  instructions of the longest step, which is one with a restart
+#     effects   what each effect of tools/measure/effects.txt adds to the pendulum
+#     library   what each effect of models/effects adds, in a scene of tools/measure/library.txt
+#
+# Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 3, only every fourth
+# row of a table is measured, from that row on (tests/check/tables.sh).
+set -u
+
+. tools/measure/board.sh
+
+# due: whether the next row of the table is measured.
+due()
+{
+    row=$((row + 1))
+    [ -z "${TURN-}" ] || [ $((row % 4)) -eq "$TURN" ]
+}
+
+# cost: of the program measured last: instructions of a step and of a tick, bytes of the firmware's text and of the
+# plant's memory.
+cost()
+{
+    instructions=$(get instructions_per_step) && all=$(tick) && text=$(get text) && memory=$(get plant_memory) || exit 1
+    echo "$instructions $all $text $memory"
+}
+
+# model MODEL: a row. The squeezer's step is longer than its tick of 10 us, so it runs with a longer tick, and only for some of
+# them: its motion is then far from the true one, and would soon be out of range. No count depends on it.
+model()
+{
+    [ "$1" != squeezer ] || { step=500us && seconds=0.01; }
+    measure "$1-euler" "models/$1.scene" euler
+    once=$(get instructions_per_step) || exit 1
+    measure "$1-rk4" "models/$1.scene" rk4 size stack
+    states=$(awk '$1 == "states" { print $2 }' "$dir/plant.txt")
+    instructions=$(get instructions_per_step) && operations=$(operations) && text=$(get step_text) &&
+        memory=$(get plant_memory) && stack=$(get stack_of_step) || exit 1
+    step='' seconds=0.05
+    echo "| $1 | $states | $operations | $once | $instructions | $text | $memory | $stack |"
+}
+
+models()
+{
+    echo '| model | states | add | mul | div | sincos | euler | rk4 | text | memory | stack |'
+    echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
+    for name in $models four_bar squeezer $machines; do
+        ! due || model "$name"
+    done
+}
+
+methods()
+{
+    echo "| instructions of a step |$(for method in $METHODS; do printf ' %s |' "$method"; done)"
+    echo "|---|$(for method in $METHODS; do printf -- '--:|'; done)"
+    for name in $models; do
+        due || continue
+        line="| $name"
+        for method in $METHODS; do
+            measure "$name-$method" "models/$name.scene" "$method"
+            instructions=$(get instructions_per_step) || exit 1
+            line="$line | $instructions"
+        done
+        echo "$line |"
+    done
+}
+
+restarts()
+{
+    echo '| instructions of the longest step | ab4 | abm4 | abm4_pec | abm4_pecece | bdf4 | adams |'
+    echo '|---|--:|--:|--:|--:|--:|--:|'
+    for name in $models; do
+        for discontinuity in announced detected; do
+            due || continue
+            line="| $name, $discontinuity"
+            for method in ab4 abm4 abm4_pec abm4_pecece bdf4 adams; do
+                instructions=-
+                [ $method-$discontinuity = adams-detected ] ||
+                    instructions=$(longest_step "$name-$method-$discontinuity" "models/$name.scene" $method $discontinuity) || exit 1
+                line="$line | $instructions"
+            done
+            echo "$line |"
+        done
+    done
+}
+
+# effect NAME: a row.
+effect()
+{
+    folder=build/cost/effects/$(echo "$1" | tr -cs 'a-z\n' -)
+    mkdir -p "$folder"
+    build/effect "$1" tools/measure/effects.txt models/pendulum.scene \
+        >"$folder/pendulum.scene" || fail "no scene for '$1'"
+    measure "${folder#build/cost/}" "$folder/pendulum.scene" rk4 size
+    with=$(cost) || exit 1
+    echo "$without $with" | awk -v name="$1" '
+        { printf "| %s | %+d | %+d | %+d | %+d |\n", name, $5 - $1, $6 - $2, $7 - $3, $8 - $4 }'
+}
+
+effects()
+{
+    echo '| effect on the pendulum | instructions of a step | of a tick | bytes of text | of memory |'
+    echo '|---|--:|--:|--:|--:|'
+    measure pendulum-rk4 models/pendulum.scene rk4 size
+    without=$(cost) || exit 1
+    sed -n 's/^\([^#|][^|]*[^ |]\) *|.*/\1/p' tools/measure/effects.txt | while IFS= read -r name; do
+        ! due || effect "$name" || exit 1
+    done
+}
+
+# library_scene BASE SIGNAL [STATEMENTS]: the pendulum with these statements and those of the base; measured in build/cost/$folder.
+library_scene()
+{
+    mkdir -p "build/cost/$folder"
+    {
+        cat models/pendulum.scene
+        awk -F ' *[|] *' -v name="$1" -v signal="$2" '
+            $1 == "base" && $2 == name { gsub(/SIGNAL/, signal == "" ? $3 : signal, $4); print $4 }' tools/measure/library.txt
+        echo "${3-}"
+    } >"build/cost/$folder/pendulum.scene"
+    measure "$folder" "build/cost/$folder/pendulum.scene" rk4
+    instructions=$(get instructions_per_step) && all=$(tick) || exit 1
+    echo "$instructions $((all - instructions))"
+}
+
+# told KIND: what its file says of it, as cells: the first sentence of its comment, and its operands; in brackets those that
+# have a default.
+told()
+{
+    awk '
+        /^#/ && !told { text = text substr($0, 2); if (match(text, /[.:]( |$)/)) { text = substr(text, 2, RSTART - 2); told = 1 } }
+        /^ / {
+            sub(/#.*/, "")
+            parts = split($0, part, ";")
+            for (i = 1; i <= parts; i++) {
+                words = split(part[i], word, " ")
+                if (words < 2 || word[1] !~ /^(joint|body|signal|value|fault)$/) continue
+                name = word[1] == "fault" ? "fault `" word[2] "`" : "`" word[2] "`"
+                list = list (list == "" ? "" : ", ") (part[i] ~ /=/ ? "[" name "]" : name)
+            }
+        }
+        END { print text " | " list }' "models/effects/$1.scene"
+}
+
+library()
+{
+    rm -rf build/cost/library
+    echo '| effect | what it is | operands | step | rest of the tick |'
+    echo '|---|---|---|--:|--:|'
+    grep -v '^#\|^base ' tools/measure/library.txt | while IFS='|' read -r kind base signal statements; do
+        due || continue
+        kind=${kind% }
+        base=$(echo "$base" | tr -d ' ')
+        folder=library/$base
+        [ -s "build/cost/$folder/without" ] || library_scene "$base" '' >"build/cost/without" || exit 1
+        [ -s "build/cost/$folder/without" ] || mv build/cost/without "build/cost/$folder/without"
+        folder=library/of-$kind
+        signal=${signal# }
+        with=$(library_scene "$base" "${signal% }" "$statements") || exit 1
+        echo "$(cat "build/cost/library/$base/without") $with" | awk -v kind="$kind" -v told="$(told "$kind")" '
+            { printf "| `%s` | %s | %+d | %+d |\n", kind, told, $3 - $1, $4 - $2 }'
+    done
+}
+
+models="pendulum double_pendulum cart_pole arm6 tree"
+machines="dc_motor_bench cart_pole_drive arm_drive quarter_car crane balancer hopper quadrotor_sih"
+first=yes
+for part in $PARTS; do
+    case $part in
+    models | methods | restarts | effects | library) ;;
+    *) fail "PARTS=$part is unknown; it can be: models methods restarts effects library" ;;
+    esac
+    [ $first = yes ] || echo
+    first=no
+    row=-1
+    $part || exit 1
+done

@@ -1,0 +1,63 @@
+#!/bin/sh
+# How far the closed loops of a scene come apart with every stabilisation, each as it is by itself, in float. Called by
+# `make drift`, with what tools/measure/methods.sh lists in the environment; everything stands in build/drift/NAME/:
+# violation.svg and .png, the picture; STABILISATION.scene, and what was measured beside it.
+. tools/measure/stabilised.sh
+dir=build/drift/$FOLDER
+mkdir -p "$dir" || exit 1
+seconds=$(awk -v ns="$NANOSECONDS" 'BEGIN { printf "%.9g", ns / 1e9 }')
+parts=200 # of the time: points of a line in the picture
+
+# cost STABILISATION: instructions of a step on the Cortex-M4F.
+cost()
+{
+    "${MAKE:-make}" --no-print-directory run TARGET=cortex-m4f REAL=float OUT="$dir/$1-m4f" SCENE="$dir/$1.scene" METHOD= \
+        STEP="$STEP" SECONDS=0.05 >"$dir/$1.run" </dev/null || fail "$1 does not run on the Cortex-M4F; see $dir/$1.run"
+    awk '$1 == "instructions_per_step" { print $2; n++ } END { exit n != 1 }' "$dir/$1.run" ||
+        fail "$dir/$1.run has not one count"
+}
+
+# order STABILISATION: of the scene's method in the first second, with its step, a half and a quarter of it; - where these are
+# too short.
+order()
+{
+    awk '$1 == "step" && NF == 3 { ns = $2 * 1e9; for (part = 1; part <= 4; part *= 2) printf "%.0fns\n", ns / part
+            exit !(int(ns / 4 + 0.5) * 4 == int(ns + 0.5) && ns >= 4000) }' "$dir/$1.said" >"$dir/steps" ||
+        { echo - && return 0; }
+    for plant in coarse middle fine; do
+        read -r step
+        build/isoc "$dir/$1.scene" -o "$dir/order" --real double --name $plant --step "$step" >/dev/null ||
+            fail "$1 cannot be compiled with $step"
+    done <"$dir/steps"
+    # shellcheck disable=SC2086
+    $COMPILE -DISO_REAL_DOUBLE -I"$dir/order" tools/measure/order.c "$dir/order/coarse.c" "$dir/order/middle.c" \
+        "$dir/order/fine.c" -o "$dir/order/order" -lm || fail "$dir/order/order cannot be built"
+    "$dir/order/order" 1 | awk '$1 == "order" { print $2 }'
+}
+
+echo "| stabilisation | order | largest violation | bound | change of energy | instructions of a step |"
+echo "|---|--:|--:|--:|--:|--:|"
+for stabilisation in $STABILISATIONS; do
+    if measure "$stabilisation" "$seconds" $parts; then
+        instructions=$(cost "$stabilisation") && order=$(order "$stabilisation") || exit 1
+        awk -v name="$stabilisation" -v order="$order" -v seconds="$seconds" -v instructions="$instructions" '
+            { value[$1] = $2 }
+            END {
+                torn = value["end"] < seconds
+                print "| " name " | " order " | " (torn ? "torn after " value["end"] " s" : value["violation"]) \
+                    " | " (torn || value["bound"] == "inf" ? "-" : value["bound"]) \
+                    " | " (torn ? "-" : value["energy"]) " | " instructions " |"
+            }' "$dir/$stabilisation.measured"
+    else
+        echo "| $stabilisation | - | refused | - | - | - |"
+        head -n 1 "$dir/$stabilisation.said" >&2
+    fi
+done
+
+for stabilisation in $STABILISATIONS; do
+    [ -s "$dir/$stabilisation.measured" ] && sed "s/^/$stabilisation /" "$dir/$stabilisation.measured"
+done >"$dir/measured"
+[ -s "$dir/measured" ] || fail "there is nothing to measure in $SCENE"
+build/plot violation "$NAME" "$dir/measured" >"$dir/violation.gnuplot" || exit 1
+echo
+sh tools/plot/draw.sh "$dir/violation.gnuplot" || fail "gnuplot does not draw $dir/violation.gnuplot"

@@ -1,0 +1,259 @@
+# shellcheck shell=sh
+# What make report and make bench share; read by the scripts beside it. From the Makefile they have in the environment
+#
+#     MAKE COMPILE          make, and the compiler with all flags but those of a plant
+#     SCENE NAME FOLDER     what is measured, the name that it has, and its folder
+#     STEP METHODS          the step if it is not the scene's, and the methods
+#     NANOSECONDS           how long, in the plant's time
+#
+# and from the first of them WHAT, what they are called, and `dir`, the folder of all that they make.
+#
+# Every method is built in four kinds: float; compensated, in float with compensated sums; double; and reference, in
+# double with compensated sums. There the inputs are held. For a loop of a scene with inputs they are smooth in smooth_float, smooth
+# and smooth_reference. A program of a kind and method stands in $dir/KIND-METHOD/.
+set -u
+TOLERANCE= # of adams; empty for the methods of a fixed step
+
+fail()
+{
+    echo "$WHAT: $1" >&2
+    exit 1
+}
+
+# prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C takes its method from core/runtime/choice.h.
+prepare()
+{
+    [ -f "$SCENE" ] || fail "there is no scene $SCENE"
+    rm -rf "$dir/told" && mkdir -p "$dir/told" || exit 1
+    for kind in float compensated double reference smooth_float smooth smooth_reference; do
+        mkdir -p "$dir/$kind" || exit 1
+        case $kind in
+        compensated | *reference) compensated=yes ;;
+        *) compensated=no ;;
+        esac
+        case $SCENE in
+        *.c)
+            cp "$SCENE" "$dir/$kind/$NAME.c"
+            ;;
+        *)
+            { sh tools/measure/elsewhere.sh "$SCENE" | sed '/^ *compensated /d' && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
+            ;;
+        esac || exit 1
+    done
+}
+
+# source_of KIND
+source_of()
+{
+    case $SCENE in
+    *.c) echo "$dir/$1/$NAME.c" ;;
+    *) echo "$dir/$1/$NAME.scene" ;;
+    esac
+}
+
+# reading KIND: of the inputs of a scene.
+reading()
+{
+    case $1 in
+    smooth*) echo smooth ;;
+    *) echo held ;;
+    esac
+}
+
+# tell FILE SOURCE: on stderr what isoc said of the source, each warning once, with the place in SCENE: of many kinds and
+# methods at once the first that makes its folder.
+tell()
+{
+    sed "s|^$2:|$SCENE:|" "$1" | awk '/^[^ ]*:[0-9]+:[0-9]+: / && NR > 1 { print "" } { printf "%s\001", $0 } END { print "" }' | while IFS= read -r text; do
+        said=$(printf '%s' "$text" | cksum | tr ' ' -)
+        [ -z "$text" ] || ! mkdir "$dir/told/$said" 2>/dev/null || printf '%s' "$text" | tr '\001' '\n' >&2
+    done
+}
+
+# build KIND METHOD FOLDER [FLAG...]: the program FOLDER/drive, its plant compiled with these flags as well.
+build()
+{
+    build_kind=$1
+    build_method=$2
+    folder=$3
+    shift 3
+    source=$(source_of "$build_kind")
+    mkdir -p "$folder" || exit 1
+    case $build_kind in
+    *float | compensated) real=float && real_flag= ;;
+    *) real=double && real_flag=-DISO_REAL_DOUBLE ;;
+    esac
+    case $source in
+    *.c)
+        macro=ISO_$(echo "$build_method" | tr a-z A-Z)
+        set -- "$@" "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$build_method" ${STEP:+-DISO_STEP="$STEP"}
+        case $build_kind in
+        compensated | reference) set -- "$@" -DISO_COMPENSATE ;;
+        esac
+        ;;
+    *)
+        build/isoc "$source" -o "$folder" --method "$build_method" --inputs "$(reading "$build_kind")" --real $real ${STEP:+--step "$STEP"} \
+            ${TOLERANCE:+--tolerance "$TOLERANCE"} >"$folder/plant.txt" 2>"$folder/told"
+        built=$?
+        tell "$folder/told" "$source"
+        [ $built -eq 0 ] || exit 1
+        source=$folder/plant.c
+        ;;
+    esac
+    # shellcheck disable=SC2086
+    $COMPILE $real_flag "$@" -c "$source" -o "$folder/plant.o" &&
+        $COMPILE $real_flag tools/measure/drive.c "$folder/plant.o" -o "$folder/drive" || exit 1
+}
+
+# variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance. Step.h includes the methods
+# before the plant can say that it has one alone.
+variable()
+{
+    one=
+    [ "$2" = adams ] || one=-DISO_ONLY_METHOD=ISO_$(echo "$2" | tr a-z A-Z)
+    build "$1" "$2" "$dir/$1-$2" $one -include tools/measure/step.h
+}
+
+# take METHOD: before it is built or measured. Adams chooses its steps itself, by TOLERANCE, within STEP, its tick.
+take()
+{
+    [ "$1" != adams ] || STEP=$tick TOLERANCE=1e-6
+}
+
+# The methods that the reference is computed by.
+REFERENCE_METHODS="rk4 abm4_pecece"
+
+# start: what is measured, ready for `reference`; sets step in seconds, inputs, their number if a loop is measured, and what `build/accuracy plan` says of it: coarsest,
+# the number of steps four times as long that make the time nearest to NANOSECONDS, time, and the tick of adams, so long
+# that the method chooses its steps.
+start()
+{
+    prepare
+    for method in $REFERENCE_METHODS; do
+        (variable reference $method) || fail "the reference cannot be built for $SCENE"
+    done
+    about=$("$dir/reference-rk4/drive" about) || exit 1
+    step=${about%% *}
+    inputs=${about##* }
+    case $SCENE in
+    *.c) inputs=0 ;;
+    esac
+    # shellcheck disable=SC2046
+    set -- $(build/accuracy plan "$NANOSECONDS" "$step")
+    coarsest=$1
+    time=$2
+    tick=$3
+    : >"$dir/reference.txt"
+}
+
+# reference TIME [KIND MODE]: adds to $dir/reference.txt a line: the time, how much the two methods differ there, and the
+# state; of a loop to $dir/MODE.txt, by programs of the KIND in a mode of drive.c. The step begins with 1/64 of the coarsest
+# and is halved until they agree.
+reference()
+{
+    steps=$((64 * coarsest))
+    for _ in 0 1 2 3 4 5; do
+        for method in $REFERENCE_METHODS; do
+            "$dir/${2:-reference}-$method/drive" ${3:+"$3"} "$1" $steps || exit 1
+        done >"$dir/references"
+        if build/accuracy agree "$1" 1e-12 <"$dir/references" >"$dir/agreed"; then
+            cat "$dir/agreed" >>"$dir/${3:-reference}.txt"
+            return
+        fi
+        steps=$((2 * steps))
+    done
+    fail "there is no reference for $NAME after $1 s: at steps of $(awk -v time="$1" -v n=$((steps / 2)) \
+        'BEGIN { printf "%.3g", time / n }') s rk4 and abm4_pecece still differ by $(cut -d ' ' -f 2 "$dir/agreed").
+A motion that is chaotic, or stiff, is known for a short time only: try SECONDS=$(awk -v time="$1" \
+        'BEGIN { print time / 4 }')"
+}
+
+# loop_references: $dir/restarted.txt and $dir/smooth.txt, of the two readings of inputs that change at every tick. Where inputs
+# are recorded there is no continuous signal.
+loop_references()
+{
+    : >"$dir/restarted.txt"
+    : >"$dir/smooth.txt"
+    reference "$time" reference restarted
+    [ -z "$RECORDED" ] || return 0
+    for method in $REFERENCE_METHODS; do
+        (variable smooth_reference $method) || fail "the reference of smooth inputs cannot be built"
+    done
+    reference "$time" smooth_reference smooth
+}
+
+# looped KIND METHOD MODE: a program that takes a time and steps, in a mode of drive.c.
+looped()
+{
+    printf '#!/bin/sh\nexec "%s" %s "$@"\n' "$PWD/$dir/$1-$2/drive" "$3" >"$dir/$1-$2/$3" && chmod +x "$dir/$1-$2/$3" &&
+        echo "$dir/$1-$2/$3"
+}
+
+# instructions_m4f KIND METHOD: of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that
+# which is nearer to the mean of fifty; of adams the mean of all sub-steps, with those that were repeated.
+instructions_m4f()
+{
+    m4f=$dir/$1-$2/m4f$TOLERANCE
+    mkdir -p "$m4f"
+    seconds=${TOLERANCE:+$time}
+    seconds=${seconds:-$(awk -v step="$step" 'BEGIN { printf "%.9f\n", 50 * step }')}
+    "${MAKE:-make}" --no-print-directory run TARGET=cortex-m4f REAL=float OUT="$m4f" SCENE="$(source_of "$1")" METHOD="$2" \
+        INPUTS="$([ "${inputs:-0}" -eq 0 ] || reading "$1")" STEP="$STEP" TOLERANCE="$TOLERANCE" SECONDS="$seconds" >"$m4f/run" 2>"$m4f/told" </dev/null
+    ran=$?
+    tell "$m4f/told" "$(source_of "$1")"
+    [ $ran -eq 0 ] || fail "$2 does not run on the Cortex-M4F; see $m4f/run"
+    awk '
+        $1 == "ticks" { ticks = $2 }
+        $1 == "execution" { least = $2; mean = $3; most = $4; n++ }
+        $1 == "substeps" { substeps = $2 }
+        END {
+            printf "%.0f\n", substeps ? mean * ticks / substeps : mean - least < most - mean ? least : most
+            exit n != 1
+        }' "$m4f/run" || fail "$m4f/run has not one execution"
+}
+
+# instructions_host KIND METHOD: of a step on this machine, in a kind of double; of adams the mean of all in the time.
+instructions_host()
+{
+    method=$2
+    count=$dir/count-$1-$method$TOLERANCE
+    build "$1" "$method" "$count"
+    if [ -n "$TOLERANCE" ]; then
+        set -- "$time" "$TOLERANCE"
+    else
+        set -- count 100
+    fi
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect=steps "$count/drive" "$@" \
+        >"$count/counted" 2>&1 </dev/null || fail "callgrind does not count $method; see $count/counted"
+    awk '/^[0-9]/ { steps = $1 } /Collected : / { printf "%.0f\n", $NF / steps; n++ } END { exit n != 1 }' \
+        "$count/counted" || fail "$count/counted has not one count"
+}
+
+# progress KIND METHOD: on stderr how many of all have been measured, by the folders that count them; ends where the command
+# before it failed.
+progress()
+{
+    # shellcheck disable=SC2181
+    [ $? -eq 0 ] || exit 1
+    count=1
+    while ! mkdir "$dir/done/$count" 2>/dev/null; do
+        count=$((count + 1))
+    done
+    echo "$WHAT: $count of $total: $2 in $1" >&2
+}
+
+# each COMMAND: runs `sh COMMAND KIND METHOD` for the lines of kinds and methods on the input, a few at once.
+each()
+{
+    cat >"$dir/each"
+    total=$(grep -c . "$dir/each")
+    rm -rf "$dir/done" && mkdir "$dir/done" || exit 1
+    WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick total=$total \
+        xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh "$1" <"$dir/each" || exit 1
+}
+
+# A program for the board, so that those that are made at once find the objects that they share.
+first_m4f()
+{
+    instructions_m4f float rk4 >/dev/null
+}

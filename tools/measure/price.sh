@@ -1,0 +1,73 @@
+#!/bin/sh
+# What each effect of a scene costs, and what it changes, on a target: the scene is built and run with all of them, without
+# each, and without any. Called by `make cost SCENE=...`, with the make to call in $MAKE, and SCENE, NAME, TARGET and
+# REAL in the environment; the other variables of make run go from make to make. All stands in $FOLDER.
+set -u
+. tools/measure/board.sh
+work=$FOLDER/$TARGET-$REAL
+counts=$work/counts
+
+# built PLACE [EFFECT; ...]: the scene without these, built and run in $work/PLACE; what was printed is in measured there.
+# A run that the guard stops has a trace up to there.
+built()
+{
+    dir=$work/$1
+    mkdir -p "$dir" && rm -f "$dir/trace.csv"
+    "${MAKE:-make}" --no-print-directory run TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${2-}" \
+        >"$dir/measured" 2>"$dir/said" </dev/null || grep -q '^trace: guard' "$dir/said" || refuse "${2-}"
+    "${MAKE:-make}" --no-print-directory size TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${2-}" \
+        >>"$dir/measured" 2>>"$dir/said" </dev/null || refuse "${2-}"
+}
+
+refuse()
+{
+    cat "$dir/said" >&2
+    fail "make cost: $SCENE${1:+ without $1} cannot be measured; see $dir/measured and $dir/said"
+}
+
+# collected FUNCTION: the instructions of it in one tick on the host.
+collected()
+{
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$1" "$dir/$NAME" 1 2>&1 >/dev/null |
+        awk '/Collected : / { n = $NF } END { if (n + 0 <= 0) exit 1; print n }' || fail "make cost: no count of $1 in $dir/$NAME"
+}
+
+# counted NAME KIND: a line of the counts, from what was built last.
+counted()
+{
+    case $TARGET in
+    host)
+        of_step=$(collected step) && of_tick=$(collected "iso_loop_tick_$REAL") || exit 1
+        ;;
+    *)
+        of_step=$(get instructions_per_step) && of_tick=$(tick) || exit 1
+        ;;
+    esac
+    text=$(get text) && memory=$(get data_bss) || exit 1
+    awk -v name="$1" -v kind="$2" -v rest="$of_step $of_tick $text $memory" '
+        $1 == "step" && $2 == "add" { operations = $3 " " $5 " " $7 " " $9 }
+        $1 == "states" || $1 == "memories" { number[$1] = $2 }
+        END {
+            if (operations == "") exit 1
+            print name, kind, operations, rest, number["states"] + 0, number["memories"] + 0
+        }' "$dir/plant.txt" >>"$counts" || fail "make cost: $dir/plant.txt has not one line of operations of a step"
+}
+
+mkdir -p "$work"
+build/isoc "$SCENE" --effects >"$work/effects" || exit 1
+[ -s "$work/effects" ] ||
+    fail "make cost: $SCENE has no effect (effect NAME KIND { ... }); make cost without SCENE prints the tables of all models"
+: >"$counts"
+while read -r effect kind; do
+    built "without-$effect" "$effect"
+    counted "$effect" "$kind"
+done <"$work/effects"
+built base "$(cut -d ' ' -f 1 "$work/effects" | paste -sd ';')"
+counted . base
+built whole
+counted . whole
+build/price "$work" "$FOLDER/effects.tsv" || exit 1
+build/plot effects "$NAME" "$TARGET" "$FOLDER/effects.tsv" >"$FOLDER/effects.gnuplot" || exit 1
+echo
+echo "$FOLDER/effects.tsv"
+sh tools/plot/draw.sh "$FOLDER/effects.gnuplot" || fail "make cost: gnuplot does not draw $FOLDER/effects.gnuplot"

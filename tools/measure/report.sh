@@ -1,0 +1,75 @@
+#!/bin/sh
+# Work-precision of every method on one scene. Called by `make report`; everything stands in build/report/NAME/:
+# report.txt and report.tsv, the tables; work_precision.svg and .png, the picture. Of a scene with inputs, whose inputs keep
+# their values there, also in a loop, where they change at every tick: loop.tsv, loop.svg and loop.png.
+WHAT="make report"
+dir=build/report/$FOLDER
+. tools/measure/methods.sh
+
+start
+reference "$time"
+first_m4f
+for kind in float compensated double; do
+    for method in $METHODS; do
+        echo $kind "$method"
+    done
+done >"$dir/all"
+each tools/measure/points.sh <"$dir/all"
+
+while read -r kind method; do
+    sed "s/^/$kind $method /" "$dir/$kind-$method/measured"
+done <"$dir/all" >"$dir/measured.txt"
+cut -d ' ' -f 6 "$dir/measured.txt" | sort -u >"$dir/times"
+: >"$dir/reference.txt"
+while IFS= read -r at; do
+    reference "$at"
+done <"$dir/times"
+
+build/accuracy errors "$dir/reference.txt" "$dir/measured.txt" >"$dir/report.tsv.new" &&
+    mv "$dir/report.tsv.new" "$dir/report.tsv" || exit 1
+{
+    echo "$NAME after $time s: error of the state, 2-norm over all states in SI units (m, rad, s)"
+    echo "Inputs keep their values at the start. The time of a float is the sum of its steps as float has them."
+    awk '{ print "Reference after " $1 " s: rk4 and abm4_pecece in double with compensated sums; they differ by " $2 }' \
+        "$dir/reference.txt"
+    echo
+    build/accuracy text "$dir/report.tsv"
+} >"$dir/report.txt"
+
+# The loop: lines of $dir/looped.txt, and its tables.
+if [ "$inputs" -gt 0 ]; then
+    fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
+    loop_references
+    for method in $fixed; do
+        echo double "$method"
+    done | each tools/measure/looped.sh
+    : >"$dir/loop.tsv"
+    for kind in smooth held; do
+        from=$([ $kind = held ] && echo restarted || echo smooth)
+        for method in $fixed; do
+            cat "$dir/double-$method/looped-$kind"
+        done >"$dir/looped.txt"
+        build/accuracy errors "$dir/$from.txt" "$dir/looped.txt" | if [ -s "$dir/loop.tsv" ]; then sed 1d; else cat; fi >"$dir/loop.part" &&
+            cat "$dir/loop.part" >>"$dir/loop.tsv" || exit 1
+    done
+    {
+        echo
+        echo "In a loop: inputs change at every tick (tools/measure/signals.h, or recorded). Held inputs against the staircase with ticks"
+        echo "of $step s, smooth ones, sampled at every step, against the continuous signal"
+        echo
+        build/accuracy text "$dir/loop.tsv"
+    } >>"$dir/report.txt"
+    build/plot work_precision "$NAME in a loop" "$time" "$dir/loop.tsv" >"$dir/loop.gnuplot" || exit 1
+fi
+
+build/plot work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/work_precision.gnuplot" || exit 1
+
+cat "$dir/report.txt"
+echo
+echo "$dir/report.txt"
+echo "$dir/report.tsv"
+[ "$inputs" -eq 0 ] || {
+    echo "$dir/loop.tsv"
+    sh tools/plot/draw.sh "$dir/loop.gnuplot" || fail "gnuplot does not draw $dir/loop.gnuplot"
+}
+sh tools/plot/draw.sh "$dir/work_precision.gnuplot" || fail "gnuplot does not draw $dir/work_precision.gnuplot"

@@ -1,0 +1,44 @@
+# shellcheck shell=sh
+# What make drift and its tests share. They set SCENE, COMPILE, STEP (or nothing, for the scene's), and `dir`, the folder of
+# all that is made.
+set -u
+STABILISATIONS="none baumgarte projection lagrangian"
+
+fail()
+{
+    echo "make drift: $1" >&2
+    exit 1
+}
+
+# stabilised WORDS: the scene with this in the place of its own stabilisation, and with the outputs that drift.c asks for.
+stabilised()
+{
+    sh tools/measure/elsewhere.sh "$SCENE" | awk '/^ *stabilisation / { on = 1 }
+        !on
+        on && (/}/ || !/{/) { on = 0 }'
+    printf '\nstabilisation %s\noutput drift_violation = violation\n' "$1"
+    echo "output drift_rate = violation_rate"
+    echo "output drift_energy = energy"
+}
+
+# measure NAME SECONDS PARTS [WORDS]: $dir/NAME.measured, what drift.c prints in float of $dir/NAME.scene, the scene with the
+# stabilisation WORDS; the truncation is what it prints in double. Fails if the scene is refused.
+measure()
+{
+    stabilised "${4-$1}" >"$dir/$1.scene"
+    rm -f "$dir/$1.measured"
+    truncation=0
+    for real in double float; do
+        case $real in
+        double) real_flag=-DISO_REAL_DOUBLE ;;
+        float) real_flag= ;;
+        esac
+        build/isoc "$dir/$1.scene" -o "$dir/$1-$real" --real $real ${STEP:+--step "$STEP"} >"$dir/$1.said" 2>&1 || return 1
+        # shellcheck disable=SC2086
+        $COMPILE $real_flag tools/measure/drift.c "$dir/$1-$real/plant.c" -o "$dir/$1-$real/drift" -lm ||
+            fail "$dir/$1-$real/drift cannot be built"
+        "$dir/$1-$real/drift" "$2" "$3" "${1%%-*}" "$truncation" >"$dir/$1-$real/measured" || exit 1
+        truncation=$(awk '$1 == "violation" { print $2 }' "$dir/$1-$real/measured")
+    done
+    mv "$dir/$1-float/measured" "$dir/$1.measured"
+}

@@ -1,0 +1,49 @@
+#!/bin/sh
+# What a tick of the loop takes beside the step and the equations of the plant, on the Cortex-M4F: instructions, and the cycles
+# that they mean (tools/measure/cycles.c), of the last of ten ticks. `loop` is core/runtime/loop.c, `checks` what looks at inputs,
+# states and outputs, `port` the port's clock and the wait for the tick, `tick` their sum; `interrupt` is the timer's. Where
+# outputs are not of each tick, `finish` is all behind the step, the memories and the outputs with it: in the least and in the
+# longest of the ten ticks.
+#
+# Called by `make ticks` for the program $PROGRAM, which $EXEC runs.
+set -u
+dir=$(dirname "$PROGRAM")
+plant="step derivative held_derivative output drive advance settle"
+port="iso_port_wait iso_port_clock iso_port_read_float iso_port_publish_float"
+
+arm-none-eabi-objdump -d "$PROGRAM" >"$dir/listing" || exit 1
+plant="$plant $(sed -n 's/.*<\(output_every_[0-9]*\)>:$/\1/p' "$dir/listing" | tr '\n' ' ')"
+$EXEC -singlestep -d nochain,exec 2>"$dir/exec" >/dev/null || exit 1
+
+# count FUNCTION [LEFT_OUT...]: its instructions and cycles, in one line.
+count()
+{
+    count_of=$1
+    shift
+    build/cycles "$count_of" "$dir/listing" "$@" <"$dir/exec" | cut -d ' ' -f 2 | tr '\n' ' '
+}
+
+# shellcheck disable=SC2086
+{
+    echo "tick $(count iso_loop_tick_float $plant tick_interrupt)"
+    echo "no_port $(count iso_loop_tick_float $plant tick_interrupt $port)"
+    echo "loop $(count iso_loop_tick_float $plant tick_interrupt $port amiss admit finish finish_on_rung)"
+    echo "interrupt $(count tick_interrupt)"
+} | awk '
+    NF != 3 { failed = 1 }
+    { instructions[$1] = $2; cycles[$1] = $3 }
+    function show(name, i, c) { printf "%s %d instructions %d cycles\n", name, i, c }
+    function less(name, a, b) { show(name, instructions[a] - instructions[b], cycles[a] - cycles[b]) }
+    END {
+        if (failed) exit 1
+        show("loop", instructions["loop"], cycles["loop"])
+        less("checks", "no_port", "loop")
+        less("port", "tick", "no_port")
+        show("tick", instructions["tick"], cycles["tick"])
+        show("interrupt", instructions["interrupt"], cycles["interrupt"])
+    }' || exit 1
+if grep -q '<output_every_[0-9]*>:$' "$dir/listing"; then
+    finish=$(sed -n 's/.*<\(finish\(_on_rung\)*\)>:$/\1/p' "$dir/listing" | sort | tail -n 1)
+    build/cycles --range "$finish" "$dir/listing" tick_interrupt <"$dir/exec" |
+        awk '{ number[NR] = $2 } END { printf "finish %d to %d instructions\n", number[1], number[2] }'
+fi
