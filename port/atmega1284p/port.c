@@ -8,7 +8,8 @@
  * Microchip (2020), ATmega164A/PA/324A/PA/644A/PA/1284/P, DS40002070B. */
 #include "port/port.h"
 
-#include <stdbool.h>
+#include "port/none/inputs.h"
+#include "port/none/outputs.h"
 
 #define BYTE(address) (*(volatile uint8_t *)(uintptr_t)(address))
 #define WORD(address) (*(volatile uint16_t *)(uintptr_t)(address))
@@ -106,22 +107,6 @@ uint64_t iso_port_clock(void)
     const uint32_t overflows = board.overflows;
     interrupts_on();
     return ((uint64_t)overflows + pending) * OVERFLOW_COUNTS + low;
-}
-
-void iso_port_read(real *const u, const size_t inputs)
-{
-    (void)u;
-    (void)inputs;
-}
-
-void iso_port_publish(const real *const y, const size_t outputs)
-{
-    (void)y;
-    (void)outputs;
-}
-
-void iso_port_safe(void)
-{
 }
 
 static void put(const uint8_t byte)

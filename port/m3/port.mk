@@ -3,4 +3,4 @@
 include port/mps2/port.mk
 PORT_FLAGS = -mcpu=cortex-m3 -mthumb -mfloat-abi=soft -DBOARD_CYCLE_NS=10 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter
 PORT_MACHINE = mps2-an385
-PORT_SHARED = port/mps2/port.c port/mps2/semihosting.c port/mps2/start.c port/soft/aeabi.c port/soft/root.c
+PORT_SHARED = port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c port/mps2/start.c port/soft/aeabi.c port/soft/root.c

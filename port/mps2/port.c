@@ -1,7 +1,5 @@
 /* The board as a platform: SysTick is the tick and the clock, semihosting the console.
  *
- *     arguments: PROGRAM [NANOSECONDS]
- *
  * The clock counts instructions. QEMU with -icount shift=10 lets one instruction last 2^10 ns, in which SysTick at
  * 25 MHz counts 25.6 times. That would be a processor of one million instructions in a second, slower than any board.
  * So an instruction stands for one cycle of a core of 25 MHz, or of BOARD_CYCLE_NS, and the time of the plant is stretched
@@ -9,10 +7,9 @@
  */
 #include "port/port.h"
 
-#include <stdbool.h>
-
-#include "port/mps2/semihosting.h"
 #include "port/mps2/tick.h"
+#include "port/none/inputs.h"
+#include "port/none/outputs.h"
 
 #define SYST_RVR (*(volatile uint32_t *)0xE000E014U)
 #define SYST_CVR (*(volatile uint32_t *)0xE000E018U)
@@ -103,41 +100,4 @@ uint64_t iso_port_clock(void)
     } while (low != board.end);
     const uint32_t half = 1 << (DILATION_SHIFT - 1), whole = (1 << DILATION_SHIFT) - 1;
     return ((uint64_t)high << 32 | low) - (((left + 1) * DILATION_OVER + whole - half) >> DILATION_SHIFT);
-}
-
-void iso_port_read(real *const u, const size_t inputs)
-{
-    (void)u;
-    (void)inputs;
-}
-
-void iso_port_publish(const real *const y, const size_t outputs)
-{
-    (void)y;
-    (void)outputs;
-}
-
-void iso_port_safe(void)
-{
-}
-
-void iso_port_write(const void *const bytes, const size_t count)
-{
-    semihosting_write(bytes, count);
-}
-
-__attribute__((cold)) uint64_t iso_port_duration(const int argc, char **const argv)
-{
-    uint64_t duration = 0;
-    if (argc > 1) {
-        for (const char *digit = argv[1]; *digit >= '0' && *digit <= '9'; digit++) {
-            duration = duration * 10 + (uint64_t)(*digit - '0');
-        }
-    }
-    return duration;
-}
-
-_Noreturn void iso_port_exit(const int status)
-{
-    semihosting_exit(status);
 }

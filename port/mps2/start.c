@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "port/fault.h"
 #include "port/mps2/semihosting.h"
 #include "port/mps2/tick.h"
 #include "port/port.h"
@@ -32,29 +33,11 @@ _Noreturn void reset(void);
 _Noreturn void fault(const uint32_t *frame);
 void fault_entry(void);
 
-static void put_word(const uint32_t word)
-{
-    char digits[8];
-    for (unsigned i = 0; i < sizeof digits; i++) {
-        digits[i] = "0123456789abcdef"[word >> (28 - 4 * i) & 0xF];
-    }
-    semihosting_write(digits, sizeof digits);
-}
-
 /* Reports the fault, by the register CFSR, and its place. frame is what the exception pushed: r0-r3, r12, lr, pc, xpsr; or
  * NULL, if that may itself have been the fault. */
 _Noreturn void fault(const uint32_t *const frame)
 {
-    static const char what[] = "Bail out! fault 0x";
-    static const char where[] = " at 0x";
-    semihosting_write(what, sizeof what - 1);
-    put_word(CFSR);
-    if (frame != NULL) {
-        semihosting_write(where, sizeof where - 1);
-        put_word(frame[6]);
-    }
-    semihosting_write("\n", 1);
-    semihosting_exit(1);
+    fault_report(CFSR, frame != NULL ? &frame[6] : NULL);
 }
 
 /* Every unexpected exception comes here. A stack outside of the RAM can neither be used nor read. */

@@ -17,6 +17,8 @@
 
 #include "port/host/channel.h"
 #include "port/host/console.h"
+#include "port/none/inputs.h"
+#include "port/none/outputs.h"
 #include "port/port.h"
 
 /* In the middle of the real-time priorities: above all programs that have none, and below what serves devices. */
@@ -79,22 +81,6 @@ int64_t host_until_tick(void)
     const uint64_t due = (reported + 1) * period;
     const uint64_t time = iso_port_clock();
     return time < due ? (int64_t)(due - time) : 0;
-}
-
-void iso_port_read(real *const u, const size_t inputs)
-{
-    (void)u;
-    (void)inputs;
-}
-
-void iso_port_publish(const real *const y, const size_t outputs)
-{
-    (void)y;
-    (void)outputs;
-}
-
-void iso_port_safe(void)
-{
 }
 
 uint64_t iso_port_duration(const int argc, char **const argv)

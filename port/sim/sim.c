@@ -6,6 +6,7 @@
  */
 #include "port/host/channel.h"
 #include "port/host/console.h"
+#include "port/none/outputs.h"
 #include "port/port.h"
 #include "port/sim/script.h"
 
@@ -53,16 +54,6 @@ void iso_port_read(real *const u, const size_t inputs)
     (void)inputs;
     step++;
     readings = 0;
-}
-
-void iso_port_publish(const real *const y, const size_t outputs)
-{
-    (void)y;
-    (void)outputs;
-}
-
-void iso_port_safe(void)
-{
 }
 
 uint64_t iso_port_duration(const int argc, char **const argv)

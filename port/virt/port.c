@@ -1,16 +1,13 @@
 /* QEMU's RISC-V board `virt` as a platform: the machine timer is the tick and the clock, semihosting the console.
  *
- *     arguments: PROGRAM [NANOSECONDS]
- *
  * The clock counts instructions. QEMU with -icount shift=10 lets one instruction last 2^10 ns, in which the timer at 10 MHz
  * counts 10.24 times. An instruction stands for one cycle of a core of 100 MHz, and the time of the plant is stretched by
  * 102.4. On silicon a timer counts at a rate of its own.
  * RISC-V (2021), The RISC-V Instruction Set Manual, Volume II: Privileged Architecture, version 20211203: 3.2.1. */
 #include "port/port.h"
 
-#include <stdbool.h>
-
-#include "port/mps2/semihosting.h"
+#include "port/none/inputs.h"
+#include "port/none/outputs.h"
 #include "port/virt/tick.h"
 
 #define MTIME ((volatile uint32_t *)0x0200BFF8U)
@@ -97,41 +94,4 @@ uint64_t iso_port_clock(void)
 {
     const uint32_t half = 1 << (DILATION_SHIFT - 1);
     return ((timer() - board.start) * DILATION_OVER + half) >> DILATION_SHIFT;
-}
-
-void iso_port_read(real *const u, const size_t inputs)
-{
-    (void)u;
-    (void)inputs;
-}
-
-void iso_port_publish(const real *const y, const size_t outputs)
-{
-    (void)y;
-    (void)outputs;
-}
-
-void iso_port_safe(void)
-{
-}
-
-void iso_port_write(const void *const bytes, const size_t count)
-{
-    semihosting_write(bytes, count);
-}
-
-__attribute__((cold)) uint64_t iso_port_duration(const int argc, char **const argv)
-{
-    uint64_t duration = 0;
-    if (argc > 1) {
-        for (const char *digit = argv[1]; *digit >= '0' && *digit <= '9'; digit++) {
-            duration = duration * 10 + (uint64_t)(*digit - '0');
-        }
-    }
-    return duration;
-}
-
-_Noreturn void iso_port_exit(const int status)
-{
-    semihosting_exit(status);
 }

@@ -3,6 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "port/fault.h"
 #include "port/mps2/semihosting.h"
 #include "port/port.h"
 #include "port/virt/tick.h"
@@ -18,26 +19,10 @@ void timer_entry(void);
 _Noreturn void reset(void);
 _Noreturn void fault(uint32_t cause, uint32_t place);
 
-static void put_word(const uint32_t word)
-{
-    char digits[8];
-    for (unsigned i = 0; i < sizeof digits; i++) {
-        digits[i] = "0123456789abcdef"[word >> (28 - 4 * i) & 0xF];
-    }
-    semihosting_write(digits, sizeof digits);
-}
-
 /* Reports the fault, by the register mcause, and its place. */
 _Noreturn void fault(const uint32_t cause, const uint32_t place)
 {
-    static const char what[] = "Bail out! fault 0x";
-    static const char where[] = " at 0x";
-    semihosting_write(what, sizeof what - 1);
-    put_word(cause);
-    semihosting_write(where, sizeof where - 1);
-    put_word(place);
-    semihosting_write("\n", 1);
-    semihosting_exit(1);
+    fault_report(cause, &place);
 }
 
 /* The timer's is the only interrupt that is enabled. It keeps the registers that it uses; those of floating point it does not

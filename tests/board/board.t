@@ -10,7 +10,7 @@ clock()
 {
     # shellcheck disable=SC2086
     arm-none-eabi-gcc $FLAGS $m4f "-DCLOCK_OF=\"$1\"" -nostartfiles --specs=nosys.specs -T port/mps2/mps2.ld -Wl,--gc-sections \
-        tests/board/clock.c tests/tap.c port/mps2/start.c port/mps2/semihosting.c -lm -o "$out/m4f" 2>"$out/errors" &&
+        tests/board/clock.c tests/tap.c port/mps2/start.c port/mps2/console.c port/mps2/semihosting.c -lm -o "$out/m4f" 2>"$out/errors" &&
         timeout 60 qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
             -semihosting-config enable=on,target=native -kernel "$out/m4f"
 }

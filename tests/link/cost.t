@@ -7,7 +7,7 @@ real float
 # shellcheck disable=SC2046
 board="$FLAGS $(of_port mps2 PORT_FLAGS)"
 for file in tests/link/cost.c tests/tap.c core/link/command.c core/link/frame.c core/runtime/loop.c core/runtime/control.c \
-    core/runtime/snapshot.c port/mps2/port.c port/mps2/semihosting.c port/mps2/start.c; do
+    core/runtime/snapshot.c port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c port/mps2/start.c; do
     # shellcheck disable=SC2086
     arm-none-eabi-gcc $board -c "$file" -o "$out/$(echo "$file" | tr / -).o" || break
 done

@@ -147,7 +147,7 @@ firmware()
     $m4f -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections "$@" -o "$out/$firmware_file"
 }
 
-objects plain core/numbers/*.c core/runtime/*.c core/application/*.c port/mps2/port.c port/mps2/semihosting.c \
+objects plain core/numbers/*.c core/runtime/*.c core/application/*.c port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c \
     port/mps2/start.c && objects link core/link/*.c port/mps2/channel.c && objects made "$out"/float/plant.c &&
     objects interface "$out"/float/interface.c &&
     firmware linked.elf $(ls "$out"/plain/*.o | grep -v application-main) "$out"/link/*.o "$out"/made/*.o "$out"/interface/*.o

@@ -31,7 +31,7 @@ mkdir -p "$out/plain" && build/isoc tests/xcp/cart.scene -o "$out/plain" --link 
     build/isoc tests/xcp/cart.scene -o "$out/with" --link --xcp open >"$out/summary" && grep -q xcp "$out/with/interface.c"
 result $? "a plant with a link that was not asked for it names nothing of it"
 
-compiled tests/xcp/cost.c tests/tap.c tests/unit/xcp/service.c port/mps2/port.c port/mps2/semihosting.c port/mps2/start.c &&
+compiled tests/xcp/cost.c tests/tap.c tests/unit/xcp/service.c port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c port/mps2/start.c &&
     rm "$out/core-xcp-service.c.o" &&
     arm-none-eabi-gcc $port $link "$out"/*.o -o "$out/cost.elf"
 result $? "a firmware that counts"
