@@ -8,10 +8,11 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "port/mps2/board.h"
 #include "port/mps2/tick.h"
 
 #define VTOR (*(const uint32_t *volatile *)0xE000ED08U)
-#define NVIC_ISER (*(volatile uint32_t *)0xE000E100U)
+#define NVIC_ISER (((volatile uint32_t *)0xE000E100U)[BOARD_FIRST_INTERRUPT / 32])
 
 typedef struct uart {
     uint32_t data;
@@ -26,11 +27,16 @@ enum { TX_ON = 1 << 0, RX_ON = 1 << 1, TX_INTERRUPT_ON = 1 << 2, RX_INTERRUPT_ON
 enum { TX_PENDING = 1 << 0, RX_PENDING = 1 << 1 };
 enum { BOTH_ON = TX_ON | RX_ON | TX_INTERRUPT_ON | RX_INTERRUPT_ON };
 
-/* Counts of the clock of 25 MHz for a bit. */
-enum { BIT_COUNTS = 25 };
+/* Counts of the clock for a bit. */
+enum { BIT_COUNTS = BOARD_MHZ };
 
-/* Interrupts 0 to 3: of UART0 receive and transmit, then of UART1. */
-enum { EXCEPTIONS = 16, INTERRUPTS = 4, ALL_INTERRUPTS = (1 << INTERRUPTS) - 1 };
+/* Four interrupts: of UART0 receive and transmit, then of UART1. They stand behind the exceptions, and those before them. */
+enum {
+    EXCEPTIONS = 16,
+    FIRST = EXCEPTIONS + BOARD_FIRST_INTERRUPT,
+    INTERRUPTS = 4,
+    ALL_INTERRUPTS = (1 << INTERRUPTS) - 1
+};
 
 /* Places count without an end; their last bits are those in the ring. One side moves the first, the other the last. */
 enum { RING_BYTES = ISO_CHANNEL_BYTES };
@@ -44,8 +50,8 @@ static struct {
     ring in, out;
 } lines[ISO_CHANNELS];
 static volatile uart *const uarts[ISO_CHANNELS] = {
-    [ISO_CHANNEL_CONTROLLER] = (volatile uart *)0x40004000U,
-    [ISO_CHANNEL_CALIBRATION] = (volatile uart *)0x40005000U,
+    [ISO_CHANNEL_CONTROLLER] = (volatile uart *)BOARD_UART0,
+    [ISO_CHANNEL_CALIBRATION] = (volatile uart *)BOARD_UART1,
 };
 
 static bool is_full(const ring *const r)
@@ -133,8 +139,8 @@ static void calibration_transmitted(void)
  * multiple of its size, rounded up to a power of two. */
 static void open_lines(void)
 {
-    static _Alignas(128) void (*table[EXCEPTIONS + INTERRUPTS])(void) = {
-        [EXCEPTIONS] = controller_received, controller_transmitted, calibration_received, calibration_transmitted};
+    static _Alignas(256) void (*table[FIRST + INTERRUPTS])(void) = {
+        [FIRST] = controller_received, controller_transmitted, calibration_received, calibration_transmitted};
     static bool is_open;
     if (is_open) {
         return;

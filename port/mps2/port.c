@@ -3,10 +3,12 @@
  * The clock counts instructions. QEMU with -icount shift=10 lets one instruction last 2^10 ns, in which SysTick at
  * 25 MHz counts 25.6 times. That would be a processor of one million instructions in a second, slower than any board.
  * So an instruction stands for one cycle of a core of 25 MHz, or of BOARD_CYCLE_NS, and the time of the plant is stretched
- * by the same factor of 25.6, or more. On silicon this dilation is 1, and the clock counts cycles.
+ * by the same factor of 25.6, or more; 20.48 at the 20 MHz of the AN505. On silicon this dilation is 1, and the clock counts
+ * cycles.
  */
 #include "port/port.h"
 
+#include "port/mps2/board.h"
 #include "port/mps2/tick.h"
 #include "port/none/inputs.h"
 #include "port/none/outputs.h"
@@ -17,13 +19,13 @@
 #ifdef BOARD_CYCLE_NS
 enum { CYCLE_NS = BOARD_CYCLE_NS };
 #else
-enum { CYCLE_NS = 40 };
+enum { CYCLE_NS = 1000 / BOARD_MHZ };
 #endif
 
-/* The dilation: SysTick counts per cycle, 25.6 = 2^7 / 5. Whole cycles in whole counts come in fives. */
-enum { DILATION_SHIFT = 7, DILATION_OVER = 5 };
+/* The dilation: SysTick counts per cycle, 2^SHIFT / OVER: 25.6 = 2^7 / 5. Whole cycles in whole counts come in groups of OVER. */
+enum { DILATION_SHIFT = BOARD_DILATION_SHIFT, DILATION_OVER = BOARD_DILATION_OVER };
 
-/* SysTick counts 24 bits. A longer period is made of several equal parts, each a multiple of 2^7 counts. */
+/* SysTick counts 24 bits. A longer period is made of several equal parts, each a multiple of 2^SHIFT counts. */
 enum { PART_COUNTS_MAX = 1 << 24 };
 
 /* The time of the board as the interrupt leaves it: all in one place, since a function takes an address for each object.
@@ -48,7 +50,7 @@ void tick_interrupt(void)
     }
 }
 
-/* The period is rounded to what the timer can make: multiples of five cycles for each of its parts. */
+/* The period is rounded to what the timer can make: multiples of five cycles for each of its parts, or of 25. */
 __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
 {
     const uint32_t fives = (period_ns + CYCLE_NS * DILATION_OVER / 2) / (CYCLE_NS * DILATION_OVER);

@@ -8,7 +8,7 @@ m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
 
 # What may be called beside the project's own: copying and comparing memory, and whole numbers of 64 bits (EABI's run-time helpers).
 allowed='mem(cpy|move|set|cmp)|__aeabi_mem(cpy|set|clr)[48]?|__aeabi_(uldivmod|ldivmod|lmul|llsl|llsr|lasr|lcmp|ulcmp|ldiv0|idiv0)'
-linker=$(awk '$2 == "=" { print $1 }' port/mps2/mps2.ld | paste -sd '|')
+linker=$(awk '$2 == "=" { print $1 }' port/mps2/sections.ld | paste -sd '|')
 helpers='__(u)?divmoddi4|__udivmoddi4|__(u)?divdi3|__gnu_u?ldivmod_helper'
 
 # outside OBJECT...: symbols that the objects need and none of them has, but for those allowed.

@@ -33,6 +33,7 @@ while read -r target seconds; do
     done
 done <<END
 cortex-m7 2
+cortex-m33 2
 cortex-m3 2
 cortex-m0 2
 rv32imafc 2

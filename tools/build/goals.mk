@@ -71,7 +71,7 @@ LINK := $(call of_objects,$(OUT)/plant.o $(OBJECTS))
 $(OUT)/link: always
 	$(call remember,$(LINK))
 
-$(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(filter %.ld,$(PORT_LINK))
+$(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
 	$(call say,LINK,$@)
 	$(call link,$(LINK))
 
@@ -92,7 +92,7 @@ $(LINKED)/plant.o $(LINKED)/interface.o: $(LINKED)/%.o: $(LINKED)/interface.c $(
 	$(call say,CC,$(@:.o=.c))
 	$(Q)$(COMPILE) -MMD -MP -c $(@:.o=.c) -o $@
 
-$(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS) $(OUT)/link $(filter %.ld,$(PORT_LINK))
+$(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
 	$(call say,LINK,$@)
 	$(call link,$(call of_objects,$(PORT_LINK_LINKED) $(filter %.o,$^)))
 
@@ -131,7 +131,7 @@ $(OUT)/recorded/request.c: $(OUT)/recorded/choice tools/build/request.sh
 $(OUT)/recorded/request.o: $(OUT)/recorded/request.c $(OBJ)/flags
 	$(Q)$(COMPILE) -c $< -o $@
 
-$(RECORDED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(OUT)/recorded/request.o $(RECORDED_OBJECTS) $(OUT)/link $(filter %.ld,$(PORT_LINK))
+$(RECORDED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(OUT)/recorded/request.o $(RECORDED_OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
 	$(call say,LINK,$@)
 	$(call link,$(call of_objects,$(filter %.o,$^)))
 
