@@ -3,7 +3,7 @@
 #     scene --build/isoc--> plant.c --compiler--> program --build/trace--> trace.csv and a summary
 #
 # Everything made stands in build/: what belongs to one scene in build/TARGET/REAL/NAME/, objects that scenes share
-# in build/obj/, the tools build/isoc, build/trace, build/plot and build/accuracy. Files named `flags`, `choice` and `link`
+# in build/obj/, the tools build/isoc, build/trace and build/accuracy. Files named `flags`, `choice` and `link`
 # there hold the command that made their neighbours, and change when it does. NAME is that of the file of a scene in
 # models/; of any other scene it ends with a number made of the file's path, so that no two share a folder. Makes that run
 # at once lock the folder they work in.
@@ -382,7 +382,6 @@ $(EMBEDDED): %.o: %.c build/obj/tools/flags
 
 build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
-build/plot: $(filter build/obj/tools/plot/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
 build/accuracy: $(filter build/obj/tools/measure/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 COST_TOOLS := $(addprefix build/,cycles effect forced price size stack)
@@ -391,7 +390,7 @@ build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJEC
     build/obj/tools/core/link/frame.o build/obj/tools/flags
 build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
     build/obj/tools/flags
-TOOLS := build/isoc build/trace build/plot build/link build/monitor build/accuracy build/duration $(COST_TOOLS)
+TOOLS := build/isoc build/trace build/link build/monitor build/accuracy build/duration $(COST_TOOLS)
 .PHONY: tools
 tools: $(TOOLS)
 	@:
@@ -453,9 +452,9 @@ shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter $(OUT),$(call folder_of,$
     $(OBJ)/tools/a2l/places.o)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
 # Of goals that need few of them; the others have all.
 TOOLS_OF_run := $(addprefix build/,isoc trace duration)
-TOOLS_OF_plot := $(TOOLS_OF_run) build/plot
+TOOLS_OF_plot := $(TOOLS_OF_run)
 TOOLS_OF_link := $(TOOLS_OF_run) build/link
-TOOLS_OF_hil := $(TOOLS_OF_link) build/plot
+TOOLS_OF_hil := $(TOOLS_OF_link)
 LOCK_TOOLS := flock realpath
 LOCK_INSTALL := apt-get install util-linux coreutils
 # The status of flock where another has the lock; make ends with none above 2.
@@ -482,15 +481,15 @@ endif
 
 monitor: build/monitor ## build the terminal of measurement and calibration; then: build/monitor A2L tcp:127.0.0.1:5555 (core/xcp)
 
-compare: build/plot ## draw two runs that were kept, one over the other, in build/compare/, and print their differences
+compare: ## draw two runs that were kept, one over the other, in build/compare/, and print their differences
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	@test $(words $(RUNS)) = 2 || { echo "RUNS='$(RUNS)' are not two runs; it could be RUNS='a b', after make run KEEP=a \
 and make run KEEP=b" >&2; exit 1; }
 	@for name in $(RUNS); do test -e build/runs/$$name/trace.csv || { \
 	    echo "there is no run $$name; make run KEEP=$$name keeps one" >&2; exit 1; }; done
 	@mkdir -p build/compare
-	$(Q)build/plot differences $(RUNS:%=build/runs/%)
-	$(Q)build/plot compare $(RUNS:%=build/runs/%) >build/compare/$(subst $(space),-,$(strip $(RUNS))).gnuplot
+	$(Q)sh tools/plot/picture.sh differences $(RUNS:%=build/runs/%)
+	$(Q)sh tools/plot/picture.sh compare $(RUNS:%=build/runs/%) >build/compare/$(subst $(space),-,$(strip $(RUNS))).gnuplot
 	$(Q)sh tools/plot/draw.sh build/compare/$(subst $(space),-,$(strip $(RUNS))).gnuplot
 
 digits: build/isoc ## print a table of errors against reference solutions

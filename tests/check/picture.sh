@@ -36,7 +36,7 @@ report()
 draws()
 {
     report_points "$out/$1.tsv" >"$out/points"
-    build/plot work_precision NAME 5 "$out/$1.tsv" >"$out/$1.gnuplot" && draw "$1"
+    sh tools/plot/picture.sh work_precision NAME 5 "$out/$1.tsv" >"$out/$1.gnuplot" && draw "$1"
     shows "$out/$1.svg" "$out/points" all
 }
 
@@ -66,7 +66,7 @@ awk 'BEGIN {
 awk -v OFS='\t' '
     $2 == "part" { print "|t, s", $1, $3, $4 }
     $2 == "bound" { print "|t, s", $1, 0, $3; print "|t, s", $1, 150, $3 }' "$out/measured" >"$out/violations"
-build/plot violation NAME "$out/measured" >"$out/violation.gnuplot" && draw violation
+sh tools/plot/picture.sh violation NAME "$out/measured" >"$out/violation.gnuplot" && draw violation
 shows "$out/violation.svg" "$out/violations" all
 result $? "a picture of make drift shows what was measured"
 

@@ -193,7 +193,7 @@ mkdir -p "$out/spike"
 printf 'scene spike\nmethod rk4\nstep 0.001\nreal float\n' >"$out/spike/summary.txt"
 printf 't,a\ns,\n' >"$out/spike/units.csv"
 awk 'BEGIN { print "t,a"; for (i = 1; i <= 10000; i++) print i / 1000 "," (i == 4567 ? 7.25 : 0) }' >"$out/spike/trace.csv"
-build/plot trace "$out/spike" >"$out/spike/trace.gnuplot"
+sh tools/plot/picture.sh trace "$out/spike" >"$out/spike/trace.gnuplot"
 grep -qx '4.567 7.25' "$out/spike/trace.gnuplot" && [ "$(grep -c '^[0-9.]* [-0-9.]*$' "$out/spike/trace.gnuplot")" -lt 1000 ]
 result $? "a spike in one row of 10,000 is drawn, with less than 1000 points"
 

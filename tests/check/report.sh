@@ -180,7 +180,7 @@ result $? "found: a point without a reference"
 
 # At rest every method is right.
 awk -F '\t' -v OFS='\t' 'NR > 1 { $5 = "0.000e+00" } { print }' "$tsv" >"$out/rest.tsv"
-[ -z "$(build/plot work_precision rest 5 "$out/rest.tsv")" ] && [ -n "$(build/plot work_precision rest 5 "$tsv")" ]
+[ -z "$(sh tools/plot/picture.sh work_precision rest 5 "$out/rest.tsv")" ] && [ -n "$(sh tools/plot/picture.sh work_precision rest 5 "$tsv")" ]
 result $? "nothing is drawn where no method errs"
 
 # agreed LINE LINE: whether two states are the same to 1e-12.

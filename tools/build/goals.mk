@@ -166,7 +166,7 @@ $(OUT)/controller: models/hil/controller.c $(LINKED)/interface.c build/obj/tools
 	$(call link,$(CC) $(WARNINGS) -O2 $(NUMERICS) -I$(LINKED) $(CFLAGS) $< -lm)
 
 hil: CONTROLLER := $(or $(CONTROLLER),$(OUT)/controller)
-hil: $(LINKED_PROGRAM) $(OUT)/controller build/trace build/link build/plot
+hil: $(LINKED_PROGRAM) $(OUT)/controller build/trace build/link
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(CONNECT) >$(OUT)/summary.txt && cat $(OUT)/summary.txt
@@ -174,7 +174,7 @@ hil: $(LINKED_PROGRAM) $(OUT)/controller build/trace build/link build/plot
 	$(Q)sh tools/plot/plot.sh $(OUT) counts volts pole
 	$(Q)awk -F, -f models/hil/stood.awk $(OUT)/trace.csv
 
-plot: $(PROGRAM) build/trace build/plot
+plot: $(PROGRAM) build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(RUN) >$(OUT)/summary.txt
@@ -203,7 +203,7 @@ stack: $(OUT)/plant.o build/stack
 	@build/stack step <$(OUT)/stack/plant.ci
 
 ifneq ($(OF_ONE_SCENE),)
-cost: build/isoc build/trace build/price build/plot
+cost: build/isoc build/trace build/price
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(if $(filter host,$(TARGET)),$(call require,valgrind,apt-get install valgrind))
@@ -231,7 +231,7 @@ REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FO
 REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
 REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 
-report: build/isoc build/trace build/plot build/accuracy
+report: build/isoc build/trace build/accuracy
 	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/measure/report.sh
@@ -240,7 +240,7 @@ bench: build/isoc build/trace build/accuracy
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/measure/bench.sh
 
-drift: build/isoc build/trace build/plot
+drift: build/isoc build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/measure/drift.sh

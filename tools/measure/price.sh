@@ -67,7 +67,7 @@ counted . base
 built whole
 counted . whole
 build/price "$work" "$FOLDER/effects.tsv" || exit 1
-build/plot effects "$NAME" "$TARGET" "$FOLDER/effects.tsv" >"$FOLDER/effects.gnuplot" || exit 1
+sh tools/plot/picture.sh effects "$NAME" "$TARGET" "$FOLDER/effects.tsv" >"$FOLDER/effects.gnuplot" || exit 1
 echo
 echo "$FOLDER/effects.tsv"
 sh tools/plot/draw.sh "$FOLDER/effects.gnuplot" || fail "make cost: gnuplot does not draw $FOLDER/effects.gnuplot"

@@ -59,10 +59,10 @@ if [ "$inputs" -gt 0 ]; then
         echo
         build/accuracy text "$dir/loop.tsv"
     } >>"$dir/report.txt"
-    build/plot work_precision "$NAME in a loop" "$time" "$dir/loop.tsv" >"$dir/loop.gnuplot" || exit 1
+    sh tools/plot/picture.sh work_precision "$NAME in a loop" "$time" "$dir/loop.tsv" >"$dir/loop.gnuplot" || exit 1
 fi
 
-build/plot work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/work_precision.gnuplot" || exit 1
+sh tools/plot/picture.sh work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/work_precision.gnuplot" || exit 1
 
 cat "$dir/report.txt"
 echo

@@ -10,7 +10,7 @@ size=$(sed -n 's/^# size \([0-9]*\) \([0-9]*\)$/\1,\2/p' "$1")
 [ -n "$size" ] || exit 0
 
 gnuplot -e "set terminal svg size $size font 'sans-serif,11' background rgb 'white'; set output '$name.drawn'" "$1"
-build/plot compact <"$name.drawn" >"$name.svg"
+LC_ALL=C awk -f "${0%draw.sh}gnuplot.awk" -f "${0%draw.sh}compact.awk" "$name.drawn" >"$name.svg"
 rm "$name.drawn"
 gnuplot -e "set terminal pngcairo size $size font 'sans-serif,9'; set output '$name.png'" "$1"
 echo "$name.svg"

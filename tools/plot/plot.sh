@@ -7,9 +7,9 @@
 set -eu
 folder=$1
 shift
-build/plot trace "$folder" "$@" >"$folder/trace.gnuplot"
-build/plot path "$folder" >"$folder/path.gnuplot"
-build/plot histogram "$folder" >"$folder/histogram.gnuplot"
+sh tools/plot/picture.sh trace "$folder" "$@" >"$folder/trace.gnuplot"
+sh tools/plot/picture.sh path "$folder" >"$folder/path.gnuplot"
+sh tools/plot/picture.sh histogram "$folder" >"$folder/histogram.gnuplot"
 sh tools/plot/draw.sh "$folder/trace.gnuplot"
 sh tools/plot/draw.sh "$folder/path.gnuplot"
 sh tools/plot/draw.sh "$folder/histogram.gnuplot"

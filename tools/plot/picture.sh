@@ -1,0 +1,29 @@
+#!/bin/sh
+# Writes gnuplot's commands for a picture: first a comment with the size, `# size WIDTH HEIGHT`; nothing where there is nothing
+# to draw. NAME.awk beside it says what is in the picture NAME.
+#
+#     picture.sh trace DIRECTORY [OUTPUT...]          of a run: trace.csv, units.csv and summary.txt there
+#     picture.sh path DIRECTORY
+#     picture.sh histogram DIRECTORY
+#     picture.sh work_precision SCENE TIME report.tsv
+#     picture.sh violation SCENE measured
+#     picture.sh effects SCENE TARGET effects.tsv
+#     picture.sh compare DIRECTORY DIRECTORY
+#     picture.sh differences DIRECTORY DIRECTORY      as a table
+set -eu
+here=$(dirname "$0")
+name=$1
+shift
+case $name in
+trace | path | histogram) of="signals" ;;
+compare | differences) of="signals compared" ;;
+*) of= ;;
+esac
+for file in $name $of gnuplot; do
+    set -- -f "$here/$file.awk" "$@"
+done
+export LC_ALL=C
+case $name in
+work_precision) build/isoc --methods | awk -F '\t' "$@" ;;
+*) awk "$@" ;;
+esac

@@ -1,0 +1,207 @@
+# Error over cost and over the step for every method, from a report's table (tools/measure/report.sh), with the methods of isoc
+# (build/isoc --methods) before it: a pair of panels for each kind, and a legend. An error above 100 means nothing, and is not
+# drawn.
+#
+#     work_precision SCENE TIME report.tsv
+BEGIN {
+    scene = ARGV[1]
+    time = ARGV[2]
+    ARGV[1] = ""
+    ARGV[2] = "-"
+    # In pixels. The legend has room for so many rows of methods; a picture with more of them is as much higher.
+    WIDTH = 960; HEIGHT = 760; LEGEND = 100; LEGEND_ROWS = 4; LEGEND_COLUMNS = 5; ROW = 16; COLUMN = 150
+    FRONT = "with lines linewidth 6 linecolor rgb '#f0d060'"
+    families = split("one step:multistep:stiff:varying step:others", family_name, ":")
+    # Colours and marks that are chosen; variants of a method share a colour. The others have one of the palette: for every
+    # colour each of the marks.
+    chosen["euler"] = "#8c8c8c 7"; chosen["semi_implicit"] = "#8c8c8c 6"; chosen["heun"] = "#b8860b 7"; chosen["rk4"] = "#0067a5 7"
+    chosen["ab4"] = "#d1590a 7"; chosen["abm4"] = "#3c8d2f 7"; chosen["abm4_pec"] = "#3c8d2f 6"; chosen["abm4_pecece"] = "#3c8d2f 9"
+    chosen["bdf4"] = "#8e3a8e 7"; chosen["rosenbrock"] = "#c2185b 5"; chosen["adams"] = "#008b8b 5"
+    colours = split("#000000 #8b4513 #1a237e #7cb342 #e57373 #5c9bd5 #9575cd #a1887f", palette, " ")
+    marks = split("7 5 9 13 11 15", mark, " ")
+    add_kind("float", "float", "Cortex-M4F")
+    add_kind("compensated", "float, compensated sums", "Cortex-M4F")
+    add_kind("double", "double", "host")
+    add_kind("held", "held inputs, double", "host")
+    add_kind("smooth", "smooth inputs, double", "host")
+}
+
+function add_kind(kind, title, machine)
+{
+    kind_name[++kinds] = kind
+    kind_title[kinds] = title
+    kind_machine[kinds] = machine
+}
+
+# --- The tables ---
+
+# A row of the methods: name, order, evaluations, Jacobians, solutions, vectors kept.
+FILENAME == "-" || FILENAME == "" {
+    split($0, cell, / *[|] */)
+    if (cell[2] !~ /^(method|-*)$/) {
+        known[cell[2]] = known_methods++
+        family_of[cell[2]] = cell[4] ~ /sub-step/ ? 4 : cell[5] > 0 ? 3 : cell[7] > 0 ? 2 : 1
+    }
+    next
+}
+
+FNR == 1 { next }
+
+!($2 in number) {
+    number[$2] = ++methods
+    method[methods] = $2
+    family[methods] = $2 in known ? family_of[$2] : families
+    in_family[family[methods]]++
+    place = $2 in known ? known[$2] : known_methods + methods - 1
+    if (place >= colours * marks) fail("plot: two methods would look alike")
+    split($2 in chosen ? chosen[$2] : palette[place % colours + 1] " " mark[int(place / colours) % marks + 1], cell, " ")
+    look[methods] = "with linespoints linewidth 1.1 pointsize 0.55 pointtype " cell[2] " linecolor rgb '" cell[1] "'"
+}
+
+$5 > 0 && $5 <= 100 && $5 !~ /inf|nan/ {
+    rows++
+    row_kind[rows] = $1
+    row_method[rows] = $2
+    step[rows] = 1000 * $3
+    error[rows] = $5
+    cost[rows] = $8
+    points[$1, $2] = points[$1, $2] sprintf("%s %s %.9g\n", $8, $5, 1000 * $3)
+    has[$1] = 1
+    extend("step", step[rows])
+    extend("error", $5 + 0)
+    extend("cost", $8 + 0)
+    if ($9 == "-") longest = larger(longest, step[rows])
+}
+
+function extend(what, value)
+{
+    if (!(what in least) || value < least[what]) least[what] = value
+    most[what] = larger(most[what], value)
+}
+
+# --- The Pareto front: the points that no other point of the kind betters in error and in cost ---
+
+function on_front(kind, row, other, cheaper, better)
+{
+    for (other = 1; other <= rows; other++) {
+        if (row_kind[other] != kind) continue
+        cheaper = cost[row] - cost[other]
+        better = error[row] - error[other]
+        if (cheaper >= 0 && better >= 0 && (cheaper > 0 || better > 0)) return 0
+    }
+    return row_kind[row] == kind
+}
+
+# The next one that costs more than `above`; 0 if there is none.
+function next_on_front(kind, above, row, found)
+{
+    for (row = 1; row <= rows; row++)
+        if (cost[row] > above && on_front(kind, row) && (!found || cost[row] + 0 < cost[found])) found = row
+    return found
+}
+
+# Names an end of the front: the cheapest at the upper edge of the panel, the most exact below its point.
+function put_end(row, label, where, left)
+{
+    left = log(cost[row] / least["cost"]) < log(most["cost"] / least["cost"]) / 2
+    printf "set label %d '%s, %.3g ms' noenhanced at first %.9g, %s %s font ',10' front\n", label, row_method[row], step[row], cost[row],
+        where, left ? "left" : "right"
+}
+
+# The front as a block of data, and labels 2 and 3 at its ends.
+function put_front(kind, row, following, lines)
+{
+    row = next_on_front(kind, 0)
+    put_end(row, 2, "graph 0.955")
+    for (following = row; following; following = next_on_front(kind, cost[row])) {
+        row = following
+        lines = lines cost[row] " " error[row] "\n"
+    }
+    put_block("front_" kind, lines)
+    put_end(row, 3, "first " error[row] " offset 0, -0.9")
+}
+
+# --- Panels ---
+
+# A panel of a kind whose abscissa is a column of the points; after what is drawn already.
+function put_curves(kind, column, drawn, i)
+{
+    for (i = 1; i <= methods; i++)
+        if ((kind, method[i]) in points)
+            drawn = drawn (drawn == "" ? "plot" : ",") " $" kind "_" method[i] " using " column ":2 " look[i]
+    print drawn
+}
+
+# Labels at the steps of fixed methods, and by twos at whatever lies beyond them; every other one has a text.
+function put_step_axis(at, i, list)
+{
+    for (at = longest ? longest : most["step"]; 2 * at <= 1.25 * most["step"]; at *= 2) continue
+    for (; at >= 0.8 * least["step"]; at /= 2)
+        list = list (i ? ", " : "") sprintf("'%s' %.4g", i++ % 2 ? "" : sprintf("%.4g", at), at)
+    printf "set xrange [%.4g:%.4g]\nset xtics (%s)\nset xlabel 'step, ms'\n", least["step"] * 0.8, most["step"] * 1.25, list
+}
+
+# The two panels of a kind, one above the other.
+function put_kind(k, place, places, width, left, right, i, kind)
+{
+    kind = kind_name[k]
+    width = 0.91 / places
+    left = 0.075 + place * width
+    right = left + width - 0.025
+    for (i = 1; i <= methods; i++) if ((kind, method[i]) in points) put_block(kind "_" method[i], points[kind, method[i]])
+    put_front(kind)
+    print "set label 1 '" kind_title[k] "' at graph 0, 1 offset 0, 0.8 left font ',12'"
+    print "set xlabel 'instructions per second, " kind_machine[k] "'"
+    print "set ylabel '" (place ? "" : "error after " time " s") "' offset 1, 0"
+    put_decades("y", least["error"] / 30, most["error"] * 30, !place)
+    put_decades("x", least["cost"] / 1.5, most["cost"] * 1.5, 1)
+    put_place(left, right, 1 - 80 / height, 1 - 310 / height)
+    put_curves(kind, 1, "plot $front_" kind " " FRONT)
+    print "unset label 2\nunset label 3\nunset label 4"
+    put_step_axis()
+    put_place(left, right, 1 - 395 / height, 1 - 600 / height)
+    put_curves(kind, 3)
+}
+
+# The names of the methods in a panel of its own below the others: each family begins a row.
+function put_legend(rows_more, f, i, n, x, y, row, label, drawn)
+{
+    print "unset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\nunset logscale\nunset label"
+    printf "set xrange [0:%d]\nset yrange [%d:0]\n", WIDTH, LEGEND + rows_more
+    put_place(0, 1, (LEGEND + rows_more) / height, 0)
+    put_block("legend_front", "85 12\n115 12\n")
+    print "set label 10 'Pareto front' at 122, 12 left"
+    print "set label 11 'no other point has a smaller error and fewer instructions' at 232, 12 left"
+    label = 12
+    for (f = 1; f <= families; f++) {
+        n = 0
+        for (i = 1; i <= methods; i++) {
+            if (family[i] != f) continue
+            x = 220 + COLUMN * (n % LEGEND_COLUMNS)
+            y = 30 + ROW * (row + int(n / LEGEND_COLUMNS))
+            if (n++ == 0) print "set label " label++ " '" family_name[f] ":' at 85, " y " left"
+            print "set label " label++ " '" method[i] "' noenhanced at " x + 12 ", " y " left"
+            put_block("legend_" method[i], x - 20 " " y "\n" x - 7 " " y "\n" x + 6 " " y "\n")
+        }
+        row += legend_rows(f)
+    }
+    for (i = 1; i <= methods; i++) drawn = drawn ", $legend_" method[i] " " look[i]
+    print "plot $legend_front " FRONT drawn
+}
+
+function legend_rows(f) { return int((in_family[f] + LEGEND_COLUMNS - 1) / LEGEND_COLUMNS) }
+
+END {
+    if (failed || !rows) exit failed
+    for (f = 1; f <= families; f++) more += legend_rows(f)
+    more = more > LEGEND_ROWS ? ROW * (more - LEGEND_ROWS) : 0
+    height = HEIGHT + more
+    printf "# size %d %d\nset multiplot\n", WIDTH, height
+    put_style()
+    print "set logscale xy\nset mxtics 1\nset mytics 1"
+    printf "set label 4 '%s: error over cost' noenhanced at screen 0.075, %.5f left font ',14'\n", scene, 1 - 30 / height
+    for (k = 1; k <= kinds; k++) places += has[kind_name[k]]
+    for (k = 1; k <= kinds; k++) if (has[kind_name[k]]) put_kind(k, drawn_kinds++, places)
+    put_legend(more)
+    print "unset multiplot"
+}
