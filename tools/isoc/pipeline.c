@@ -34,8 +34,7 @@ static bool write_paths(const source *s)
 static bool write_effects(const source *s, const scene *written)
 {
     text list = {.memory = s->memory};
-    for (size_t i = 0; i < written->effects.count; i++) {
-        const effect_use *use = &written->effects.all[i];
+    FOR_EACH (const effect_use, use, written->effects) {
         if (!use->left_out && use->name.text != NULL && use->kind.text != NULL) {
             text_add(&list, "%s %s\n", use->name.text, use->kind.text);
         }

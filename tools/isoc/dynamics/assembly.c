@@ -23,8 +23,7 @@ typedef struct assembly {
 static const char *list_free(const assembly *a)
 {
     const char *list = "";
-    for (int i = 0; i < a->m->segment_count; i++) {
-        const segment *l = &a->m->segments[i];
+    FOR_ALL (const segment, l, a->m->segments, a->m->segment_count) {
         bool any = false;
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             any = any || a->is_free[f];
@@ -105,19 +104,18 @@ static bool close_positions(const assembly *a)
     }
     const int undetermined = branches_look(&a->c, a->is_free, a->meets);
     if (undetermined > 0) {
-        source_problem(a->s, closure_of(a, open)->at,
-                       "the closures leave %d of %d coordinates undetermined (rank %d): give a start to %d of %s",
-                       undetermined, count, open.rank, undetermined, list_free(a));
-        return false;
+        return source_problem(
+            a->s, closure_of(a, open)->at,
+            "the closures leave %d of %d coordinates undetermined (rank %d): give a start to %d of %s", undetermined,
+            count, open.rank, undetermined, list_free(a));
     }
     choose_free(a, false, true);
     const gap left = closing_run(&a->c, false, a->is_free);
     if (!(left.size <= exact)) {
-        source_problem(
+        return source_problem(
             a->s, closure_of(a, left)->at,
             "'%s' contradicts the other closures: a gap of %.3g %s remains; the constraints have rank %d of %d",
             closure_of(a, left)->name, left.size, unit_of(a, left), left.rank, left.all);
-        return false;
     }
     return true;
 }
@@ -127,10 +125,10 @@ static bool close_speeds(const assembly *a)
     choose_free(a, true, false);
     const gap open = closing_run(&a->c, true, a->is_free);
     if (!(open.size <= closed_as_given)) {
-        source_problem(a->s, closure_of(a, open)->at,
-                       "the speeds at the start violate '%s' by %.3g %s/s: leave out those that follow from the others",
-                       closure_of(a, open)->name, open.size, unit_of(a, open));
-        return false;
+        return source_problem(
+            a->s, closure_of(a, open)->at,
+            "the speeds at the start violate '%s' by %.3g %s/s: leave out those that follow from the others",
+            closure_of(a, open)->name, open.size, unit_of(a, open));
     }
     choose_free(a, true, true);
     const gap left = closing_run(&a->c, true, a->is_free);
@@ -160,9 +158,9 @@ static bool check_dropped(const assembly *a)
         const double off = fabs(a->c.numbers[a->held->dropped_gaps[i]]);
         const closure *c = &a->m->closures[a->held->dropped_closures[i]];
         if (!(off <= closed_as_given)) {
-            source_problem(a->s, c->at, "'%s' cannot close: a gap of %.3g (m or rad) remains that no joint can close",
-                           c->name, off);
-            return false;
+            return source_problem(a->s, c->at,
+                                  "'%s' cannot close: a gap of %.3g (m or rad) remains that no joint can close",
+                                  c->name, off);
         }
     }
     return true;
@@ -171,14 +169,13 @@ static bool check_dropped(const assembly *a)
 /* A distance that is what the start gives must be one. */
 static bool check_distances(const assembly *a)
 {
-    for (int r = 0; r < a->held->count; r++) {
-        const constraint *c = &a->held->all[r];
+    FOR_ALL (const constraint, c, a->held->all, a->held->count) {
         if (a->m->closures[c->closure].kind == CLOSE_DISTANCE && !(a->c.numbers[c->length] > closed_as_given)) {
-            source_problem(a->s, a->m->closures[c->closure].at,
-                           "the points of '%s' coincide at the start: write a length, as in length 1 m, or a start at "
-                           "which they are apart",
-                           a->m->closures[c->closure].name);
-            return false;
+            return source_problem(
+                a->s, a->m->closures[c->closure].at,
+                "the points of '%s' coincide at the start: write a length, as in length 1 m, or a start at "
+                "which they are apart",
+                a->m->closures[c->closure].name);
         }
     }
     return true;
@@ -187,13 +184,11 @@ static bool check_distances(const assembly *a)
 /* A disc stands on its plane, above it. */
 static bool check_discs(const assembly *a)
 {
-    for (int r = 0; r < a->held->count; r++) {
-        const constraint *c = &a->held->all[r];
+    FOR_ALL (const constraint, c, a->held->all, a->held->count) {
         const closure *at = &a->m->closures[c->closure];
         if (at->is_disc && !is_zero(a->c.d->g, c->position) && !(a->c.numbers[c->length] > closed_as_given)) {
-            source_problem(a->s, at->at, "the disc of '%s' lies flat on its plane at the start, or is below it",
-                           at->name);
-            return false;
+            return source_problem(a->s, at->at, "the disc of '%s' lies flat on its plane at the start, or is below it",
+                                  at->name);
         }
     }
     return true;
@@ -210,8 +205,7 @@ static double largest_change(const double *from, const double *to, int count)
 
 static void keep_start(const assembly *a)
 {
-    for (int i = 0; i < a->m->segment_count; i++) {
-        segment *l = &a->m->segments[i];
+    FOR_ALL (segment, l, a->m->segments, a->m->segment_count) {
         const double *x = a->c.x + l->position;
         const double *speed = a->c.x + a->m->position_count + l->dof;
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {

@@ -63,8 +63,7 @@ static void move_segment(const closing *c, const segment *l, const double *by)
 
 void closing_move(const closing *c, bool rates, const double *by)
 {
-    for (int i = 0; i < c->m->segment_count; i++) {
-        const segment *l = &c->m->segments[i];
+    FOR_ALL (const segment, l, c->m->segments, c->m->segment_count) {
         if (!rates) {
             move_segment(c, l, by + l->dof);
         } else {
@@ -173,8 +172,7 @@ static void move_away(const closing *c, const bool *is_free, int n, double reach
 /* Brings free angles to within half a turn of their rough start, continuous ones of zero. */
 static void fold(const closing *c, const bool *is_free)
 {
-    for (int i = 0; i < c->m->segment_count; i++) {
-        const segment *l = &c->m->segments[i];
+    FOR_ALL (const segment, l, c->m->segments, c->m->segment_count) {
         if (l->kind == JOINT_REVOLUTE && is_free[l->dof]) {
             const double from = l->continuous ? 0.0 : l->start[0];
             c->x[l->position] -= around * floor((c->x[l->position] - from) / around + 0.5);

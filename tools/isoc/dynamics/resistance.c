@@ -16,8 +16,7 @@ static node *build_efforts(graph *g, const dynamics *d)
     for (int i = 0; i < m->segment_count; i++) {
         wrenches[i] = none;
     }
-    for (int i = 0; i < m->forces.applied_count; i++) {
-        const applied_force *f = &m->forces.applied[i];
+    FOR_ALL (const applied_force, f, m->forces.applied, m->forces.applied_count) {
         if (f->drive < 0) {
             wrenches[f->segment] = wrench_sub(g, wrenches[f->segment], wrench_of_applied_force(g, f));
         }

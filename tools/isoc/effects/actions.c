@@ -274,13 +274,11 @@ static void do_require(effect_scope *w, const instance *in, const effect_line *l
 
 void check_subjects(effect_scope *w, const instance *in)
 {
-    for (size_t i = 0; i < in->kind->line_count; i++) {
-        const effect_line *line = &in->kind->lines[i];
+    FOR_ALL (const effect_line, line, in->kind->lines, in->kind->line_count) {
         const bool is_state = line->kind == EFFECT_STATE;
         const effect_line_kind wanted = is_state ? EFFECT_RATE : EFFECT_NEXT;
         int found = 0;
-        for (size_t j = 0; j < in->kind->line_count; j++) {
-            const effect_line *other = &in->kind->lines[j];
+        FOR_ALL (const effect_line, other, in->kind->lines, in->kind->line_count) {
             found += other->kind == wanted && other->name.text != NULL && line->name.text != NULL &&
                      strcmp(other->name.text, line->name.text) == 0;
         }

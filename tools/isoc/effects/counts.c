@@ -14,8 +14,7 @@ static int count_lines(const effect_kind *kind, effect_line_kind of)
 static int count_all(const scene *written, effect_line_kind kind)
 {
     int count = 0;
-    for (size_t i = 0; i < written->effects.count; i++) {
-        const effect_use *use = &written->effects.all[i];
+    FOR_EACH (const effect_use, use, written->effects) {
         count += use->left_out ? 0 : count_lines(find_effect_kind(written, use->kind), kind);
     }
     return count;

@@ -56,8 +56,7 @@ static bool check_operands(builder *b, const instance *in)
 {
     source *s = b->s;
     const size_t problems = s->problem_count;
-    for (size_t i = 0; i < in->use->operand_count; i++) {
-        const quantity *given = &in->use->operands[i];
+    FOR_ALL (const quantity, given, in->use->operands, in->use->operand_count) {
         const effect_line *line = line_called(in->kind, given->name.text, false);
         if (line == NULL || line->kind >= EFFECT_FAULT) {
             source_problem(s, given->name.at, "the effect %s has no operand '%s'%s", in->kind->name.text,
@@ -66,8 +65,7 @@ static bool check_operands(builder *b, const instance *in)
             source_problem(s, given->name.at, "a second '%s'", given->name.text);
         }
     }
-    for (size_t i = 0; i < in->kind->line_count; i++) {
-        const effect_line *line = &in->kind->lines[i];
+    FOR_ALL (const effect_line, line, in->kind->lines, in->kind->line_count) {
         if (line->kind < EFFECT_FAULT && line->value == NULL && line->name.text != NULL &&
             operand_called(in, line->name.text) == NULL) {
             source_problem(s, in->use->name.at, "'%s' has no %s: the effect %s needs it", in->use->name.text,
@@ -81,8 +79,7 @@ static bool check_operands(builder *b, const instance *in)
 static double start_of_fault(builder *b, const char *display_name)
 {
     double start = 0.0;
-    for (size_t i = 0; i < b->written->fault_starts.count; i++) {
-        const setting *set = &b->written->fault_starts.all[i];
+    FOR_EACH (const setting, set, b->written->fault_starts) {
         if (set->value != NULL && strcmp(set->what.text, display_name) == 0) {
             start = value_constant(&b->values, set->value, no_unit, display_name, 0.0);
             if (!(start >= 0.0 && start <= 1.0)) {
@@ -179,8 +176,7 @@ void build_effects(builder *b)
     }
     b->values.around = around;
     graph_section(b->g, "Effects");
-    for (size_t i = 0; i < b->written->effects.count; i++) {
-        const instance *in = &w->all[i];
+    FOR_ALL (const instance, in, w->all, b->written->effects.count) {
         const bool is_there = in->kind != NULL && !in->use->left_out;
         for (size_t j = 0; is_there && j < in->kind->line_count; j++) {
             do_line(w, in, &in->kind->lines[j]);

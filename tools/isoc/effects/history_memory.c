@@ -71,8 +71,7 @@ value history_memory_value(void *context, const formula *f)
     builder *b = w->b;
     const keeping kept = function_called(f->name)->kept;
     const size_t before = b->s->problem_count, at_start = kept == KEPT_PREVIOUS ? 1 : 2;
-    for (size_t i = 0; i < b->history_memory_count; i++) {
-        const history_memory *p = &b->history_memories[i];
+    FOR_ALL (const history_memory, p, b->history_memories, b->history_memory_count) {
         if (p->of == f && p->within == w->within) {
             return (value){
                 .count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.inputs.count + p->memory)}, .of = p->in};
@@ -85,12 +84,10 @@ value history_memory_value(void *context, const formula *f)
         return nothing;
     }
     if (has_start && !is_constant(b->g, first.parts[0])) {
-        source_problem(b->s, f->parts[at_start]->at, "the start of a %s must be a constant", f->name);
-        return nothing;
+        return REFUSED(b->s, f->parts[at_start]->at, "the start of a %s must be a constant", f->name);
     }
     if (b->mechanism.effects.memory_count + b->mechanism.inputs.count >= MOST_MEMORIES) {
-        source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
-        return nothing;
+        return REFUSED(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
     }
     const int memory = add_history_memory(w, f, has_start ? first.parts[0] : -1, first.of, ticks);
     return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.inputs.count + memory)}, .of = first.of};

@@ -41,17 +41,15 @@ static value checked(effect_scope *w, const instance *in, const effect_line *lin
     source *s = w->b->s;
     if (found.count > 0 && found.count != line->parts) {
         const char *is = line->parts == 1 ? "one number" : "a vector (x, y, z)";
-        source_problem(s, f->at, "'%s' is %s; this is %s", line->name.text, is,
+        return REFUSED(s, f->at, "'%s' is %s; this is %s", line->name.text, is,
                        found.count == 1 ? "one number" : arena_format(s->memory, "%d", found.count));
-        return nothing;
     }
     if (found.count == 0 || !declared_dimension(w, in, line, f, &expected)) {
         return found;
     }
     if (!found.any && !dimension_equal_but_angle(found.of, expected)) {
-        source_problem(s, f->at, "'%s' %s; this %s", line->name.text, dimension_phrase(s->memory, expected),
+        return REFUSED(s, f->at, "'%s' %s; this %s", line->name.text, dimension_phrase(s->memory, expected),
                        dimension_phrase(s->memory, found.of));
-        return nothing;
     }
     found.of = expected;
     found.any = false;
@@ -188,8 +186,7 @@ value line_value(effect_scope *w, const instance *in, const effect_line *line)
     if (line->kind == EFFECT_OUTPUT && line->value == NULL) {
         meant = line_shown(in->kind, line->name.text);
         if (meant == NULL || meant->kind <= EFFECT_BODY) {
-            source_problem(w->b->s, line->name.at, "this effect has no '%s' to show", line->name.text);
-            return nothing;
+            return REFUSED(w->b->s, line->name.at, "this effect has no '%s' to show", line->name.text);
         }
     }
     const size_t i = (size_t)(meant - in->kind->lines);

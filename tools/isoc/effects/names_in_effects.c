@@ -56,8 +56,7 @@ static value output_of_effect(effect_scope *w, const formula *f, const char *dot
 {
     source *s = w->b->s;
     const size_t length = (size_t)(dot - f->name);
-    for (size_t i = 0; i < w->b->written->effects.count; i++) {
-        const instance *in = &w->all[i];
+    FOR_ALL (const instance, in, w->all, w->b->written->effects.count) {
         const char *called = in->use->name.text;
         if (called == NULL || strlen(called) != length || strncmp(called, f->name, length) != 0) {
             continue;
@@ -67,9 +66,8 @@ static value output_of_effect(effect_scope *w, const formula *f, const char *dot
         }
         const effect_line *line = line_called(in->kind, dot + 1, true);
         if (line == NULL) {
-            source_problem(s, f->at, "the effect '%s' has no output '%s'%s", called, dot + 1,
+            return REFUSED(s, f->at, "the effect '%s' has no output '%s'%s", called, dot + 1,
                            suggestion(s, in->kind, dot + 1, EFFECT_OUTPUT, EFFECT_OUTPUT));
-            return nothing;
         }
         value found = line_value(w, in, line);
         for (int part = 0; (in->use->left_out || in->use->dropped) && part < found.count; part++) {
@@ -78,17 +76,15 @@ static value output_of_effect(effect_scope *w, const formula *f, const char *dot
         return found;
     }
     const char *typed = arena_copy(s->memory, f->name, length);
-    source_problem(s, f->at, "no effect is called '%s'%s", typed, suggest_effect(s, w->b->written, typed));
-    return nothing;
+    return REFUSED(s, f->at, "no effect is called '%s'%s", typed, suggest_effect(s, w->b->written, typed));
 }
 
 static value input_value(effect_scope *w, const formula *f, int i)
 {
     w->b->is_input_used[i] = true;
     if (!w->b->is_input_known[i]) {
-        source_problem(w->b->s, w->b->written->inputs.all[i].name.at, "the input '%s' has no unit: input %s V", f->name,
+        return REFUSED(w->b->s, w->b->written->inputs.all[i].name.at, "the input '%s' has no unit: input %s V", f->name,
                        f->name);
-        return nothing;
     }
     return (value){.count = 1, .parts = {leaf(w->b->g, OP_INPUT, i)}, .of = w->b->input_dimensions[i]};
 }

@@ -53,15 +53,13 @@ static bool find_beside(effect_scope *w, const formula *f, bool of_inertia, vect
         return false;
     }
     if (found.count != 3 || (!found.any && !dimension_equal_but_angle(found.of, metre))) {
-        source_problem(s, f->at, "expected a vector (x, y, z) m, from the point of the body");
-        return false;
+        return source_problem(s, f->at, "expected a vector (x, y, z) m, from the point of the body");
     }
     for (int i = 0; i < 3; i++) {
         beside->at[i] = found.parts[i];
         if (can_change(g, found.parts[i]) || uses_operation(g, &found.parts[i], 1, OP_INERTIA)) {
-            source_problem(s, f->at, "%s'at' is a constant or a tunable",
-                           of_inertia ? "the inertia is that at the start: " : "");
-            return false;
+            return source_problem(s, f->at, "%s'at' is a constant or a tunable",
+                                  of_inertia ? "the inertia is that at the start: " : "");
         }
     }
     return true;
@@ -77,8 +75,7 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
         return nothing;
     }
     if (m->bodies.frames[which].segment == GROUND) {
-        source_problem(w->b->s, f->parts[0]->at, "'%s' is a part of the ground: no force moves it", f->parts[0]->name);
-        return nothing;
+        return REFUSED(w->b->s, f->parts[0]->at, "'%s' is a part of the ground: no force moves it", f->parts[0]->name);
     }
     const int first = m->dof_count + 3 * m->queries.inertia_count;
     m->queries.inertias = arena_grow(w->b->s->memory, m->queries.inertias, (size_t)m->queries.inertia_count,
@@ -116,9 +113,8 @@ static bool find_of_point(effect_scope *w, const formula *f, query *q)
 {
     q->kind = quantity_called(f->name, OF_BODY);
     if (q->kind == QUANTITY_ROWS) {
-        source_problem(w->b->s, f->at, "a body has no %s: its %s", f->name,
-                       quantity_words(w->b->s->memory, OF_BODY, OF_BODY));
-        return false;
+        return source_problem(w->b->s, f->at, "a body has no %s: its %s", f->name,
+                              quantity_words(w->b->s->memory, OF_BODY, OF_BODY));
     }
     if (q->kind == QUANTITY_INERTIA_OF_POINT) {
         return true;
@@ -168,9 +164,8 @@ static bool find_effort(effect_scope *w, const formula *f, query *q)
 {
     const name called = {f->parts[0]->name, f->parts[0]->at};
     if (w->within != NULL) {
-        source_problem(w->b->s, f->at, "the effort of '%s' is for formulas of the scene: here it is a signal",
-                       called.text);
-        return false;
+        return source_problem(w->b->s, f->at, "the effort of '%s' is for formulas of the scene: here it is a signal",
+                              called.text);
     }
     return find_transmission(w->b, called, &q->closure, &q->spring);
 }
@@ -240,14 +235,12 @@ static value account_value(effect_scope *w, const formula *f, quantity_kind kind
 {
     const char *called = f->parts[0]->name;
     if (!w->is_done) {
-        source_problem(w->b->s, f->at, "the %s of '%s' is for outputs only", f->name, called);
-        return nothing;
+        return REFUSED(w->b->s, f->at, "the %s of '%s' is for outputs only", f->name, called);
     }
     if (!check_parts(w, f, &quantity_rows[kind])) {
         return nothing;
     }
-    for (size_t i = 0; i < w->b->written->effects.count; i++) {
-        const instance *in = &w->all[i];
+    FOR_ALL (const instance, in, w->all, w->b->written->effects.count) {
         if (in->use->name.text != NULL && strcmp(in->use->name.text, called) == 0) {
             const node part = kind == QUANTITY_POWER_OF_EFFECT    ? in->account->power
                               : kind == QUANTITY_ENERGY_OF_EFFECT ? in->account->stored
@@ -257,9 +250,8 @@ static value account_value(effect_scope *w, const formula *f, quantity_kind kind
                 .count = in->kind != NULL, .parts = {part}, .of = dimension_of_unit(quantity_rows[kind].unit)};
         }
     }
-    source_problem(w->b->s, f->at, "no effect is called '%s'%s", called,
+    return REFUSED(w->b->s, f->at, "no effect is called '%s'%s", called,
                    suggest_effect(w->b->s, w->b->written, called));
-    return nothing;
 }
 
 value quantity_value(void *context, const formula *f)

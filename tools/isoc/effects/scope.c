@@ -5,8 +5,7 @@
 
 const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output)
 {
-    for (size_t i = 0; i < kind->line_count; i++) {
-        const effect_line *line = &kind->lines[i];
+    FOR_ALL (const effect_line, line, kind->lines, kind->line_count) {
         const bool names = line->kind <= EFFECT_STATE || line->kind == EFFECT_MEMORY;
         if ((is_output ? line->kind == EFFECT_OUTPUT : names) && line->name.text != NULL &&
             strcmp(line->name.text, called) == 0) {
@@ -21,8 +20,7 @@ const char *suggestion(source *s, const effect_kind *kind, const char *typed, ef
 {
     const char **names = arena_take(s->memory, kind->line_count + 1, sizeof *names);
     size_t count = 0;
-    for (size_t i = 0; i < kind->line_count; i++) {
-        const effect_line *line = &kind->lines[i];
+    FOR_ALL (const effect_line, line, kind->lines, kind->line_count) {
         if (line->kind >= from && line->kind <= to && line->name.text != NULL) {
             names[count++] = line->name.text;
         }
@@ -54,8 +52,7 @@ const instance *enter(effect_scope *w, const instance *in)
 value evaluate(effect_scope *w, const instance *in, const formula *f, const char *called)
 {
     if (w->depth >= DEEPEST_EFFECT) {
-        source_problem(w->b->s, f->at, "more than %d formulas that need one another", DEEPEST_EFFECT);
-        return nothing;
+        return REFUSED(w->b->s, f->at, "more than %d formulas that need one another", DEEPEST_EFFECT);
     }
     const instance *before = enter(w, in);
     w->path[w->depth++] = called;
@@ -75,9 +72,8 @@ value refuse_loop(effect_scope *w, place at, const char *called)
     for (int i = from + 1; i < w->depth; i++) {
         path = arena_format(w->b->s->memory, "%s, %s", path, w->path[i]);
     }
-    source_problem(w->b->s, at, "an algebraic loop: %s, %s; a state, a memory or previous(x, START) breaks it", path,
+    return REFUSED(w->b->s, at, "an algebraic loop: %s, %s; a state, a memory or previous(x, START) breaks it", path,
                    called);
-    return nothing;
 }
 
 int segment_of(effect_scope *w, name n)

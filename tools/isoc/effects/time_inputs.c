@@ -22,8 +22,7 @@ static bool is_time_function(const formula *f)
 
 static time_input *time_input_called(const builder *b, const formula *f, const effect_use *within)
 {
-    for (int i = 0; i < b->time_input_count; i++) {
-        time_input *t = &b->time_inputs[i];
+    FOR_ALL (time_input, t, b->time_inputs, b->time_input_count) {
         if (is_time(f) ? is_time(t->of) : t->of == f && t->within == within) {
             return t;
         }
@@ -64,8 +63,7 @@ static bool is_given(const effect_use *use, const effect_line *line)
 void find_time_inputs(builder *b)
 {
     const scene *written = b->written;
-    for (size_t i = 0; i < written->effects.count; i++) {
-        const effect_use *use = &written->effects.all[i];
+    FOR_EACH (const effect_use, use, written->effects) {
         const effect_kind *kind = use->left_out ? NULL : find_effect_kind(written, use->kind);
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
             if (!is_given(use, &kind->lines[n])) {

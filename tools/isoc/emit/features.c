@@ -70,8 +70,7 @@ bool settles_by_parameters(const plant *p, const graph *g)
 bool keeps_rows(const plant *p)
 {
     bool any = has_slow_outputs(p->m) || p->rows.any;
-    for (int i = 0; i < p->m->effects.memory_count; i++) {
-        const effect_quantity *e = &p->m->effects.memories[i];
+    FOR_ALL (const effect_quantity, e, p->m->effects.memories, p->m->effects.memory_count) {
         any = any || e->kept == KEPT_SAMPLE || (e->kept == KEPT_DELAY && e->ticks > 1.0);
     }
     return any;

@@ -89,8 +89,7 @@ static void emit_table(const emission *e, const table *t)
 {
     text_add(e->out, "static const iso_quantity %s_%s[%s_%s] = {\n", e->names->prefix, t->what, e->names->capitals,
              capitals_of(e->out->memory, t->what));
-    for (int i = 0; i < t->count; i++) {
-        const row *r = &t->rows[i];
+    FOR_ALL (const row, r, t->rows, t->count) {
         text_add(e->out, "    {\"%s\", \"%s\", %s, %s, %s},\n", r->name, r->unit, limit(e, r->least), limit(e, r->most),
                  code_literal(e->out->memory, r->start, e->p->is_double));
     }

@@ -53,8 +53,7 @@ static void emit_wires(const plant *p, const naming *names, text *out)
     }
     text_add(out, "/* The inputs that come in, each with its safe value, and after how many ticks without a frame. */\n"
                   "static const iso_wire wires[WIRES] = {\n");
-    for (int i = 0; i < m->inputs.wire_count; i++) {
-        const wire *w = &m->inputs.wires[i];
+    FOR_ALL (const wire, w, m->inputs.wires, m->inputs.wire_count) {
         text_add(out, "    {%s, %s, %.0f},\n", names->leaves.inputs[w->input].place,
                  literal_of_plant(out->memory, p, w->safe), w->after);
     }

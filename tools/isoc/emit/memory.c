@@ -188,8 +188,7 @@ void emit_memory(const emission *e)
     const memory_layout list = layout_of(e);
     text_add(e->out, "/* All that a plant keeps, without pointers: a copy of it is a snapshot. */\n");
     text_add(e->out, "typedef struct %s_memory {\n", e->names->prefix);
-    for (int i = 0; i < list.count; i++) {
-        const part *p = &list.parts[i];
+    FOR_ALL (const part, p, list.parts, list.count) {
         if (p->about == NULL) {
             text_add(e->out, "    %s;\n", p->declaration);
         } else {

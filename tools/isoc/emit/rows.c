@@ -110,8 +110,7 @@ static void emit_seen(emission *e)
     const code result = code_of_assignments(e, &all);
     text_add(e->out, "/* What a row shows of the functions of time; the step from there gets it too. */\n");
     text_add(e->out, "static void see(%s_memory *const memory, const uint64_t tick)\n{\n", e->names->prefix);
-    for (int i = 0; i < m->parameters.change_count; i++) {
-        const switching *c = &m->parameters.changes[i];
+    FOR_ALL (const switching, c, m->parameters.changes, m->parameters.change_count) {
         const char *at = e->names->leaves.parameters[c->parameter].place;
         text_add(
             e->out,

@@ -188,8 +188,7 @@ static void emit_prime(emission *e)
 {
     begin_function(e, "static void prime");
     text_add(e->out, "%s", e->p->held.tuned > 0 ? "    tune(memory->h, memory->p);\n" : "");
-    for (int i = 0; i < e->p->reduced_plant_count; i++) {
-        const reduced_plant *left = &e->p->reduced_plants[i];
+    FOR_ALL (const reduced_plant, left, e->p->reduced_plants, e->p->reduced_plant_count) {
         if (left->p->held.tuned > 0) {
             text_add(e->out, "    tune%s(memory->h%s, memory->p);\n", left->suffix, left->suffix);
         }

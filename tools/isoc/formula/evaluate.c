@@ -38,15 +38,13 @@ static value check_set(values *v, const quantity *q, value set)
         return nothing;
     }
     if (set.count != stated.count) {
-        source_problem(v->s, q->value->at, "'%s' %s; this %s", q->name.text,
+        return REFUSED(v->s, q->value->at, "'%s' %s; this %s", q->name.text,
                        stated.count == 1 ? "is one number" : "is a vector (x, y, z)",
                        set.count == 1 ? "is one number" : "is a vector");
-        return nothing;
     }
     if (!set.any && !stated.any && !dimension_equal(set.of, stated.of)) {
-        source_problem(v->s, q->value->at, "'%s' %s in the scene; this %s", q->name.text,
+        return REFUSED(v->s, q->value->at, "'%s' %s in the scene; this %s", q->name.text,
                        dimension_phrase(v->s->memory, stated.of), dimension_phrase(v->s->memory, set.of));
-        return nothing;
     }
     set.of = set.any ? stated.of : set.of;
     return set;
@@ -138,19 +136,16 @@ void values_resolve(values *v)
 static value refuse_name(values *v, const formula *f)
 {
     if (v->around == NULL && quantity_of_nothing(f->name) < QUANTITY_ROWS) {
-        source_problem(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
+        return REFUSED(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
                        f->name);
-        return nothing;
     }
     const char *owners = quantity_owners(v->s->memory, f->name);
     if (owners != NULL) {
-        source_problem(v->s, f->at, "'%s' is of %s: %s of NAME", f->name, owners, f->name);
-        return nothing;
+        return REFUSED(v->s, f->at, "'%s' is of %s: %s of NAME", f->name, owners, f->name);
     }
-    source_problem(v->s, f->at, "no constant%s is called '%s'%s",
+    return REFUSED(v->s, f->at, "no constant%s is called '%s'%s",
                    v->around == NULL ? " or tunable" : ", tunable, input or signal", f->name,
                    suggest_number(v->s, v->scene, f->name, v->around != NULL));
-    return nothing;
 }
 
 /* 1024 / rev: a unit, where nothing has its name. */
@@ -188,8 +183,7 @@ static value evaluate_name(values *v, const formula *f)
         return refuse_name(v, f);
     }
     if (v->progress[*i] == STARTED) {
-        source_problem(v->s, f->at, "'%s' depends on itself", f->name);
-        return nothing;
+        return REFUSED(v->s, f->at, "'%s' depends on itself", f->name);
     }
     resolve(v, (size_t)*i);
     return v->parameters[*i];
@@ -201,8 +195,7 @@ static value evaluate_number(values *v, const formula *f)
     const double number = f->unit.zero == 0.0 ? multiple : (multiple * 100 + f->unit.zero) / 100;
     value r = scalar(constant(v->g, isfinite(number) ? number : 0.0), f->unit.of);
     if (!isfinite(number)) {
-        source_problem(v->s, f->at, "the number is too large in SI units: a double ends at 1.8e308");
-        return nothing;
+        return REFUSED(v->s, f->at, "the number is too large in SI units: a double ends at 1.8e308");
     }
     r.any = f->number == 0.0 && dimension_equal(f->unit.of, plain);
     r.on_scale = f->unit.zero != 0.0;
@@ -214,8 +207,7 @@ static value evaluate_vector(values *v, const formula *f)
 {
     value r = {.any = true};
     if (f->count > VALUE_PARTS) {
-        source_problem(v->s, f->at, "%zu parts: a vector has three (x, y, z), an inertia three or six", f->count);
-        return nothing;
+        return REFUSED(v->s, f->at, "%zu parts: a vector has three (x, y, z), an inertia three or six", f->count);
     }
     for (size_t i = 0; i < f->count; i++) {
         const value part = value_any(v, f->parts[i]);
@@ -223,13 +215,11 @@ static value evaluate_vector(values *v, const formula *f)
             return nothing;
         }
         if (part.count != 1) {
-            source_problem(v->s, f->parts[i]->at, "a part of a vector must be one number");
-            return nothing;
+            return REFUSED(v->s, f->parts[i]->at, "a part of a vector must be one number");
         }
         if (!part.any && !r.any && !agree(v, part.of, r.of)) {
-            source_problem(v->s, f->parts[i]->at, "%s and %s in one vector: its parts must have the same unit",
+            return REFUSED(v->s, f->parts[i]->at, "%s and %s in one vector: its parts must have the same unit",
                            dimension_text(v->s->memory, part.of), dimension_text(v->s->memory, r.of));
-            return nothing;
         }
         gather(&r, &part);
         r.parts[r.count++] = part.parts[0];
@@ -241,8 +231,7 @@ static value evaluate_scale(values *v, const formula *f)
 {
     value r = value_any(v, f->parts[0]);
     if (r.count > 0 && !agree(v, r.of, plain)) {
-        source_problem(v->s, f->at, "units inside the parentheses and after them: write only one of both");
-        return nothing;
+        return REFUSED(v->s, f->at, "units inside the parentheses and after them: write only one of both");
     }
     for (int i = 0; i < r.count; i++) {
         const node scaled = mul(v->g, r.parts[i], constant(v->g, f->unit.numerator));
@@ -272,13 +261,11 @@ static bool is_free_of_scale(values *v, const formula *f, bool on_scale)
 static value evaluate_sum(values *v, const formula *f, value a, value b)
 {
     if (a.count != b.count) {
-        source_problem(v->s, f->at, "a vector and a number cannot be added");
-        return nothing;
+        return REFUSED(v->s, f->at, "a vector and a number cannot be added");
     }
     if (!a.any && !b.any && !agree(v, a.of, b.of)) {
-        source_problem(v->s, f->at, "%s and %s cannot be added", dimension_text(v->s->memory, a.of),
+        return REFUSED(v->s, f->at, "%s and %s cannot be added", dimension_text(v->s->memory, a.of),
                        dimension_text(v->s->memory, b.of));
-        return nothing;
     }
     if (!is_free_of_scale(v, f, f->sign == '+' && a.on_scale && b.on_scale)) {
         return nothing;
@@ -295,13 +282,11 @@ static value evaluate_sum(values *v, const formula *f, value a, value b)
 static value evaluate_product(values *v, const formula *f, value a, value b)
 {
     if ((a.count != 1 && b.count != 1) || (f->sign == '/' && b.count != 1)) {
-        source_problem(v->s, f->at, "a vector cannot be multiplied by a vector, nor divide");
-        return nothing;
+        return REFUSED(v->s, f->at, "a vector cannot be multiplied by a vector, nor divide");
     }
     const bool is_known = v->around == NULL || is_constant(v->g, b.parts[0]);
     if (f->sign == '/' && is_known && value_now(v, b.parts[0]) == 0.0) {
-        source_problem(v->s, f->at, "division by zero");
-        return nothing;
+        return REFUSED(v->s, f->at, "division by zero");
     }
     if (!is_free_of_scale(v, f, a.on_scale || b.on_scale)) {
         return nothing;
@@ -336,8 +321,7 @@ static value evaluate_power(values *v, const formula *f)
 {
     value r = value_any(v, f->parts[0]);
     if (r.count > 1) {
-        source_problem(v->s, f->at, "a vector cannot be raised to a power");
-        return nothing;
+        return REFUSED(v->s, f->at, "a vector cannot be raised to a power");
     }
     if (!is_free_of_scale(v, f, r.on_scale)) {
         return nothing;
@@ -356,9 +340,8 @@ static value evaluate_power(values *v, const formula *f)
 static value evaluate_past(values *v, const formula *f)
 {
     if (v->around == NULL) {
-        source_problem(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
+        return REFUSED(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
                        f->name);
-        return nothing;
     }
     return v->around->history_memory(v->around->of, f);
 }
@@ -383,8 +366,7 @@ static value evaluate_call(values *v, const formula *f)
         return evaluate_points(v, f);
     }
     if (f->count < row->least || f->count > row->most) {
-        source_problem(v->s, f->at, "%s is written like this: %s", f->name, row->example);
-        return nothing;
+        return REFUSED(v->s, f->at, "%s is written like this: %s", f->name, row->example);
     }
     if (row->kind == OF_PAST) {
         return evaluate_past(v, f);
@@ -396,9 +378,8 @@ static value evaluate_call(values *v, const formula *f)
             return nothing;
         }
         if (given[i].count != row->parts) {
-            source_problem(v->s, f->parts[i]->at, "%s is of %s; this is %s", f->name,
+            return REFUSED(v->s, f->parts[i]->at, "%s is of %s; this is %s", f->name,
                            row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "none");
-            return nothing;
         }
     }
     return row->call(v, f, given);
@@ -413,9 +394,8 @@ static value evaluate_order(values *v, const formula *f)
 static value quantity_of_formula(values *v, const formula *f)
 {
     if (v->around == NULL) {
-        source_problem(v->s, f->at, "'%s of %s' changes with time: only an effect, a signal or an output can use it",
+        return REFUSED(v->s, f->at, "'%s of %s' changes with time: only an effect, a signal or an output can use it",
                        f->name, f->parts[0]->name);
-        return nothing;
     }
     return v->around->quantity(v->around->of, f);
 }

@@ -18,9 +18,9 @@ static const double half_pi = 1.57079632679489661923;
 static bool has_dimension(values *v, const formula *f, size_t i, const value *arguments, dimension expected)
 {
     if (!arguments[i].any && !agree(v, arguments[i].of, expected)) {
-        source_problem(v->s, f->parts[i]->at, "%s %s; this %s", arena_format(v->s->memory, "what %s is of", f->name),
-                       dimension_phrase(v->s->memory, expected), dimension_phrase(v->s->memory, arguments[i].of));
-        return false;
+        return source_problem(
+            v->s, f->parts[i]->at, "%s %s; this %s", arena_format(v->s->memory, "what %s is of", f->name),
+            dimension_phrase(v->s->memory, expected), dimension_phrase(v->s->memory, arguments[i].of));
     }
     return true;
 }
@@ -31,9 +31,9 @@ static bool share_dimension(values *v, const formula *f, size_t first, const val
     *result = arguments[first];
     for (size_t i = first + 1; i < f->count; i++) {
         if (!arguments[i].any && !result->any && !agree(v, arguments[i].of, result->of)) {
-            source_problem(v->s, f->parts[i]->at, "%s of %s and of %s: they must have the same unit", name_of(f),
-                           dimension_text(v->s->memory, result->of), dimension_text(v->s->memory, arguments[i].of));
-            return false;
+            return source_problem(v->s, f->parts[i]->at, "%s of %s and of %s: they must have the same unit", name_of(f),
+                                  dimension_text(v->s->memory, result->of),
+                                  dimension_text(v->s->memory, arguments[i].of));
         }
         gather(result, &arguments[i]);
     }
@@ -64,13 +64,11 @@ static bool turn_of(values *v, const formula *f, const value *arguments, node *s
     const node angle = arguments[0].parts[0];
     const double now = value_now(v, angle), quarters = floor(now / half_pi + 0.5);
     if (!stays_within(v, angle, -largest_angle, largest_angle, false)) {
-        source_problem(v->s, f->parts[0]->at, "an angle must be within %g rad", largest_angle);
-        return false;
+        return source_problem(v->s, f->parts[0]->at, "an angle must be within %g rad", largest_angle);
     }
     if (!is_constant(v->g, angle) && depends_on_time(v, angle)) {
-        source_problem(v->s, f->parts[0]->at, "an angle that depends on time is given by its frequency: %s(3 Hz)",
-                       f->name);
-        return false;
+        return source_problem(v->s, f->parts[0]->at,
+                              "an angle that depends on time is given by its frequency: %s(3 Hz)", f->name);
     }
     const bool exact = is_constant(v->g, angle) && fabs(now - quarters * half_pi) <= 2 * DBL_EPSILON * fabs(now);
     const int quadrant = (int)quarters & 3;
@@ -98,9 +96,8 @@ static value sine_or_cosine(values *v, const formula *f, const value *arguments,
         return wave_of_formula(v, f, arguments, is_sine ? sine : cosine);
     }
     if (!is_angle(v, arguments)) {
-        source_problem(v->s, f->parts[0]->at, "%s is of an angle, as in %s(30 deg), or of a frequency; this %s",
+        return REFUSED(v->s, f->parts[0]->at, "%s is of an angle, as in %s(30 deg), or of a frequency; this %s",
                        f->name, f->name, dimension_phrase(v->s->memory, arguments[0].of));
-        return nothing;
     }
     return turn_of(v, f, arguments, &s, &c) ? scalar(is_sine ? s : c, plain) : nothing;
 }
@@ -122,8 +119,7 @@ static value call_tangent(values *v, const formula *f, const value *arguments)
         return nothing;
     }
     if (is_parametric(v, c) && value_now(v, c) == 0.0) {
-        source_problem(v->s, f->parts[0]->at, "the tangent of a quarter turn is infinite");
-        return nothing;
+        return REFUSED(v->s, f->parts[0]->at, "the tangent of a quarter turn is infinite");
     }
     return scalar(divide(v->g, s, c), plain);
 }
@@ -136,8 +132,7 @@ static value inverse_of(values *v, const formula *f, const value *arguments, boo
         return nothing;
     }
     if (!stays_within(v, x, -1.0 - 4 * DBL_EPSILON, 1.0 + 4 * DBL_EPSILON, false)) {
-        source_problem(v->s, f->parts[0]->at, "%s is of a number from -1 to 1; this is %g", f->name, value_now(v, x));
-        return nothing;
+        return REFUSED(v->s, f->parts[0]->at, "%s is of a number from -1 to 1; this is %g", f->name, value_now(v, x));
     }
     if (is_constant(v->g, x)) {
         const double limited = fmax(-1.0, fmin(constant_value(v->g, x), 1.0));
@@ -166,8 +161,7 @@ static value call_direction(values *v, const formula *f, const value *arguments)
         return nothing;
     }
     if (is_parametric(v, y) && is_parametric(v, x) && value_now(v, y) == 0.0 && value_now(v, x) == 0.0) {
-        source_problem(v->s, f->at, "atan2 of 0 and 0: that point has no direction");
-        return nothing;
+        return REFUSED(v->s, f->at, "atan2 of 0 and 0: that point has no direction");
     }
     return scalar(function(v->g, OP_ATAN2, y, x), radian);
 }
@@ -182,13 +176,11 @@ static value call_root(values *v, const formula *f, const value *arguments)
     dimension even = expected, root;
     even.rad = halves || v->around == NULL ? expected.rad : 0;
     if (!dimension_root(even, &root)) {
-        source_problem(v->s, f->parts[0]->at, "the root of %s has no unit: each power but that of a time must be even",
+        return REFUSED(v->s, f->parts[0]->at, "the root of %s has no unit: each power but that of a time must be even",
                        dimension_text(v->s->memory, expected));
-        return nothing;
     }
     if (!stays_above(v, x, 0.0, false)) {
-        source_problem(v->s, f->parts[0]->at, "the root of a negative number: %g", value_now(v, x));
-        return nothing;
+        return REFUSED(v->s, f->parts[0]->at, "the root of a negative number: %g", value_now(v, x));
     }
     value result = arguments[0];
     result.parts[0] = function(v->g, OP_SQRT, x, 0);
@@ -204,9 +196,8 @@ static value call_exp(values *v, const formula *f, const value *arguments)
         return nothing;
     }
     if (!stays_within(v, x, -largest, largest, false)) {
-        source_problem(v->s, f->parts[0]->at, "exp is of a number from -%g to %g; this is %g", largest, largest,
+        return REFUSED(v->s, f->parts[0]->at, "exp is of a number from -%g to %g; this is %g", largest, largest,
                        value_now(v, x));
-        return nothing;
     }
     return scalar(function(v->g, OP_EXP, x, 0), plain);
 }
@@ -218,8 +209,7 @@ static value call_log(values *v, const formula *f, const value *arguments)
         return nothing;
     }
     if (!stays_above(v, x, 0.0, true)) {
-        source_problem(v->s, f->parts[0]->at, "log is of a number larger than zero; this is %g", value_now(v, x));
-        return nothing;
+        return REFUSED(v->s, f->parts[0]->at, "log is of a number larger than zero; this is %g", value_now(v, x));
     }
     return scalar(function(v->g, OP_LOG, x, 0), plain);
 }
@@ -237,9 +227,8 @@ static value call_impact(values *v, const formula *f, const value *arguments)
         return nothing;
     }
     if (!stays_within(v, e, LEAST_RESTITUTION, 1.0, false)) {
-        source_problem(v->s, f->parts[0]->at, "%s is of a restitution from %g to 1; this is %g", f->name,
+        return REFUSED(v->s, f->parts[0]->at, "%s is of a restitution from %g to 1; this is %g", f->name,
                        LEAST_RESTITUTION, value_now(v, e));
-        return nothing;
     }
     return scalar(impact_damping(v->g, e), plain);
 }
@@ -289,8 +278,7 @@ static value call_clamp(values *v, const formula *f, const value *arguments)
         return nothing;
     }
     if (!keeps(v, (condition){least, most, false})) {
-        source_problem(v->s, f->parts[1]->at, "the limits are in the wrong order: clamp(x, LEAST, MOST)");
-        return nothing;
+        return REFUSED(v->s, f->parts[1]->at, "the limits are in the wrong order: clamp(x, LEAST, MOST)");
     }
     result.parts[0] = function(v->g, OP_MIN, larger(v->g, result.parts[0], least), most);
     return result;
@@ -338,8 +326,7 @@ value order_of(values *v, const formula *f, const value *given)
 {
     value both;
     if (given[0].count != 1 || given[1].count != 1) {
-        source_problem(v->s, f->at, "a comparison is of numbers; this is a vector");
-        return nothing;
+        return REFUSED(v->s, f->at, "a comparison is of numbers; this is a vector");
     }
     if (!share_dimension(v, f, 0, given, &both) || refuses_corner(v, f, given, f->count)) {
         return nothing;

@@ -73,8 +73,7 @@ static bool add_point(values *v, const formula *f, points *all, const char *line
         return false;
     }
     if (field == NULL) {
-        source_problem(v->s, at, "this line has no column %.0f", f->number);
-        return false;
+        return source_problem(v->s, at, "this line has no column %.0f", f->number);
     }
     if (!number_of_field(field, &number)) {
         refuse_field(v, f, field, "a value");
@@ -82,18 +81,15 @@ static bool add_point(values *v, const formula *f, points *all, const char *line
     }
     const double ticks = time / v->step;
     if (ticks < 0.0 || ticks > most_ticks || (all->count > 0 && !(ticks > all->ticks[all->count - 1]))) {
-        source_problem(v->s, at, "the times of a file increase, from 0 or later to %g s at most with this step",
-                       most_ticks * v->step);
-        return false;
+        return source_problem(v->s, at, "the times of a file increase, from 0 or later to %g s at most with this step",
+                              most_ticks * v->step);
     }
     if (!real_holds(number, v->is_double)) {
-        source_problem(v->s, f->text_at + (size_t)(skip_blanks(field) - f->file->text), "the value is %g; %s", number,
-                       real_advice(number, v->is_double));
-        return false;
+        return source_problem(v->s, f->text_at + (size_t)(skip_blanks(field) - f->file->text), "the value is %g; %s",
+                              number, real_advice(number, v->is_double));
     }
     if (all->count == MOST_POINTS) {
-        source_problem(v->s, at, "more than %d points", MOST_POINTS);
-        return false;
+        return source_problem(v->s, at, "more than %d points", MOST_POINTS);
     }
     all->ticks = arena_grow(v->s->memory, all->ticks, all->count, &all->room, sizeof *all->ticks);
     all->values = arena_grow(v->s->memory, all->values, all->count, &all->value_room, sizeof *all->values);

@@ -23,8 +23,7 @@ static value value_at_point(values *v, const formula *f, const value *all)
         return nothing;
     }
     if (here.count != 1 || (!here.any && !all->any && !agree(v, here.of, all->of))) {
-        source_problem(v->s, f->at, "the values of a table must be numbers of the same dimension");
-        return nothing;
+        return REFUSED(v->s, f->at, "the values of a table must be numbers of the same dimension");
     }
     return here;
 }
@@ -53,9 +52,8 @@ value table_of_formula(values *v, const formula *f)
 {
     graph *g = v->g;
     if (f->count < 5 || f->count % 2 != 1) {
-        source_problem(v->s, f->at,
+        return REFUSED(v->s, f->at,
                        "a table of a quantity needs pairs of place and value: table(x, 0 m: 0 N, 1 m: 8 N)");
-        return nothing;
     }
     const value x = argument_of_table(v, f->parts[0]);
     if (x.count == 0) {
@@ -139,11 +137,10 @@ value grid_of_formula(values *v, const formula *f)
     graph *g = v->g;
     const size_t rows = f->count - 3, columns = f->parts[2]->count;
     if (f->count < 5 || columns < 2) {
-        source_problem(v->s, f->at,
+        return REFUSED(v->s, f->at,
                        "a table of two quantities needs two places and two rows at least: table(x, y; 0 m, 1 m; 0 s: 1 "
                        "N, 2 N; 1 s: "
                        "3 N, 5 N)");
-        return nothing;
     }
     const value x = argument_of_table(v, f->parts[0]), y = argument_of_table(v, f->parts[1]);
     if (x.count == 0 || y.count == 0) {
@@ -194,15 +191,13 @@ value points_of_formula(values *v, const formula *f)
 {
     const bool is_smooth = strcmp(f->name, "ramp") == 0;
     if (v->is_smooth && !is_smooth) {
-        source_problem(v->s, f->at, "a motion must be smooth, and a table has corners: use ramp");
-        return nothing;
+        return REFUSED(v->s, f->at, "a motion must be smooth, and a table has corners: use ramp");
     }
     if (refuses_time(v, f)) {
         return nothing;
     }
     if (f->count < 2 || f->count % 2 != 0) {
-        source_problem(v->s, f->at, "a %s needs pairs of time and value: %s(0 s: 0 N, 1 s: 8 N)", f->name, f->name);
-        return nothing;
+        return REFUSED(v->s, f->at, "a %s needs pairs of time and value: %s(0 s: 0 N, 1 s: 8 N)", f->name, f->name);
     }
     const char *a_time = arena_format(v->s->memory, "a time of the %s", f->name);
     value sum = value_any(v, f->parts[1]), last = sum;
@@ -215,18 +210,15 @@ value points_of_formula(values *v, const formula *f)
             return nothing;
         }
         if (here.count != 1 || last.count != 1 || (!here.any && !last.any && !agree(v, here.of, last.of))) {
-            source_problem(v->s, f->parts[i + 1]->at, "the values of a %s must be numbers of the same dimension",
+            return REFUSED(v->s, f->parts[i + 1]->at, "the values of a %s must be numbers of the same dimension",
                            f->name);
-            return nothing;
         }
         if (!(time > last_time) || last_time < 0.0) {
-            source_problem(v->s, f->parts[i]->at, "the times of a %s must begin at 0 or later, and increase", f->name);
-            return nothing;
+            return REFUSED(v->s, f->parts[i]->at, "the times of a %s must begin at 0 or later, and increase", f->name);
         }
         if (time > most_ticks) {
-            source_problem(v->s, f->parts[i]->at, "a time of a %s is at most %g s with this step (%g ticks)", f->name,
+            return REFUSED(v->s, f->parts[i]->at, "a time of a %s is at most %g s with this step (%g ticks)", f->name,
                            most_ticks * v->step, most_ticks);
-            return nothing;
         }
         const node rise = sub(v->g, here.parts[0], last.parts[0]);
         const double ticks = time - last_time;

@@ -22,13 +22,11 @@ bool turns_in_tick(values *v, const formula *f, value frequency, double *turns)
         frequency.of = hertz;
     }
     if (frequency.count != 1 || !dimension_equal(frequency.of, hertz) || !is_constant(v->g, frequency.parts[0])) {
-        source_problem(v->s, f->at, "expected a constant frequency in Hz or rad/s");
-        return false;
+        return source_problem(v->s, f->at, "expected a constant frequency in Hz or rad/s");
     }
     *turns = constant_value(v->g, frequency.parts[0]) * v->step;
     if (fabs(*turns) > 0.5) {
-        source_problem(v->s, f->at, "more than half a period in a step: use a shorter step");
-        return false;
+        return source_problem(v->s, f->at, "more than half a period in a step: use a shorter step");
     }
     return true;
 }
@@ -76,8 +74,7 @@ value noise_of_formula(values *v, const formula *f, const value *given)
         return nothing;
     }
     if (v->is_smooth) {
-        source_problem(v->s, f->at, "a motion must be smooth, and noise is not");
-        return nothing;
+        return REFUSED(v->s, f->at, "a motion must be smooth, and noise is not");
     }
     return noise_seed(v, f, given, &seed) ? scalar(noise_of_seed(v->g, seed), plain) : nothing;
 }

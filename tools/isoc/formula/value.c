@@ -94,18 +94,15 @@ value value_fitting(values *v, const formula *f, value r, dimension expected, in
     }
     if (!right_parts(r.count, parts)) {
         const char *found = r.count == 1 ? "one number" : arena_format(v->s->memory, "%d numbers", r.count);
-        source_problem(v->s, f->at, "%s is %s; this is %s", what, form_of(parts), found);
-        return (value){0};
+        return REFUSED(v->s, f->at, "%s is %s; this is %s", what, form_of(parts), found);
     }
     if (!r.any && !agree(v, r.of, expected)) {
-        source_problem(v->s, f->at, "%s %s; this %s", what, dimension_phrase(v->s->memory, expected),
+        return REFUSED(v->s, f->at, "%s %s; this %s", what, dimension_phrase(v->s->memory, expected),
                        dimension_phrase(v->s->memory, r.of));
-        return (value){0};
     }
     for (int i = 0; i < r.count; i++) {
         if (v->around == NULL && !isfinite(value_now(v, r.parts[i]))) {
-            source_problem(v->s, f->at, "%s is not finite", what);
-            return (value){0};
+            return REFUSED(v->s, f->at, "%s is not finite", what);
         }
         if (!check_constants(v, f, what, r.parts[i])) {
             return (value){0};
@@ -162,8 +159,7 @@ bool keeps(values *v, condition c)
     }
     const double least = value_now(v, c.least), most = value_now(v, c.most);
     bool is_new = !is_constant(v->g, c.least) || !is_constant(v->g, c.most);
-    for (size_t i = 0; i < v->condition_count; i++) {
-        const condition *known = &v->conditions[i];
+    FOR_ALL (const condition, known, v->conditions, v->condition_count) {
         is_new = is_new && (known->least != c.least || known->most != c.most || known->is_strict != c.is_strict);
     }
     if (is_new) {

@@ -18,6 +18,9 @@ typedef struct value {
 
 static const value nothing = {0};
 
+/* Notes a problem, as source_problem; the formula then has no value. */
+#define REFUSED(...) (source_problem(__VA_ARGS__), nothing)
+
 /* How far the value of a parameter is. */
 typedef enum progress { NOT_YET, STARTED, DONE } progress;
 

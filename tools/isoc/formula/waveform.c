@@ -26,8 +26,7 @@ static bool whole_ticks_of(values *v, const formula *f, const value *given, cons
         return false;
     }
     if (!is_whole_tick(*ticks)) {
-        source_problem(v->s, f->at, "%s is a whole number of steps; this is %.6g", what, *ticks);
-        return false;
+        return source_problem(v->s, f->at, "%s is a whole number of steps; this is %.6g", what, *ticks);
     }
     *ticks = round(*ticks);
     return true;
@@ -55,8 +54,7 @@ static value square_of(values *v, const formula *f, const value *given)
         return nothing;
     }
     if (!(turns > 0.0)) {
-        source_problem(v->s, f->parts[0]->at, "the frequency of a square is larger than zero");
-        return nothing;
+        return REFUSED(v->s, f->parts[0]->at, "the frequency of a square is larger than zero");
     }
     const double period = 1.0 / turns;
     if (!is_whole_tick(period) || period >= most_repeated) {
@@ -102,18 +100,15 @@ static value prbs_of(values *v, const formula *f, const value *given)
         index++;
     }
     if (index == REGISTERS) {
-        source_problem(v->s, f->parts[2]->at, "the order of a prbs is 7, 9, 10, 11 or 15");
-        return nothing;
+        return REFUSED(v->s, f->parts[2]->at, "the order of a prbs is 7, 9, 10, 11 or 15");
     }
     const double length = ldexp(1.0, (int)order) - 1.0;
     if (!(seed >= 1.0 && seed <= length && seed == floor(seed))) {
-        source_problem(v->s, f->parts[0]->at, "the seed of this prbs is a whole number from 1 to %.0f", length);
-        return nothing;
+        return REFUSED(v->s, f->parts[0]->at, "the seed of this prbs is a whole number from 1 to %.0f", length);
     }
     if (hold * length >= most_repeated) {
-        source_problem(v->s, f->parts[1]->at, "the time of a bit is too long: %.0f of them are at most %.0f steps",
+        return REFUSED(v->s, f->parts[1]->at, "the time of a bit is too long: %.0f of them are at most %.0f steps",
                        length, most_repeated - 1.0);
-        return nothing;
     }
     tick_table *result = table_new(v, f, OP_PRBS);
     result->words = bits_of_register(v, registers[index].order, registers[index].other, (uint32_t)seed);

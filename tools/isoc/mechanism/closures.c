@@ -18,9 +18,9 @@ static bool build_between(builder *b, const closure_statement *written, closure 
         return false;
     }
     if (result->parent.segment == result->child.segment) {
-        source_problem(b->s, written->name.at, "'%s' closes nothing: '%s' and '%s' do not move relative to each other",
-                       written->name.text, written->parent.body.text, written->child.body.text);
-        return false;
+        return source_problem(b->s, written->name.at,
+                              "'%s' closes nothing: '%s' and '%s' do not move relative to each other",
+                              written->name.text, written->parent.body.text, written->child.body.text);
     }
     result->base = common_segment(&b->mechanism, result->parent.segment, result->child.segment);
     if (written->wheel != NULL && unit_axis(b, written->wheel, axis)) {
@@ -35,9 +35,8 @@ static bool build_between(builder *b, const closure_statement *written, closure 
     }
     const bool sized = rolls || written->kind == CLOSE_DISTANCE;
     if (sized && (rolls || written->length != NULL) && !keeps_above_zero(&b->values, result->length)) {
-        source_problem(b->s, rolls && written->radius != NULL ? written->radius->at : written->name.at,
-                       "a %s must be larger than zero", rolls ? "radius" : "length");
-        return false;
+        return source_problem(b->s, rolls && written->radius != NULL ? written->radius->at : written->name.at,
+                              "a %s must be larger than zero", rolls ? "radius" : "length");
     }
     return true;
 }
@@ -70,8 +69,7 @@ static bool build_gear(builder *b, const closure_statement *written, closure *re
         return false;
     }
     if (result->parent.segment == result->child.segment) {
-        source_problem(b->s, written->second.at, "a gear needs two joints; both are '%s'", written->second.text);
-        return false;
+        return source_problem(b->s, written->second.at, "a gear needs two joints; both are '%s'", written->second.text);
     }
     const segment *first = &b->mechanism.segments[result->parent.segment],
                   *second_segment = &b->mechanism.segments[result->child.segment];

@@ -27,8 +27,7 @@ static void build_smooth(builder *b)
 static void find_uses(const builder *b, name input, bool *force, bool *torque)
 {
     *force = *torque = false;
-    for (size_t j = 0; j < b->written->joints.count; j++) {
-        const joint *user = &b->written->joints.all[j];
+    FOR_EACH (const joint, user, b->written->joints) {
         if (same_name(user->drive, input)) {
             *force = *force || user->kind == JOINT_PRISMATIC;
             *torque = *torque || user->kind == JOINT_REVOLUTE;
@@ -232,8 +231,7 @@ static int parameter_called(builder *b, name n)
 static const condition *broken_condition(const builder *b, const double *p, double *numbers)
 {
     graph_evaluate(b->g, 0, &(evaluation){.p = p, .rounds_to_float = !b->values.is_double}, numbers);
-    for (size_t i = 0; i < b->values.condition_count; i++) {
-        const condition *c = &b->values.conditions[i];
+    FOR_ALL (const condition, c, b->values.conditions, b->values.condition_count) {
         const double least = numbers[c->least], most = numbers[c->most];
         if (c->is_strict ? !(least < most) : !(least <= most)) {
             return c;
@@ -272,8 +270,7 @@ static void check_changes(builder *b, const formula *const *to)
         const double tick = m->parameters.changes[i].tick;
         double *latest = arena_take(memory, (size_t)m->parameters.count + 1, sizeof *latest);
         memcpy(p, m->parameters.defaults, (size_t)m->parameters.count * sizeof *p);
-        for (int j = 0; j < m->parameters.change_count; j++) {
-            const switching *c = &m->parameters.changes[j];
+        FOR_ALL (const switching, c, m->parameters.changes, m->parameters.change_count) {
             if (c->tick <= tick && c->tick >= latest[c->parameter]) {
                 latest[c->parameter] = c->tick;
                 p[c->parameter] = c->value;
@@ -293,8 +290,7 @@ void build_changes(builder *b)
     mechanism *m = &b->mechanism;
     m->parameters.changes = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *m->parameters.changes);
     const formula **to_values = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *to_values);
-    for (size_t i = 0; i < b->written->settings.count; i++) {
-        const setting *set = &b->written->settings.all[i];
+    FOR_EACH (const setting, set, b->written->settings) {
         const int parameter = set->value == NULL ? -1 : parameter_called(b, set->what);
         if (parameter < 0) {
             continue;

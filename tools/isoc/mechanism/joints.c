@@ -240,9 +240,8 @@ static bool spin_from_ground(builder *b, const joint *j, double spin[3])
     vector origin;
     const int on = stand_on(b, &j->parent, &turned, &origin);
     if (on >= 0 && b->mechanism.bodies.frames[on].segment != GROUND) {
-        source_problem(b->s, j->spin_axes_at, "the joint '%s' is not on the ground: give its spin in the child's axes",
-                       j->name.text);
-        return false;
+        return source_problem(b->s, j->spin_axes_at,
+                              "the joint '%s' is not on the ground: give its spin in the child's axes", j->name.text);
     }
     if (on >= 0) {
         turned = matrix_product(b->g, b->mechanism.bodies.frames[on].turn, turned);

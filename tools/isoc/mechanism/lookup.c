@@ -40,8 +40,7 @@ int segment_called(const mechanism *m, name n)
 static const char *parts_of(builder *b, const joint *j)
 {
     const char *list = "";
-    for (int i = 0; i < b->mechanism.segment_count; i++) {
-        const segment *l = &b->mechanism.segments[i];
+    FOR_ALL (const segment, l, b->mechanism.segments, b->mechanism.segment_count) {
         if (l->at == j->name.at && l->kind != JOINT_SPHERICAL) {
             list = arena_format(b->s->memory, "%s%s%s", list, list[0] == '\0' ? "" : ", ", l->name);
         }

@@ -89,8 +89,7 @@ void build_method(builder *b)
     unsigned recipe = find_method(b, written->method);
     recipe |= is_yes(b, written->options.compensated) ? ISO_COMPENSATED : 0U;
     recipe |= is_yes(b, written->options.checked) ? ISO_CHECKED : 0U;
-    for (size_t i = 0; i < written->outputs.count; i++) {
-        const output *o = &written->outputs.all[i];
+    FOR_EACH (const output, o, written->outputs) {
         const bool is_error = o->formula->kind == FORMULA_NAME && strcmp(o->formula->name, "local_error") == 0;
         recipe |= is_error ? ISO_CHECKED : 0U;
     }

@@ -89,12 +89,11 @@ bool build_motion(builder *b, const closure_statement *written, closure *result)
 {
     result->parent.segment = result->child.segment = coordinate_of(b, written->first);
     if ((written->motion == NULL) == (written->speed == NULL)) {
-        source_problem(b->s, written->motion == NULL ? written->name.at : written->speed->at,
-                       written->motion == NULL
-                           ? "the closure '%s' has no motion: motion 0.3 rad * sin(2 Hz), or speed 60 rpm"
-                           : "the closure '%s' has a motion, which gives its speed: leave out one of them",
-                       written->name.text);
-        return false;
+        return source_problem(b->s, written->motion == NULL ? written->name.at : written->speed->at,
+                              written->motion == NULL
+                                  ? "the closure '%s' has no motion: motion 0.3 rad * sin(2 Hz), or speed 60 rpm"
+                                  : "the closure '%s' has a motion, which gives its speed: leave out one of them",
+                              written->name.text);
     }
     if (result->parent.segment < 0) {
         return false;

@@ -41,8 +41,7 @@ static void build_output(builder *b, const output *o, shown *result)
 static void check_names(builder *b)
 {
     listing all = {0};
-    for (size_t i = 0; i < b->mechanism.output_count; i++) {
-        const shown *o = &b->mechanism.outputs[i];
+    FOR_ALL (const shown, o, b->mechanism.outputs, b->mechanism.output_count) {
         const char *of_quantity = shows_formula(o) || o->along >= 0 ? "" : quantity_rows[o->of.kind].components;
         listing_add(b->s, &all, o->name);
         for (const char *c = shows_formula(o) ? formula_components(&o->formula) : of_quantity;

@@ -14,15 +14,14 @@ bool unit_axis(builder *b, const formula *f, double axis[3])
     double square = 0.0;
     for (int i = 0; i < 3; i++) {
         if (!is_constant(b->g, v.parts[i])) {
-            source_problem(b->s, f->at, "an axis cannot depend on a tunable parameter");
-            return false;
+            return source_problem(b->s, f->at, "an axis cannot depend on a tunable parameter");
         }
         axis[i] = constant_value(b->g, v.parts[i]);
         square += axis[i] * axis[i];
     }
     if (!(square > 0.0) || !isfinite(square)) {
-        source_problem(b->s, f->at, "the axis has no direction: its length is %s", square > 0.0 ? "infinite" : "zero");
-        return false;
+        return source_problem(b->s, f->at, "the axis has no direction: its length is %s",
+                              square > 0.0 ? "infinite" : "zero");
     }
     const double length = sqrt(square);
     for (int i = 0; i < 3; i++) {

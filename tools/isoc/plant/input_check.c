@@ -10,8 +10,7 @@ static const char *without_history(unsigned recipe)
 static void check_inputs(const source *s, const scene *written, unsigned recipe)
 {
     const char *method = method_names[ISO_METHOD_OF(recipe)];
-    for (size_t i = 0; i < written->inputs.count; i++) {
-        const quantity *q = &written->inputs.all[i];
+    FOR_EACH (const quantity, q, written->inputs) {
         if (!q->smooth && ISO_PAST_KEPT(recipe) > 0) {
             source_warn(s, q->name.at,
                         "the input '%s' is held, and %s has a history: where the input changes at every tick, %s is of "

@@ -34,8 +34,7 @@ void outputs_build(plant *p, graph *g)
     kinematics_velocities(&p->d->k);
     p->energy = p->energy < 0 ? account_energy(p->d) : p->energy;
     graph_section(g, "Points in the ground's frame");
-    for (size_t i = 0; i < m->output_count; i++) {
-        const shown *o = &m->outputs[i];
+    FOR_ALL (const shown, o, m->outputs, m->output_count) {
         if (shows_formula(o)) {
             show_parts(p, g, o, formula_components(&o->formula), o->formula.parts);
         } else {

@@ -173,8 +173,7 @@ static node count_broken(graph *g, const mechanism *m)
 {
     node count = constant(g, 0.0);
     graph_section(g, "Conditions on tunables: how many are broken");
-    for (int i = 0; i < m->parameters.condition_count; i++) {
-        const condition *c = &m->parameters.conditions[i];
+    FOR_ALL (const condition, c, m->parameters.conditions, m->parameters.condition_count) {
         const node is_ordered = c->is_strict ? above(g, c->most, c->least) : above(g, c->least, c->most);
         count = add(g, count, c->is_strict ? sub(g, constant(g, 1.0), is_ordered) : is_ordered);
     }

@@ -24,8 +24,7 @@ static void formulation_lines(const plant *p, text *out)
 static void assembled_lines(const mechanism *m, text *out)
 {
     const char *meeting = "";
-    for (int i = 0; i < m->segment_count; i++) {
-        const segment *l = &m->segments[i];
+    FOR_ALL (const segment, l, m->segments, m->segment_count) {
         const char *word = slides(l) ? "m" : "rad";
         if (l->kind == JOINT_SPHERICAL && l->start_found) {
             const double *q = l->start;
@@ -63,8 +62,7 @@ static void derived_lines(const mechanism *m, const graph *g, text *out)
 static void rate_lines(const plant *p, const graph *g, text *out)
 {
     const output_rates rates = output_rates_of(p, out->memory);
-    for (int i = 0; i < rates.count; i++) {
-        const output_rate *o = &rates.all[i];
+    FOR_EACH (const output_rate, o, rates) {
         const size_t count = (size_t)o->count;
         const operations derivative = count_operations(g, p->derivatives, (size_t)state_count(p->m));
         count_line(out, arena_format(out->memory, "outputs_every_%.0f", o->every),

@@ -109,8 +109,7 @@ static bool read_properties(parser *p, reading *r)
     while (!take_sign(p, '}')) {
         const bool statement = block_has_word(p->statements, p->next) && !block_has_word(r->b, p->next);
         if (p->next->kind == TOKEN_END || (statement && p->next->first_on_line)) {
-            source_problem(p->s, open->at, "this { is never closed");
-            return false;
+            return source_problem(p->s, open->at, "this { is never closed");
         }
         if (!take_sign(p, ';')) {
             const token *before = p->next;

@@ -11,8 +11,7 @@ static bool same(name a, name b)
 static void draw_node(const scene *written, name called, const char *shape, text *out)
 {
     text_add(out, "    \"%s\" [%slabel=\"%s", called.text, shape, called.text);
-    for (size_t j = 0; j < written->forces.count; j++) {
-        const body_force *f = &written->forces.all[j];
+    FOR_EACH (const body_force, f, written->forces) {
         if (same(f->at.body, called)) {
             text_add(out, "\\nforce %s: %s", f->name.text, f->drive.text);
         }
@@ -27,8 +26,7 @@ static void draw_bodies(const scene *written, text *out)
     for (size_t i = 0; i < written->bodies.count; i++) {
         draw_node(written, written->bodies.all[i].name, "", out);
     }
-    for (size_t i = 0; i < written->frames.count; i++) {
-        const named_frame *f = &written->frames.all[i];
+    FOR_EACH (const named_frame, f, written->frames) {
         draw_node(written, f->name, "shape=ellipse, ", out);
         text_add(out, "    \"%s\" -> \"%s\" [style=dotted, arrowhead=none];\n", f->on.body.text, f->name.text);
     }
@@ -68,8 +66,7 @@ static void draw_joint(const joint *j, const drawn_states *states, text *out)
 static const joint *joint_of(const scene *written, name n)
 {
     const joint *whole = NULL, *of_part = NULL;
-    for (size_t i = 0; i < written->joints.count; i++) {
-        const joint *j = &written->joints.all[i];
+    FOR_EACH (const joint, j, written->joints) {
         const size_t length = strlen(j->name.text);
         if (same(j->name, n)) {
             whole = j;

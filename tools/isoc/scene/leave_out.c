@@ -66,8 +66,7 @@ bool scene_reads_left_out(const scene *written, const formula *f)
 static bool is_read(const scene *written, const char *called)
 {
     bool is = false;
-    for (size_t i = 0; i < written->effects.count; i++) {
-        const effect_use *use = &written->effects.all[i];
+    FOR_EACH (const effect_use, use, written->effects) {
         for (size_t j = 0; j < use->operand_count && !use->left_out; j++) {
             is = is || mentions(use->operands[j].value, called) || mentions(use->operands[j].point, called);
         }
@@ -144,8 +143,7 @@ static void leave_signals(scene *written)
     bool found = true;
     while (found) {
         found = false;
-        for (size_t i = 0; i < written->signals.count; i++) {
-            quantity *q = &written->signals.all[i];
+        FOR_EACH (quantity, q, written->signals) {
             if (!q->left_out && is_lost(written, q->value, 0) && !is_read(written, q->name.text)) {
                 q->left_out = true;
                 found = true;

@@ -265,8 +265,7 @@ const char *suggest_setting(source *s, const scene *written, const char *typed)
     const group parameters = GROUP(written->parameters);
     size_t count = 0, room = 0;
     const char **faults = NULL;
-    for (size_t i = 0; i < written->effects.count; i++) {
-        const effect_use *use = &written->effects.all[i];
+    FOR_EACH (const effect_use, use, written->effects) {
         const effect_kind *kind = use->name.text == NULL ? NULL : find_effect_kind(written, use->kind);
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
             const effect_line *line = &kind->lines[n];

@@ -252,8 +252,7 @@ static bool is_vector(const effect_kind *e, const formula *f, size_t depth)
 /* States and memories that start with a vector have three numbers, and so have operands whose default is one. */
 static void find_vectors(effect_kind *e)
 {
-    for (size_t i = 0; i < e->line_count; i++) {
-        effect_line *line = &e->lines[i];
+    FOR_ALL (effect_line, line, e->lines, e->line_count) {
         line->parts = has_start(line) && is_vector(e, line->value, 0) ? 3 : 1;
     }
 }

@@ -20,7 +20,7 @@ typedef struct located {
     size_t again; /* in how many further repetitions it is the same */
 } located;
 
-void source_problem(source *s, place at, const char *format, ...)
+bool source_problem(source *s, place at, const char *format, ...)
 {
     char message[512];
     va_list arguments;
@@ -34,6 +34,7 @@ void source_problem(source *s, place at, const char *format, ...)
 
     s->problems = arena_grow(s->memory, s->problems, s->problem_count, &s->problem_room, sizeof *s->problems);
     s->problems[s->problem_count++] = (problem){at, arena_copy(s->memory, message, strlen(message))};
+    return false;
 }
 
 static bool starts_character(char c)

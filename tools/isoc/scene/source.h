@@ -78,8 +78,8 @@ void source_warn(const source *s, place at, const char *format, ...) __attribute
 /* The line of a place, without indentation, comment and opening brace, as words for a comment in C. */
 const char *source_quote(const source *s, place at);
 
-/* Notes a problem at a place; compilation goes on to find more. */
-void source_problem(source *s, place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Notes a problem at a place; compilation goes on to find more. Returns false. */
+bool source_problem(source *s, place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Prints the problems on stderr in the order of files and lines as path:line:column: error: message, each with its line
  * and a caret; what is wrong in every repetition only once. */

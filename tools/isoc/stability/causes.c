@@ -40,8 +40,7 @@ static void drop_effect(mechanism *m, graph *g, int which)
     for (int f = 0; f < m->dof_count; f++) {
         m->effects.efforts[f] = zero;
     }
-    for (int i = 0; i < m->effects.push_count; i++) {
-        effect_effort *part = &m->effects.pushes[i];
+    FOR_ALL (effect_effort, part, m->effects.pushes, m->effects.push_count) {
         part->effort = part->effect == which ? zero : part->effort;
         m->effects.efforts[part->dof] = add(g, m->effects.efforts[part->dof], part->effort);
     }

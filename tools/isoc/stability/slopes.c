@@ -32,8 +32,7 @@ static int list_turnings(const mechanism *m, const double *x, turning *all)
     static const int from[3][4] = {{1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
     static const double sign[3][4] = {{-1, 1, -1, 1}, {-1, 1, 1, -1}, {-1, -1, 1, 1}};
     int count = 0, reduced = 0, next = 0;
-    for (int i = 0; i < m->segment_count; i++) {
-        const segment *l = &m->segments[i];
+    FOR_ALL (const segment, l, m->segments, m->segment_count) {
         next += positions_of(l->kind);
         if (l->kind != JOINT_SPHERICAL) {
             all[count++] = (turning){l->position, reduced++, 1.0, 1.0};

@@ -21,8 +21,7 @@ static int list_formulas(const mechanism *m, int effect, node *roots)
             roots[count++] = m->effects.pushes[i].effort;
         }
     }
-    for (int i = 0; i < m->forces.applied_count; i++) {
-        const applied_force *f = &m->forces.applied[i];
+    FOR_ALL (const applied_force, f, m->forces.applied, m->forces.applied_count) {
         for (int axis = 0; axis < 3 && f->drive < 0 && f->effect == effect; axis++) {
             roots[count++] = f->force.at[axis];
             roots[count++] = f->moment.at[axis];

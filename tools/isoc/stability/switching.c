@@ -186,8 +186,7 @@ static double size_of_gift(const look *l, const gift *g)
 static void add_step(look *l, bool jumps, const double *after, const double *before)
 {
     static const double rounding = 1e-9;
-    for (int i = 0; i < l->gift_count; i++) {
-        gift *g = &l->gifts[i];
+    FOR_ALL (gift, g, l->gifts, l->gift_count) {
         const double size = size_of_gift(l, g), jump = jumps ? size_of_jump(g, after, before) : 0.0;
         if (jump > rounding * size) {
             g->last = jump;
@@ -200,8 +199,7 @@ static void add_step(look *l, bool jumps, const double *after, const double *bef
 
 static void end_window(look *l, double until)
 {
-    for (int i = 0; i < l->gift_count; i++) {
-        gift *g = &l->gifts[i];
+    FOR_ALL (gift, g, l->gifts, l->gift_count) {
         const double share = g->times >= FEWEST_JUMPS ? 0.5 * g->jumps / g->amount : 0.0;
         finding *worst = &l->worst[g->effect];
         if (share > worst->share) {
@@ -279,15 +277,13 @@ static size_t list_roots(look *l, const plant *p, node *roots)
         l->gifts[l->gift_count++] = (gift){.effect = m->effects.pushes[i].effect, .first = count, .count = 1};
         roots[count++] = m->effects.pushes[i].effort;
     }
-    for (int i = 0; i < m->forces.applied_count; i++) {
-        const applied_force *f = &m->forces.applied[i];
+    FOR_ALL (const applied_force, f, m->forces.applied, m->forces.applied_count) {
         for (int moment = 0; moment < 2 && f->drive < 0; moment++, count += 3) {
             l->gifts[l->gift_count++] = (gift){.effect = f->effect, .first = count, .count = 3};
             memcpy(roots + count, moment ? f->moment.at : f->force.at, 3 * sizeof *roots);
         }
     }
-    for (int i = 0; i < m->effects.state_count; i++) {
-        const effect_quantity *e = &m->effects.states[i];
+    FOR_ALL (const effect_quantity, e, m->effects.states, m->effects.state_count) {
         l->gifts[l->gift_count++] = (gift){.effect = e->effect, .first = count, .count = 1, .is_rate = true};
         roots[count++] = e->next;
     }

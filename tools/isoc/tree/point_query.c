@@ -102,8 +102,7 @@ void point_queries_resolve(graph *g, mechanism *m)
     for (size_t i = 0; i < m->output_count; i++) {
         replace(g, m->outputs[i].formula.parts, m->outputs[i].formula.count, &all);
     }
-    for (int i = 0; i < m->forces.applied_count; i++) {
-        applied_force *f = &m->forces.applied[i];
+    FOR_ALL (applied_force, f, m->forces.applied, m->forces.applied_count) {
         if (f->drive < 0) {
             replace(g, f->force.at, 3, &all);
             replace(g, f->moment.at, 3, &all);
