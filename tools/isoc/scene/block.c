@@ -41,9 +41,8 @@ static void refuse_property(parser *p, const reading *r, bool of_another)
         words[count++] = "}";
     }
     if (of_another) {
-        source_problem(p->s, p->next->at, "a %s %s has no '%s'; expected %s", r->kind, r->b->what, p->next->text,
-                       alternatives(p->s->memory, words, count));
-        p->failed = true;
+        PARSE_FAULT(p, p->next->at, "a %s %s has no '%s'; expected %s", r->kind, r->b->what, p->next->text,
+                    alternatives(p->s->memory, words, count));
     } else {
         take_one_of(p, words, count);
     }

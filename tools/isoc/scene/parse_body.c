@@ -21,10 +21,8 @@ static void read_solid(parser *p, const token *word, void *slot)
 {
     body *to = slot;
     solid result = {.kind = find_solid(word->text), .at_word = word->at, .size = parse_formula(p)};
-    if (!p->failed && !take_word(p, "of")) {
-        parse_problem(p, arena_format(p->s->memory, "expected 'of' and a mass: %s", result.kind->example));
-    }
-    result.mass = p->failed ? NULL : parse_formula(p);
+    expect_word(p, "of", arena_format(p->s->memory, "expected 'of' and a mass: %s", result.kind->example));
+    result.mass = parse_formula(p);
     if (p->failed) {
         return;
     }
@@ -83,7 +81,7 @@ void read_body(parser *p, const token *word, void *slot)
     (void)word;
     scene *written = slot;
     body b = {.name = take_new_name(p, "expected a name for the body")};
-    b.broken = p->failed || !parse_block(p, &body_block, 0, b.name, &b);
+    b.broken = !parse_block(p, &body_block, 0, b.name, &b);
     if (!b.broken) {
         check_mass(p, &b);
     }
@@ -102,6 +100,6 @@ void read_frame(parser *p, const token *word, void *slot)
     (void)word;
     scene *written = slot;
     named_frame f = {.name = take_new_name(p, "expected a name for the frame")};
-    f.broken = p->failed || !parse_block(p, &frame_block, 0, f.name, &f);
+    f.broken = !parse_block(p, &frame_block, 0, f.name, &f);
     LIST_ADD(p->s->memory, written->frames, f);
 }

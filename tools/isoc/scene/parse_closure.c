@@ -33,7 +33,7 @@ void read_closure(parser *p, const token *word, void *slot)
     c.broken = p->failed || kind == closure_block.kind_count;
     c.kind = c.broken ? CLOSE_FIXED : (closure_kind)kind;
     written->broken |= c.broken;
-    c.broken |= p->failed || !parse_block(p, &closure_block, kind, c.name, &c);
+    c.broken |= !parse_block(p, &closure_block, kind, c.name, &c);
     LIST_ADD(p->s->memory, written->closures, c);
 }
 
@@ -62,6 +62,6 @@ void read_force(parser *p, const token *word, void *slot)
     (void)word;
     scene *written = slot;
     body_force f = {.name = take_new_name(p, "expected a name for the force")};
-    f.broken = p->failed || !parse_block(p, &force_block, 0, f.name, &f);
+    f.broken = !parse_block(p, &force_block, 0, f.name, &f);
     LIST_ADD(p->s->memory, written->forces, f);
 }

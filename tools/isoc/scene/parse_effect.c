@@ -17,25 +17,19 @@ static void parse_unit_or_like(parser *p, effect_line *line)
     }
     line->like = (name){p->next->text, p->next->at};
     take_one_of(p, words, COUNT_OF(words));
-    if (!p->failed && !take_word(p, "of")) {
-        parse_problem(p, "expected 'of' and the name of a joint");
-    }
-    if (!p->failed) {
-        line->like_of = take_name(p, "expected the name of a joint");
-    }
+    expect_word(p, "of", "expected 'of' and the name of a joint");
+    line->like_of = take_name(p, "expected the name of a joint");
 }
 
 static void parse_equals(parser *p, effect_line *line, const char *example)
 {
-    if (!p->failed && !take_sign(p, '=')) {
-        parse_problem(p, arena_format(p->s->memory, "expected =, as in: %s", example));
-    }
-    line->value = p->failed ? NULL : parse_formula(p);
+    expect_sign(p, '=', arena_format(p->s->memory, "expected =, as in: %s", example));
+    line->value = parse_formula(p);
 }
 
 static void parse_optional_value(parser *p, effect_line *line)
 {
-    if (!p->failed && take_sign(p, '=')) {
+    if (take_sign(p, '=')) {
         line->value = parse_formula(p);
     }
 }
@@ -69,7 +63,7 @@ static void parse_rest(parser *p, effect_line *line)
             static const char *const words[] = {"body", "ground"};
             line->in_body = take_one_of(p, words, COUNT_OF(words)) == 0;
         }
-        if (!p->failed && take_option(p, "against")) {
+        if (take_option(p, "against")) {
             line->against = take_name(p, "expected the name of the other body");
         }
         parse_equals(p, line, "force on wheel = (0, 0, 1 N)");
@@ -162,7 +156,7 @@ static void read_require(parser *p, const token *word, void *slot)
         line.value = rises ? left : right;
         line.most = rises ? right : left;
         add_line(p, slot, line);
-    } while (!p->failed && take_option(p, "and"));
+    } while (take_option(p, "and"));
 }
 
 static const property lines[] = {
@@ -284,9 +278,7 @@ static void parse_substeps(parser *p, effect_use *use, name word)
 /* { operand value; ... }: which operands there are, only the definition knows, and that may come later. */
 static void parse_operands(parser *p, effect_use *use)
 {
-    if (!take_sign(p, '{')) {
-        parse_problem(p, "expected {");
-    }
+    expect_sign(p, '{', "expected {");
     while (!p->failed && !take_sign(p, '}')) {
         if (take_sign(p, ';')) {
             continue;
@@ -302,7 +294,7 @@ static void parse_operands(parser *p, effect_use *use)
             continue;
         }
         given.value = parse_formula(p);
-        if (!p->failed && take_option(p, "at")) {
+        if (take_option(p, "at")) {
             given.point = parse_formula(p);
         }
         use->operands = arena_grow(p->s->memory, use->operands, use->operand_count, &use->operand_room, sizeof given);
@@ -335,10 +327,8 @@ void read_signal(parser *p, const token *word, void *slot)
     (void)word;
     scene *written = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the signal")};
-    if (!p->failed && !take_sign(p, '=')) {
-        parse_problem(p, "expected = and a formula");
-    }
-    q.value = p->failed ? NULL : parse_formula(p);
+    expect_sign(p, '=', "expected = and a formula");
+    q.value = parse_formula(p);
     LIST_ADD(p->s->memory, written->signals, q);
 }
 
@@ -347,15 +337,9 @@ void read_setting(parser *p, const token *word, void *slot)
     (void)word;
     scene *written = slot;
     setting set = {.time = parse_formula(p)};
-    if (!p->failed && !take_word(p, "set")) {
-        parse_problem(p, "expected set, as in: at 2 s set drive.open = 1");
-    }
-    if (!p->failed) {
-        set.what = take_name(p, "expected the name of a tunable, or of a fault: drive.open");
-    }
-    if (!p->failed && !take_sign(p, '=')) {
-        parse_problem(p, "expected = and a value");
-    }
-    set.value = p->failed ? NULL : parse_formula(p);
+    expect_word(p, "set", "expected set, as in: at 2 s set drive.open = 1");
+    set.what = take_name(p, "expected the name of a tunable, or of a fault: drive.open");
+    expect_sign(p, '=', "expected = and a value");
+    set.value = parse_formula(p);
     LIST_ADD(p->s->memory, written->settings, set);
 }

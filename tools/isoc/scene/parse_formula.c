@@ -74,10 +74,8 @@ static bool unit_goes_on(const parser *p)
 /* 20 degC is a place on a scale and no multiple of a unit: it is not multiplied, so the scale stands alone. */
 static bool refuse_scale(parser *p, place at, const char *called)
 {
-    source_problem(p->s, at, "'%s' stands alone behind a number, as in 20 degC; a difference of temperatures is in K",
-                   called);
-    p->failed = true;
-    return false;
+    return PARSE_FAULT(p, at, "'%s' stands alone behind a number, as in 20 degC; a difference of temperatures is in K",
+                       called);
 }
 
 /* ( unit ), behind sqrt. */
@@ -122,9 +120,7 @@ static bool parse_unit_factor(parser *p, unit *product, bool divide, bool is_fir
         product->denominator *= u.numerator;
     }
     if (!dimension_times(&product->of, u.of, power)) {
-        source_problem(p->s, word->at, "the power of a unit must be within -9 and 9");
-        p->failed = true;
-        return false;
+        return PARSE_FAULT(p, word->at, "the power of a unit must be within -9 and 9");
     }
     product->zero = u.zero;
     return u.zero == 0.0 || (is_first && !divide && p->next == word + 1 && !unit_goes_on(p)) ||
@@ -150,7 +146,7 @@ static unit parse_unit(parser *p)
 
 bool take_unit(parser *p, unit *taken)
 {
-    const bool is = next_is_unit(p);
+    const bool is = !p->failed && next_is_unit(p);
     const token *first = p->next;
     if (is) {
         *taken = parse_unit(p);
@@ -177,9 +173,8 @@ static void refuse_false_unit(parser *p)
     if (p->next->kind == TOKEN_NAME && !p->next->first_on_line && !next_is_connective(p)) {
         size_t count;
         const char *const *names = unit_names(&count);
-        source_problem(p->s, p->next->at, "unknown unit '%s'%s", p->next->text,
-                       source_suggestion(p->s, p->next->text, names, count));
-        p->failed = true;
+        PARSE_FAULT(p, p->next->at, "unknown unit '%s'%s", p->next->text,
+                    source_suggestion(p->s, p->next->text, names, count));
         p->next++;
     }
 }
@@ -221,7 +216,7 @@ static formula *parse_order(parser *p)
 static void parse_grid(parser *p, formula *f)
 {
     f->number = 2.0;
-    while (!p->failed && take_sign(p, ';')) {
+    while (take_sign(p, ';')) {
         formula *line = formula_new(p, FORMULA_VECTOR, p->next->at);
         const bool is_row = f->count > 2;
         do {
@@ -239,9 +234,7 @@ static void parse_grid(parser *p, formula *f)
         } while (take_sign(p, ',') || (is_row && line->count == 1 && take_sign(p, ':')));
         add_part(p, f, line);
     }
-    if (!take_sign(p, ')')) {
-        parse_problem(p, "expected , ; or )");
-    }
+    expect_sign(p, ')', "expected , ; or )");
 }
 
 /* formula { , formula } ), after the opening parenthesis. A semicolon separates like a comma, and so does a colon
@@ -265,9 +258,7 @@ static void parse_parts(parser *p, formula *f, bool of_points)
             return;
         }
     } while (take_sign(p, ',') || take_sign(p, ';') || (of_points && take_sign(p, ':')));
-    if (!take_sign(p, ')')) {
-        parse_problem(p, "expected , or )");
-    }
+    expect_sign(p, ')', "expected , or )");
 }
 
 static formula *parse_parenthesis(parser *p)
@@ -374,8 +365,7 @@ static formula *parse_file(parser *p)
     f->file = open_beside(p, p->next->at, named->text, &fault);
     p->next += 2;
     if (f->file == NULL) {
-        source_problem(p->s, named->at, "cannot read '%s': %s", named->text, fault);
-        p->failed = true;
+        PARSE_FAULT(p, named->at, "cannot read '%s': %s", named->text, fault);
         return NULL;
     }
     f->text_at = source_passage(p->s, f->file, 0, f->file->length, NULL);
@@ -429,7 +419,7 @@ static formula *parse_signed(parser *p)
         }
     } else {
         f = parse_primary(p);
-        if (f != NULL && !p->failed && take_sign(p, '^')) {
+        if (f != NULL && take_sign(p, '^')) {
             formula *power = formula_new(p, FORMULA_POWER, at);
             add_part(p, power, f);
             power->number = p->next->number;
@@ -473,7 +463,7 @@ static formula *parse_product(parser *p)
 
 formula *parse_formula(parser *p)
 {
-    return parse_chain(p, "+-", parse_product);
+    return p->failed ? NULL : parse_chain(p, "+-", parse_product);
 }
 
 formula *parse_axis(parser *p)

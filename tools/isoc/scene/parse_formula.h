@@ -5,7 +5,7 @@
 #include "tools/isoc/scene/take.h"
 
 /* One formula: sums of products of signed powers of numbers with units, names, vectors and calls. Returns NULL, with
- * p->failed set and a problem noted, where there is none. */
+ * p->failed set and a problem noted, where there is none, or where one is noted already. */
 formula *parse_formula(parser *p);
 
 /* x, y, z, -x, -y, -z or a vector. */

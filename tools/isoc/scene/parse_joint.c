@@ -78,7 +78,7 @@ static void read_spring(parser *p, const token *word, void *slot)
 {
     joint *j = slot;
     read_formula(p, word, &j->spring);
-    if (!p->failed && take_option(p, "rest")) {
+    if (take_option(p, "rest")) {
         read_formula(p, word, &j->rest);
     }
 }
@@ -88,7 +88,7 @@ static void read_spin(parser *p, const token *word, void *slot)
 {
     joint *j = slot;
     read_formula(p, word, &j->spin);
-    if (!p->failed && take_option(p, "in")) {
+    if (take_option(p, "in")) {
         static const char *const axes[] = {"ground"};
         j->spin_axes_at = p->next->at;
         j->spin_in_ground = take_one_of(p, axes, COUNT_OF(axes)) == 0;
@@ -132,7 +132,7 @@ void read_joint_statement(parser *p, const token *word, void *slot)
     const bool known = kind < joint_block.kind_count;
     j.kind = known ? (joint_kind)kind : j.kind;
     j.broken = !known;
-    j.broken |= p->failed || !parse_block(p, &joint_block, kind, j.name, &j);
+    j.broken |= !parse_block(p, &joint_block, kind, j.name, &j);
     if (!known) {
         /* An unknown kind counts as a joint that moves. */
         written->broken = true;

@@ -28,8 +28,7 @@ static void parse_rate(parser *p, output *o)
 {
     o->every = parse_formula(p);
     if (!p->failed && !take_word(p, "ticks")) {
-        source_problem(p->s, o->every->at, "the rate of an output is a number of ticks: every 4 ticks");
-        p->failed = true;
+        PARSE_FAULT(p, o->every->at, "the rate of an output is a number of ticks: every 4 ticks");
     }
 }
 
@@ -41,14 +40,12 @@ void read_output(parser *p, const token *word, void *slot)
     if (o.name.text != NULL && strcmp(o.name.text, "t") == 0) {
         source_problem(p->s, o.name.at, "'t' is the time in the trace: choose another name");
     }
-    if (!p->failed && !take_sign(p, '=')) {
-        parse_problem(p, "expected =, as in: output angle = position of joint");
-    }
+    expect_sign(p, '=', "expected =, as in: output angle = position of joint");
     if (!p->failed && next_is_owned(p) && !next_is_quantity(p)) {
         refuse_quantity(p);
     }
-    o.formula = p->failed ? NULL : parse_formula(p);
-    if (!p->failed && take_option(p, "every")) {
+    o.formula = parse_formula(p);
+    if (take_option(p, "every")) {
         parse_rate(p, &o);
     }
     if (!p->failed) {

@@ -30,9 +30,7 @@ static void read_after(parser *p, const token *word, void *slot)
     (void)word;
     policy_statement *to = slot;
     to->after = parse_formula(p);
-    if (!p->failed && !take_word(p, "ticks")) {
-        parse_problem(p, "expected ticks: after 100 ticks");
-    }
+    expect_word(p, "ticks", "expected ticks: after 100 ticks");
 }
 
 static const property rung_properties[] = {

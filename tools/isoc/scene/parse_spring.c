@@ -17,9 +17,7 @@ static void read_between(parser *p, const token *word, void *slot)
 {
     spring_statement *to = slot;
     read_end(p, word, &to->first);
-    if (!p->failed && !take_word(p, "and")) {
-        parse_problem(p, "expected 'and' and the other end: between BODY at (1, 0, 0) m and BODY");
-    }
+    expect_word(p, "and", "expected 'and' and the other end: between BODY at (1, 0, 0) m and BODY");
     if (!p->failed) {
         read_end(p, word, &to->second);
     }
@@ -42,6 +40,6 @@ void read_spring_statement(parser *p, const token *word, void *slot)
     (void)word;
     scene *written = slot;
     spring_statement s = {.name = take_new_name(p, "expected a name for the spring")};
-    s.broken = p->failed || !parse_block(p, &spring_block, 0, s.name, &s);
+    s.broken = !parse_block(p, &spring_block, 0, s.name, &s);
     LIST_ADD(p->s->memory, written->springs, s);
 }

@@ -13,10 +13,8 @@
 static void read_limits(parser *p, quantity *q)
 {
     q->least = parse_formula(p);
-    if (!p->failed && !take_word(p, "to")) {
-        parse_problem(p, "expected to and the largest value: in 0.5 N/m to 2 N/m");
-    }
-    q->most = p->failed ? NULL : parse_formula(p);
+    expect_word(p, "to", "expected to and the largest value: in 0.5 N/m to 2 N/m");
+    q->most = parse_formula(p);
 }
 
 /* tunable or constant */
@@ -25,10 +23,8 @@ static void read_parameter(parser *p, const token *word, void *slot)
     scene *written = slot;
     quantity q = {.name = take_parameter_name(p, "expected a name for the parameter")};
     q.tunable = strcmp(word->text, "tunable") == 0;
-    if (!p->failed && !take_sign(p, '=')) {
-        parse_problem(p, "expected = and a value");
-    }
-    q.value = p->failed ? NULL : parse_formula(p);
+    expect_sign(p, '=', "expected = and a value");
+    q.value = parse_formula(p);
     if (!p->failed && q.tunable && take_option(p, "in")) {
         read_limits(p, &q);
     }
@@ -40,10 +36,8 @@ static void read_parameter(parser *p, const token *word, void *slot)
 static void read_safe(parser *p, quantity *q)
 {
     q->safe = parse_formula(p);
-    if (!p->failed && !take_word(p, "after")) {
-        parse_problem(p, "expected after and a number of ticks: safe 0 N after 5 ticks");
-    }
-    q->after = p->failed ? NULL : parse_formula(p);
+    expect_word(p, "after", "expected after and a number of ticks: safe 0 N after 5 ticks");
+    q->after = parse_formula(p);
     if (!p->failed && !take_word(p, "ticks")) {
         source_problem(p->s, q->after->at, "the time of a safe value is in ticks: safe 0 N after 5 ticks");
         q->after = NULL;
@@ -72,18 +66,18 @@ static void read_input_statement(parser *p, const token *word, void *slot)
     (void)word;
     scene *written = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the input")};
-    q.has_unit = !p->failed && take_unit(p, &q.unit);
-    q.smooth = !p->failed && !take_option(p, "held") && take_option(p, "smooth");
-    if (!p->failed && take_option(p, "jump")) {
+    q.has_unit = take_unit(p, &q.unit);
+    q.smooth = !take_option(p, "held") && take_option(p, "smooth");
+    if (take_option(p, "jump")) {
         q.jump = parse_formula(p);
     }
-    if (!p->failed && take_sign(p, '=')) {
+    if (take_sign(p, '=')) {
         q.value = parse_formula(p);
     }
-    if (!p->failed && take_option(p, "in")) {
+    if (take_option(p, "in")) {
         read_limits(p, &q);
     }
-    if (!p->failed && take_option(p, "safe")) {
+    if (take_option(p, "safe")) {
         read_safe(p, &q);
     }
     refuse_input_word(p);

@@ -72,21 +72,19 @@ void note_constant(parser *p, const quantity *q)
 /* A whole number; problems are noted. */
 static bool parse_whole(parser *p, const char *what, int least, int *whole)
 {
-    const formula *f = p->failed ? NULL : parse_formula(p);
+    const formula *f = parse_formula(p);
     double number = 0.0;
     if (f == NULL) {
         return false;
     }
     if (!plain_number(p, f, &number)) {
-        source_problem(p->s, f->at,
-                       "%s must be made of whole numbers, of indices, and of constants that stand above and are plain "
-                       "numbers",
-                       what);
-        p->failed = true;
+        PARSE_FAULT(p, f->at,
+                    "%s must be made of whole numbers, of indices, and of constants that stand above and are plain "
+                    "numbers",
+                    what);
     } else if (number != floor(number) || !(number >= least && number <= LARGEST_INDEX)) {
-        source_problem(p->s, f->at, "%s must be a whole number from %d to %d; this is %g", what, least, LARGEST_INDEX,
-                       number);
-        p->failed = true;
+        PARSE_FAULT(p, f->at, "%s must be a whole number from %d to %d; this is %g", what, least, LARGEST_INDEX,
+                    number);
     }
     *whole = p->failed ? 0 : (int)number;
     return !p->failed;
@@ -122,9 +120,8 @@ const char *take_indices(parser *p, const char *called)
         }
     }
     if (strlen(called) > LONGEST_NAME) {
-        source_problem(p->s, p->next[-1].at, "a name of %zu characters: at most %d are allowed", strlen(called),
-                       LONGEST_NAME);
-        p->failed = true;
+        PARSE_FAULT(p, p->next[-1].at, "a name of %zu characters: at most %d are allowed", strlen(called),
+                    LONGEST_NAME);
     }
     return called;
 }
@@ -231,18 +228,15 @@ void read_repeat(parser *p, const token *word, void *slot)
 {
     repetition r = {.index = take_index_name(p), .outer = p->repeated};
     int last = 0;
-    if (!p->failed && !take_word(p, "from")) {
-        parse_problem(p, "expected from: repeat i from 1 to 6 {");
-    }
+    expect_word(p, "from", "expected from: repeat i from 1 to 6 {");
     const token *begin = p->next;
     if (parse_whole(p, "the first index", 0, &r.value) && !take_word(p, "to")) {
         parse_problem(p, "expected to: repeat i from 1 to 6 {");
     }
     if (parse_whole(p, "the last index", -1, &last) && last < r.value - 1) {
-        source_problem(p->s, begin->at,
-                       "from %d to %d goes backward: the last index may be one less than the first, for none", r.value,
-                       last);
-        p->failed = true;
+        PARSE_FAULT(p, begin->at,
+                    "from %d to %d goes backward: the last index may be one less than the first, for none", r.value,
+                    last);
     }
     if (!p->failed && !next_is_sign(p, '{')) {
         parse_problem(p, "expected {");
@@ -255,8 +249,7 @@ void read_repeat(parser *p, const token *word, void *slot)
     }
     const token *open = p->next++, *end = closing_of(p->next);
     if (end->kind == TOKEN_END) {
-        source_problem(p->s, open->at, "this { is never closed");
-        p->failed = true;
+        PARSE_FAULT(p, open->at, "this { is never closed");
     } else if (!p->failed) {
         repeat(p, word, &r, last, end, slot);
     }
@@ -296,14 +289,12 @@ void read_include(parser *p, const token *word, void *slot)
     const passage *in = source_find(p->s, word->at);
     const script *s = open_beside(p, word->at, named->text, &fault);
     if (s == NULL) {
-        source_problem(p->s, named->at, "cannot include '%s': %s", named->text, fault);
-        p->failed = true;
+        PARSE_FAULT(p, named->at, "cannot include '%s': %s", named->text, fault);
         return;
     }
     for (const inclusion *i = p->included; i != NULL; i = i->outer) {
         if (i->of == s) {
-            source_problem(p->s, named->at, "an include in a circle: %s", circle_of(p, p->included, s));
-            p->failed = true;
+            PARSE_FAULT(p, named->at, "an include in a circle: %s", circle_of(p, p->included, s));
             return;
         }
     }

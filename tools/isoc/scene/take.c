@@ -10,8 +10,7 @@ void parse_problem(parser *p, const char *message)
     if (!p->failed) {
         const bool ended = p->next->text[0] == '\0';
         const char *found = ended ? "the end of the file" : p->next->text, *quote = ended ? "" : "'";
-        source_problem(p->s, p->next->at, "%s; found %s%s%s", message, quote, found, quote);
-        p->failed = true;
+        PARSE_FAULT(p, p->next->at, "%s; found %s%s%s", message, quote, found, quote);
     }
 }
 
@@ -27,16 +26,30 @@ bool next_is_word(const parser *p, const char *word)
 
 bool take_sign(parser *p, char sign)
 {
-    const bool is = next_is_sign(p, sign);
+    const bool is = !p->failed && next_is_sign(p, sign);
     p->next += is;
     return is;
 }
 
 bool take_word(parser *p, const char *word)
 {
-    const bool is = next_is_word(p, word);
+    const bool is = !p->failed && next_is_word(p, word);
     p->next += is;
     return is;
+}
+
+void expect_sign(parser *p, char sign, const char *expected)
+{
+    if (!take_sign(p, sign)) {
+        parse_problem(p, expected);
+    }
+}
+
+void expect_word(parser *p, const char *word, const char *expected)
+{
+    if (!take_word(p, word)) {
+        parse_problem(p, expected);
+    }
 }
 
 bool take_option(parser *p, const char *word)
@@ -59,7 +72,7 @@ size_t take_one_of(parser *p, const char *const *words, size_t count)
 name take_name(parser *p, const char *expected)
 {
     name n = {NULL, p->next->at};
-    if (p->next->kind != TOKEN_NAME || p->next->first_on_line) {
+    if (p->failed || p->next->kind != TOKEN_NAME || p->next->first_on_line) {
         parse_problem(p, expected);
         return n;
     }

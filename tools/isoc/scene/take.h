@@ -49,12 +49,19 @@ typedef struct parser {
 /* Notes a problem at the next token, once a statement, and sets p->failed. */
 void parse_problem(parser *p, const char *message);
 
+/* Notes a problem at a place, as source_problem, and sets p->failed. Returns false. */
+#define PARSE_FAULT(p, ...) ((p)->failed = true, source_problem((p)->s, __VA_ARGS__))
+
 bool next_is_sign(const parser *p, char sign);
 bool next_is_word(const parser *p, const char *word);
 
-/* Takes the next token if it is this sign or this word. */
+/* Takes the next token if it is this sign or this word. After a problem nothing is taken in this statement. */
 bool take_sign(parser *p, char sign);
 bool take_word(parser *p, const char *word);
+
+/* The same of one that must be there; else notes what is expected. */
+void expect_sign(parser *p, char sign, const char *expected);
+void expect_word(parser *p, const char *word, const char *expected);
 
 /* The same of a word that a statement may go on with where it is complete: not across the end of a line. */
 bool take_option(parser *p, const char *word);
