@@ -163,37 +163,6 @@ static void emit_units(const units *u, text *out)
     }
 }
 
-static const variable *states_as_variables(const emission *e)
-{
-    const int count = state_count(e->p->m);
-    variable *all = arena_take(e->out->memory, (size_t)count + 1, sizeof *all);
-    for (int i = 0; i < count; i++) {
-        all[i] = e->names->states[i].about;
-    }
-    return all;
-}
-
-static const variable *memories_as_variables(const emission *e)
-{
-    const mechanism *m = e->p->m;
-    variable *all = arena_take(e->out->memory, (size_t)m->effects.memory_count + 1, sizeof *all);
-    for (int i = 0; i < m->effects.memory_count; i++) {
-        all[i] = m->effects.memories[i].about;
-    }
-    return all;
-}
-
-static const variable *outputs_as_variables(const emission *e)
-{
-    const plant *p = e->p;
-    variable *all = arena_take(e->out->memory, (size_t)p->outputs.count + 1, sizeof *all);
-    for (int i = 0; i < p->outputs.count; i++) {
-        all[i] =
-            (variable){.name = p->outputs.names[i], .unit = p->outputs.units[i], .least = -HUGE_VAL, .most = HUGE_VAL};
-    }
-    return all;
-}
-
 /* How long a tick is, to a clock and as the cycle of an event. */
 static const char *stamp_words(const plant *p, arena *memory)
 {
@@ -216,12 +185,12 @@ void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
     const emission e = {.p = p, .names = names, .out = &all};
     const char *called = isalpha((unsigned char)m->name[0]) ? m->name : arena_format(out->memory, "plant_%s", m->name);
     const section sections[] = {
-        {"states", "state", 'x', states_as_variables(&e), state_count(m), 0, false},
+        {"states", "state", 'x', names->about_states, state_count(m), 0, false},
         {"inputs", "input", 'u', m->inputs.all, m->inputs.count, 0, false},
-        {"memories", "memory of an effect", 'u', memories_as_variables(&e), m->effects.memory_count, m->inputs.count,
-         false},
+        {"memories", "memory of an effect", 'u', names->about_held + m->inputs.count, m->effects.memory_count,
+         m->inputs.count, false},
         {"tunables", "tunable", 'p', m->parameters.all, m->parameters.count, 0, true},
-        {"outputs", "output", 'y', outputs_as_variables(&e), p->outputs.count, 0, false},
+        {"outputs", "output", 'y', names->about_outputs, p->outputs.count, 0, false},
     };
     const int count = sizeof sections / sizeof sections[0];
     size_t quantities = 1;

@@ -33,36 +33,35 @@ static bool uses_waveform(const emission *e)
 static void emit_beginning(const emission *e, const text *rest)
 {
     const mechanism *m = e->p->m;
-    text_add(e->out, "/* %s: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n",
-             e->names->prefix, m->segment_count, m->segment_count == 1 ? "" : "s", m->name);
-    text_add(e->out, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
-    text_add(e->out, "#include \"%s.h\"\n\n", e->names->prefix);
+    put(e, "/* $p: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n", m->segment_count,
+        m->segment_count == 1 ? "" : "s", m->name);
+    put(e, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
+    put(e, "#include \"$p.h\"\n\n");
     /* The functions of adams gcc inlines otherwise where it sees no other kernel: as many instructions, more bytes. */
     if (!ISO_IS_VARYING(m->method.recipe) && m->policies.rung_count == 0) {
-        text_add(e->out, "#define ISO_ONLY_METHOD ISO_%s\n",
-                 capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->method.recipe)]));
+        put(e, "#define ISO_ONLY_METHOD ISO_%s\n",
+            capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->method.recipe)]));
     }
-    text_add(e->out, "#include \"core/methods/method.h\"\n");
-    text_add(e->out, "%s", e->p->fast.count > 0 ? "#include \"core/methods/multirate.h\"\n" : "");
-    text_add(e->out, "%s",
-             e->p->after.pivot_count == 0 ? ""
-             : m->drift.near_holds        ? "#include \"core/methods/hold_energy.h\"\n"
-                                          : "#include \"core/methods/pivots.h\"\n");
-    text_add(e->out, "%s", e->p->j.looped != NULL ? "#include \"core/methods/sparse.h\"\n" : "");
-    text_add(e->out, "%s#include \"core/runtime/tick.h\"\n",
-             m->policies.any ? "#include \"core/runtime/policy.h\"\n" : "");
+    put(e, "#include \"core/methods/method.h\"\n");
+    put(e, "%s", e->p->fast.count > 0 ? "#include \"core/methods/multirate.h\"\n" : "");
+    put(e, "%s",
+        e->p->after.pivot_count == 0 ? ""
+        : m->drift.near_holds        ? "#include \"core/methods/hold_energy.h\"\n"
+                                     : "#include \"core/methods/pivots.h\"\n");
+    put(e, "%s", e->p->j.looped != NULL ? "#include \"core/methods/sparse.h\"\n" : "");
+    put(e, "%s#include \"core/runtime/tick.h\"\n", m->policies.any ? "#include \"core/runtime/policy.h\"\n" : "");
     emit_calls_included(rest, e->out);
     if (strstr(rest->bytes, "iso_noise(") != NULL) {
-        text_add(e->out, "#include \"core/numbers/noise.h\"\n");
+        put(e, "#include \"core/numbers/noise.h\"\n");
     }
     if (uses_waveform(e)) {
-        text_add(e->out, "#include \"core/numbers/waveform.h\"\n");
+        put(e, "#include \"core/numbers/waveform.h\"\n");
     }
-    text_add(e->out, "%s#include \"core/numbers/sincos.h\"\n%s\n",
-             uses_time(e->g, m->inputs.drives, (size_t)(m->inputs.count + m->clocks.count))
-                 ? "#include \"core/numbers/signal.h\"\n"
-                 : "",
-             e->p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
+    put(e, "%s#include \"core/numbers/sincos.h\"\n%s\n",
+        uses_time(e->g, m->inputs.drives, (size_t)(m->inputs.count + m->clocks.count))
+            ? "#include \"core/numbers/signal.h\"\n"
+            : "",
+        e->p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
 }
 
 bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *out_of_range_value)

@@ -117,14 +117,13 @@ bool has_begin(const emission *e)
 
 const char *held_size(const emission *e)
 {
-    return arena_format(e->out->memory, "%s_%s", e->names->capitals,
-                        e->p->m->effects.memory_count > 0 ? "HELD" : "INPUTS");
+    return form(e, "$C_%s", e->p->m->effects.memory_count > 0 ? "HELD" : "INPUTS");
 }
 
 const char *sampled_size(const emission *e)
 {
     const bool is_all = e->p->m->inputs.sampled_count > e->p->m->inputs.count;
-    return is_all ? held_size(e) : arena_format(e->out->memory, "%s_INPUTS", e->names->capitals);
+    return is_all ? held_size(e) : form(e, "$C_INPUTS");
 }
 
 bool is_limited(const state *s)

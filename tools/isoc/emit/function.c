@@ -1,8 +1,52 @@
 /* The parts of a plant's functions: a head, the arrays that it reads, and statements. */
+#include <math.h>
 #include <string.h>
 
 #include "tools/isoc/emit/parts.h"
 #include "tools/isoc/emit/split.h"
+
+static const char *with_names(const emission *e, const char *format)
+{
+    text result = {.memory = e->out->memory};
+    for (const char *at = format; *at != '\0'; at += *at == '$' ? 2 : 0) {
+        const int length = (int)strcspn(at, "$");
+        text_add(&result, "%.*s", length, at);
+        at += length;
+        text_add(&result, "%s",
+                 *at == '\0'    ? ""
+                 : at[1] == 'p' ? e->names->prefix
+                 : at[1] == 'C' ? e->names->capitals
+                                : e->suffix);
+    }
+    return result.bytes;
+}
+
+const char *form(const emission *e, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    const char *result = arena_format_list(e->out->memory, with_names(e, format), arguments);
+    va_end(arguments);
+    return result;
+}
+
+void put(const emission *e, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    text_add(e->out, "%s", arena_format_list(e->out->memory, with_names(e, format), arguments));
+    va_end(arguments);
+}
+
+const char *literal(const emission *e, double number)
+{
+    return code_literal(e->out->memory, number, e->p->is_double);
+}
+
+const char *limit(const emission *e, double number)
+{
+    return !isinf(number) ? literal(e, number) : number < 0.0 ? "-ISO_REAL_MAX" : "ISO_REAL_MAX";
+}
 
 emission emission_of(const emission *e, const reduced_plant *left)
 {
@@ -59,7 +103,7 @@ const char *const *places_in(const emission *e, const char *array, const leaf_na
 {
     const char **targets = arena_take(e->out->memory, (size_t)count + 1, sizeof *targets);
     for (int i = 0; i < count; i++) {
-        targets[i] = arena_format(e->out->memory, "%s[%s]", array, leaves[i].place);
+        targets[i] = form(e, "%s[%s]", array, leaves[i].place);
     }
     return targets;
 }
@@ -68,7 +112,7 @@ const char *const *numbered(const emission *e, const char *array, int count)
 {
     const char **targets = arena_take(e->out->memory, (size_t)count + 1, sizeof *targets);
     for (int i = 0; i < count; i++) {
-        targets[i] = arena_format(e->out->memory, "%s[%d]", array, i);
+        targets[i] = form(e, "%s[%d]", array, i);
     }
     return targets;
 }
@@ -77,10 +121,9 @@ const char *const *numbered(const emission *e, const char *array, int count)
 void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
                const char *more)
 {
-    text_add(e->out, "%sstatic void %s(real *restrict const %s,%s const real *restrict const x,\n", head, function,
-             array, before);
-    text_add(e->out, "    const real *restrict const u, const real *restrict const %s%s)\n{\n", argument_of(e, 2).name,
-             more);
+    put(e, "%sstatic void %s(real *restrict const %s,%s const real *restrict const x,\n", head, function, array,
+        before);
+    put(e, "    const real *restrict const u, const real *restrict const %s%s)\n{\n", argument_of(e, 2).name, more);
 }
 
 /* (void)x; for the parameters that a function does not read. */
@@ -89,14 +132,14 @@ static void emit_unread(emission *e, const bool *reads, const char *more)
     for (int i = 0; i < 3; i++) {
         const argument a = argument_of(e, i);
         if (!reads[a.op]) {
-            text_add(e->out, "    (void)%s;\n", a.name);
+            put(e, "    (void)%s;\n", a.name);
         }
     }
     if (strstr(more, "hb") != NULL && !reads[OP_STEP]) {
-        text_add(e->out, "    (void)hb;\n");
+        put(e, "    (void)hb;\n");
     }
     if (strstr(more, "dx") != NULL && !reads[OP_DERIVATIVE]) {
-        text_add(e->out, "    (void)dx;\n");
+        put(e, "    (void)dx;\n");
     }
 }
 
@@ -105,24 +148,23 @@ static void emit_parts(emission *e, const char *function, const char *array, con
 {
     for (int i = 0; i < parts.count; i++) {
         const code_part *part = &parts.all[i];
-        emit_head(e, "ISO_APART ", arena_format(e->out->memory, "%s_%d", function, i + 1), array,
-                  " real *restrict const v,", more);
+        emit_head(e, "ISO_APART ", form(e, "%s_%d", function, i + 1), array, " real *restrict const v,", more);
         if (!part->sets) {
-            text_add(e->out, "    (void)%s;\n", array);
+            put(e, "    (void)%s;\n", array);
         }
         if (!part->carries) {
-            text_add(e->out, "    (void)v;\n");
+            put(e, "    (void)v;\n");
         }
         emit_unread(e, part->reads, more);
-        text_add(e->out, "%s}\n\n", part->body);
+        put(e, "%s}\n\n", part->body);
     }
     emit_head(e, "", function, array, "", more);
-    text_add(e->out, "    real v[%d];\n", parts.carried + 1);
+    put(e, "    real v[%d];\n", parts.carried + 1);
     for (int i = 0; i < parts.count; i++) {
-        text_add(e->out, "    %s_%d(%s, v, x, u, %s%s%s);\n", function, i + 1, array, argument_of(e, 2).name,
-                 strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "");
+        put(e, "    %s_%d(%s, v, x, u, %s%s%s);\n", function, i + 1, array, argument_of(e, 2).name,
+            strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "");
     }
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 /* A function that fills `array` from x, u and p; `more` are further parameters. A long one is split: the time of gcc -O2
@@ -147,7 +189,7 @@ void emit_function(emission *e, const char *function, const char *array, const c
     emit_head(e, "", function, array, "", more);
     emit_unread(e, reads, more);
     emit_code(e, result);
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 void emit_arrays(const emission *e, const code *result)
@@ -157,14 +199,14 @@ void emit_arrays(const emission *e, const code *result)
     const int sizes[] = {state_count(m), held_count(m), m->parameters.count};
     for (int i = 0; i < 3; i++) {
         if (code_uses(e, result, arguments[i].op) || (derives && sizes[i] > 0)) {
-            text_add(e->out, "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
+            put(e, "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
         }
     }
     if (derives) {
-        text_add(e->out, "    real dx[%s_STATES];\n    derivative%s(dx, x, %s, %s);\n", e->names->capitals, e->suffix,
-                 sizes[1] > 0 ? "u" : "NULL", sizes[2] > 0 ? "p" : "NULL");
+        put(e, "    real dx[$C_STATES];\n    derivative$s(dx, x, %s, %s);\n", sizes[1] > 0 ? "u" : "NULL",
+            sizes[2] > 0 ? "p" : "NULL");
     }
     if (code_uses(e, result, OP_LOCAL_ERROR) || code_uses(e, result, OP_RESIDUAL)) {
-        text_add(e->out, "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));
+        put(e, "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));
     }
 }

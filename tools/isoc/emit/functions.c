@@ -8,21 +8,20 @@ static void emit_held_function(emission *e, const char *function, const char *ar
 {
     code result = code_of(e, numbered(e, "h", end) + first, e->p->held.values + first, end - first);
     result.quotes_leaves = true;
-    text_add(e->out, "static void %s%s(real *restrict const h, const real *restrict const %s)\n{\n", function,
-             e->suffix, array);
+    put(e, "static void %s$s(real *restrict const h, const real *restrict const %s)\n{\n", function, array);
     emit_code(e, &result);
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 static void emit_hold(emission *e)
 {
     const held *h = &e->p->held;
     if (h->tuned > 0) {
-        text_add(e->out, "/* What follows from tunables alone. */\n");
+        put(e, "/* What follows from tunables alone. */\n");
         emit_held_function(e, "tune", "p", 0, h->tuned);
     }
     if (h->count > h->tuned) {
-        text_add(e->out, "/* What does not change within a step. */\n");
+        put(e, "/* What does not change within a step. */\n");
         emit_held_function(e, "hold", "u", h->tuned, h->count);
     }
 }
@@ -52,25 +51,24 @@ static void emit_derivative(emission *e)
     result.quotes_leaves = true;
     result.marks = marks;
     result.mark_count = (size_t)m->closure_count;
-    const char *function = arena_format(e->out->memory, "derivative%s", e->suffix);
+    const char *function = form(e, "derivative$s");
     if (e->p->held.count == 0) {
         emit_function(e, function, "dx", "", &result);
         return;
     }
     emit_hold(e);
     e->in_step = true;
-    emit_function(e, arena_format(e->out->memory, "held_%s", function), "dx", "", &result);
+    emit_function(e, form(e, "held_%s", function), "dx", "", &result);
     e->in_step = false;
     if (!asks_for_derivative(e)) {
         return;
     }
     emit_head(e, "", function, "dx", "", "");
     const held *h = &e->p->held;
-    const char *tunes = arena_format(e->out->memory, "    tune%s(h, p);\n", e->suffix),
-               *holds = arena_format(e->out->memory, "    hold%s(h, u);\n", e->suffix);
-    text_add(e->out, "    real h[%d];\n%s%s", h->count, h->tuned > 0 ? tunes : "    (void)p;\n",
-             h->count > h->tuned ? holds : "");
-    text_add(e->out, "    held_%s(dx, x, u, h);\n}\n\n", function);
+    const char *tunes = form(e, "    tune$s(h, p);\n"), *holds = form(e, "    hold$s(h, u);\n");
+    put(e, "    real h[%d];\n%s%s", h->count, h->tuned > 0 ? tunes : "    (void)p;\n",
+        h->count > h->tuned ? holds : "");
+    put(e, "    held_%s(dx, x, u, h);\n}\n\n", function);
 }
 
 /* dx of the positions alone. */
@@ -89,11 +87,11 @@ static void emit_fast(emission *e)
 {
     const fast_part *fast = &e->p->fast;
     if (e->p->is_flat) {
-        text_add(e->out, "static inline iso_derivative fast_derivative%s;\n", e->suffix);
+        put(e, "static inline iso_derivative fast_derivative$s;\n");
     }
     const code result = code_of(e, numbered(e, "dx", fast->count), fast->derivatives, fast->count);
     e->in_step = true;
-    emit_function(e, arena_format(e->out->memory, "fast_derivative%s", e->suffix), "dx", "", &result);
+    emit_function(e, form(e, "fast_derivative$s"), "dx", "", &result);
     e->in_step = false;
 }
 
@@ -102,37 +100,36 @@ static void emit_number(emission *e, const char *function, const node *root)
 {
     static const char *const target = "number";
     const code result = code_of(e, &target, root, 1);
-    text_add(e->out, "static real %s(const void *const instance)\n{\n", function);
-    text_add(e->out, "    const %s_memory *const memory = instance;\n", e->names->prefix);
+    put(e, "static real %s(const void *const instance)\n{\n", function);
+    put(e, "    const $p_memory *const memory = instance;\n");
     emit_arrays(e, &result);
-    text_add(e->out, "    real number;\n");
+    put(e, "    real number;\n");
     emit_code(e, &result);
-    text_add(e->out, "    return number;\n}\n\n");
+    put(e, "    return number;\n}\n\n");
 }
 
 static void emit_numbers(const emission *e, const char *type, const char *array, const int *numbers, int count)
 {
     enum { IN_A_LINE = 20 };
-    text_add(e->out, "static const %s %s[%d] = {", type, array, count);
+    put(e, "static const %s %s[%d] = {", type, array, count);
     for (int i = 0; i < count; i++) {
-        text_add(e->out, "%s%d,", i % IN_A_LINE == 0 ? "\n    " : " ", numbers[i]);
+        put(e, "%s%d,", i % IN_A_LINE == 0 ? "\n    " : " ", numbers[i]);
     }
-    text_add(e->out, "\n};\n");
+    put(e, "\n};\n");
 }
 
 /* The places of the numbers of L U. */
 static void emit_places_of_lu(const emission *e, const extended *x, int states)
 {
-    text_add(e->out, "/* Where the numbers of L U stand. */\n");
+    put(e, "/* Where the numbers of L U stand. */\n");
     emit_numbers(e, "uint32_t", "lu_row", x->e.row, x->e.count + 1);
     emit_numbers(e, "uint32_t", "lu_beyond", x->e.beyond, x->e.count);
     emit_numbers(e, "uint16_t", "lu_column", x->e.column, x->e.places);
     emit_numbers(e, "uint16_t", "lu_target", x->e.target, x->e.products);
     emit_numbers(e, "uint16_t", "lu_given", x->given, states);
     emit_numbers(e, "uint16_t", "lu_found", x->found, states);
-    text_add(e->out, "static const iso_sparse places = {%d, %s_STATES, lu_row, lu_beyond, lu_column, lu_target,\n",
-             x->e.count, e->names->capitals);
-    text_add(e->out, "                                  lu_given, lu_found};\n\n");
+    put(e, "static const iso_sparse places = {%d, $C_STATES, lu_row, lu_beyond, lu_column, lu_target,\n", x->e.count);
+    put(e, "                                  lu_given, lu_found};\n\n");
 }
 
 /* The same by loops over tables. */
@@ -144,20 +141,20 @@ static void emit_looped_solver(emission *e)
     int count = 0;
     for (int i = 0; i < j->factor_count; i++) {
         if (!is_zero(e->g, j->factors[i])) {
-            targets[count] = arena_format(e->out->memory, "lu[%d]", i);
+            targets[count] = form(e, "lu[%d]", i);
             roots[count++] = j->factors[i];
         }
     }
     const code entries = code_of(e, targets, roots, count);
     emit_places_of_lu(e, j->looped, state_count(e->p->m));
     emit_function(e, "entries", "lu", ", const real *restrict const dx, const real hb", &entries);
-    text_add(e->out, "static void factor(real *restrict const lu, const real *restrict const x,\n");
-    text_add(e->out, "    const real *restrict const u, const real *restrict const p, const real hb)\n{\n");
-    text_add(e->out, "    real dx[%s_STATES];\n    derivative(dx, x, u, p);\n", e->names->capitals);
-    text_add(e->out, "    memset(lu, 0, %d * sizeof *lu);\n    entries(lu, x, u, p, dx, hb);\n", j->factor_count);
-    text_add(e->out, "    iso_sparse_factor(&places, lu);\n}\n\n");
-    text_add(e->out, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
-    text_add(e->out, "    real work[%d];\n    iso_sparse_solve(&places, d, lu, work);\n}\n\n", j->looped->e.count);
+    put(e, "static void factor(real *restrict const lu, const real *restrict const x,\n");
+    put(e, "    const real *restrict const u, const real *restrict const p, const real hb)\n{\n");
+    put(e, "    real dx[$C_STATES];\n    derivative(dx, x, u, p);\n");
+    put(e, "    memset(lu, 0, %d * sizeof *lu);\n    entries(lu, x, u, p, dx, hb);\n", j->factor_count);
+    put(e, "    iso_sparse_factor(&places, lu);\n}\n\n");
+    put(e, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
+    put(e, "    real work[%d];\n    iso_sparse_solve(&places, d, lu, work);\n}\n\n", j->looped->e.count);
 }
 
 /* The factors that an implicit method solves with. */
@@ -174,98 +171,94 @@ static void emit_solver(emission *e)
     e->in_step = true;
     emit_function(e, "factor", "lu", ", const real hb", &factors);
     e->in_step = false;
-    text_add(e->out, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
+    put(e, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
     emit_code(e, &solution);
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 /* Behind memory->good: where the tunables stand. */
 static const char *good_inputs(const emission *e)
 {
     const bool has_inputs = e->p->m->inputs.count > 0;
-    return has_inputs ? arena_format(e->out->memory, " + %s_INPUTS", e->names->capitals) : "";
+    return has_inputs ? form(e, " + $C_INPUTS") : "";
 }
 
 /* The function that asks whether an input or a tunable is to be put right, or to be kept. */
 static void emit_amiss(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char *capitals = e->names->capitals;
-    text_add(e->out, "/* What comes in from outside is finite, and within its limits. */\n");
-    text_add(e->out, "static iso_bits amiss(const void *const instance)\n{\n");
-    text_add(e->out, "    const %s_memory *const memory = instance;\n    return", e->names->prefix);
+    put(e, "/* What comes in from outside is finite, and within its limits. */\n");
+    put(e, "static iso_bits amiss(const void *const instance)\n{\n");
+    put(e, "    const $p_memory *const memory = instance;\n    return");
     if (m->inputs.count > 0) {
-        text_add(e->out, " iso_any_amiss(memory->u, %s, %s_INPUTS)%s",
-                 has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL", capitals,
-                 m->parameters.count > 0 ? " |\n          " : "");
+        put(e, " iso_any_amiss(memory->u, %s, $C_INPUTS)%s",
+            has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
+            m->parameters.count > 0 ? " |\n          " : "");
     }
     if (m->parameters.count > 0) {
-        text_add(e->out, " iso_any_changed(memory->p, memory->good%s, %s_PARAMETERS)", good_inputs(e), capitals);
+        put(e, " iso_any_changed(memory->p, memory->good%s, $C_PARAMETERS)", good_inputs(e));
     }
-    text_add(e->out, ";\n}\n\n");
+    put(e, ";\n}\n\n");
 }
 
 /* The function that puts inputs and tunables right, with the limits that the scene gives, and with its conditions. */
 static void emit_admit(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char *capitals = e->names->capitals, *inputs = good_inputs(e);
+    const char *inputs = good_inputs(e);
     const bool has_conditions = e->p->broken >= 0, watches = watches_parameters(e->p);
-    text_add(e->out, "static iso_refused admit(void *const instance)\n{\n");
-    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    put(e, "static iso_refused admit(void *const instance)\n{\n");
+    put(e, "    $p_memory *const memory = instance;\n");
     if (has_conditions) {
-        text_add(e->out, "    real before[%s_PARAMETERS];\n    memcpy(before, memory->good%s, sizeof before);\n%s",
-                 capitals, inputs, watches ? "    iso_bits changed = 0;\n" : "");
+        put(e, "    real before[$C_PARAMETERS];\n    memcpy(before, memory->good%s, sizeof before);\n%s", inputs,
+            watches ? "    iso_bits changed = 0;\n" : "");
     }
-    text_add(e->out, has_conditions ? "    const iso_refused refused =" : "    return");
+    put(e, has_conditions ? "    const iso_refused refused =" : "    return");
     if (m->inputs.count > 0) {
-        text_add(e->out, " iso_admit(memory->u, memory->good, %s, %s_INPUTS, NULL)%s",
-                 has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL", capitals,
-                 m->parameters.count > 0 ? " |\n          " : "");
+        put(e, " iso_admit(memory->u, memory->good, %s, $C_INPUTS, NULL)%s",
+            has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
+            m->parameters.count > 0 ? " |\n          " : "");
     }
     if (m->parameters.count > 0) {
         const char *changed = has_conditions ? "&changed" : "&memory->changed";
-        text_add(e->out, " (iso_refused)iso_admit(memory->p, memory->good%s, %s, %s_PARAMETERS, %s) << 32", inputs,
-                 has_limits(m->parameters.all, m->parameters.count) ? "parameter_limits" : "NULL", capitals,
-                 watches ? changed : "NULL");
+        put(e, " (iso_refused)iso_admit(memory->p, memory->good%s, %s, $C_PARAMETERS, %s) << 32", inputs,
+            has_limits(m->parameters.all, m->parameters.count) ? "parameter_limits" : "NULL",
+            watches ? changed : "NULL");
     }
-    text_add(e->out, ";\n");
+    put(e, ";\n");
     if (has_conditions) {
-        text_add(e->out, "    const iso_bits mask = iso_less(R(0.0), broken(memory));\n%s",
-                 watches ? "    memory->changed |= changed & ~mask;\n" : "");
-        text_add(e->out, "    return refused + ((iso_refused)iso_put_back(memory->p, memory->good%s, before,\n",
-                 inputs);
-        text_add(e->out, "                                                %s_PARAMETERS, mask) << 32);\n", capitals);
+        put(e, "    const iso_bits mask = iso_less(R(0.0), broken(memory));\n%s",
+            watches ? "    memory->changed |= changed & ~mask;\n" : "");
+        put(e, "    return refused + ((iso_refused)iso_put_back(memory->p, memory->good%s, before,\n", inputs);
+        put(e, "                                                $C_PARAMETERS, mask) << 32);\n");
     }
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 /* The rest of a tick, with the sizes of this plant: keeps the inputs of the step, which are good; then iso_finish. */
 static void emit_finish(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char *capitals = e->names->capitals;
-    text_add(e->out, "/* Checks what the step made, and sets what follows from it. */\n");
-    const char *advance = arena_format(e->out->memory, "advance%s", e->suffix);
-    text_add(e->out, "static uint32_t finish%s(void *const instance)\n{\n", e->suffix);
-    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    put(e, "/* Checks what the step made, and sets what follows from it. */\n");
+    const char *advance = form(e, "advance$s");
+    put(e, "static uint32_t finish$s(void *const instance)\n{\n");
+    put(e, "    $p_memory *const memory = instance;\n");
     if (m->inputs.count > 0) {
-        text_add(e->out, "    iso_copy(memory->good, memory->u, %s_INPUTS);\n", capitals);
+        put(e, "    iso_copy(memory->good, memory->u, $C_INPUTS);\n");
     }
     if (m->drift.near_stops && e->p->after.pivot_count > 0) {
-        text_add(e->out, "    if (memory->nearness.closure != 0) {\n        return ISO_NEAR;\n    }\n");
+        put(e, "    if (memory->nearness.closure != 0) {\n        return ISO_NEAR;\n    }\n");
     }
-    text_add(e->out, "    return iso_finish(memory, memory->x, %s, %s_STATES, %s, output%s%s,\n",
-             has_range(e) ? "range" : "NULL", capitals, sets_rows(e->p) ? advance : "NULL",
-             has_slow_outputs(m) ? "_due" : "", e->suffix);
-    text_add(e->out, "                      memory->y, memory->good");
+    put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, output%s$s,\n", has_range(e) ? "range" : "NULL",
+        sets_rows(e->p) ? advance : "NULL", has_slow_outputs(m) ? "_due" : "");
+    put(e, "                      memory->y, memory->good");
     if (m->inputs.count > 0) {
-        text_add(e->out, " + %s_INPUTS", capitals);
+        put(e, " + $C_INPUTS");
     }
     if (m->parameters.count > 0) {
-        text_add(e->out, " + %s_PARAMETERS", capitals);
+        put(e, " + $C_PARAMETERS");
     }
-    text_add(e->out, ", %s_OUTPUTS);\n}\n\n", capitals);
+    put(e, ", $C_OUTPUTS);\n}\n\n");
 }
 
 /* The equations without the effects that a ladder drops; what is not of an effect is that of the whole. */

@@ -10,17 +10,11 @@
 #include "tools/isoc/emit/a2l.h"
 #include "tools/isoc/emit/protocol.h"
 
-/* A quantity in a frame: an input, or an output. */
-typedef struct terminal {
-    const char *name, *unit;
-    double least, most;
-} terminal;
-
 /* What the frames of a plant carry. */
 typedef struct terminals {
     const char *prefix, *capitals; /* of names in C: cart_pole, CART_POLE */
     const char *scene;
-    const terminal *inputs, *outputs;
+    const variable *inputs, *outputs;
     int input_count, output_count;
     uint64_t identity;
     long period_ns;
@@ -83,17 +77,12 @@ static void emit_interface(const plant *p, const naming *names, const text *wire
 
 /* --- The controller's end ---------------------------------------------------------------------------------------- */
 
-static terminals terminals_of(const plant *p, arena *memory, uint64_t identity)
+static terminals terminals_of(const plant *p, const naming *names, arena *memory, uint64_t identity)
 {
     const mechanism *m = p->m;
-    terminal *inputs = arena_take(memory, (size_t)m->inputs.wire_count + 1, sizeof *inputs);
-    terminal *outputs = arena_take(memory, (size_t)p->outputs.count + 1, sizeof *outputs);
+    variable *inputs = arena_take(memory, (size_t)m->inputs.wire_count + 1, sizeof *inputs);
     for (int i = 0; i < m->inputs.wire_count; i++) {
-        const variable *v = &m->inputs.all[m->inputs.wires[i].input];
-        inputs[i] = (terminal){v->name, v->unit, v->least, v->most};
-    }
-    for (int i = 0; i < p->outputs.count; i++) {
-        outputs[i] = (terminal){p->outputs.names[i], p->outputs.units[i], -HUGE_VAL, HUGE_VAL};
+        inputs[i] = m->inputs.all[m->inputs.wires[i].input];
     }
     char *prefix = arena_copy(memory, m->name, strlen(m->name));
     for (char *c = prefix; *c != '\0'; c++) {
@@ -104,7 +93,7 @@ static terminals terminals_of(const plant *p, arena *memory, uint64_t identity)
                        .capitals = capitals_of(memory, called),
                        .scene = m->name,
                        .inputs = inputs,
-                       .outputs = outputs,
+                       .outputs = names->about_outputs,
                        .input_count = m->inputs.wire_count,
                        .output_count = p->outputs.count,
                        .identity = identity,
@@ -125,7 +114,7 @@ static const char *bound(arena *memory, double number, const char *infinity)
 }
 
 /* The places in a frame, and what is known of each: enum {CART_POLE_U_FORCE, ...}. */
-static void emit_terminals(const terminals *t, char array, const char *what, const terminal *all, int count, text *out)
+static void emit_terminals(const terminals *t, char array, const char *what, const variable *all, int count, text *out)
 {
     text_add(out, "enum {\n");
     for (int i = 0; i < count; i++) {
@@ -163,7 +152,7 @@ static void emit_client_header(const terminals *t, text *out)
                                 {NULL, NULL}});
 }
 
-static const char *python_dictionary(arena *memory, const terminal *all, int count)
+static const char *python_dictionary(arena *memory, const variable *all, int count)
 {
     text rows = {.memory = memory};
     text_add(&rows, "{\n");
@@ -229,7 +218,7 @@ void emit_link(const plant *p, const naming *names, const char *lock, file_list 
         identity = hash_text(identity, &files->files[i].text);
     }
     identity = hash_text(identity, &wires);
-    const terminals t = terminals_of(p, memory, identity);
+    const terminals t = terminals_of(p, names, memory, identity);
     emit_interface(p, names, &wires, identity, lock, &interface);
     emit_client_header(&t, &header);
     emit_client_module(&t, &module);

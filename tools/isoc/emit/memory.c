@@ -12,205 +12,177 @@ typedef struct part {
 
 typedef struct memory_layout {
     const emission *e;
-    part *parts;
-    int count;
+    LIST_OF(part) parts;
     size_t bytes;     /* of all of them */
     size_t real_size; /* in the plant */
 } memory_layout;
 
-static void add_member(memory_layout *list, const char *declaration, const char *about, size_t bytes)
+static void add_member(memory_layout *to, const char *declaration, const char *about, size_t bytes)
 {
-    list->parts[list->count++] = (part){declaration, about, bytes};
-    list->bytes += bytes;
+    LIST_ADD(to->e->out->memory, to->parts, ((part){declaration, about, bytes}));
+    to->bytes += bytes;
 }
 
 /* An array of so many reals; its size as C. */
-static void add_reals(memory_layout *list, const char *array, const char *size, size_t count, const char *about)
+static void add_reals(memory_layout *to, const char *array, const char *size, size_t count, const char *about)
 {
     if (count > 0) {
-        add_member(list, arena_format(list->e->out->memory, "real %s[%s]", array, size), about,
-                   count * list->real_size);
+        add_member(to, form(to->e, "real %s[%s]", array, size), about, count * to->real_size);
     }
+}
+
+/* Its size as a number. */
+static void add_numbered(memory_layout *to, const char *array, int count, const char *about)
+{
+    add_reals(to, array, form(to->e, "%d", count), (size_t)count, about);
 }
 
 /* The states with what the method keeps, and the inputs with their samples. */
-static void add_moving(memory_layout *list)
+static void add_moving(memory_layout *to)
 {
-    const mechanism *m = list->e->p->m;
-    arena *memory = list->e->out->memory;
-    const char *capitals = list->e->names->capitals;
-    const size_t states = (size_t)state_count(m), vectors = ISO_METHOD_STATE(m->method.recipe, states) / states;
-    const size_t inputs = (size_t)held_count(m),
-                 samples = ISO_METHOD_SAMPLES(m->method.recipe, (size_t)m->inputs.sampled_count);
-    if (vectors > 1) {
-        add_reals(list, "x", arena_format(memory, "%s_STATES * %zu", capitals, vectors), states * vectors,
-                  arena_format(memory, "the states, and behind them what %s keeps",
-                               method_names[ISO_METHOD_OF(m->method.recipe)]));
-    } else {
-        add_reals(list, "x", arena_format(memory, "%s_STATES", capitals), states, NULL);
-    }
-    if (ISO_IS_SMOOTH(m->method.recipe)) {
-        add_reals(list, "u",
-                  arena_format(memory, "%s + %s * %d + 1", held_size(list->e), sampled_size(list->e),
-                               ISO_DEGREE(m->method.recipe) + 1),
-                  inputs + samples, "behind the inputs their samples");
-    } else {
-        add_reals(list, "u", held_size(list->e), inputs, NULL);
-    }
+    const emission *e = to->e;
+    const mechanism *m = e->p->m;
+    const unsigned recipe = m->method.recipe;
+    const size_t states = (size_t)state_count(m), vectors = ISO_METHOD_STATE(recipe, states) / states;
+    const size_t samples = ISO_METHOD_SAMPLES(recipe, (size_t)m->inputs.sampled_count);
+    const bool smooth = ISO_IS_SMOOTH(recipe);
+    add_reals(to, "x", vectors > 1 ? form(e, "$C_STATES * %zu", vectors) : form(e, "$C_STATES"), states * vectors,
+              vectors > 1 ? form(e, "the states, and behind them what %s keeps", method_names[ISO_METHOD_OF(recipe)])
+                          : NULL);
+    add_reals(to, "u",
+              smooth ? form(e, "%s + %s * %d + 1", held_size(e), sampled_size(e), ISO_DEGREE(recipe) + 1)
+                     : held_size(e),
+              (size_t)held_count(m) + (smooth ? samples : 0), smooth ? "behind the inputs their samples" : NULL);
 }
 
-/* How the last step went: iso_progress and iso_adams_state of core/methods/progress.h. */
-static void add_progress(memory_layout *list)
+/* iso_progress and iso_adams_state of core/methods/progress.h. */
+static void add_progress(memory_layout *to)
 {
-    const unsigned recipe = list->e->p->m->method.recipe;
+    const unsigned recipe = to->e->p->m->method.recipe;
     if (ISO_IS_VARYING(recipe)) {
-        add_member(list, "iso_adams_state adams", NULL, 5 * list->real_size + 24);
+        add_member(to, "iso_adams_state adams", NULL, 5 * to->real_size + 24);
     } else if (ISO_HAS_PROGRESS(recipe)) {
-        add_member(list, "iso_progress progress", NULL, 4 * list->real_size);
+        add_member(to, "iso_progress progress", NULL, 4 * to->real_size);
     }
 }
 
 /* The pivots by which steps are watched for singular positions: iso_watch_pivots. */
-static void add_pivots(memory_layout *list)
+static void add_pivots(memory_layout *to)
 {
-    const int pivots = list->e->p->after.pivot_count;
-    add_reals(list, "pivots", arena_format(list->e->out->memory, "%d", pivots), (size_t)pivots,
-              "of the closures, at the end of the last step");
-    if (pivots > 0 && list->e->p->m->drift.near_holds) {
-        add_member(list, "iso_held_energy held_energy", NULL, 2 * list->real_size);
+    const int pivots = to->e->p->after.pivot_count;
+    add_numbered(to, "pivots", pivots, "of the closures, at the end of the last step");
+    if (pivots > 0 && to->e->p->m->drift.near_holds) {
+        add_member(to, "iso_held_energy held_energy", NULL, 2 * to->real_size);
     }
 }
 
 /* The values by which a restart is found. */
-static void add_last(memory_layout *list)
+static void add_last(memory_layout *to)
 {
-    const plant *p = list->e->p;
-    const mechanism *m = p->m;
-    arena *memory = list->e->out->memory;
-    if (watches_inputs(m)) {
-        add_reals(list, "last_u", arena_format(memory, "%s_INPUTS", list->e->names->capitals), (size_t)m->inputs.count,
-                  NULL);
+    const plant *p = to->e->p;
+    if (watches_inputs(p->m)) {
+        add_reals(to, "last_u", form(to->e, "$C_INPUTS"), (size_t)p->m->inputs.count, NULL);
     }
     if (watches_parameters(p)) {
-        add_member(list, "iso_bits changed", "not zero where a tunable has changed since the last step",
-                   list->real_size);
+        add_member(to, "iso_bits changed", "not zero where a tunable has changed since the last step", to->real_size);
     }
     if (p->held.tuned > 0) {
-        add_reals(list, "h", arena_format(memory, "%d", p->held.count), (size_t)p->held.count,
-                  p->held.count > p->held.tuned ? "what follows from tunables, and what a step holds"
-                                                : "what follows from tunables");
+        add_numbered(to, "h", p->held.count,
+                     p->held.count > p->held.tuned ? "what follows from tunables, and what a step holds"
+                                                   : "what follows from tunables");
     }
-    for (int i = 0; i < p->reduced_plant_count; i++) {
-        const plant *left = p->reduced_plants[i].p;
-        if (left->held.tuned > 0) {
-            add_reals(list, arena_format(memory, "h%s", p->reduced_plants[i].suffix),
-                      arena_format(memory, "%d", left->held.count), (size_t)left->held.count,
-                      "the same without the effects that a ladder drops");
+    FOR_ALL (const reduced_plant, left, p->reduced_plants, p->reduced_plant_count) {
+        if (left->p->held.tuned > 0) {
+            add_numbered(to, form(to->e, "h%s", left->suffix), left->p->held.count,
+                         "the same without the effects that a ladder drops");
         }
     }
-    if (watches_edges(m)) {
-        add_member(list, "iso_bits edge", "not zero in a tick in which an input jumps", list->real_size);
+    if (watches_edges(p->m)) {
+        add_member(to, "iso_bits edge", "not zero in a tick in which an input jumps", to->real_size);
     }
 }
 
-static void add_rings(memory_layout *list)
+static void add_rings(memory_layout *to)
 {
-    const mechanism *m = list->e->p->m;
-    arena *memory = list->e->out->memory;
+    const mechanism *m = to->e->p->m;
     for (int i = 0; i < m->effects.memory_count; i++) {
         if (is_late(&m->effects.memories[i])) {
-            const size_t places = last_of_ring(&m->effects.memories[i]) + 1;
-            add_reals(list, arena_format(memory, "past_%d", i), arena_format(memory, "%zu", places), places,
-                      arena_format(memory, "what %s shows in later rows", m->effects.memories[i].about.name));
+            add_numbered(to, form(to->e, "past_%d", i), (int)last_of_ring(&m->effects.memories[i]) + 1,
+                         form(to->e, "what %s shows in later rows", m->effects.memories[i].about.name));
         }
     }
 }
 
-static void add_good(memory_layout *list)
+static void add_good(memory_layout *to)
 {
-    const mechanism *m = list->e->p->m;
-    arena *memory = list->e->out->memory;
-    const char *capitals = list->e->names->capitals;
+    const mechanism *m = to->e->p->m;
     const bool has_inputs = m->inputs.count > 0, has_tunables = m->parameters.count > 0;
-    const char *size =
-        arena_format(memory, "%s%s%s%s%s_OUTPUTS", has_inputs ? capitals : "", has_inputs ? "_INPUTS + " : "",
-                     has_tunables ? capitals : "", has_tunables ? "_PARAMETERS + " : "", capitals);
-    add_reals(list, "good", size, (size_t)(m->inputs.count + m->parameters.count + list->e->p->outputs.count),
-              arena_format(memory, "the last good%s%s outputs", has_inputs ? " inputs," : "",
-                           has_tunables ? " tunables," : ""));
+    const char *size = form(to->e, "%s%s$C_OUTPUTS", has_inputs ? form(to->e, "$C_INPUTS + ") : "",
+                            has_tunables ? form(to->e, "$C_PARAMETERS + ") : "");
+    add_reals(to, "good", size, (size_t)(m->inputs.count + m->parameters.count + to->e->p->outputs.count),
+              form(to->e, "the last good%s%s outputs", has_inputs ? " inputs," : "", has_tunables ? " tunables," : ""));
 }
 
 /* Counts of whole turns, and the row: whole numbers of 4 and of 8 bytes, behind all that is as large as a real. */
-static void add_counts(memory_layout *list)
+static void add_counts(memory_layout *to)
 {
-    const plant *p = list->e->p;
-    arena *memory = list->e->out->memory;
+    const plant *p = to->e->p;
     const bool with_rows = keeps_rows(p);
     if (p->after.pivot_count > 0) {
-        add_member(list, "iso_nearness nearness", NULL, 2 * sizeof(uint32_t));
+        add_member(to, "iso_nearness nearness", NULL, 2 * sizeof(uint32_t));
     }
     if (p->turn_count > 0) {
-        add_member(list, arena_format(memory, "int32_t turns[%d]", p->turn_count), "of the continuous joints",
+        add_member(to, form(to->e, "int32_t turns[%d]", p->turn_count), "of the continuous joints",
                    (size_t)p->turn_count * sizeof(int32_t));
     }
-    if (list->bytes % sizeof(uint64_t) != 0 && (p->is_double || with_rows)) {
-        add_member(list, "uint32_t unused", "no byte of the memory is without a name", sizeof(uint32_t));
+    if (to->bytes % sizeof(uint64_t) != 0 && (p->is_double || with_rows)) {
+        add_member(to, "uint32_t unused", "no byte of the memory is without a name", sizeof(uint32_t));
     }
     if (with_rows) {
-        add_member(list, "uint64_t row", "that the tick ends with; after it that which has begun", sizeof(uint64_t));
+        add_member(to, "uint64_t row", "that the tick ends with; after it that which has begun", sizeof(uint64_t));
     }
 }
 
 static memory_layout layout_of(const emission *e)
 {
-    enum { NAMED = 16 };
-    const mechanism *m = e->p->m;
-    memory_layout list = {.e = e, .real_size = e->p->is_double ? sizeof(double) : sizeof(float)};
-    list.parts = arena_take(e->out->memory, NAMED + (size_t)(m->effects.memory_count + e->p->reduced_plant_count),
-                            sizeof *list.parts);
-    const char *capitals = e->names->capitals;
-    add_moving(&list);
-    add_reals(&list, "p", arena_format(e->out->memory, "%s_PARAMETERS", capitals), (size_t)m->parameters.count, NULL);
-    add_reals(&list, "y", arena_format(e->out->memory, "%s_OUTPUTS", capitals), (size_t)e->p->outputs.count, NULL);
-    add_reals(&list, "rests", arena_format(e->out->memory, "%d", e->p->turn_count), (size_t)e->p->turn_count,
-              "what rounding has taken from the angles of continuous joints");
-    add_progress(&list);
-    add_pivots(&list);
-    add_last(&list);
-    add_rings(&list);
-    add_good(&list);
-    add_counts(&list);
-    return list;
+    memory_layout all = {.e = e, .real_size = e->p->is_double ? sizeof(double) : sizeof(float)};
+    add_moving(&all);
+    add_reals(&all, "p", form(e, "$C_PARAMETERS"), (size_t)e->p->m->parameters.count, NULL);
+    add_reals(&all, "y", form(e, "$C_OUTPUTS"), (size_t)e->p->outputs.count, NULL);
+    add_numbered(&all, "rests", e->p->turn_count, "what rounding has taken from the angles of continuous joints");
+    add_progress(&all);
+    add_pivots(&all);
+    add_last(&all);
+    add_rings(&all);
+    add_good(&all);
+    add_counts(&all);
+    return all;
 }
 
 void emit_memory(const emission *e)
 {
-    const memory_layout list = layout_of(e);
-    text_add(e->out, "/* All that a plant keeps, without pointers: a copy of it is a snapshot. */\n");
-    text_add(e->out, "typedef struct %s_memory {\n", e->names->prefix);
-    FOR_ALL (const part, p, list.parts, list.count) {
-        if (p->about == NULL) {
-            text_add(e->out, "    %s;\n", p->declaration);
-        } else {
-            text_add(e->out, "    %s; /* %s */\n", p->declaration, p->about);
-        }
+    const memory_layout all = layout_of(e);
+    put(e, "/* All that a plant keeps, without pointers: a copy of it is a snapshot. */\n");
+    put(e, "typedef struct $p_memory {\n");
+    FOR_EACH (const part, p, all.parts) {
+        put(e, p->about == NULL ? "    %s;\n" : "    %s; /* %s */\n", p->declaration, p->about);
     }
-    text_add(e->out, "} %s_memory;\n\n", e->names->prefix);
+    put(e, "} $p_memory;\n\n");
 }
 
 size_t memory_place(const emission *e, char array)
 {
-    const memory_layout list = layout_of(e);
-    const char *begin = arena_format(e->out->memory, "real %c[", array);
+    const memory_layout all = layout_of(e);
+    const char *begin = form(e, "real %c[", array);
     size_t offset = 0;
-    for (int i = 0; i < list.count && strncmp(list.parts[i].declaration, begin, strlen(begin)) != 0; i++) {
-        offset += list.parts[i].bytes;
+    for (size_t i = 0; i < all.parts.count && strncmp(all.parts.all[i].declaration, begin, strlen(begin)) != 0; i++) {
+        offset += all.parts.all[i].bytes;
     }
     return offset;
 }
 
 void emit_memory_check(const emission *e)
 {
-    text_add(e->out, "_Static_assert(sizeof(%s_memory) == %zu,\n    \"%s\");\n\n", e->names->prefix, layout_of(e).bytes,
-             "a record of the memory has the same bytes on every target: no padding");
+    put(e, "_Static_assert(sizeof($p_memory) == %zu,\n    \"%s\");\n\n", layout_of(e).bytes,
+        "a record of the memory has the same bytes on every target: no padding");
 }

@@ -1,6 +1,7 @@
 #include "tools/isoc/emit/naming.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <string.h>
 
 const char *capitals_of(arena *memory, const char *word)
@@ -12,48 +13,46 @@ const char *capitals_of(arena *memory, const char *word)
     return copy;
 }
 
-/* CART_X_RAIL */
-static const char *place_of(const naming *n, arena *memory, char array, const char *word)
-{
-    return arena_format(memory, "%s_%c_%s", n->capitals, array, capitals_of(memory, word));
-}
-
-static leaf_name leaf_named(const naming *n, arena *memory, char array, const char *symbol, const variable *v)
-{
-    return (leaf_name){symbol, place_of(n, memory, array, v->name), v->quote};
-}
-
-/* u_PUSH, p_MASS */
+/* CART_X_RAIL; in the equations q_rail of a state, else u_push and p_mass. */
 static const leaf_name *leaves_of(const naming *n, arena *memory, char array, const variable *all, int count)
 {
     leaf_name *result = arena_take(memory, (size_t)count + 1, sizeof *result);
     for (int i = 0; i < count; i++) {
-        const char *symbol = arena_format(memory, "%c_%s", tolower((unsigned char)array), all[i].name);
-        result[i] = leaf_named(n, memory, array, symbol, &all[i]);
+        const char *symbol = array == 'X' ? n->states[i].symbol
+                                          : arena_format(memory, "%c_%s", tolower((unsigned char)array), all[i].name);
+        const char *place = arena_format(memory, "%s_%c_%s", n->capitals, array, capitals_of(memory, all[i].name));
+        result[i] = (leaf_name){symbol, place, all[i].quote};
     }
     return result;
 }
 
-static const leaf_name *states_of(const naming *n, arena *memory, int count)
+static const variable *about_states(const naming *n, arena *memory, int count)
 {
-    leaf_name *result = arena_take(memory, (size_t)count + 1, sizeof *result);
+    variable *all = arena_take(memory, (size_t)count + 1, sizeof *all);
     for (int i = 0; i < count; i++) {
-        result[i] = leaf_named(n, memory, 'X', n->states[i].symbol, &n->states[i].about);
+        all[i] = n->states[i].about;
     }
-    return result;
+    return all;
 }
 
 /* Quantities that are constant within a step: inputs, then memories. */
-static const leaf_name *held_of(const naming *n, arena *memory, const mechanism *m)
+static const variable *about_held(arena *memory, const mechanism *m)
 {
     variable *all = arena_take(memory, (size_t)held_count(m) + 1, sizeof *all);
-    for (int i = 0; i < m->inputs.count; i++) {
-        all[i] = m->inputs.all[i];
+    for (int i = 0; i < held_count(m); i++) {
+        all[i] = i < m->inputs.count ? m->inputs.all[i] : m->effects.memories[i - m->inputs.count].about;
     }
-    for (int i = 0; i < m->effects.memory_count; i++) {
-        all[m->inputs.count + i] = m->effects.memories[i].about;
+    return all;
+}
+
+static const variable *about_outputs(arena *memory, const plant *p)
+{
+    variable *all = arena_take(memory, (size_t)p->outputs.count + 1, sizeof *all);
+    for (int i = 0; i < p->outputs.count; i++) {
+        const char *quote = source_quote(p->m->source, p->outputs.shows[i]->name.at);
+        all[i] = (variable){p->outputs.names[i], p->outputs.units[i], quote, .least = -HUGE_VAL, .most = HUGE_VAL};
     }
-    return leaves_of(n, memory, 'U', all, held_count(m));
+    return all;
 }
 
 naming naming_of(const plant *p, arena *memory, const char *prefix)
@@ -62,16 +61,12 @@ naming naming_of(const plant *p, arena *memory, const char *prefix)
     naming result = {.prefix = prefix == NULL ? "plant" : prefix, .is_program = prefix == NULL};
     result.capitals = capitals_of(memory, result.prefix);
     result.states = mechanism_states(m, memory);
-    result.leaves.states = states_of(&result, memory, state_count(m));
-    result.leaves.inputs = held_of(&result, memory, m);
+    result.about_states = about_states(&result, memory, state_count(m));
+    result.about_held = about_held(memory, m);
+    result.about_outputs = about_outputs(memory, p);
+    result.leaves.states = leaves_of(&result, memory, 'X', result.about_states, state_count(m));
+    result.leaves.inputs = leaves_of(&result, memory, 'U', result.about_held, held_count(m));
     result.leaves.parameters = leaves_of(&result, memory, 'P', m->parameters.all, m->parameters.count);
-    const char **outputs = arena_take(memory, (size_t)p->outputs.count + 1, sizeof *outputs);
-    const char **quotes = arena_take(memory, (size_t)p->outputs.count + 1, sizeof *quotes);
-    for (int i = 0; i < p->outputs.count; i++) {
-        outputs[i] = place_of(&result, memory, 'Y', p->outputs.names[i]);
-        quotes[i] = source_quote(m->source, p->outputs.shows[i]->name.at);
-    }
-    result.outputs = outputs;
-    result.output_quotes = quotes;
+    result.outputs = leaves_of(&result, memory, 'Y', result.about_outputs, p->outputs.count);
     return result;
 }

@@ -12,8 +12,8 @@ typedef struct naming {
     bool is_program;      /* the plant is iso_the_plant, that of the program */
     const state *states;
     leaf_names leaves; /* states, inputs with memories behind them, parameters: CART_X_RAIL, CART_U_PUSH, CART_P_MASS */
-    const char *const *outputs;       /* CART_Y_ANGLE */
-    const char *const *output_quotes; /* the scene's line of each */
+    const variable *about_states, *about_held, *about_outputs; /* in the same order */
+    const leaf_name *outputs;                                  /* CART_Y_ANGLE */
 } naming;
 
 /* With this prefix, or as the plant of the program where it is NULL. */

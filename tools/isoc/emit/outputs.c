@@ -8,36 +8,35 @@ static void emit_outputs_of(emission *e, const char *head, const char *function,
     const char **targets = arena_take(e->out->memory, (size_t)o->count + 1, sizeof *targets),
                **quotes = arena_take(e->out->memory, (size_t)o->count + 1, sizeof *quotes);
     for (int i = 0; i < o->count; i++) {
-        targets[i] = arena_format(e->out->memory, "y[%s]", e->names->outputs[o->which[i]]);
-        quotes[i] = e->names->output_quotes[o->which[i]];
+        targets[i] = form(e, "y[%s]", e->names->outputs[o->which[i]].place);
+        quotes[i] = e->names->outputs[o->which[i]].quote;
     }
     code result = code_of(e, targets, o->roots, o->count);
     result.quotes = quotes;
-    text_add(e->out, "%sstatic void %s%s(void *const instance)\n{\n", head, function, e->suffix);
-    text_add(e->out, "    %s_memory *const memory = instance;\n    real *const y = memory->y;\n", e->names->prefix);
+    put(e, "%sstatic void %s$s(void *const instance)\n{\n", head, function);
+    put(e, "    $p_memory *const memory = instance;\n    real *const y = memory->y;\n");
     emit_arrays(e, &result);
     emit_code(e, &result);
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 /* An output that is not due stays as it is. The branch follows from the number of the tick alone. */
 static void emit_due(emission *e, const output_rates *rates)
 {
-    text_add(e->out, "/* Those of the end of a tick. */\nstatic void output_due%s(void *const instance)\n{\n",
-             e->suffix);
-    text_add(e->out, "    const %s_memory *const memory = instance;\n", e->names->prefix);
+    put(e, "/* Those of the end of a tick. */\nstatic void output_due$s(void *const instance)\n{\n");
+    put(e, "    const $p_memory *const memory = instance;\n");
     for (int i = 0; i < rates->count; i++) {
         const double every = rates->all[i].every;
         if (every > 1.0) {
-            text_add(e->out,
-                     "    if (iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0) {\n        "
-                     "output_every_%.0f%s(instance);\n    }\n",
-                     every, every, e->suffix);
+            put(e,
+                "    if (iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0) {\n        "
+                "output_every_%.0f$s(instance);\n    }\n",
+                every, every);
         } else {
-            text_add(e->out, "    output_every_1%s(instance);\n", e->suffix);
+            put(e, "    output_every_1$s(instance);\n");
         }
     }
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 /* Those of a rate stand apart: two functions call them. */
@@ -49,13 +48,12 @@ void emit_output(emission *e)
         return;
     }
     for (int i = 0; i < rates.count; i++) {
-        emit_outputs_of(e, "ISO_APART ", arena_format(e->out->memory, "output_every_%.0f", rates.all[i].every),
-                        &rates.all[i]);
+        emit_outputs_of(e, "ISO_APART ", form(e, "output_every_%.0f", rates.all[i].every), &rates.all[i]);
     }
-    text_add(e->out, "/* All of them, as at the start. */\nstatic void output%s(void *const instance)\n{\n", e->suffix);
+    put(e, "/* All of them, as at the start. */\nstatic void output$s(void *const instance)\n{\n");
     for (int i = 0; i < rates.count; i++) {
-        text_add(e->out, "    output_every_%.0f%s(instance);\n", rates.all[i].every, e->suffix);
+        put(e, "    output_every_%.0f$s(instance);\n", rates.all[i].every);
     }
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
     emit_due(e, &rates);
 }

@@ -15,6 +15,15 @@ typedef struct emission {
     double out_of_range_value; /* a constant that leaves the range of real; else 0 */
 } emission;
 
+/* Adds to the source what printf would write; and that as a text. In the format stand $p for the prefix of names, $C for it
+ * in capitals, $s for the suffix. */
+void put(const emission *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
+const char *form(const emission *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* A number as C, and a limit, of which none is the largest real. */
+const char *literal(const emission *e, double number);
+const char *limit(const emission *e, double number);
+
 /* --- features.c --- */
 
 /* Whether the plant keeps something that a start or a restart sets: the method's history, samples of smooth inputs, what

@@ -34,7 +34,7 @@ static code code_of_assignments(const emission *e, const assignments *all)
 
 static const char *input_place(const emission *e, int i)
 {
-    return arena_format(e->out->memory, "memory->u[%s]", e->names->leaves.inputs[i].place);
+    return form(e, "memory->u[%s]", e->names->leaves.inputs[i].place);
 }
 
 static const char *memory_target(const emission *e, int i)
@@ -46,16 +46,15 @@ static const char *memory_target(const emission *e, int i)
 static const char *ring_place(const emission *e, int i, double ago)
 {
     const unsigned long last = last_of_ring(&e->p->m->effects.memories[i]);
-    return last == 0    ? arena_format(e->out->memory, "memory->past_%d[0]", i)
-           : ago == 0.0 ? arena_format(e->out->memory, "memory->past_%d[memory->row & UINT32_C(%lu)]", i, last)
-                        : arena_format(e->out->memory,
-                                       "memory->past_%d[(memory->row - UINT32_C(%.0f)) & UINT32_C(%lu)]", i, ago, last);
+    return last == 0    ? form(e, "memory->past_%d[0]", i)
+           : ago == 0.0 ? form(e, "memory->past_%d[memory->row & UINT32_C(%lu)]", i, last)
+                        : form(e, "memory->past_%d[(memory->row - UINT32_C(%.0f)) & UINT32_C(%lu)]", i, ago, last);
 }
 
 static void begin_rows_function(emission *e, const char *head, const char *function)
 {
-    text_add(e->out, "%sstatic void %s%s(void *const instance)\n{\n", head, function, e->suffix);
-    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    put(e, "%sstatic void %s$s(void *const instance)\n{\n", head, function);
+    put(e, "    $p_memory *const memory = instance;\n");
 }
 
 /* --- functions of time --- */
@@ -74,8 +73,7 @@ static assignments functions_of_time(const emission *e, bool is_row)
     }
     for (int i = 0; i < m->clocks.count && !is_row; i++) {
         const leaf_name *leaf = &e->names->leaves.states[m->clocks.first + i];
-        assign(&result, arena_format(e->out->memory, "memory->x[%s]", leaf->place), NULL,
-               m->inputs.drives[m->inputs.count + i]);
+        assign(&result, form(e, "memory->x[%s]", leaf->place), NULL, m->inputs.drives[m->inputs.count + i]);
     }
     return result;
 }
@@ -86,19 +84,19 @@ static void emit_edges(emission *e)
     const mechanism *m = e->p->m;
     const char **targets = arena_take(e->out->memory, (size_t)m->inputs.edge_count + 1, sizeof *targets);
     for (int i = 0; i < m->inputs.edge_count; i++) {
-        targets[i] = arena_format(e->out->memory, "now[%d]", i);
+        targets[i] = form(e, "now[%d]", i);
     }
     const code result = code_of(e, targets, m->inputs.edges, m->inputs.edge_count);
-    text_add(e->out, "/* What jumps at ticks that are known. */\n");
-    text_add(e->out, "static void find_edges(real *const now, const uint64_t tick)\n{\n");
+    put(e, "/* What jumps at ticks that are known. */\n");
+    put(e, "static void find_edges(real *const now, const uint64_t tick)\n{\n");
     emit_code(e, &result);
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 static void emit_parameters(const emission *e, const code *result)
 {
     if (code_uses(e, result, OP_PARAMETER)) {
-        text_add(e->out, "    const real *const p = memory->p;\n");
+        put(e, "    const real *const p = memory->p;\n");
     }
 }
 
@@ -108,18 +106,16 @@ static void emit_seen(emission *e)
     const mechanism *m = e->p->m;
     const assignments all = functions_of_time(e, true);
     const code result = code_of_assignments(e, &all);
-    text_add(e->out, "/* What a row shows of the functions of time; the step from there gets it too. */\n");
-    text_add(e->out, "static void see(%s_memory *const memory, const uint64_t tick)\n{\n", e->names->prefix);
+    put(e, "/* What a row shows of the functions of time; the step from there gets it too. */\n");
+    put(e, "static void see($p_memory *const memory, const uint64_t tick)\n{\n");
     FOR_ALL (const switching, c, m->parameters.changes, m->parameters.change_count) {
         const char *at = e->names->leaves.parameters[c->parameter].place;
-        text_add(
-            e->out,
-            "    memory->p[%s] =\n        iso_select((iso_bits)0 - (tick == UINT32_C(%.0f)), %s, memory->p[%s]);\n", at,
-            c->tick, code_literal(e->out->memory, c->value, e->p->is_double), at);
+        put(e, "    memory->p[%s] =\n        iso_select((iso_bits)0 - (tick == UINT32_C(%.0f)), %s, memory->p[%s]);\n",
+            at, c->tick, literal(e, c->value), at);
     }
     emit_parameters(e, &result);
     emit_code(e, &result);
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 void emit_drive(emission *e)
@@ -141,26 +137,25 @@ void emit_drive(emission *e)
         emit_seen(e);
     }
     const code result = code_of_assignments(e, &all);
-    text_add(e->out, "/* What is a function of time; other inputs stay as they are set. */\n");
-    text_add(e->out, "static void drive(void *const instance, const uint64_t tick)\n{\n");
-    text_add(e->out, "    %s_memory *const memory = instance;\n", e->names->prefix);
+    put(e, "/* What is a function of time; other inputs stay as they are set. */\n");
+    put(e, "static void drive(void *const instance, const uint64_t tick)\n{\n");
+    put(e, "    $p_memory *const memory = instance;\n");
     if (e->p->rows.any) {
-        text_add(e->out,
-                 "    if (memory->row != tick) {\n        memory->row = tick;\n        see(memory, tick);\n    }\n");
+        put(e, "    if (memory->row != tick) {\n        memory->row = tick;\n        see(memory, tick);\n    }\n");
     } else if (keeps_rows(e->p)) {
-        text_add(e->out, "    memory->row = tick + 1;\n");
+        put(e, "    memory->row = tick + 1;\n");
     } else if (!uses_time(e->g, all.roots, (size_t)all.count)) {
-        text_add(e->out, "    (void)tick;\n");
+        put(e, "    (void)tick;\n");
     }
     emit_parameters(e, &result);
     emit_code(e, &result);
     if (watches_edges(m)) {
-        text_add(e->out, "    real now[%d], before[%d];\n    find_edges(now, tick);\n", m->inputs.edge_count,
-                 m->inputs.edge_count);
-        text_add(e->out, "    find_edges(before, tick - (tick > 0));\n");
-        text_add(e->out, "    memory->edge = iso_any_changed(now, before, %d);\n", m->inputs.edge_count);
+        put(e, "    real now[%d], before[%d];\n    find_edges(now, tick);\n", m->inputs.edge_count,
+            m->inputs.edge_count);
+        put(e, "    find_edges(before, tick - (tick > 0));\n");
+        put(e, "    memory->edge = iso_any_changed(now, before, %d);\n", m->inputs.edge_count);
     }
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 /* --- memories --- */
@@ -169,11 +164,11 @@ void emit_drive(emission *e)
 static void emit_part(emission *e, const char *about, const char *function, const assignments *all)
 {
     const code result = code_of_assignments(e, all);
-    text_add(e->out, "/* %s */\n", about);
+    put(e, "/* %s */\n", about);
     begin_rows_function(e, "", function);
     emit_arrays(e, &result);
     emit_code(e, &result);
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 /* Samples of a level: taken where the row is a multiple of their ticks. */
@@ -185,9 +180,8 @@ static void emit_samples_of(emission *e, const row_order *order, int level, cons
     for (int n = 0; n < order->count; n++) {
         const int i = order->all[n] - state_count(m);
         if (order->level[n] == level) {
-            text_add(e->out, "    real sampled_%d;\n", i);
-            assign(&all, arena_format(e->out->memory, "sampled_%d", i), m->effects.memories[i].about.quote,
-                   m->effects.memories[i].next);
+            put(e, "    real sampled_%d;\n", i);
+            assign(&all, form(e, "sampled_%d", i), m->effects.memories[i].about.quote, m->effects.memories[i].next);
         }
     }
     const code result = code_of_assignments(e, &all);
@@ -197,24 +191,24 @@ static void emit_samples_of(emission *e, const row_order *order, int level, cons
         const int i = order->all[n] - state_count(m);
         if (order->level[n] == level) {
             const char *at = memory_target(e, i);
-            text_add(e->out, "    %s = iso_select(\n        (iso_bits)0 - (iso_tick_modulo(memory->row, ", at);
-            text_add(e->out, "UINT32_C(%.0f)) == 0), sampled_%d, %s);\n", m->effects.memories[i].ticks, i, at);
+            put(e, "    %s = iso_select(\n        (iso_bits)0 - (iso_tick_modulo(memory->row, ", at);
+            put(e, "UINT32_C(%.0f)) == 0), sampled_%d, %s);\n", m->effects.memories[i].ticks, i, at);
         }
     }
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
 }
 
 static void emit_samples_of_levels(emission *e, const row_order *order, const char *function)
 {
     for (int level = 0; level < order->levels; level++) {
-        emit_samples_of(e, order, level, arena_format(e->out->memory, "%s_%d", function, level + 1));
+        emit_samples_of(e, order, level, form(e, "%s_%d", function, level + 1));
     }
 }
 
 static void call_samples(emission *e, const row_order *order, const char *function)
 {
     for (int level = 0; level < order->levels; level++) {
-        text_add(e->out, "    %s_%d%s(memory);\n", function, level + 1, e->suffix);
+        put(e, "    %s_%d$s(memory);\n", function, level + 1);
     }
 }
 
@@ -249,7 +243,7 @@ static void emit_shifts(emission *e)
     const mechanism *m = e->p->m;
     for (int i = 0; i < m->effects.memory_count; i++) {
         if (is_late(&m->effects.memories[i])) {
-            text_add(e->out, "    %s = %s;\n", memory_target(e, i), ring_place(e, i, m->effects.memories[i].ticks));
+            put(e, "    %s = %s;\n", memory_target(e, i), ring_place(e, i, m->effects.memories[i].ticks));
         }
     }
 }
@@ -272,14 +266,14 @@ void emit_advance(emission *e)
     if (kept.count > 0) {
         emit_part(e, "What later rows show.", "keep", &kept);
     }
-    begin_rows_function(e, arena_format(e->out->memory, "/* %s */\n", about), "advance");
-    text_add(e->out, "%s", r->any ? "    memory->row++;\n    see(memory, memory->row);\n" : "");
+    begin_rows_function(e, form(e, "/* %s */\n", about), "advance");
+    put(e, "%s", r->any ? "    memory->row++;\n    see(memory, memory->row);\n" : "");
     emit_shifts(e);
     call_samples(e, &r->early, "sample_early");
-    text_add(e->out, "%s", nexts.count > 0 ? arena_format(e->out->memory, "    follow%s(memory);\n", e->suffix) : "");
+    put(e, "%s", nexts.count > 0 ? form(e, "    follow$s(memory);\n") : "");
     call_samples(e, &r->late, "sample");
-    text_add(e->out, "%s", kept.count > 0 ? arena_format(e->out->memory, "    keep%s(memory);\n", e->suffix) : "");
-    text_add(e->out, "}\n\n");
+    put(e, "%s", kept.count > 0 ? form(e, "    keep$s(memory);\n") : "");
+    put(e, "}\n\n");
 }
 
 /* --- starts --- */
@@ -308,7 +302,7 @@ static assignments starts_of_level(const emission *e, int level)
         if (order->level[n] == level && i < 0) {
             const effect_quantity *q = &m->effects.states[which - m->effects.first_state];
             const char *at = e->names->leaves.states[which].place;
-            assign(&result, arena_format(e->out->memory, "memory->x[%s]", at), q->about.quote, q->begin);
+            assign(&result, form(e, "memory->x[%s]", at), q->about.quote, q->begin);
         } else if (order->level[n] == level) {
             assign(&result, memory_target(e, i), m->effects.memories[i].about.quote, m->effects.memories[i].begin);
         }
@@ -323,8 +317,8 @@ static void emit_rings(emission *e)
     for (int i = 0; i < m->effects.memory_count; i++) {
         const unsigned long places = last_of_ring(&m->effects.memories[i]) + 1;
         if (is_late(&m->effects.memories[i]) && begins(e, &m->effects.memories[i]) && places > 1) {
-            text_add(e->out, "    for (uint32_t i = 0; i < %lu; i++) {\n        memory->past_%d[i] = %s;\n    }\n",
-                     places, i, memory_target(e, i));
+            put(e, "    for (uint32_t i = 0; i < %lu; i++) {\n        memory->past_%d[i] = %s;\n    }\n", places, i,
+                memory_target(e, i));
         }
     }
 }
@@ -335,20 +329,19 @@ void emit_begin(emission *e)
     const int levels = e->p->rows.starts.levels;
     for (int level = 0; level < levels; level++) {
         const assignments a = starts_of_level(e, level);
-        emit_part(e, "Starts, each after what it follows from.", arena_format(e->out->memory, "begin_%d", level + 1),
-                  &a);
+        emit_part(e, "Starts, each after what it follows from.", form(e, "begin_%d", level + 1), &a);
     }
     const code result = code_of_assignments(e, &constants);
     begin_rows_function(e, "/* What row 0 has besides constants of states, and zeros. */\n", "begin");
     if (e->p->rows.any) {
-        text_add(e->out, "    see(memory, 0);\n");
+        put(e, "    see(memory, 0);\n");
     } else if (keeps_rows(e->p)) {
-        text_add(e->out, "    memory->row = 0;\n");
+        put(e, "    memory->row = 0;\n");
     }
     emit_code(e, &result);
     for (int level = 0; level < levels; level++) {
-        text_add(e->out, "    begin_%d(memory);\n", level + 1);
+        put(e, "    begin_%d(memory);\n", level + 1);
     }
     emit_rings(e);
-    text_add(e->out, "%s}\n\n", kept_of(e).count > 0 ? "    keep(memory);\n" : "");
+    put(e, "%s}\n\n", kept_of(e).count > 0 ? "    keep(memory);\n" : "");
 }

@@ -4,22 +4,22 @@
 static void emit_settled_states(const emission *e)
 {
     const settled *after = &e->p->after;
-    text_add(e->out, "static const uint16_t settled_states[%d] = {", after->count);
+    put(e, "static const uint16_t settled_states[%d] = {", after->count);
     for (int i = 0; i < after->count; i++) {
-        text_add(e->out, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[after->states[i]].place);
+        put(e, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[after->states[i]].place);
     }
-    text_add(e->out, "};\n\n");
+    put(e, "};\n\n");
 }
 
 /* The closure of each pivot, by its place in the list of their names. */
 static void emit_pivot_closures(const emission *e)
 {
     const settled *after = &e->p->after;
-    text_add(e->out, "static const uint16_t pivot_closures[%d] = {", after->pivot_count);
+    put(e, "static const uint16_t pivot_closures[%d] = {", after->pivot_count);
     for (int i = 0; i < after->pivot_count; i++) {
-        text_add(e->out, "%s%d", i == 0 ? "" : ", ", after->pivot_closures[i]);
+        put(e, "%s%d", i == 0 ? "" : ", ", after->pivot_closures[i]);
     }
-    text_add(e->out, "};\n\n");
+    put(e, "};\n\n");
 }
 
 /* The targets of what is put right, then those of the pivots. */
@@ -44,22 +44,21 @@ static void emit_hold_energy(emission *e)
     static const char *const target = "energy";
     const mechanism *m = e->p->m;
     const code result = code_of(e, &target, &e->p->energy, 1);
-    text_add(e->out, "static real energy_of(const real *const x, const real *const u, const real *const p)\n{\n");
-    text_add(e->out, "%s", code_uses(e, &result, OP_STATE) ? "" : "    (void)x;\n");
-    text_add(e->out, "%s", code_uses(e, &result, OP_INPUT) ? "" : "    (void)u;\n");
-    text_add(e->out, "%s", code_uses(e, &result, OP_PARAMETER) ? "" : "    (void)p;\n");
-    text_add(e->out, "    real energy;\n");
+    put(e, "static real energy_of(const real *const x, const real *const u, const real *const p)\n{\n");
+    put(e, "%s", code_uses(e, &result, OP_STATE) ? "" : "    (void)x;\n");
+    put(e, "%s", code_uses(e, &result, OP_INPUT) ? "" : "    (void)u;\n");
+    put(e, "%s", code_uses(e, &result, OP_PARAMETER) ? "" : "    (void)p;\n");
+    put(e, "    real energy;\n");
     emit_code(e, &result);
-    text_add(e->out, "    return energy;\n}\n\n");
-    const char *prefix = e->names->prefix, *capitals = e->names->capitals;
-    const char *more = arena_format(e->out->memory, "%s, %s", held_count(m) > 0 ? "memory->u" : "NULL",
-                                    m->parameters.count > 0 ? "memory->p" : "NULL");
-    text_add(e->out, "static void hold_energy(%s_memory *const memory, const iso_bits near)\n{\n", prefix);
-    text_add(e->out, "    real rest[%s_STATES];\n    memcpy(rest, memory->x, sizeof rest);\n", capitals);
-    text_add(e->out, "    memset(rest + %d, 0, %d * sizeof *rest);\n", m->position_count, m->dof_count);
-    text_add(e->out, "    iso_hold_energy(&memory->held_energy, near, energy_of(memory->x, %s), energy_of(rest, %s),\n",
-             more, more);
-    text_add(e->out, "                    memory->x + %d, %d);\n}\n\n", m->position_count, m->dof_count);
+    put(e, "    return energy;\n}\n\n");
+    const char *more =
+        form(e, "%s, %s", held_count(m) > 0 ? "memory->u" : "NULL", m->parameters.count > 0 ? "memory->p" : "NULL");
+    put(e, "static void hold_energy($p_memory *const memory, const iso_bits near)\n{\n");
+    put(e, "    real rest[$C_STATES];\n    memcpy(rest, memory->x, sizeof rest);\n");
+    put(e, "    memset(rest + %d, 0, %d * sizeof *rest);\n", m->position_count, m->dof_count);
+    put(e, "    iso_hold_energy(&memory->held_energy, near, energy_of(memory->x, %s), energy_of(rest, %s),\n", more,
+        more);
+    put(e, "                    memory->x + %d, %d);\n}\n\n", m->position_count, m->dof_count);
 }
 
 /* What is put right after a step, in place; and the pivots of the closures. */
@@ -75,18 +74,18 @@ void emit_settle(emission *e)
     if (after->adds) {
         emit_settled_states(e);
     }
-    text_add(e->out, "static void settle(real *const x%s%s)\n{\n",
-             settles_by_parameters(e->p, e->g) ? ", const real *const p" : "",
-             after->pivot_count > 0 ? ", real *const pivots" : "");
+    put(e, "static void settle(real *const x%s%s)\n{\n",
+        settles_by_parameters(e->p, e->g) ? ", const real *const p" : "",
+        after->pivot_count > 0 ? ", real *const pivots" : "");
     if (after->adds) {
-        text_add(e->out, "    real moved[%d];\n", after->count);
+        put(e, "    real moved[%d];\n", after->count);
     }
     emit_code(e, &result);
     if (after->adds) {
-        text_add(e->out, "    iso_method_move(%s, %s_STATES, x, settled_states, moved, %d);\n",
-                 recipe_symbol(e->out->memory, e->p->m->method.recipe), e->names->capitals, after->count);
+        put(e, "    iso_method_move(%s, $C_STATES, x, settled_states, moved, %d);\n",
+            recipe_symbol(e->out->memory, e->p->m->method.recipe), after->count);
     }
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
     if (after->pivot_count > 0) {
         emit_pivot_closures(e);
     }

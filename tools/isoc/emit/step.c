@@ -6,84 +6,81 @@
 /* The head of a function of the plant. */
 static void begin_function(emission *e, const char *head)
 {
-    text_add(e->out, "%s(void *const instance)\n{\n    %s_memory *const memory = instance;\n", head, e->names->prefix);
+    put(e, "%s(void *const instance)\n{\n    $p_memory *const memory = instance;\n", head);
 }
 
 /* The limits of a method that varies its step. */
 static void emit_adams(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char *tolerance = code_literal(e->out->memory, m->method.tolerance, e->p->is_double);
-    text_add(e->out, "static const iso_adams_options options = {\n    .tolerance_absolute = %s,\n", tolerance);
-    text_add(e->out, "    .tolerance_relative = %s,\n    .budget = %.0f,\n", tolerance, m->method.substeps);
-    text_add(e->out, "    .driven = %s,\n", held_count(m) + m->parameters.count > 0 ? "true" : "false");
-    text_add(e->out, "    .level_max = %s,\n};\n\n",
-             m->method.substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
+    const char *tolerance = literal(e, m->method.tolerance);
+    put(e, "static const iso_adams_options options = {\n    .tolerance_absolute = %s,\n", tolerance);
+    put(e, "    .tolerance_relative = %s,\n    .budget = %.0f,\n", tolerance, m->method.substeps);
+    put(e, "    .driven = %s,\n", held_count(m) + m->parameters.count > 0 ? "true" : "false");
+    put(e, "    .level_max = %s,\n};\n\n", m->method.substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
 }
 
 /* Which inputs a method extrapolates. */
 static void emit_smooth(emission *e)
 {
     const mechanism *m = e->p->m;
-    text_add(e->out, "static const bool smooth[%s] = {\n", sampled_size(e));
+    put(e, "static const bool smooth[%s] = {\n", sampled_size(e));
     for (int i = 0; i < m->inputs.sampled_count; i++) {
         if (m->inputs.smooth[i]) {
-            text_add(e->out, "    [%s] = true,\n", e->names->leaves.inputs[i].place);
+            put(e, "    [%s] = true,\n", e->names->leaves.inputs[i].place);
         }
     }
-    text_add(e->out, "};\n\n");
+    put(e, "};\n\n");
 }
 
 /* The functions of the plant as a method takes them. */
 static void emit_equations(emission *e)
 {
     const plant *p = e->p;
-    text_add(e->out, "static const iso_equations equations%s = {\n    .derivative = %sderivative%s,\n", e->suffix,
-             p->held.count > 0 ? "held_" : "", e->suffix);
+    put(e, "static const iso_equations equations$s = {\n    .derivative = %sderivative$s,\n",
+        p->held.count > 0 ? "held_" : "");
     if (ISO_IS_IMPLICIT(p->m->method.recipe)) {
-        text_add(e->out, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
+        put(e, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
     }
     if (p->rate_count > 0) {
-        text_add(e->out, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
+        put(e, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
     }
     if (ISO_IS_SMOOTH(p->m->method.recipe)) {
-        text_add(e->out, "    .held = %s,\n    .inputs = %s,\n    .smooth = smooth,\n", held_size(e), sampled_size(e));
-        text_add(e->out, "%s", p->is_curved ? "    .curved = true,\n" : "");
+        put(e, "    .held = %s,\n    .inputs = %s,\n    .smooth = smooth,\n", held_size(e), sampled_size(e));
+        put(e, "%s", p->is_curved ? "    .curved = true,\n" : "");
     }
-    text_add(e->out, "%s};\n\n", ISO_IS_VARYING(p->m->method.recipe) ? "    .adams = &options,\n" : "");
+    put(e, "%s};\n\n", ISO_IS_VARYING(p->m->method.recipe) ? "    .adams = &options,\n" : "");
 }
 
 static void emit_places_of(emission *e, const char *array, const int *states, int count)
 {
-    text_add(e->out, "static const uint16_t %s%s[%d] = {", array, e->suffix, count);
+    put(e, "static const uint16_t %s$s[%d] = {", array, count);
     for (int i = 0; i < count; i++) {
-        text_add(e->out, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[states[i]].place);
+        put(e, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[states[i]].place);
     }
-    text_add(e->out, "};\n");
+    put(e, "};\n");
 }
 
 /* The states with sub-steps of their own. */
 static void emit_fast_states(emission *e)
 {
     const fast_part *fast = &e->p->fast;
-    text_add(e->out, "/* States that move in %d sub-steps of a step, and the others that these read. */\n",
-             e->p->m->effects.fast_substeps);
+    put(e, "/* States that move in %d sub-steps of a step, and the others that these read. */\n",
+        e->p->m->effects.fast_substeps);
     emit_places_of(e, "fast_states", fast->states, fast->count);
     if (fast->read_count > 0) {
         emit_places_of(e, "fast_reads", fast->reads, fast->read_count);
     }
-    text_add(e->out, "static const bool is_fast%s[%s_STATES] = {\n", e->suffix, e->names->capitals);
+    put(e, "static const bool is_fast$s[$C_STATES] = {\n");
     for (int i = 0; i < fast->count; i++) {
-        text_add(e->out, "    [%s] = true,\n", e->names->leaves.states[fast->states[i]].place);
+        put(e, "    [%s] = true,\n", e->names->leaves.states[fast->states[i]].place);
     }
-    text_add(e->out, "};\nstatic const iso_fast fast%s = {\n    .derivative = fast_derivative%s,\n", e->suffix,
-             e->suffix);
-    text_add(e->out, "    .states = fast_states%s,\n    .count = %d,\n    .is_fast = is_fast%s,\n", e->suffix,
-             fast->count, e->suffix);
+    put(e, "};\nstatic const iso_fast fast$s = {\n    .derivative = fast_derivative$s,\n");
+    put(e, "    .states = fast_states$s,\n    .count = %d,\n    .is_fast = is_fast$s,\n", fast->count);
     if (fast->read_count > 0) {
-        text_add(e->out, "    .reads = fast_reads%s,\n    .read_count = %d,\n", e->suffix, fast->read_count);
+        put(e, "    .reads = fast_reads$s,\n    .read_count = %d,\n", fast->read_count);
     }
-    text_add(e->out, "    .substeps = %d,\n};\n\n", e->p->m->effects.fast_substeps);
+    put(e, "    .substeps = %d,\n};\n\n", e->p->m->effects.fast_substeps);
 }
 
 /* Whether there is something that discontinuity() compares with. */
@@ -95,10 +92,9 @@ static bool remembers(const plant *p)
 /* The inputs that discontinuity() compares with; and that no parameter has changed since. */
 static void emit_remember(emission *e)
 {
-    text_add(e->out, "static void remember(%s_memory *const memory)\n{\n", e->names->prefix);
-    text_add(e->out, "%s",
-             watches_inputs(e->p->m) ? "    memcpy(memory->last_u, memory->u, sizeof memory->last_u);\n" : "");
-    text_add(e->out, "%s}\n\n", watches_parameters(e->p) ? "    memory->changed = 0;\n" : "");
+    put(e, "static void remember($p_memory *const memory)\n{\n");
+    put(e, "%s", watches_inputs(e->p->m) ? "    memcpy(memory->last_u, memory->u, sizeof memory->last_u);\n" : "");
+    put(e, "%s}\n\n", watches_parameters(e->p) ? "    memory->changed = 0;\n" : "");
 }
 
 /* Causes of a restart of the method: an input that changed by more than its jump in a tick, or that has an edge there, or a parameter
@@ -107,17 +103,17 @@ static void emit_discontinuity(emission *e)
 {
     const mechanism *m = e->p->m;
     begin_function(e, "static bool discontinuity");
-    text_add(e->out, "    bool found = false;\n");
+    put(e, "    bool found = false;\n");
     for (int i = 0; i < m->inputs.count && watches_inputs(m); i++) {
         if (m->inputs.jumps[i] > 0.0) {
             const char *at = e->names->leaves.inputs[i].place;
-            text_add(e->out, "    found |= iso_abs(memory->u[%s] - memory->last_u[%s]) > %s;\n", at, at,
-                     code_literal(e->out->memory, m->inputs.jumps[i], e->p->is_double));
+            put(e, "    found |= iso_abs(memory->u[%s] - memory->last_u[%s]) > %s;\n", at, at,
+                literal(e, m->inputs.jumps[i]));
         }
     }
-    text_add(e->out, "%s", watches_parameters(e->p) ? "    found |= memory->changed != 0;\n" : "");
-    text_add(e->out, "%s", watches_edges(m) ? "    found |= memory->edge != 0;\n" : "");
-    text_add(e->out, "%s    return found;\n}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
+    put(e, "%s", watches_parameters(e->p) ? "    found |= memory->changed != 0;\n" : "");
+    put(e, "%s", watches_edges(m) ? "    found |= memory->edge != 0;\n" : "");
+    put(e, "%s    return found;\n}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
 }
 
 static const char *array_or_null(int count, const char *array)
@@ -135,11 +131,10 @@ static unsigned step_recipe(const emission *e)
 static const char *emit_held(emission *e)
 {
     const held *h = &e->p->held;
-    const char *kept = h->tuned > 0 ? arena_format(e->out->memory, "memory->h%s", e->suffix) : "h";
-    text_add(e->out, "%s",
-             h->count > 0 && h->tuned == 0 ? arena_format(e->out->memory, "    real h[%d];\n", h->count) : "");
+    const char *kept = h->tuned > 0 ? form(e, "memory->h$s") : "h";
+    put(e, "%s", h->count > 0 && h->tuned == 0 ? form(e, "    real h[%d];\n", h->count) : "");
     if (h->count > h->tuned) {
-        text_add(e->out, "    hold%s(%s, memory->u);\n", e->suffix, kept);
+        put(e, "    hold$s(%s, memory->u);\n", kept);
     }
     return h->count > 0 ? kept : array_or_null(e->p->m->parameters.count, "memory->p");
 }
@@ -148,30 +143,29 @@ static const char *emit_held(emission *e)
 static void emit_call(emission *e, const char *function, const char *size)
 {
     const mechanism *m = e->p->m;
-    const char *recipe = recipe_symbol(e->out->memory, step_recipe(e)), *capitals = e->names->capitals;
-    text_add(e->out, "    real work[%s(%s, %s_STATES)%s];\n", size, recipe, capitals,
-             ISO_IS_SMOOTH(m->method.recipe) ? arena_format(e->out->memory, " + %s", held_size(e)) : "");
+    const char *recipe = recipe_symbol(e->out->memory, step_recipe(e));
+    put(e, "    real work[%s(%s, $C_STATES)%s];\n", size, recipe,
+        ISO_IS_SMOOTH(m->method.recipe) ? form(e, " + %s", held_size(e)) : "");
     if (ISO_IS_IMPLICIT(m->method.recipe)) {
-        text_add(e->out, "    real lu[%d];\n", e->p->j.factor_count);
+        put(e, "    real lu[%d];\n", e->p->j.factor_count);
     }
     const char *parameters = emit_held(e);
-    text_add(e->out, "    %s(%s, %s_STATES, &equations%s, %s, memory->x, %s, %s, %s, work,\n", function, recipe,
-             capitals, e->suffix, code_literal(e->out->memory, method_step(m), e->p->is_double),
-             array_or_null(held_count(m), "memory->u"), parameters, ISO_IS_IMPLICIT(m->method.recipe) ? "lu" : "NULL");
-    text_add(e->out, "                    %s);\n", progress_of(m));
+    put(e, "    %s(%s, $C_STATES, &equations$s, %s, memory->x, %s, %s, %s, work,\n", function, recipe,
+        literal(e, method_step(m)), array_or_null(held_count(m), "memory->u"), parameters,
+        ISO_IS_IMPLICIT(m->method.recipe) ? "lu" : "NULL");
+    put(e, "                    %s);\n", progress_of(m));
 }
 
 /* The call of iso_multirate_step. */
 static void emit_multirate_call(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char *recipe = recipe_symbol(e->out->memory, m->method.recipe), *capitals = e->names->capitals;
-    text_add(e->out, "    real work[ISO_MULTIRATE_WORK(%s, %s_STATES, %d, %d)];\n", recipe, capitals, e->p->fast.count,
-             e->p->fast.read_count);
+    const char *recipe = recipe_symbol(e->out->memory, m->method.recipe);
+    put(e, "    real work[ISO_MULTIRATE_WORK(%s, $C_STATES, %d, %d)];\n", recipe, e->p->fast.count,
+        e->p->fast.read_count);
     const char *parameters = emit_held(e);
-    text_add(e->out, "    iso_multirate_step(%s, %s_STATES, &equations%s, &fast%s, %s, memory->x, %s, %s, work);\n",
-             recipe, capitals, e->suffix, e->suffix, code_literal(e->out->memory, method_step(m), e->p->is_double),
-             array_or_null(held_count(m), "memory->u"), parameters);
+    put(e, "    iso_multirate_step(%s, $C_STATES, &equations$s, &fast$s, %s, memory->x, %s, %s, work);\n", recipe,
+        literal(e, method_step(m)), array_or_null(held_count(m), "memory->u"), parameters);
 }
 
 /* What is done about the samples of smooth inputs before a step or a restart. */
@@ -179,25 +173,24 @@ static void emit_samples(emission *e, const char *function)
 {
     const unsigned recipe = e->p->m->method.recipe;
     if (ISO_IS_SMOOTH(recipe)) {
-        text_add(e->out, "    %s(%s, &equations%s, memory->u);\n", function, recipe_symbol(e->out->memory, recipe),
-                 e->suffix);
+        put(e, "    %s(%s, &equations$s, memory->u);\n", function, recipe_symbol(e->out->memory, recipe));
     }
 }
 
 static void emit_prime(emission *e)
 {
     begin_function(e, "static void prime");
-    text_add(e->out, "%s", e->p->held.tuned > 0 ? "    tune(memory->h, memory->p);\n" : "");
+    put(e, "%s", e->p->held.tuned > 0 ? "    tune(memory->h, memory->p);\n" : "");
     FOR_ALL (const reduced_plant, left, e->p->reduced_plants, e->p->reduced_plant_count) {
         if (left->p->held.tuned > 0) {
-            text_add(e->out, "    tune%s(memory->h%s, memory->p);\n", left->suffix, left->suffix);
+            put(e, "    tune%s(memory->h%s, memory->p);\n", left->suffix, left->suffix);
         }
     }
     emit_samples(e, "iso_method_forget");
     if (ISO_IS_PRIMED(e->p->m->method.recipe)) {
         emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
     }
-    text_add(e->out, "%s}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
+    put(e, "%s}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
 }
 
 /* Calls `write` for each angle that is kept within a turn, with its number among these. */
@@ -223,8 +216,8 @@ static const char *speed_place(const emission *e, const segment *l)
 
 static void emit_before_turn(emission *e, const segment *l, int number)
 {
-    text_add(e->out, "    const iso_turning before_%d = {memory->x[%s], memory->x[%s]};\n", number,
-             state_place(e, l->position), speed_place(e, l));
+    put(e, "    const iso_turning before_%d = {memory->x[%s], memory->x[%s]};\n", number, state_place(e, l->position),
+        speed_place(e, l));
 }
 
 /* What the step in the number type of the plant lacks of the whole nanoseconds that it stands for. */
@@ -237,18 +230,18 @@ static double step_rest(const plant *p)
 static void emit_turn(emission *e, const segment *l, int number)
 {
     arena *memory = e->out->memory;
-    text_add(e->out, "    iso_turn(&memory->x[%s], &memory->rests[%d], before_%d, memory->x[%s],\n",
-             state_place(e, l->position), number, number, speed_place(e, l));
-    text_add(e->out, "             %s, %s);\n", code_literal(memory, method_step(e->p->m), e->p->is_double),
-             code_literal(memory, step_rest(e->p), e->p->is_double));
+    put(e, "    iso_turn(&memory->x[%s], &memory->rests[%d], before_%d, memory->x[%s],\n", state_place(e, l->position),
+        number, number, speed_place(e, l));
+    put(e, "             %s, %s);\n", code_literal(memory, method_step(e->p->m), e->p->is_double),
+        code_literal(memory, step_rest(e->p), e->p->is_double));
 }
 
 static void emit_take_turns(emission *e, const segment *l, int number)
 {
-    text_add(e->out,
-             "    memory->turns[%d] =\n        iso_counted_turns(memory->turns[%d], iso_take_turns(&memory->x[%s], "
-             "&memory->rests[%d]));\n",
-             number, number, state_place(e, l->position), number);
+    put(e,
+        "    memory->turns[%d] =\n        iso_counted_turns(memory->turns[%d], iso_take_turns(&memory->x[%s], "
+        "&memory->rests[%d]));\n",
+        number, number, state_place(e, l->position), number);
 }
 
 /* The plant's states are put right; a local error that is told is that of what they are then. */
@@ -256,34 +249,32 @@ static void emit_settling(emission *e)
 {
     const mechanism *m = e->p->m;
     const int pivots = e->p->after.pivot_count;
-    const char *more = arena_format(e->out->memory, "%s%s", settles_by_parameters(e->p, e->g) ? ", memory->p" : "",
-                                    pivots > 0 ? ", pivots" : "");
-    const char *recipe = recipe_symbol(e->out->memory, step_recipe(e)), *capitals = e->names->capitals;
+    const char *more =
+        form(e, "%s%s", settles_by_parameters(e->p, e->g) ? ", memory->p" : "", pivots > 0 ? ", pivots" : "");
+    const char *recipe = recipe_symbol(e->out->memory, step_recipe(e));
     if (ISO_IS_SETTLED(step_recipe(e))) {
-        text_add(e->out, "    iso_method_settles(%s, %s_STATES, &equations, memory->x, work);\n", recipe, capitals);
+        put(e, "    iso_method_settles(%s, $C_STATES, &equations, memory->x, work);\n", recipe);
     }
     if (pivots > 0) {
-        text_add(e->out, "    real pivots[%d];\n", pivots);
+        put(e, "    real pivots[%d];\n", pivots);
     }
     if (m->drift.projections > 1) {
-        text_add(e->out, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n",
-                 m->drift.projections, more);
+        put(e, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n", m->drift.projections, more);
     } else {
-        text_add(e->out, "    settle(memory->x%s);\n", more);
+        put(e, "    settle(memory->x%s);\n", more);
     }
     if (pivots > 0) {
-        const char *watch = arena_format(
-            e->out->memory, "iso_watch_pivots(memory->pivots, pivots, pivot_closures, %d, &memory->nearness)", pivots);
+        const char *watch =
+            form(e, "iso_watch_pivots(memory->pivots, pivots, pivot_closures, %d, &memory->nearness)", pivots);
         if (m->drift.near_holds) {
-            text_add(e->out, "    hold_energy(memory, %s);\n", watch);
+            put(e, "    hold_energy(memory, %s);\n", watch);
         } else {
-            text_add(e->out, "    (void)%s;\n", watch);
+            put(e, "    (void)%s;\n", watch);
         }
     }
     if (ISO_IS_SETTLED(step_recipe(e))) {
-        text_add(e->out,
-                 "    iso_method_settled(%s, %s_STATES, &equations, memory->x, work,\n                       %s);\n",
-                 recipe, capitals, progress_of(m));
+        put(e, "    iso_method_settled(%s, $C_STATES, &equations, memory->x, work,\n                       %s);\n",
+            recipe, progress_of(m));
     }
 }
 
@@ -301,14 +292,13 @@ static void emit_after(emission *e)
 /* That the header, which is without the methods, has room for what the method keeps. */
 static void emit_check_of_room(emission *e)
 {
-    text_add(e->out, "_Static_assert(sizeof((%s_memory *)0)->x == ISO_METHOD_STATE(%s, %s_STATES) * sizeof(real),\n",
-             e->names->prefix, recipe_symbol(e->out->memory, e->p->m->method.recipe), e->names->capitals);
-    text_add(e->out, "    \"made for another version of core/methods/method.h\");\n\n");
+    put(e, "_Static_assert(sizeof(($p_memory *)0)->x == ISO_METHOD_STATE(%s, $C_STATES) * sizeof(real),\n",
+        recipe_symbol(e->out->memory, e->p->m->method.recipe));
+    put(e, "    \"made for another version of core/methods/method.h\");\n\n");
     if (ISO_IS_SMOOTH(e->p->m->method.recipe)) {
-        text_add(
-            e->out, "_Static_assert(sizeof((%s_memory *)0)->u == (%s + ISO_METHOD_SAMPLES(%s, %s)) * sizeof(real),\n",
-            e->names->prefix, held_size(e), recipe_symbol(e->out->memory, e->p->m->method.recipe), sampled_size(e));
-        text_add(e->out, "    \"made for another version of core/methods/inputs.h\");\n\n");
+        put(e, "_Static_assert(sizeof(($p_memory *)0)->u == (%s + ISO_METHOD_SAMPLES(%s, %s)) * sizeof(real),\n",
+            held_size(e), recipe_symbol(e->out->memory, e->p->m->method.recipe), sampled_size(e));
+        put(e, "    \"made for another version of core/methods/inputs.h\");\n\n");
     }
 }
 
@@ -316,9 +306,9 @@ static void emit_check_of_room(emission *e)
 static void emit_step_function(emission *e, const char *suffix)
 {
     const bool has_parts = e->p->m->method.parts > 1;
-    text_add(e->out, "%s", has_parts ? "/* A part of a step. */\n" : "");
-    begin_function(e, arena_format(e->out->memory, "%sstatic void %s%s", e->p->is_flat ? "ISO_FLAT " : "",
-                                   has_parts ? "part" : "step", suffix));
+    put(e, "%s", has_parts ? "/* A part of a step. */\n" : "");
+    begin_function(
+        e, form(e, "%sstatic void %s%s", e->p->is_flat ? "ISO_FLAT " : "", has_parts ? "part" : "step", suffix));
     for_turns(e, emit_before_turn);
     emit_samples(e, "iso_method_sample");
     if (e->p->fast.count > 0) {
@@ -327,11 +317,11 @@ static void emit_step_function(emission *e, const char *suffix)
         emit_call(e, "iso_method_step", "ISO_METHOD_WORK");
     }
     emit_after(e);
-    text_add(e->out, "}\n\n");
+    put(e, "}\n\n");
     if (has_parts) {
-        text_add(e->out, "static void step%s(void *const instance)\n{\n    for (int i = 0; i < %d; i++) {\n", suffix,
-                 e->p->m->method.parts);
-        text_add(e->out, "        part%s(instance);\n    }\n}\n\n", suffix);
+        put(e, "static void step%s(void *const instance)\n{\n    for (int i = 0; i < %d; i++) {\n", suffix,
+            e->p->m->method.parts);
+        put(e, "        part%s(instance);\n    }\n}\n\n", suffix);
     }
 }
 
@@ -353,13 +343,13 @@ static const char *emit_step_of_rung(emission *e, int rung)
 /* Samples of smooth inputs are taken without a step too: those of the ticks before the next one. */
 static void emit_rest(emission *e)
 {
-    text_add(e->out, "/* No step: the states stay. */\n");
+    put(e, "/* No step: the states stay. */\n");
     if (ISO_IS_SMOOTH(e->p->m->method.recipe)) {
         begin_function(e, "static void rest");
         emit_samples(e, "iso_method_sample");
-        text_add(e->out, "}\n\n");
+        put(e, "}\n\n");
     } else {
-        text_add(e->out, "static void rest(void *const instance)\n{\n    (void)instance;\n}\n\n");
+        put(e, "static void rest(void *const instance)\n{\n    (void)instance;\n}\n\n");
     }
 }
 
@@ -375,9 +365,9 @@ static void emit_ladder(emission *e)
         } else {
             last = emit_step_of_rung(e, i);
         }
-        names = arena_format(e->out->memory, "%s, %s%s", names, rests ? "rest" : "step", rests ? "" : last);
+        names = form(e, "%s, %s%s", names, rests ? "rest" : "step", rests ? "" : last);
     }
-    text_add(e->out, "static void (*const ladder[])(void *memory) = {%s};\n\n", names);
+    put(e, "static void (*const ladder[])(void *memory) = {%s};\n\n", names);
 }
 
 void emit_step(emission *e)
