@@ -39,11 +39,6 @@ static void emit_list(emission *e, const char *field, const char *const *words, 
     put(e, "%s,\n", is_array ? field : "");
 }
 
-static void add_if(emission *e, bool wanted, const char *line)
-{
-    put(e, "%s", wanted ? line : "");
-}
-
 /* The names of the states: what the guard calls them. */
 static const char *const *state_names(emission *e)
 {
@@ -82,9 +77,9 @@ void emit_model(emission *e)
     put(e, "    .step_text = \"%.*s\",\n    .step_size = %s,\n", (int)strlen(seconds) - 3, seconds + 2,
         code_literal(e->out->memory, m->method.step, p->is_double));
     put(e, "    .period_ns = UINT32_C(%.0f),\n    .states = $C_STATES,\n", m->method.step * 1e9);
-    add_if(e, m->inputs.count > 0, form(e, "    .inputs = $C_INPUTS,\n"));
+    put_if(e, m->inputs.count > 0, "    .inputs = $C_INPUTS,\n");
     put(e, "    .outputs = $C_OUTPUTS,\n");
-    add_if(e, m->parameters.count > 0, form(e, "    .parameters = $C_PARAMETERS,\n"));
+    put_if(e, m->parameters.count > 0, "    .parameters = $C_PARAMETERS,\n");
     emit_list(e, "state_names", names_of_states, state_count(m));
     emit_list(e, "output_names", p->outputs.names, p->outputs.count);
     emit_list(e, "output_units", p->outputs.units, p->outputs.count);
@@ -92,30 +87,28 @@ void emit_model(emission *e)
         emit_list(e, "closure_names", closure_names(e), m->closure_count);
     }
     put(e, "    .start = start,\n");
-    add_if(e, m->effects.memory_count > 0, form(e, "    .memories = %d,\n", m->effects.memory_count));
-    add_if(e, has_begin(e), "    .begin = begin,\n");
-    add_if(e, m->parameters.count > 0, "    .defaults = defaults,\n");
-    add_if(e, has_range(e), "    .range = range,\n");
+    put_if(e, m->effects.memory_count > 0, "    .memories = %d,\n", m->effects.memory_count);
+    put_if(e, has_begin(e), "    .begin = begin,\n");
+    put_if(e, m->parameters.count > 0, "    .defaults = defaults,\n");
+    put_if(e, has_range(e), "    .range = range,\n");
     const char *by_rung = p->reduced_plant_count > 0 ? "_on_rung" : "";
     put(e, "    .memory_bytes = sizeof($p_memory),\n    .derivative = derivative,\n    .output = output%s,\n", by_rung);
-    if (p->violation >= 0) {
-        put(e, "    .violation = violation,\n    .violation_limit = %s,\n",
-            code_literal(e->out->memory, m->drift.violation_limit, p->is_double));
-    }
-    add_if(e, is_driven(p), "    .drive = drive,\n");
-    add_if(e, m->inputs.count + m->parameters.count > 0, "    .amiss = amiss,\n    .admit = admit,\n");
-    add_if(e, sets_rows(p), "    .advance = advance,\n");
-    add_if(e, can_restart(p), "    .discontinuity = discontinuity,\n");
-    add_if(e, is_primed(p), "    .prime = prime,\n");
+    put_if(e, p->violation >= 0, "    .violation = violation,\n    .violation_limit = %s,\n",
+           code_literal(e->out->memory, m->drift.violation_limit, p->is_double));
+    put_if(e, is_driven(p), "    .drive = drive,\n");
+    put_if(e, m->inputs.count + m->parameters.count > 0, "    .amiss = amiss,\n    .admit = admit,\n");
+    put_if(e, sets_rows(p), "    .advance = advance,\n");
+    put_if(e, can_restart(p), "    .discontinuity = discontinuity,\n");
+    put_if(e, is_primed(p), "    .prime = prime,\n");
     put(e, "    .step = step,\n");
     const bool has_ladder = m->policies.rung_count > 0;
-    add_if(e, has_ladder, "    .attempt = attempt,\n");
-    add_if(e, !has_ladder && (can_restart(p) || ISO_IS_WATCHED(m->method.recipe)),
+    put_if(e, has_ladder, "    .attempt = attempt,\n");
+    put_if(e, !has_ladder && (can_restart(p) || ISO_IS_WATCHED(m->method.recipe)),
            "    .attempt = iso_plant_attempt,\n");
-    add_if(e, p->violation >= 0 || p->after.pivot_count > 0 || ISO_HAS_PROGRESS(m->method.recipe),
+    put_if(e, p->violation >= 0 || p->after.pivot_count > 0 || ISO_HAS_PROGRESS(m->method.recipe),
            "    .tell = iso_plant_tell,\n");
     put(e, "    .finish = finish%s,\n", by_rung);
-    add_if(e, m->policies.any, "    .policy = &policy,\n");
+    put_if(e, m->policies.any, "    .policy = &policy,\n");
     put(e, "};\n");
 }
 
@@ -126,15 +119,15 @@ void emit_plant(emission *e)
         ISO_IS_WATCHED(m->method.recipe) ? ", before" : "");
     put(e, "const iso_plant iso_the_plant = {\n    .model = &$p_model,\n");
     put(e, "    .memory = &memory,\n    .x = memory.x,\n");
-    add_if(e, held_count(m) > 0, "    .u = memory.u,\n");
-    add_if(e, m->parameters.count > 0, "    .p = memory.p,\n");
+    put_if(e, held_count(m) > 0, "    .u = memory.u,\n");
+    put_if(e, m->parameters.count > 0, "    .p = memory.p,\n");
     put(e, "    .y = memory.y,\n");
     if (ISO_IS_VARYING(m->method.recipe)) {
         put(e, "    .progress = &memory.adams.progress,\n    .adams = &memory.adams,\n");
     } else if (ISO_HAS_PROGRESS(m->method.recipe)) {
         put(e, "    .progress = &memory.progress,\n");
     }
-    add_if(e, e->p->after.pivot_count > 0, "    .nearness = &memory.nearness,\n");
-    add_if(e, ISO_IS_WATCHED(m->method.recipe), "    .before = &before,\n");
+    put_if(e, e->p->after.pivot_count > 0, "    .nearness = &memory.nearness,\n");
+    put_if(e, ISO_IS_WATCHED(m->method.recipe), "    .before = &before,\n");
     put(e, "    .good = memory.good,\n};\n");
 }

@@ -38,25 +38,19 @@ static void emit_beginning(const emission *e, const text *rest)
     put(e, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
     put(e, "#include \"$p.h\"\n\n");
     /* The functions of adams gcc inlines otherwise where it sees no other kernel: as many instructions, more bytes. */
-    if (!ISO_IS_VARYING(m->method.recipe) && m->policies.rung_count == 0) {
-        put(e, "#define ISO_ONLY_METHOD ISO_%s\n",
-            capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->method.recipe)]));
-    }
+    put_if(e, !ISO_IS_VARYING(m->method.recipe) && m->policies.rung_count == 0, "#define ISO_ONLY_METHOD ISO_%s\n",
+           capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->method.recipe)]));
     put(e, "#include \"core/methods/method.h\"\n");
-    put(e, "%s", e->p->fast.count > 0 ? "#include \"core/methods/multirate.h\"\n" : "");
+    put_if(e, e->p->fast.count > 0, "#include \"core/methods/multirate.h\"\n");
     put(e, "%s",
         e->p->after.pivot_count == 0 ? ""
         : m->drift.near_holds        ? "#include \"core/methods/hold_energy.h\"\n"
                                      : "#include \"core/methods/pivots.h\"\n");
-    put(e, "%s", e->p->j.looped != NULL ? "#include \"core/methods/sparse.h\"\n" : "");
+    put_if(e, e->p->j.looped != NULL, "#include \"core/methods/sparse.h\"\n");
     put(e, "%s#include \"core/runtime/tick.h\"\n", m->policies.any ? "#include \"core/runtime/policy.h\"\n" : "");
     emit_calls_included(rest, e->out);
-    if (strstr(rest->bytes, "iso_noise(") != NULL) {
-        put(e, "#include \"core/numbers/noise.h\"\n");
-    }
-    if (uses_waveform(e)) {
-        put(e, "#include \"core/numbers/waveform.h\"\n");
-    }
+    put_if(e, strstr(rest->bytes, "iso_noise(") != NULL, "#include \"core/numbers/noise.h\"\n");
+    put_if(e, uses_waveform(e), "#include \"core/numbers/waveform.h\"\n");
     put(e, "%s#include \"core/numbers/sincos.h\"\n%s\n",
         uses_time(e->g, m->inputs.drives, (size_t)(m->inputs.count + m->clocks.count))
             ? "#include \"core/numbers/signal.h\"\n"

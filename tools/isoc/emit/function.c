@@ -38,6 +38,16 @@ void put(const emission *e, const char *format, ...)
     va_end(arguments);
 }
 
+void put_if(const emission *e, bool wanted, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    if (wanted) {
+        text_add(e->out, "%s", arena_format_list(e->out->memory, with_names(e, format), arguments));
+    }
+    va_end(arguments);
+}
+
 const char *literal(const emission *e, double number)
 {
     return code_literal(e->out->memory, number, e->p->is_double);
@@ -131,16 +141,10 @@ static void emit_unread(emission *e, const bool *reads, const char *more)
 {
     for (int i = 0; i < 3; i++) {
         const argument a = argument_of(e, i);
-        if (!reads[a.op]) {
-            put(e, "    (void)%s;\n", a.name);
-        }
+        put_if(e, !reads[a.op], "    (void)%s;\n", a.name);
     }
-    if (strstr(more, "hb") != NULL && !reads[OP_STEP]) {
-        put(e, "    (void)hb;\n");
-    }
-    if (strstr(more, "dx") != NULL && !reads[OP_DERIVATIVE]) {
-        put(e, "    (void)dx;\n");
-    }
+    put_if(e, strstr(more, "hb") != NULL && !reads[OP_STEP], "    (void)hb;\n");
+    put_if(e, strstr(more, "dx") != NULL && !reads[OP_DERIVATIVE], "    (void)dx;\n");
 }
 
 /* In parts, one function each, which are called one after the other. */
@@ -149,12 +153,8 @@ static void emit_parts(emission *e, const char *function, const char *array, con
     for (int i = 0; i < parts.count; i++) {
         const code_part *part = &parts.all[i];
         emit_head(e, "ISO_APART ", form(e, "%s_%d", function, i + 1), array, " real *restrict const v,", more);
-        if (!part->sets) {
-            put(e, "    (void)%s;\n", array);
-        }
-        if (!part->carries) {
-            put(e, "    (void)v;\n");
-        }
+        put_if(e, !part->sets, "    (void)%s;\n", array);
+        put_if(e, !part->carries, "    (void)v;\n");
         emit_unread(e, part->reads, more);
         put(e, "%s}\n\n", part->body);
     }
@@ -198,15 +198,11 @@ void emit_arrays(const emission *e, const code *result)
     const bool derives = code_uses(e, result, OP_DERIVATIVE);
     const int sizes[] = {state_count(m), held_count(m), m->parameters.count};
     for (int i = 0; i < 3; i++) {
-        if (code_uses(e, result, arguments[i].op) || (derives && sizes[i] > 0)) {
-            put(e, "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
-        }
+        put_if(e, code_uses(e, result, arguments[i].op) || (derives && sizes[i] > 0),
+               "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
     }
-    if (derives) {
-        put(e, "    real dx[$C_STATES];\n    derivative$s(dx, x, %s, %s);\n", sizes[1] > 0 ? "u" : "NULL",
-            sizes[2] > 0 ? "p" : "NULL");
-    }
-    if (code_uses(e, result, OP_LOCAL_ERROR) || code_uses(e, result, OP_RESIDUAL)) {
-        put(e, "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));
-    }
+    put_if(e, derives, "    real dx[$C_STATES];\n    derivative$s(dx, x, %s, %s);\n", sizes[1] > 0 ? "u" : "NULL",
+           sizes[2] > 0 ? "p" : "NULL");
+    put_if(e, code_uses(e, result, OP_LOCAL_ERROR) || code_uses(e, result, OP_RESIDUAL),
+           "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));
 }

@@ -86,9 +86,7 @@ static void emit_rates(emission *e)
 static void emit_fast(emission *e)
 {
     const fast_part *fast = &e->p->fast;
-    if (e->p->is_flat) {
-        put(e, "static inline iso_derivative fast_derivative$s;\n");
-    }
+    put_if(e, e->p->is_flat, "static inline iso_derivative fast_derivative$s;\n");
     const code result = code_of(e, numbered(e, "dx", fast->count), fast->derivatives, fast->count);
     e->in_step = true;
     emit_function(e, form(e, "fast_derivative$s"), "dx", "", &result);
@@ -190,14 +188,10 @@ static void emit_amiss(emission *e)
     put(e, "/* What comes in from outside is finite, and within its limits. */\n");
     put(e, "static iso_bits amiss(const void *const instance)\n{\n");
     put(e, "    const $p_memory *const memory = instance;\n    return");
-    if (m->inputs.count > 0) {
-        put(e, " iso_any_amiss(memory->u, %s, $C_INPUTS)%s",
-            has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
-            m->parameters.count > 0 ? " |\n          " : "");
-    }
-    if (m->parameters.count > 0) {
-        put(e, " iso_any_changed(memory->p, memory->good%s, $C_PARAMETERS)", good_inputs(e));
-    }
+    put_if(e, m->inputs.count > 0, " iso_any_amiss(memory->u, %s, $C_INPUTS)%s",
+           has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
+           m->parameters.count > 0 ? " |\n          " : "");
+    put_if(e, m->parameters.count > 0, " iso_any_changed(memory->p, memory->good%s, $C_PARAMETERS)", good_inputs(e));
     put(e, ";\n}\n\n");
 }
 
@@ -209,16 +203,12 @@ static void emit_admit(emission *e)
     const bool has_conditions = e->p->broken >= 0, watches = watches_parameters(e->p);
     put(e, "static iso_refused admit(void *const instance)\n{\n");
     put(e, "    $p_memory *const memory = instance;\n");
-    if (has_conditions) {
-        put(e, "    real before[$C_PARAMETERS];\n    memcpy(before, memory->good%s, sizeof before);\n%s", inputs,
-            watches ? "    iso_bits changed = 0;\n" : "");
-    }
+    put_if(e, has_conditions, "    real before[$C_PARAMETERS];\n    memcpy(before, memory->good%s, sizeof before);\n%s",
+           inputs, watches ? "    iso_bits changed = 0;\n" : "");
     put(e, has_conditions ? "    const iso_refused refused =" : "    return");
-    if (m->inputs.count > 0) {
-        put(e, " iso_admit(memory->u, memory->good, %s, $C_INPUTS, NULL)%s",
-            has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
-            m->parameters.count > 0 ? " |\n          " : "");
-    }
+    put_if(e, m->inputs.count > 0, " iso_admit(memory->u, memory->good, %s, $C_INPUTS, NULL)%s",
+           has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
+           m->parameters.count > 0 ? " |\n          " : "");
     if (m->parameters.count > 0) {
         const char *changed = has_conditions ? "&changed" : "&memory->changed";
         put(e, " (iso_refused)iso_admit(memory->p, memory->good%s, %s, $C_PARAMETERS, %s) << 32", inputs,
@@ -243,21 +233,14 @@ static void emit_finish(emission *e)
     const char *advance = form(e, "advance$s");
     put(e, "static uint32_t finish$s(void *const instance)\n{\n");
     put(e, "    $p_memory *const memory = instance;\n");
-    if (m->inputs.count > 0) {
-        put(e, "    iso_copy(memory->good, memory->u, $C_INPUTS);\n");
-    }
-    if (m->drift.near_stops && e->p->after.pivot_count > 0) {
-        put(e, "    if (memory->nearness.closure != 0) {\n        return ISO_NEAR;\n    }\n");
-    }
+    put_if(e, m->inputs.count > 0, "    iso_copy(memory->good, memory->u, $C_INPUTS);\n");
+    put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0,
+           "    if (memory->nearness.closure != 0) {\n        return ISO_NEAR;\n    }\n");
     put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, output%s$s,\n", has_range(e) ? "range" : "NULL",
         sets_rows(e->p) ? advance : "NULL", has_slow_outputs(m) ? "_due" : "");
     put(e, "                      memory->y, memory->good");
-    if (m->inputs.count > 0) {
-        put(e, " + $C_INPUTS");
-    }
-    if (m->parameters.count > 0) {
-        put(e, " + $C_PARAMETERS");
-    }
+    put_if(e, m->inputs.count > 0, " + $C_INPUTS");
+    put_if(e, m->parameters.count > 0, " + $C_PARAMETERS");
     put(e, ", $C_OUTPUTS);\n}\n\n");
 }
 

@@ -15,9 +15,10 @@ typedef struct emission {
     double out_of_range_value; /* a constant that leaves the range of real; else 0 */
 } emission;
 
-/* Adds to the source what printf would write; and that as a text. In the format stand $p for the prefix of names, $C for it
+/* Adds to the source what printf would write; the same if it is wanted; and that as a text. In the format stand $p for the prefix of names, $C for it
  * in capitals, $s for the suffix. */
 void put(const emission *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void put_if(const emission *e, bool wanted, const char *format, ...) __attribute__((format(printf, 3, 4)));
 const char *form(const emission *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* A number as C, and a limit, of which none is the largest real. */

@@ -38,22 +38,15 @@ void emit_policies(emission *e)
         how->histogram ? "iso_policy_histogram" : "iso_policy_counts", how->histogram ? ".counts = {" : "",
         how->delayed ? 1 : 0, how->histogram ? "}" : "");
     put(e, "static bool account(iso_loop *const loop, const iso_news *const news)\n{\n");
-    if (how->grace > 0.0) {
-        put(e, "    iso_policy_grace(loop, %s, news, UINT32_C(%.0f));\n", counts, how->grace);
-    }
-    if (how->histogram) {
-        put(e, "    iso_policy_bin(loop, &policed, news);\n");
-    }
-    if (how->overrun == OVERRUN_CATCH_UP) {
-        put(e, "    iso_policy_catch_up(loop, %s, UINT32_C(%.0f));\n", counts, how->catch_up);
-    }
-    if (how->overrun == OVERRUN_DEGRADE) {
-        put(e, "    iso_policy_degrade(loop, %s, news, UINT32_C(%.0f), %d, UINT32_C(%.0f));\n", counts, how->grace,
-            how->rung_count, how->after);
-    }
-    if (how->overrun != OVERRUN_STOP && how->overrun != OVERRUN_DEGRADE && !(how->grace > 0.0) && !how->histogram) {
-        put(e, "%s    (void)news;\n", how->overrun == OVERRUN_CATCH_UP ? "" : "    (void)loop;\n");
-    }
+    put_if(e, how->grace > 0.0, "    iso_policy_grace(loop, %s, news, UINT32_C(%.0f));\n", counts, how->grace);
+    put_if(e, how->histogram, "    iso_policy_bin(loop, &policed, news);\n");
+    put_if(e, how->overrun == OVERRUN_CATCH_UP, "    iso_policy_catch_up(loop, %s, UINT32_C(%.0f));\n", counts,
+           how->catch_up);
+    put_if(e, how->overrun == OVERRUN_DEGRADE,
+           "    iso_policy_degrade(loop, %s, news, UINT32_C(%.0f), %d, UINT32_C(%.0f));\n", counts, how->grace,
+           how->rung_count, how->after);
+    put_if(e, how->overrun != OVERRUN_STOP && how->overrun != OVERRUN_DEGRADE && !(how->grace > 0.0) && !how->histogram,
+           "%s    (void)news;\n", how->overrun == OVERRUN_CATCH_UP ? "" : "    (void)loop;\n");
     if (how->overrun == OVERRUN_STOP) {
         put(e, "    return iso_policy_stop(loop, %s, news, UINT32_C(%.0f));\n}\n\n", counts, how->grace);
     } else {

@@ -95,9 +95,7 @@ static void emit_edges(emission *e)
 
 static void emit_parameters(const emission *e, const code *result)
 {
-    if (code_uses(e, result, OP_PARAMETER)) {
-        put(e, "    const real *const p = memory->p;\n");
-    }
+    put_if(e, code_uses(e, result, OP_PARAMETER), "    const real *const p = memory->p;\n");
 }
 
 /* What is set at times, then what outputs and memories read of the functions of time. */
@@ -242,9 +240,8 @@ static void emit_shifts(emission *e)
 {
     const mechanism *m = e->p->m;
     for (int i = 0; i < m->effects.memory_count; i++) {
-        if (is_late(&m->effects.memories[i])) {
-            put(e, "    %s = %s;\n", memory_target(e, i), ring_place(e, i, m->effects.memories[i].ticks));
-        }
+        put_if(e, is_late(&m->effects.memories[i]), "    %s = %s;\n", memory_target(e, i),
+               ring_place(e, i, m->effects.memories[i].ticks));
     }
 }
 
@@ -267,7 +264,7 @@ void emit_advance(emission *e)
         emit_part(e, "What later rows show.", "keep", &kept);
     }
     begin_rows_function(e, form(e, "/* %s */\n", about), "advance");
-    put(e, "%s", r->any ? "    memory->row++;\n    see(memory, memory->row);\n" : "");
+    put_if(e, r->any, "    memory->row++;\n    see(memory, memory->row);\n");
     emit_shifts(e);
     call_samples(e, &r->early, "sample_early");
     put(e, "%s", nexts.count > 0 ? form(e, "    follow$s(memory);\n") : "");
@@ -316,10 +313,9 @@ static void emit_rings(emission *e)
     const mechanism *m = e->p->m;
     for (int i = 0; i < m->effects.memory_count; i++) {
         const unsigned long places = last_of_ring(&m->effects.memories[i]) + 1;
-        if (is_late(&m->effects.memories[i]) && begins(e, &m->effects.memories[i]) && places > 1) {
-            put(e, "    for (uint32_t i = 0; i < %lu; i++) {\n        memory->past_%d[i] = %s;\n    }\n", places, i,
-                memory_target(e, i));
-        }
+        put_if(e, is_late(&m->effects.memories[i]) && begins(e, &m->effects.memories[i]) && places > 1,
+               "    for (uint32_t i = 0; i < %lu; i++) {\n        memory->past_%d[i] = %s;\n    }\n", places, i,
+               memory_target(e, i));
     }
 }
 

@@ -77,14 +77,10 @@ void emit_settle(emission *e)
     put(e, "static void settle(real *const x%s%s)\n{\n",
         settles_by_parameters(e->p, e->g) ? ", const real *const p" : "",
         after->pivot_count > 0 ? ", real *const pivots" : "");
-    if (after->adds) {
-        put(e, "    real moved[%d];\n", after->count);
-    }
+    put_if(e, after->adds, "    real moved[%d];\n", after->count);
     emit_code(e, &result);
-    if (after->adds) {
-        put(e, "    iso_method_move(%s, $C_STATES, x, settled_states, moved, %d);\n",
-            recipe_symbol(e->out->memory, e->p->m->method.recipe), after->count);
-    }
+    put_if(e, after->adds, "    iso_method_move(%s, $C_STATES, x, settled_states, moved, %d);\n",
+           recipe_symbol(e->out->memory, e->p->m->method.recipe), after->count);
     put(e, "}\n\n");
     if (after->pivot_count > 0) {
         emit_pivot_closures(e);

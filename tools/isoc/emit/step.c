@@ -26,9 +26,7 @@ static void emit_smooth(emission *e)
     const mechanism *m = e->p->m;
     put(e, "static const bool smooth[%s] = {\n", sampled_size(e));
     for (int i = 0; i < m->inputs.sampled_count; i++) {
-        if (m->inputs.smooth[i]) {
-            put(e, "    [%s] = true,\n", e->names->leaves.inputs[i].place);
-        }
+        put_if(e, m->inputs.smooth[i], "    [%s] = true,\n", e->names->leaves.inputs[i].place);
     }
     put(e, "};\n\n");
 }
@@ -39,15 +37,12 @@ static void emit_equations(emission *e)
     const plant *p = e->p;
     put(e, "static const iso_equations equations$s = {\n    .derivative = %sderivative$s,\n",
         p->held.count > 0 ? "held_" : "");
-    if (ISO_IS_IMPLICIT(p->m->method.recipe)) {
-        put(e, "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n", p->j.factor_count);
-    }
-    if (p->rate_count > 0) {
-        put(e, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
-    }
+    put_if(e, ISO_IS_IMPLICIT(p->m->method.recipe), "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n",
+           p->j.factor_count);
+    put_if(e, p->rate_count > 0, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
     if (ISO_IS_SMOOTH(p->m->method.recipe)) {
         put(e, "    .held = %s,\n    .inputs = %s,\n    .smooth = smooth,\n", held_size(e), sampled_size(e));
-        put(e, "%s", p->is_curved ? "    .curved = true,\n" : "");
+        put_if(e, p->is_curved, "    .curved = true,\n");
     }
     put(e, "%s};\n\n", ISO_IS_VARYING(p->m->method.recipe) ? "    .adams = &options,\n" : "");
 }
@@ -77,9 +72,7 @@ static void emit_fast_states(emission *e)
     }
     put(e, "};\nstatic const iso_fast fast$s = {\n    .derivative = fast_derivative$s,\n");
     put(e, "    .states = fast_states$s,\n    .count = %d,\n    .is_fast = is_fast$s,\n", fast->count);
-    if (fast->read_count > 0) {
-        put(e, "    .reads = fast_reads$s,\n    .read_count = %d,\n", fast->read_count);
-    }
+    put_if(e, fast->read_count > 0, "    .reads = fast_reads$s,\n    .read_count = %d,\n", fast->read_count);
     put(e, "    .substeps = %d,\n};\n\n", e->p->m->effects.fast_substeps);
 }
 
@@ -93,7 +86,7 @@ static bool remembers(const plant *p)
 static void emit_remember(emission *e)
 {
     put(e, "static void remember($p_memory *const memory)\n{\n");
-    put(e, "%s", watches_inputs(e->p->m) ? "    memcpy(memory->last_u, memory->u, sizeof memory->last_u);\n" : "");
+    put_if(e, watches_inputs(e->p->m), "    memcpy(memory->last_u, memory->u, sizeof memory->last_u);\n");
     put(e, "%s}\n\n", watches_parameters(e->p) ? "    memory->changed = 0;\n" : "");
 }
 
@@ -111,8 +104,8 @@ static void emit_discontinuity(emission *e)
                 literal(e, m->inputs.jumps[i]));
         }
     }
-    put(e, "%s", watches_parameters(e->p) ? "    found |= memory->changed != 0;\n" : "");
-    put(e, "%s", watches_edges(m) ? "    found |= memory->edge != 0;\n" : "");
+    put_if(e, watches_parameters(e->p), "    found |= memory->changed != 0;\n");
+    put_if(e, watches_edges(m), "    found |= memory->edge != 0;\n");
     put(e, "%s    return found;\n}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
 }
 
@@ -133,9 +126,7 @@ static const char *emit_held(emission *e)
     const held *h = &e->p->held;
     const char *kept = h->tuned > 0 ? form(e, "memory->h$s") : "h";
     put(e, "%s", h->count > 0 && h->tuned == 0 ? form(e, "    real h[%d];\n", h->count) : "");
-    if (h->count > h->tuned) {
-        put(e, "    hold$s(%s, memory->u);\n", kept);
-    }
+    put_if(e, h->count > h->tuned, "    hold$s(%s, memory->u);\n", kept);
     return h->count > 0 ? kept : array_or_null(e->p->m->parameters.count, "memory->p");
 }
 
@@ -146,9 +137,7 @@ static void emit_call(emission *e, const char *function, const char *size)
     const char *recipe = recipe_symbol(e->out->memory, step_recipe(e));
     put(e, "    real work[%s(%s, $C_STATES)%s];\n", size, recipe,
         ISO_IS_SMOOTH(m->method.recipe) ? form(e, " + %s", held_size(e)) : "");
-    if (ISO_IS_IMPLICIT(m->method.recipe)) {
-        put(e, "    real lu[%d];\n", e->p->j.factor_count);
-    }
+    put_if(e, ISO_IS_IMPLICIT(m->method.recipe), "    real lu[%d];\n", e->p->j.factor_count);
     const char *parameters = emit_held(e);
     put(e, "    %s(%s, $C_STATES, &equations$s, %s, memory->x, %s, %s, %s, work,\n", function, recipe,
         literal(e, method_step(m)), array_or_null(held_count(m), "memory->u"), parameters,
@@ -172,19 +161,16 @@ static void emit_multirate_call(emission *e)
 static void emit_samples(emission *e, const char *function)
 {
     const unsigned recipe = e->p->m->method.recipe;
-    if (ISO_IS_SMOOTH(recipe)) {
-        put(e, "    %s(%s, &equations$s, memory->u);\n", function, recipe_symbol(e->out->memory, recipe));
-    }
+    put_if(e, ISO_IS_SMOOTH(recipe), "    %s(%s, &equations$s, memory->u);\n", function,
+           recipe_symbol(e->out->memory, recipe));
 }
 
 static void emit_prime(emission *e)
 {
     begin_function(e, "static void prime");
-    put(e, "%s", e->p->held.tuned > 0 ? "    tune(memory->h, memory->p);\n" : "");
+    put_if(e, e->p->held.tuned > 0, "    tune(memory->h, memory->p);\n");
     FOR_ALL (const reduced_plant, left, e->p->reduced_plants, e->p->reduced_plant_count) {
-        if (left->p->held.tuned > 0) {
-            put(e, "    tune%s(memory->h%s, memory->p);\n", left->suffix, left->suffix);
-        }
+        put_if(e, left->p->held.tuned > 0, "    tune%s(memory->h%s, memory->p);\n", left->suffix, left->suffix);
     }
     emit_samples(e, "iso_method_forget");
     if (ISO_IS_PRIMED(e->p->m->method.recipe)) {
@@ -252,12 +238,9 @@ static void emit_settling(emission *e)
     const char *more =
         form(e, "%s%s", settles_by_parameters(e->p, e->g) ? ", memory->p" : "", pivots > 0 ? ", pivots" : "");
     const char *recipe = recipe_symbol(e->out->memory, step_recipe(e));
-    if (ISO_IS_SETTLED(step_recipe(e))) {
-        put(e, "    iso_method_settles(%s, $C_STATES, &equations, memory->x, work);\n", recipe);
-    }
-    if (pivots > 0) {
-        put(e, "    real pivots[%d];\n", pivots);
-    }
+    put_if(e, ISO_IS_SETTLED(step_recipe(e)), "    iso_method_settles(%s, $C_STATES, &equations, memory->x, work);\n",
+           recipe);
+    put_if(e, pivots > 0, "    real pivots[%d];\n", pivots);
     if (m->drift.projections > 1) {
         put(e, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n", m->drift.projections, more);
     } else {
@@ -272,10 +255,9 @@ static void emit_settling(emission *e)
             put(e, "    (void)%s;\n", watch);
         }
     }
-    if (ISO_IS_SETTLED(step_recipe(e))) {
-        put(e, "    iso_method_settled(%s, $C_STATES, &equations, memory->x, work,\n                       %s);\n",
-            recipe, progress_of(m));
-    }
+    put_if(e, ISO_IS_SETTLED(step_recipe(e)),
+           "    iso_method_settled(%s, $C_STATES, &equations, memory->x, work,\n                       %s);\n", recipe,
+           progress_of(m));
 }
 
 /* What follows the method in a step: angles are put right, then the closures and the norms of quaternions, and whole
@@ -306,7 +288,7 @@ static void emit_check_of_room(emission *e)
 static void emit_step_function(emission *e, const char *suffix)
 {
     const bool has_parts = e->p->m->method.parts > 1;
-    put(e, "%s", has_parts ? "/* A part of a step. */\n" : "");
+    put_if(e, has_parts, "/* A part of a step. */\n");
     begin_function(
         e, form(e, "%sstatic void %s%s", e->p->is_flat ? "ISO_FLAT " : "", has_parts ? "part" : "step", suffix));
     for_turns(e, emit_before_turn);
