@@ -5,7 +5,6 @@
 #include <stdio.h>
 
 #include "tests/tap.h"
-#include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/graph/graph.h"
 #include "tools/isoc/graph/rules.h"
 

@@ -3,10 +3,8 @@
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/emit/prefix.h"
-#include "tools/isoc/emit/write.h"
+#include "tools/isoc/emit/emit.h"
 #include "tools/isoc/pipeline.h"
-#include "tools/isoc/plant/summary.h"
 
 static const char version[] = "isoc 0.1\n";
 

@@ -1,5 +1,4 @@
 #include "tools/isoc/closure/augmented.h"
-#include "tools/isoc/mechanism/states.h"
 
 #include <float.h>
 #include <math.h>

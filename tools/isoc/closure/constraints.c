@@ -1,5 +1,4 @@
 #include "tools/isoc/closure/constraints.h"
-#include "tools/isoc/mechanism/states.h"
 
 #include <math.h>
 

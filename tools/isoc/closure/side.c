@@ -1,4 +1,4 @@
-#include "tools/isoc/closure/side.h"
+#include "tools/isoc/closure/constraints.h"
 
 #include <string.h>
 

@@ -1,6 +1,4 @@
-#include "tools/isoc/dynamics/account.h"
-
-#include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/dynamics/dynamics.h"
 
 /* T = m v.v / 2 + v.(omega x ms) + omega.J omega / 2, about the segment's origin; and its spring's. */
 static node energy_of_segment(const dynamics *d, int i)

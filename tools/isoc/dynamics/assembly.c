@@ -3,8 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/dynamics/branches.h"
-
 static const double closed_as_given =
     1e-6;                          /* m, rad, and per second: the gap that the digits of given values may leave */
 static const double exact = 1e-10; /* what rounding leaves */

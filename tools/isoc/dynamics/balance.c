@@ -1,6 +1,4 @@
-#include "tools/isoc/dynamics/balance.h"
-
-#include "tools/isoc/dynamics/reaction.h"
+#include "tools/isoc/dynamics/dynamics.h"
 
 int balance_rows(const dynamics *d)
 {

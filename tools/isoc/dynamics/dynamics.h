@@ -7,11 +7,37 @@
 #define ISOC_DYNAMICS_DYNAMICS_H
 
 #include "tools/isoc/closure/augmented.h"
-#include "tools/isoc/dynamics/springs.h"
+
+/* springs.c: springs and dampers between points, as nodes. With r from the first end to the second, d = |r| and d' =
+ * r . r' / d, the tension is T = k (d - length) + c d'; a degree of freedom feels -T / d times g = r . dr/dq.
+ *
+ * 1 / d is finite for r = 0 (core/numbers/root.h), and r and g are zero there: a spring whose ends meet exerts no
+ * force, and no number overflows on the way.
+ */
+
+typedef struct stretched {
+    vector apart;                   /* r, in base axes */
+    node square, inverse, distance; /* d^2, 1 / d, d */
+    node rate;                      /* d' */
+    node *row;                      /* [degrees of freedom] g */
+    node by_length;                 /* T / d */
+} stretched;
+
+/* All springs of the mechanism. */
+stretched *springs_build(const kinematics *k);
+
+/* The force on the second end, in base axes; the first has the opposite. */
+vector spring_force(graph *g, const stretched *s);
+
+/* T, larger than zero where it pulls. */
+node spring_tension(graph *g, const point_spring *p, const stretched *s);
+
+/* Its potential energy. */
+node spring_energy(graph *g, const point_spring *p, const stretched *s);
 
 /* How the accelerations are found: from the factors of the mass matrix of composite bodies
  * (tools/isoc/tree/mass_matrix.h), or, of a tree, by articulated bodies (tools/isoc/tree/articulated.h). The closures
- * of loops, which are always composite, stand in the axes of their base, or of either side (tools/isoc/closure/side.h).
+ * of loops, which are always composite, stand in the axes of their base, or of either side (tools/isoc/closure/constraints.h).
  */
 typedef enum formulation {
     FORMULATION_COMPOSITE,
@@ -46,5 +72,97 @@ const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
 
 /* effort[degrees of freedom]: u - d q' - k (q - rest) + those of effects and of springs between points - bias. */
 void efforts_less(const dynamics *d, const node *bias, node *effort);
+
+/* reaction.c: reactions of joints and closures on their children, as nodes: force and moment in the ground's axes, the
+ * moment about the origin of the joint's frame on the child.
+ *
+ * Of a joint it is all that passes through it: what it constrains, and what drive, damping and spring, gear and
+ * motion put on it. It is the wrench that the child needs for its motion, less all others on it: recursive
+ * Newton-Euler with the accelerations that the mechanism has, over bodies, since the parameters of segments are
+ * regrouped. Of a closure it is the sum of the wrenches of its constraints; a constraint that no joint changes has
+ * none.
+ */
+
+/* Accelerations of the segments, from those that `derivative` returns; for joint_reaction. */
+acceleration *reaction_accelerations(const dynamics *d);
+
+/* Of the joint whose child is body `of`. */
+wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int index);
+
+wrench closure_reaction(const dynamics *d, int index);
+
+/* The effort of a gear or a motion on its first joint, in N*m or N; a gear has -ratio times that on the second. Its one
+ * constraint has the factor 1 in the first joint's row of M q'' + Phi_q' lambda = effort. */
+node closure_effort(const dynamics *d, int index);
+
+/* balance.c: the equations of motion before they are solved, as nodes: the forces less those that given accelerations
+ * q'' and multipliers lambda need,
+ *
+ *     left = effort - bias - M q'' - Phi_q' lambda    and    -(Phi_dd + Phi_q q'' + 2 alpha Phi' + beta^2 Phi),
+ *
+ * which is zero in the motion. Its derivatives are far fewer operations than those of the solution.
+ */
+
+/* Degrees of freedom and constraints. */
+int balance_rows(const dynamics *d);
+
+typedef struct balance {
+    int rows;
+    node *left;                        /* [rows] by leaves OP_DERIVATIVE of the accelerations and OP_MULTIPLIER */
+    node *weights;                     /* [rows rows] what it has of them: [M Phi_q'; Phi_q -1/penalty] */
+    const acceleration *accelerations; /* [segments] what Newton-Euler hands on from segment to segment, outward */
+    wrench *wrenches;                  /* [segments] and inward: of a segment with its descendants */
+} balance;
+
+balance balance_build(const dynamics *d);
+
+/* resistance.c: the resistance to a push within a step, as nodes: the mass matrix; with an implicit method, what the
+ * method solves with,
+ *
+ *     M - h b dQ/dq' - (h b)^2 dQ/dq,
+ *
+ * with the efforts Q of dampers, springs and effects, of which the symmetric part is taken.
+ */
+
+/* Factorised; d->mass itself where nothing is added to it. */
+const mass_matrix *resistance_build(graph *g, const dynamics *d);
+
+/* settled.c: the states at the end of a step, from those that the method computed, as nodes: quaternions of length
+ * one, and with projection, positions and speeds that satisfy the closures. Where sums are compensated, the changes
+ * of the states, so that these are added with the compensation too: a sum that is rounded without it, once a step,
+ * would undo what it gains. With projection, the pivots too that it divides by. */
+
+typedef struct settled {
+    int count;
+    int *states; /* which */
+    node *values;
+    bool adds;           /* the values are added to the states */
+    node *pivots;        /* of the closures, those that vary: what a step is watched by (core/methods/pivots.h) */
+    int *pivot_closures; /* whose */
+    int pivot_count;
+} settled;
+
+settled settled_build(graph *g, const dynamics *d);
+
+/* account.c: the account of energy, as nodes: what the mechanism has, and the power of all that changes it.
+ *
+ *     E = T + V + what springs and effects store
+ *     P = inputs - dampers + closures + effects
+ *
+ * In the motion E' = P. An effect counts with its work less its loss where it tells them, so that these, what it
+ * stores and what it gives to the mechanism must fit; else with what it gives and what it stores. A closure has
+ * -lambda Phi_q q': the power of a motion, and of any other that of a rate which is violated.
+ *
+ * All need kinematics_velocities.
+ */
+
+/* E: kinetic, of gravity (zero at the ground's origin), of the springs and of effects. */
+node account_energy(const dynamics *d);
+
+/* P. */
+node account_power(const dynamics *d);
+
+/* E' - P, with the derivatives of the states. */
+node account_balance(const dynamics *d);
 
 #endif

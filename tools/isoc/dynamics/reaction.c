@@ -1,4 +1,4 @@
-#include "tools/isoc/dynamics/reaction.h"
+#include "tools/isoc/dynamics/dynamics.h"
 
 acceleration *reaction_accelerations(const dynamics *d)
 {

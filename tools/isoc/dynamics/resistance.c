@@ -1,8 +1,5 @@
-#include "tools/isoc/dynamics/resistance.h"
+#include "tools/isoc/dynamics/dynamics.h"
 
-#include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/graph/operations.h"
-#include "tools/isoc/graph/quaternion.h"
 #include "tools/isoc/method/step_map.h"
 
 /* The efforts of dampers, springs and effects, and of the forces of effects on bodies; those of inputs do not count. */

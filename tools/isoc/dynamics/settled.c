@@ -1,8 +1,4 @@
-#include "tools/isoc/dynamics/settled.h"
-
-#include "tools/isoc/dynamics/resistance.h"
-#include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/graph/quaternion.h"
+#include "tools/isoc/dynamics/dynamics.h"
 
 static void put(settled *result, int state, node to)
 {

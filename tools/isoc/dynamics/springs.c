@@ -1,4 +1,4 @@
-#include "tools/isoc/dynamics/springs.h"
+#include "tools/isoc/dynamics/dynamics.h"
 
 static stretched build_one(const kinematics *k, const point_spring *p, const acceleration *still)
 {

@@ -4,8 +4,6 @@
 
 #include <string.h>
 
-#include "tools/isoc/graph/operations.h"
-
 /* The line of this kind that a rate or a next is of. */
 static const effect_line *subject(effect_scope *w, const instance *in, const effect_line *line, effect_line_kind kind,
                                   const char *word)

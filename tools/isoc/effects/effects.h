@@ -7,7 +7,7 @@
 #define ISOC_EFFECTS_EFFECTS_H
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/method/limits.h"
+#include "tools/isoc/method/growth.h"
 
 enum { DEEPEST_EFFECT = 200, MOST_MEMORIES = 65535 /* and inputs, of a plant */ };
 
@@ -45,9 +45,7 @@ value history_memory_value(void *context, const formula *f);
 
 value time_input_value(void *context, const formula *f);
 
-/* --- scope.c --- */
-
-/* The line that declares a name; or with `is_output` the one that shows it. NULL if there is none. */
+/* scope.c: the line that declares a name; or with `is_output` the one that shows it. NULL if there is none. */
 const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output);
 
 /* The nearest name among the lines of these kinds. */
@@ -73,17 +71,13 @@ bool find_point(effect_scope *w, const char *called, int *which, vector *point);
 /* Notes a formula that needs its own value, with the path to it. */
 value refuse_loop(effect_scope *w, place at, const char *called);
 
-/* --- names_in_effects.c --- */
-
-/* The value of a name, as value.h asks for it. */
+/* names_in_effects.c: the value of a name, as value.h asks for it. */
 bool find_name(void *context, const formula *f, value *found);
 
 /* The value of a signal of the scene. */
 value signal_value(effect_scope *w, size_t i);
 
-/* --- quantities.c --- */
-
-/* A quantity of a point of a body, as leaves. */
+/* quantities.c: a quantity of a point of a body, as leaves. */
 value point_query_of(effect_scope *w, quantity_kind kind, int which, vector point, bool in_body);
 
 /* The value of `speed of NAME` and the like, as value.h asks for it. */
@@ -92,14 +86,10 @@ value quantity_value(void *context, const formula *f);
 /* The value of `energy` and the like: false, where the word is of no such quantity. */
 bool find_quantity(effect_scope *w, const formula *f, value *found);
 
-/* --- lines.c --- */
-
-/* The value of an operand, a let, a state, a memory or an output. */
+/* lines.c: the value of an operand, a let, a state, a memory or an output. */
 value line_value(effect_scope *w, const instance *in, const effect_line *line);
 
-/* --- actions.c --- */
-
-/* Does what a line says: a rate, an effort, a force. */
+/* actions.c: does what a line says: a rate, an effort, a force. */
 void do_line(effect_scope *w, const instance *in, const effect_line *line);
 
 /* Notes what a definition lacks: each state has a rate, each memory a next. */

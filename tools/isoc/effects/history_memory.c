@@ -1,7 +1,6 @@
 /* The past of formulas: previous(x), sample(x, every 5 ms), delay(x, 5 ms). Each is a memory that
  * no effect declares; what it is of is evaluated when all lines are, so that a formula may need its own past. */
 #include "tools/isoc/effects/effects.h"
-#include "tools/isoc/formula/functions.h"
 #include "tools/isoc/formula/ticks.h"
 #include <math.h>
 

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/graph/operations.h"
 #include "tools/isoc/scene/names.h"
 
 /* The dimension of the position, speed or effort of a coordinate. */

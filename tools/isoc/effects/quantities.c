@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"
-#include "tools/isoc/graph/operations.h"
 #include "tools/isoc/scene/names.h"
 
 static const query no_query = {.segment = -1, .body = -1, .closure = -1, .spring = -1};

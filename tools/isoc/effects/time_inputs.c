@@ -4,9 +4,7 @@
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"
-#include "tools/isoc/formula/functions.h"
 #include "tools/isoc/formula/ticks.h"
-#include "tools/isoc/formula/timing.h"
 #include "tools/isoc/scene/names.h"
 
 static bool is_time(const formula *f)

@@ -1,6 +1,5 @@
 /* A memory that no equation, output or other memory reads is not there, and a function of time that only such ones read is
  * not computed: only what is read costs. Of a vector each component counts by itself. */
-#include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/mechanism/builder.h"
 
 /* Does something to each list of roots that can read a memory, but for the memories themselves. */

@@ -1,4 +1,4 @@
-#include "tools/isoc/emit/a2l.h"
+#include "tools/isoc/emit/parts.h"
 
 #include <ctype.h>
 #include <inttypes.h>
@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/emit/parts.h"
 
 /* The sizes of core/xcp, which the A2L tells; the program that has both asserts them. */
 enum { MAX_CTO = 64, MAX_DTO = 256, LISTS = 4, BLOCK_BYTES = 255 };

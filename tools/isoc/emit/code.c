@@ -9,7 +9,6 @@
 
 #include "tools/isoc/base/dictionary.h"
 #include "tools/isoc/base/real_range.h"
-#include "tools/isoc/graph/economy.h"
 
 enum { LONGEST_INLINE = 72 }; /* characters of an expression that stands inside another */
 

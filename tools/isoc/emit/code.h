@@ -69,4 +69,23 @@ const char *code_literal(arena *memory, double value, bool is_double);
 /* A fraction of a turn as C; 2^64 is one. */
 const char *code_phase(arena *memory, double turns);
 
+/* split.c: a long body in functions of bounded size: the time and the memory of a compiler grow faster than a
+ * function. */
+
+typedef struct code_part {
+    const char *body;
+    bool reads[OPERATIONS]; /* which leaves */
+    bool sets;              /* some target */
+    bool carries;           /* something from part to part, in v[] */
+} code_part;
+
+typedef struct code_parts {
+    code_part *all;
+    int count;
+    int carried; /* reals of v[] */
+} code_parts;
+
+/* Parts of at most so many statements. What one declares and a later one reads stands in v[]. */
+code_parts code_split(const code_pieces *pieces, int most);
+
 #endif

@@ -1,9 +1,7 @@
-#include "tools/isoc/emit/emit.h"
 
 #include <string.h>
 
 #include "tools/isoc/emit/parts.h"
-#include "tools/isoc/graph/operations.h"
 
 /* The files of core that have the functions which the rest of the source calls, each once. */
 static void emit_calls_included(const text *rest, text *out)

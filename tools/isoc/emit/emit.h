@@ -2,11 +2,51 @@
 #ifndef ISOC_EMIT_EMIT_H
 #define ISOC_EMIT_EMIT_H
 
-#include "tools/isoc/emit/naming.h"
+#include "tools/isoc/emit/code.h"
+#include "tools/isoc/emit/write.h"
+#include "tools/isoc/plant/plant.h"
+
+/* naming.c: the names in generated files: with a prefix, so that several plants can stand in one program. */
+
+typedef struct naming {
+    const char *prefix;   /* of functions, types and files: cart */
+    const char *capitals; /* of constants: CART */
+    bool is_program;      /* the plant is iso_the_plant, that of the program */
+    const state *states;
+    leaf_names leaves; /* states, inputs with memories behind them, parameters: CART_X_RAIL, CART_U_PUSH, CART_P_MASS */
+    const variable *about_states, *about_held, *about_outputs; /* in the same order */
+    const leaf_name *outputs;                                  /* CART_Y_ANGLE */
+} naming;
+
+/* With this prefix, or as the plant of the program where it is NULL. */
+naming naming_of(const plant *p, arena *memory, const char *prefix);
+
+/* A word in capitals. */
+const char *capitals_of(arena *memory, const char *word);
 
 void emit_header(const plant *p, const naming *names, text *out);
 
 /* Returns false, with *out_of_range_value, if a constant leaves the range of real. */
 bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *out_of_range_value);
+
+/* prefix.c: the name of a plant in other firmware: of its files, and the beginning of all its identifiers. */
+
+/* Why isoc cannot make files and identifiers with this prefix; NULL where it can. */
+const char *prefix_fault(const char *prefix, arena *memory);
+
+/* standalone.c: the files of core that a plant needs, so that its folder compiles alone. */
+
+/* Adds the files of core that those in the list include, and those that firmware calls and that need no port. They find
+ * each other by relative paths, and in double they need no flag that says so. */
+void standalone_files(file_list *files, bool is_double);
+
+/* link.c: the link of a plant, and the controller's end of it in C and in Python. */
+
+/* Whether its frames are no longer than what a channel of a port takes at once (port/channel.h); if not, says so. */
+bool link_fits(const plant *p, const char *path);
+
+/* Adds interface.c, SCENE_link.h and SCENE_link.py to the plant's header and source, the first two of the files. Where a lock is
+ * given, for measurement and calibration, the interface has that, and plant.a2l.in is added (a2l.h). */
+void emit_link(const plant *p, const naming *names, const char *lock, file_list *files);
 
 #endif

@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "tools/isoc/emit/parts.h"
-#include "tools/isoc/plant/rates.h"
 
 /* Whether something that follows from tunables alone is kept. */
 static bool is_tuned(const plant *p)

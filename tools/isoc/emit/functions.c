@@ -1,7 +1,6 @@
 #include <string.h>
 
 #include "tools/isoc/emit/parts.h"
-#include "tools/isoc/plant/rates.h"
 
 /* A function that computes the values of h from one to before another, from an array. */
 static void emit_held_function(emission *e, const char *function, const char *array, int first, int end)

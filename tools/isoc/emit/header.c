@@ -1,4 +1,3 @@
-#include "tools/isoc/emit/emit.h"
 #include "tools/isoc/emit/parts.h"
 
 /* The quantities of one array. */

@@ -1,4 +1,3 @@
-#include "tools/isoc/emit/link.h"
 
 #include <ctype.h>
 #include <inttypes.h>
@@ -7,8 +6,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/emit/a2l.h"
-#include "tools/isoc/emit/protocol.h"
+#include "tools/isoc/emit/parts.h"
 
 /* What the frames of a plant carry. */
 typedef struct terminals {

@@ -1,4 +1,4 @@
-#include "tools/isoc/emit/naming.h"
+#include "tools/isoc/emit/emit.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,6 +1,5 @@
 /* The outputs of a plant: one function for all, or for those of each rate, which a tick calls when they are due. */
 #include "tools/isoc/emit/parts.h"
-#include "tools/isoc/plant/rates.h"
 
 /* A function of this name that computes these outputs; `head` stands before it. */
 static void emit_outputs_of(emission *e, const char *head, const char *function, const output_rate *o)

@@ -2,7 +2,9 @@
 #ifndef ISOC_EMIT_PARTS_H
 #define ISOC_EMIT_PARTS_H
 
-#include "tools/isoc/emit/naming.h"
+#include <stdint.h>
+
+#include "tools/isoc/emit/emit.h"
 
 typedef struct emission {
     const plant *p;
@@ -15,7 +17,7 @@ typedef struct emission {
     double out_of_range_value; /* a constant that leaves the range of real; else 0 */
 } emission;
 
-/* Adds to the source what printf would write; the same if it is wanted; and that as a text. In the format stand $p for the prefix of names, $C for it
+/* put.c: adds to the source what printf would write; the same if it is wanted; and that as a text. In the format stand $p for the prefix of names, $C for it
  * in capitals, $s for the suffix. */
 void put(const emission *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void put_if(const emission *e, bool wanted, const char *format, ...) __attribute__((format(printf, 3, 4)));
@@ -25,10 +27,8 @@ const char *form(const emission *e, const char *format, ...) __attribute__((form
 const char *literal(const emission *e, double number);
 const char *limit(const emission *e, double number);
 
-/* --- features.c --- */
-
-/* Whether the plant keeps something that a start or a restart sets: the method's history, samples of smooth inputs, what
- * follows from tunables. */
+/* features.c: whether the plant keeps something that a start or a restart sets: the method's history, samples of
+ * smooth inputs, what follows from tunables. */
 bool is_primed(const plant *p);
 
 /* Whether a discontinuity, of an input or of a parameter, makes that useless; and whether the latter can. */
@@ -80,9 +80,7 @@ bool has_range(const emission *e);
 /* Whether what follows a step depends on tunables: masses, or lengths of closures. */
 bool settles_by_parameters(const plant *p, const graph *g);
 
-/* --- function.c --- */
-
-/* The emission of what is left of the plant by a drop of its ladder; or of the whole where it is NULL. */
+/* function.c: the emission of what is left of the plant by a drop of its ladder; or of the whole where it is NULL. */
 emission emission_of(const emission *e, const reduced_plant *left);
 
 /* Targets: the places in an array of what these leaves stand for, or its first so many. */
@@ -123,7 +121,8 @@ void emit_tick_tables(emission *e, const node *roots, size_t count);
 /* functions.c: the equations. */
 void emit_functions(emission *e);
 
-/* rows.c: what a row sets: functions of time, at the begin of a tick and for what its end shows; memories; and the starts. */
+/* rows.c: what a row sets: functions of time, at the begin of a tick and for what its end shows; memories; and the
+ * starts. */
 void emit_drive(emission *e);
 void emit_advance(emission *e);
 void emit_begin(emission *e);
@@ -143,5 +142,40 @@ void emit_policies(emission *e);
 /* description.c: the model; and, for the program, its plant. */
 void emit_model(emission *e);
 void emit_plant(emission *e);
+
+/* a2l.c: measurement and calibration: what core/xcp is told of the plant, and what its tools are told, the A2L. */
+
+/* The interface of a plant for core/xcp: iso_xcp_the_description, and `services`. The lock is the name of an
+ * iso_xcp_lock, or "open". */
+void emit_calibration(const plant *p, const naming *names, const char *lock, uint64_t identity, text *out);
+
+/* The A2L without the addresses, which a linker gives: where it has @SYMBOL+OFFSET@, tools/a2l/a2l.sh puts a number, and
+ * for lines of `@statistics@` and `@names of statistics@` what tools/a2l/places.c has. ASAP2, version 1.61. */
+void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out);
+
+/* protocol.c: the tables of core/application/protocol.h, as the other end of a wire has them. */
+
+typedef enum protocol_table {
+    PROTOCOL_WORDS,
+    PROTOCOL_FRAMES,
+    PROTOCOL_START_FIELDS,
+    PROTOCOL_MODES,
+    PROTOCOL_REASONS,
+    PROTOCOL_COMMANDS,
+    PROTOCOL_STATE_FIELDS,
+    PROTOCOL_STATES,
+    PROTOCOL_ANSWERS,
+    PROTOCOL_TABLES
+} protocol_table;
+
+/* All of them as ISO_CLIENT_WORDS(X) and so on, with the numbers below. */
+const char *protocol_in_c(arena *memory);
+
+/* The rows of one, each as the pattern has it: a template with the places name, number and words. */
+const char *protocol_rows(arena *memory, protocol_table table, const char *pattern);
+
+/* The version of the frames, and the most bytes of a piece of a snapshot. */
+const char *protocol_version(arena *memory);
+const char *protocol_piece(arena *memory);
 
 #endif

@@ -1,5 +1,4 @@
 #include "tools/isoc/emit/parts.h"
-#include "tools/isoc/plant/reduced_plant.h"
 
 /* `function` of each rung, the topmost first: those of what is left of the plant there. */
 static void emit_table_of_rungs(emission *e, const char *type, const char *function)

@@ -1,4 +1,4 @@
-#include "tools/isoc/emit/prefix.h"
+#include "tools/isoc/emit/emit.h"
 
 #include <stdbool.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "tools/isoc/emit/protocol.h"
+#include "tools/isoc/emit/parts.h"
 
 #include "core/application/protocol.h"
 

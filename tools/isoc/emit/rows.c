@@ -1,4 +1,4 @@
-/* The assignments of a row, in the order of tools/isoc/plant/rows.h. */
+/* The assignments of a row, in the order of tools/isoc/plant/plant.h. */
 
 #include "tools/isoc/emit/parts.h"
 

@@ -1,4 +1,4 @@
-#include "tools/isoc/emit/split.h"
+#include "tools/isoc/emit/code.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "tools/isoc/emit/standalone.h"
+#include "tools/isoc/emit/emit.h"
 
 #include <string.h>
 

@@ -1,7 +1,6 @@
 #include <math.h>
 
 #include "tools/isoc/emit/parts.h"
-#include "tools/isoc/plant/reduced_plant.h"
 
 /* The head of a function of the plant. */
 static void begin_function(emission *e, const char *head)

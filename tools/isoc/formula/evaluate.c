@@ -3,12 +3,8 @@
 #include <string.h>
 
 #include "tools/isoc/formula/functions.h"
-#include "tools/isoc/formula/measured.h"
 #include "tools/isoc/formula/scalar.h"
-#include "tools/isoc/formula/table.h"
 #include "tools/isoc/formula/ticks.h"
-#include "tools/isoc/formula/timing.h"
-#include "tools/isoc/formula/value.h"
 #include "tools/isoc/scene/names.h"
 
 void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double)

@@ -5,11 +5,8 @@
 #include <string.h>
 
 #include "tools/isoc/base/elementary.h"
-#include "tools/isoc/formula/impact.h"
 #include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/formula/ticks.h"
-#include "tools/isoc/formula/timing.h"
-#include "tools/isoc/formula/waveform.h"
 #include "tools/isoc/graph/vector.h"
 
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */

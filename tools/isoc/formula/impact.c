@@ -6,7 +6,7 @@
  * In q = d (1 + e) / 2 this is coth(q) - 1 / q = (1 - e) / (1 + e): d follows from the inverse of Langevin's function. Here
  * nothing cancels where e is near 1, as the logarithm does.
  */
-#include "tools/isoc/formula/impact.h"
+#include "tools/isoc/formula/scalar.h"
 
 /* (coth(q) - 1 / q) / q, for small q by the continued fraction 1 / (3 + q^2 / (5 + q^2 / (7 + ...))) of Lambert. */
 static node langevin_over(graph *g, node q)

@@ -1,4 +1,4 @@
-#include "tools/isoc/formula/measured.h"
+#include "tools/isoc/formula/ticks.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -6,7 +6,6 @@
 
 #include "tools/isoc/base/real_range.h"
 #include "tools/isoc/formula/scalar.h"
-#include "tools/isoc/formula/ticks.h"
 
 enum { MOST_POINTS = 65535, SHOWN = 40 };
 

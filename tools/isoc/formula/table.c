@@ -1,10 +1,9 @@
-#include "tools/isoc/formula/table.h"
+#include "tools/isoc/formula/ticks.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "tools/isoc/formula/scalar.h"
-#include "tools/isoc/formula/ticks.h"
 
 /* The part of a stretch that lies before x: (x - from) / length, limited to [0, 1]. No branch and no index depends on x, so
  * each stretch is computed for every x. */

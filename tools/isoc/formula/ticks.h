@@ -33,4 +33,47 @@ tick_table *table_new(values *v, const formula *f, operation op);
 /* The next evaluation of the formula has a table of its own: it is that of another effect. */
 void tables_forget(values *v, const formula *f);
 
+/* timing.c: functions of time in formulas: nodes that are functions of the tick. */
+
+/* `time`; and of evaluated arguments sin(3 Hz), cos(3 Hz, 90 deg), sin(2 rad/s), noise(7). Count 0 after noting a problem. */
+value time_of_formula(values *v, const formula *f);
+value wave_of_formula(values *v, const formula *f, const value *given, node (*of_angle)(graph *g, node angle));
+value noise_of_formula(values *v, const formula *f, const value *given);
+
+/* The seed of a call of noise; false after noting a problem. And the noise that it gives. */
+bool noise_seed(values *v, const formula *f, const value *given, uint32_t *seed);
+node noise_of_seed(graph *g, uint32_t seed);
+
+/* The turns in a tick of a frequency; false after noting a problem. */
+bool turns_in_tick(values *v, const formula *f, value frequency, double *turns);
+
+/* waveform.c: test signals as functions of the tick: step, square, prbs, chirp. */
+
+/* step(0.5 s), square(2 Hz, 90 deg), prbs(7, 10 ms, 9), chirp(1 Hz, 50 Hz, 10 s), of evaluated arguments. Count 0 after noting
+ * a problem. */
+value step_of_formula(values *v, const formula *f, const value *given);
+value square_of_formula(values *v, const formula *f, const value *given);
+value prbs_of_formula(values *v, const formula *f, const value *given);
+value chirp_of_formula(values *v, const formula *f, const value *given);
+
+/* measured.c: measured signals in formulas: file "road.csv". */
+
+/* Straight lines between the points of the file; constant before the first and after the last. Count 0 after noting a
+ * problem, at its place in the file. */
+value file_of_formula(values *v, const formula *f);
+
+/* table.c: points in formulas: tables and ramps over time, tables of a quantity, table(x, 0 m: 0 N, 10 mm: 8 N), and
+ * of two. These evaluate their own arguments. */
+
+/* Straight lines between the points; outside of them the end values. Its places are constants, its values may be tunable.
+ * Count 0 after noting a problem. */
+value table_of_formula(values *v, const formula *f);
+
+/* table(x, y; 0 m, 1 m; 0 s: 1 N, 2 N; 1 s: 3 N, 5 N): the places of x, then for each place of y its value at each of them.
+ * Bilinear in each cell, a x + b y + c x y + d; beyond the places that of the nearest. Likewise. */
+value grid_of_formula(values *v, const formula *f);
+
+/* table(0 s: 0 N, 1 s: 8 N), ramp(0 s: 0 N, 1 s: 8 N). Likewise. */
+value points_of_formula(values *v, const formula *f);
+
 #endif

@@ -1,10 +1,9 @@
-#include "tools/isoc/formula/timing.h"
+#include "tools/isoc/formula/ticks.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "tools/isoc/formula/scalar.h"
-#include "tools/isoc/formula/ticks.h"
 
 value time_of_formula(values *v, const formula *f)
 {

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "tools/isoc/base/real_range.h"
-#include "tools/isoc/graph/operations.h"
 
 bool check_range(const values *v, const formula *f, const char *what, double number)
 {

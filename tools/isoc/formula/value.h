@@ -78,10 +78,8 @@ typedef struct values {
     size_t condition_count, condition_room;
 } values;
 
-/* --- value.c --- */
-
-/* Whether two dimensions are the same, in these surroundings: in formulas of effects, signals and outputs a radian is the
- * number one, and never decides what is accepted. It is carried along for the units that are shown. */
+/* value.c: whether two dimensions are the same, in these surroundings: in formulas of effects, signals and outputs a
+ * radian is the number one, and never decides what is accepted. It is carried along for the units that are shown. */
 bool agree(const values *v, dimension a, dimension b);
 
 /* Gives `all` the dimension of what is either of two that agree: without radians where these differ in them. A plain zero

@@ -1,10 +1,8 @@
-#include "tools/isoc/formula/waveform.h"
+#include "tools/isoc/formula/ticks.h"
 
 #include <math.h>
 
 #include "tools/isoc/formula/scalar.h"
-#include "tools/isoc/formula/ticks.h"
-#include "tools/isoc/formula/timing.h"
 
 static const double most_repeated = 16777216.0; /* ticks, of core/numbers/waveform.h */
 

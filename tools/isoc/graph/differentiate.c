@@ -1,4 +1,4 @@
-#include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/graph/graph.h"
 
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-#include "tools/isoc/graph/economy.h"
+#include "tools/isoc/graph/graph.h"
 
 #include <float.h>
 #include <math.h>

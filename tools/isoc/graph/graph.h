@@ -92,4 +92,66 @@ void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *
 /* Marks needed[g->count] for all that the `count` roots depend on. */
 void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
 
+/* operations.c: the operations of a set of nodes, and their cycles. */
+
+/* The operations of the code of these roots. */
+operations count_operations(const graph *g, const node *roots, size_t count);
+
+/* a + times * b */
+operations operations_plus(operations a, int times, operations b);
+
+/* Cycles of a Cortex-M4F, but for sines and cosines, which every way to the same equations shares. */
+int cycles_of(operations n);
+
+/* Whether any node of this operation is needed for the roots. */
+bool uses_operation(const graph *g, const node *roots, size_t count, operation op);
+
+/* Whether this leaf is. */
+bool uses_leaf(const graph *g, const node *roots, size_t count, node leaf);
+
+/* Whether a node can change while the parameters stay. */
+bool can_change(const graph *g, node n);
+
+/* Whether any function of the tick is. */
+bool uses_time(const graph *g, const node *roots, size_t count);
+
+/* economy.c: simplifications of a whole function: which simplifications pay depends on who else uses a node. */
+
+/* The nodes that `count` roots need, in the same order, in a graph of their own, with fewer operations; made[count] are
+ * the roots there. */
+graph economise(const graph *g, const node *roots, size_t count, node *result);
+
+/* differentiate.c: symbolic differentiation, and putting nodes in the place of leaves. */
+
+/* The derivatives of `count` roots by a leaf. */
+void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives);
+
+/* Their change, to first order, where every state of the graph changes by along[state]. */
+void differentiate_along(graph *g, const node *roots, size_t count, const node *along, node *changes);
+
+/* Derivatives by some nodes as if they were leaves: what they are made of is not looked at. */
+typedef struct partials {
+    graph *g;
+    size_t count;      /* of nodes: those made later are not differentiated */
+    const bool *stops; /* [count] where to end */
+    node *parts;       /* of the root, those that it is made of, in order; work space like the next two */
+    node *d;           /* [count] */
+    bool *seen;        /* [count] */
+} partials;
+
+partials partials_start(graph *g, const bool *stops);
+
+/* The derivatives of one root by each stop that it depends on without another between: by[] and derivatives[], which the
+ * memory of the graph has. Returns their number. The root may be a stop itself. */
+size_t partial_derivatives(partials *p, node root, node **by, node **derivatives);
+
+/* Puts by[index] in the place of every leaf of this operation, in `count` roots. */
+void replace_leaves(graph *g, node *roots, size_t count, operation op, const node *by);
+
+/* The root with another node in the place of one leaf. */
+node replace_leaf(graph *g, node root, node leaf, node by);
+
+/* Makes the roots anew of what stands in the place of each node that there was: to[before], itself where it stays. */
+void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to);
+
 #endif

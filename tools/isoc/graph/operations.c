@@ -1,6 +1,4 @@
-#include "tools/isoc/graph/operations.h"
-
-#include "tools/isoc/graph/economy.h"
+#include "tools/isoc/graph/graph.h"
 
 operations count_operations(const graph *of, const node *of_roots, size_t count)
 {

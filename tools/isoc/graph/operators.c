@@ -1,4 +1,3 @@
-#include "tools/isoc/graph/operators.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "tools/isoc/graph/quaternion.h"
+#include "tools/isoc/graph/vector.h"
 
 #include <math.h>
 

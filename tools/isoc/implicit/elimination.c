@@ -1,4 +1,4 @@
-#include "tools/isoc/implicit/elimination.h"
+#include "tools/isoc/implicit/jacobian.h"
 
 #include <string.h>
 

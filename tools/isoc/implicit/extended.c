@@ -1,7 +1,4 @@
-#include "tools/isoc/implicit/extended.h"
-
-#include "tools/isoc/dynamics/balance.h"
-#include "tools/isoc/graph/differentiate.h"
+#include "tools/isoc/implicit/jacobian.h"
 
 typedef struct entry {
     int row, column;

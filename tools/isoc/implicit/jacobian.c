@@ -1,9 +1,5 @@
 #include "tools/isoc/implicit/jacobian.h"
 
-#include "tools/isoc/dynamics/balance.h"
-#include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/graph/operations.h"
-
 const char *const factoring_names[FACTORINGS] = {"full", "sparse", "looped"};
 
 /* Where factors are stored: a constant stays one, any other node gets its place in lu[]. */

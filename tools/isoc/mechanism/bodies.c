@@ -1,6 +1,5 @@
 /* The masses of bodies: a mass with its centre and inertia, or solids. */
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/mechanism/inertia.h"
 
 static const dimension moment_of_inertia = {1, 2, 0, 0, 0, 0, 0};
 

@@ -2,6 +2,8 @@
 #ifndef ISOC_MECHANISM_BUILDER_H
 #define ISOC_MECHANISM_BUILDER_H
 
+#include <stddef.h>
+
 #include "tools/isoc/mechanism/mechanism.h"
 
 static const dimension no_unit = {0, 0, 0, 0, 0, 0, 0}, kilogram = {1, 0, 0, 0, 0, 0, 0}, metre = {0, 1, 0, 0, 0, 0, 0},
@@ -178,5 +180,10 @@ unsigned find_method(builder *b, name word);
 
 /* ladder.c: how the loop runs the plant. */
 void build_policies(builder *b);
+
+/* inertia.c: which masses and inertias a body can have. */
+
+/* NULL if a body can have this tensor (xx, yy, zz, xy, xz, yz) about its centre of mass, else what is wrong with it. */
+const char *inertia_fault(const double tensor[6]);
 
 #endif

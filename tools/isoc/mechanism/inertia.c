@@ -1,4 +1,4 @@
-#include "tools/isoc/mechanism/inertia.h"
+#include "tools/isoc/mechanism/builder.h"
 
 #include <math.h>
 #include <stdbool.h>

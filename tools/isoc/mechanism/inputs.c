@@ -1,7 +1,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/graph/operations.h"
 #include "tools/isoc/mechanism/builder.h"
 
 static bool same_name(name a, name b)

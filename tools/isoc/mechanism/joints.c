@@ -2,7 +2,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/graph/quaternion.h"
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/scene/names.h"
 

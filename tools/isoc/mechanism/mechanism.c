@@ -1,8 +1,5 @@
-#include "tools/isoc/mechanism/mechanism.h"
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/mechanism/states.h"
-#include "tools/isoc/scene/counts.h"
 #include "tools/isoc/scene/names.h"
 
 static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};

@@ -14,7 +14,6 @@
 
 #include "core/methods/table.h"
 #include "tools/isoc/formula/functions.h"
-#include "tools/isoc/formula/value.h"
 #include "tools/isoc/graph/vector.h"
 
 enum { GROUND = -1 };
@@ -69,7 +68,7 @@ typedef struct applied_force {
 } applied_force;
 
 /* A quantity, and what of. In formulas a leaf OP_QUERY stands for each of its numbers, until tools/isoc/tree/point_query.h
- * or, where it is known later, tools/isoc/plant/quantities.h puts what it is in its place. */
+ * or, where it is known later, tools/isoc/plant/plant.h puts what it is in its place. */
 typedef struct query {
     quantity_kind kind;
     int segment;  /* of a coordinate */
@@ -89,7 +88,7 @@ static inline bool is_known_late(quantity_kind kind)
 }
 
 /* A point whose inertia formulas ask for: that of a body, moved by a vector in the same axes as the answer. A leaf OP_INERTIA
- * stands for each of three components, behind those of the degrees of freedom, until tools/isoc/tree/effective_inertia.h puts what it
+ * stands for each of three components, behind those of the degrees of freedom, until tools/isoc/tree/point_query.h puts what it
  * is in its place. */
 typedef struct inertia_query {
     int body;
@@ -432,5 +431,33 @@ void mechanism_method_and_step(source *s, graph *g, const scene *written, bool i
 
 /* Notes each policy of the scene as a problem: of a plant in firmware that has no loop of core. */
 void mechanism_without_loop(source *s, const scene *written);
+
+/* states.c: the states of a plant, in their order: what the equations, the header, the guard and the stream know of
+ * each. */
+
+typedef enum state_kind {
+    STATE_COORDINATE, /* of a joint: an angle or a distance */
+    STATE_TURN,       /* an angle that is kept within a turn, its whole turns beside it */
+    STATE_QUATERNION, /* a part of one: w, x, y, z */
+    STATE_CLOCK,      /* that a motion is a function of; every tick sets it */
+    STATE_OF_EFFECT,
+    STATE_SPEED,
+} state_kind;
+
+typedef struct state {
+    variable about; /* within its limits, or the guard stops the plant */
+    state_kind kind;
+    const char *symbol; /* in the equations */
+    place at;           /* of the joint, the motion or the effect that has it */
+} state;
+
+/* All of them: state_count(m). Their starts are those of now: the assembly of closed loops moves them. */
+const state *mechanism_states(const mechanism *m, arena *memory);
+
+/* Notes names that two states have, or that differ only in case. */
+void states_check(source *s, const mechanism *m);
+
+/* The states at the start. */
+double *mechanism_start(const mechanism *m, arena *memory);
 
 #endif

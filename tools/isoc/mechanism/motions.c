@@ -1,7 +1,6 @@
 /* Joints whose coordinate is a function of time. */
 #include <math.h>
 
-#include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/mechanism/builder.h"
 
 static const double two_pi = 6.28318530717958648;

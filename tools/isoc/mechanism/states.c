@@ -1,4 +1,3 @@
-#include "tools/isoc/mechanism/states.h"
 
 #include <math.h>
 

@@ -17,4 +17,16 @@ double growth_of(arena *memory, unsigned recipe, double re, double im);
 /* The largest modulus of an eigenvalue of a step [n n]; infinite where it is not finite. */
 double growth_of_map(arena *memory, const double *map, int n);
 
+/* limits.c: how fast something may be that a method holds with a step. */
+
+typedef struct stability_limits {
+    double rate;      /* h |lambda| of what decays without oscillation */
+    double frequency; /* h omega of an oscillation with a tenth of critical damping */
+} stability_limits;
+
+/* Of a recipe: where growth.h first finds growth, to four decimals. An implicit method holds what its Jacobian at the start of
+ * a step knows, but not what begins within it: there a rate counts to 4 at most, after which 2 % are left of it, and a
+ * frequency to 2, a third of a turn. adams has the limits of a sub-step; these follow the error. */
+stability_limits limits_of(unsigned recipe);
+
 #endif

@@ -1,9 +1,8 @@
-#include "tools/isoc/method/limits.h"
+#include "tools/isoc/method/growth.h"
 
 #include <math.h>
 
 #include "core/methods/table.h"
-#include "tools/isoc/method/growth.h"
 
 /* No region of an explicit method reaches so far. */
 static const double beyond = 50.0, rate_followed = 4.0, frequency_followed = 2.0;

@@ -1,5 +1,4 @@
-#include "tools/isoc/plant/check_pivots.h"
-#include "tools/isoc/mechanism/states.h"
+#include "tools/isoc/plant/checks.h"
 
 /* M = L' D L of the numbers, as of the nodes (tools/isoc/tree/mass_matrix.c): D on the diagonal. */
 static void factorise(const mechanism *m, double *at)

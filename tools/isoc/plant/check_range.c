@@ -1,10 +1,9 @@
-#include "tools/isoc/plant/check_range.h"
+#include "tools/isoc/plant/checks.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "tools/isoc/base/real_range.h"
-#include "tools/isoc/mechanism/states.h"
 
 /* Marks what the functions of the plant depend on. */
 static void reach(const graph *g, const plant *p, bool *needed)

@@ -1,10 +1,7 @@
-#include "tools/isoc/plant/check_start.h"
+#include "tools/isoc/plant/checks.h"
 
 #include <float.h>
 #include <math.h>
-
-#include "tools/isoc/graph/economy.h"
-#include "tools/isoc/mechanism/states.h"
 
 static const char *advice(const plant *p)
 {

@@ -1,4 +1,4 @@
-#include "tools/isoc/plant/coefficients.h"
+#include "tools/isoc/plant/plant.h"
 
 #include "tools/isoc/graph/rules.h"
 

@@ -1,4 +1,4 @@
-#include "tools/isoc/plant/cost.h"
+#include "tools/isoc/plant/plant.h"
 
 /* The cost of smooth inputs: their differences in a tick, and polynomials in Horner's form at the places where the method
  * evaluates; at the end of a step all weights are one. */

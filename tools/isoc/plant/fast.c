@@ -1,4 +1,4 @@
-#include "tools/isoc/plant/fast.h"
+#include "tools/isoc/plant/plant.h"
 
 fast_part fast_build(const graph *g, const mechanism *m, const node *derivatives)
 {

@@ -1,8 +1,4 @@
-#include "tools/isoc/plant/held.h"
-
-#include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/graph/operations.h"
-#include "tools/isoc/plant/coefficients.h"
+#include "tools/isoc/plant/plant.h"
 
 /* Whether each node follows from what does not change alone: from tunables, or from what is held of them and inputs.
  * Constants do not count. A sign stays where it is used: it costs nothing there. */

@@ -1,6 +1,4 @@
-#include "tools/isoc/plant/input_check.h"
-
-#include "tools/isoc/formula/functions.h"
+#include "tools/isoc/plant/checks.h"
 
 static const char *without_history(unsigned recipe)
 {

@@ -1,7 +1,4 @@
-#include "tools/isoc/plant/outputs.h"
-
-#include "tools/isoc/dynamics/account.h"
-#include "tools/isoc/plant/quantities.h"
+#include "tools/isoc/plant/plant.h"
 
 static void show(plant *p, const shown *o, const char *label, node n)
 {

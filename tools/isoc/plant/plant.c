@@ -2,11 +2,6 @@
 
 #include <string.h>
 
-#include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/plant/cost.h"
-#include "tools/isoc/plant/outputs.h"
-#include "tools/isoc/plant/quantities.h"
-
 const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chosen, node *derivatives)
 {
     const dynamics *d = dynamics_build(g, m, chosen);

@@ -2,12 +2,35 @@
 #ifndef ISOC_PLANT_PLANT_H
 #define ISOC_PLANT_PLANT_H
 
-#include "tools/isoc/dynamics/dynamics.h"
-#include "tools/isoc/dynamics/settled.h"
-#include "tools/isoc/graph/operations.h"
+#include "tools/isoc/base/text.h"
 #include "tools/isoc/implicit/jacobian.h"
-#include "tools/isoc/plant/fast.h"
-#include "tools/isoc/plant/held.h"
+
+/* fast.c: the states that take sub-steps of their own in a step, and the others that their derivatives read: what
+ * core/methods/multirate.h is told of a plant. */
+
+typedef struct fast_part {
+    int *states;
+    int count; /* 0: none do */
+    int *reads;
+    int read_count;
+    node *derivatives; /* of these states */
+} fast_part;
+
+/* From the derivatives of all states. */
+fast_part fast_build(const graph *g, const mechanism *m, const node *derivatives);
+
+/* held.c: values that do not change within a step stand in an array h for all evaluations of the derivative. What
+ * follows from tunables alone is computed when one changes; behind it is what a step computes once, from that, held
+ * inputs and memories. */
+
+typedef struct held {
+    node *values; /* h: of tunables, then of h, inputs and memories */
+    int tuned;    /* how many are of tunables alone */
+    int count;    /* 0: nothing is held, as that would not pay */
+} held;
+
+/* Puts leaves OP_HELD into the roots, where that pays in a step with so many evaluations of them. */
+held held_build(graph *g, const mechanism *m, node *roots, size_t count, int evaluations);
 
 /* The cost of the equations in each formulation that was tried, and which one is kept. */
 typedef struct choice {
@@ -26,7 +49,7 @@ typedef struct row_order {
     int count, levels;
 } row_order;
 
-/* The assignments of a row besides the memories of effects (tools/isoc/plant/rows.h). */
+/* The assignments of a row besides the memories of effects (tools/isoc/plant/plant.h). */
 typedef struct row_plan {
     node *sees; /* [inputs] what an input that is a function of time is in the row, within its limits, where a memory or
                          an output reads it; else -1 */
@@ -90,5 +113,98 @@ const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chos
 
 /* The nodes of derivative, outputs and all else. */
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted);
+
+/* rates.c: the rates of outputs: which are computed in each tick, and which in every fourth. */
+
+/* The outputs of one rate. */
+typedef struct output_rate {
+    double every; /* ticks */
+    int *which;   /* [count] outputs of the plant */
+    node *roots;  /* [count] */
+    int count;
+} output_rate;
+
+typedef struct output_rates {
+    output_rate *all; /* the fastest first */
+    int count;
+} output_rates;
+
+output_rates output_rates_of(const plant *p, arena *memory);
+
+/* Whether some output is not computed in each tick. */
+bool has_slow_outputs(const mechanism *m);
+
+/* rows.c: the assignments of a row in their order: the functions of time, then the memories, then the outputs. Row k
+ * is the time k h.
+ *
+ *     functions of time that a memory or an output reads, at the row
+ *     what previous and delay show: what was kept in an earlier row
+ *     samples that a next reads
+ *     all memories of effects, by their next
+ *     all other samples, of the memories as they are now
+ *     what previous and delay will show: what their formulas are in this row
+ *
+ * At the start states and memories of effects get their starts, each after what it reads, and so do the samples and
+ * the pasts.
+ */
+
+/* Sets p->rows, and the starts as numbers, functions of time counting as zero. Of what is left of a plant `whole` is the
+ * plant with all effects, whose functions of time it sees; else NULL. Notes a start or a sample that needs itself. */
+void rows_build(source *s, graph *g, plant *p, const plant *whole);
+
+/* quantities.c: the nodes of quantities: of those that outputs show, and of those that formulas ask for and that are
+ * known with the accelerations, or after a step. */
+
+/* The numbers of a quantity. */
+void quantity_nodes(plant *p, graph *g, const query *q, node parts[QUERY_PARTS]);
+
+/* Puts those that are known late in the place of the leaves that stand for them. */
+void late_queries_resolve(plant *p, graph *g);
+
+/* outputs.c: the nodes of the outputs, with their names and units. */
+
+/* Fills p->outputs, p->output_names and p->output_units from p->m and p->d. */
+void outputs_build(plant *p, graph *g);
+
+/* reduced_plant.c: the plant on the rungs of a ladder that drop effects. */
+
+/* Builds p->reduced_plants: for each drop of the ladder the plant of the scene without the effects that are dropped so far, as if
+ * they were left out, but with their states, inputs, memories and tunables in their places. */
+void reduced_plants_build(source *s, const scene *written, plant *p, build_options wanted);
+
+/* The plant on a rung, counted from 0; NULL where nothing is dropped. The recipe of its step, and what
+ * that is called behind `step`: _heun_without_rub. */
+const reduced_plant *reduced_plant_on_rung(const plant *p, int rung);
+unsigned rung_recipe(const plant *p, int rung);
+const char *rung_suffix(const plant *p, int rung, arena *memory);
+
+/* cost.c: the cost of a step: operations of the equations, of the method, and of what follows it. */
+
+/* Of a step, but for what follows the method in it (tools/isoc/dynamics/dynamics.h); and of that. */
+operations cost_of_step(const plant *p, const graph *g);
+operations cost_of_settling(const plant *p, const graph *g);
+
+/* The cost of solving with 1 - hb J, of an implicit method. */
+typedef struct implicit_cost {
+    operations factor, solve;
+} implicit_cost;
+
+implicit_cost cost_of_solving(const plant *p, const graph *g);
+
+/* coefficients.c: products with what follows from tunables alone, as with constants: it gathers in front, so that it
+ * is one number, which is computed when a tunable changes. */
+
+/* In all that the roots are made of, c (p x) becomes (c p) x, (p x) (q y) becomes (p q) (x y), and x / p becomes (1 / p) x, for
+ * p and q of tunables. */
+void gather_coefficients(graph *g, node *roots, size_t count);
+
+/* summary.c: the summaries of a plant and of the methods that isoc prints. */
+
+/* Lines `key value...` about one plant. */
+void write_summary(const plant *p, const graph *g, text *out);
+
+/* One line for each method: order, evaluations, Jacobians and solutions a step, vectors of n reals kept from step to
+ * step, without and with a check. */
+void write_methods(text *out);
 
 #endif

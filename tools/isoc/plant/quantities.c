@@ -1,9 +1,7 @@
-#include "tools/isoc/plant/quantities.h"
+#include "tools/isoc/plant/plant.h"
 
 #include <string.h>
 
-#include "tools/isoc/dynamics/account.h"
-#include "tools/isoc/graph/differentiate.h"
 #include "tools/isoc/tree/point_query.h"
 
 /* --- one function for each quantity, or for a few that differ little --- */

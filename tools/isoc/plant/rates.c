@@ -1,4 +1,4 @@
-#include "tools/isoc/plant/rates.h"
+#include "tools/isoc/plant/plant.h"
 
 /* The least rate above another; 0 where there is none. */
 static double next_rate(const plant *p, double above)

@@ -1,7 +1,6 @@
-#include "tools/isoc/plant/reduced_plant.h"
+#include "tools/isoc/plant/plant.h"
 
 #include "tools/isoc/dynamics/assembly.h"
-#include "tools/isoc/plant/rows.h"
 #include "tools/isoc/tree/point_query.h"
 
 /* The scene, in which the first drops of the ladder are done. */

@@ -1,11 +1,7 @@
-#include "tools/isoc/plant/rows.h"
+#include "tools/isoc/plant/plant.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/graph/operations.h"
-#include "tools/isoc/mechanism/states.h"
 
 /* The states, inputs and memories that a formula reads. */
 typedef struct readings {

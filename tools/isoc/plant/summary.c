@@ -1,8 +1,4 @@
-#include "tools/isoc/plant/summary.h"
-
-#include "tools/isoc/plant/cost.h"
-#include "tools/isoc/plant/rates.h"
-#include "tools/isoc/plant/reduced_plant.h"
+#include "tools/isoc/plant/plant.h"
 
 static void count_line(text *out, const char *what, operations n)
 {

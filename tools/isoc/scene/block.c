@@ -1,8 +1,6 @@
-#include "tools/isoc/scene/block.h"
+#include "tools/isoc/scene/take.h"
 
 #include <string.h>
-
-#include "tools/isoc/scene/parse_formula.h"
 
 /* A block as far as it is read. */
 typedef struct reading {

@@ -1,8 +1,6 @@
-#include "tools/isoc/scene/counts.h"
+#include "tools/isoc/scene/names.h"
 
 #include <string.h>
-
-#include "tools/isoc/scene/names.h"
 
 typedef struct counter {
     const char *what;

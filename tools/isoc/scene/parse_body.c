@@ -1,9 +1,7 @@
 /* body NAME { ... } and frame NAME { ... } */
 #include <stddef.h>
 
-#include "tools/isoc/scene/parse_formula.h"
-#include "tools/isoc/scene/pose.h"
-#include "tools/isoc/scene/statements.h"
+#include "tools/isoc/scene/take.h"
 
 /* [at FORMULA] { rotate FORMULA about AXIS } */
 static placement parse_place_and_turns(parser *p, const char *what)

@@ -1,9 +1,7 @@
 /* close NAME KIND { ... } and force NAME { ... } */
 #include <stddef.h>
 
-#include "tools/isoc/scene/parse_formula.h"
-#include "tools/isoc/scene/pose.h"
-#include "tools/isoc/scene/statements.h"
+#include "tools/isoc/scene/take.h"
 
 #define IN(member) offsetof(closure_statement, member)
 static const property closure_properties[] = {

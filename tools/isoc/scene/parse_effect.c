@@ -2,8 +2,7 @@
  * read, and who switches them: signal NAME = FORMULA, at TIME set NAME = VALUE. */
 #include <string.h>
 
-#include "tools/isoc/scene/parse_formula.h"
-#include "tools/isoc/scene/statements.h"
+#include "tools/isoc/scene/take.h"
 
 /* --- lines of a definition --- */
 

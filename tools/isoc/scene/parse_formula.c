@@ -1,10 +1,7 @@
-#include "tools/isoc/scene/parse_formula.h"
+#include "tools/isoc/scene/take.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "tools/isoc/scene/block.h"
-#include "tools/isoc/scene/repeat.h"
 
 enum { DEEPEST = 100 };
 

@@ -2,9 +2,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "tools/isoc/scene/parse_formula.h"
-#include "tools/isoc/scene/pose.h"
-#include "tools/isoc/scene/statements.h"
+#include "tools/isoc/scene/take.h"
 
 /* The parts of the start of a kind. */
 typedef struct start_form {

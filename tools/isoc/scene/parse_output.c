@@ -1,8 +1,7 @@
 /* output NAME = FORMULA [every NUMBER ticks] */
 #include <string.h>
 
-#include "tools/isoc/scene/parse_formula.h"
-#include "tools/isoc/scene/statements.h"
+#include "tools/isoc/scene/take.h"
 
 /* Of what no quantity is called: place of hinge; or of nothing. */
 static void refuse_quantity(parser *p)

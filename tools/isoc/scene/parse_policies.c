@@ -1,8 +1,7 @@
 /* overrun KIND, grace NUMBER ticks, publish WHEN, histogram: how the loop runs the plant. */
 #include <string.h>
 
-#include "tools/isoc/scene/parse_formula.h"
-#include "tools/isoc/scene/statements.h"
+#include "tools/isoc/scene/take.h"
 
 static const char *const overrun_names[] = {"count", "catch_up", "stop", "degrade"};
 static const char *const publish_names[] = {"at_once", "next_tick"};

@@ -1,8 +1,7 @@
 /* spring NAME { between A at ... and B at ...; stiffness ...; damping ...; length ... } */
 #include <stddef.h>
 
-#include "tools/isoc/scene/pose.h"
-#include "tools/isoc/scene/statements.h"
+#include "tools/isoc/scene/take.h"
 
 static void read_end(parser *p, const token *word, placement *to)
 {

@@ -1,7 +1,7 @@
 /* stabilisation KIND [{ ... }] */
 #include <stddef.h>
 
-#include "tools/isoc/scene/statements.h"
+#include "tools/isoc/scene/take.h"
 
 static const char *const kind_names[] = {"baumgarte", "projection", "lagrangian", "none"};
 

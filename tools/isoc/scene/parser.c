@@ -5,9 +5,7 @@
 
 #include "tools/isoc/base/embedded.h"
 #include "tools/isoc/scene/names.h"
-#include "tools/isoc/scene/parse_formula.h"
-#include "tools/isoc/scene/repeat.h"
-#include "tools/isoc/scene/statements.h"
+#include "tools/isoc/scene/take.h"
 
 /* LEAST to MOST */
 static void read_limits(parser *p, quantity *q)

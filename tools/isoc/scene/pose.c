@@ -1,8 +1,6 @@
-#include "tools/isoc/scene/pose.h"
+#include "tools/isoc/scene/take.h"
 
 #include <string.h>
-
-#include "tools/isoc/scene/parse_formula.h"
 
 static void parse_place(parser *p, pose *to, const token *word)
 {

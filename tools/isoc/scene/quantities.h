@@ -5,7 +5,6 @@
 
 #include <stdbool.h>
 
-#include "tools/isoc/base/arena.h"
 #include "tools/isoc/scene/unit.h"
 
 /* What a quantity belongs to; from OF_COORDINATE on the scene names it. */

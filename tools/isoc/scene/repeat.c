@@ -1,13 +1,9 @@
 /* repeat INDEX from FIRST to LAST { statements }, include "file", and indices in names: leg[i + 1]. What is repeated is
  * read once for each value of the index, as a reading of its own. */
-#include "tools/isoc/scene/repeat.h"
+#include "tools/isoc/scene/take.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "tools/isoc/scene/block.h"
-#include "tools/isoc/scene/parse_formula.h"
-#include "tools/isoc/scene/statements.h"
 
 enum {
     MOST_NESTED = 16,     /* repeats and includes in one another */

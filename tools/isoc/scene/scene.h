@@ -8,7 +8,6 @@
 #include "tools/isoc/scene/quantities.h"
 #include "tools/isoc/scene/solid_kinds.h"
 #include "tools/isoc/scene/source.h"
-#include "tools/isoc/scene/unit.h"
 
 typedef enum formula_kind {
     FORMULA_NUMBER, /* number, scaled by unit */

@@ -2,9 +2,6 @@
 
 #include <string.h>
 
-#include "tools/isoc/scene/block.h"
-#include "tools/isoc/scene/repeat.h"
-
 void parse_problem(parser *p, const char *message)
 {
     if (!p->failed) {

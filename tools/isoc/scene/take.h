@@ -78,4 +78,107 @@ name take_parameter_name(parser *p, const char *expected);
 /* A new name within an effect, where few words stand for something. */
 name take_inner_name(parser *p, const char *expected);
 
+/* block.c: blocks: words, each with its value, in any order, each at most once; { mass 1 kg; com (0, 0, 1) m }. A
+ * scene is one too, without braces. What words there are, and for which kind of joint or closure, stands in one
+ * table each. */
+
+/* Reads the value that follows `word` into its slot. */
+typedef void property_reader(parser *p, const token *word, void *slot);
+
+typedef struct property {
+    const char *word;
+    property_reader *read;
+    size_t slot;        /* its offset in the struct that is filled */
+    unsigned kinds;     /* that have it: those with one of these traits; and MANY where it may come more than once */
+    const char *needed; /* where none of them can be without it: an example */
+} property;
+
+enum { EVERY_KIND = 0xFFFF, MANY = 0x10000, MOST_KINDS = 16 };
+
+typedef struct block {
+    const char *what;  /* joint */
+    const void *kinds; /* structs that begin with their word, of this size each */
+    size_t kind_size;
+    size_t kind_count;               /* 0: there is but one, which has no name */
+    unsigned (*traits)(size_t kind); /* NULL: a bit for each kind */
+    const property *properties;
+    size_t property_count;
+} block;
+
+#define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
+
+/* The kind, which follows the name. An unknown one is noted as a problem; then the result is kind_count, which has all
+ * properties and needs none. */
+size_t parse_kind(parser *p, const block *b);
+
+/* { property ... } of a thing called `whose`, into the struct `to`. Returns whether all could be read and nothing is
+ * missing. */
+bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to);
+
+/* One statement after the other, to the end. Returns whether all could be read. */
+bool parse_statements(parser *p, const block *statements, void *to);
+
+/* Whether b has this word, for any kind. */
+bool block_has_word(const block *b, const token *t);
+
+/* Readers of what is the same in many blocks; their slots are a formula *, or a name. */
+property_reader read_formula, read_axis, read_input, read_joint;
+
+/* parse_formula.c: tokens to formulas. */
+
+/* One formula: sums of products of signed powers of numbers with units, names, vectors and calls. Returns NULL, with
+ * p->failed set and a problem noted, where there is none, or where one is noted already. */
+formula *parse_formula(parser *p);
+
+/* x, y, z, -x, -y, -z or a vector. */
+formula *parse_axis(parser *p);
+
+/* Whether `of` follows the next word on its line. */
+bool next_is_owned(const parser *p);
+
+/* Whether the next words are those of a quantity: speed of NAME. */
+bool next_is_quantity(const parser *p);
+
+/* Takes a unit, such as N*m/A, where the next token begins one. Returns whether it does. */
+bool take_unit(parser *p, unit *taken);
+
+/* 2 N * ks: a unit, though something is called so too. Notes it for all such factors from this one on. */
+void refuse_factor(parser *p, size_t from, const char *called);
+
+/* repeat.c: indices of repeats, and what they are made of. */
+
+/* The index of a repeat that is being read; NULL if none has this name. */
+const int *find_index(const parser *p, const char *called);
+
+/* { [ index ] } after a name: leg[3] is leg3, and wheel2[3] is wheel2_3. Returns the whole name. */
+const char *take_indices(parser *p, const char *called);
+
+/* A file that the file of this place names: relative to its folder. NULL with the reason in *fault. */
+const script *open_beside(parser *p, place word, const char *named, const char **fault);
+
+/* Reads these tokens as statements. */
+void parse_nested(parser *p, const token *tokens, void *to);
+
+/* A constant that is a plain number can be used in indices below it. */
+void note_constant(parser *p, const quantity *q);
+
+/* An index and a parameter must not have one name. */
+void check_indices(const parser *p);
+
+/* pose.c: a pose: a place, then turns one after the other. */
+
+/* [at FORMULA] ({ rotate FORMULA [about AXIS] } | quaternion FORMULA), or as much of it as there is. If axis_needed,
+ * each turn must have its axis; if part_needed, the first part may stand on the next line. */
+pose parse_pose(parser *p, bool axis_needed, bool part_needed);
+
+/* A body, and a place and turns on it; the slot is a placement. */
+property_reader read_placement;
+
+/* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` and of how the loop runs that of a scene.
+ * `repeat` and `include` add what the statements in them are. */
+
+property_reader read_body, read_frame, read_joint_statement, read_closure, read_force, read_spring_statement,
+    read_stabilisation, read_output, read_effect, read_signal, read_setting, read_repeat, read_include, read_overrun,
+    read_grace, read_publish, read_histogram;
+
 #endif

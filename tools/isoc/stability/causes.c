@@ -1,4 +1,4 @@
-#include "tools/isoc/stability/causes.h"
+#include "tools/isoc/stability/modes.h"
 
 #include <string.h>
 

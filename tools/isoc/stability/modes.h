@@ -2,7 +2,30 @@
 #ifndef ISOC_STABILITY_MODES_H
 #define ISOC_STABILITY_MODES_H
 
-#include "tools/isoc/stability/slopes.h"
+#include "tools/isoc/plant/plant.h"
+
+/* slopes.c: the Jacobian of the derivatives as numbers. */
+
+/* The change of each of some nodes, as of the derivatives, with the changes of the states as inputs behind those of the plant. */
+typedef struct linearised {
+    const mechanism *m;
+    graph g;
+    node *changes;
+} linearised;
+
+linearised linearise(const graph *g, const mechanism *m, const node *roots, size_t count);
+
+/* J[n n] row by row. A quaternion q counts as three: the rotation about the axes of its parent that moves it, dq = phi q / 2,
+ * of which none lets a change of q itself grow; what changes its length is no part of the motion. */
+typedef struct slopes {
+    int n, positions; /* the first rows are of positions, the others of speeds */
+    double *at;
+    int infinite;  /* a state whose column is not finite, or -1 */
+    bool *is_fast; /* [n] those that take sub-steps of their own, so many of them; 0 sub-steps: none does */
+    int fast_count, substeps;
+} slopes;
+
+slopes slopes_at(const linearised *l, const double *x, const double *u);
 
 typedef struct modes {
     slopes of;
@@ -25,5 +48,37 @@ typedef struct drift {
 } drift;
 
 drift drift_of(const modes *m, unsigned recipe, double step);
+
+/* causes.c: causes of stiffness: the effects, the damping and the springs of its joints, springs between points, and
+ * the stabilisation of its closures; and the mechanism without one of them. */
+
+typedef struct cause {
+    const char *sort, *name; /* effect 'drive' */
+    place at;
+} cause;
+
+int cause_count(const mechanism *m);
+
+cause cause_of(const mechanism *m, int which);
+
+/* A mechanism of its own that lacks it: the states of an effect stay, and rest. */
+mechanism without_cause(const mechanism *m, graph *g, int which);
+
+/* steepest.c: where an effect is steepest. */
+
+/* The most points that are found for one effect. */
+enum { STEEPEST_POINTS = 2 };
+
+/* The states beside a kink of an effect's formulas (of min, max, abs, sign, a comparison; one state is moved there from x), at
+ * which its efforts, forces and rates have the largest slope by a position, and by a speed or a state of an effect: those that
+ * are steeper than at x itself. u: inputs and memories. Returns how many. */
+int steepest_points(const graph *g, const mechanism *m, int effect, const double *x, const double *u,
+                    double *points[STEEPEST_POINTS]);
+
+/* tick_function.c: the functions of the tick as numbers: what the plant's code computes of them, to the rounding of a
+ * double. */
+
+/* The value of a node for which is_timed holds, in a tick. */
+double tick_function(const mechanism *m, const graph_node *n, uint64_t tick);
 
 #endif

@@ -1,9 +1,6 @@
-#include "tools/isoc/stability/slopes.h"
+#include "tools/isoc/stability/modes.h"
 
 #include <math.h>
-
-#include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/graph/economy.h"
 
 linearised linearise(const graph *g, const mechanism *m, const node *of_roots, size_t count)
 {

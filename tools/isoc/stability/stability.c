@@ -2,10 +2,7 @@
 
 #include <math.h>
 
-#include "tools/isoc/mechanism/states.h"
-#include "tools/isoc/stability/causes.h"
 #include "tools/isoc/stability/modes.h"
-#include "tools/isoc/stability/steepest.h"
 
 enum { MOST_STATES = 60 };
 

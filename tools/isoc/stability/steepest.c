@@ -1,4 +1,4 @@
-#include "tools/isoc/stability/steepest.h"
+#include "tools/isoc/stability/modes.h"
 
 #include <math.h>
 #include <string.h>

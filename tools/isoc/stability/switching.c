@@ -1,4 +1,4 @@
-#include "tools/isoc/stability/switching.h"
+#include "tools/isoc/stability/stability.h"
 
 #include <math.h>
 #include <string.h>
@@ -6,9 +6,7 @@
 #include "core/numbers/angle.h"
 #include "core/numbers/exp.h"
 #include "core/numbers/log.h"
-#include "tools/isoc/graph/economy.h"
-#include "tools/isoc/mechanism/states.h"
-#include "tools/isoc/stability/tick_function.h"
+#include "tools/isoc/stability/modes.h"
 
 /* A run is looked at in windows of so many steps; a formula that jumps less often in one does not count as switching. */
 enum { WINDOW = 2000, FEWEST_JUMPS = 4 };

@@ -1,4 +1,4 @@
-#include "tools/isoc/stability/tick_function.h"
+#include "tools/isoc/stability/modes.h"
 
 #include <math.h>
 

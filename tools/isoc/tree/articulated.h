@@ -8,7 +8,7 @@
 #ifndef ISOC_TREE_ARTICULATED_H
 #define ISOC_TREE_ARTICULATED_H
 
-#include "tools/isoc/tree/bias.h"
+#include "tools/isoc/tree/wrench.h"
 
 /* From x = efforts to x = q''. [degrees of freedom] */
 void articulated_solve(const kinematics *k, node *x);

@@ -1,8 +1,7 @@
-#include "tools/isoc/tree/effective_inertia.h"
+#include "tools/isoc/tree/point_query.h"
 
 #include <string.h>
 
-#include "tools/isoc/mechanism/states.h"
 #include "tools/isoc/tree/mass_matrix.h"
 
 bool asks_for_inertia(const graph *g)

@@ -1,7 +1,5 @@
 #include "tools/isoc/tree/kinematics.h"
 
-#include "tools/isoc/graph/quaternion.h"
-
 bool slides(const segment *l)
 {
     return l->kind == JOINT_PRISMATIC;

@@ -2,9 +2,6 @@
 
 #include <string.h>
 
-#include "tools/isoc/graph/differentiate.h"
-#include "tools/isoc/tree/effective_inertia.h"
-
 /* In the axes of the body's segment. */
 static vector in_segment(const kinematics *k, const query *q, vector point)
 {
