@@ -352,6 +352,19 @@ static value evaluate_points(values *v, const formula *f)
     return result.count > 0 && refuses_corner(v, f, &result, 1) ? nothing : result;
 }
 
+/* In the formula of an input its nodes, once for each call; elsewhere an input of its own. */
+static value function_of_time(values *v, const formula *f, const function_row *row, const value *given)
+{
+    if (is_time_input(v)) {
+        return v->around->time_input(v->around->of, f);
+    }
+    const tick_table *before = table_made(v, f);
+    if (!is_in_input(v, f)) {
+        return nothing;
+    }
+    return before != NULL ? scalar(before->made, plain) : row->call(v, f, given);
+}
+
 static value evaluate_call(values *v, const formula *f)
 {
     const function_row *row = find_function(v, f);
@@ -378,7 +391,7 @@ static value evaluate_call(values *v, const formula *f)
                            row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "none");
         }
     }
-    return row->call(v, f, given);
+    return row->kind == OF_VALUES ? row->call(v, f, given) : function_of_time(v, f, row, given);
 }
 
 static value evaluate_order(values *v, const formula *f)

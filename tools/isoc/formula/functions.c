@@ -12,6 +12,12 @@
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 static const double half_pi = 1.57079632679489661923;
 
+/* Which of two that share a function. */
+static bool is_called(const formula *f, const char *word)
+{
+    return strcmp(f->name, word) == 0;
+}
+
 static bool has_dimension(values *v, const formula *f, size_t i, const value *arguments, dimension expected)
 {
     if (!arguments[i].any && !agree(v, arguments[i].of, expected)) {
@@ -44,6 +50,18 @@ static bool stays_within(values *v, node x, double least, double most, bool is_s
     const bool is_above = keeps(v, (condition){low, x, is_strict}),
                is_below = keeps(v, (condition){x, high, is_strict});
     return is_above && is_below;
+}
+
+/* Whether the argument is a plain number within these limits; `domain` says which. */
+static bool is_in_domain(values *v, const formula *f, const value *arguments, double least, double most,
+                         const char *domain)
+{
+    const node x = arguments[0].parts[0];
+    if (!has_dimension(v, f, 0, arguments, plain)) {
+        return false;
+    }
+    return stays_within(v, x, least, most, false) ||
+           source_problem(v->s, f->parts[0]->at, "%s is of %s; this is %g", f->name, domain, value_now(v, x));
 }
 
 static bool stays_above(values *v, node x, double least, bool is_strict)
@@ -86,8 +104,9 @@ static bool is_frequency(const values *v, const value *arguments)
 }
 
 /* Of an angle; of a frequency it is a wave, which may have a phase. */
-static value sine_or_cosine(values *v, const formula *f, const value *arguments, bool is_sine)
+static value call_wave(values *v, const formula *f, const value *arguments)
 {
+    const bool is_sine = is_called(f, "sin");
     node s, c;
     if (f->count == 2 || is_frequency(v, arguments)) {
         return wave_of_formula(v, f, arguments, is_sine ? sine : cosine);
@@ -97,16 +116,6 @@ static value sine_or_cosine(values *v, const formula *f, const value *arguments,
                        f->name, f->name, dimension_phrase(v->s->memory, arguments[0].of));
     }
     return turn_of(v, f, arguments, &s, &c) ? scalar(is_sine ? s : c, plain) : nothing;
-}
-
-static value call_sine(values *v, const formula *f, const value *arguments)
-{
-    return sine_or_cosine(v, f, arguments, true);
-}
-
-static value call_cosine(values *v, const formula *f, const value *arguments)
-{
-    return sine_or_cosine(v, f, arguments, false);
 }
 
 static value call_tangent(values *v, const formula *f, const value *arguments)
@@ -122,14 +131,12 @@ static value call_tangent(values *v, const formula *f, const value *arguments)
 }
 
 /* asin and acos: beyond 1 only by the rounding of what gave the argument. asin x is the angle of (sqrt(1 - x^2), x). */
-static value inverse_of(values *v, const formula *f, const value *arguments, bool is_sine)
+static value call_inverse(values *v, const formula *f, const value *arguments)
 {
+    const bool is_sine = is_called(f, "asin");
     const node x = arguments[0].parts[0], one = constant(v->g, 1.0);
-    if (!has_dimension(v, f, 0, arguments, plain)) {
+    if (!is_in_domain(v, f, arguments, -1.0 - 4 * DBL_EPSILON, 1.0 + 4 * DBL_EPSILON, "a number from -1 to 1")) {
         return nothing;
-    }
-    if (!stays_within(v, x, -1.0 - 4 * DBL_EPSILON, 1.0 + 4 * DBL_EPSILON, false)) {
-        return REFUSED(v->s, f->parts[0]->at, "%s is of a number from -1 to 1; this is %g", f->name, value_now(v, x));
     }
     if (is_constant(v->g, x)) {
         const double limited = fmax(-1.0, fmin(constant_value(v->g, x), 1.0));
@@ -138,16 +145,6 @@ static value inverse_of(values *v, const formula *f, const value *arguments, boo
     const node less = sub(v->g, one, x), more = add(v->g, one, x);
     const node other = function(v->g, OP_SQRT, mul(v->g, less, more), 0);
     return scalar(is_sine ? function(v->g, OP_ATAN2, x, other) : function(v->g, OP_ATAN2, other, x), radian);
-}
-
-static value call_arcsine(values *v, const formula *f, const value *arguments)
-{
-    return inverse_of(v, f, arguments, true);
-}
-
-static value call_arccosine(values *v, const formula *f, const value *arguments)
-{
-    return inverse_of(v, f, arguments, false);
 }
 
 static value call_direction(values *v, const formula *f, const value *arguments)
@@ -185,18 +182,12 @@ static value call_root(values *v, const formula *f, const value *arguments)
     return result;
 }
 
+/* e^709.8 is the largest double. */
 static value call_exp(values *v, const formula *f, const value *arguments)
 {
-    static const double largest = 700.0; /* e^709.8 is the largest double */
-    const node x = arguments[0].parts[0];
-    if (!has_dimension(v, f, 0, arguments, plain)) {
-        return nothing;
-    }
-    if (!stays_within(v, x, -largest, largest, false)) {
-        return REFUSED(v->s, f->parts[0]->at, "exp is of a number from -%g to %g; this is %g", largest, largest,
-                       value_now(v, x));
-    }
-    return scalar(function(v->g, OP_EXP, x, 0), plain);
+    return is_in_domain(v, f, arguments, -700.0, 700.0, "a number from -700 to 700")
+               ? scalar(function(v->g, OP_EXP, arguments[0].parts[0], 0), plain)
+               : nothing;
 }
 
 static value call_log(values *v, const formula *f, const value *arguments)
@@ -219,15 +210,9 @@ static value call_tanh(values *v, const formula *f, const value *arguments)
 
 static value call_impact(values *v, const formula *f, const value *arguments)
 {
-    const node e = arguments[0].parts[0];
-    if (!has_dimension(v, f, 0, arguments, plain)) {
-        return nothing;
-    }
-    if (!stays_within(v, e, LEAST_RESTITUTION, 1.0, false)) {
-        return REFUSED(v->s, f->parts[0]->at, "%s is of a restitution from %g to 1; this is %g", f->name,
-                       LEAST_RESTITUTION, value_now(v, e));
-    }
-    return scalar(impact_damping(v->g, e), plain);
+    return is_in_domain(v, f, arguments, LEAST_RESTITUTION, 1.0, "a restitution from 0.01 to 1")
+               ? scalar(impact_damping(v->g, arguments[0].parts[0]), plain)
+               : nothing;
 }
 
 static value call_abs(values *v, const formula *f, const value *arguments)
@@ -240,31 +225,18 @@ static value call_abs(values *v, const formula *f, const value *arguments)
     return result;
 }
 
-static node lesser_of(graph *g, node a, node b)
-{
-    return function(g, OP_MIN, a, b);
-}
-
-static value extreme_of(values *v, const formula *f, const value *arguments, node (*of)(graph *g, node a, node b))
+static value call_extreme(values *v, const formula *f, const value *arguments)
 {
     value result;
     if (!share_dimension(v, f, 0, arguments, &result) || refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
     for (size_t i = 1; i < f->count; i++) {
-        result.parts[0] = of(v->g, result.parts[0], arguments[i].parts[0]);
+        const node next = arguments[i].parts[0];
+        result.parts[0] =
+            is_called(f, "max") ? larger(v->g, result.parts[0], next) : function(v->g, OP_MIN, result.parts[0], next);
     }
     return result;
-}
-
-static value call_min(values *v, const formula *f, const value *arguments)
-{
-    return extreme_of(v, f, arguments, lesser_of);
-}
-
-static value call_max(values *v, const formula *f, const value *arguments)
-{
-    return extreme_of(v, f, arguments, larger);
 }
 
 static value call_clamp(values *v, const formula *f, const value *arguments)
@@ -287,22 +259,12 @@ static value call_sign(values *v, const formula *f, const value *arguments)
                                                      : scalar(function(v->g, OP_SIGN, arguments[0].parts[0], 0), plain);
 }
 
-static value whole_of(values *v, const formula *f, const value *arguments, operation op)
+static value call_whole(values *v, const formula *f, const value *arguments)
 {
     if (!has_dimension(v, f, 0, arguments, plain) || refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
-    return scalar(function(v->g, op, arguments[0].parts[0], 0), plain);
-}
-
-static value call_floor(values *v, const formula *f, const value *arguments)
-{
-    return whole_of(v, f, arguments, OP_FLOOR);
-}
-
-static value call_round(values *v, const formula *f, const value *arguments)
-{
-    return whole_of(v, f, arguments, OP_ROUND);
+    return scalar(function(v->g, is_called(f, "floor") ? OP_FLOOR : OP_ROUND, arguments[0].parts[0], 0), plain);
 }
 
 /* if(condition, a, b): a where the condition is 1, b where it is 0. Exactly one of both is added to zero. */
@@ -376,34 +338,34 @@ static value call_norm(values *v, const formula *f, const value *arguments)
 
 static const function_row functions[] = {
     {"sqrt", "sqrt(2)", 1, 1, 1, call_root, OF_VALUES, KEPT_NEXT},
-    {"sin", "sin(30 deg), or in an input sin(3 Hz, 90 deg)", 1, 2, 1, call_sine, OF_VALUES, KEPT_NEXT},
-    {"cos", "cos(30 deg), or in an input cos(3 Hz, 90 deg)", 1, 2, 1, call_cosine, OF_VALUES, KEPT_NEXT},
+    {"sin", "sin(30 deg), or in an input sin(3 Hz, 90 deg)", 1, 2, 1, call_wave, OF_VALUES, KEPT_NEXT},
+    {"cos", "cos(30 deg), or in an input cos(3 Hz, 90 deg)", 1, 2, 1, call_wave, OF_VALUES, KEPT_NEXT},
     {"tan", "tan(30 deg)", 1, 1, 1, call_tangent, OF_VALUES, KEPT_NEXT},
-    {"asin", "asin(0.5)", 1, 1, 1, call_arcsine, OF_VALUES, KEPT_NEXT},
-    {"acos", "acos(0.5)", 1, 1, 1, call_arccosine, OF_VALUES, KEPT_NEXT},
+    {"asin", "asin(0.5)", 1, 1, 1, call_inverse, OF_VALUES, KEPT_NEXT},
+    {"acos", "acos(0.5)", 1, 1, 1, call_inverse, OF_VALUES, KEPT_NEXT},
     {"atan2", "atan2(3 mm, 4 mm)", 2, 2, 1, call_direction, OF_VALUES, KEPT_NEXT},
     {"exp", "exp(-1)", 1, 1, 1, call_exp, OF_VALUES, KEPT_NEXT},
     {"log", "log(2)", 1, 1, 1, call_log, OF_VALUES, KEPT_NEXT},
-    {"min", "min(1 m, 2 m)", 2, MOST_ARGUMENTS, 1, call_min, OF_VALUES, KEPT_NEXT},
-    {"max", "max(1 m, 2 m)", 2, MOST_ARGUMENTS, 1, call_max, OF_VALUES, KEPT_NEXT},
+    {"min", "min(1 m, 2 m)", 2, MOST_ARGUMENTS, 1, call_extreme, OF_VALUES, KEPT_NEXT},
+    {"max", "max(1 m, 2 m)", 2, MOST_ARGUMENTS, 1, call_extreme, OF_VALUES, KEPT_NEXT},
     {"abs", "abs(-1 m)", 1, 1, 1, call_abs, OF_VALUES, KEPT_NEXT},
     {"tanh", "tanh(0.5)", 1, 1, 1, call_tanh, OF_VALUES, KEPT_NEXT},
     {"impact_damping", "impact_damping(0.8), of a restitution", 1, 1, 1, call_impact, OF_VALUES, KEPT_NEXT},
     {"sign", "sign(-1 m)", 1, 1, 1, call_sign, OF_VALUES, KEPT_NEXT},
-    {"floor", "floor(2.5)", 1, 1, 1, call_floor, OF_VALUES, KEPT_NEXT},
-    {"round", "round(2.5)", 1, 1, 1, call_round, OF_VALUES, KEPT_NEXT},
+    {"floor", "floor(2.5)", 1, 1, 1, call_whole, OF_VALUES, KEPT_NEXT},
+    {"round", "round(2.5)", 1, 1, 1, call_whole, OF_VALUES, KEPT_NEXT},
     {"clamp", "clamp(x, -1 m, 1 m)", 3, 3, 1, call_clamp, OF_VALUES, KEPT_NEXT},
     {"if", "if(x > 0, 1 m, 2 m)", 3, 3, 1, call_if, OF_VALUES, KEPT_NEXT},
     {"dot", "dot(a, b), of two vectors", 2, 2, 3, call_dot, OF_VALUES, KEPT_NEXT},
     {"cross", "cross(a, b), of two vectors", 2, 2, 3, call_cross, OF_VALUES, KEPT_NEXT},
     {"norm", "norm(a), of a vector", 1, 1, 3, call_norm, OF_VALUES, KEPT_NEXT},
-    {"noise", "noise(7), with a seed", 1, 1, 1, noise_of_formula, OF_TIME, KEPT_NEXT},
-    {"step", "step(0.5 s)", 1, 1, 1, step_of_formula, OF_JUMPS, KEPT_NEXT},
-    {"square", "square(2 Hz), or with a phase square(2 Hz, 90 deg)", 1, 2, 1, square_of_formula, OF_JUMPS, KEPT_NEXT},
-    {"prbs", "prbs(7), with a seed; or with the time of a bit and their order, prbs(7, 10 ms, 9)", 1, 3, 1,
-     prbs_of_formula, OF_JUMPS, KEPT_NEXT},
-    {"chirp", "chirp(1 Hz, 50 Hz, 10 s), from one frequency to another, and how long it takes", 3, 3, 1,
-     chirp_of_formula, OF_TIME, KEPT_NEXT},
+    {"noise", "noise(7), with a seed", 1, 1, 1, noise_of, OF_TIME, KEPT_NEXT},
+    {"step", "step(0.5 s)", 1, 1, 1, step_of, OF_JUMPS, KEPT_NEXT},
+    {"square", "square(2 Hz), or with a phase square(2 Hz, 90 deg)", 1, 2, 1, square_of, OF_JUMPS, KEPT_NEXT},
+    {"prbs", "prbs(7), with a seed; or with the time of a bit and their order, prbs(7, 10 ms, 9)", 1, 3, 1, prbs_of,
+     OF_JUMPS, KEPT_NEXT},
+    {"chirp", "chirp(1 Hz, 50 Hz, 10 s), from one frequency to another, and how long it takes", 3, 3, 1, chirp_of,
+     OF_TIME, KEPT_NEXT},
     {"previous", "previous(x), or with a start previous(x, 0 V)", 1, 2, 0, NULL, OF_PAST, KEPT_PREVIOUS},
     {"delay", "delay(x, 5 ms), or with a start delay(x, 5 ms, 0 V)", 2, 3, 0, NULL, OF_PAST, KEPT_DELAY},
     {"sample", "sample(x, every 5 ms), or with a start sample(x, every 5 ms, 0 V)", 2, 3, 0, NULL, OF_PAST,

@@ -63,17 +63,8 @@ node noise_of_seed(graph *g, uint32_t seed)
 }
 
 /* noise(7): a number for each tick, with mean 0 and variance 1, for the seed 7. */
-value noise_of_formula(values *v, const formula *f, const value *given)
+value noise_of(values *v, const formula *f, const value *given)
 {
     uint32_t seed;
-    if (is_time_input(v)) {
-        return v->around->time_input(v->around->of, f);
-    }
-    if (refuses_time(v, f)) {
-        return nothing;
-    }
-    if (v->is_smooth) {
-        return REFUSED(v->s, f->at, "a motion must be smooth, and noise is not");
-    }
     return noise_seed(v, f, given, &seed) ? scalar(noise_of_seed(v->g, seed), plain) : nothing;
 }

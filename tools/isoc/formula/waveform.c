@@ -30,7 +30,7 @@ static bool whole_ticks_of(values *v, const formula *f, const value *given, cons
     return true;
 }
 
-static value step_of(values *v, const formula *f, const value *given)
+value step_of(values *v, const formula *f, const value *given)
 {
     double ticks;
     return ticks_of(v, f->parts[0], &given[0], "the time of a step", 0.0, &ticks)
@@ -41,7 +41,7 @@ static value step_of(values *v, const formula *f, const value *given)
 /* With a period of a whole number of ticks by counting them, so that no rounding moves an edge: with o ticks of the period
  * over at tick 0, `at` and a rest r < 1, tick n is in the first half where (n + at) mod period < period / 2 - r. Any other period by a phase: an edge that falls on
  * a tick is there and not behind it, as long as the phase is exact to the guard, a part of a turn. */
-static value square_of(values *v, const formula *f, const value *given)
+value square_of(values *v, const formula *f, const value *given)
 {
     static const double guard = 1e-9;
     const size_t before = v->s->problem_count;
@@ -82,7 +82,7 @@ static uint32_t *bits_of_register(values *v, unsigned order, unsigned other, uin
     return words;
 }
 
-static value prbs_of(values *v, const formula *f, const value *given)
+value prbs_of(values *v, const formula *f, const value *given)
 {
     enum { REGISTERS = sizeof registers / sizeof registers[0] };
     const size_t before = v->s->problem_count;
@@ -116,7 +116,7 @@ static value prbs_of(values *v, const formula *f, const value *given)
 }
 
 /* The sine of a phase of n first + n^2 curve turns, up to the end of the sweep; from there on the last frequency. */
-static value chirp_of(values *v, const formula *f, const value *given)
+value chirp_of(values *v, const formula *f, const value *given)
 {
     double first, last, ticks;
     if (!turns_in_tick(v, f->parts[0], given[0], &first) || !turns_in_tick(v, f->parts[1], given[1], &last) ||
@@ -131,38 +131,4 @@ static value chirp_of(values *v, const formula *f, const value *given)
     const node angle = timed_by_index(v->g, OP_CHIRP, 0.0, 0.0, (int)v->table_count - 1);
     result->made = sine(v->g, angle);
     return scalar(result->made, plain);
-}
-
-/* In the formula of an input its nodes, once for each call; elsewhere an input of its own. */
-static value waveform_of(values *v, const formula *f, const value *given,
-                         value (*of)(values *v, const formula *f, const value *given))
-{
-    if (is_time_input(v)) {
-        return v->around->time_input(v->around->of, f);
-    }
-    const tick_table *before = table_made(v, f);
-    if (!is_in_input(v, f)) {
-        return nothing;
-    }
-    return before != NULL ? scalar(before->made, plain) : of(v, f, given);
-}
-
-value step_of_formula(values *v, const formula *f, const value *given)
-{
-    return waveform_of(v, f, given, step_of);
-}
-
-value square_of_formula(values *v, const formula *f, const value *given)
-{
-    return waveform_of(v, f, given, square_of);
-}
-
-value prbs_of_formula(values *v, const formula *f, const value *given)
-{
-    return waveform_of(v, f, given, prbs_of);
-}
-
-value chirp_of_formula(values *v, const formula *f, const value *given)
-{
-    return waveform_of(v, f, given, chirp_of);
 }

@@ -4,35 +4,7 @@
 
 #include "tools/isoc/tree/point_query.h"
 
-/* --- one function for each quantity, or for a few that differ little --- */
-
-typedef void quantity_function(plant *p, graph *g, const query *q, node *parts);
-
-static void find_position(plant *p, graph *g, const query *q, node *parts)
-{
-    (void)g;
-    parts[0] = p->d->k.motions[q->segment].q[0];
-}
-
-static void find_speed(plant *p, graph *g, const query *q, node *parts)
-{
-    (void)g;
-    parts[0] = p->d->k.motions[q->segment].qd[0];
-}
-
-static void find_acceleration(plant *p, graph *g, const query *q, node *parts)
-{
-    parts[0] = leaf(g, OP_DERIVATIVE, p->m->position_count + p->m->segments[q->segment].dof);
-}
-
-static void find_turns(plant *p, graph *g, const query *q, node *parts)
-{
-    int index = 0;
-    for (int i = 0; i < q->segment; i++) {
-        index += p->m->segments[i].continuous;
-    }
-    parts[0] = leaf(g, OP_TURNS, index);
-}
+/* --- what takes more than a line --- */
 
 static void find_accelerations(plant *p)
 {
@@ -75,88 +47,88 @@ static void find_reaction(plant *p, graph *g, const query *q, node *parts)
     memcpy(parts, found->at, sizeof found->at);
 }
 
-static void find_effort(plant *p, graph *g, const query *q, node *parts)
-{
-    parts[0] = q->spring >= 0 ? spring_tension(g, &p->m->forces.springs[q->spring], &p->d->springs[q->spring])
-                              : closure_effort(p->d, q->closure);
-}
-
-static void find_energy(plant *p, graph *g, const query *q, node *parts)
-{
-    (void)g;
-    (void)q;
-    p->energy = p->energy < 0 ? account_energy(p->d) : p->energy;
-    parts[0] = p->energy;
-}
-
-static void find_power(plant *p, graph *g, const query *q, node *parts)
-{
-    (void)g;
-    (void)q;
-    parts[0] = account_power(p->d);
-}
-
-static void find_balance(plant *p, graph *g, const query *q, node *parts)
-{
-    (void)g;
-    (void)q;
-    parts[0] = account_balance(p->d);
-}
-
-static void find_of_step(plant *p, graph *g, const query *q, node *parts)
-{
-    (void)p;
-    parts[0] = leaf(g, q->kind == QUANTITY_LOCAL_ERROR ? OP_LOCAL_ERROR : OP_RESIDUAL, 0);
-}
-
-static void find_violation(plant *p, graph *g, const query *q, node *parts)
-{
-    (void)g;
-    parts[0] = largest_violation(&p->d->k, &p->d->loops.held, q->kind == QUANTITY_VIOLATION_RATE);
-}
-
 /* The residual of the closures' equations for the accelerations: rounding, but where an augmented Lagrangian
  * does not reach. */
-static void find_violation_acceleration(plant *p, graph *g, const query *q, node *parts)
+static node violation_acceleration(const plant *p, graph *g)
 {
-    (void)q;
     const constraints *closures = &p->d->loops.held;
-    parts[0] = constant(g, 0.0);
+    node largest = constant(g, 0.0);
     graph_section(g, "Residuals of the closures' equations for the accelerations");
     for (int r = 0; r < closures->count; r++) {
         node left = demand_of(g, p->m, &closures->all[r]);
         for (int f = 0; f < p->m->dof_count; f++) {
             left = add(g, left, mul(g, closures->all[r].row[f], p->d->acceleration[f]));
         }
-        parts[0] = r == 0 ? magnitude(g, left) : larger(g, parts[0], magnitude(g, left));
+        largest = r == 0 ? magnitude(g, left) : larger(g, largest, magnitude(g, left));
+    }
+    return largest;
+}
+
+static int turns_before(const mechanism *m, int segment)
+{
+    int count = 0;
+    for (int i = 0; i < segment; i++) {
+        count += m->segments[i].continuous;
+    }
+    return count;
+}
+
+/* --- all of them --- */
+
+/* One number of no point; false: it is another. */
+static bool number_of(plant *p, graph *g, const query *q, node *number)
+{
+    const mechanism *m = p->m;
+    const dynamics *d = p->d;
+    switch (q->kind) {
+    case QUANTITY_POSITION:
+        *number = d->k.motions[q->segment].q[0];
+        return true;
+    case QUANTITY_SPEED:
+        *number = d->k.motions[q->segment].qd[0];
+        return true;
+    case QUANTITY_ACCELERATION:
+        *number = leaf(g, OP_DERIVATIVE, m->position_count + m->segments[q->segment].dof);
+        return true;
+    case QUANTITY_TURNS:
+        *number = leaf(g, OP_TURNS, turns_before(m, q->segment));
+        return true;
+    case QUANTITY_EFFORT:
+        *number = q->spring >= 0 ? spring_tension(g, &m->forces.springs[q->spring], &d->springs[q->spring])
+                                 : closure_effort(d, q->closure);
+        return true;
+    case QUANTITY_ENERGY:
+        *number = p->energy = p->energy < 0 ? account_energy(d) : p->energy;
+        return true;
+    case QUANTITY_POWER:
+        *number = account_power(d);
+        return true;
+    case QUANTITY_BALANCE:
+        *number = account_balance(d);
+        return true;
+    case QUANTITY_LOCAL_ERROR:
+    case QUANTITY_RESIDUAL:
+        *number = leaf(g, q->kind == QUANTITY_LOCAL_ERROR ? OP_LOCAL_ERROR : OP_RESIDUAL, 0);
+        return true;
+    case QUANTITY_VIOLATION:
+    case QUANTITY_VIOLATION_RATE:
+        *number = largest_violation(&d->k, &d->loops.held, q->kind == QUANTITY_VIOLATION_RATE);
+        return true;
+    case QUANTITY_VIOLATION_ACCELERATION:
+        *number = violation_acceleration(p, g);
+        return true;
+    default:
+        return false;
     }
 }
 
-/* The others are of points. */
-static quantity_function *const functions[QUANTITY_ROWS] = {
-    [QUANTITY_POSITION] = find_position,
-    [QUANTITY_SPEED] = find_speed,
-    [QUANTITY_ACCELERATION] = find_acceleration,
-    [QUANTITY_TURNS] = find_turns,
-    [QUANTITY_SPECIFIC_FORCE] = find_specific_force,
-    [QUANTITY_FORCE] = find_reaction,
-    [QUANTITY_MOMENT] = find_reaction,
-    [QUANTITY_EFFORT] = find_effort,
-    [QUANTITY_ENERGY] = find_energy,
-    [QUANTITY_POWER] = find_power,
-    [QUANTITY_BALANCE] = find_balance,
-    [QUANTITY_LOCAL_ERROR] = find_of_step,
-    [QUANTITY_RESIDUAL] = find_of_step,
-    [QUANTITY_VIOLATION] = find_violation,
-    [QUANTITY_VIOLATION_RATE] = find_violation,
-    [QUANTITY_VIOLATION_ACCELERATION] = find_violation_acceleration,
-};
-
 void quantity_nodes(plant *p, graph *g, const query *q, node parts[QUERY_PARTS])
 {
-    if (functions[q->kind] != NULL) {
-        functions[q->kind](p, g, q, parts);
-    } else {
+    if (q->kind == QUANTITY_SPECIFIC_FORCE) {
+        find_specific_force(p, g, q, parts);
+    } else if (q->kind == QUANTITY_FORCE || q->kind == QUANTITY_MOMENT) {
+        find_reaction(p, g, q, parts);
+    } else if (!number_of(p, g, q, &parts[0])) {
         point_query_nodes(&p->d->k, q, parts);
     }
 }
