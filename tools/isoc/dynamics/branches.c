@@ -183,7 +183,7 @@ static int find_freedoms(const linear *l, const bool *is_free, const split *s)
 
 /* by[columns], through the regular directions only: the least change with these images b[rows]. Takes the images that it
  * has out of b. */
-static void reach(const split *s, double *b, double *by)
+static void reach_regular(const split *s, double *b, double *by)
 {
     const decomposition *a = &s->a;
     for (int j = 0; j < a->columns; j++) {
@@ -210,7 +210,7 @@ static void take_image(const linear *l, const split *s, const double *m, int j, 
             to[i] += sign * m[i * l->columns + n] * s->a.v[n * l->columns + j];
         }
     }
-    reach(s, to, by);
+    reach_regular(s, to, by);
 }
 
 /* Moves along the singular directions, of which there are `count`, to where their images are zero, which change in
@@ -268,7 +268,7 @@ static void close_regular(const linear *l)
     for (int r = 0; r < l->rows; r++) {
         wanted[r] = closing_counts(c, false, r) ? -closing_gap(c, false, r) : 0.0;
     }
-    reach(&s, wanted, by);
+    reach_regular(&s, wanted, by);
     move_free(l, by);
 }
 

@@ -19,16 +19,12 @@ static const effect_line *subject(effect_scope *w, const instance *in, const eff
 /* What is needed that is known only when all efforts are, or after the step; QUANTITY_ROWS: nothing. */
 static quantity_kind late_quantity(effect_scope *w, const node *roots, size_t count)
 {
-    const graph *g = w->b->g;
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     quantity_kind found = QUANTITY_ROWS;
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        const graph_node *n = &g->nodes[i];
-        const quantity_kind kind = n->op == OP_QUERY        ? w->b->mechanism.queries.all[n->index / QUERY_PARTS].kind
-                                   : n->op == OP_DERIVATIVE ? QUANTITY_ACCELERATION
-                                                            : QUANTITY_ROWS;
-        found = needed[i] && kind < QUANTITY_ROWS && is_known_late(kind) ? kind : found;
+    for (reached r = reach(w->b->g, roots, count); reach_next(&r);) {
+        const quantity_kind kind = r.n->op == OP_QUERY ? w->b->mechanism.queries.all[r.n->index / QUERY_PARTS].kind
+                                   : r.n->op == OP_DERIVATIVE ? QUANTITY_ACCELERATION
+                                                              : QUANTITY_ROWS;
+        found = kind < QUANTITY_ROWS && is_known_late(kind) ? kind : found;
     }
     return found;
 }

@@ -22,14 +22,11 @@ static bool jumps(quantity_kind kind)
 /* A delay is as what it is of: of delays one after the other, at most all of them. */
 static kinds_read reads(const builder *b, node root, int depth)
 {
-    const graph *g = b->g;
     const mechanism *m = &b->mechanism;
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     kinds_read found = {false, false};
-    graph_reach(g, &root, 1, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        const graph_node *n = &g->nodes[i];
-        if (!needed[i] || (n->op != OP_STATE && n->op != OP_QUERY && n->op != OP_DERIVATIVE && n->op != OP_INPUT)) {
+    for (reached r = reach(b->g, &root, 1); reach_next(&r);) {
+        const graph_node *n = r.n;
+        if (n->op != OP_STATE && n->op != OP_QUERY && n->op != OP_DERIVATIVE && n->op != OP_INPUT) {
             continue;
         }
         if (n->op == OP_INPUT && is_delay(m, n->index) && depth < m->effects.memory_count) {
@@ -42,35 +39,22 @@ static kinds_read reads(const builder *b, node root, int depth)
             found.moving = true;
         }
     }
-    arena_return(g->memory, needed, g->count, sizeof *needed);
     return found;
-}
-
-static void mark_reached(const graph *g, const node *roots, size_t count, bool *marked)
-{
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        if (needed[i] && g->nodes[i].op == OP_INPUT) {
-            marked[g->nodes[i].index] = true;
-        }
-    }
-    arena_return(g->memory, needed, g->count, sizeof *needed);
 }
 
 /* Marks the inputs and memories that rates and efforts read. */
 static void mark_equations(const builder *b, bool *marked)
 {
     const mechanism *m = &b->mechanism;
-    mark_reached(b->g, m->effects.efforts, (size_t)m->dof_count, marked);
+    mark_leaves(b->g, m->effects.efforts, (size_t)m->dof_count, OP_INPUT, marked);
     for (int i = 0; i < m->forces.applied_count; i++) {
         if (m->forces.applied[i].drive < 0) {
-            mark_reached(b->g, m->forces.applied[i].force.at, 3, marked);
-            mark_reached(b->g, m->forces.applied[i].moment.at, 3, marked);
+            mark_leaves(b->g, m->forces.applied[i].force.at, 3, OP_INPUT, marked);
+            mark_leaves(b->g, m->forces.applied[i].moment.at, 3, OP_INPUT, marked);
         }
     }
     for (int i = 0; i < m->effects.state_count; i++) {
-        mark_reached(b->g, &m->effects.states[i].next, 1, marked);
+        mark_leaves(b->g, &m->effects.states[i].next, 1, OP_INPUT, marked);
     }
 }
 

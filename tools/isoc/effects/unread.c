@@ -34,15 +34,7 @@ static void for_roots(builder *b, void (*visit)(builder *b, node *roots, size_t 
 /* Marks the inputs and memories that are read. */
 static void mark_read(builder *b, node *roots, size_t count, void *context)
 {
-    const graph *g = b->g;
-    bool *marked = context, *needed = arena_take(g->memory, g->count, sizeof *needed);
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        if (needed[i] && g->nodes[i].op == OP_INPUT) {
-            marked[g->nodes[i].index] = true;
-        }
-    }
-    arena_return(g->memory, needed, g->count, sizeof *needed);
+    mark_leaves(b->g, roots, count, OP_INPUT, context);
 }
 
 static void renumber(builder *b, node *roots, size_t count, void *context)

@@ -50,11 +50,9 @@ static void emit_chirp(emission *e, int i, const tick_table *t)
 void emit_tick_tables(emission *e, const node *roots, size_t count)
 {
     const mechanism *m = e->p->m;
-    bool *needed = arena_take(e->out->memory, e->g->count, sizeof *needed);
-    graph_reach(e->g, roots, count, needed);
-    for (size_t n = 0; n < e->g->count; n++) {
-        const graph_node *at = &e->g->nodes[n];
-        if (!needed[n] || (at->op != OP_PRBS && at->op != OP_CHIRP && at->op != OP_LINES)) {
+    for (reached r = reach(e->g, roots, count); reach_next(&r);) {
+        const graph_node *at = r.n;
+        if (at->op != OP_PRBS && at->op != OP_CHIRP && at->op != OP_LINES) {
             continue;
         }
         const tick_table *t = &m->inputs.tables[at->index];

@@ -81,7 +81,7 @@ static bool turn_of(values *v, const formula *f, const value *arguments, node *s
     if (!stays_within(v, angle, -largest_angle, largest_angle, false)) {
         return source_problem(v->s, f->parts[0]->at, "an angle must be within %g rad", largest_angle);
     }
-    if (!is_constant(v->g, angle) && depends_on_time(v, angle)) {
+    if (!is_constant(v->g, angle) && uses_time(v->g, &angle, 1)) {
         return source_problem(v->s, f->parts[0]->at,
                               "an angle that depends on time is given by its frequency: %s(3 Hz)", f->name);
     }

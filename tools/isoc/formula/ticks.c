@@ -69,22 +69,11 @@ const char *name_of(const formula *f)
     return f->kind == FORMULA_ORDER ? "a comparison" : f->name;
 }
 
-bool depends_on_time(values *v, node n)
-{
-    bool *needed = arena_take(v->s->memory, v->g->count, sizeof *needed), found = false;
-    graph_reach(v->g, &n, 1, needed);
-    for (size_t i = 0; i < v->g->count; i++) {
-        found = found || (needed[i] && is_timed(v->g, (node)i));
-    }
-    arena_return(v->s->memory, needed, v->g->count, sizeof *needed);
-    return found;
-}
-
 /* A function with a corner is no function of time in a motion. */
 bool refuses_corner(values *v, const formula *f, const value *arguments, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        if (v->is_smooth && depends_on_time(v, arguments[i].parts[0])) {
+        if (v->is_smooth && uses_time(v->g, &arguments[i].parts[0], 1)) {
             source_problem(v->s, f->at, "a motion must be smooth, and %s has a corner", name_of(f));
             return true;
         }

@@ -13,9 +13,7 @@ bool refuses_time(values *v, const formula *f);
 /* Whether a formula is a function of time in an input, where alone it may be; else a problem is noted. */
 bool is_in_input(values *v, const formula *f);
 
-/* Whether a number depends on the tick. And whether one of these values does where a function has a corner, in a motion; then
- * it notes a problem. */
-bool depends_on_time(values *v, node n);
+/* Whether one of these values depends on the tick where a function has a corner, in a motion; then it notes a problem. */
 bool refuses_corner(values *v, const formula *f, const value *arguments, size_t count);
 
 /* The name of a function in messages. */

@@ -29,15 +29,11 @@ static bool check_constants(values *v, const formula *f, const char *what, node 
     if (is_constant(v->g, n) || !has_foreign(v)) {
         return !is_constant(v->g, n) || check_range(v, f, what, constant_value(v->g, n));
     }
-    bool *needed = arena_take(v->s->memory, v->g->count, sizeof *needed);
-    graph_reach(v->g, &n, 1, needed);
     const char *part = arena_format(v->s->memory, "a number in %s", what);
     bool good = true;
-    for (size_t i = 0; i < v->g->count && good; i++) {
-        const bool is_part = needed[i] && is_constant(v->g, (node)i);
-        good = !is_part || check_range(v, f, part, constant_value(v->g, (node)i));
+    for (reached r = reach(v->g, &n, 1); reach_next(&r);) {
+        good = good && (!is_constant(v->g, r.at) || check_range(v, f, part, r.n->value));
     }
-    arena_return(v->s->memory, needed, v->g->count, sizeof *needed);
     return good;
 }
 
@@ -139,15 +135,10 @@ double value_now(values *v, node n)
 
 bool is_parametric(values *v, node n)
 {
-    const size_t count = (size_t)n + 1;
-    bool *needed = arena_take(v->s->memory, v->g->count, sizeof *needed), found = true;
-    graph_reach(v->g, &n, 1, needed);
-    for (size_t i = 0; i < count; i++) {
-        const operation op = v->g->nodes[i].op;
-        const bool is_leaf = operators[op].operands == 0;
-        found = found && !(needed[i] && is_leaf && op != OP_PARAMETER && op != OP_CONSTANT);
+    bool found = true;
+    for (reached r = reach(v->g, &n, 1); reach_next(&r);) {
+        found = found && (operators[r.n->op].operands > 0 || r.n->op == OP_PARAMETER || r.n->op == OP_CONSTANT);
     }
-    arena_return(v->s->memory, needed, v->g->count, sizeof *needed);
     return found;
 }
 

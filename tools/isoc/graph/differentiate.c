@@ -7,19 +7,15 @@
 /* The chain rule from the leaves to the roots: d[g->count] has what the leaves change by. */
 static void follow(graph *g, const node *roots, size_t count, node *d, node *derivatives)
 {
-    const size_t before = g->count; /* what is made on the way is not differentiated */
-    bool *needed = arena_take(g->memory, before, sizeof *needed);
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < before; i++) {
-        const graph_node n = g->nodes[i];
-        if (needed[i] && operators[n.op].operands > 0) {
-            d[i] = rules[n.op].derivative(g, (node)i, d[n.a], d[n.b]);
+    for (reached r = reach(g, roots, count); reach_next(&r);) {
+        const graph_node n = *r.n;
+        if (operators[n.op].operands > 0) {
+            d[r.at] = rules[n.op].derivative(g, r.at, d[n.a], d[n.b]);
         }
     }
     for (size_t i = 0; i < count; i++) {
         derivatives[i] = d[roots[i]];
     }
-    arena_return(g->memory, needed, before, sizeof *needed);
 }
 
 void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives)

@@ -488,3 +488,32 @@ void graph_reach(const graph *g, const node *roots, size_t count, bool *needed)
         }
     }
 }
+
+reached reach(const graph *g, const node *roots, size_t count)
+{
+    const reached r = {.g = g, .needed = arena_take(g->memory, g->count, 1), .count = g->count, .at = -1};
+    graph_reach(g, roots, count, r.needed);
+    return r;
+}
+
+bool reach_next(reached *r)
+{
+    do {
+        r->at++;
+    } while ((size_t)r->at < r->count && !r->needed[r->at]);
+    const bool more = (size_t)r->at < r->count;
+    r->n = more ? &r->g->nodes[r->at] : NULL;
+    if (!more) {
+        arena_return(r->g->memory, r->needed, r->count, 1);
+    }
+    return more;
+}
+
+void mark_leaves(const graph *g, const node *roots, size_t count, operation op, bool *marked)
+{
+    for (reached r = reach(g, roots, count); reach_next(&r);) {
+        if (r.n->op == op) {
+            marked[r.n->index] = true;
+        }
+    }
+}

@@ -92,6 +92,22 @@ void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *
 /* Marks needed[g->count] for all that the `count` roots depend on. */
 void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
 
+/* That node by node, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the node r.at.
+ * What is made on the way is not among them. */
+typedef struct reached {
+    const graph *g;
+    bool *needed;
+    size_t count;
+    node at;
+    const graph_node *n;
+} reached;
+
+reached reach(const graph *g, const node *roots, size_t count);
+bool reach_next(reached *r);
+
+/* marked[index] of the leaves of this operation among them. */
+void mark_leaves(const graph *g, const node *roots, size_t count, operation op, bool *marked);
+
 /* operations.c: the operations of a set of nodes, and their cycles. */
 
 /* The operations of the code of these roots. */

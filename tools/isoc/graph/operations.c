@@ -6,21 +6,15 @@ operations count_operations(const graph *of, const node *of_roots, size_t count)
     node *roots = arena_take(of->memory, count + 1, sizeof *roots);
     graph economical = economise(of, of_roots, count, roots);
     const graph *g = &economical;
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     bool *turned = arena_take(g->memory, g->count, sizeof *turned);
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        const graph_node *n = &g->nodes[i];
-        const operations cost = operators[n->op].cost;
-        if (needed[i]) {
-            result.add += cost.add;
-            result.mul += cost.mul;
-            result.div += cost.div;
-            result.sincos += cost.sincos > 0 && !turned[n->a];
-            turned[n->a] = turned[n->a] || cost.sincos > 0;
-        }
+    for (reached r = reach(g, roots, count); reach_next(&r);) {
+        const operations cost = operators[r.n->op].cost;
+        result.add += cost.add;
+        result.mul += cost.mul;
+        result.div += cost.div;
+        result.sincos += cost.sincos > 0 && !turned[r.n->a];
+        turned[r.n->a] = turned[r.n->a] || cost.sincos > 0;
     }
-    arena_return(g->memory, needed, g->count, sizeof *needed);
     arena_return(g->memory, turned, g->count, sizeof *turned);
     arena_return(of->memory, roots, count + 1, sizeof *roots);
     graph_free(&economical);
@@ -42,14 +36,10 @@ int cycles_of(operations n)
 /* Whether any node that the roots need is of this kind, and of this operation unless that is OPERATIONS. */
 static bool uses(const graph *g, const node *roots, size_t count, operator_kind kind, operation op)
 {
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     bool used = false;
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < g->count && !used; i++) {
-        const operation is = g->nodes[i].op;
-        used = needed[i] && operators[is].kind == kind && (op == OPERATIONS || is == op);
+    for (reached r = reach(g, roots, count); reach_next(&r);) {
+        used = used || (operators[r.n->op].kind == kind && (op == OPERATIONS || r.n->op == op));
     }
-    arena_return(g->memory, needed, g->count, sizeof *needed);
     return used;
 }
 
@@ -60,10 +50,10 @@ bool uses_operation(const graph *g, const node *roots, size_t count, operation o
 
 bool uses_leaf(const graph *g, const node *roots, size_t count, node leaf)
 {
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    graph_reach(g, roots, count, needed);
-    const bool used = needed[leaf];
-    arena_return(g->memory, needed, g->count, sizeof *needed);
+    bool used = false;
+    for (reached r = reach(g, roots, count); reach_next(&r);) {
+        used = used || r.at == leaf;
+    }
     return used;
 }
 

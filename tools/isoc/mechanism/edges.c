@@ -5,19 +5,16 @@
 void find_edges(builder *b, node drive)
 {
     mechanism *m = &b->mechanism;
-    const graph *g = b->g;
-    bool *needed = arena_take(b->s->memory, g->count, sizeof *needed);
-    graph_reach(g, &drive, 1, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        const operation op = g->nodes[i].op;
-        bool is_new = needed[i] && (op == OP_FROM || op == OP_SQUARE || op == OP_SQUARE_OF_PHASE || op == OP_PRBS);
+    for (reached r = reach(b->g, &drive, 1); reach_next(&r);) {
+        const operation op = r.n->op;
+        bool is_new = op == OP_FROM || op == OP_SQUARE || op == OP_SQUARE_OF_PHASE || op == OP_PRBS;
         for (int k = 0; k < m->inputs.edge_count; k++) {
-            is_new = is_new && m->inputs.edges[k] != (node)i;
+            is_new = is_new && m->inputs.edges[k] != r.at;
         }
         if (is_new) {
             m->inputs.edges = arena_grow(b->s->memory, m->inputs.edges, (size_t)m->inputs.edge_count, &b->edge_room,
                                          sizeof *m->inputs.edges);
-            m->inputs.edges[m->inputs.edge_count++] = (node)i;
+            m->inputs.edges[m->inputs.edge_count++] = r.at;
         }
     }
 }

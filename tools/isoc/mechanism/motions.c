@@ -28,12 +28,9 @@ static node clock_of(builder *b, node of_tick, place at)
 /* Puts states in the place of functions of the tick. */
 static node with_clocks(builder *b, node moving, place at)
 {
-    const size_t count = b->g->count;
-    bool *needed = arena_take(b->s->memory, count, sizeof *needed);
-    graph_reach(b->g, &moving, 1, needed);
-    for (size_t i = 0; i < count; i++) {
-        if (needed[i] && is_timed(b->g, (node)i)) {
-            moving = replace_leaf(b->g, moving, (node)i, clock_of(b, (node)i, at));
+    for (reached r = reach(b->g, &moving, 1); reach_next(&r);) {
+        if (is_timed(b->g, r.at)) {
+            moving = replace_leaf(b->g, moving, r.at, clock_of(b, r.at, at));
         }
     }
     return moving;

@@ -6,7 +6,7 @@
 #include "tools/isoc/base/real_range.h"
 
 /* Marks what the functions of the plant depend on. */
-static void reach(const graph *g, const plant *p, bool *needed)
+static void mark_all(const graph *g, const plant *p, bool *needed)
 {
     const struct {
         const node *roots;
@@ -17,11 +17,9 @@ static void reach(const graph *g, const plant *p, bool *needed)
         {p->j.factors, p->j.factor_count},   {p->j.solution, p->j.solution != NULL ? state_count(p->m) : 0},
         {&p->violation, p->violation >= 0},  {&p->broken, p->broken >= 0},
     };
-    bool *one = arena_take(g->memory, g->count, sizeof *one);
     for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++) {
-        graph_reach(g, functions[f].roots, (size_t)functions[f].count, one);
-        for (size_t i = 0; i < g->count; i++) {
-            needed[i] = needed[i] || one[i];
+        for (reached r = reach(g, functions[f].roots, (size_t)functions[f].count); reach_next(&r);) {
+            needed[r.at] = true;
         }
     }
 }
@@ -123,7 +121,7 @@ void range_check(source *s, const graph *g, const plant *p)
     }
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     const double *numbers = start_numbers(g, p);
-    reach(g, p, needed);
+    mark_all(g, p, needed);
     for (size_t i = 0; i < g->count; i++) {
         if (!needed[i] || !is_constant(g, (node)i) || real_holds(constant_value(g, (node)i), p->is_double) ||
             is_harmless(g, p, needed, numbers, i)) {

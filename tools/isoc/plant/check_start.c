@@ -58,29 +58,22 @@ static bool check_springs(source *s, const graph *g, const plant *p, const evalu
 /* The first node that a root needs and that is not finite, though its operands are. */
 static node first_fault(const graph *g, node root, const double *numbers)
 {
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    size_t n = 0;
-    graph_reach(g, &root, 1, needed);
-    while (n < (size_t)root && (!needed[n] || isfinite(numbers[n]))) {
-        n++;
+    node first = root;
+    for (reached r = reach(g, &root, 1); reach_next(&r);) {
+        first = first == root && !isfinite(numbers[r.at]) ? r.at : first;
     }
-    arena_return(g->memory, needed, g->count, sizeof *needed);
-    return (node)n;
+    return first;
 }
 
 /* The tunable that a divisor which is zero depends on, one that is zero before any other; -1 if there is none. */
 static int tunable_of(const graph *g, const plant *p, node divisor)
 {
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     int found = -1;
-    graph_reach(g, &divisor, 1, needed);
-    for (size_t n = 0; n <= (size_t)divisor; n++) {
-        const int index = g->nodes[n].index;
-        if (needed[n] && g->nodes[n].op == OP_PARAMETER && (found < 0 || p->m->parameters.defaults[index] == 0.0)) {
-            found = index;
+    for (reached r = reach(g, &divisor, 1); reach_next(&r);) {
+        if (r.n->op == OP_PARAMETER && (found < 0 || p->m->parameters.defaults[r.n->index] == 0.0)) {
+            found = r.n->index;
         }
     }
-    arena_return(g->memory, needed, g->count, sizeof *needed);
     return found;
 }
 

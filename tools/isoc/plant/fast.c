@@ -16,14 +16,8 @@ fast_part fast_build(const graph *g, const mechanism *m, const node *derivatives
             result.states[result.count++] = i;
         }
     }
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    graph_reach(g, result.derivatives, (size_t)result.count, needed);
     bool *reads = arena_take(g->memory, states, sizeof *reads);
-    for (size_t i = 0; i < g->count; i++) {
-        if (needed[i] && g->nodes[i].op == OP_STATE) {
-            reads[g->nodes[i].index] = true;
-        }
-    }
+    mark_leaves(g, result.derivatives, (size_t)result.count, OP_STATE, reads);
     for (int i = 0; i < (int)states; i++) {
         if (reads[i] && !is_fast_state(m, i)) {
             result.reads[result.read_count++] = i;

@@ -28,15 +28,12 @@ static void take(const graph *g, held *result, node *to, const bool *is_held, no
 /* The largest nodes that are held, below the roots: those that what is not held reads. */
 static void list_held(const graph *g, const bool *is_held, const node *roots, size_t count, held *result, node *to)
 {
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        const graph_node *n = &g->nodes[i];
-        if (needed[i] && !is_held[i] && operators[n->op].operands > 0) {
-            take(g, result, to, is_held, n->a);
+    for (reached r = reach(g, roots, count); reach_next(&r);) {
+        if (!is_held[r.at] && operators[r.n->op].operands > 0) {
+            take(g, result, to, is_held, r.n->a);
         }
-        if (needed[i] && !is_held[i] && operators[n->op].operands == 2) {
-            take(g, result, to, is_held, n->b);
+        if (!is_held[r.at] && operators[r.n->op].operands == 2) {
+            take(g, result, to, is_held, r.n->b);
         }
     }
     for (size_t i = 0; i < count; i++) {
@@ -70,11 +67,9 @@ static held hold_more(graph *g, const mechanism *m, bool of_inputs, held result,
 
 static int tunables_read(const graph *g, const node *roots, size_t count)
 {
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     int found = 0;
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        found += needed[i] && g->nodes[i].op == OP_PARAMETER;
+    for (reached r = reach(g, roots, count); reach_next(&r);) {
+        found += r.n->op == OP_PARAMETER;
     }
     return found;
 }

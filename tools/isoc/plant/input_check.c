@@ -36,14 +36,11 @@ static bool is_restarting(const char *word)
 /* The first function of time that these depend on, by what is known of the inputs and memories; -1: none. */
 static int time_input_called(const graph *g, const node *roots, size_t count, const int *known)
 {
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     int first = -1;
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        const int index = needed[i] && g->nodes[i].op == OP_INPUT ? known[g->nodes[i].index] : -1;
+    for (reached r = reach(g, roots, count); reach_next(&r);) {
+        const int index = r.n->op == OP_INPUT ? known[r.n->index] : -1;
         first = index >= 0 && (first < 0 || index < first) ? index : first;
     }
-    arena_return(g->memory, needed, g->count, sizeof *needed);
     return first;
 }
 

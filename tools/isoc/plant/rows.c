@@ -27,24 +27,15 @@ static void add_readings(const rows_builder *b, const node *roots, size_t count,
 {
     const graph *g = b->g;
     const mechanism *m = b->p->m;
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed), derives = false;
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < g->count; i++) {
-        const graph_node *n = &g->nodes[i];
-        if (needed[i] && n->op == OP_STATE) {
-            to->states[n->index] = true;
-        } else if (needed[i] && n->op == OP_INPUT) {
-            to->held[n->index] = true;
-        }
-        derives = derives || (needed[i] && n->op == OP_DERIVATIVE);
-    }
+    const bool derives = uses_operation(g, roots, count, OP_DERIVATIVE);
+    mark_leaves(g, roots, count, OP_STATE, to->states);
+    mark_leaves(g, roots, count, OP_INPUT, to->held);
     for (int i = 0; derives && i < state_count(m); i++) {
         to->states[i] = to->states[i] || b->of_derivative.states[i];
     }
     for (int i = 0; derives && i < held_count(m); i++) {
         to->held[i] = to->held[i] || b->of_derivative.held[i];
     }
-    arena_return(g->memory, needed, g->count, sizeof *needed);
 }
 
 static readings readings_of(const rows_builder *b, node root)
