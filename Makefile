@@ -3,7 +3,7 @@
 #     scene --build/isoc--> plant.c --compiler--> program --build/trace--> trace.csv and a summary
 #
 # Everything made stands in build/: what belongs to one scene in build/TARGET/REAL/NAME/, objects that scenes share
-# in build/obj/, the tools build/isoc, build/trace and build/accuracy. Files named `flags`, `choice` and `link`
+# in build/obj/, the tools build/isoc and build/trace. Files named `flags`, `choice` and `link`
 # there hold the command that made their neighbours, and change when it does. NAME is that of the file of a scene in
 # models/; of any other scene it ends with a number made of the file's path, so that no two share a folder. Makes that run
 # at once lock the folder they work in.
@@ -101,6 +101,9 @@ unbroken = $(subst $(newline),,$(1))
 # Makes the folders that are missing. As text that is no recipe it is nothing.
 folders = $(call make_folders,$(strip $(foreach folder,$(sort $(1)),$(if $(wildcard $(folder)/.),,$(folder)))))
 make_folders = $(if $(1),$(if $(IS_DRY),,$(shell mkdir -p $(1))))
+
+# What a script has that calls make. A recipe that has the word MAKE itself would be executed by make -n.
+CALLS_MAKE = MAKE=$(call quote,$(MAKE))
 
 # Whether make only says what it would do: with -n.
 IS_DRY = $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
@@ -332,7 +335,7 @@ TOOL_COMPILE := $(CC) $(WARNINGS) -O1 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DIS
 # them. A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
 ISOC_FOLDERS := $(sort $(patsubst tools/isoc/%/,%,$(dir $(wildcard tools/isoc/*/*.c))))
 ISOC_OBJECTS := $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o) $(patsubst %.c,build/obj/%.o,$(wildcard tools/isoc/*.c))
-TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/measure/*/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)
+TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)
 
 build/obj/tools/flags: always
 	$(call folders,$(patsubst %/,%,$(dir $(TOOL_OBJECTS))))
@@ -383,14 +386,12 @@ $(EMBEDDED): %.o: %.c build/obj/tools/flags
 build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
-build/accuracy: $(filter build/obj/tools/measure/accuracy/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
-COST_TOOLS := $(addprefix build/,cycles effect forced price size stack)
-$(COST_TOOLS): build/%: build/obj/tools/measure/%.o build/obj/tools/table/table.o build/obj/tools/flags
+build/cycles: build/obj/tools/measure/cycles.o build/obj/tools/table/table.o build/obj/tools/flags
 build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
     build/obj/tools/core/link/frame.o build/obj/tools/flags
 build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
     build/obj/tools/flags
-TOOLS := build/isoc build/trace build/link build/monitor build/accuracy build/duration $(COST_TOOLS)
+TOOLS := build/isoc build/trace build/link build/monitor build/duration build/cycles
 .PHONY: tools
 tools: $(TOOLS)
 	@:
@@ -501,11 +502,11 @@ functions: ## print a table of the functions of core: domain, error, instruction
 
 # What they call makes the tools first, so that a table has no line of the compiler.
 tables: $(TOOLS) ## write the generated tables again, in the Markdown files TABLES
-	@MAKE=$(call quote,$(MAKE)) sh tools/build/tables.sh $(TABLES)
+	@$(CALLS_MAKE) sh tools/build/tables.sh $(TABLES)
 
 pictures: $(TOOLS) ## draw the pictures of models/README.md again
 	$(call require,gnuplot dot,apt-get install gnuplot-nox graphviz)
-	@MAKE=$(call quote,$(MAKE)) sh tools/plot/pictures.sh models/pictures
+	@$(CALLS_MAKE) sh tools/plot/pictures.sh models/pictures
 
 clean: ## remove build/
 	rm -rf build

@@ -24,7 +24,7 @@ size()
         echo '20000000 00000400 b trace_buffer'
         echo "00000100 $2 t step"
         echo "00000900 00000008 t derivative.constprop.0"
-    } | build/size yes >"$out/output" 2>"$out/errors"
+    } | awk -v limits=yes -f tools/measure/size.awk >"$out/output" 2>"$out/errors"
 }
 
 size '9216 100 9628 0 0' 00000bf8
@@ -35,7 +35,7 @@ expect $? "found: a byte of text too many"
 expect $? "found: a byte of the step too many"
 ! size '9216 101 9628 0 0' 00000bf8
 expect $? "found: a byte of data too many"
-! build/size yes </dev/null >/dev/null 2>"$out/errors"
+! awk -v limits=yes -f tools/measure/size.awk </dev/null >/dev/null 2>"$out/errors"
 expect $? "found: no sizes at all"
 
 # deepest CODE: the verdict of make stack's second half on a step.
@@ -43,7 +43,7 @@ deepest()
 {
     printf '%s\n' "$1" >"$out/step.c"
     $CC -std=c11 -O2 -fno-inline -fcallgraph-info=su -c "$out/step.c" -o "$out/step.o" &&
-        build/stack step <"$out/step.ci" >"$out/output" 2>"$out/errors"
+        awk -v function_name=step -f tools/measure/stack.awk "$out/step.ci" >"$out/output" 2>"$out/errors"
 }
 
 deepest 'static int leaf(volatile int *p) { volatile int a[256]; a[9] = *p; return a[9]; }

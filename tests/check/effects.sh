@@ -30,7 +30,7 @@ with()
 {
     name=$(echo "$1" | tr -cs 'a-z\n' _)
     mkdir -p "$out/$name"
-    build/effect "$1" $list $base >"$out/$name/pendulum.scene" && object "$name"
+    awk -v name="$1" -f tools/measure/effect.awk $list $base >"$out/$name/pendulum.scene" && object "$name"
 }
 
 # symbols NAME: of its object, in alphabetical order, without what the compiler adds to them.

@@ -11,6 +11,12 @@ methods="euler heun rk4 rosenbrock adams"
 folder=$out/project/build/report/double_pendulum
 tsv=$folder/report.tsv
 
+# errors REFERENCE POINTS: the table of a report.
+errors()
+{
+    awk -f tools/measure/reference.awk -f tools/measure/errors.awk "$@"
+}
+
 # whole TSV: a line for each kind, method and step, each with an error above zero, and instructions per second that are
 # those of a step over the step; compensated sums take more of them than plain ones.
 whole()
@@ -172,10 +178,10 @@ wrong "a tolerance in a wrong place" "$out/wrong.tsv"
 sed 's/^| rk4 | 4/| rk4 | 3/' "$out/methods.md" >"$out/wrong.md"
 wrong "a wrong order in the table of methods" "$tsv" "$out/wrong.md"
 awk '{ $3 += 1e-8; print }' OFMT=%.17g CONVFMT=%.17g "$folder/reference.txt" >"$out/wrong.txt"
-build/accuracy errors "$out/wrong.txt" "$folder/measured.txt" >"$out/wrong.tsv"
+errors "$out/wrong.txt" "$folder/measured.txt" >"$out/wrong.tsv"
 wrong "a reference that is wrong by 1e-8" "$out/wrong.tsv"
 awk '{ print "9", $0 }' "$folder/reference.txt" >"$out/wrong.txt"
-! build/accuracy errors "$out/wrong.txt" "$folder/measured.txt" >"$out/wrong.tsv" 2>/dev/null
+! errors "$out/wrong.txt" "$folder/measured.txt" >"$out/wrong.tsv" 2>/dev/null
 result $? "found: a point without a reference"
 
 # At rest every method is right.
@@ -186,7 +192,7 @@ result $? "nothing is drawn where no method errs"
 # agreed LINE LINE: whether two states are the same to 1e-12.
 agreed()
 {
-    printf '%s\n' "$@" | build/accuracy agree 5 1e-12 >"$out/agreed"
+    printf '%s\n' "$@" | awk -v time=5 -v tolerance=1e-12 -f tools/measure/agree.awk >"$out/agreed"
 }
 
 agreed '9 5 1 2' '9 5 1.000000000001 2' && [ "$(cut -d ' ' -f 1,3- "$out/agreed")" = '5 1 2' ]
@@ -240,7 +246,7 @@ folder=$out/project/build/bench/double_pendulum
 limit()
 {
     "$folder/double-$1/drive" 5 "$2" "$3" | sed 's/^\([^ ]*\) [^ ]*/double m 0 - \1 5/' |
-        build/accuracy errors "$folder/reference.txt" - |
+        errors "$folder/reference.txt" - |
         awk -F '\t' 'NR == 2 { within = $5 <= 1e-6 } NR == 3 { beyond = $5 >= 0.9999e-6 } END { exit !(within && beyond) }'
 }
 

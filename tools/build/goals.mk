@@ -182,9 +182,9 @@ plot: $(PROGRAM) build/trace
 
 # --- What it costs -----------------------------------------------------------------------------------------------
 
-size: $(PROGRAM) build/size
+size: $(PROGRAM)
 	@$(PORT_SIZE) $(OUT)/plant.o $(OBJECTS) $(PROGRAM)
-	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | build/size $(LIMITS)
+	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | LC_ALL=C awk -v limits=$(LIMITS) -f tools/measure/size.awk
 
 # The limits were set for this one, with its own method.
 LIMITED := cortex-m4f float models/double_pendulum.scene
@@ -196,26 +196,26 @@ ticks: $(PROGRAM) build/cycles
 	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) sh tools/measure/ticks.sh
 
 # GCC writes the call graph with the frame of every function into plant.ci.
-stack: $(OUT)/plant.o build/stack
+stack: $(OUT)/plant.o
 	@mkdir -p $(OUT)/stack
 	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) \
 	    -o $(OUT)/stack/plant.o || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
-	@build/stack step <$(OUT)/stack/plant.ci
+	@awk -v function_name=step -f tools/measure/stack.awk $(OUT)/stack/plant.ci
 
 ifneq ($(OF_ONE_SCENE),)
-cost: build/isoc build/trace build/price
+cost: build/isoc build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(if $(filter host,$(TARGET)),$(call require,valgrind,apt-get install valgrind))
-	@MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=build/cost/$(FOLDER) TARGET=$(TARGET) \
+	@$(CALLS_MAKE) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=build/cost/$(FOLDER) TARGET=$(TARGET) \
 	    REAL=$(REAL) sh tools/measure/price.sh
 else
-cost: build/isoc build/trace build/forced build/effect
-	@MAKE=$(call quote,$(MAKE)) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/measure/cost.sh
+cost: build/isoc build/trace
+	@$(CALLS_MAKE) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/measure/cost.sh
 endif
 
 chains: build/isoc build/trace
-	@MAKE=$(call quote,$(MAKE)) LENGTHS=$(call quote,$(LENGTHS)) sh tools/measure/chains.sh
+	@$(CALLS_MAKE) LENGTHS=$(call quote,$(LENGTHS)) sh tools/measure/chains.sh
 
 flags: PROGRAM := build/flags/program
 flags: NANOSECONDS := 1
@@ -225,18 +225,18 @@ flags: build/isoc build/cycles
 	    EXEC=$(call quote,$(PORT_EXEC)) MODELS=$(call quote,$(MODELS)) sh tools/measure/flags.sh
 
 # Both measure the methods of METHODS; default: all.
-REPORT = MAKE=$(call quote,$(MAKE)) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) NANOSECONDS=$(NANOSECONDS) \
+REPORT = $(CALLS_MAKE) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) NANOSECONDS=$(NANOSECONDS) \
     METHODS=$(call quote,$(METHODS)) RECORDED=$(call quote,$(RECORDED)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \
     COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS))
 REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
 REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 
-report: build/isoc build/trace build/accuracy
+report: build/isoc build/trace
 	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/measure/report.sh
 
-bench: build/isoc build/trace build/accuracy
+bench: build/isoc build/trace
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/measure/bench.sh
 

@@ -13,23 +13,23 @@ reference "$time"
 first_m4f
 for method in $METHODS; do
     echo double "$method"
-done | each tools/measure/search.sh
+done | each search
 for method in $METHODS; do
     echo float "$method"
-done | each tools/measure/instructions.sh
+done | each instructions
 
 build/isoc --methods >"$dir/methods.md"
 for method in $METHODS; do
     echo "$method $(cat "$dir/double-$method/bench" "$dir/float-$method/instructions" | tr '\n' ' ')"
-done | build/accuracy bench "$dir/methods.md" - "$time" "$step" "$error"
+done | compute bench -v time="$time" -v step="$step" -v error="$error" "$dir/methods.md" -
 
 [ "$inputs" -gt 0 ] || exit 0
 fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
 loop_references
 for method in $fixed; do
     echo double "$method"
-done | each tools/measure/loop.sh
+done | each loop
 echo
 for method in $fixed; do
     echo "$method $(cat "$dir/double-$method/loop" "$dir/float-$method/instructions" "$dir/smooth_float-$method/instructions" | tr '\n' ' ')"
-done | build/accuracy loop - "$time" "$step" "$error"
+done | compute loop -v time="$time" -v step="$step" -v error="$error"

@@ -1,26 +1,18 @@
 # shellcheck shell=sh
-# Measuring firmware on the Cortex-M4F in float; read by the tables of costs, with the make to call in $MAKE.
+# Counts of firmware on the Cortex-M4F in float; read by the tables of costs.
+. tools/measure/common.sh
 
-fail()
-{
-    echo "$1" >&2
-    exit 1
-}
-
-# measure DIR SCENE METHOD [GOAL...]: builds the firmware in build/cost/DIR and runs it for $seconds, in steps of $step where
-# that is not empty; the lines of make run, and of the further goals, stand in build/cost/DIR/measured.
-step=
+# measure DIR SCENE METHOD [GOAL...]: builds the firmware in build/cost/DIR and runs it for $seconds; what was printed is in
+# build/cost/DIR/measured.
+STEP=
 seconds=0.05
 measure()
 {
     dir=build/cost/$1
-    scene=$2
-    method=$3
+    measure_scene=$2 measure_method=$3
     shift 3
-    mkdir -p "$dir"
-    "${MAKE:-make}" --no-print-directory run "$@" TARGET=cortex-m4f REAL=float OUT="$dir" SCENE="$scene" \
-        METHOD="$method" STEP="$step" SECONDS="$seconds" >"$dir/measured" 2>"$dir/said" </dev/null ||
-        fail "$scene with $method cannot be measured; see $dir/measured and $dir/said"
+    on_board "$dir" "$measure_scene" "$measure_method" $seconds "$@" ||
+        fail "$measure_scene with $measure_method cannot be measured; see $dir/measured and $dir/said"
 }
 
 # get KEY: the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
@@ -56,7 +48,7 @@ longest_step()
 {
     folder=build/cost/$1
     mkdir -p "$folder"
-    sh tools/measure/elsewhere.sh "$2" | sed '/^method /d' >"$folder/forced.scene"
+    elsewhere "$2" | sed '/^method /d' >"$folder/forced.scene"
     method=$3
     discontinuity=$4
     firmware=$1/firmware
@@ -68,7 +60,7 @@ longest_step()
     esac
     printf '%s\n' "method $method" 'tunable forced = 1' "$@" >>"$folder/forced.scene"
     { build/isoc "$folder/forced.scene" -o "$folder" >"$folder/plant.txt" &&
-        build/forced "$discontinuity" <"$folder/plant.c" >"$folder/forced.c"; } ||
+        compute forced -v discontinuity="$discontinuity" "$folder/plant.c" >"$folder/forced.c"; } ||
         fail "no plant of $folder/forced.scene"
     seconds=2
     measure "$firmware" "$folder/forced.c" ''

@@ -4,7 +4,6 @@
 # evaluation, and its code. Then, of every eighth length, operations of the factors of an implicit method and how they are
 # found, and their bytes; instructions of a step of bdf4, and all code and tables of the plant. Called by `make chains`,
 # with the make to call in $MAKE and the lengths in $LENGTHS.
-set -u
 . tools/measure/board.sh
 
 # chain KIND N: a row.
@@ -25,7 +24,7 @@ implicit()
     folder=build/cost/implicit_$1
     mkdir -p "$folder"
     sh tools/measure/chain.sh "$1" planar >"$folder/chain.scene"
-    step=10ms
+    STEP=10ms
     measure "implicit_$1" "$folder/chain.scene" bdf4 size
     factors=$(awk '$1 == "factor" { made = $3 " | " $5 " | " $7 } $1 == "factors" { print $3 " | " made " | " 4 * $2 }' "$dir/plant.txt")
     text=$(awk '$6 ~ /plant\.o$/ { print $1 }' "$dir/measured")

@@ -9,8 +9,6 @@
 #
 # Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 3, only every fourth
 # row of a table is measured, from that row on (tests/check/tables.sh).
-set -u
-
 . tools/measure/board.sh
 
 # due: whether the next row of the table is measured.
@@ -32,14 +30,14 @@ cost()
 # them: its motion is then far from the true one, and would soon be out of range. No count depends on it.
 model()
 {
-    [ "$1" != squeezer ] || { step=500us && seconds=0.01; }
+    [ "$1" != squeezer ] || { STEP=500us && seconds=0.01; }
     measure "$1-euler" "models/$1.scene" euler
     once=$(get instructions_per_step) || exit 1
     measure "$1-rk4" "models/$1.scene" rk4 size stack
     states=$(awk '$1 == "states" { print $2 }' "$dir/plant.txt")
     instructions=$(get instructions_per_step) && operations=$(operations) && text=$(get step_text) &&
         memory=$(get plant_memory) && stack=$(get stack_of_step) || exit 1
-    step='' seconds=0.05
+    STEP='' seconds=0.05
     echo "| $1 | $states | $operations | $once | $instructions | $text | $memory | $stack |"
 }
 
@@ -92,7 +90,7 @@ effect()
 {
     folder=build/cost/effects/$(echo "$1" | tr -cs 'a-z\n' -)
     mkdir -p "$folder"
-    build/effect "$1" tools/measure/effects.txt models/pendulum.scene \
+    compute effect -v name="$1" tools/measure/effects.txt models/pendulum.scene \
         >"$folder/pendulum.scene" || fail "no scene for '$1'"
     measure "${folder#build/cost/}" "$folder/pendulum.scene" rk4 size
     with=$(cost) || exit 1

@@ -11,10 +11,9 @@ parts=200 # of the time: points of a line in the picture
 # cost STABILISATION: instructions of a step on the Cortex-M4F.
 cost()
 {
-    "${MAKE:-make}" --no-print-directory run TARGET=cortex-m4f REAL=float OUT="$dir/$1-m4f" SCENE="$dir/$1.scene" METHOD= \
-        STEP="$STEP" SECONDS=0.05 >"$dir/$1.run" </dev/null || fail "$1 does not run on the Cortex-M4F; see $dir/$1.run"
-    awk '$1 == "instructions_per_step" { print $2; n++ } END { exit n != 1 }' "$dir/$1.run" ||
-        fail "$dir/$1.run has not one count"
+    on_board "$dir/$1-m4f" "$dir/$1.scene" '' 0.05 || fail "$1 does not run on the Cortex-M4F; see $dir/$1-m4f/said"
+    awk '$1 == "instructions_per_step" { print $2; n++ } END { exit n != 1 }' "$dir/$1-m4f/measured" ||
+        fail "$dir/$1-m4f/measured has not one count"
 }
 
 # order STABILISATION: of the scene's method in the first second, with its step, a half and a quarter of it; - where these are

@@ -6,19 +6,14 @@
 #
 # Called by `make flags`, with the target and its real in $TARGET and $REAL, the compiler with all flags in $COMPILE, the link
 # in $LINK, the command that runs build/flags/program for one tick in $EXEC, and the scenes in $MODELS.
-set -u
+WHAT="make flags"
+. tools/measure/common.sh
 dir=build/flags
 levels='-O1 -O2 -Os -O3'
 case $TARGET in
 cortex-m4f) port=mps2 && columns=2 ;;
 *) port=sim && columns=1 ;;
 esac
-
-fail()
-{
-    echo "make flags: $1" >&2
-    exit 1
-}
 
 # cost LEVEL: of the plant in $dir: instructions, and cycles where they are known.
 cost()
@@ -30,8 +25,8 @@ cost()
             $EXEC -singlestep -d nochain,exec 2>&1 >/dev/null | build/cycles step "$dir/listing" | cut -d ' ' -f 2
         ;;
     *)
-        valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect=step $EXEC 2>&1 >/dev/null |
-            sed -n 's/.*Collected : //p'
+        # shellcheck disable=SC2086
+        collected step $EXEC
         ;;
     esac
 }

@@ -11,14 +11,8 @@
 # Every method is built in four kinds: float; compensated, in float with compensated sums; double; and reference, in
 # double with compensated sums. There the inputs are held. For a loop of a scene with inputs they are smooth in smooth_float, smooth
 # and smooth_reference. A program of a kind and method stands in $dir/KIND-METHOD/.
-set -u
+. tools/measure/common.sh
 TOLERANCE= # of adams; empty for the methods of a fixed step
-
-fail()
-{
-    echo "$WHAT: $1" >&2
-    exit 1
-}
 
 # prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C takes its method from core/runtime/choice.h.
 prepare()
@@ -36,7 +30,7 @@ prepare()
             cp "$SCENE" "$dir/$kind/$NAME.c"
             ;;
         *)
-            { sh tools/measure/elsewhere.sh "$SCENE" | sed '/^ *compensated /d' && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
+            { elsewhere "$SCENE" | sed '/^ *compensated /d' && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
             ;;
         esac || exit 1
     done
@@ -123,7 +117,7 @@ take()
 # The methods that the reference is computed by.
 REFERENCE_METHODS="rk4 abm4_pecece"
 
-# start: what is measured, ready for `reference`; sets step in seconds, inputs, their number if a loop is measured, and what `build/accuracy plan` says of it: coarsest,
+# start: what is measured, ready for `reference`; sets step in seconds, inputs, their number if a loop is measured, and what plan.awk says of it: coarsest,
 # the number of steps four times as long that make the time nearest to NANOSECONDS, time, and the tick of adams, so long
 # that the method chooses its steps.
 start()
@@ -139,7 +133,7 @@ start()
     *.c) inputs=0 ;;
     esac
     # shellcheck disable=SC2046
-    set -- $(build/accuracy plan "$NANOSECONDS" "$step")
+    set -- $(compute plan -v nanoseconds="$NANOSECONDS" -v step="$step")
     coarsest=$1
     time=$2
     tick=$3
@@ -156,7 +150,7 @@ reference()
         for method in $REFERENCE_METHODS; do
             "$dir/${2:-reference}-$method/drive" ${3:+"$3"} "$1" $steps || exit 1
         done >"$dir/references"
-        if build/accuracy agree "$1" 1e-12 <"$dir/references" >"$dir/agreed"; then
+        if compute agree -v time="$1" -v tolerance=1e-12 "$dir/references" >"$dir/agreed"; then
             cat "$dir/agreed" >>"$dir/${3:-reference}.txt"
             return
         fi
@@ -194,14 +188,12 @@ looped()
 instructions_m4f()
 {
     m4f=$dir/$1-$2/m4f$TOLERANCE
-    mkdir -p "$m4f"
     seconds=${TOLERANCE:+$time}
-    seconds=${seconds:-$(awk -v step="$step" 'BEGIN { printf "%.9f\n", 50 * step }')}
-    "${MAKE:-make}" --no-print-directory run TARGET=cortex-m4f REAL=float OUT="$m4f" SCENE="$(source_of "$1")" METHOD="$2" \
-        INPUTS="$([ "${inputs:-0}" -eq 0 ] || reading "$1")" STEP="$STEP" TOLERANCE="$TOLERANCE" SECONDS="$seconds" >"$m4f/run" 2>"$m4f/told" </dev/null
+    on_board "$m4f" "$(source_of "$1")" "$2" "${seconds:-$(awk -v step="$step" 'BEGIN { printf "%.9f\n", 50 * step }')}" \
+        INPUTS="$([ "${inputs:-0}" -eq 0 ] || reading "$1")" TOLERANCE="$TOLERANCE"
     ran=$?
-    tell "$m4f/told" "$(source_of "$1")"
-    [ $ran -eq 0 ] || fail "$2 does not run on the Cortex-M4F; see $m4f/run"
+    tell "$m4f/said" "$(source_of "$1")"
+    [ $ran -eq 0 ] || fail "$2 does not run on the Cortex-M4F; see $m4f/measured"
     awk '
         $1 == "ticks" { ticks = $2 }
         $1 == "execution" { least = $2; mean = $3; most = $4; n++ }
@@ -209,7 +201,7 @@ instructions_m4f()
         END {
             printf "%.0f\n", substeps ? mean * ticks / substeps : mean - least < most - mean ? least : most
             exit n != 1
-        }' "$m4f/run" || fail "$m4f/run has not one execution"
+        }' "$m4f/measured" || fail "$m4f/measured has not one execution"
 }
 
 # instructions_host KIND METHOD: of a step on this machine, in a kind of double; of adams the mean of all in the time.
@@ -223,10 +215,14 @@ instructions_host()
     else
         set -- count 100
     fi
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect=steps "$count/drive" "$@" \
-        >"$count/counted" 2>&1 </dev/null || fail "callgrind does not count $method; see $count/counted"
-    awk '/^[0-9]/ { steps = $1 } /Collected : / { printf "%.0f\n", $NF / steps; n++ } END { exit n != 1 }' \
-        "$count/counted" || fail "$count/counted has not one count"
+    kept=$count/counted
+    collected steps "$count/drive" "$@" | awk -v said="$kept" '
+        { all = $1 }
+        END {
+            while ((getline < said) > 0) if (/^[0-9]/) steps = $1
+            if (!steps) exit 1
+            printf "%.0f\n", all / steps
+        }' || fail "callgrind does not count $method; see $kept"
 }
 
 # progress KIND METHOD: on stderr how many of all have been measured, by the folders that count them; ends where the command
@@ -242,14 +238,14 @@ progress()
     echo "$WHAT: $count of $total: $2 in $1" >&2
 }
 
-# each COMMAND: runs `sh COMMAND KIND METHOD` for the lines of kinds and methods on the input, a few at once.
+# each COMMAND: runs `sh tools/measure/method.sh COMMAND KIND METHOD` for the lines of kinds and methods on the input, a few at once.
 each()
 {
     cat >"$dir/each"
     total=$(grep -c . "$dir/each")
     rm -rf "$dir/done" && mkdir "$dir/done" || exit 1
     WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick total=$total \
-        xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh "$1" <"$dir/each" || exit 1
+        xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/method.sh "$1" <"$dir/each" || exit 1
 }
 
 # A program for the board, so that those that are made at once find the objects that they share.

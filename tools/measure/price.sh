@@ -2,7 +2,7 @@
 # What each effect of a scene costs, and what it changes, on a target: the scene is built and run with all of them, without
 # each, and without any. Called by `make cost SCENE=...`, with the make to call in $MAKE, and SCENE, NAME, TARGET and
 # REAL in the environment; the other variables of make run go from make to make. All stands in $FOLDER.
-set -u
+WHAT="make cost"
 . tools/measure/board.sh
 work=$FOLDER/$TARGET-$REAL
 counts=$work/counts
@@ -22,14 +22,13 @@ built()
 refuse()
 {
     cat "$dir/said" >&2
-    fail "make cost: $SCENE${1:+ without $1} cannot be measured; see $dir/measured and $dir/said"
+    fail "$SCENE${1:+ without $1} cannot be measured; see $dir/measured and $dir/said"
 }
 
-# collected FUNCTION: the instructions of it in one tick on the host.
-collected()
+# in_tick FUNCTION: the instructions of it in one tick on the host.
+in_tick()
 {
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$1" "$dir/$NAME" 1 2>&1 >/dev/null |
-        awk '/Collected : / { n = $NF } END { if (n + 0 <= 0) exit 1; print n }' || fail "make cost: no count of $1 in $dir/$NAME"
+    collected "$1" "$dir/$NAME" 1 || fail "no count of $1 in $dir/$NAME"
 }
 
 # counted NAME KIND: a line of the counts, from what was built last.
@@ -37,7 +36,7 @@ counted()
 {
     case $TARGET in
     host)
-        of_step=$(collected step) && of_tick=$(collected "iso_loop_tick_$REAL") || exit 1
+        of_step=$(in_tick step) && of_tick=$(in_tick "iso_loop_tick_$REAL") || exit 1
         ;;
     *)
         of_step=$(get instructions_per_step) && of_tick=$(tick) || exit 1
@@ -50,13 +49,13 @@ counted()
         END {
             if (operations == "") exit 1
             print name, kind, operations, rest, number["states"] + 0, number["memories"] + 0
-        }' "$dir/plant.txt" >>"$counts" || fail "make cost: $dir/plant.txt has not one line of operations of a step"
+        }' "$dir/plant.txt" >>"$counts" || fail "$dir/plant.txt has not one line of operations of a step"
 }
 
 mkdir -p "$work"
 build/isoc "$SCENE" --effects >"$work/effects" || exit 1
 [ -s "$work/effects" ] ||
-    fail "make cost: $SCENE has no effect (effect NAME KIND { ... }); make cost without SCENE prints the tables of all models"
+    fail "$SCENE has no effect (effect NAME KIND { ... }); make cost without SCENE prints the tables of all models"
 : >"$counts"
 while read -r effect kind; do
     built "without-$effect" "$effect"
@@ -66,8 +65,8 @@ built base "$(cut -d ' ' -f 1 "$work/effects" | paste -sd ';')"
 counted . base
 built whole
 counted . whole
-build/price "$work" "$FOLDER/effects.tsv" || exit 1
+compute price -v folder="$work" -v table="$FOLDER/effects.tsv" "$counts" || exit 1
 sh tools/plot/picture.sh effects "$NAME" "$TARGET" "$FOLDER/effects.tsv" >"$FOLDER/effects.gnuplot" || exit 1
 echo
 echo "$FOLDER/effects.tsv"
-sh tools/plot/draw.sh "$FOLDER/effects.gnuplot" || fail "make cost: gnuplot does not draw $FOLDER/effects.gnuplot"
+sh tools/plot/draw.sh "$FOLDER/effects.gnuplot" || fail "gnuplot does not draw $FOLDER/effects.gnuplot"

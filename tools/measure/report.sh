@@ -14,7 +14,7 @@ for kind in float compensated double; do
         echo $kind "$method"
     done
 done >"$dir/all"
-each tools/measure/points.sh <"$dir/all"
+each points <"$dir/all"
 
 while read -r kind method; do
     sed "s/^/$kind $method /" "$dir/$kind-$method/measured"
@@ -25,7 +25,7 @@ while IFS= read -r at; do
     reference "$at"
 done <"$dir/times"
 
-build/accuracy errors "$dir/reference.txt" "$dir/measured.txt" >"$dir/report.tsv.new" &&
+compute reference -f tools/measure/errors.awk "$dir/reference.txt" "$dir/measured.txt" >"$dir/report.tsv.new" &&
     mv "$dir/report.tsv.new" "$dir/report.tsv" || exit 1
 {
     echo "$NAME after $time s: error of the state, 2-norm over all states in SI units (m, rad, s)"
@@ -33,7 +33,7 @@ build/accuracy errors "$dir/reference.txt" "$dir/measured.txt" >"$dir/report.tsv
     awk '{ print "Reference after " $1 " s: rk4 and abm4_pecece in double with compensated sums; they differ by " $2 }' \
         "$dir/reference.txt"
     echo
-    build/accuracy text "$dir/report.tsv"
+    compute text "$dir/report.tsv"
 } >"$dir/report.txt"
 
 # The loop: lines of $dir/looped.txt, and its tables.
@@ -42,14 +42,14 @@ if [ "$inputs" -gt 0 ]; then
     loop_references
     for method in $fixed; do
         echo double "$method"
-    done | each tools/measure/looped.sh
+    done | each looped
     : >"$dir/loop.tsv"
     for kind in smooth held; do
         from=$([ $kind = held ] && echo restarted || echo smooth)
         for method in $fixed; do
             cat "$dir/double-$method/looped-$kind"
         done >"$dir/looped.txt"
-        build/accuracy errors "$dir/$from.txt" "$dir/looped.txt" | if [ -s "$dir/loop.tsv" ]; then sed 1d; else cat; fi >"$dir/loop.part" &&
+        compute reference -f tools/measure/errors.awk "$dir/$from.txt" "$dir/looped.txt" | if [ -s "$dir/loop.tsv" ]; then sed 1d; else cat; fi >"$dir/loop.part" &&
             cat "$dir/loop.part" >>"$dir/loop.tsv" || exit 1
     done
     {
@@ -57,7 +57,7 @@ if [ "$inputs" -gt 0 ]; then
         echo "In a loop: inputs change at every tick (tools/measure/signals.h, or recorded). Held inputs against the staircase with ticks"
         echo "of $step s, smooth ones, sampled at every step, against the continuous signal"
         echo
-        build/accuracy text "$dir/loop.tsv"
+        compute text "$dir/loop.tsv"
     } >>"$dir/report.txt"
     sh tools/plot/picture.sh work_precision "$NAME in a loop" "$time" "$dir/loop.tsv" >"$dir/loop.gnuplot" || exit 1
 fi

@@ -1,19 +1,14 @@
 # shellcheck shell=sh
 # What make drift and its tests share. They set SCENE, COMPILE, STEP (or nothing, for the scene's), and `dir`, the folder of
 # all that is made.
-set -u
+WHAT="make drift"
+. tools/measure/common.sh
 STABILISATIONS="none baumgarte projection lagrangian"
-
-fail()
-{
-    echo "make drift: $1" >&2
-    exit 1
-}
 
 # stabilised WORDS: the scene with this in the place of its own stabilisation, and with the outputs that drift.c asks for.
 stabilised()
 {
-    sh tools/measure/elsewhere.sh "$SCENE" | awk '/^ *stabilisation / { on = 1 }
+    elsewhere "$SCENE" | awk '/^ *stabilisation / { on = 1 }
         !on
         on && (/}/ || !/{/) { on = 0 }'
     printf '\nstabilisation %s\noutput drift_violation = violation\n' "$1"
