@@ -14,9 +14,12 @@
 #ifdef __clang__
 #define ISO_UNROLL _Pragma("clang loop unroll(full)")
 #define ISO_UNROLL_LONG ISO_UNROLL
-#else
+#elif __GNUC__ >= 8
 #define ISO_UNROLL _Pragma("GCC unroll 16")
 #define ISO_UNROLL_LONG _Pragma("GCC unroll 64")
+#else
+#define ISO_UNROLL
+#define ISO_UNROLL_LONG
 #endif
 #else
 #define ISO_UNROLL_LONG ISO_UNROLL

@@ -114,8 +114,10 @@ static inline iso_refused iso_plant_admit(const iso_plant *const plant)
     return model->admit(plant->memory);
 }
 
-/* Puts everything to tick 0: state, parameters, inputs, and what the method keeps. */
-static inline void iso_plant_start(const iso_plant *const plant)
+/* Puts everything to tick 0: state, parameters, inputs, and what the method keeps. Returns false where the start found that
+ * this build computes with other bits (isoc --name and --standalone): then the first state is a NaN, and every tick ends at
+ * the guard. */
+static inline bool iso_plant_start(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;
     if (model->memory_bytes > 0) {
@@ -137,6 +139,7 @@ static inline void iso_plant_start(const iso_plant *const plant)
     if (model->prime != NULL) {
         model->prime(plant->memory);
     }
+    return iso_not_finite(plant->x[0]) == 0;
 }
 
 /* The plant that this program runs. */

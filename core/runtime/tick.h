@@ -106,10 +106,10 @@ ISO_INLINE iso_bits iso_any_beyond(const real *const x, const real *const range,
 /* Copies n reals in pieces of 64 bytes, which compilers do without a call. */
 ISO_INLINE void iso_copy(real *const to, const real *const from, const uint32_t n)
 {
-    enum { PIECE = 64 / sizeof(real) };
+    const uint32_t piece = 64 / sizeof(real);
     ISO_UNROLL_LONG
-    for (uint32_t i = 0; i < n; i += PIECE) {
-        memcpy(to + i, from + i, (n - i < PIECE ? n - i : PIECE) * sizeof *to);
+    for (uint32_t i = 0; i < n; i += piece) {
+        memcpy(to + i, from + i, (n - i < piece ? n - i : piece) * sizeof *to);
     }
 }
 

@@ -47,6 +47,7 @@ static void emit_beginning(const emission *e, const text *rest)
     put_if(e, e->p->j.looped != NULL, "#include \"core/methods/sparse.h\"\n");
     put(e, "%s#include \"core/runtime/tick.h\"\n", m->policies.any ? "#include \"core/runtime/policy.h\"\n" : "");
     emit_calls_included(rest, e->out);
+    put_if(e, e->names->is_checked, "#include \"core/numbers/self_check.h\"\n");
     put_if(e, strstr(rest->bytes, "iso_noise(") != NULL, "#include \"core/numbers/noise.h\"\n");
     put_if(e, uses_waveform(e), "#include \"core/numbers/waveform.h\"\n");
     put(e, "%s#include \"core/numbers/sincos.h\"\n%s\n",

@@ -107,7 +107,7 @@ bool begins(const emission *e, const effect_quantity *q)
 bool has_begin(const emission *e)
 {
     const mechanism *m = e->p->m;
-    bool any = e->p->rows.starts.count > 0 || e->p->rows.any;
+    bool any = e->names->is_checked || e->p->rows.starts.count > 0 || e->p->rows.any;
     for (int i = 0; i < m->effects.memory_count; i++) {
         any = any || begins(e, &m->effects.memories[i]) || is_late(&m->effects.memories[i]);
     }

@@ -339,5 +339,10 @@ void emit_begin(emission *e)
         put(e, "    begin_%d(memory);\n", level + 1);
     }
     emit_rings(e);
-    put(e, "%s}\n\n", kept_of(e).count > 0 ? "    keep(memory);\n" : "");
+    put_if(e, kept_of(e).count > 0, "    keep(memory);\n");
+    put_if(e, e->names->is_checked,
+           "    /* A build with other bits has no start: each tick ends at the guard. */\n"
+           "    memory->x[%s] = iso_if_bits_are_kept(memory->x[%s]);\n",
+           e->names->leaves.states[0].place, e->names->leaves.states[0].place);
+    put(e, "}\n\n");
 }
