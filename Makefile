@@ -198,6 +198,10 @@ PORT_OF_cortex-m0 := port/m0
 PORT_OF_rv32imac := port/rv32imac
 PORT_OF_rv32imafc := port/rv32imafc
 PORT_OF_atmega1284p := port/atmega1284p
+PORT_OF_aarch64 := port/aarch64
+PORT_OF_s390x := port/s390x
+PORT_OF_mips := port/mips
+PORT_OF_i386 := port/i386
 TARGETS := $(patsubst PORT_OF_%,%,$(filter PORT_OF_%,$(.VARIABLES)))
 PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is

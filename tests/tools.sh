@@ -47,6 +47,12 @@ missing()
     have qemu-system-riscv32 || echo qemu-system-misc
     have avr-gcc || echo gcc-avr
     have_avr_libc || echo avr-libc
+    have aarch64-linux-gnu-gcc || echo gcc-aarch64-linux-gnu libc6-dev-arm64-cross
+    have s390x-linux-gnu-gcc || echo gcc-s390x-linux-gnu libc6-dev-s390x-cross
+    have mips-linux-gnu-gcc || echo gcc-mips-linux-gnu libc6-dev-mips-cross
+    have i686-linux-gnu-gcc || echo gcc-i686-linux-gnu libc6-dev-i386-cross
+    have qemu-aarch64 || echo qemu-user
+    have cmake || echo cmake
     have simavr || echo simavr
     have valgrind || echo valgrind
     have clang || echo clang
@@ -82,7 +88,7 @@ else
     echo "tests: something is missing; install it with: sudo $install" >&2
     exit 1
 fi
-echo "tests: installs what is missing, which takes some minutes; all of it would be 500 MB to download and 3 GB on the disk:"
+echo "tests: installs what is missing, which takes some minutes; all of it would be 670 MB to download and 3.7 GB on the disk:"
 echo "tests: ${root:+$root }$install"
 log=build/tests/install.log
 mkdir -p build/tests

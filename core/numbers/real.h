@@ -45,13 +45,17 @@
 #elif FLT_EVAL_METHOD == 2
 #error "Isochron: float is computed in long double (FLT_EVAL_METHOD is 2), as on x87; use -msse2 -mfpmath=sse"
 #elif FLT_EVAL_METHOD != 0
-#error "Isochron: the type in which float is computed is not known (FLT_EVAL_METHOD is neither 0, 1 nor 2)"
+#error                                                                                                                 \
+    "Isochron: the type in which float is computed is not known (FLT_EVAL_METHOD); compile with flags for which it is 0"
 #endif
 #if CHAR_BIT != 8 || FLT_RADIX != 2 || FLT_MANT_DIG != 24 || FLT_MAX_EXP != 128 || FLT_MIN_EXP != -125
 #error "Isochron: bytes of 8 bits and float of IEEE 754 binary32 are needed"
 #endif
 #if defined ISO_REAL_DOUBLE && (DBL_MANT_DIG != 53 || DBL_MAX_EXP != 1024 || DBL_MIN_EXP != -1021)
 #error "Isochron: double is not IEEE 754 binary64; compile with double of 64 bits, or for float"
+#endif
+#ifdef ISO_REAL_DOUBLE
+extern char iso_compile_without_fsingle_precision_constant[sizeof(1.0) == sizeof(double) ? 1 : -1];
 #endif
 #if defined FLT_HAS_SUBNORM && FLT_HAS_SUBNORM == 0
 #error "Isochron: numbers near zero are flushed to it; compile with denormals kept"

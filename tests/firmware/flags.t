@@ -1,0 +1,215 @@
+#!/bin/sh
+# The folder of a plant under a stranger's compilers and flags: what core/numbers/README.md says of each row, in float and in
+# double. One that moves with other bits than `make run`, and was not refused, is never right.
+. tests/host/test.sh
+begin firmware_flags
+table=core/numbers/README.md
+m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
+rv32="-march=rv32imafc -mabi=ilp32f -misa-spec=2.2 -mcmodel=medany -msmall-data-limit=0 --specs=picolibc.specs"
+
+# Of the rows a sixth each time, in either number type by turns; with the argument `all` all.
+turn=$(turn_of 6 "${1-}" core tools/isoc tests/firmware)
+echo "# turn $turn of the rows"
+
+for real in float double; do
+    for plant in heavy=tests/order/top.scene rods=models/double_pendulum.scene; do
+        build/isoc "${plant#*=}" -o "$out/$real" --name "${plant%=*}" --real $real --standalone >"$out/summary" || exit 1
+    done
+    cp tests/firmware/strangers.c "$out/$real"
+done
+
+# port NAME COMPILER...: the objects of a port, by the flags of the project, once. What writes and ends is the same in double.
+port()
+{
+    objects=$out/port/$1
+    [ -d "$objects" ] && return
+    case $1 in
+    mps2*) port_sources="$(ls port/mps2/*.c)" ;;
+    virt) port_sources="$(ls port/virt/*.c) port/mps2/semihosting.c port/mps2/console.c" ;;
+    atmega1284p) port_sources="$(ls port/atmega1284p/*.c)" ;;
+    *) port_sources="$(ls port/sim/*.c) port/host/console.c" ;;
+    esac
+    mkdir -p "$objects"
+    shift
+    for port_source in $port_sources; do
+        # shellcheck disable=SC2086
+        "$@" -std=c11 -O2 -fno-math-errno -ffunction-sections -I. -c "$port_source" -o "$objects/$(basename "$port_source").o" || exit 1
+    done
+}
+
+# of_processor NAME: the flags that its port has beside those of all.
+of_processor()
+{
+    grep -l "^PORT_MACHINE = $1\$" port/*/port.mk | xargs sed -n 's/^PORT_FLAGS += //p'
+}
+
+# place_of COMPILER FLAG...: where its programs run: $where; what makes the port there: $builder; how a program is linked beside
+# the row's own command: $link.
+place_of()
+{
+    link=
+    case "$*" in
+    arm-none-eabi-gcc*)
+        case "$*" in
+        *=soft*)
+            where=mps2_soft
+            builder="arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
+            ;;
+        *)
+            where=mps2
+            builder="arm-none-eabi-gcc $m4f"
+            ;;
+        esac
+        link="-nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections -lm"
+        ;;
+    riscv64-unknown-elf-gcc*)
+        where=virt
+        builder="riscv64-unknown-elf-gcc $rv32"
+        link="-nostartfiles -T port/virt/virt.ld -Wl,--gc-sections -Wl,--no-warn-rwx-segments -lm"
+        ;;
+    avr-gcc*)
+        where=atmega1284p
+        builder="avr-gcc -mmcu=atmega1284p -w"
+        link="-Wl,--gc-sections -lm"
+        ;;
+    *-linux-gnu-gcc*)
+        where=${1%-linux-gnu-gcc}
+        builder="$1 $(of_processor "$where")"
+        link=-static
+        ;;
+    *--target=aarch64-linux-gnu*)
+        where=aarch64
+        builder=aarch64-linux-gnu-gcc
+        link=-static
+        ;;
+    *)
+        where=host
+        builder=gcc
+        ;;
+    esac
+}
+
+# ran PROGRAM: what it writes.
+ran()
+{
+    case $where in
+    mps2_soft) timeout 60 qemu-system-arm -M mps2-an385 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
+        -semihosting-config enable=on,target=native -kernel "$1" ;;
+    mps2) timeout 60 qemu-system-arm -M mps2-an500 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
+        -semihosting-config enable=on,target=native -kernel "$1" ;;
+    virt) timeout 60 qemu-system-riscv32 -M virt -bios none -icount shift=10,align=off,sleep=off -display none -monitor none \
+        -serial none -semihosting-config enable=on,target=native -kernel "$1" ;;
+    atmega1284p) sh port/atmega1284p/run.sh "$1" 1 ;;
+    host) "$1" ;;
+    i686) qemu-i386 "$1" ;;
+    *) qemu-"$where" "$1" ;;
+    esac
+}
+
+# happens REAL COMPILER FLAG...: what comes of it, in the words of the table: $answer. A row that speaks of a link has the flags of
+# the link behind LINK.
+happens()
+{
+    happens_real=$1
+    shift
+    command=${*%%LINK*}
+    linker=$(echo "$*" | sed 's/ .*LINK / /')
+    # shellcheck disable=SC2086
+    place_of $command
+    # shellcheck disable=SC2086
+    port "$where" $builder
+    case $command in
+    clang*--target=*) linker=$builder ;;
+    esac
+    rm -f "$out"/*.o "$out/program"
+    # shellcheck disable=SC2086
+    for happens_source in heavy rods strangers; do
+        (cd "$out/$happens_real" && $command ${IGNORES-} -I. -c $happens_source.c -o ../$happens_source.o) 2>"$out/errors" || {
+            grep -q 'error.*Isochron: .*; compile with\|error.*Isochron: .*; use -m\|compile_without' "$out/errors" && answer="does not compile" || answer="fails without advice"
+            return
+        }
+    done
+    # shellcheck disable=SC2086
+    $linker "$out"/heavy.o "$out"/rods.o "$out"/strangers.o "$objects"/*.o $link -o "$out/program" 2>"$out/errors" || {
+        answer="does not link"
+        return
+    }
+    ran "$out/program" >"$out/output" 2>"$out/errors" </dev/null
+    case $(cat "$out/output") in
+    "$(cat "$out/$happens_real.hash")") answer="same bits" ;;
+    refused) answer="does not start" ;;
+    *) answer="other bits: $(tail -c 100 "$out/output")" ;;
+    esac
+}
+
+# What is right: the flags of the project.
+for real in float double; do
+    echo none >"$out/$real.hash"
+    happens $real gcc -std=c11 -O2 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize
+    echo "$answer" | sed -n 's/^other bits: \([0-9a-f]\{16\}\)$/\1/p' >"$out/$real.hash"
+    [ -s "$out/$real.hash" ]
+    result $? "$real, by the flags of the project: $(cat "$out/$real.hash")"
+done
+
+# agrees REAL WORDS COMPILER FLAG...: it happens as the table says, and not in silence.
+agrees()
+{
+    agrees_real=$1
+    agrees_words=$2
+    shift 2
+    happens "$agrees_real" "$@" && [ "$answer" = "$agrees_words" ]
+    agrees_status=$?
+    [ $agrees_status -eq 0 ] || { echo "# $answer" && sed 's/^/# /' "$out/errors" | head -n 5; }
+    return $agrees_status
+}
+
+# can COMPILER FLAG...: whether this machine can run what it makes.
+can()
+{
+    case "$(uname -m) $*" in
+    *-linux-gnu* | *-elf-gcc* | *-eabi-gcc* | *avr-gcc*) return 0 ;;
+    x86_64*-m*) grep -qw fma /proc/cpuinfo ;;
+    x86_64*) return 0 ;;
+    *) return 1 ;;
+    esac
+}
+
+sed -n 's/^| `\([^`]*\)` | \([a-z -]*\) | \([a-z -]*\) |$/\1|\2|\3/p' $table >"$out/rows"
+[ "$(wc -l <"$out/rows")" -ge 20 ]
+result $? "the table has $(wc -l <"$out/rows") rows"
+number=0
+while IFS='|' read -r row in_float in_double; do
+    for real in float double; do
+        number=$((number + 1))
+        [ "$turn" = all ] || [ $((number % 6)) -eq "$turn" ] || continue
+        # shellcheck disable=SC2086
+        can $row || continue
+        expected=$([ $real = float ] && echo "$in_float" || echo "$in_double")
+        # shellcheck disable=SC2086
+        [ "$expected" = '-' ] || agrees $real "$expected" $row
+        result $? "$real: $row: $expected"
+    done
+done <"$out/rows"
+
+m7="arm-none-eabi-gcc -O2 -mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16"
+# shellcheck disable=SC2086
+agrees float "does not start" $m7 -DFLUSHES
+result $? "a Cortex-M7 that sets denormals to zero: does not start"
+
+# A row that says another thing is found, and so is a plant that changes its bits in silence, even where nobody looks at the
+# answer of its start.
+! agrees float "does not start" gcc -O0 >"$out/said" && grep -q '# same bits' "$out/said"
+result $? "found: a row that is not what happens"
+if can -mfma; then
+    agrees float "does not start" clang -O2 -mfma -ffp-contract=fast
+    result $? "a plant that fuses does not start"
+    IGNORES=-DIGNORES agrees float "does not start" clang -O2 -mfma -ffp-contract=fast
+    result $? "nor does it move where nobody looks at that"
+    sed -i '/iso_if_bits_are_kept/d' "$out/float/heavy.c" "$out/float/rods.c"
+    ! agrees float "does not start" clang -O2 -mfma -ffp-contract=fast >"$out/said" && grep -q '# other bits' "$out/said"
+    result $? "found: a plant without the check, which changes its bits"
+    sed -i '/^#pragma GCC optimize/d' "$out/float/core/numbers/real.h"
+    ! agrees float "same bits" gcc -O2 -mfma >"$out/said" && grep -q '# other bits' "$out/said"
+    result $? "found: gcc's defaults without the pragma"
+fi
+finish
