@@ -36,7 +36,8 @@ done
 
 # In the plant alone; the self-check of core refuses a program that is built so as a whole.
 variant fused mps2 arm-none-eabi-gcc -O2
-compiler="$compiler -ffp-contract=fast"
+bare_numbers
+compiler="${compiler%% *} -I$out/bare ${compiler#* } -ffp-contract=fast"
 model models/double_pendulum.scene rk4 && [ "$(value hash)" != "$(cat "$out/hash/double_pendulum-rk4")" ]
 expect $? "found: fused multiply-add has other bits"
 variant looping mps2 arm-none-eabi-gcc -O2

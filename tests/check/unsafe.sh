@@ -43,6 +43,8 @@ refused()
     expect $? "$name"
 }
 
+bare_numbers
+
 for real in float double; do
     real $real
     for optimisation in -O0 -O2 -Os; do
@@ -68,9 +70,12 @@ for real in float double; do
             -D__FLT_EVAL_METHOD__=0 $REAL_FLAG
         checked changed "$real: division by a reciprocal is found by itself" gcc -std=c11 -O2 -ffp-contract=off \
             -freciprocal-math -U__RECIPROCAL_MATH__ $REAL_FLAG
+        checked changed "$real: zeros without a sign are found by itself" gcc -std=c11 -O2 -fno-signed-zeros \
+            -U__NO_SIGNED_ZEROS__ $REAL_FLAG
         if grep -qw fma /proc/cpuinfo; then
-            checked changed "$real: fused multiply-add is found" gcc -std=gnu11 -O2 -mfma -ffp-contract=fast $REAL_FLAG
-            checked kept "$real: -mfma with -ffp-contract=off is kept" gcc -std=gnu11 -O2 -mfma -ffp-contract=off $REAL_FLAG
+            checked kept "$real: gcc does not fuse" gcc -std=gnu11 -O2 -mfma -ffp-contract=fast $REAL_FLAG
+            checked changed "$real: fused multiply-add is found" gcc "-I$out/bare" -std=gnu11 -O2 -mfma $REAL_FLAG
+            checked changed "$real: so it is by clang" clang -O2 -mfma -ffp-contract=fast $REAL_FLAG
         fi
         ;;
     esac
@@ -100,12 +105,23 @@ built sim "$CC" $strict && "$out/built" 100000000 >"$out/stream" && built sim "$
     "$out/built" 100000000 | cmp -s - "$out/stream"
 expect $? "the same run with all that this processor can"
 if grep -qw fma /proc/cpuinfo; then
-    built sim gcc -std=gnu11 -O2 -mfma -ffp-contract=fast && told "$out/built" 100000000
+    built sim gcc "-I$out/bare" -std=gnu11 -O2 -mfma && told "$out/built" 100000000
     expect $? "a program that fuses says so and does not run"
 fi
-built mps2 arm-none-eabi-gcc -std=gnu11 -O2 -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 \
-    -ffunction-sections -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections &&
-    told qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
-        -semihosting-config enable=on,target=native -kernel "$out/built"
+
+# board FLAG...: the program by the flags of the board's compiler, and these.
+board()
+{
+    built mps2 arm-none-eabi-gcc "$@" -std=gnu11 -O2 -fno-math-errno -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 \
+        -ffunction-sections -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections
+}
+run="qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none
+    -semihosting-config enable=on,target=native,arg=plant,arg=100000000 -kernel $out/built"
+# shellcheck disable=SC2086
+board "-I$out/bare" && told $run
 expect $? "nor does that of the board, with the flags of its compiler"
+# shellcheck disable=SC2086
+mkdir -p "$out/board" "$out/host" && board && build/trace -o "$out/board" -- $run >"$out/output" 2>"$out/errors" </dev/null && hash=$(value hash) && [ -n "$hash" ] &&
+    built sim "$CC" $strict && build/trace -o "$out/host" -- "$out/built" 100000000 >"$out/output" && [ "$(value hash)" = "$hash" ]
+expect $? "with the pragmas it moves as on the host: $hash"
 finish

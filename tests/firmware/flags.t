@@ -7,8 +7,8 @@ table=core/numbers/README.md
 m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
 rv32="-march=rv32imafc -mabi=ilp32f -misa-spec=2.2 -mcmodel=medany -msmall-data-limit=0 --specs=picolibc.specs"
 
-# Of the rows a sixth each time, in either number type by turns; with the argument `all` all.
-turn=$(turn_of 6 "${1-}" core tools/isoc tests/firmware)
+# Of the rows a tenth each time, in either number type by turns; with the argument `all` all.
+turn=$(turn_of 10 "${1-}" core tools/isoc tests/firmware)
 echo "# turn $turn of the rows"
 
 for real in float double; do
@@ -181,7 +181,7 @@ number=0
 while IFS='|' read -r row in_float in_double; do
     for real in float double; do
         number=$((number + 1))
-        [ "$turn" = all ] || [ $((number % 6)) -eq "$turn" ] || continue
+        [ "$turn" = all ] || [ $((number % 10)) -eq "$turn" ] || continue
         # shellcheck disable=SC2086
         can $row || continue
         expected=$([ $real = float ] && echo "$in_float" || echo "$in_double")

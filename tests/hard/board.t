@@ -25,11 +25,11 @@ share()
     done
 }
 
-# board NAME [FLAG]: builds the case NAME for the board. What newlib lacks there nobody calls.
+# board NAME [FLAG FLAG]: builds the case NAME for the board; the first flag stands before those of all, the second behind. What newlib lacks there nobody calls.
 board()
 {
     # shellcheck disable=SC2086
-    arm-none-eabi-gcc $FLAGS $m4f $steps ${2-} -nostartfiles --specs=nosys.specs -T port/mps2/mps2.ld \
+    arm-none-eabi-gcc ${2-} $FLAGS $m4f $steps ${3-} -nostartfiles --specs=nosys.specs -T port/mps2/mps2.ld \
         -Wl,--gc-sections,--defsym=STACK_BYTES=16384,--wrap=main "tests/hard/$1.c" $on_board -lm -o "$out/$1" \
         2>"$out/warnings"
 }
@@ -53,7 +53,8 @@ for name in bushing quarter_car van_der_pol robertson oregonator; do
 done
 
 # Control: with fused multiply-add in the equations it does not.
-board bushing -ffp-contract=fast
+bare_numbers
+board bushing "-I$out/bare" -ffp-contract=fast
 result $? "bushing builds with fused multiply-add"
 tests/exec.sh "$out/bushing" >"$out/fused"
 grep -q '^1\.\.' "$out/fused" && ! "$out/bushing.host" | diff -q - "$out/fused" >/dev/null

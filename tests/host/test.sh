@@ -215,6 +215,14 @@ joined()
     fi
 }
 
+# bare_numbers: $out/bare has the numbers of core without what puts a stranger's flags right, for who looks there first.
+bare_numbers()
+{
+    mkdir -p "$out/bare/core/numbers"
+    cp core/numbers/*.h "$out/bare/core/numbers"
+    sed '/^#pragma/d' core/numbers/real.h >"$out/bare/core/numbers/real.h"
+}
+
 # finish: the plan, and the script's exit status.
 finish()
 {
