@@ -5,7 +5,7 @@
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/scene/names.h"
 
-static const query no_query = {.segment = -1, .body = -1, .closure = -1, .spring = -1};
+static const query no_query = {.segment = -1, .body = -1, .closure = -1, .spring = -1, .effect = -1};
 
 /* The numbers of a quantity, as leaves. */
 static value leaves_of(effect_scope *w, query q)
@@ -100,9 +100,9 @@ static bool check_parts(effect_scope *w, const formula *f, const quantity_row *r
     if (f->axes.text != NULL && (row->asks & IN_AXES) == 0) {
         source_problem(s, f->axes.at, "only a velocity, a spin, a specific force and an inertia have axes to choose");
     }
-    if (f->along.text != NULL && !quantity_is_vector(row)) {
+    if (f->along.text != NULL && !quantity_has_parts(row)) {
         source_problem(s, f->along.at, "'along' is only for vectors: the %s",
-                       quantity_list(s->memory, quantity_is_vector));
+                       quantity_list(s->memory, quantity_has_parts));
     }
     return s->problem_count == before;
 }
@@ -229,24 +229,29 @@ static value value_of_query(effect_scope *w, const formula *f, const query *q)
     }
 }
 
-/* power, energy, loss and work of EFFECT, in the scene alone: there all that it does is known. */
+/* power, energy, loss and work of EFFECT, in formulas of the scene: leaves until all that it does is known. */
 static value account_value(effect_scope *w, const formula *f, quantity_kind kind)
 {
     const char *called = f->parts[0]->name;
-    if (!w->is_done) {
-        return REFUSED(w->b->s, f->at, "the %s of '%s' is for outputs only", f->name, called);
+    if (w->within != NULL) {
+        return REFUSED(w->b->s, f->at, "the %s of '%s' is for formulas of the scene: here it is a signal", f->name,
+                       called);
     }
     if (!check_parts(w, f, &quantity_rows[kind])) {
         return nothing;
     }
-    FOR_ALL (const instance, in, w->all, w->b->written->effects.count) {
+    for (int i = 0; i < w->b->mechanism.effects.count; i++) {
+        const instance *in = &w->all[i];
         if (in->use->name.text != NULL && strcmp(in->use->name.text, called) == 0) {
-            const node part = kind == QUANTITY_POWER_OF_EFFECT    ? in->account->power
-                              : kind == QUANTITY_ENERGY_OF_EFFECT ? in->account->stored
-                              : kind == QUANTITY_LOSS             ? in->account->loss
-                                                                  : in->account->work;
-            return (value){
-                .count = in->kind != NULL, .parts = {part}, .of = dimension_of_unit(quantity_rows[kind].unit)};
+            const node part = account_part(in->account, kind);
+            query q = no_query;
+            q.kind = kind;
+            q.effect = i;
+            q.point = vector_zero(w->b->g);
+            return in->kind == NULL ? nothing
+                   : w->is_done
+                       ? (value){.count = 1, .parts = {part}, .of = dimension_of_unit(quantity_rows[kind].unit)}
+                       : leaves_of(w, q);
         }
     }
     return REFUSED(w->b->s, f->at, "no effect is called '%s'%s", called,
@@ -261,9 +266,9 @@ value quantity_value(void *context, const formula *f)
     const value whole = of_effect < QUANTITY_ROWS ? account_value(w, f, of_effect)
                         : find_query(w, f, &q)    ? value_of_query(w, f, &q)
                                                   : nothing;
-    return whole.count != 3 || f->along.text == NULL
-               ? whole
-               : (value){.count = 1, .parts = {whole.parts[f->along.text[0] - 'x']}, .of = whole.of};
+    const bool is_part = f->along.text != NULL && whole.count >= 3;
+    const int part = is_part ? f->along.text[0] == 'w' ? 0 : f->along.text[0] - 'x' + (whole.count == 4) : 0;
+    return is_part ? (value){.count = 1, .parts = {whole.parts[part]}, .of = whole.of} : whole;
 }
 
 /* Of the mechanism, its closures or the step. */

@@ -75,6 +75,7 @@ typedef struct query {
     int body;     /* of a body; of what a joint gives to it */
     int closure;  /* of a closure; -1: of none */
     int spring;   /* of a spring between points; -1: of none */
+    int effect;   /* of an effect; -1: of none */
     vector point; /* in the body's frame */
     bool in_body; /* in its axes, not those of the ground */
 } query;
@@ -225,6 +226,15 @@ typedef struct effect_account {
     node loss, work; /* the power that it turns into heat, and that it takes from without: where is_told */
     bool is_told;
 } effect_account;
+
+/* One of them: the power, the energy, the loss or the work of an effect. */
+static inline node account_part(const effect_account *e, quantity_kind kind)
+{
+    return kind == QUANTITY_POWER_OF_EFFECT    ? e->power
+           : kind == QUANTITY_ENERGY_OF_EFFECT ? e->stored
+           : kind == QUANTITY_LOSS             ? e->loss
+                                               : e->work;
+}
 
 /* The value of a parameter from a tick on. */
 typedef struct switching {

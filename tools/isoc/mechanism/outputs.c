@@ -33,7 +33,7 @@ static void build_output(builder *b, const output *o, shown *result)
     if (!find_shown(b, o->formula, &result->of)) {
         show_formula(b, o, result);
     } else if (along != NULL) {
-        result->along = along[0] - 'x';
+        result->along = quantity_part(&quantity_rows[result->of.kind], along);
     }
 }
 

@@ -106,6 +106,12 @@ static bool number_of(plant *p, graph *g, const query *q, node *number)
     case QUANTITY_BALANCE:
         *number = account_balance(d);
         return true;
+    case QUANTITY_POWER_OF_EFFECT:
+    case QUANTITY_ENERGY_OF_EFFECT:
+    case QUANTITY_LOSS:
+    case QUANTITY_WORK:
+        *number = account_part(&m->effects.accounts[q->effect], q->kind);
+        return true;
     case QUANTITY_LOCAL_ERROR:
     case QUANTITY_RESIDUAL:
         *number = leaf(g, q->kind == QUANTITY_LOCAL_ERROR ? OP_LOCAL_ERROR : OP_RESIDUAL, 0);

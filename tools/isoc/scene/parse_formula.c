@@ -280,10 +280,10 @@ static formula *parse_parenthesis(parser *p)
 
 static formula *parse_product(parser *p);
 
-/* speed of JOINT, force of CLOSURE, velocity of BODY [at PRODUCT] [in body | in ground] [along AXIS] */
+/* speed of JOINT, force of CLOSURE, velocity of BODY [at PRODUCT] [in body | in ground] [along LETTER] */
 static formula *parse_quantity(parser *p)
 {
-    static const char *const axes[] = {"x", "y", "z"};
+    static const char *const letters[] = {"w", "x", "y", "z"};
     formula *f = formula_new(p, FORMULA_OF, p->next->at);
     f->name = p->next->text;
     p->next += 2;
@@ -305,8 +305,10 @@ static formula *parse_quantity(parser *p)
     }
     f->along.at = p->next->at;
     if (take_option(p, "along")) {
-        const size_t which = take_one_of(p, axes, COUNT_OF(axes));
-        f->along.text = which < COUNT_OF(axes) ? axes[which] : NULL;
+        const bool is_quaternion = quantity_called(f->name, OF_BODY) == QUANTITY_ORIENTATION;
+        const char *const *parts = letters + !is_quaternion;
+        const size_t count = COUNT_OF(letters) - !is_quaternion, which = take_one_of(p, parts, count);
+        f->along.text = which < count ? parts[which] : NULL;
     }
     return p->failed ? NULL : f;
 }

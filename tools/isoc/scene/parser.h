@@ -25,7 +25,7 @@
  *   input         = input NAME [UNIT] [held | smooth] [jump FORMULA] [= FORMULA] [in FORMULA to FORMULA]
  *                 [safe FORMULA after FORMULA ticks]
  *   output        = output NAME = FORMULA [every FORMULA ticks]
- *                 a FORMULA has QUANTITY [of NAME [at FORMULA] [in (body | ground)] [along (x | y | z)]]
+ *                 a FORMULA has QUANTITY [of NAME [at FORMULA] [in (body | ground)] [along (w | x | y | z)]]
  *   repeat        = repeat WORD from FORMULA to FORMULA { { statement } }
  *   include       = include "FILE"
  *

@@ -35,9 +35,14 @@ quantity_kind quantity_of_nothing(const char *word)
     return found;
 }
 
-bool quantity_is_vector(const quantity_row *row)
+bool quantity_has_parts(const quantity_row *row)
 {
-    return strcmp(row->components, "xyz") == 0;
+    return row->components[0] != '\0';
+}
+
+int quantity_part(const quantity_row *row, const char *along)
+{
+    return (int)(strchr(row->components, along[0]) - row->components);
 }
 
 bool quantity_has_point(const quantity_row *row)

@@ -37,7 +37,6 @@ typedef enum known_when {
     KNOWN_AT_START,     /* constant from then on: likewise */
     KNOWN_WITH_EFFORTS, /* it follows from all of them: the next of a memory, but no effort */
     KNOWN_AFTER_STEP,   /* likewise */
-    KNOWN_IN_OUTPUTS,   /* where all lines of effects are known */
 } known_when;
 
 /* kind, word, operand, what it asks for, components, unit, unit of a coordinate that turns, when it is known. A word may
@@ -73,10 +72,10 @@ typedef enum known_when {
         KNOWN_AFTER_STEP)                                                                                              \
     ROW(QUANTITY_VIOLATION_ACCELERATION, "violation_acceleration", OF_CLOSURES, ASKS_NOTHING, "", "m/s^2 or rad/s^2",  \
         "m/s^2 or rad/s^2", KNOWN_WITH_EFFORTS)                                                                        \
-    ROW(QUANTITY_POWER_OF_EFFECT, "power", OF_EFFECT, ASKS_NOTHING, "", "W", "W", KNOWN_IN_OUTPUTS)                    \
-    ROW(QUANTITY_ENERGY_OF_EFFECT, "energy", OF_EFFECT, ASKS_NOTHING, "", "J", "J", KNOWN_IN_OUTPUTS)                  \
-    ROW(QUANTITY_LOSS, "loss", OF_EFFECT, ASKS_NOTHING, "", "W", "W", KNOWN_IN_OUTPUTS)                                \
-    ROW(QUANTITY_WORK, "work", OF_EFFECT, ASKS_NOTHING, "", "W", "W", KNOWN_IN_OUTPUTS)
+    ROW(QUANTITY_POWER_OF_EFFECT, "power", OF_EFFECT, ASKS_NOTHING, "", "W", "W", KNOWN_WITH_EFFORTS)                  \
+    ROW(QUANTITY_ENERGY_OF_EFFECT, "energy", OF_EFFECT, ASKS_NOTHING, "", "J", "J", KNOWN_WITH_EFFORTS)                \
+    ROW(QUANTITY_LOSS, "loss", OF_EFFECT, ASKS_NOTHING, "", "W", "W", KNOWN_WITH_EFFORTS)                              \
+    ROW(QUANTITY_WORK, "work", OF_EFFECT, ASKS_NOTHING, "", "W", "W", KNOWN_WITH_EFFORTS)
 
 /* QUANTITY_ROWS: none of them, but a formula, where an output shows one. */
 #define QUANTITY_KIND(kind, word, of, asks, components, unit, turning_unit, known) kind,
@@ -103,8 +102,9 @@ quantity_kind quantity_called(const char *word, operand of);
 /* The row of a word that is of nothing: of the mechanism, its closures or the step; QUANTITY_ROWS if there is none. */
 quantity_kind quantity_of_nothing(const char *word);
 
-/* Whether it is a vector, of which `along` shows a component; whether it is at a point. */
-bool quantity_is_vector(const quantity_row *row);
+/* Whether `along` shows a component of it, and which; whether it is at a point. */
+bool quantity_has_parts(const quantity_row *row);
+int quantity_part(const quantity_row *row, const char *along);
 bool quantity_has_point(const quantity_row *row);
 
 /* How many numbers it is. */
