@@ -14,6 +14,12 @@ typedef struct times {
     uint64_t end;
 } times;
 
+/* Ticks that were reported and are not done. They are fewer than 2^32, whose low words are all that a port keeps of them. */
+ISO_INLINE uint32_t behind(const iso_loop *const loop)
+{
+    return (uint32_t)loop->reported - (uint32_t)loop->tick;
+}
+
 /* Signed time from a to b on the clock. */
 static int64_t elapsed(const uint64_t a, const uint64_t b)
 {
@@ -73,11 +79,11 @@ ISO_APART ISO_RARE static bool book_times(iso_loop *const loop, const times *con
     const int64_t margin = elapsed(t->end, loop->due + loop->period);
     const iso_news news = {
         .counts = larger(t->after - t->before, loop->overhead) - loop->overhead,
-        .late = elapsed(loop->due, t->before) > (int64_t)(loop->period >> ISO_LATE_SHIFT),
+        .late = elapsed(loop->due, loop->begun) > (int64_t)(loop->period >> ISO_LATE_SHIFT),
         .overran = margin < 0,
     };
 
-    statistics->lost += loop->tick != loop->reported;
+    statistics->lost += behind(loop) != 0;
     statistics->late += news.late;
     statistics->overruns += news.overran;
     if (margin < statistics->margin) {
@@ -108,12 +114,12 @@ ISO_INLINE bool book(iso_loop *const loop, const times *const t, const bool rest
 {
     iso_statistics *const statistics = &loop->statistics;
     const uint64_t used = t->end - loop->due;
-    const uint32_t late = (uint32_t)t->before - (uint32_t)loop->due;
+    const uint32_t late = (uint32_t)loop->begun - (uint32_t)loop->due;
     const uint32_t counts = (uint32_t)t->after - (uint32_t)t->before - loop->overhead;
 
     statistics->ticks++;
-    if (used >> 32 != 0 || (uint32_t)used > loop->used || late > loop->period >> ISO_LATE_SHIFT ||
-        loop->tick != loop->reported || restarted || counts < loop->execution_min || counts > loop->execution_max) {
+    if (used >> 32 != 0 || (uint32_t)used > loop->used || late > loop->period >> ISO_LATE_SHIFT || behind(loop) != 0 ||
+        restarted || counts < loop->execution_min || counts > loop->execution_max) {
         return book_times(loop, t, restarted);
     }
     statistics->execution_sum += counts;
@@ -145,9 +151,10 @@ ISO_APART ISO_RARE static bool accept(iso_loop *const loop, const uint32_t finis
 
 ISO_INLINE void begin_tick(iso_loop *const loop, const iso_plant *const plant)
 {
-    while (loop->tick >= loop->reported) { /* a port that wakes up without a tick is asked again */
+    while (behind(loop) == 0) { /* a port that wakes up without a tick is asked again */
         loop->reported = iso_port_wait() - loop->rested;
     }
+    loop->begun = iso_port_clock();
     if (loop->at_once == 0) {
         iso_port_publish(plant->y, plant->model->outputs);
     }

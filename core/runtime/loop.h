@@ -20,7 +20,8 @@
 #define iso_loop_restart ISO_REAL_NAME(iso_loop_restart)
 #define iso_loop_jump ISO_REAL_NAME(iso_loop_jump)
 
-/* A tick that starts more than a period / 2^ISO_LATE_SHIFT after it was due is late. */
+/* A tick is late if it begins more than a period / 2^ISO_LATE_SHIFT after it was due: by the clock when the port has reported it,
+ * before the inputs. */
 enum { ISO_LATE_SHIFT = 4 };
 
 typedef struct iso_loop {
@@ -29,6 +30,7 @@ typedef struct iso_loop {
     uint64_t rested;   /* ticks of the port that passed without a step; less, modulo 2^64, those of a jump ahead */
     uint64_t reported; /* the latest tick that the port reported, less those: tick, if none is to be caught up */
     uint64_t due;      /* when tick + rested was due, on the port's clock */
+    uint64_t begun;    /* when the last tick began, on the same clock */
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
     uint16_t
