@@ -6,18 +6,18 @@
 #include "core/numbers/exact.h"
 #include "core/numbers/sincos.h"
 
-/* Four times the rounded angle / (pi/2) / 4: quarter turns, rounded to multiples of four, above ISO_TURN_ROUNDER. */
-#define ISO_TURN_ROUNDER (R(4.0) * ISO_ROUNDER)
+/* Half turns, rounded to multiples of two, above ISO_TURN_ROUNDER. */
+#define ISO_TURN_ROUNDER (R(2.0) * ISO_ROUNDER)
 
 static inline real iso_round_turns(const real angle)
 {
-    return angle * R(0.636619772367581343) + ISO_TURN_ROUNDER;
+    return angle * R(0.318309886183790672) + ISO_TURN_ROUNDER;
 }
 
 /* The angle (within 1e4) without its whole turns: within half a turn of zero. */
 static inline real iso_within_turn(const real angle)
 {
-    return iso_less_quarters(angle, iso_round_turns(angle) - ISO_TURN_ROUNDER);
+    return iso_less_half_turns(angle, iso_round_turns(angle) - ISO_TURN_ROUNDER);
 }
 
 /* *sum += part, with the rest. */
@@ -28,16 +28,23 @@ static inline void iso_add_exactly(real *const sum, real *const rest, const real
     *sum = result;
 }
 
+/* pi less ISO_PI_1 in two parts, the first short enough for a whole number of them to be exact. */
+#ifdef ISO_REAL_DOUBLE
+#define ISO_PI_MIDDLE R(1.2154201013010273e-10)
+#define ISO_PI_LAST R(2.1125998133974855e-23)
+#else
+#define ISO_PI_MIDDLE R(-8.9071691036224365e-6)
+#define ISO_PI_LAST R(-1.7411031391e-9)
+#endif
+
 /* Subtracts the nearest whole number of turns from *angle (|*angle| <= 1e4), and returns it. Without loss: the rest is in
  * the angle, as far as that can hold it. */
 static inline int32_t iso_take_turns(real *const angle, real *const rest)
 {
-    const real rounded = iso_round_turns(*angle), quarters = rounded - ISO_TURN_ROUNDER;
-    *angle -= quarters * ISO_QUARTER_1; /* exact: the two are near each other, or there is no turn */
-    iso_add_exactly(angle, rest, -quarters * ISO_QUARTER_2);
-#ifndef ISO_REAL_DOUBLE
-    *rest -= quarters * ISO_QUARTER_3;
-#endif
+    const real rounded = iso_round_turns(*angle), halves = rounded - ISO_TURN_ROUNDER;
+    *angle -= halves * ISO_PI_1; /* exact: the two are near each other, or there is no turn */
+    iso_add_exactly(angle, rest, -halves * ISO_PI_MIDDLE);
+    *rest -= halves * ISO_PI_LAST;
     const real left = *rest;
     *rest = R(0.0);
     iso_add_exactly(angle, rest, left);
