@@ -72,7 +72,7 @@ project
 for n in 2 3; do
     sed 's/^static inline void derivative/static __attribute__((noinline)) void derivative/' tests/cost/chain_$n.c >"$out/called_$n.c"
     cp "$out/planar_$n.scene" "$out/called_$n.c" "$out/project"
-    EXTRA=-fno-tree-ter
+    EXTRA='-fno-tree-ter -frename-registers'
     made planar_$n && program by_hand tests/handwritten/count.c tests/cost/chain_$n.c &&
         program called tests/handwritten/count.c "$out/called_$n.c"
     result $? "a planar chain of $n builds, and so by hand"
