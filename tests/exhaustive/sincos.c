@@ -28,9 +28,9 @@ static const double bound = 1.5; /* ulp of 1.0 */
 typedef struct worst {
     wide error; /* absolute */
     real at;
-} worst;
+} worst_error;
 
-static worst worst_sine, worst_cosine;
+static worst_error worst_sine, worst_cosine;
 
 /* sin^2 + cos^2 - 1 in each part of a half turn: what stays of it on average lengthens or shortens whatever is turned, in
  * every step, and a rounding does not. A coefficient that is only rounded leaves 0.3 ulp. */
@@ -43,7 +43,7 @@ static uint64_t numbers, asymmetric;
 enum { PARTS = 5, MULTIPLES = 12732 }; /* of pi/4 in the domain */
 static const long double quarter_pi = 0.785398163397448309615660845819875721L;
 
-static void record(worst *const w, const wide error, const real x)
+static void record(worst_error *const w, const wide error, const real x)
 {
     const wide magnitude = error < 0 ? -error : error;
     if (!(magnitude <= w->error)) {
@@ -153,7 +153,7 @@ static void sweep(const uint64_t stride, const uint64_t turn)
 
 #endif
 
-static bool report(const char *const name, const int number, const worst w)
+static bool report(const char *const name, const int number, const worst_error w)
 {
     const double ulp = (double)(w.error / (wide)ISO_REAL_EPSILON);
     const bool good = ulp <= bound;
