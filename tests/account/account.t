@@ -29,7 +29,7 @@ controlled()
 }
 optimised -O1
 controlled "time in 32 bits" 'return (int64_t)(b - a)' 'return (int32_t)(b - a)'
-controlled "a wake-up taken for a tick" 'while (loop->tick >= loop->reported)' 'if (loop->tick >= loop->reported)'
+controlled "a wake-up taken for a tick" 'while (behind(loop) == 0)' 'if (behind(loop) == 0)'
 controlled "inputs and tunables that nothing checks" 'iso_plant_admit(plant);' '0;'
 controlled "outputs that are not counted" '.*outputs_held++.*' ''
 controlled "a margin that is not the least" '(uint32_t)used > loop->used' 'used == 1'

@@ -1,10 +1,11 @@
 #!/bin/sh
-# What a reader holds in mind at once: in core and the tools a function fits a screen, and a struct has few members.
+# What a reader holds in mind at once: a source file has some hundred lines; in core and the tools a function fits a screen, and a
+# struct has few members.
 . tests/host/test.sh
 . tests/host/plain.sh
 begin check/sizes
 
-MOST_LINES=60 MOST_MEMBERS=25
+MOST_LINES=60 MOST_MEMBERS=25 MOST_OF_A_FILE=600
 
 # sizes FOLDER: "function NAME LINES FILE" and "struct NAME MEMBERS FILE" of each in core and the tools below a folder, as
 # clang-format writes them.
@@ -70,4 +71,19 @@ planted wide 'typedef struct wide {\n    int a, b[2], c; /* d, e; */\n    void (
 result $? "found: a struct of 26 members"
 planted "" 'typedef struct wide {\n    int '"$(seq -f 'm%.0f' -s ', ' 25)"';\n} wide;\n'
 result $? "one of 25 is let through"
+
+# long FOLDER: the source files in it that are too long, with their lines.
+long()
+{
+    (cd "$1" && find . -name build -prune -o -type f \( -name '*.[chS]' -o -name '*.in' -o -name '*.sh' -o -name '*.t' -o -name '*.awk' \
+        -o -name '*.py' -o -name '*.pm' -o -name '*.mk' -o -name Makefile -o -name '*.scene' -o -name '*.ld' \) -print | xargs wc -l |
+        awk -v most=$MOST_OF_A_FILE '$2 != "total" && $1 > most { print $2, $1 }' | sed 's|^[.]/||')
+}
+long . | tee "$out/long" | sed 's/^/# /'
+[ ! -s "$out/long" ]
+result $? "no source file has more than $MOST_OF_A_FILE lines"
+seq $((MOST_OF_A_FILE + 1)) >"$out/tree/tools/planted.sh"
+seq $MOST_OF_A_FILE >"$out/tree/tools/other.sh"
+[ "$(long "$out/tree")" = "tools/planted.sh $((MOST_OF_A_FILE + 1))" ]
+result $? "found: a file of a line more"
 finish
