@@ -1,7 +1,7 @@
 /* What the two ends of a wire must have alike, as tables. The programs of plants are made of them, and the tools; isoc writes
  * the controller's end from them. So nothing is included here.
  *
- * core/link/README.md has the frames, byte by byte. */
+ * core/link/README.md has the frames, byte by byte; tests/link/frames.t compares its tables with these. */
 #ifndef ISO_CORE_APPLICATION_PROTOCOL_H
 #define ISO_CORE_APPLICATION_PROTOCOL_H
 
@@ -57,23 +57,60 @@
 
 enum { ISO_LINK_VERSION = 1 };
 
-/* The types: what the controller sends, then what the plant sends. */
+/* The types: what the controller sends, then what the plant sends. The payload of each is ISO_LINK_NAME_FIELDS. */
 #define ISO_LINK_TYPE_LIST(X)                                                                                          \
     X(HELLO, 'h')   /* asks who is there */                                                                            \
-    X(START, 's')   /* a run from tick 0: ISO_LINK_START_FIELDS */                                                     \
-    X(INPUTS, 'u')  /* u64 tick of the outputs that they answer, reals of the wires */                                 \
-    X(END, 'e')     /* from the controller: ends the run; from the plant: how it went, 64 bits each */                 \
+    X(START, 's')   /* a run from tick 0 */                                                                            \
+    X(INPUTS, 'u')  /* those that answer the outputs of a tick */                                                      \
+    X(END, 'e')     /* from the controller, without a payload: ends the run; from the plant: how it went */            \
     X(COMMAND, 'c') /* what else can be asked of a plant: ISO_COMMAND_LIST */                                          \
-    X(PLANT, 'H')   /* u8 version, bytes of a real, u16 wires, outputs, states, tunables, u64 identity, u32 period */  \
-    X(OUTPUTS, 'y') /* u64 tick, reals of the outputs */                                                               \
-    X(ANSWER, 'C')  /* to a command: u8 command, its number, answer; then ISO_COMMAND_STATE_FIELDS, or a piece */      \
-    X(REFUSAL, 'n') /* u8 reason, type of the frame that is refused */
+    X(PLANT, 'H')   /* who is there */                                                                                 \
+    X(OUTPUTS, 'y')                                                                                                    \
+    X(ANSWER, 'C') /* to a command */                                                                                  \
+    X(REFUSAL, 'n')
 
-/* The fields of a start, and their bytes. */
+/* The fields of a payload, in their order: a name, a type, and how many there are; MANY are as many as the rest of the frame
+ * has. REAL is as wide as the plant's. */
+#define ISO_LINK_HELLO_FIELDS(X)
 #define ISO_LINK_START_FIELDS(X)                                                                                       \
-    X(identity, 8) /* of the plant that the controller was made for */                                                 \
-    X(mode, 1)                                                                                                         \
-    X(ticks, 8) /* 0: until it is ended */
+    X(identity, U64, 1) /* of the plant that the controller was made for */                                            \
+    X(mode, U8, 1)                                                                                                     \
+    X(ticks, U64, 1) /* 0: until it is ended */
+#define ISO_LINK_INPUTS_FIELDS(X)                                                                                      \
+    X(tick, U64, 1) /* of the outputs that they answer */                                                              \
+    X(inputs, REAL, MANY)
+#define ISO_LINK_END_FIELDS(X) X(words, U64, MANY) /* ISO_STREAM_COUNTS, ISO_STREAM_WORDS, ISO_LINK_COUNTS */
+#define ISO_LINK_COMMAND_FIELDS(X)                                                                                     \
+    X(command, U8, 1)                                                                                                  \
+    X(number, U8, 1) /* of the controller's; then ISO_COMMAND_NAME_TAKES */
+#define ISO_LINK_PLANT_FIELDS(X)                                                                                       \
+    X(version, U8, 1)                                                                                                  \
+    X(real_bytes, U8, 1)                                                                                               \
+    X(wires, U16, 1)                                                                                                   \
+    X(outputs, U16, 1)                                                                                                 \
+    X(states, U16, 1)                                                                                                  \
+    X(tunables, U16, 1)                                                                                                \
+    X(identity, U64, 1)                                                                                                \
+    X(period_ns, U32, 1)
+#define ISO_LINK_OUTPUTS_FIELDS(X)                                                                                     \
+    X(tick, U64, 1)                                                                                                    \
+    X(outputs, REAL, MANY)
+#define ISO_LINK_ANSWER_FIELDS(X)                                                                                      \
+    X(command, U8, 1)                                                                                                  \
+    X(number, U8, 1)                                                                                                   \
+    X(answer, U8, 1) /* then ISO_COMMAND_STATE_FIELDS, or ISO_COMMAND_PIECE_FIELDS */
+#define ISO_LINK_REFUSAL_FIELDS(X)                                                                                     \
+    X(reason, U8, 1)                                                                                                   \
+    X(type, U8, 1) /* of the frame that is refused */
+
+/* The bytes of all fields that stand once: 0 ISO_LINK_START_FIELDS(ISO_FIELD_BYTES). */
+#define ISO_BYTES_OF_U8 1
+#define ISO_BYTES_OF_U16 2
+#define ISO_BYTES_OF_U32 4
+#define ISO_BYTES_OF_U64 8
+#define ISO_BYTES_IF_1(type) +ISO_BYTES_OF_##type
+#define ISO_BYTES_IF_MANY(type)
+#define ISO_FIELD_BYTES(name, type, count) ISO_BYTES_IF_##count(type)
 
 /* The modes of a run. */
 #define ISO_LINK_MODE_LIST(X)                                                                                          \
@@ -90,27 +127,38 @@ enum { ISO_LINK_VERSION = 1 };
 
 /* --- Commands ---------------------------------------------------------------------------------------------------- */
 
-/* Each is a byte, followed by its number, a byte, and by this. */
+/* What each takes behind its number is ISO_COMMAND_NAME_TAKES. */
 #define ISO_COMMAND_LIST(X)                                                                                            \
-    X(STATE, 1)   /* : how it is */                                                                                    \
-    X(RUN, 2)     /* u64 ticks, 0 without an end: runs, then rests */                                                  \
-    X(REST, 3)    /* : pauses */                                                                                       \
-    X(RESET, 4)   /* : a run from tick 0, in the mode of the last start; rests there */                                \
-    X(TAKE, 5)    /* : takes a snapshot into the record */                                                             \
-    X(READ, 6)    /* u32 offset: a piece of the record */                                                              \
-    X(WRITE, 7)   /* u32 offset, the bytes of a piece */                                                               \
-    X(RESTORE, 8) /* u32 bytes of the record: puts the plant to it; rests there */
+    X(STATE, 1)   /* how it is */                                                                                      \
+    X(RUN, 2)     /* runs, then rests */                                                                               \
+    X(REST, 3)    /* pauses */                                                                                         \
+    X(RESET, 4)   /* a run from tick 0, in the mode of the last start; rests there */                                  \
+    X(TAKE, 5)    /* takes a snapshot into the record */                                                               \
+    X(READ, 6)    /* a piece of the record */                                                                          \
+    X(WRITE, 7)   /* a piece of it */                                                                                  \
+    X(RESTORE, 8) /* puts the plant to the record; rests there */
+#define ISO_COMMAND_STATE_TAKES(X)
+#define ISO_COMMAND_RUN_TAKES(X) X(ticks, U64, 1) /* 0: without an end */
+#define ISO_COMMAND_REST_TAKES(X)
+#define ISO_COMMAND_RESET_TAKES(X)
+#define ISO_COMMAND_TAKE_TAKES(X)
+#define ISO_COMMAND_READ_TAKES(X) X(offset, U32, 1)
+#define ISO_COMMAND_WRITE_TAKES(X) ISO_COMMAND_PIECE_FIELDS(X)
+#define ISO_COMMAND_RESTORE_TAKES(X) X(bytes, U32, 1) /* of the record */
 
-/* The most bytes of a piece. All pieces of a record are as long, but for the last one. */
+/* A piece of the record, of at most so many bytes. All pieces are as long, but for the last one. */
 enum { ISO_COMMAND_PIECE = 128 };
+#define ISO_COMMAND_PIECE_FIELDS(X)                                                                                    \
+    X(offset, U32, 1)                                                                                                  \
+    X(piece, U8, MANY)
 
-/* The fields of an answer that is no piece, and their bytes. */
+/* An answer that is no piece. */
 #define ISO_COMMAND_STATE_FIELDS(X)                                                                                    \
-    X(state, 1)                                                                                                        \
-    X(tick, 8)                                                                                                         \
-    X(left, 8) /* ticks until it rests; all ones: without an end */                                                    \
-    X(hash, 8) /* of the trajectory so far */                                                                          \
-    X(snapshot_bytes, 4)
+    X(state, U8, 1)                                                                                                    \
+    X(tick, U64, 1)                                                                                                    \
+    X(left, U64, 1) /* ticks until it rests; all ones: without an end */                                               \
+    X(hash, U64, 1) /* of the trajectory so far */                                                                     \
+    X(snapshot_bytes, U32, 1)
 
 /* How a plant is. */
 #define ISO_COMMAND_STATE_LIST(X)                                                                                      \

@@ -5,16 +5,17 @@ ISO_SNAPSHOT_REFUSALS(IS_NUMBERED)
 ISO_CONTROL_REFUSALS(IS_NUMBERED)
 
 /* The bytes before those of a command: its type and its number. */
-enum { HEAD_BYTES = 2, TICKS_BYTES = 8, OFFSET_BYTES = 4 };
+enum {
+    HEAD_BYTES = 0 ISO_LINK_COMMAND_FIELDS(ISO_FIELD_BYTES),
+    TICKS_BYTES = 0 ISO_COMMAND_RUN_TAKES(ISO_FIELD_BYTES),
+    OFFSET_BYTES = 0 ISO_COMMAND_PIECE_FIELDS(ISO_FIELD_BYTES),
+};
 
 /* Whether the bytes behind the head are as many as the command has. */
 static bool has_length(const iso_command_type type, const size_t length)
 {
-    static const uint8_t lengths[ISO_COMMANDS] = {
-        [ISO_COMMAND_RUN] = TICKS_BYTES,
-        [ISO_COMMAND_READ] = OFFSET_BYTES,
-        [ISO_COMMAND_RESTORE] = OFFSET_BYTES,
-    };
+#define LENGTH(name, number) [number] = 0 ISO_COMMAND_##name##_TAKES(ISO_FIELD_BYTES),
+    static const uint8_t lengths[ISO_COMMANDS] = {ISO_COMMAND_LIST(LENGTH)};
     return type == ISO_COMMAND_WRITE ? length > OFFSET_BYTES && length <= OFFSET_BYTES + ISO_COMMAND_PIECE
                                      : length == lengths[type];
 }
@@ -129,8 +130,8 @@ static iso_command_state state_of(const iso_control *const control, const bool i
                                              : ISO_COMMAND_RUNS;
 }
 
-#define FIELD(name, bytes) uint64_t name;
-#define PUT_FIELD(name, bytes) iso_frame_put(w, fields.name, bytes);
+#define FIELD(name, ...) uint64_t name;
+#define PUT_STATE(name, type, count) iso_frame_put(w, fields.name, ISO_BYTES_OF_##type);
 void iso_command_put_answer(const iso_commands *const commands, const iso_control *const control, const bool is_running,
                             const uint8_t *const payload, iso_frame_writer *const w)
 {
@@ -153,6 +154,6 @@ void iso_command_put_answer(const iso_commands *const commands, const iso_contro
             .hash = control->hash,
             .snapshot_bytes = control->record_bytes,
         };
-        ISO_COMMAND_STATE_FIELDS(PUT_FIELD)
+        ISO_COMMAND_STATE_FIELDS(PUT_STATE)
     }
 }

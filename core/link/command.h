@@ -19,7 +19,10 @@
 typedef enum iso_command_type { ISO_COMMAND_LIST(ISO_COMMAND_TYPE_CONSTANT) ISO_COMMANDS } iso_command_type;
 
 /* Bytes of the payload of the longest answer. */
-enum { ISO_COMMAND_ANSWER_BYTES = 3 + 4 + ISO_COMMAND_PIECE };
+enum {
+    ISO_COMMAND_ANSWER_BYTES =
+        0 ISO_LINK_ANSWER_FIELDS(ISO_FIELD_BYTES) ISO_COMMAND_PIECE_FIELDS(ISO_FIELD_BYTES) + ISO_COMMAND_PIECE
+};
 
 /* How a plant is. */
 #define ISO_COMMAND_STATE_CONSTANT(name, number, words) ISO_COMMAND_##name = (number),

@@ -10,8 +10,17 @@
 enum { CHUNK_BYTES = 64, CHUNKS = 64 };
 
 /* Bytes of payload of frames whose size does not depend on the plant. */
-#define FIELD_BYTES(name, bytes) +(bytes)
-enum { HELLO_BYTES = 0, START_BYTES = 0 ISO_LINK_START_FIELDS(FIELD_BYTES), ASK_END_BYTES = 0 };
+enum {
+    HELLO_BYTES = 0 ISO_LINK_HELLO_FIELDS(ISO_FIELD_BYTES),
+    START_BYTES = 0 ISO_LINK_START_FIELDS(ISO_FIELD_BYTES),
+    ASK_END_BYTES = 0,
+    TICK_BYTES = 0 ISO_LINK_INPUTS_FIELDS(ISO_FIELD_BYTES),
+};
+_Static_assert(ISO_LINK_TICK_BYTES(1) == TICK_BYTES + sizeof(real), "inputs and outputs stand behind a tick");
+
+/* The fields of a frame as numbers of 64 bits, and how they are written. */
+#define FIELD(name, ...) uint64_t name;
+#define PUT_FIELD(name, type, count) iso_frame_put(&w, fields.name, ISO_BYTES_OF_##type);
 
 /* --- Frames to the controller ------------------------------------------------------------------------------------ */
 
@@ -25,16 +34,21 @@ static void send_plant(iso_link *const link)
 {
     const iso_interface *const interface = link->interface;
     const iso_model *const model = link->loop->plant->model;
+    const struct {
+        ISO_LINK_PLANT_FIELDS(FIELD)
+    } fields = {
+        .version = ISO_LINK_VERSION,
+        .real_bytes = sizeof(real),
+        .wires = interface->wire_count,
+        .outputs = model->outputs,
+        .states = model->states,
+        .tunables = model->parameters,
+        .identity = interface->identity,
+        .period_ns = model->period_ns,
+    };
     iso_frame_writer w;
     iso_frame_begin(&w, interface->sent, ISO_LINK_PLANT);
-    iso_frame_put(&w, ISO_LINK_VERSION, 1);
-    iso_frame_put(&w, sizeof(real), 1);
-    iso_frame_put(&w, interface->wire_count, 2);
-    iso_frame_put(&w, model->outputs, 2);
-    iso_frame_put(&w, model->states, 2);
-    iso_frame_put(&w, model->parameters, 2);
-    iso_frame_put(&w, interface->identity, 8);
-    iso_frame_put(&w, model->period_ns, 4);
+    ISO_LINK_PLANT_FIELDS(PUT_FIELD)
     put_frame(link, &w);
 }
 
@@ -43,7 +57,7 @@ static void send_outputs(iso_link *const link)
     const iso_plant *const plant = link->loop->plant;
     iso_frame_writer w;
     iso_frame_begin(&w, link->interface->sent, ISO_LINK_OUTPUTS);
-    iso_frame_put(&w, link->loop->tick, 8);
+    iso_frame_put(&w, link->loop->tick, TICK_BYTES);
     iso_frame_put_reals(&w, plant->y, plant->model->outputs);
     put_frame(link, &w);
 }
@@ -73,19 +87,20 @@ static void refuse(iso_link *const link, const iso_link_reason reason)
 {
     const uint8_t type = link->reader.buffer[0];
     link->statistics.refused++;
+    const struct {
+        ISO_LINK_REFUSAL_FIELDS(FIELD)
+    } fields = {.reason = reason, .type = type};
     iso_frame_writer w;
     iso_frame_begin(&w, link->interface->sent, ISO_LINK_REFUSAL);
-    iso_frame_put(&w, reason, 1);
-    iso_frame_put(&w, type, 1);
+    ISO_LINK_REFUSAL_FIELDS(PUT_FIELD)
     put_frame(link, &w);
 }
 
 /* --- Frames from it ---------------------------------------------------------------------------------------------- */
 
-#define FIELD(name, bytes) uint64_t name;
-#define TAKE_FIELD(name, bytes)                                                                                        \
-    start.name = iso_frame_number(at, bytes);                                                                          \
-    at += (bytes);
+#define TAKE_FIELD(name, type, count)                                                                                  \
+    start.name = iso_frame_number(at, ISO_BYTES_OF_##type);                                                            \
+    at += ISO_BYTES_OF_##type;
 
 /* A start that comes again before the first step, because its answer was lost, is answered again. */
 static void take_start(iso_link *const link, const uint8_t *const payload)
@@ -125,7 +140,7 @@ static void take_values(iso_link *const link, const uint64_t answers, const uint
  * answer them were lost; and after the end, that the end frame was. */
 static void take_inputs(iso_link *const link, const uint8_t *const payload)
 {
-    const uint64_t answers = iso_frame_number(payload, 8);
+    const uint64_t answers = iso_frame_number(payload, TICK_BYTES);
     const uint64_t tick = link->loop->tick;
     if (!link->running && link->ended) {
         send_end(link);
@@ -139,7 +154,7 @@ static void take_inputs(iso_link *const link, const uint8_t *const payload)
             send_outputs(link);
         }
     } else {
-        take_values(link, answers, payload + 8);
+        take_values(link, answers, payload + TICK_BYTES);
     }
 }
 

@@ -44,8 +44,8 @@ enum {
 
 /* Bytes of payload. No command or answer is longer than the end frame. */
 #define ISO_LINK_LARGER(a, b) ((a) < (b) ? (b) : (a))
-#define ISO_LINK_TICK_BYTES(reals) (sizeof(uint64_t) + (reals) * sizeof(real))
-#define ISO_LINK_END_BYTES (ISO_LINK_END_WORDS * sizeof(uint64_t))
+#define ISO_LINK_TICK_BYTES(reals) ((0 ISO_LINK_OUTPUTS_FIELDS(ISO_FIELD_BYTES)) + (reals) * sizeof(real))
+#define ISO_LINK_END_BYTES (ISO_LINK_END_WORDS * ISO_BYTES_OF_U64)
 
 /* Bytes of a buffer for the frames of a plant. */
 #define ISO_LINK_BYTES(wires, outputs)                                                                                 \

@@ -33,9 +33,9 @@ extern "C" {
 
 enum { ISO_CLIENT_PATIENCE_MS = 500, ISO_CLIENT_TRIES = 20 };
 
-/* Types of frames, modes of a run, commands, and how a plant is by its answer to one. */
-#define ISO_CLIENT_FRAME(name, letter) ISO_CLIENT_FRAME_##name = (letter),
-#define ISO_CLIENT_COMMAND(name, number) ISO_CLIENT_##name = (number),
+/* Types of frames, and the bytes of what stands once in each; modes of a run, commands, and how a plant is by its answer to one. */
+#define ISO_CLIENT_FRAME(name, letter, bytes) ISO_CLIENT_FRAME_##name = (letter), ISO_CLIENT_BYTES_OF_##name = (bytes),
+#define ISO_CLIENT_COMMAND(name, number, bytes) ISO_CLIENT_##name = (number), ISO_CLIENT_BYTES_TO_##name = (bytes),
 #define ISO_CLIENT_CONSTANT(name, number, words) ISO_CLIENT_##name = (number),
 enum { ISO_CLIENT_FRAMES(ISO_CLIENT_FRAME) };
 enum { ISO_CLIENT_MODES(ISO_CLIENT_CONSTANT) };
@@ -48,13 +48,15 @@ typedef struct iso_client_end {
     ISO_CLIENT_WORDS(ISO_CLIENT_MEMBER)
 } iso_client_end;
 
-/* How a plant is, by its answer to a command. */
+/* Types for numbers of so many bytes in a frame. */
+#define ISO_CLIENT_OF_1 int
+#define ISO_CLIENT_OF_4 size_t
+#define ISO_CLIENT_OF_8 uint64_t
+#define ISO_CLIENT_FIELD(name, bytes) ISO_CLIENT_OF_##bytes name;
+
+/* How a plant is, by its answer to a command; `left` are the ticks until it rests, UINT64_MAX: without an end. */
 typedef struct iso_client_state {
-    int state;
-    uint64_t tick;
-    uint64_t left; /* ticks until it rests; UINT64_MAX: without an end */
-    uint64_t hash; /* of the trajectory so far */
-    size_t snapshot_bytes;
+    ISO_CLIENT_STATE_FIELDS(ISO_CLIENT_FIELD)
 } iso_client_state;
 
 /* Bytes of a buffer for frames of up to so many bytes of payload. */
@@ -353,33 +355,17 @@ static inline int iso_client_receive(iso_client *c, int patience_ms, size_t *len
 
 /* --- A run ------------------------------------------------------------------------------------------------------- */
 
-#define ISO_CLIENT_CASE(number, words)                                                                                 \
-    case number:                                                                                                       \
-        return words;
+#define ISO_CLIENT_IF(number, words) code == (number) ? (words):
 
-/* Why a frame was refused. */
-static inline const char *iso_client_reason(unsigned reason)
+/* Why a frame was refused, and why a command was not done. */
+static inline const char *iso_client_reason(unsigned code)
 {
-    switch (reason) {
-        ISO_CLIENT_REASONS(ISO_CLIENT_CASE)
-    default:
-        return "for a reason that is not known";
-    }
+    return ISO_CLIENT_REASONS(ISO_CLIENT_IF) "for a reason that is not known";
 }
 
-/* Why a command was not done. */
-static inline const char *iso_client_answer(unsigned answer)
+static inline const char *iso_client_answer(unsigned code)
 {
-    switch (answer) {
-        ISO_CLIENT_ANSWERS(ISO_CLIENT_CASE)
-    default:
-        return "not known";
-    }
-}
-
-static inline bool iso_client_refused(iso_client *c)
-{
-    return iso_client_fail(c, "refused", iso_client_reason(c->received[1]));
+    return ISO_CLIENT_ANSWERS(ISO_CLIENT_IF) "not known";
 }
 
 /* Takes a frame. Returns 1 if outputs came of a tick from `from` on, or, where those of the next tick are due, of an earlier one
@@ -388,12 +374,12 @@ static inline bool iso_client_refused(iso_client *c)
 static inline int iso_client_take(iso_client *c, size_t length, uint64_t from)
 {
     const uint8_t type = c->received[0];
-    if (type == ISO_CLIENT_FRAME_OUTPUTS && length == 8 + c->outputs * c->real_bytes) {
-        const uint64_t tick = iso_client_number(c->received + 1, 8);
+    if (type == ISO_CLIENT_FRAME_OUTPUTS && length == ISO_CLIENT_BYTES_OF_OUTPUTS + c->outputs * c->real_bytes) {
+        const uint64_t tick = iso_client_number(c->received + 1, ISO_CLIENT_BYTES_OF_OUTPUTS);
         const bool is_taken = tick >= from || (from == c->tick + 1 && tick < c->tick);
         if (is_taken) {
             c->tick = tick;
-            iso_client_get_reals(c, c->y, c->received + 9, c->outputs);
+            iso_client_get_reals(c, c->y, c->received + 1 + ISO_CLIENT_BYTES_OF_OUTPUTS, c->outputs);
         }
         return is_taken && (c->ticks == 0 || tick < c->ticks);
     }
@@ -405,8 +391,8 @@ static inline int iso_client_take(iso_client *c, size_t length, uint64_t from)
         c->problem[0] = '\0';
         return -1;
     }
-    if (type == ISO_CLIENT_FRAME_REFUSAL && length == 2) {
-        (void)iso_client_refused(c);
+    if (type == ISO_CLIENT_FRAME_REFUSAL && length == ISO_CLIENT_BYTES_OF_REFUSAL) {
+        (void)iso_client_fail(c, "refused", iso_client_reason(c->received[1]));
         return -1;
     }
     return 0;
@@ -467,7 +453,7 @@ static inline bool iso_client_exchange(iso_client *c)
 {
     size_t length = 0;
     iso_client_begin(c, ISO_CLIENT_FRAME_INPUTS);
-    iso_client_put(c, c->tick, 8);
+    iso_client_put(c, c->tick, ISO_CLIENT_BYTES_OF_INPUTS);
     iso_client_put_reals(c, c->u, c->inputs);
     if (!iso_client_finish(c) || !iso_client_await(c, c->tick + 1)) {
         return false;
@@ -489,16 +475,21 @@ static inline bool iso_client_stop(iso_client *c)
 
 /* --- Commands ---------------------------------------------------------------------------------------------------- */
 
-static inline void iso_client_command(iso_client *c, uint8_t command, uint64_t argument, size_t bytes)
+#define ISO_CLIENT_TAKES(name, number, bytes) +(command == (number) ? (bytes) : 0)
+
+/* Begins a command with the number that it takes; one that takes none has no bytes of it. */
+static inline void iso_client_command(iso_client *c, uint8_t command, uint64_t argument)
 {
     iso_client_begin(c, ISO_CLIENT_FRAME_COMMAND);
     iso_client_put(c, command, 1);
     iso_client_put(c, ++c->number, 1);
-    iso_client_put(c, argument, bytes);
+    iso_client_put(c, argument, (size_t)(0 ISO_CLIENT_COMMANDS(ISO_CLIENT_TAKES)));
 }
 
-/* Sends the command that has been begun, again and again until its answer comes: that is then from received[4] on, of
- * *length bytes. */
+/* Sends the command that has been begun, again and again until its answer comes: that is then from received[ISO_CLIENT_ANSWER_AT] on,
+ * of *length bytes; before it is what became of the command. */
+enum { ISO_CLIENT_ANSWER_AT = 1 + ISO_CLIENT_BYTES_OF_ANSWER };
+
 static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length)
 {
     bool sent = iso_client_finish(c);
@@ -510,10 +501,11 @@ static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length
         if (came == 0) {
             tries++;
             sent = iso_client_write(c);
-        } else if (c->received[0] == ISO_CLIENT_FRAME_ANSWER && *length >= 3 && c->received[1] == command &&
-                   c->received[2] == c->number) {
-            *length -= 3;
-            return c->received[3] == 0 || iso_client_fail(c, "refused", iso_client_answer(c->received[3]));
+        } else if (c->received[0] == ISO_CLIENT_FRAME_ANSWER && *length >= ISO_CLIENT_BYTES_OF_ANSWER &&
+                   c->received[1] == command && c->received[2] == c->number) {
+            *length -= ISO_CLIENT_BYTES_OF_ANSWER;
+            const uint8_t answer = c->received[ISO_CLIENT_ANSWER_AT - 1];
+            return answer == 0 || iso_client_fail(c, "refused", iso_client_answer(answer));
         } else if (iso_client_take(c, *length, 0) < 0 && !c->over) {
             return false;
         }
@@ -521,40 +513,32 @@ static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length
     return sent && iso_client_fail(c, "the plant does not answer", NULL);
 }
 
-#define ISO_CLIENT_FIELD(name, bytes) uint64_t name;
 #define ISO_CLIENT_FIELD_BYTES(name, bytes) +(bytes)
-#define ISO_CLIENT_TAKE_FIELD(name, bytes) said.name = iso_client_number(at, bytes), at += (bytes);
+#define ISO_CLIENT_TAKE_FIELD(name, bytes)                                                                             \
+    c->state.name = (ISO_CLIENT_OF_##bytes)iso_client_number(at, bytes), at += (bytes);
 enum { ISO_CLIENT_STATE_BYTES = 0 ISO_CLIENT_STATE_FIELDS(ISO_CLIENT_FIELD_BYTES) };
 
 /* A command whose answer says how the plant is. The first one of a link asks for that alone: then no number of a controller
  * before is taken for one of this. */
-static inline bool iso_client_do(iso_client *c, uint8_t command, uint64_t argument, size_t bytes)
+static inline bool iso_client_do(iso_client *c, uint8_t command, uint64_t argument)
 {
     size_t length = 0;
-    if (c->number == 0 && command != ISO_CLIENT_STATE && !iso_client_do(c, ISO_CLIENT_STATE, 0, 0)) {
+    if (c->number == 0 && command != ISO_CLIENT_STATE && !iso_client_do(c, ISO_CLIENT_STATE, 0)) {
         return false;
     }
-    iso_client_command(c, command, argument, bytes);
+    iso_client_command(c, command, argument);
     if (!iso_client_ask(c, command, &length) || length != ISO_CLIENT_STATE_BYTES) {
         return false;
     }
-    const uint8_t *at = c->received + 4;
-    struct {
-        ISO_CLIENT_STATE_FIELDS(ISO_CLIENT_FIELD)
-    } said;
+    const uint8_t *at = c->received + ISO_CLIENT_ANSWER_AT;
     ISO_CLIENT_STATE_FIELDS(ISO_CLIENT_TAKE_FIELD)
-    c->state.state = (int)said.state;
-    c->state.tick = said.tick;
-    c->state.left = said.left;
-    c->state.hash = said.hash;
-    c->state.snapshot_bytes = (size_t)said.snapshot_bytes;
     return true;
 }
 
 /* The same of one that puts the plant to another tick, with the outputs there. */
-static inline bool iso_client_move(iso_client *c, uint8_t command, uint64_t argument, size_t bytes)
+static inline bool iso_client_move(iso_client *c, uint8_t command, uint64_t argument)
 {
-    if (!iso_client_do(c, command, argument, bytes)) {
+    if (!iso_client_do(c, command, argument)) {
         return false;
     }
     c->over = false;
@@ -565,19 +549,20 @@ static inline bool iso_client_move(iso_client *c, uint8_t command, uint64_t argu
 static inline size_t iso_client_snapshot(iso_client *c, void *record, size_t room)
 {
     size_t length = 0;
-    if (!iso_client_do(c, ISO_CLIENT_TAKE, 0, 0)) {
+    if (!iso_client_do(c, ISO_CLIENT_TAKE, 0)) {
         return 0;
     }
-    const size_t bytes = c->state.snapshot_bytes;
-    for (size_t at = 0; at < bytes && bytes <= room; at += length - 4) {
-        iso_client_command(c, ISO_CLIENT_READ, at, 4);
+    const size_t bytes = c->state.snapshot_bytes, head = ISO_CLIENT_BYTES_TO_READ;
+    for (size_t at = 0; at < bytes && bytes <= room; at += length - head) {
+        iso_client_command(c, ISO_CLIENT_READ, at);
         if (!iso_client_ask(c, ISO_CLIENT_READ, &length)) {
             return 0;
         }
-        if (length <= 4 || iso_client_number(c->received + 4, 4) != at || length - 4 > bytes - at) {
+        const uint8_t *piece = c->received + ISO_CLIENT_ANSWER_AT;
+        if (length <= head || iso_client_number(piece, head) != at || length - head > bytes - at) {
             return (size_t)iso_client_fail(c, "the snapshot", "a piece is not that which was asked for");
         }
-        memcpy((char *)record + at, c->received + 8, length - 4);
+        memcpy((char *)record + at, piece + head, length - head);
     }
     return bytes <= room ? bytes : (size_t)iso_client_fail(c, "the snapshot", "there is no room for it");
 }
@@ -588,7 +573,7 @@ static inline bool iso_client_restore(iso_client *c, const void *record, size_t 
     size_t length = 0;
     for (size_t at = 0; at < bytes; at += ISO_CLIENT_PIECE) {
         const size_t piece = bytes - at < ISO_CLIENT_PIECE ? bytes - at : (size_t)ISO_CLIENT_PIECE;
-        iso_client_command(c, ISO_CLIENT_WRITE, at, 4);
+        iso_client_command(c, ISO_CLIENT_WRITE, at);
         for (size_t i = 0; i < piece; i++) {
             iso_client_put_byte(c, ((const uint8_t *)record)[at + i]);
         }
@@ -596,7 +581,7 @@ static inline bool iso_client_restore(iso_client *c, const void *record, size_t 
             return false;
         }
     }
-    return iso_client_move(c, ISO_CLIENT_RESTORE, bytes, 4);
+    return iso_client_move(c, ISO_CLIENT_RESTORE, bytes);
 }
 
 #ifdef __cplusplus

@@ -69,7 +69,7 @@ static bool look_outwards(void *const context, uint8_t *const frame, const size_
 /* A start has the identity of the plant, the mode and the number of ticks. */
 static bool look_inwards(void *const context, uint8_t *const frame, const size_t length)
 {
-#define FIELD_AT(name, bytes) AT_##name, LAST_OF_##name = AT_##name + (bytes)-1,
+#define FIELD_AT(name, type, count) AT_##name, LAST_OF_##name = AT_##name + ISO_BYTES_OF_##type - 1,
     enum { TYPE_AT, ISO_LINK_START_FIELDS(FIELD_AT) END_AT };
     wire *const w = context;
     account_controller(&w->account, frame[0], frame + 1, length, wire_clock());

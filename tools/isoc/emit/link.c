@@ -5,6 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/application/protocol.h"
+#include "core/link/frame.h"
+#include "port/channel.h"
 #include "tools/isoc/base/embedded.h"
 #include "tools/isoc/emit/parts.h"
 
@@ -165,7 +168,7 @@ static const char *python_dictionary(arena *memory, const variable *all, int cou
 static void emit_client_module(const terminals *t, text *out)
 {
     static const char assignment[] = "    @name@=@number@,\n", entry[] = "    @number@: @words@,\n",
-                      field[] = "    \"@name@\": @number@,\n";
+                      layout[] = "    @name@=\"@layout@\",\n", name[] = "    \"@name@\",\n";
     arena *memory = out->memory;
     text_fill(out, embedded_text(client_files, "tools/client/client.py.in"),
               (const filling[]){{"scene", t->scene},
@@ -182,27 +185,29 @@ static void emit_client_module(const terminals *t, text *out)
                                 {"answers", protocol_rows(memory, PROTOCOL_ANSWERS, entry)},
                                 {"version", protocol_version(memory)},
                                 {"piece", protocol_piece(memory)},
-                                {"start fields", protocol_rows(memory, PROTOCOL_START_FIELDS, field)},
-                                {"state fields", protocol_rows(memory, PROTOCOL_STATE_FIELDS, field)},
-                                {"words", protocol_rows(memory, PROTOCOL_WORDS, "    \"@name@\",\n")},
+                                {"start fields", protocol_rows(memory, PROTOCOL_START_FIELDS, name)},
+                                {"state fields", protocol_rows(memory, PROTOCOL_STATE_FIELDS, name)},
+                                {"state layout", protocol_rows(memory, PROTOCOL_STATE_FIELDS, "@layout@")},
+                                {"layouts", protocol_rows(memory, PROTOCOL_FRAMES, layout)},
+                                {"command layouts", protocol_rows(memory, PROTOCOL_COMMANDS, layout)},
+                                {"words", protocol_rows(memory, PROTOCOL_WORDS, name)},
                                 {NULL, NULL}});
 }
 
 bool link_fits(const plant *p, const char *path)
 {
-    /* As core/link/frame.h counts them: a tick, the reals, type and CRC; in COBS, between two zeros. */
-    enum { CHANNEL_BYTES = 2048, TICK_BYTES = 8, FRAMING_BYTES = 3, COBS_BLOCK = 254, ENDS = 3 };
+    enum { TICK_BYTES = 0 ISO_LINK_OUTPUTS_FIELDS(ISO_FIELD_BYTES) };
     const bool is_in = p->m->inputs.wire_count > p->outputs.count;
     const int reals = is_in ? p->m->inputs.wire_count : p->outputs.count;
-    const int bytes = TICK_BYTES + reals * (p->is_double ? 8 : 4) + FRAMING_BYTES;
-    const int frame = bytes + bytes / COBS_BLOCK + ENDS;
-    if (frame > CHANNEL_BYTES) {
+    const int frame = ISO_FRAME_BYTES(TICK_BYTES + reals * (int)(p->is_double ? sizeof(double) : sizeof(float)));
+    if (frame > ISO_CHANNEL_BYTES) {
         fprintf(
             stderr,
             "%s: error: a frame of its %d %s has %d bytes, and a channel takes %d at once; leave some of them out%s\n",
-            path, reals, is_in ? "inputs" : "outputs", frame, CHANNEL_BYTES, is_in ? "" : ", or read them over XCP");
+            path, reals, is_in ? "inputs" : "outputs", frame, ISO_CHANNEL_BYTES,
+            is_in ? "" : ", or read them over XCP");
     }
-    return frame <= CHANNEL_BYTES;
+    return frame <= ISO_CHANNEL_BYTES;
 }
 
 void emit_link(const plant *p, const naming *names, const char *lock, file_list *files)

@@ -171,7 +171,7 @@ typedef enum protocol_table {
 /* All of them as ISO_CLIENT_WORDS(X) and so on, with the numbers below. */
 const char *protocol_in_c(arena *memory);
 
-/* The rows of one, each as the pattern has it: a template with the places name, number and words. */
+/* The rows of one, each as the pattern has it: a template with the places name, number, words, layout and bytes. */
 const char *protocol_rows(arena *memory, protocol_table table, const char *pattern);
 
 /* The version of the frames, and the most bytes of a piece of a snapshot. */
