@@ -21,7 +21,7 @@
 ##     INPUTS=held|smooth                  the reading of all inputs, instead of that of the scene
 ##     RECORDED=FILE                       for report and bench: inputs of a controller, a line for each tick
 ##     OUTPUTS=speed,current               for plot: what to draw over time, instead of all
-##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600, of hil: 60
+##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600, of hil: 60, of conform: 0.02
 ##     TARGET=host|posix|cortex-m4f|...    where to run: on this machine in virtual time or in real time, or on a board in QEMU: port/README.md
 ##     REAL=float|double                   the type of the numbers
 ##     XCP=open|LOCK                       for a2l and link: who may write and measure, all or who has the key of an iso_xcp_lock (core/xcp)
@@ -44,7 +44,7 @@ WITHOUT =
 OUTPUTS =
 CHECKED =
 COMPENSATED =
-SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,$(if $(filter hil,$(MAKECMDGOALS)),60,10)))
+SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,$(if $(filter hil,$(MAKECMDGOALS)),60,$(if $(filter conform,$(MAKECMDGOALS)),0.02,10))))
 TARGET = $(if $(filter size ticks cost chains functions hil,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
 SCRIPT =
@@ -68,7 +68,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot link hil size stack ticks a2l cost chains flags report bench drift
+GOALS := run plot link hil size stack ticks a2l conform cost chains flags report bench drift
 
 .PHONY: help shared digits functions tables pictures compare monitor clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -158,6 +158,7 @@ EFFECTS_hil := $(filter-out SCENE SCRIPT XCP CHECKED COMPENSATED OUT,$(EFFECTS_l
 EFFECTS_size := $(filter-out SECONDS SCRIPT KEEP,$(OF_A_RUN))
 EFFECTS_stack := $(EFFECTS_size)
 EFFECTS_a2l := $(filter-out CHECKED COMPENSATED,$(EFFECTS_size)) XCP
+EFFECTS_conform := TARGET REAL SECONDS PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
 EFFECTS_ticks := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED TARGET REAL
 OF_ONE_SCENE := $(and $(filter cost,$(MAKECMDGOALS)),$(filter SCENE,$(GIVEN)))
 EFFECTS_cost := $(if $(OF_ONE_SCENE),SCENE METHOD STEP INPUTS SET SECONDS,PARTS METHODS) TARGET REAL
@@ -312,7 +313,7 @@ else
 FOLDER := $(shell path=$$(realpath -m --relative-to=. -- $(call quote,$(SCENE))); test "$${path%.*}" = models/$(NAME) \
     && echo $(NAME) || echo $(NAME)-$$(printf %s "$$path" | cksum | cut -d ' ' -f 1))
 endif
-OUT := $(if $(filter hil,$(MAKECMDGOALS)),build/hil/$(TARGET)/$(REAL),build/$(TARGET)/$(REAL)/$(FOLDER))
+OUT := $(if $(filter hil conform,$(MAKECMDGOALS)),build/$(filter hil conform,$(MAKECMDGOALS))/$(TARGET)/$(REAL),build/$(TARGET)/$(REAL)/$(FOLDER))
 
 include $(PORT)/port.mk
 
@@ -393,9 +394,10 @@ build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
 build/cycles: build/obj/tools/measure/cycles.o build/obj/tools/table/table.o build/obj/tools/flags
 build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
     build/obj/tools/core/link/frame.o build/obj/tools/flags
+build/duties: $(filter build/obj/tools/conform/%,$(TOOL_OBJECTS)) build/obj/tools/link/child.o build/obj/tools/flags
 build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
     build/obj/tools/flags
-TOOLS := build/isoc build/trace build/link build/monitor build/duration build/cycles
+TOOLS := build/isoc build/trace build/link build/duties build/monitor build/duration build/cycles
 .PHONY: tools
 tools: $(TOOLS)
 	@:
@@ -417,19 +419,23 @@ CALIBRATION := $(wildcard core/xcp/*.c)
 LINKED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) \
     $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/link/*.c) $(CONTROL) $(PORT_CHANNEL) $(if $(XCP),$(CALIBRATION)))
 
+# What the program that tries a port has besides, and its own main.
+CONFORM_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(OBJ)/core/conform/main.o $(patsubst %.c,$(OBJ)/%.o,$(PORT_CHANNEL) \
+    core/conform/$(if $(PORT_CHANNEL),,no_)channel.c)
+
 # What a run with a snapshot has besides, and its own main.
 RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OBJ)/core/runtime/snapshot.o $(OBJ)/core/record/main.o
 
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(CALIBRATION:%=$(OBJ)/%) $(OBJ)/tools/a2l/places.o)))
+	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(CONFORM_OBJECTS) $(CALIBRATION:%=$(OBJ)/%) $(OBJ)/tools/a2l/places.o)))
 	$(call remember,$(COMPILE))
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
 	$(Q)$(COMPILE) -MMD -MP -c $< -o $@
 
--include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d) $(RECORDED_OBJECTS:.o=.d)) \
+-include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d) $(RECORDED_OBJECTS:.o=.d) $(CONFORM_OBJECTS:.o=.d)) \
     $(OBJ)/tools/a2l/places.d
 
 # --- Goals -------------------------------------------------------------------------------------------------------
@@ -441,6 +447,7 @@ hil: ## the worked example: a cart with its pole on the board, balanced by a con
 size: ## print the memory of the firmware and of its parts; check the limits of the double pendulum
 a2l: ## build the plant with a link and with measurement and calibration over XCP; write its A2L: addresses, types, units, ranges
 stack: ## print the deepest stack of a step; fail if it has no bound
+conform: ## check a port, TARGET: a line for each of its duties, which is ok, has FAILED, or which it has not
 ticks: ## count what a tick takes beside the step and the equations, on the Cortex-M4F
 cost: ## print what each effect of SCENE costs and changes; without SCENE tables: PARTS models methods restarts effects library
 chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float
@@ -451,15 +458,16 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
-folder_of = $(if $(filter run plot link hil size stack ticks a2l,$(1)),$(OUT),$(if $(filter cost,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
+folder_of = $(if $(filter run plot link hil size stack ticks a2l conform,$(1)),$(OUT),$(if $(filter cost,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
 shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
-    $(OBJ)/tools/a2l/places.o)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
+    $(OBJ)/tools/a2l/places.o)) $(if $(filter conform,$(1)),$(CONFORM_OBJECTS)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
 # Of goals that need few of them; the others have all.
 TOOLS_OF_run := $(addprefix build/,isoc trace duration)
 TOOLS_OF_plot := $(TOOLS_OF_run)
 TOOLS_OF_link := $(TOOLS_OF_run) build/link
 TOOLS_OF_hil := $(TOOLS_OF_link)
+TOOLS_OF_conform := $(TOOLS_OF_run) build/duties
 LOCK_TOOLS := flock realpath
 LOCK_INSTALL := apt-get install util-linux coreutils
 # The status of flock where another has the lock; make ends with none above 2.

@@ -2,7 +2,13 @@
  *
  *     arguments: PROGRAM [NANOSECONDS] */
 #include "port/mps2/semihosting.h"
+#include "port/mps2/start.h"
 #include "port/port.h"
+
+int start_platform(char **const words, const int max)
+{
+    return semihosting_arguments(words, max);
+}
 
 void iso_port_write(const void *const bytes, const size_t count)
 {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "port/fault.h"
-#include "port/mps2/semihosting.h"
+#include "port/mps2/start.h"
 #include "port/mps2/tick.h"
 #include "port/port.h"
 
@@ -91,7 +91,7 @@ _Noreturn void reset(void)
 
     enum { ARGUMENTS_MAX = 4 };
     char *arguments[ARGUMENTS_MAX + 1] = {NULL};
-    iso_port_exit(main(semihosting_arguments(arguments, ARGUMENTS_MAX), arguments));
+    iso_port_exit(main(start_platform(arguments, ARGUMENTS_MAX), arguments));
 }
 
 typedef union vector {

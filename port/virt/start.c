@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "port/fault.h"
-#include "port/mps2/semihosting.h"
+#include "port/mps2/start.h"
 #include "port/port.h"
 #include "port/virt/tick.h"
 
@@ -66,5 +66,5 @@ _Noreturn void reset(void)
 
     enum { ARGUMENTS_MAX = 4 };
     char *arguments[ARGUMENTS_MAX + 1] = {NULL};
-    iso_port_exit(main(semihosting_arguments(arguments, ARGUMENTS_MAX), arguments));
+    iso_port_exit(main(start_platform(arguments, ARGUMENTS_MAX), arguments));
 }

@@ -5,7 +5,7 @@
 . tests/host/test.sh
 begin check/layers
 
-CORE="numbers methods runtime application link record xcp"
+CORE="numbers methods runtime application link record xcp conform"
 ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit"
 
 # violations ROOT: prints file:line: include, for each one that its layer forbids.

@@ -195,12 +195,33 @@ ticks: NANOSECONDS = $(shell sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\10/
 ticks: $(PROGRAM) build/cycles
 	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) sh tools/measure/ticks.sh
 
-# GCC writes the call graph with the frame of every function into plant.ci.
+# GCC writes the call graph with the frame of every function into a .ci; that of the functions that compute with float stands beside it.
+STACK_SOURCES := $(filter port/soft/%,$(PORT_SHARED))
 stack: $(OUT)/plant.o
 	@mkdir -p $(OUT)/stack
-	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) \
-	    -o $(OUT)/stack/plant.o || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
-	@awk -v function_name=step -f tools/measure/stack.awk $(OUT)/stack/plant.ci
+	$(Q)$(call_graphs) || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
+	@$(STACK_OF_STEP)
+STACK_OF_STEP = awk -v function_name=step -f tools/measure/stack.awk $(OUT)/stack/all.ci
+call_graphs = { $(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) -o $(OUT)/stack/plant.o \
+    $(foreach source,$(STACK_SOURCES),&& $(COMPILE) -fcallgraph-info=su $(PORT_STACK) -c $(source) -o $(OUT)/stack/$(notdir $(source:.c=.o))) && \
+    cat $(patsubst %,$(OUT)/stack/%.ci,$(basename $(notdir $(STACK_SOURCES))) plant) >$(OUT)/stack/all.ci; }
+
+# The port: the program that tries it runs beside a step whose stack gcc knows, where it does.
+CONFORM_PROGRAM := $(OUT)/conform$(PORT_SUFFIX)
+
+$(CONFORM_PROGRAM): $(OUT)/plant.o $(CONFORM_OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
+	$(call say,LINK,$@)
+	$(call link,$(call of_objects,$(filter %.o,$^)))
+
+conform: PROGRAM := $(CONFORM_PROGRAM)
+conform: NANOSECONDS := 9876543210
+conform: PORT_SERIAL = $(PORT_SERIAL_LINKED)
+conform: $(CONFORM_PROGRAM) build/duties build/trace build/isoc
+	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
+	@mkdir -p $(OUT)/stack
+	@STACK=$$({ $(call_graphs) && $(STACK_OF_STEP); } 2>/dev/null | sed -n 's/^stack_of_step //p'); \
+	STACK=$${STACK:-0} TARGET=$(TARGET) REAL=$(REAL) CLOCK=$(PORT_CLOCK) SECONDS=$(call quote,$(SECONDS)) EXEC=$(call quote,$(PORT_EXEC)) \
+	    MAKE=$(call quote,$(MAKE)) sh tools/conform/conform.sh
 
 ifneq ($(OF_ONE_SCENE),)
 cost: build/isoc build/trace

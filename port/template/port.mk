@@ -1,0 +1,29 @@
+# A port, to be copied: here for a Cortex-M4 with a floating-point unit.
+#
+# The compiler, what must be there to run it, and the command that installs that.
+PORT_CC = arm-none-eabi-gcc
+PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
+PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi
+# The processor. -mfloat-abi=soft where it has no floating-point unit: then PORT_SHARED has port/soft/aeabi.c and port/soft/root.c
+# besides. The last two options keep the order in which isoc writes the equations, which needs few registers.
+PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter
+# By `make flags`, which measures each on the Cortex-M4F and on the host.
+PORT_OPTIMISE = -O2
+PORT_LINK = -nostartfiles --specs=nano.specs -T port/template/template.ld -Wl,--gc-sections
+PORT_LIBRARIES = -lm
+# What the port takes from others: the start of every Cortex-M.
+PORT_SHARED = port/mps2/start.c
+PORT_SUFFIX = .elf
+PORT_STACK =
+# What the clock counts: instructions or cycles, of which every step takes as many; or another word, where that is not so.
+PORT_CLOCK = counts
+# How to run $(PROGRAM) for $(NANOSECONDS), with its console as the standard output. It could call a script that writes the program
+# into the chip and then reads the serial line.
+PORT_EXEC_TOOLS =
+PORT_EXEC = false
+PORT_NM = arm-none-eabi-nm
+PORT_SIZE = arm-none-eabi-size
+# The C files of the channels (port/channel.h), if the port has some; what stands on the command line when they are used.
+PORT_CHANNEL =
+PORT_SERIAL_LINKED =
+PORT_LINK_LINKED =
