@@ -29,4 +29,22 @@ char *arena_format_list(arena *a, const char *format, va_list arguments) __attri
  * than `count`. The old one is no longer there. */
 void *arena_grow(arena *a, void *items, size_t count, size_t *room, size_t size);
 
+/* Lists of things of one type, which grow: as a type of a member, or of a variable. */
+#define LIST_OF(TYPE)                                                                                                  \
+    struct {                                                                                                           \
+        TYPE *all;                                                                                                     \
+        size_t count, room;                                                                                            \
+    }
+
+/* Adds a thing behind the others; to a list, and to an array with a count and a room of its own. */
+#define LIST_ADD(memory, list, thing) ADD_TO(memory, (list).all, (list).count, (list).room, thing)
+#define ADD_TO(memory, array, number, room, thing)                                                                     \
+    ((array) = arena_grow(memory, array, (size_t)(number), &(room), sizeof *(array)), (array)[(number)++] = (thing))
+
+/* for each thing of a list, and of an array of so many: FOR_EACH(const body, b, written->bodies) { ... }. It is a pointer
+ * into the list, which must not grow meanwhile. */
+#define FOR_EACH(TYPE, thing, list) FOR_ALL (TYPE, thing, (list).all, (list).count)
+#define FOR_ALL(TYPE, thing, first, number)                                                                            \
+    for (TYPE *thing = (first); thing != NULL && thing < (first) + (number); thing++)
+
 #endif

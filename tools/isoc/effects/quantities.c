@@ -77,9 +77,7 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
         return REFUSED(w->b->s, f->parts[0]->at, "'%s' is a part of the ground: no force moves it", f->parts[0]->name);
     }
     const int first = m->dof_count + 3 * m->queries.inertia_count;
-    m->queries.inertias = arena_grow(w->b->s->memory, m->queries.inertias, (size_t)m->queries.inertia_count,
-                                     &m->queries.inertia_room, sizeof *m->queries.inertias);
-    m->queries.inertias[m->queries.inertia_count++] = q;
+    ADD_TO(w->b->s->memory, m->queries.inertias, m->queries.inertia_count, m->queries.inertia_room, q);
     value found = {.count = 3, .of = kilogram};
     for (int i = 0; i < 3; i++) {
         found.parts[i] = leaf(w->b->g, OP_INERTIA, first + i);

@@ -39,9 +39,8 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
         source_problem(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
     }
     if (is_new && all < MOST_MEMORIES) {
-        b->time_inputs = arena_grow(b->s->memory, b->time_inputs, (size_t)b->time_input_count, &b->time_input_room,
-                                    sizeof *b->time_inputs);
-        b->time_inputs[b->time_input_count++] = (time_input){.of = f, .within = is_time(f) ? NULL : within};
+        ADD_TO(b->s->memory, b->time_inputs, b->time_input_count, b->time_input_room,
+               ((time_input){.of = f, .within = is_time(f) ? NULL : within}));
     }
     for (size_t i = 0; i < f->count; i++) {
         add_time_inputs(b, f->parts[i], within);

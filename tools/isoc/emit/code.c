@@ -131,18 +131,14 @@ static void note_reads(emitter *e, code_piece *result, const node *open, size_t 
         const bool turns = n->op == OP_SIN || n->op == OP_COS;
         const size_t piece = turns ? e->turn_piece_of[n->a] : e->piece_of[i];
         if (piece > 0) {
-            result->reads = arena_grow(g->memory, result->reads, result->read_count, &read_room, sizeof *result->reads);
-            result->reads[result->read_count++] = piece - 1;
+            ADD_TO(g->memory, result->reads, result->read_count, read_room, piece - 1);
             continue;
         }
         if (operators[n->op].operands == 0) {
-            result->leaves =
-                arena_grow(g->memory, result->leaves, result->leaf_count, &leaf_room, sizeof *result->leaves);
-            result->leaves[result->leaf_count++] = i;
+            ADD_TO(g->memory, result->leaves, result->leaf_count, leaf_room, i);
         }
         for (int k = 0; k < operators[n->op].operands; k++) {
-            list = arena_grow(g->memory, list, count, &room, sizeof *list);
-            list[count++] = k == 0 ? n->a : n->b;
+            ADD_TO(g->memory, list, count, room, k == 0 ? n->a : n->b);
         }
     }
 }
@@ -155,8 +151,7 @@ static void note_piece(emitter *e, const char *declares, bool is_turn, const nod
         code_piece result = {.declares = declares, .is_turn = is_turn};
         note_reads(e, &result, n, count);
         result.end = e->out->length;
-        p->all = arena_grow(e->g->memory, p->all, p->count, &p->room, sizeof *p->all);
-        p->all[p->count++] = result;
+        ADD_TO(e->g->memory, p->all, p->count, p->room, result);
     }
 }
 

@@ -9,8 +9,8 @@
 
 void file_list_add(file_list *files, const char *path, const text *t)
 {
-    files->files = arena_grow(files->memory, files->files, files->count, &files->room, sizeof *files->files);
-    files->files[files->count++] = (file_text){arena_format(files->memory, "%s/%s", files->folder, path), *t};
+    ADD_TO(files->memory, files->files, files->count, files->room,
+           ((file_text){arena_format(files->memory, "%s/%s", files->folder, path), *t}));
 }
 
 bool file_list_has(const file_list *files, const char *path)

@@ -83,8 +83,7 @@ typedef struct queue {
 static void wait_for(values *v, queue *q, size_t i)
 {
     if (v->progress[i] == NOT_YET) {
-        q->all = arena_grow(v->s->memory, q->all, q->count, &q->room, sizeof *q->all);
-        q->all[q->count++] = i;
+        ADD_TO(v->s->memory, q->all, q->count, q->room, i);
     }
 }
 

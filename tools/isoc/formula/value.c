@@ -153,9 +153,7 @@ bool keeps(values *v, condition c)
         is_new = is_new && (known->least != c.least || known->most != c.most || known->is_strict != c.is_strict);
     }
     if (is_new) {
-        v->conditions =
-            arena_grow(v->s->memory, v->conditions, v->condition_count, &v->condition_room, sizeof *v->conditions);
-        v->conditions[v->condition_count++] = c;
+        ADD_TO(v->s->memory, v->conditions, v->condition_count, v->condition_room, c);
     }
     return c.is_strict ? least < most : least <= most;
 }

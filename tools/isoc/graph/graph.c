@@ -42,8 +42,7 @@ void graph_free(graph *g)
 
 void graph_section(graph *g, const char *heading)
 {
-    g->sections = arena_grow(g->memory, g->sections, (size_t)g->section_count, &g->section_room, sizeof *g->sections);
-    g->sections[g->section_count++] = heading;
+    ADD_TO(g->memory, g->sections, g->section_count, g->section_room, heading);
 }
 
 node graph_name(graph *g, node n, const char *format, ...)

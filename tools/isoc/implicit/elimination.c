@@ -123,8 +123,7 @@ static void find_targets(arena *memory, elimination *e)
                 while (e->column[to] != e->column[from]) {
                     to++;
                 }
-                e->target = arena_grow(memory, e->target, (size_t)e->products, &room, sizeof *e->target);
-                e->target[e->products++] = to - e->row[i];
+                ADD_TO(memory, e->target, e->products, room, to - e->row[i]);
             }
         }
     }

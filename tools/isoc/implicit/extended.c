@@ -115,8 +115,7 @@ static extended_unknowns extended_unknowns_of(graph *g, const dynamics *d, const
 
 static void add_entry(extended_unknowns *z, int row, int column, node is)
 {
-    z->entries = arena_grow(z->g->memory, z->entries, z->entry_count, &z->entry_room, sizeof *z->entries);
-    z->entries[z->entry_count++] = (entry){row, column, is};
+    ADD_TO(z->g->memory, z->entries, z->entry_count, z->entry_room, ((entry){row, column, is}));
 }
 
 static bool is_state(const extended_unknowns *z, int unknown)

@@ -12,9 +12,7 @@ void find_edges(builder *b, node drive)
             is_new = is_new && m->inputs.edges[k] != r.at;
         }
         if (is_new) {
-            m->inputs.edges = arena_grow(b->s->memory, m->inputs.edges, (size_t)m->inputs.edge_count, &b->edge_room,
-                                         sizeof *m->inputs.edges);
-            m->inputs.edges[m->inputs.edge_count++] = r.at;
+            ADD_TO(b->s->memory, m->inputs.edges, m->inputs.edge_count, b->edge_room, r.at);
         }
     }
 }

@@ -19,8 +19,7 @@ static node clock_of(builder *b, node of_tick, place at)
         const double step = b->mechanism.method.step, turns = n.second - floor(n.second + 0.5);
         const clock result = n.op == OP_PHASE ? (clock){of_tick, two_pi * n.value / step, two_pi * turns, "rad", at}
                                               : (clock){of_tick, 1.0, -n.value * step, "s", at};
-        c->all = arena_grow(b->s->memory, c->all, (size_t)c->count, &c->room, sizeof *c->all);
-        c->all[c->count++] = result;
+        ADD_TO(b->s->memory, c->all, c->count, c->room, result);
     }
     return leaf(b->g, OP_STATE, c->first + i);
 }

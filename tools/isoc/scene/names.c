@@ -9,8 +9,7 @@
 void listing_add(source *s, listing *l, name n)
 {
     if (n.text != NULL) {
-        l->names = arena_grow(s->memory, l->names, l->count, &l->room, sizeof *l->names);
-        l->names[l->count++] = n;
+        ADD_TO(s->memory, l->names, l->count, l->room, n);
     }
 }
 
@@ -248,8 +247,7 @@ const char *suggest_kind(source *s, const scene *written, const char *typed)
     const char **library = NULL;
     for (const embedded_file *f = effect_files; f->path != NULL; f++) {
         const char *base = strrchr(f->path, '/') + 1;
-        library = arena_grow(s->memory, library, count, &room, sizeof *library);
-        library[count++] = arena_copy(s->memory, base, strcspn(base, "."));
+        ADD_TO(s->memory, library, count, room, (arena_copy(s->memory, base, strcspn(base, "."))));
     }
     return suggest_among(s, &kinds, 1, typed, library, count);
 }
@@ -270,8 +268,8 @@ const char *suggest_setting(source *s, const scene *written, const char *typed)
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
             const effect_line *line = &kind->lines[n];
             if (line->kind == EFFECT_FAULT && line->name.text != NULL) {
-                faults = arena_grow(s->memory, faults, count, &room, sizeof *faults);
-                faults[count++] = arena_format(s->memory, "%s.%s", use->name.text, line->name.text);
+                ADD_TO(s->memory, faults, count, room,
+                       arena_format(s->memory, "%s.%s", use->name.text, line->name.text));
             }
         }
     }

@@ -25,8 +25,7 @@ static void read_solid(parser *p, const token *word, void *slot)
         return;
     }
     result.at = parse_place_and_turns(p, "a solid");
-    to->solids = arena_grow(p->s->memory, to->solids, to->solid_count, &to->solid_room, sizeof result);
-    to->solids[to->solid_count++] = result;
+    ADD_TO(p->s->memory, to->solids, to->solid_count, to->solid_room, result);
 }
 
 /* The slot is the body. */

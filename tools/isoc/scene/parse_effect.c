@@ -78,8 +78,7 @@ static void parse_rest(parser *p, effect_line *line)
 
 static void add_line(parser *p, effect_kind *result, effect_line line)
 {
-    result->lines = arena_grow(p->s->memory, result->lines, result->line_count, &result->line_room, sizeof line);
-    result->lines[result->line_count++] = line;
+    ADD_TO(p->s->memory, result->lines, result->line_count, result->line_room, line);
 }
 
 /* A line that begins with its word and a name: what is called so, or what the line is about. */
@@ -296,8 +295,7 @@ static void parse_operands(parser *p, effect_use *use)
         if (take_option(p, "at")) {
             given.point = parse_formula(p);
         }
-        use->operands = arena_grow(p->s->memory, use->operands, use->operand_count, &use->operand_room, sizeof given);
-        use->operands[use->operand_count++] = given;
+        ADD_TO(p->s->memory, use->operands, use->operand_count, use->operand_room, given);
     }
 }
 

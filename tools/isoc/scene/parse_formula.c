@@ -15,8 +15,7 @@ static formula *formula_new(parser *p, formula_kind kind, place at)
 
 static void add_part(parser *p, formula *f, formula *part)
 {
-    f->parts = arena_grow(p->s->memory, f->parts, f->count, &f->room, sizeof *f->parts);
-    f->parts[f->count++] = part;
+    ADD_TO(p->s->memory, f->parts, f->count, f->room, part);
 }
 
 /* Words that may follow a number on its line; they are not misspelt units. */
@@ -134,8 +133,7 @@ static unit parse_unit(parser *p)
     while (going && unit_goes_on(p)) {
         const bool divide = next_is_sign(p, '/');
         p->next++;
-        p->factors = arena_grow(p->s->memory, p->factors, p->factor_count, &p->factor_room, sizeof *p->factors);
-        p->factors[p->factor_count++] = (name){p->next->text, p->next->at};
+        ADD_TO(p->s->memory, p->factors, p->factor_count, p->factor_room, ((name){p->next->text, p->next->at}));
         going = parse_unit_factor(p, &product, divide, false);
     }
     return product;

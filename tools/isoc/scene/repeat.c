@@ -214,8 +214,7 @@ static name take_index_name(parser *p)
         source_problem(p->s, n.at, "'%s' is a unit: choose another name", n.text);
     }
     if (n.text != NULL) {
-        p->indices = arena_grow(p->s->memory, p->indices, p->index_count, &p->index_room, sizeof *p->indices);
-        p->indices[p->index_count++] = n;
+        ADD_TO(p->s->memory, p->indices, p->index_count, p->index_room, n);
     }
     return n;
 }

@@ -32,8 +32,8 @@ bool source_problem(source *s, place at, const char *format, ...)
         snprintf(message + length, sizeof message - length, "; %s", s->used_by);
     }
 
-    s->problems = arena_grow(s->memory, s->problems, s->problem_count, &s->problem_room, sizeof *s->problems);
-    s->problems[s->problem_count++] = (problem){at, arena_copy(s->memory, message, strlen(message))};
+    ADD_TO(s->memory, s->problems, s->problem_count, s->problem_room,
+           ((problem){at, arena_copy(s->memory, message, strlen(message))}));
     return false;
 }
 

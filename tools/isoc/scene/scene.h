@@ -2,7 +2,6 @@
 #ifndef ISOC_SCENE_SCENE_H
 #define ISOC_SCENE_SCENE_H
 
-#include "tools/isoc/base/list.h"
 #include "tools/isoc/scene/closure_kinds.h"
 #include "tools/isoc/scene/joint_kinds.h"
 #include "tools/isoc/scene/quantities.h"

@@ -58,16 +58,14 @@ static const script *keep(source *s, script read)
     script *result = arena_take(s->memory, 1, sizeof *result);
     *result = read;
     result->order = s->script_count;
-    s->scripts = arena_grow(s->memory, s->scripts, s->script_count, &s->script_room, sizeof *s->scripts);
-    s->scripts[s->script_count++] = result;
+    ADD_TO(s->memory, s->scripts, s->script_count, s->script_room, result);
     return result;
 }
 
 const script *source_open(source *s, const char *path, const char **fault)
 {
     script read = {.path = path};
-    s->paths = arena_grow(s->memory, s->paths, s->path_count, &s->path_room, sizeof *s->paths);
-    s->paths[s->path_count++] = path;
+    ADD_TO(s->memory, s->paths, s->path_count, s->path_room, path);
     const int file = open(path, O_RDONLY | O_NONBLOCK); /* which does not wait for the other end of a FIFO */
     *fault = file < 0 ? strerror(errno) : read_all(s->memory, file, &read);
     if (file >= 0) {
