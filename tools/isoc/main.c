@@ -39,7 +39,7 @@ static const struct {
     const char *word;
     bool has_value;
     const char *const *choices;
-    int choice_count;
+    size_t choice_count;
     const char *refusal;
 } rows[OPTIONS] = {
     [OPTION_DIRECTORY] = {"-o", .has_value = true},
@@ -62,16 +62,6 @@ static const struct {
     [OPTION_STANDALONE] = {.word = "--standalone"},
     [OPTION_LINK] = {.word = "--link"},
 };
-
-/* Where a word stands among others, or their number. */
-static int find_word(const char *word, const char *const *words, int count)
-{
-    int found = 0;
-    while (found < count && (word == NULL || strcmp(word, words[found]) != 0)) {
-        found++;
-    }
-    return found;
-}
 
 static bool is_identifier(const char *word)
 {
@@ -153,8 +143,8 @@ static bool check_options(arena *memory, const char *const *given)
         return complain("--xcp is open, or the name of an iso_xcp_lock in C; not", given[OPTION_LOCK]);
     }
     for (option o = OPTION_DIRECTORY; o < OPTIONS; o++) {
-        const int count = rows[o].choice_count;
-        if (given[o] != NULL && count > 0 && find_word(given[o], rows[o].choices, count) == count) {
+        const size_t count = rows[o].choice_count;
+        if (given[o] != NULL && count > 0 && index_of_word(given[o], rows[o].choices, count) == count) {
             return complain(rows[o].refusal, given[o]);
         }
     }
@@ -178,11 +168,11 @@ static request request_of(const char *const *given)
         .draws = given[OPTION_DOT] != NULL,
         .lists_files = given[OPTION_FILES] != NULL,
         .lists_effects = given[OPTION_EFFECTS] != NULL,
-        .is_double = find_word(given[OPTION_REAL], real_names, 2) == 1,
+        .is_double = index_of_word(given[OPTION_REAL], real_names, 2) == 1,
         .is_standalone = given[OPTION_STANDALONE] != NULL,
         .is_linked = given[OPTION_LINK] != NULL,
-        .wanted = {(formulation)find_word(given[OPTION_FORMULATION], formulation_names, FORMULATIONS),
-                   (factoring)find_word(given[OPTION_FACTORS], factoring_names, FACTORINGS)},
+        .wanted = {(formulation)index_of_word(given[OPTION_FORMULATION], formulation_names, FORMULATIONS),
+                   (factoring)index_of_word(given[OPTION_FACTORS], factoring_names, FACTORINGS)},
     };
 }
 

@@ -41,6 +41,15 @@ void text_fill(text *t, const char *template, const filling *fillings)
     }
 }
 
+size_t index_of_word(const char *word, const char *const *words, size_t count)
+{
+    size_t found = 0;
+    while (found < count && (word == NULL || strcmp(word, words[found]) != 0)) {
+        found++;
+    }
+    return found;
+}
+
 const char *alternatives(arena *memory, const char *const *words, size_t count)
 {
     const char *list = words[0];

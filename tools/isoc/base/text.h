@@ -21,6 +21,9 @@ typedef struct filling {
 /* Adds a template with its places filled. What is none of them stays as it is. */
 void text_fill(text *t, const char *template, const filling *fillings);
 
+/* Where a word stands among others, or their number. */
+size_t index_of_word(const char *word, const char *const *words, size_t count);
+
 /* The words as a person lists them: a, b or c. */
 const char *alternatives(arena *memory, const char *const *words, size_t count);
 

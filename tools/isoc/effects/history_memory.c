@@ -51,12 +51,9 @@ static int add_history_memory(effect_scope *w, const formula *f, node start, dim
     effect_quantity *m = &whole->effects.memories[count];
     *m = (effect_quantity){.begin = start < 0 ? constant(b->g, 0.0) : start, .at = f->at};
     m->next = m->begin;
-    m->about =
-        (variable){.name = arena_format(b->s->memory, "kept_%s_%zu", f->name, b->history_memory_count + 1),
-                   .unit = dimension_equal_but_angle(expected, no_unit) ? "1" : dimension_text(b->s->memory, expected),
-                   .quote = source_quote(b->s, f->at),
-                   .least = -HUGE_VAL,
-                   .most = HUGE_VAL};
+    m->about = unlimited(arena_format(b->s->memory, "kept_%s_%zu", f->name, b->history_memory_count + 1),
+                         dimension_equal_but_angle(expected, no_unit) ? "1" : dimension_text(b->s->memory, expected),
+                         source_quote(b->s, f->at));
     m->kept = function_called(f->name)->kept;
     m->ticks = ticks;
     b->history_memories[b->history_memory_count++] =

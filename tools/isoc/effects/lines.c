@@ -117,12 +117,10 @@ static value begun(effect_scope *w, const instance *in, const effect_line *line,
     source *s = w->b->s;
     value found = start_value(w, in, line);
     for (int i = 0; i < line->parts; i++) {
-        variable *about = &first[i].about;
         const char *called = arena_format(s->memory, "%s_%s%s", in->use->name.text, line->name.text,
                                           effect_endings[line->parts == 3 ? i : 3]);
-        *about =
-            (variable){.name = called, .quote = source_quote(s, line->name.at), .least = -HUGE_VAL, .most = HUGE_VAL};
-        about->unit = found.count == 0 ? "1" : dimension_unit(s->memory, found.of);
+        first[i].about = unlimited(called, found.count == 0 ? "1" : dimension_unit(s->memory, found.of),
+                                   source_quote(s, line->name.at));
         first[i].begin = found.count == 0 ? constant(w->b->g, 0.0) : found.parts[i];
         first[i].at = in->use->name.at;
         found.parts[i] = leaf(w->b->g, op, index + i);

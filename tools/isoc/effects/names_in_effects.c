@@ -123,18 +123,15 @@ static bool find_in_scene(effect_scope *w, const formula *f, value *found)
         return true;
     }
     const size_t inputs = written->inputs.count;
-    for (size_t i = 0; i < inputs + written->left_input_count; i++) {
-        const quantity *q = &written->inputs.all[i];
-        if (q->name.text != NULL && strcmp(q->name.text, f->name) == 0) {
-            *found = i < inputs ? input_value(w, f, (int)i) : left_input_value(w, q);
-            return true;
-        }
+    const int input = index_called(written->inputs.all, inputs + written->left_input_count, sizeof(quantity), f->name);
+    const int signal = INDEX_OF(written->signals, f->name);
+    if (input >= 0) {
+        *found = input < (int)inputs ? input_value(w, f, input) : left_input_value(w, &written->inputs.all[input]);
+        return true;
     }
-    for (size_t i = 0; i < written->signals.count; i++) {
-        if (written->signals.all[i].name.text != NULL && strcmp(written->signals.all[i].name.text, f->name) == 0) {
-            *found = signal_value(w, i);
-            return true;
-        }
+    if (signal >= 0) {
+        *found = signal_value(w, (size_t)signal);
+        return true;
     }
     return dictionary_find(&w->b->values.names, f->name) == NULL && find_quantity(w, f, found);
 }

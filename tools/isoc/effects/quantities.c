@@ -238,22 +238,20 @@ static value account_value(effect_scope *w, const formula *f, quantity_kind kind
     if (!check_parts(w, f, &quantity_rows[kind])) {
         return nothing;
     }
-    for (int i = 0; i < w->b->mechanism.effects.count; i++) {
-        const instance *in = &w->all[i];
-        if (in->use->name.text != NULL && strcmp(in->use->name.text, called) == 0) {
-            const node part = account_part(in->account, kind);
-            query q = no_query;
-            q.kind = kind;
-            q.effect = i;
-            q.point = vector_zero(w->b->g);
-            return in->kind == NULL ? nothing
-                   : w->is_done
-                       ? (value){.count = 1, .parts = {part}, .of = dimension_of_unit(quantity_rows[kind].unit)}
-                       : leaves_of(w, q);
-        }
+    const int i = INDEX_OF(w->b->written->effects, called);
+    if (i < 0) {
+        return REFUSED(w->b->s, f->at, "no effect is called '%s'%s", called,
+                       suggest_effect(w->b->s, w->b->written, called));
     }
-    return REFUSED(w->b->s, f->at, "no effect is called '%s'%s", called,
-                   suggest_effect(w->b->s, w->b->written, called));
+    const instance *in = &w->all[i];
+    const node part = account_part(in->account, kind);
+    query q = no_query;
+    q.kind = kind;
+    q.effect = i;
+    q.point = vector_zero(w->b->g);
+    return in->kind == NULL ? nothing
+           : w->is_done     ? (value){.count = 1, .parts = {part}, .of = dimension_of_unit(quantity_rows[kind].unit)}
+                            : leaves_of(w, q);
 }
 
 value quantity_value(void *context, const formula *f)

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"
+#include "tools/isoc/scene/names.h"
 
 const effect_line *line_called(const effect_kind *kind, const char *called, bool is_output)
 {
@@ -30,12 +31,8 @@ const char *suggestion(source *s, const effect_kind *kind, const char *typed, ef
 
 const quantity *operand_called(const instance *in, const char *called)
 {
-    for (size_t i = 0; i < in->use->operand_count; i++) {
-        if (strcmp(in->use->operands[i].name.text, called) == 0) {
-            return &in->use->operands[i];
-        }
-    }
-    return NULL;
+    const int i = index_called(in->use->operands, in->use->operand_count, sizeof *in->use->operands, called);
+    return i < 0 ? NULL : &in->use->operands[i];
 }
 
 const instance *enter(effect_scope *w, const instance *in)
@@ -104,10 +101,7 @@ bool find_point(effect_scope *w, const char *called, int *which, vector *point)
         }
         return is;
     }
-    for (size_t i = 0; i < written->bodies.count + written->frames.count; i++) {
-        const char *other = i < written->bodies.count ? written->bodies.all[i].name.text
-                                                      : written->frames.all[i - written->bodies.count].name.text;
-        *which = other != NULL && strcmp(other, called) == 0 ? (int)i : *which;
-    }
+    const int body = INDEX_OF(written->bodies, called), frame = INDEX_OF(written->frames, called);
+    *which = frame >= 0 ? (int)written->bodies.count + frame : body;
     return *which >= 0;
 }

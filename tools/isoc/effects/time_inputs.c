@@ -50,11 +50,8 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
 /* Whether the use gives what a line would have as its default. */
 static bool is_given(const effect_use *use, const effect_line *line)
 {
-    bool is = false;
-    for (size_t i = 0; i < use->operand_count && line->kind < EFFECT_FAULT; i++) {
-        is = is || (line->name.text != NULL && strcmp(use->operands[i].name.text, line->name.text) == 0);
-    }
-    return is;
+    return line->kind < EFFECT_FAULT &&
+           index_called(use->operands, use->operand_count, sizeof *use->operands, line->name.text) >= 0;
 }
 
 void find_time_inputs(builder *b)
@@ -95,11 +92,8 @@ void build_time_inputs(builder *b)
         const name origin = t->within != NULL ? t->within->name : (name){NULL, t->of->at};
         m->inputs.time_input_of[first + i] = i;
         m->inputs.time_inputs[i] = (time_input_origin){t->of->name, origin};
-        m->inputs.all[first + i] = (variable){.name = arena_format(b->s->memory, "made_%s_%d", t->of->name, i + 1),
-                                              .unit = is_time(t->of) ? "s" : "1",
-                                              .quote = source_quote(b->s, t->of->at),
-                                              .least = -HUGE_VAL,
-                                              .most = HUGE_VAL};
+        m->inputs.all[first + i] = unlimited(arena_format(b->s->memory, "made_%s_%d", t->of->name, i + 1),
+                                             is_time(t->of) ? "s" : "1", source_quote(b->s, t->of->at));
         m->inputs.driven[first + i] = true;
         m->inputs.drives[first + i] = constant(b->g, 0.0);
     }

@@ -50,7 +50,7 @@ static const variable *about_outputs(arena *memory, const plant *p)
     variable *all = arena_take(memory, (size_t)p->outputs.count + 1, sizeof *all);
     for (int i = 0; i < p->outputs.count; i++) {
         const char *quote = source_quote(p->m->source, p->outputs.shows[i]->name.at);
-        all[i] = (variable){p->outputs.names[i], p->outputs.units[i], quote, .least = -HUGE_VAL, .most = HUGE_VAL};
+        all[i] = unlimited(p->outputs.names[i], p->outputs.units[i], quote);
     }
     return all;
 }

@@ -120,6 +120,9 @@ void place_joint(builder *b, const placement *p, matrix *turn_made, vector *orig
 int stand_on(builder *b, const placement *p, matrix *turn_made, vector *origin);
 void build_frames(builder *b);
 
+/* The frame of a body of that number, or of the ground. */
+body_frame frame_on(const builder *b, int on);
+
 matrix align(graph *g, const double a[3], int *k, double *sign);
 
 /* The frame of a placement, turned by `aligned`, on its segment; false if there is none. The last common ancestor of two

@@ -107,11 +107,7 @@ static void build_input(builder *b, int i)
                        : dimension_equal(expected, newton)     ? "a force"
                                                                : "this input";
     b->input_dimensions[i] = expected;
-    m->inputs.all[i] = (variable){.name = q->name.text,
-                                  .unit = dimension_unit(b->s->memory, expected),
-                                  .quote = source_quote(b->s, q->name.at),
-                                  .least = -HUGE_VAL,
-                                  .most = HUGE_VAL};
+    m->inputs.all[i] = unlimited(q->name.text, dimension_unit(b->s->memory, expected), source_quote(b->s, q->name.at));
     read_limits(b, q, is_known, expected, &m->inputs.all[i]);
     m->inputs.driven[i] = q->value != NULL;
     m->inputs.drives[i] = scalar_value(b, is_known ? q->value : NULL, expected, what);
@@ -173,11 +169,9 @@ void check_inputs(builder *b)
 /* A tunable parameter: its default must lie within its limits. */
 static variable parameter_of(builder *b, const quantity *q, dimension expected, double start)
 {
-    variable result = {.name = q->name.text,
-                       .unit = dimension_unit(b->s->memory, expected),
-                       .quote = source_quote(b->s, q->name.at),
-                       .dimension = expected,
-                       .start = start};
+    variable result = unlimited(q->name.text, dimension_unit(b->s->memory, expected), source_quote(b->s, q->name.at));
+    result.dimension = expected;
+    result.start = start;
     read_limits(b, q, true, expected, &result);
     if (result.least <= result.most && (start < result.least || start > result.most)) {
         source_problem(b->s, q->value->at, "the default of '%s' is not within its limits", q->name.text);

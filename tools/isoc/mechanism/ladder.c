@@ -58,17 +58,12 @@ static void check_hold(builder *b, name rung)
 /* The effect of this name, or -1. */
 static int effect_of_rung(builder *b, name rung)
 {
-    const scene *written = b->written;
-    const char **names = arena_take(b->s->memory, written->effects.count + 1, sizeof *names);
-    for (size_t i = 0; i < written->effects.count; i++) {
-        names[i] = written->effects.all[i].name.text == NULL ? "" : written->effects.all[i].name.text;
-        if (strcmp(names[i], rung.text) == 0) {
-            return (int)i;
-        }
+    const int found = INDEX_OF(b->written->effects, rung.text);
+    if (found < 0) {
+        source_problem(b->s, rung.at, "no effect is called '%s'%s", rung.text,
+                       suggest_effect(b->s, b->written, rung.text));
     }
-    source_problem(b->s, rung.at, "no effect is called '%s'%s", rung.text,
-                   source_suggestion(b->s, rung.text, names, written->effects.count));
-    return -1;
+    return found;
 }
 
 /* Whether it has an effort, a force or a moment. */

@@ -76,8 +76,7 @@ static void hang(builder *b, size_t i)
 {
     graph *g = b->g;
     const joint *j = &b->written->joints.all[i];
-    const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
-    const body_frame parent = b->parents[i] == -2 ? ground : b->mechanism.bodies.frames[b->parents[i]];
+    const body_frame parent = frame_on(b, b->parents[i]);
     body_frame *child = &b->mechanism.bodies.frames[b->children[i]];
 
     matrix on_parent, on_child;

@@ -12,6 +12,8 @@
 #ifndef ISOC_MECHANISM_MECHANISM_H
 #define ISOC_MECHANISM_MECHANISM_H
 
+#include <math.h>
+
 #include "core/methods/table.h"
 #include "tools/isoc/formula/functions.h"
 #include "tools/isoc/graph/vector.h"
@@ -195,6 +197,12 @@ typedef struct variable {
     dimension dimension;      /* of a parameter */
     const char *display_name; /* of a fault: EFFECT.FAULT */
 } variable;
+
+/* One without limits. */
+static inline variable unlimited(const char *called, const char *in, const char *quote)
+{
+    return (variable){.name = called, .unit = in, .quote = quote, .least = -HUGE_VAL, .most = HUGE_VAL};
+}
 
 /* A state of an effect, or a memory of one: what it is called, its start, and its rate, or its next. */
 typedef struct effect_quantity {

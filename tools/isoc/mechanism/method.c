@@ -1,6 +1,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "tools/isoc/base/text.h"
 #include "tools/isoc/mechanism/builder.h"
 
 static const double rounding = 1e-12; /* of a decimal number in s, relative */
@@ -21,10 +22,9 @@ unsigned find_method(builder *b, name word)
     if (word.text == NULL) {
         return ISO_RK4;
     }
-    for (unsigned i = 0; i < ISO_METHODS; i++) {
-        if (strcmp(word.text, method_names[i]) == 0) {
-            return i;
-        }
+    const size_t found = index_of_word(word.text, method_names, ISO_METHODS);
+    if (found < ISO_METHODS) {
+        return (unsigned)found;
     }
     const char *list = "";
     for (unsigned i = 0; i < ISO_METHODS; i++) {

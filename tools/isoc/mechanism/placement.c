@@ -86,6 +86,12 @@ int stand_on(builder *b, const placement *p, matrix *turn_made, vector *origin)
     return on;
 }
 
+body_frame frame_on(const builder *b, int on)
+{
+    const body_frame ground = {GROUND, matrix_identity(b->g), vector_zero(b->g), true};
+    return on == -2 ? ground : b->mechanism.bodies.frames[on];
+}
+
 void build_frames(builder *b)
 {
     graph *g = b->g;
@@ -94,9 +100,8 @@ void build_frames(builder *b)
         matrix turned;
         vector origin;
         const int on = stand_on(b, &b->written->frames.all[i].on, &turned, &origin);
-        const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
         if (on >= 0 || on == -2) {
-            const body_frame under = on == -2 ? ground : b->mechanism.bodies.frames[on];
+            const body_frame under = frame_on(b, on);
             body_frame *result = &b->mechanism.bodies.frames[bodies + i];
             *result = under;
             result->turn = matrix_snap(g, matrix_product(g, under.turn, turned));
@@ -162,8 +167,7 @@ bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end)
     if (on == -1 || (on >= 0 && !b->mechanism.bodies.frames[on].placed)) {
         return false;
     }
-    const body_frame ground = {GROUND, matrix_identity(g), vector_zero(g), true};
-    const body_frame frame = on == -2 ? ground : b->mechanism.bodies.frames[on];
+    const body_frame frame = frame_on(b, on);
     end->body = on == -2 ? GROUND : on;
     end->segment = frame.segment;
     end->turn = matrix_snap(g, matrix_product(g, frame.turn, matrix_product(g, turned, aligned)));

@@ -6,9 +6,7 @@
 
 static state state_of(state_kind kind, const char *called, const char *in, const char *quote, place at)
 {
-    return (state){.about = {.name = called, .unit = in, .quote = quote, .least = -HUGE_VAL, .most = HUGE_VAL},
-                   .kind = kind,
-                   .at = at};
+    return (state){.about = unlimited(called, in, quote), .kind = kind, .at = at};
 }
 
 /* A position is called as its segment, the parts of a quaternion with an ending. */

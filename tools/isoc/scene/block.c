@@ -185,16 +185,14 @@ void read_axis(parser *p, const token *word, void *slot)
     *to = parse_axis(p);
 }
 
-void read_input(parser *p, const token *word, void *slot)
-{
-    (void)word;
-    name *to = slot;
-    *to = take_name(p, "expected the name of an input");
-}
-
-void read_joint(parser *p, const token *word, void *slot)
-{
-    (void)word;
-    name *to = slot;
-    *to = take_name(p, "expected the name of a joint");
-}
+/* A reader whose slot is a name. */
+#define NAME_READER(reader, expected)                                                                                  \
+    void reader(parser *p, const token *word, void *slot)                                                              \
+    {                                                                                                                  \
+        (void)word;                                                                                                    \
+        *(name *)slot = take_name(p, expected);                                                                        \
+    }
+NAME_READER(read_input, "expected the name of an input")
+NAME_READER(read_joint, "expected the name of a joint")
+NAME_READER(read_method, "expected a method, such as rk4")
+NAME_READER(read_switch, "expected yes or no")

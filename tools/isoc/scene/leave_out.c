@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/take.h"
 
 /* The effect of this name, the first `length` characters of a text; or NULL. */
@@ -47,10 +48,8 @@ static bool is_lost(const scene *written, const formula *f, size_t depth)
         const effect_use *use = effect_called(written, f->parts[0]->name, strlen(f->parts[0]->name));
         is = use != NULL && use->left_out;
     }
-    for (size_t i = 0; i < written->signals.count && f->kind == FORMULA_NAME && !is; i++) {
-        const quantity *q = &written->signals.all[i];
-        is = q->name.text != NULL && strcmp(q->name.text, f->name) == 0 && is_lost(written, q->value, depth + 1);
-    }
+    const int signal = f->kind == FORMULA_NAME ? INDEX_OF(written->signals, f->name) : -1;
+    is = is || (signal >= 0 && is_lost(written, written->signals.all[signal].value, depth + 1));
     for (size_t i = 0; i < f->count && !is; i++) {
         is = is_lost(written, f->parts[i], depth);
     }
@@ -84,13 +83,11 @@ static bool is_read(const scene *written, const char *called)
 static bool is_drive(const scene *written, const char *called)
 {
     bool is = false;
-    for (size_t i = 0; i < written->joints.count && called != NULL; i++) {
-        is =
-            is || (written->joints.all[i].drive.text != NULL && strcmp(written->joints.all[i].drive.text, called) == 0);
+    FOR_EACH (const joint, j, written->joints) {
+        is = is || (called != NULL && j->drive.text != NULL && strcmp(j->drive.text, called) == 0);
     }
-    for (size_t i = 0; i < written->forces.count && called != NULL; i++) {
-        is =
-            is || (written->forces.all[i].drive.text != NULL && strcmp(written->forces.all[i].drive.text, called) == 0);
+    FOR_EACH (const body_force, f, written->forces) {
+        is = is || (called != NULL && f->drive.text != NULL && strcmp(f->drive.text, called) == 0);
     }
     return is;
 }

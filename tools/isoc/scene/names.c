@@ -64,15 +64,21 @@ static name name_at(group g, size_t i)
     return n;
 }
 
-static int find_among(group g, name n)
+int index_called(const void *things, size_t count, size_t size, const char *called)
 {
-    for (size_t i = 0; i < g.count; i++) {
+    const group g = {things, count, size};
+    for (size_t i = 0; i < count && called != NULL; i++) {
         const name other = name_at(g, i);
-        if (other.text != NULL && strcmp(other.text, n.text) == 0) {
+        if (other.text != NULL && strcmp(other.text, called) == 0) {
             return (int)i;
         }
     }
     return -1;
+}
+
+static int find_among(group g, name n)
+{
+    return index_called(g.things, g.count, g.size, n.text);
 }
 
 #define GROUP(list) ((group){(list).all, (list).count, sizeof *(list).all})
@@ -129,7 +135,7 @@ int closure_clocks(const closure_statement *c)
 
 const effect_kind *find_effect_kind(const scene *written, name n)
 {
-    const int found = n.text == NULL ? -1 : find_among(GROUP(written->effect_kinds), n);
+    const int found = INDEX_OF(written->effect_kinds, n.text);
     return found < 0 ? NULL : &written->effect_kinds.all[found];
 }
 
@@ -156,8 +162,8 @@ const char *output_components(const scene *written, const output *o)
     if (f->kind != FORMULA_OF || f->along.text != NULL) {
         return "";
     }
-    const name of = {f->parts[0]->name, f->parts[0]->at};
-    const bool is_body = find_among(GROUP(written->bodies), of) >= 0 || find_among(GROUP(written->frames), of) >= 0;
+    const char *of = f->parts[0]->name;
+    const bool is_body = INDEX_OF(written->bodies, of) >= 0 || INDEX_OF(written->frames, of) >= 0;
     const quantity_kind kind = quantity_called(f->name, is_body ? OF_BODY : OF_CONNECTION);
     return kind < QUANTITY_ROWS ? quantity_rows[kind].components : "";
 }

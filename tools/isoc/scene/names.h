@@ -21,6 +21,10 @@ void names_check(source *s, const scene *written);
 /* The letters of an output's components; none where it has but one. */
 const char *output_components(const scene *written, const output *o);
 
+/* The index of what is called so in a list of things that begin with their name; -1 if there is none. */
+#define INDEX_OF(list, called) index_called((list).all, (list).count, sizeof *(list).all, called)
+int index_called(const void *things, size_t count, size_t size, const char *called);
+
 /* The definition of a kind of effect; NULL if there is none. */
 const effect_kind *find_effect_kind(const scene *written, name n);
 

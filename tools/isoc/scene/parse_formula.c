@@ -23,12 +23,8 @@ static bool next_is_connective(const parser *p)
 {
     static const char *const words[] = {"at", "about", "rotate", "quaternion", "rest", "along", "of",    "jump", "in",
                                         "to", "and",   "set",    "like",       "safe", "after", "ticks", "every"};
-    for (size_t i = 0; i < COUNT_OF(words); i++) {
-        if (next_is_word(p, words[i])) {
-            return true;
-        }
-    }
-    return block_has_word(p->within, p->next);
+    return (p->next->kind == TOKEN_NAME && index_of_word(p->next->text, words, COUNT_OF(words)) < COUNT_OF(words)) ||
+           block_has_word(p->within, p->next);
 }
 
 static bool is_unit(const token *t)

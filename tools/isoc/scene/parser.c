@@ -47,10 +47,7 @@ static void refuse_input_word(parser *p)
 {
     static const char *const words[] = {"held", "smooth", "jump", "in", "safe"};
     if (!p->failed && p->next->kind == TOKEN_NAME && !p->next->first_on_line) {
-        bool known = false;
-        for (size_t i = 0; i < COUNT_OF(words); i++) {
-            known = known || strcmp(p->next->text, words[i]) == 0;
-        }
+        const bool known = index_of_word(p->next->text, words, COUNT_OF(words)) < COUNT_OF(words);
         const char *near = known ? "" : source_suggestion(p->s, p->next->text, words, COUNT_OF(words));
         parse_problem(p, arena_format(p->s->memory,
                                       "expected, in this order, a unit, held or smooth, jump with a change, = with a "
@@ -80,20 +77,6 @@ static void read_input_statement(parser *p, const token *word, void *slot)
     }
     refuse_input_word(p);
     LIST_ADD(p->s->memory, written->inputs, q);
-}
-
-static void read_method(parser *p, const token *word, void *slot)
-{
-    (void)word;
-    name *to = slot;
-    *to = take_name(p, "expected a method, such as rk4");
-}
-
-static void read_switch(parser *p, const token *word, void *slot)
-{
-    (void)word;
-    name *to = slot;
-    *to = take_name(p, "expected yes or no");
 }
 
 #define IN(member) offsetof(scene, member)
@@ -208,17 +191,15 @@ static bool set_fault(parser *p, scene *whole, const effect_use *use, const toke
 /* Takes the place of the value of a parameter, or is the start of a fault. */
 static void set_parameter(parser *p, scene *written, const token *called, formula *value)
 {
-    for (size_t i = 0; i < written->parameters.count; i++) {
-        const name n = written->parameters.all[i].name;
-        if (n.text != NULL && strcmp(n.text, called->text) == 0) {
-            quantity *q = &written->parameters.all[i];
-            q->stated = q->stated == NULL ? q->value : q->stated;
-            q->value = value;
-            return;
-        }
+    const int i = INDEX_OF(written->parameters, called->text);
+    if (i >= 0) {
+        quantity *q = &written->parameters.all[i];
+        q->stated = q->stated == NULL ? q->value : q->stated;
+        q->value = value;
+        return;
     }
-    for (size_t i = 0; i < written->effects.count; i++) {
-        if (set_fault(p, written, &written->effects.all[i], called, value)) {
+    for (size_t n = 0; n < written->effects.count; n++) {
+        if (set_fault(p, written, &written->effects.all[n], called, value)) {
             return;
         }
     }

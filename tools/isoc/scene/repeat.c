@@ -1,5 +1,6 @@
 /* repeat INDEX from FIRST to LAST { statements }, include "file", and indices in names: leg[i + 1]. What is repeated is
  * read once for each value of the index, as a reading of its own. */
+#include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/take.h"
 
 #include <math.h>
@@ -310,15 +311,9 @@ void read_include(parser *p, const token *word, void *slot)
 
 void check_indices(const parser *p)
 {
-    for (size_t i = 0; i < p->index_count; i++) {
-        const scene *written = p->made;
-        for (size_t j = 0; j < written->parameters.count; j++) {
-            const char *called = written->parameters.all[j].name.text;
-            if (called != NULL && strcmp(called, p->indices[i].text) == 0) {
-                source_problem(p->s, p->indices[i].at, "'%s' is a parameter too: choose another name for the index",
-                               called);
-                break;
-            }
+    FOR_ALL (const name, n, p->indices, p->index_count) {
+        if (INDEX_OF(p->made->parameters, n->text) >= 0) {
+            source_problem(p->s, n->at, "'%s' is a parameter too: choose another name for the index", n->text);
         }
     }
 }

@@ -56,10 +56,10 @@ bool take_option(parser *p, const char *word)
 
 size_t take_one_of(parser *p, const char *const *words, size_t count)
 {
-    for (size_t i = 0; i < count; i++) {
-        if (take_word(p, words[i])) {
-            return i;
-        }
+    const size_t found = p->failed || p->next->kind != TOKEN_NAME ? count : index_of_word(p->next->text, words, count);
+    if (found < count) {
+        p->next++;
+        return found;
     }
     const char *near = p->next->kind == TOKEN_NAME ? source_suggestion(p->s, p->next->text, words, count) : "";
     parse_problem(p, arena_format(p->s->memory, "expected %s%s", alternatives(p->s->memory, words, count), near));
@@ -87,10 +87,8 @@ static const char *const beginning_words[] = {"at", "about", "rotate", "quaterni
 
 static void refuse_word(parser *p, name n, const char *const *words, size_t count)
 {
-    for (size_t i = 0; i < count && n.text != NULL; i++) {
-        if (strcmp(n.text, words[i]) == 0) {
-            source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
-        }
+    if (index_of_word(n.text, words, count) < count) {
+        source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
     }
 }
 
@@ -124,10 +122,8 @@ name take_parameter_name(parser *p, const char *expected)
     refuse_word(p, n, beginning_words, COUNT_OF(beginning_words));
     size_t count;
     const char *const *units = unit_names(&count);
-    for (size_t i = 0; i < count && n.text != NULL; i++) {
-        if (strcmp(n.text, units[i]) == 0) {
-            source_problem(p->s, n.at, "'%s' is a unit: choose another name", n.text);
-        }
+    if (index_of_word(n.text, units, count) < count) {
+        source_problem(p->s, n.at, "'%s' is a unit: choose another name", n.text);
     }
     return n;
 }

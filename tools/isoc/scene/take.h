@@ -122,7 +122,7 @@ bool parse_statements(parser *p, const block *statements, void *to);
 bool block_has_word(const block *b, const token *t);
 
 /* Readers of what is the same in many blocks; their slots are a formula *, or a name. */
-property_reader read_formula, read_axis, read_input, read_joint;
+property_reader read_formula, read_axis, read_input, read_joint, read_method, read_switch;
 
 /* parse_formula.c: tokens to formulas. */
 
