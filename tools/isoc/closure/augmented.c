@@ -122,9 +122,8 @@ static double regularisation(const augmented *a)
     if (!m->drift.is_redundant || m->drift.penalty > 0.0) {
         return m->drift.is_redundant ? 1.0 / m->drift.penalty : 0.0;
     }
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers), sum = 0.0;
-    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->parameters.defaults};
-    graph_evaluate(g, 0, &at, numbers);
+    const double *numbers = numbers_at_start(g, m);
+    double sum = 0.0;
     for (int r = 0; r < a->held.count; r++) {
         sum += numbers[a->schur[r * a->held.count + r]];
     }

@@ -129,10 +129,8 @@ static void hold_across(const pair *p, constraints *to, vector u, vector w, cons
 static node distance_at_start(const pair *p)
 {
     graph *g = p->k->g;
-    const mechanism *m = p->k->m;
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers), square = 0.0;
-    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->parameters.defaults};
-    graph_evaluate(g, 0, &at, numbers);
+    const double *numbers = numbers_at_start(g, p->k->m);
+    double square = 0.0;
     for (int i = 0; i < 3; i++) {
         square += numbers[p->apart.at[i]] * numbers[p->apart.at[i]];
     }

@@ -155,7 +155,6 @@ static void note_piece(emitter *e, const char *declares, bool is_turn, const nod
     }
 }
 
-/* 2^64 per turn; the fraction of a turn as a phase. */
 const char *code_phase(arena *memory, double turns)
 {
     const double fraction = turns - floor(turns);

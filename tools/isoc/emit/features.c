@@ -98,7 +98,6 @@ unsigned long last_of_ring(const effect_quantity *e)
     return places - 1;
 }
 
-/* Whether a memory does not begin with the zero of an empty plant. */
 bool begins(const emission *e, const effect_quantity *q)
 {
     return !is_zero(e->g, q->begin);

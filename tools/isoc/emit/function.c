@@ -72,7 +72,6 @@ const char *const *numbered(const emission *e, const char *array, int count)
     return targets;
 }
 
-/* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. */
 void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
                const char *more)
 {

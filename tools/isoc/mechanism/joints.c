@@ -319,7 +319,6 @@ int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT
     return count;
 }
 
-/* Every segment's degrees of freedom, one after the other. */
 void list_dofs(builder *b)
 {
     static const char *const endings[] = {"_x", "_y", "_z"};

@@ -436,6 +436,10 @@ static inline int held_count(const mechanism *m)
     return m->inputs.count + m->effects.memory_count;
 }
 
+/* roots.c: does something to each list of nodes that formulas of effects and outputs are, but for the forces on bodies. */
+typedef void root_visitor(graph *g, node *roots, size_t count, void *context);
+void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *visit, void *context);
+
 /* The unit of a quantity: a coordinate that turns has another than one that slides. */
 const char *query_unit(const mechanism *m, const query *q);
 
@@ -475,7 +479,10 @@ const state *mechanism_states(const mechanism *m, arena *memory);
 /* Notes names that two states have, or that differ only in case. */
 void states_check(source *s, const mechanism *m);
 
-/* The states at the start. */
+/* The states at the start; the numbers of all nodes there, functions of time counting as zero; and what inputs and memories
+ * are there, those of the port zero. */
 double *mechanism_start(const mechanism *m, arena *memory);
+double *numbers_at_start(const graph *g, const mechanism *m);
+double *inputs_at_start(const graph *g, const mechanism *m);
 
 #endif

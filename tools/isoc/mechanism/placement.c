@@ -4,7 +4,6 @@
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/scene/names.h"
 
-/* The unit vector of an axis; false if there is none. */
 bool unit_axis(builder *b, const formula *f, double axis[3])
 {
     const value v = value_of(&b->values, f, no_unit, 3, "an axis");
@@ -144,7 +143,6 @@ matrix align(graph *g, const double a[3], int *k, double *sign)
     return r;
 }
 
-/* The last common ancestor of two segments. */
 int common_segment(const mechanism *m, int a, int b)
 {
     while (a != b) {

@@ -87,3 +87,23 @@ double *mechanism_start(const mechanism *m, arena *memory)
     }
     return x;
 }
+
+double *numbers_at_start(const graph *g, const mechanism *m)
+{
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    graph_evaluate(g, 0, &(evaluation){.x = mechanism_start(m, g->memory), .p = m->parameters.defaults}, numbers);
+    return numbers;
+}
+
+double *inputs_at_start(const graph *g, const mechanism *m)
+{
+    double *numbers = numbers_at_start(g, m), *u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *u);
+    for (int i = 0; i < m->inputs.count; i++) {
+        u[i] = m->inputs.driven[i] ? numbers[m->inputs.drives[i]] : 0.0;
+    }
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        u[m->inputs.count + i] = m->effects.memories[i].about.start;
+    }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
+    return u;
+}

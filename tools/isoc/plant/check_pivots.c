@@ -20,10 +20,8 @@ void pivots_check(source *s, const graph *g, const plant *p)
     const mechanism *m = p->m;
     const int n = m->dof_count;
     const node *entries = p->d->mass.entries;
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    const double *numbers = numbers_at_start(g, m);
     double *factors = arena_take(g->memory, (size_t)(n * n), sizeof *factors);
-    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->parameters.defaults};
-    graph_evaluate(g, 0, &at, numbers);
     for (int i = 0; i < n * n; i++) {
         factors[i] = numbers[entries[i]];
     }

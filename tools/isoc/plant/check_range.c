@@ -63,9 +63,8 @@ static place place_of(const mechanism *m, const char *shown_as)
 static bool check_derived(source *s, const graph *g, const plant *p)
 {
     const mechanism *m = p->m;
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    double *numbers = numbers_at_start(g, m);
     bool any = false;
-    graph_evaluate(g, 0, &(evaluation){.p = m->parameters.defaults}, numbers);
     for (int i = 0; i < m->effects.derived_count && !any; i++) {
         const effect_quantity *e = &m->effects.derived[i];
         any = !isfinite(numbers[e->next]);
@@ -76,21 +75,6 @@ static bool check_derived(source *s, const graph *g, const plant *p)
     }
     arena_return(g->memory, numbers, g->count, sizeof *numbers);
     return any;
-}
-
-/* The values of all nodes at the start: first those of the drives alone, then all. Memories count as zero. */
-static const double *start_numbers(const graph *g, const plant *p)
-{
-    const mechanism *m = p->m;
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    double *u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *u);
-    const double *x = mechanism_start(m, g->memory);
-    graph_evaluate(g, 0, &(evaluation){.x = x, .u = u, .p = m->parameters.defaults}, numbers);
-    for (int i = 0; i < m->inputs.count; i++) {
-        u[i] = m->inputs.driven[i] ? numbers[m->inputs.drives[i]] : 0.0;
-    }
-    graph_evaluate(g, 0, &(evaluation){.x = x, .u = u, .p = m->parameters.defaults}, numbers);
-    return numbers;
 }
 
 /* Whether a constant below the least normal float does no harm. As a factor it is scaled (tools/isoc/emit/code.c). In a sum
@@ -120,7 +104,12 @@ void range_check(source *s, const graph *g, const plant *p)
         return;
     }
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    const double *numbers = start_numbers(g, p);
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    graph_evaluate(g, 0,
+                   &(evaluation){.x = mechanism_start(p->m, g->memory),
+                                 .u = inputs_at_start(g, p->m),
+                                 .p = p->m->parameters.defaults},
+                   numbers);
     mark_all(g, p, needed);
     for (size_t i = 0; i < g->count; i++) {
         if (!needed[i] || !is_constant(g, (node)i) || real_holds(constant_value(g, (node)i), p->is_double) ||

@@ -157,6 +157,11 @@ static void begin_answer(plant *p, graph *g, quantity_kind kind, quantity_kind b
     }
 }
 
+static void replace_queries(graph *g, node *roots, size_t count, void *context)
+{
+    replace_leaves(g, roots, count, OP_QUERY, context);
+}
+
 void late_queries_resolve(plant *p, graph *g)
 {
     const mechanism *m = p->m;
@@ -173,15 +178,7 @@ void late_queries_resolve(plant *p, graph *g)
             before = q->kind;
         }
     }
-    const bool any = before < QUANTITY_ROWS;
-    for (int i = 0; i < m->effects.memory_count && any; i++) {
-        replace_leaves(g, &m->effects.memories[i].next, 1, OP_QUERY, answers);
-        replace_leaves(g, &m->effects.memories[i].begin, 1, OP_QUERY, answers);
-    }
-    for (int i = 0; i < m->effects.state_count && any; i++) {
-        replace_leaves(g, &m->effects.states[i].begin, 1, OP_QUERY, answers);
-    }
-    for (size_t i = 0; i < m->output_count && any; i++) {
-        replace_leaves(g, m->outputs[i].formula.parts, (size_t)m->outputs[i].formula.count, OP_QUERY, answers);
+    if (before < QUANTITY_ROWS) {
+        for_roots(g, m, true, replace_queries, answers);
     }
 }

@@ -197,16 +197,7 @@ static void evaluate_level(rows_builder *b, const row_order *order, int level, d
 static void find_start_numbers(rows_builder *b, const row_order *order)
 {
     const mechanism *m = b->p->m;
-    double *u = arena_take(b->g->memory, (size_t)held_count(m) + 1, sizeof *u);
-    double *numbers = arena_take(b->g->memory, b->g->count, sizeof *numbers);
-    for (int i = state_count(m); i < state_count(m) + m->effects.memory_count; i++) {
-        u[m->inputs.count + i - state_count(m)] = quantity_of(m, i)->about.start;
-    }
-    double *x = mechanism_start(m, b->g->memory);
-    graph_evaluate(b->g, 0, &(evaluation){.x = x, .p = m->parameters.defaults}, numbers);
-    for (int i = 0; i < m->inputs.count; i++) {
-        u[i] = m->inputs.driven[i] ? numbers[m->inputs.drives[i]] : 0.0;
-    }
+    double *u = inputs_at_start(b->g, m), *x = mechanism_start(m, b->g->memory);
     for (int level = 0; level < order->levels; level++) {
         evaluate_level(b, order, level, x, u);
     }

@@ -45,9 +45,7 @@ static void derived_lines(const mechanism *m, const graph *g, text *out)
     if (m->effects.derived_count == 0) {
         return;
     }
-    const evaluation at = {.p = m->parameters.defaults};
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    graph_evaluate(g, 0, &at, numbers);
+    const double *numbers = numbers_at_start(g, m);
     for (int i = 0; i < m->effects.derived_count; i++) {
         text_add(out, "stable %s %.9g %s\n", m->effects.derived[i].about.name, numbers[m->effects.derived[i].next],
                  m->effects.derived[i].about.unit);

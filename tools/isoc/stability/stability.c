@@ -153,25 +153,7 @@ static void check_drift(const source *s, const graph *g, const plant *p, slopes 
         1e3 * method_step(m), others[0] == '\0' ? "" : ", or ", others);
 }
 
-/* Inputs that are functions of the tick as they begin, each function of it counting as zero; those of the port zero; and
- * memories as they begin. */
-static point start_of(const graph *g, const mechanism *m)
-{
-    point result = {"at the start", mechanism_start(m, g->memory), NULL};
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    graph_evaluate(g, 0, &(evaluation){.x = result.x, .p = m->parameters.defaults}, numbers);
-    result.u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *result.u);
-    for (int i = 0; i < m->inputs.count; i++) {
-        result.u[i] = m->inputs.driven[i] ? numbers[m->inputs.drives[i]] : 0.0;
-    }
-    for (int i = 0; i < m->effects.memory_count; i++) {
-        result.u[m->inputs.count + i] = m->effects.memories[i].about.start;
-    }
-    arena_return(g->memory, numbers, g->count, sizeof *numbers);
-    return result;
-}
-
-/* The same with all joints at rest. Returns whether they were not. */
+/* The start with all joints at rest. Returns whether they were not. */
 static bool stop_at(const mechanism *m, point *at)
 {
     bool moved = false;
@@ -220,7 +202,7 @@ void stability_check(source *s, const graph *g, const plant *p)
         return;
     }
     linearised l = linearise(g, m, p->derivatives, (size_t)state_count(m));
-    point at = start_of(g, m);
+    point at = {"at the start", mechanism_start(m, g->memory), inputs_at_start(g, m)};
     const slopes first = slopes_at(&l, at.x, at.u);
     if (first.infinite >= 0 && ISO_IS_IMPLICIT(m->method.recipe)) {
         refuse(s, m, g->memory, first.infinite);

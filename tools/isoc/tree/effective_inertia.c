@@ -36,10 +36,8 @@ static void invert(double *a, size_t n)
 static double *inverse_of_mass(const graph *g, const mechanism *m, const mass_matrix *mass)
 {
     const size_t n = (size_t)m->dof_count;
-    const evaluation at = {.x = mechanism_start(m, g->memory), .p = m->parameters.defaults};
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    const double *numbers = numbers_at_start(g, m);
     double *inverse = arena_take(g->memory, n * n, sizeof *inverse);
-    graph_evaluate(g, 0, &at, numbers);
     for (int i = 0; i < m->dof_count; i++) {
         for (int j = i; j != GROUND; j = m->dofs[j].before) {
             inverse[i * m->dof_count + j] = inverse[j * m->dof_count + i] =

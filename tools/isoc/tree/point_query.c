@@ -46,11 +46,12 @@ typedef struct answers {
     const node *inertias; /* NULL where none is asked for */
 } answers;
 
-static void replace(graph *g, node *roots, int count, const answers *by)
+static void replace(graph *g, node *roots, size_t count, void *context)
 {
-    replace_leaves(g, roots, (size_t)count, OP_QUERY, by->points);
+    const answers *by = context;
+    replace_leaves(g, roots, count, OP_QUERY, by->points);
     if (by->inertias != NULL) {
-        replace_leaves(g, roots, (size_t)count, OP_INERTIA, by->inertias);
+        replace_leaves(g, roots, count, OP_INERTIA, by->inertias);
     }
 }
 
@@ -76,29 +77,9 @@ void point_queries_resolve(graph *g, mechanism *m)
             point_query_nodes(&k, &m->queries.all[i], &points[QUERY_PARTS * i]);
         }
     }
-    const answers all = {points, by_inertia ? effective_inertias(g, m) : NULL};
+    answers all = {points, by_inertia ? effective_inertias(g, m) : NULL};
     graph_section(g, "Effects");
-    replace(g, m->effects.efforts, m->dof_count, &all);
-    for (int i = 0; i < m->effects.count; i++) {
-        replace(g, &m->effects.accounts[i].power, 1, &all);
-        replace(g, &m->effects.accounts[i].stored, 1, &all);
-        replace(g, &m->effects.accounts[i].loss, 1, &all);
-        replace(g, &m->effects.accounts[i].work, 1, &all);
-    }
-    for (int i = 0; i < m->effects.derived_count; i++) {
-        replace(g, &m->effects.derived[i].next, 1, &all);
-    }
-    for (int i = 0; i < m->effects.state_count; i++) {
-        replace(g, &m->effects.states[i].next, 1, &all);
-        replace(g, &m->effects.states[i].begin, 1, &all);
-    }
-    for (int i = 0; i < m->effects.memory_count; i++) {
-        replace(g, &m->effects.memories[i].next, 1, &all);
-        replace(g, &m->effects.memories[i].begin, 1, &all);
-    }
-    for (size_t i = 0; i < m->output_count; i++) {
-        replace(g, m->outputs[i].formula.parts, m->outputs[i].formula.count, &all);
-    }
+    for_roots(g, m, true, replace, &all);
     FOR_ALL (applied_force, f, m->forces.applied, m->forces.applied_count) {
         if (f->drive < 0) {
             replace(g, f->force.at, 3, &all);
@@ -106,8 +87,5 @@ void point_queries_resolve(graph *g, mechanism *m)
             f->force = f->in_ground ? inward_axes(&k, GROUND, f->segment, f->force) : f->force;
             f->moment = f->in_ground ? inward_axes(&k, GROUND, f->segment, f->moment) : f->moment;
         }
-    }
-    for (int i = 0; i < m->effects.push_count; i++) {
-        replace(g, &m->effects.pushes[i].effort, 1, &all);
     }
 }

@@ -1,0 +1,30 @@
+/* The formulas of a mechanism as lists of nodes. */
+#include "tools/isoc/mechanism/mechanism.h"
+
+void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *visit, void *context)
+{
+    visit(g, m->effects.efforts, (size_t)m->dof_count, context);
+    FOR_ALL (effect_account, e, m->effects.accounts, m->effects.count) {
+        visit(g, &e->power, 1, context);
+        visit(g, &e->stored, 1, context);
+        visit(g, &e->loss, 1, context);
+        visit(g, &e->work, 1, context);
+    }
+    FOR_ALL (effect_quantity, e, m->effects.derived, m->effects.derived_count) {
+        visit(g, &e->next, 1, context);
+    }
+    FOR_ALL (effect_quantity, e, m->effects.states, m->effects.state_count) {
+        visit(g, &e->next, 1, context);
+        visit(g, &e->begin, 1, context);
+    }
+    FOR_ALL (effect_quantity, e, m->effects.memories, with_memories ? m->effects.memory_count : 0) {
+        visit(g, &e->next, 1, context);
+        visit(g, &e->begin, 1, context);
+    }
+    FOR_ALL (shown, o, m->outputs, m->output_count) {
+        visit(g, o->formula.parts, (size_t)o->formula.count, context);
+    }
+    FOR_ALL (effect_effort, e, m->effects.pushes, m->effects.push_count) {
+        visit(g, &e->effort, 1, context);
+    }
+}
