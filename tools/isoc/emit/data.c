@@ -1,5 +1,71 @@
 #include "tools/isoc/emit/parts.h"
 
+#include <math.h>
+#include <stdbool.h>
+
+static void emit_words(emission *e, const char *called, int i, const tick_table *t)
+{
+    enum { IN_A_LINE = 7 };
+    put(e, "static const uint32_t %s_%d[%zu] = {", called, i, t->count);
+    for (size_t k = 0; k < t->count; k++) {
+        put(e, "%sUINT32_C(%u),", k % IN_A_LINE == 0 ? "\n    " : " ", (unsigned)t->words[k]);
+    }
+    put(e, "\n};\n");
+}
+
+static void emit_reals(emission *e, const char *called, int i, const double *numbers, size_t count)
+{
+    enum { IN_A_LINE = 7 };
+    put(e, "static const real %s_%d[%zu] = {", called, i, count);
+    for (size_t k = 0; k < count; k++) {
+        put(e, "%s%s,", k % IN_A_LINE == 0 ? "\n    " : " ", literal(e, numbers[k]));
+    }
+    put(e, "\n};\n");
+}
+
+static void emit_lines(emission *e, int i, const tick_table *t)
+{
+    emit_words(e, "first", i, t);
+    emit_reals(e, "value", i, t->values, t->count);
+    emit_reals(e, "slope", i, t->slopes, t->count);
+    put(e, "static const iso_lines lines_%d = {first_%d, value_%d, slope_%d, %zu};\n\n", i, i, i, i, t->count);
+}
+
+/* The curve as a whole number of 62 bits and a shift. */
+static void emit_chirp(emission *e, int i, const tick_table *t)
+{
+    int exponent;
+    const double part = frexp(fabs(t->curve), &exponent);
+    int shift = -2 - exponent;
+    shift = shift > 63 ? 63 : shift < 1 ? 1 : shift;
+    const double curve = ldexp(part, exponent + 64 + shift);
+    arena *memory = e->out->memory;
+    put(e, "static const iso_chirp_table chirp_%d = {\n    .first = %s,\n    .last = %s,\n", i,
+        code_phase(memory, t->first), code_phase(memory, t->last));
+    put(e, "    .curve = UINT64_C(0x%016llX),\n    .sign = %s,\n    .shift = %d,\n    .ticks = UINT32_C(%.0f),\n};\n\n",
+        (unsigned long long)curve, t->curve < 0.0 ? "~UINT64_C(0)" : "0", shift, t->ticks);
+}
+
+void emit_tick_tables(emission *e, const node *roots, size_t count)
+{
+    const mechanism *m = e->p->m;
+    for (reached r = reach(e->g, roots, count); reach_next(&r);) {
+        const graph_node *at = r.n;
+        if (at->op != OP_PRBS && at->op != OP_CHIRP && at->op != OP_LINES) {
+            continue;
+        }
+        const tick_table *t = &m->inputs.tables[at->index];
+        if (at->op == OP_PRBS) {
+            emit_words(e, "prbs", at->index, t);
+            put(e, "\n");
+        } else if (at->op == OP_CHIRP) {
+            emit_chirp(e, at->index, t);
+        } else {
+            emit_lines(e, at->index, t);
+        }
+    }
+}
+
 /* static const real ARRAY[CART_WHAT] = {[PLACE] = NUMBER, ...}; */
 static void begin_array(emission *e, const char *array, const char *what)
 {

@@ -30,15 +30,13 @@ void emit_header(const plant *p, const naming *names, text *out);
 /* Returns false, with *out_of_range_value, if a constant leaves the range of real. */
 bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *out_of_range_value);
 
-/* prefix.c: the name of a plant in other firmware: of its files, and the beginning of all its identifiers. */
-
-/* Why isoc cannot make files and identifiers with this prefix; NULL where it can. */
+/* prefix.c: the name of a plant in other firmware: of its files, and the beginning of all its identifiers. Why isoc
+ * cannot make files and identifiers with this prefix; NULL where it can. */
 const char *prefix_fault(const char *prefix, arena *memory);
 
-/* standalone.c: the files of core that a plant needs, so that its folder compiles alone. */
-
-/* Adds the files of core that those in the list include, and those that firmware calls and that need no port. They find
- * each other by relative paths, and in double they need no flag that says so. */
+/* standalone.c: the files of core that a plant needs, so that its folder compiles alone. Adds the files of core that
+ * those in the list include, and those that firmware calls and that need no port. They find each other by relative
+ * paths, and in double they need no flag that says so. */
 void standalone_files(file_list *files, bool is_double);
 
 /* link.c: the link of a plant, and the controller's end of it in C and in Python. */

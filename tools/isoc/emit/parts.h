@@ -115,7 +115,7 @@ void emit_data(emission *e);
 void emit_limits(emission *e, const char *array, const char *what, const leaf_name *leaves, const variable *all,
                  int count);
 
-/* tables.c: what functions of the tick read, of those that these roots need. */
+/* data.c: what functions of the tick read, of those that these roots need. */
 void emit_tick_tables(emission *e, const node *roots, size_t count);
 
 /* functions.c: the equations. */

@@ -131,10 +131,9 @@ bool can_change(const graph *g, node n);
 /* Whether any function of the tick is. */
 bool uses_time(const graph *g, const node *roots, size_t count);
 
-/* economy.c: simplifications of a whole function: which simplifications pay depends on who else uses a node. */
-
-/* The nodes that `count` roots need, in the same order, in a graph of their own, with fewer operations; made[count] are
- * the roots there. */
+/* economy.c: simplifications of a whole function: which simplifications pay depends on who else uses a node. The nodes
+ * that `count` roots need, in the same order, in a graph of their own, with fewer operations; made[count] are the roots
+ * there. */
 graph economise(const graph *g, const node *roots, size_t count, node *result);
 
 /* differentiate.c: symbolic differentiation, and putting nodes in the place of leaves. */

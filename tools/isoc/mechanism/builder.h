@@ -98,13 +98,11 @@ void list_dofs(builder *b);
 /* closures.c: loop closures and their stabilisation. */
 void build_closures(builder *b);
 
-/* springs.c: springs and dampers between points. */
+/* forces.c: springs and dampers between points, and forces of inputs on bodies. */
 void build_springs(builder *b);
 
 /* motions.c: a joint whose coordinate is a function of time; returns false after noting a problem. */
 bool build_motion(builder *b, const closure_statement *written, closure *result);
-
-/* applied_forces.c: forces of inputs on bodies. */
 void build_applied_forces(builder *b);
 
 /* bodies.c: what the bodies weigh. */
@@ -133,7 +131,7 @@ int common_segment(const mechanism *m, int a, int b);
 /* regroup.c: moves to the parents what the joints' motion does not change. */
 void regroup(builder *b);
 
-/* edges.c: what jumps by itself at ticks that are known, in a function of time. */
+/* lookup.c: what jumps by itself at ticks that are known, in a function of time. */
 void find_edges(builder *b, node drive);
 
 /* inputs.c: inputs and tunable parameters. The inputs are checked when all that can use them is built. */
@@ -183,10 +181,5 @@ unsigned find_method(builder *b, name word);
 
 /* ladder.c: how the loop runs the plant. */
 void build_policies(builder *b);
-
-/* inertia.c: which masses and inertias a body can have. */
-
-/* NULL if a body can have this tensor (xx, yy, zz, xy, xz, yz) about its centre of mass, else what is wrong with it. */
-const char *inertia_fault(const double tensor[6]);
 
 #endif

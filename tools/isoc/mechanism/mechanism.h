@@ -206,7 +206,7 @@ static inline variable unlimited(const char *called, const char *in, const char 
 
 /* A state of an effect, or a memory of one: what it is called, its start, and its rate, or its next. */
 typedef struct effect_quantity {
-    variable about; /* its start as a number: plant/rows.h */
+    variable about; /* its start as a number: plant/rows.c */
     place at;       /* of the effect, or of the formula that it keeps, */
     int effect;     /* and which effect */
     node begin, next;

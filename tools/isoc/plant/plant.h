@@ -114,7 +114,7 @@ const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chos
 /* The nodes of derivative, outputs and all else. */
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted);
 
-/* rates.c: the rates of outputs: which are computed in each tick, and which in every fourth. */
+/* outputs.c: the rates of outputs: which are computed in each tick, and which in every fourth. */
 
 /* The outputs of one rate. */
 typedef struct output_rate {
@@ -161,9 +161,8 @@ void quantity_nodes(plant *p, graph *g, const query *q, node parts[QUERY_PARTS])
 /* Puts those that are known late in the place of the leaves that stand for them. */
 void late_queries_resolve(plant *p, graph *g);
 
-/* outputs.c: the nodes of the outputs, with their names and units. */
-
-/* Fills p->outputs, p->output_names and p->output_units from p->m and p->d. */
+/* outputs.c: the nodes of the outputs, with their names and units. Fills p->outputs, p->output_names and
+ * p->output_units from p->m and p->d. */
 void outputs_build(plant *p, graph *g);
 
 /* reduced_plant.c: the plant on the rungs of a ladder that drop effects. */
@@ -190,13 +189,6 @@ typedef struct implicit_cost {
 } implicit_cost;
 
 implicit_cost cost_of_solving(const plant *p, const graph *g);
-
-/* coefficients.c: products with what follows from tunables alone, as with constants: it gathers in front, so that it
- * is one number, which is computed when a tunable changes. */
-
-/* In all that the roots are made of, c (p x) becomes (c p) x, (p x) (q y) becomes (p q) (x y), and x / p becomes (1 / p) x, for
- * p and q of tunables. */
-void gather_coefficients(graph *g, node *roots, size_t count);
 
 /* summary.c: the summaries of a plant and of the methods that isoc prints. */
 

@@ -56,9 +56,7 @@ int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint);
 int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint);
 
 /* counts.c: how many states, inputs, parameters and outputs a plant can have: core/runtime/plant.h counts them in 16
- * bits. */
-
-/* Notes the first one that is too many of each. Returns whether there is none. */
+ * bits. Notes the first one that is too many of each. Returns whether there is none. */
 bool counts_check(source *s, const scene *written);
 
 #endif

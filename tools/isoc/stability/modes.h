@@ -75,10 +75,4 @@ enum { STEEPEST_POINTS = 2 };
 int steepest_points(const graph *g, const mechanism *m, int effect, const double *x, const double *u,
                     double *points[STEEPEST_POINTS]);
 
-/* tick_function.c: the functions of the tick as numbers: what the plant's code computes of them, to the rounding of a
- * double. */
-
-/* The value of a node for which is_timed holds, in a tick. */
-double tick_function(const mechanism *m, const graph_node *n, uint64_t tick);
-
 #endif
