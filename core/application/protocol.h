@@ -1,5 +1,5 @@
-/* What the two ends of a wire must have alike, as tables. The programs of plants are made of them, and the tools; isoc writes
- * the controller's end from them. So nothing is included here.
+/* The words, numbers and fields that both ends of a wire must have alike, as tables. The programs of plants are made
+ * of them, and the tools; isoc writes the controller's end from them. So nothing is included here.
  *
  * core/link/README.md has the frames, byte by byte; tests/link/frames.t compares its tables with these. */
 #ifndef ISO_CORE_APPLICATION_PROTOCOL_H
@@ -63,14 +63,14 @@ enum { ISO_LINK_VERSION = 1 };
     X(START, 's')   /* a run from tick 0 */                                                                            \
     X(INPUTS, 'u')  /* those that answer the outputs of a tick */                                                      \
     X(END, 'e')     /* from the controller, without a payload: ends the run; from the plant: how it went */            \
-    X(COMMAND, 'c') /* what else can be asked of a plant: ISO_COMMAND_LIST */                                          \
+    X(COMMAND, 'c') /* one of ISO_COMMAND_LIST */                                                                      \
     X(PLANT, 'H')   /* who is there */                                                                                 \
     X(OUTPUTS, 'y')                                                                                                    \
     X(ANSWER, 'C') /* to a command */                                                                                  \
     X(REFUSAL, 'n')
 
-/* The fields of a payload, in their order: a name, a type, and how many there are; MANY are as many as the rest of the frame
- * has. REAL is as wide as the plant's. */
+/* The fields of a payload, in their order: a name, a type, and how many there are; MANY are as many as the rest of
+ * the frame has. REAL is as wide as the plant's. */
 #define ISO_LINK_HELLO_FIELDS(X)
 #define ISO_LINK_START_FIELDS(X)                                                                                       \
     X(identity, U64, 1) /* of the plant that the controller was made for */                                            \
@@ -127,7 +127,7 @@ enum { ISO_LINK_VERSION = 1 };
 
 /* --- Commands ---------------------------------------------------------------------------------------------------- */
 
-/* What each takes behind its number is ISO_COMMAND_NAME_TAKES. */
+/* The fields behind the number of each are ISO_COMMAND_NAME_TAKES. */
 #define ISO_COMMAND_LIST(X)                                                                                            \
     X(STATE, 1)   /* how it is */                                                                                      \
     X(RUN, 2)     /* runs, then rests */                                                                               \
@@ -167,8 +167,8 @@ enum { ISO_COMMAND_PIECE = 128 };
     X(RESTS, 2, "rests")                  /* between two ticks */                                                      \
     X(STOPPED, 3, "stopped by the guard") /* until a reset, a restore or a start */
 
-/* Why a snapshot is refused (core/runtime/snapshot.h), and what else was not done (core/runtime/control.h): core/link/command.c
- * compares the numbers with those. */
+/* Why a snapshot is refused (core/runtime/snapshot.h), and what else was not done (core/runtime/control.h):
+ * core/link/command.c compares the numbers with those. */
 #define ISO_SNAPSHOT_REFUSALS(X)                                                                                       \
     X(ISO_SNAPSHOT_NO_SNAPSHOT, 1, "this is no snapshot")                                                              \
     X(ISO_SNAPSHOT_OTHER_VERSION, 2, "the snapshot is of another version")                                             \

@@ -1,5 +1,5 @@
-/* The times of whole ticks, and of a run's work beside them: its rows and its hash. That is no time of the plant's: ticks of the
- * port that come meanwhile pass, so that a late tick is one that the plant made late. */
+/* The times of whole ticks, and of a run's work beside them: its rows and its hash. That is no time of the plant's:
+ * ticks of the port that come meanwhile pass, so that a late tick is one that the plant made late. */
 #ifndef ISO_CORE_APPLICATION_TIMES_H
 #define ISO_CORE_APPLICATION_TIMES_H
 
@@ -26,8 +26,8 @@ static inline void iso_times_done(iso_times *const times, const iso_loop *const 
     }
 }
 
-/* What is beside it is done as well. If that took time, a tick of the port that comes at once passes too: before it is
- * waited for, it would be late. */
+/* The work beside a tick is done as well. If that took time, a tick of the port that comes at once passes too:
+ * before it is waited for, it would be late. */
 static inline void iso_times_go_on(iso_times *const times, iso_loop *const loop)
 {
     const uint64_t now = iso_port_clock();

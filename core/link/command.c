@@ -49,7 +49,7 @@ static iso_control_answer write_piece(const iso_control *const control, const si
     return ISO_CONTROL_DONE;
 }
 
-/* What needs a run that goes on. */
+/* The commands that need a run that goes on. */
 static iso_control_answer run_or_rest(iso_control *const control, const bool is_running, const uint8_t *const payload)
 {
     if (!is_running) {

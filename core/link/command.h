@@ -1,5 +1,5 @@
-/* Commands over the link: a controller asks the plant to run, to rest, to begin anew, and for its snapshot. They are done between
- * two ticks. core/link/README.md has their frames, byte by byte.
+/* Commands over the link: a controller asks the plant to run, to rest, to begin anew, and for its snapshot. They are
+ * done between two ticks. core/link/README.md has their frames, byte by byte.
  *
  * A command has a number of the controller's. The same command with the same number once more is one whose answer was lost: it is
  * answered again and not done again, unless it can be done twice. */
@@ -37,7 +37,7 @@ typedef struct iso_commands {
     uint8_t answer; /* iso_control_answer */
 } iso_commands;
 
-/* What came of a command. */
+/* The outcome of a command. */
 typedef enum iso_command_outcome {
     ISO_COMMAND_UNKNOWN, /* no such command, or of another length */
     ISO_COMMAND_DONE,    /* or refused; there is an answer */

@@ -1,5 +1,5 @@
-/* What a plant shows to the programs at its other end. isoc writes it beside the plant (interface.c); the program of a
- * plant without a link has none of it. */
+/* The interface of a plant to the programs at the other end of its link. isoc writes it beside the plant
+ * (interface.c); the program of a plant without a link has none of it. */
 #ifndef ISO_CORE_LINK_INTERFACE_H
 #define ISO_CORE_LINK_INTERFACE_H
 
@@ -10,11 +10,11 @@
 /* An input that comes in over the link: all that are no function of time, and those that the scene says `safe` of. */
 typedef struct iso_wire {
     uint16_t input; /* its place in u */
-    real safe;      /* what it becomes in a free run when no inputs have come */
+    real safe;      /* its value in a free run when no inputs have come */
     uint32_t after; /* for so many ticks; 0: it keeps the last value for ever */
 } iso_wire;
 
-/* What works between two ticks, on a channel of its own. */
+/* A service works between two ticks, on a channel of its own. */
 typedef struct iso_service {
     void (*start)(iso_loop *loop); /* once, behind iso_loop_start */
     void (*before)(

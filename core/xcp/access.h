@@ -1,4 +1,5 @@
-/* What a master may read, what it may write, and what it may pause. An address is the lower 32 bits of one of the processor's. */
+/* The rights of a master: the memory that it may read and write, and the resources that it may pause. An address is
+ * the lower 32 bits of one of the processor's. */
 #ifndef ISO_CORE_XCP_ACCESS_H
 #define ISO_CORE_XCP_ACCESS_H
 
@@ -36,8 +37,9 @@ static inline uint32_t iso_xcp_address(const void *const pointer)
 /* Where these bytes are; NULL if one of them may not be read. */
 const uint8_t *iso_xcp_at(const iso_xcp_access *access, uint32_t address, uint32_t count);
 
-/* Sets tunables, or parts of them, to these bytes; all, or none where one is no tunable, or becomes a number that is not
- * finite or beyond its limits. The record of a snapshot takes any bytes: they are checked when the plant is put to it. */
+/* Sets tunables, or parts of them, to these bytes; all, or none where one is no tunable, or becomes a number that is
+ * not finite or beyond its limits. The record of a snapshot takes any bytes: they are checked when the plant is put
+ * to it. */
 iso_xcp_error iso_xcp_write(const iso_xcp_access *access, uint32_t address, const uint8_t *bytes, uint32_t count);
 
 #endif

@@ -1,5 +1,5 @@
-/* What answers the commands: a function for each, called by iso_xcp_answer when the command is long enough and its resource
- * is not locked. The response begins with ISO_XCP_RES already; each returns its length. */
+/* The answers to the commands: a function for each, called by iso_xcp_answer when the command is long enough and its
+ * resource is not locked. The response begins with ISO_XCP_RES already; each returns its length. */
 #ifndef ISO_CORE_XCP_COMMANDS_H
 #define ISO_CORE_XCP_COMMANDS_H
 

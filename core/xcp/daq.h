@@ -1,6 +1,7 @@
-/* DAQ: lists of what is measured at every tick, or at every n-th. A list has tables (ODT), each of which is one packet; a table has
- * entries, each of which is bytes of memory. The master makes them, of a pool of fixed size, in this order: all lists, the
- * tables of each, the entries of each table. There is one event: a tick has ended, its outputs are published. */
+/* DAQ: lists of what is measured at every tick, or at every n-th. A list has tables (ODT), each of which is one
+ * packet; a table has entries, each of which is bytes of memory. The master makes them, of a pool of fixed size, in
+ * this order: all lists, the tables of each, the entries of each table. There is one event: a tick has ended, its
+ * outputs are published. */
 #ifndef ISO_CORE_XCP_DAQ_H
 #define ISO_CORE_XCP_DAQ_H
 
@@ -32,7 +33,7 @@ typedef struct iso_xcp_list {
     bool overloaded;   /* since the last sample that was sent, one was lost */
 } iso_xcp_list;
 
-/* What was allocated last: the standard has an order of it. */
+/* The kind that was allocated last: the standard has an order of them. */
 typedef enum iso_xcp_stage {
     ISO_XCP_UNMADE,
     ISO_XCP_FREED,
@@ -68,8 +69,8 @@ bool iso_xcp_daq_runs(const iso_xcp_daq *daq);
 /* An event: whether it is a sample of this list. */
 bool iso_xcp_daq_due(iso_xcp_daq *daq, uint8_t list);
 
-/* The packet of a list's table: the table's number, of a list that is stamped in the first one the tick, then the data. `to` has
- * ISO_XCP_MAX_DTO bytes. Returns its length. */
+/* The packet of a list's table: the table's number, of a list that is stamped in the first one the tick, then the
+ * data. `to` has ISO_XCP_MAX_DTO bytes. Returns its length. */
 uint16_t iso_xcp_daq_packet(const iso_xcp_daq *daq, uint8_t list, uint8_t table, uint32_t tick, uint8_t *to);
 
 #endif

@@ -14,7 +14,7 @@ enum { ISO_XCP_MAX_CTO = 64, ISO_XCP_MAX_DTO = 256 };
 /* Around each, the most that a frame has (transport.h); and the frames of one sample of a list. */
 enum { ISO_XCP_HEADER_BYTES = 4, ISO_XCP_TAIL_BYTES = 3, ISO_XCP_SAMPLE_BYTES = 512 };
 
-/* What a packet of the slave begins with; below: data, numbered by their table. */
+/* The first byte of a packet of the slave; below: data, numbered by their table. */
 enum { ISO_XCP_RES = 0xFF, ISO_XCP_ERR = 0xFE };
 
 typedef enum iso_xcp_code {
@@ -67,9 +67,10 @@ typedef enum iso_xcp_error {
     ISO_XCP_NONE = 0x100, /* no error; not of the standard */
 } iso_xcp_error;
 
-/* What USER_CMD asks: its second byte, the numbers of core/link/command.h. RUN and RESTORE have 32 bits behind two bytes that are
- * reserved: how many ticks, 0: without an end; and the bytes of the snapshot in the record. TAKE and RESTORE are answered with what
- * came of it (iso_control_answer), two zeros, and the size and the address of the record, 32 bits each. */
+/* The requests of USER_CMD: its second byte, the numbers of core/link/command.h. RUN and RESTORE have 32 bits behind
+ * two bytes that are reserved: how many ticks, 0: without an end; and the bytes of the snapshot in the record. TAKE
+ * and RESTORE are answered with what came of it (iso_control_answer), two zeros, and the size and the address of the
+ * record, 32 bits each. */
 typedef enum iso_xcp_user {
     ISO_XCP_USER_RUN = 2,
     ISO_XCP_USER_REST = 3,

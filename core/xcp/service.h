@@ -1,6 +1,7 @@
-/* Measurement and calibration between two ticks: the slave on the channel ISO_CHANNEL_CALIBRATION. Before a tick it answers one
- * command at most, of at most ISO_XCP_TICK_BYTES bytes that came in; after it the lists are sampled that are due. What it
- * cannot send, it keeps, if it is a response, and loses, if it is a sample: then the next one says so. */
+/* Measurement and calibration between two ticks: the slave on the channel ISO_CHANNEL_CALIBRATION. Before a tick it
+ * answers one command at most, of at most ISO_XCP_TICK_BYTES bytes that came in; after it the lists are sampled that
+ * are due. What it cannot send, it keeps, if it is a response, and loses, if it is a sample: then the next one says
+ * so. */
 #ifndef ISO_CORE_XCP_SERVICE_H
 #define ISO_CORE_XCP_SERVICE_H
 
@@ -15,7 +16,7 @@
 /* Bytes that are taken in before a tick. */
 enum { ISO_XCP_TICK_BYTES = 2 * ISO_XCP_FRAME_BYTES };
 
-/* What came and went. A master can measure it. */
+/* Counts of packets. A master can measure them. */
 typedef struct iso_xcp_statistics {
     uint64_t commands; /* that were answered */
     uint64_t samples;  /* of lists, that were sent */
@@ -28,7 +29,8 @@ extern const iso_xcp_description iso_xcp_the_description;
 extern const iso_service iso_xcp_service;
 extern iso_xcp_statistics iso_xcp_the_statistics;
 
-/* An example of seed and key: the key is the seed, each byte exclusive-or 0x5A. It keeps out accidents, and nobody else. */
+/* An example of seed and key: the key is the seed, each byte exclusive-or 0x5A. It keeps out accidents, and nobody
+ * else. */
 extern const iso_xcp_lock iso_xcp_example_lock;
 
 #endif

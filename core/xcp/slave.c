@@ -143,7 +143,7 @@ static uint16_t answer_unlock(iso_xcp_slave *const s, const iso_xcp_exchange *co
     return 2;
 }
 
-/* What came of a snapshot, and where the record is. */
+/* The answer to a command of snapshots, and the place of the record. */
 static uint16_t answer_record(const iso_control *const control, const iso_control_answer came, uint8_t *const response)
 {
     response[1] = (uint8_t)came;

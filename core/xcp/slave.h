@@ -1,5 +1,5 @@
-/* The slave: a packet of the master comes in, a packet goes out. A pure function of its state, of the memory that it shows, and
- * of the packet; it knows no channel and no clock.
+/* The slave: a packet of the master comes in, a packet goes out. A pure function of its state, of the memory that it
+ * shows, and of the packet; it knows no channel and no clock.
  *
  * Before CONNECT all other commands are ignored. What DOWNLOAD, its block or SHORT_DOWNLOAD brings takes effect as a whole when
  * its last packet is answered, or not at all. */
@@ -27,10 +27,10 @@ typedef struct iso_xcp_duration {
     uint16_t count;
 } iso_xcp_duration;
 
-/* What a master is told of the plant; isoc writes it. */
+/* The description of a plant for a master; isoc writes it. */
 typedef struct iso_xcp_description {
     const char *name;         /* of the A2L file, without its ending */
-    const char *epk;          /* what it must be of: the same text stands in the A2L */
+    const char *epk;          /* of the A2L that belongs to it: the same text stands there */
     const iso_limits *limits; /* of each tunable; NULL where none has any */
     const iso_xcp_lock *lock; /* NULL: open to all */
     iso_xcp_duration
@@ -61,7 +61,8 @@ void iso_xcp_start(iso_xcp_slave *s, const iso_xcp_description *i, const iso_xcp
 /* To where it was at the start: nobody is connected, nothing is measured. */
 void iso_xcp_disconnect(iso_xcp_slave *s);
 
-/* A command of `length` bytes, any bytes. Returns the length of the response, up to ISO_XCP_MAX_CTO; 0: there is none. */
+/* A command of `length` bytes, any bytes. Returns the length of the response, up to ISO_XCP_MAX_CTO; 0: there is
+ * none. */
 uint16_t iso_xcp_answer(iso_xcp_slave *s, const uint8_t *command, uint16_t length, uint8_t *response);
 
 /* The next packet of a response of several; 0 if there is none. */

@@ -107,7 +107,7 @@ uint16_t iso_xcp_answer_download(iso_xcp_slave *const s, const iso_xcp_exchange 
 uint16_t iso_xcp_answer_download_next(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     if (s->download_left == 0 || x->command[1] != s->download_left) {
-        x->response[2] = s->download_left; /* what was expected */
+        x->response[2] = s->download_left; /* the number that was expected */
         s->download_left = 0;
         return (uint16_t)(iso_xcp_refuse(x->response, ISO_XCP_SEQUENCE) + 1);
     }

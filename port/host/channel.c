@@ -9,9 +9,10 @@
  *     pty                    a terminal of its own
  *     fd:N                   a stream of bytes that is open from the start
  *
- * Where it waits stands on the standard error, with the name of the terminal and the number of the port. One peer is served at a
- * time; when it has gone, the next one is. A peer of calibration that has neither sent nor received a byte for IDLE_SECONDS is
- * closed when another waits. A channel without an address receives nothing and sends nothing.
+ * Where it waits stands on the standard error, with the name of the terminal and the number of the port. One peer is
+ * served at a time; when it has gone, the next one is. A peer of calibration that has neither sent nor received a
+ * byte for IDLE_SECONDS is closed when another waits. A channel without an address receives nothing and sends
+ * nothing.
  */
 #define _GNU_SOURCE /* ppoll */
 
@@ -37,7 +38,7 @@
 #include "port/host/channel.h"
 #include "port/host/datagrams.h"
 
-/* What a peer has not yet taken, as far as the system keeps no more of it. */
+/* Bytes that a peer has not yet taken, and the system keeps no more of. */
 enum { WAITING_BYTES = 65536, NONE = -1, IDLE_SECONDS = 5 };
 
 static const int64_t second_ns = 1000000000;

@@ -1,4 +1,5 @@
-/* What the channels of the host ask of its port: both, the one in virtual time and the one in real time, share them. */
+/* The functions of a port of the host that its channels call: both, the one in virtual time and the one in real
+ * time, share them. */
 #ifndef ISO_PORT_HOST_CHANNEL_H
 #define ISO_PORT_HOST_CHANNEL_H
 

@@ -1,6 +1,7 @@
-/* What differs between the images of Arm's MPS2 board that the ports run on.
- * Arm (2016), Application Note AN386; likewise AN385, AN500: 3.1 memory map, 3.7 interrupts. Arm (2020), Application Note AN505:
- * 3.1, 3.5; there the processor starts in the secure state, which sees the registers of the lines from 0x50000000 on. */
+/* The differences between the images of Arm's MPS2 board that the ports run on.
+ * Arm (2016), Application Note AN386; likewise AN385, AN500: 3.1 memory map, 3.7 interrupts. Arm (2020), Application
+ * Note AN505: 3.1, 3.5; there the processor starts in the secure state, which sees the registers of the lines from
+ * 0x50000000 on. */
 #ifndef ISO_PORT_MPS2_BOARD_H
 #define ISO_PORT_MPS2_BOARD_H
 

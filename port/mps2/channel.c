@@ -1,4 +1,5 @@
-/* The serial lines as channels: UART0 to a controller, UART1 for calibration, at 1 MBd, 8 bits, no parity, one stop bit.
+/* The serial lines as channels: UART0 to a controller, UART1 for calibration, at 1 MBd, 8 bits, no parity, one stop
+ * bit.
  *
  * Interrupts move each byte between a line and a ring, so that no byte waits for a tick. A line whose ring is full leaves
  * bytes where they are; on silicon these are then lost, in QEMU the sender waits.
@@ -18,7 +19,7 @@ typedef struct uart {
     uint32_t data;
     uint32_t state;
     uint32_t control;
-    uint32_t interrupt; /* what is pending; writing a bit clears it */
+    uint32_t interrupt; /* the pending ones; writing a bit clears it */
     uint32_t divider;
 } uart;
 
@@ -30,7 +31,8 @@ enum { BOTH_ON = TX_ON | RX_ON | TX_INTERRUPT_ON | RX_INTERRUPT_ON };
 /* Counts of the clock for a bit. */
 enum { BIT_COUNTS = BOARD_MHZ };
 
-/* Four interrupts: of UART0 receive and transmit, then of UART1. They stand behind the exceptions, and those before them. */
+/* Four interrupts: of UART0 receive and transmit, then of UART1. They stand behind the exceptions, and those before
+ * them. */
 enum {
     EXCEPTIONS = 16,
     FIRST = EXCEPTIONS + BOARD_FIRST_INTERRUPT,
@@ -135,8 +137,8 @@ static void calibration_transmitted(void)
     transmitted(ISO_CHANNEL_CALIBRATION);
 }
 
-/* Opens all lines when the first is used: the table of exceptions gets those of the lines behind it. A table stands at a
- * multiple of its size, rounded up to a power of two. */
+/* Opens all lines when the first is used: the table of exceptions gets those of the lines behind it. A table stands
+ * at a multiple of its size, rounded up to a power of two. */
 static void open_lines(void)
 {
     static _Alignas(256) void (*table[FIRST + INTERRUPTS])(void) = {
@@ -199,8 +201,8 @@ bool iso_port_send(const iso_channel channel, const void *const bytes, const siz
     return true;
 }
 
-/* Time is virtual, and stands still: QEMU would else go from tick to tick as fast as it can, and serve the lines between.
- * Interrupts are held off between the look and the sleep; a pending one wakes the processor all the same. */
+/* Time is virtual, and stands still: QEMU would else go from tick to tick as fast as it can, and serve the lines
+ * between. Interrupts are held off between the look and the sleep; a pending one wakes the processor all the same. */
 void iso_port_idle(void)
 {
     open_lines();

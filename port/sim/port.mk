@@ -7,7 +7,7 @@ PORT_INSTALL = apt-get install gcc
 PORT_FLAGS := $(if $(call is_gcc,$(PORT_CC)),-fno-tree-ter -frename-registers)
 # By `make flags TARGET=host REAL=double`: no other takes a twentieth less.
 PORT_OPTIMISE = -O2
-# What this port shares with others, and what links have beyond.
+# Sources that this port shares with others, and those of links.
 PORT_SHARED = port/host/console.c
 PORT_CHANNEL = port/host/channel.c port/host/datagrams.c
 PORT_LINK =

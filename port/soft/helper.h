@@ -1,5 +1,5 @@
-/* What compilers call where a processor has no floating-point unit: functions by names of their own, in place of libgcc's. A
- * number comes and goes where an integer of 32 bits does. */
+/* The functions that compilers call where a processor has no floating-point unit, by names of their own, in place of
+ * libgcc's. A number comes and goes where an integer of 32 bits does. */
 #ifndef ISO_PORT_SOFT_HELPER_H
 #define ISO_PORT_SOFT_HELPER_H
 

@@ -1,5 +1,5 @@
-/* What arithmetic without a branch is made of: masks, shifts, the count of leading zeros, rounding. All take a time that does
- * not follow from the numbers.
+/* The parts of arithmetic without a branch: masks, shifts, the count of leading zeros, rounding. All take a time
+ * that does not follow from the numbers.
  *
  * A count of a shift is from 0 to 255; from 32 on nothing is left. A core with a barrel shifter takes the count modulo 32, and
  * a mask does the rest; an Arm core takes it as it is meant. A core that shifts by one place at a time would loop as often as
@@ -102,8 +102,8 @@ static inline uint32_t soft_upper(const uint32_t x)
 
 #ifndef __thumb__
 
-/* x + 2^23 upper, with 1 added where the bits that stand behind it are above a half, or a half and x is odd; of an odd x the
- * lowest of them is 0. The sum wraps where 1 is to be added. */
+/* x + 2^23 upper, with 1 added where the bits that stand behind it are above a half, or a half and x is odd; of an
+ * odd x the lowest of them is 0. The sum wraps where 1 is to be added. */
 static inline uint32_t soft_rounded(const uint32_t x, const uint32_t behind, const uint32_t upper)
 {
     const uint32_t most = UINT32_MAX >> 1;

@@ -1,11 +1,11 @@
-/* The parts of port/soft/shifts.h on a core of 8 bits that shifts by one place at a time: shifts of whole bytes are moves, and
- * those of few bits are of few bytes. Where a bit of a count is set, a mask takes what the stage made. */
+/* The parts of port/soft/shifts.h on a core of 8 bits that shifts by one place at a time: shifts of whole bytes are
+ * moves, and those of few bits are of few bytes. Where a bit of a count is set, a mask takes what the stage made. */
 #ifndef ISO_PORT_SOFT_STAGES_H
 #define ISO_PORT_SOFT_STAGES_H
 
 #include <stdint.h>
 
-/* What x became where that bit of the count is set, else x. */
+/* The shifted x where that bit of the count is set, else x. */
 #define SOFT_STAGE(x, became, count, bit) ((x) ^ (((x) ^ (became)) & (0 - (uint32_t)((uint8_t)(count) >> (bit)&1))))
 
 static inline uint32_t soft_left(const uint32_t x, const uint32_t count)

@@ -2,7 +2,7 @@
 #ifndef ISO_PORT_VIRT_TICK_H
 #define ISO_PORT_VIRT_TICK_H
 
-/* What the interrupt of the timer does. */
+/* The handler of the interrupt of the timer. */
 void tick_interrupt(void);
 
 #endif

@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# What the host tests share; read by each *.t with `. tests/host/test.sh`, from the project's root.
+# Functions of the host tests; read by each *.t with `. tests/host/test.sh`, from the project's root.
 # A script runs programs that print TAP and joins their results into one stream.
 
 : "${CC:=cc}"
@@ -54,7 +54,7 @@ optimised()
     FLAGS=$(echo "$FLAGS" | sed "s/ -O[0-9s] / $1 /")
 }
 
-# What is asked for every pair of a scene and a method starts no process: one takes as long as a hundred of these calls.
+# Functions that are called for every pair of a scene and a method start no process: one takes as long as a hundred calls.
 
 # place WORD LIST...: $place is that of the word in the list, from 0; fails where it is not in it.
 place()

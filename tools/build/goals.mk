@@ -1,4 +1,4 @@
-# What the goals of the Makefile that build and run plants do; read by a make that has their folder locked.
+# The recipes of the goals that build and run plants; read by a make that has their folder locked.
 
 # --- What was chosen ---------------------------------------------------------------------------------------------
 
@@ -46,7 +46,7 @@ endif
 
 PROGRAM := $(OUT)/$(NAME)$(PORT_SUFFIX)
 
-# What a scene says, with the files that it includes, or a plant in C.
+# Checksums of a scene and of the files that it includes, or of a plant in C.
 says = $(if $(filter %.c,$(SCENE_FILE)),cksum <$(call quote,$(SCENE)),test ! -e build/isoc || build/isoc $(call quote,$(SCENE)) --files | while \
     IFS= read -r file; do cksum <"$$file" 2>&1; done)
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What a run is asked for, in C (core/record/request.h): the tick of a snapshot to take, and the snapshot to begin at.
+# The request of a run, in C (core/record/request.h): the tick of a snapshot to take, and the snapshot to begin at.
 #
 #     request.sh TICK|'' FILE|''
 if [ -n "$1" ]; then

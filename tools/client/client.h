@@ -1,11 +1,11 @@
 #ifndef ISO_CLIENT_H
 #define ISO_CLIENT_H
 
-/* The controller's end of a link to a plant: the same in all headers that isoc writes. C11 and POSIX, over any stream of
- * bytes; core/link/README.md has the frames. All functions are static: nothing is to be linked. With -std=c11 it is included
- * before every other header.
+/* The controller's end of a link to a plant: the same in all headers that isoc writes. C11 and POSIX, over any
+ * stream of bytes; core/link/README.md has the frames. All functions are static: nothing is to be linked. With
+ * -std=c11 it is included before every other header.
  *
- * What is lost on the wire is sent again: a question after patience_ms, ISO_CLIENT_TRIES times. */
+ * Frames that are lost on the wire are sent again: a question after patience_ms, ISO_CLIENT_TRIES times. */
 #if defined __STRICT_ANSI__ && !defined _POSIX_C_SOURCE
 #define _POSIX_C_SOURCE 200809L
 #endif
@@ -33,7 +33,8 @@ extern "C" {
 
 enum { ISO_CLIENT_PATIENCE_MS = 500, ISO_CLIENT_TRIES = 20 };
 
-/* Types of frames, and the bytes of what stands once in each; modes of a run, commands, and how a plant is by its answer to one. */
+/* Types of frames, and the bytes of what stands once in each; modes of a run, commands, and how a plant is by its
+ * answer to one. */
 #define ISO_CLIENT_FRAME(name, letter, bytes) ISO_CLIENT_FRAME_##name = (letter), ISO_CLIENT_BYTES_OF_##name = (bytes),
 #define ISO_CLIENT_COMMAND(name, number, bytes) ISO_CLIENT_##name = (number), ISO_CLIENT_BYTES_TO_##name = (bytes),
 #define ISO_CLIENT_CONSTANT(name, number, words) ISO_CLIENT_##name = (number),
@@ -259,8 +260,8 @@ static inline ssize_t iso_client_send(const iso_client *c, const uint8_t *from, 
     return sent < 0 && errno == ENOTSOCK ? write(c->file, from, count) : sent;
 }
 
-/* Hands out the frame that has been begun; or the last one again. A plant that has closed the link may have said before how
- * the run ended: what it sent is still to be read. */
+/* Hands out the frame that has been begun; or the last one again. A plant that has closed the link may have said
+ * before how the run ended: what it sent is still to be read. */
 static inline bool iso_client_write(iso_client *c)
 {
     for (size_t done = 0; done < c->sent_used;) {
@@ -284,7 +285,7 @@ static inline bool iso_client_finish(iso_client *c)
     return iso_client_write(c);
 }
 
-/* What is between two zeros, back from COBS. Returns the bytes of payload, or -1 if it is no frame. */
+/* Takes the bytes between two zeros back from COBS. Returns the bytes of payload, or -1 if it is no frame. */
 static inline long iso_client_decode(iso_client *c, size_t count)
 {
     uint8_t *b = c->received;
@@ -328,8 +329,8 @@ static inline int iso_client_byte(iso_client *c, int patience_ms, uint8_t *byte)
     return 1;
 }
 
-/* Waits for a whole frame: its type is then received[0], behind it are *length bytes. Returns 1; 0 after so many milliseconds
- * without a byte; -1 if the link is broken. What is damaged is dropped. */
+/* Waits for a whole frame: its type is then received[0], behind it are *length bytes. Returns 1; 0 after so many
+ * milliseconds without a byte; -1 if the link is broken. What is damaged is dropped. */
 static inline int iso_client_receive(iso_client *c, int patience_ms, size_t *length)
 {
     for (;;) {
@@ -368,9 +369,9 @@ static inline const char *iso_client_answer(unsigned code)
     return ISO_CLIENT_ANSWERS(ISO_CLIENT_IF) "not known";
 }
 
-/* Takes a frame. Returns 1 if outputs came of a tick from `from` on, or, where those of the next tick are due, of an earlier one
- * to which somebody else has put the plant; and if they need an answer. 0 if something else came, -1 if the run
- * is over or the plant has refused it. */
+/* Takes a frame. Returns 1 if outputs came of a tick from `from` on, or, where those of the next tick are due, of an
+ * earlier one to which somebody else has put the plant; and if they need an answer. 0 if something else came, -1 if
+ * the run is over or the plant has refused it. */
 static inline int iso_client_take(iso_client *c, size_t length, uint64_t from)
 {
     const uint8_t type = c->received[0];
@@ -427,8 +428,8 @@ static inline void iso_client_drop(iso_client *c)
     c->used = 0;
 }
 
-/* Starts a run of so many ticks, 0: until it is ended. The outputs are then those of tick 0. The end of a run that goes on
- * comes before. */
+/* Starts a run of so many ticks, 0: until it is ended. The outputs are then those of tick 0. The end of a run that
+ * goes on comes before. */
 static inline bool iso_client_start(iso_client *c, int mode, uint64_t ticks)
 {
     c->over = false;
@@ -447,8 +448,8 @@ static inline bool iso_client_start(iso_client *c, int mode, uint64_t ticks)
     return started || (ended_another && iso_client_await(c, 0));
 }
 
-/* Sends the inputs, which answer the outputs, and waits for the next outputs; in a free run for the latest. Returns false if
- * the run is over, with the last outputs, or with a problem. */
+/* Sends the inputs, which answer the outputs, and waits for the next outputs; in a free run for the latest. Returns
+ * false if the run is over, with the last outputs, or with a problem. */
 static inline bool iso_client_exchange(iso_client *c)
 {
     size_t length = 0;
@@ -486,8 +487,8 @@ static inline void iso_client_command(iso_client *c, uint8_t command, uint64_t a
     iso_client_put(c, argument, (size_t)(0 ISO_CLIENT_COMMANDS(ISO_CLIENT_TAKES)));
 }
 
-/* Sends the command that has been begun, again and again until its answer comes: that is then from received[ISO_CLIENT_ANSWER_AT] on,
- * of *length bytes; before it is what became of the command. */
+/* Sends the command that has been begun, again and again until its answer comes: that is then from
+ * received[ISO_CLIENT_ANSWER_AT] on, of *length bytes; before it is what became of the command. */
 enum { ISO_CLIENT_ANSWER_AT = 1 + ISO_CLIENT_BYTES_OF_ANSWER };
 
 static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length)
@@ -518,8 +519,8 @@ static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length
     c->state.name = (ISO_CLIENT_OF_##bytes)iso_client_number(at, bytes), at += (bytes);
 enum { ISO_CLIENT_STATE_BYTES = 0 ISO_CLIENT_STATE_FIELDS(ISO_CLIENT_FIELD_BYTES) };
 
-/* A command whose answer says how the plant is. The first one of a link asks for that alone: then no number of a controller
- * before is taken for one of this. */
+/* A command whose answer says how the plant is. The first one of a link asks for that alone: then no number of a
+ * controller before is taken for one of this. */
 static inline bool iso_client_do(iso_client *c, uint8_t command, uint64_t argument)
 {
     size_t length = 0;

@@ -13,7 +13,7 @@ enum { DIRECTION_FRAME_BYTES = 1 << 20, DIRECTION_QUEUE_BYTES = 3 << 20 };
 
 typedef struct direction {
     iso_frame_reader reader;
-    uint8_t frame[DIRECTION_FRAME_BYTES]; /* what the reader has */
+    uint8_t frame[DIRECTION_FRAME_BYTES]; /* the buffer of the reader */
     uint8_t piece[DIRECTION_FRAME_BYTES]; /* the same as it came */
     size_t piece_bytes;
     uint8_t queue[DIRECTION_QUEUE_BYTES]; /* on its way out */

@@ -108,7 +108,7 @@ static wire_event pass(wire *const w, const struct pollfd *const plant, const st
         return WIRE_PLANT_GONE;
     }
     if (w->controller == WIRE_NONE) {
-        w->outwards.queued = 0; /* what nobody hears is lost, as on any wire */
+        w->outwards.queued = 0; /* without a controller bytes are lost, as on any wire */
         if (is_readable(other)) {
             meet(w);
         }
@@ -126,8 +126,8 @@ static wire_event pass(wire *const w, const struct pollfd *const plant, const st
     return WIRE_PASSED;
 }
 
-/* What poll is to wait for at one end: bytes for the direction from it, and that those of the direction to it can go. If for neither, not
- * even for its close. */
+/* The events of poll at one end: bytes for the direction from it, and that those of the direction to it can go. If
+ * for neither, not even for its close. */
 static struct pollfd waits(const int file, const direction *const from, const direction *const to)
 {
     const int events = (direction_has_room(from) ? POLLIN : 0) | (to->queued > 0 ? POLLOUT : 0);

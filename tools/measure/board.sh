@@ -23,7 +23,7 @@ get()
 }
 
 # tick: the most instructions from the time that a tick is due until its outputs are published: 25 in a microsecond, less
-# what was left.
+# the margin.
 tick()
 {
     awk '$1 == "step" { step = $2 } $1 == "margin" { margin = $2; n++ }

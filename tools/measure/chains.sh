@@ -1,5 +1,5 @@
 #!/bin/sh
-# What chains of rods cost by their length, as Markdown tables. First operations of an evaluation of their equations of
+# The costs of chains of rods by their length, as Markdown tables. First operations of an evaluation of their equations of
 # motion and the formulation that is kept; on the Cortex-M4F in float the instructions of a step of euler, which has one
 # evaluation, and its code. Then, of every eighth length, operations of the factors of an implicit method and how they are
 # found, and their bytes; instructions of a step of bdf4, and all code and tables of the plant. Called by `make chains`,

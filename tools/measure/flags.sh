@@ -1,5 +1,5 @@
 #!/bin/sh
-# What a step takes with each optimisation of the compiler, as a Markdown table: rk4 and bdf4 of each model. On the Cortex-M4F
+# The cost of a step with each optimisation of the compiler, as a Markdown table: rk4 and bdf4 of each model. On the Cortex-M4F
 # instructions, by the trace of QEMU, and the cycles that they mean (tools/measure/cycles.c); on the host instructions, by
 # callgrind. The last row has the geometric means relative to -O2. PORT_OPTIMISE of port/TARGET/port.mk is chosen from it, on
 # the Cortex-M4F by cycles: -O2, or the least of those that take a twentieth less over all models.

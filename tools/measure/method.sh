@@ -1,5 +1,5 @@
 #!/bin/sh
-# What is measured of one method in one kind, in $dir/KIND-METHOD/; called by `each`.
+# Measures one method in one kind, in $dir/KIND-METHOD/; called by `each`.
 #
 #     method.sh points|search|instructions|looped|loop KIND METHOD
 . tools/measure/methods.sh

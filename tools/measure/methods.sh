@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# What make report and make bench share; read by the scripts beside it. From the Makefile they have in the environment
+# Functions of make report and make bench; read by the scripts beside it. From the Makefile they have in the environment
 #
 #     MAKE COMPILE          make, and the compiler with all flags but those of a plant
 #     SCENE NAME FOLDER     what is measured, the name that it has, and its folder

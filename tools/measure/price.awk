@@ -63,7 +63,7 @@ function read_changes(e, without, names, column, a, b, i, rows, difference, squa
     }
 }
 
-# What was counted of base or whole, of the sum of all effects, or of an effect, each after this separator.
+# The counts of base, whole, the sum of all effects or an effect, each with a text before it and one behind it.
 function costs(of, format, before, after, i, text)
 {
     for (i = 1; i <= counts; i++) text = text before sprintf(format, count[of, i]) after

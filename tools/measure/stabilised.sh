@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# What make drift and its tests share. They set SCENE, COMPILE, STEP (or nothing, for the scene's), and `dir`, the folder of
+# Functions of make drift and its tests. They set SCENE, COMPILE, STEP (or nothing, for the scene's), and `dir`, the folder of
 # all that is made.
 WHAT="make drift"
 . tools/measure/common.sh

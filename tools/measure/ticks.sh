@@ -1,5 +1,5 @@
 #!/bin/sh
-# What a tick of the loop takes beside the step and the equations of the plant, on the Cortex-M4F: instructions, and the cycles
+# The cost of a tick of the loop beside the step and the equations of the plant, on the Cortex-M4F: instructions, and the cycles
 # that they mean (tools/measure/cycles.c), of the last of ten ticks. `loop` is core/runtime/loop.c, `checks` what looks at inputs,
 # states and outputs, `port` the port's clock and the wait for the tick, `tick` their sum; `interrupt` is the timer's. Where
 # outputs are not of each tick, `finish` is all behind the step, the memories and the outputs with it: in the least and in the

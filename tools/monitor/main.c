@@ -1,5 +1,5 @@
-/* Shows a plant that runs, by its A2L and XCP: a table with units and small curves, and the statistics; sets tunables and faults,
- * records outputs and inputs, and shows what was recorded.
+/* Shows a plant that runs, by its A2L and XCP: a table with units and small curves, and the statistics; sets
+ * tunables and faults, records outputs and inputs, and shows what was recorded.
  *
  *     monitor A2L ADDRESS [OPTION...]
  *     monitor A2L --replay FILE [--once]
@@ -344,7 +344,7 @@ static void draw(const session *const s)
     fprintf(page, "%s%s\n", s->is_typing ? ":" : "", s->is_typing ? s->line : s->said);
     fclose(page);
     fputs("\033[H", stdout);
-    for (const char *at = text; *at != '\0'; at++) { /* what stood behind the end of a line goes */
+    for (const char *at = text; *at != '\0'; at++) { /* the rest of each line of the screen is cleared */
         fputs(*at == '\n' ? "\033[K" : "", stdout);
         fputc(*at, stdout);
     }
@@ -392,8 +392,8 @@ static void take_keys(session *const s)
 
 /* --- What is asked for ------------------------------------------------------------------------------------------- */
 
-/* Until q; or for so many seconds, with all values of that time, and so many ticks from the one on that was the first. The
- * table is printed only at the end where there is no terminal. */
+/* Until q; or for so many seconds, with all values of that time, and so many ticks from the one on that was the
+ * first. The table is printed only at the end where there is no terminal. */
 static bool watch(session *const s, const double first)
 {
     const bool has_end = s->chosen->seconds > 0 || s->chosen->ticks > 0;

@@ -1,4 +1,4 @@
-# What all pictures share: commands of gnuplot, and functions that awk lacks.
+# Commands of gnuplot for all pictures, and functions that awk lacks.
 
 # Ends with a message; what else stands in END has to ask for `failed`.
 function fail(text)

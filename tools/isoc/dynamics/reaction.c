@@ -99,7 +99,7 @@ static wrench acting(const dynamics *d, int index)
 }
 
 /* The wrench that a joint transmits to its child, in the child's segment's frame: for the child and all its descendants.
- * */
+ */
 static wrench borne(const dynamics *d, const acceleration *accelerations, int index)
 {
     graph *g = d->g;

@@ -21,7 +21,7 @@ static int by_text(const void *left, const void *right)
 }
 
 /* Whether a problem has been noted at this place: the components of a name that is used twice need no further message.
- * */
+ */
 static bool is_told(const source *s, place at)
 {
     for (size_t i = 0; i < s->problem_count; i++) {
