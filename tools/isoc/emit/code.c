@@ -338,20 +338,6 @@ static void emit_node(emitter *e, node i)
     e->piece_of[i] = e->pieces == NULL ? 0 : e->pieces->count;
 }
 
-static void count_uses(emitter *e)
-{
-    for (size_t i = 0; i < e->g->count; i++) {
-        const graph_node *n = &e->g->nodes[i];
-        if (e->needed[i]) {
-            e->uses[n->a] += operators[n->op].operands > 0;
-            e->uses[n->b] += operators[n->op].operands == 2;
-        }
-    }
-    for (size_t i = 0; i < e->c->count; i++) {
-        e->uses[e->roots[i]]++;
-    }
-}
-
 /* const real q_shoulder = x[PLANT_X_SHOULDER]; or NULL for what stands in no array. */
 static const char *declaration(emitter *e, node i)
 {
@@ -393,8 +379,7 @@ static emitter begin(const code *c, graph *g, node *roots, text *out)
     e.turned = arena_take(g->memory, g->count, sizeof *e.turned);
     e.piece_of = arena_take(g->memory, g->count, sizeof *e.piece_of);
     e.turn_piece_of = arena_take(g->memory, g->count, sizeof *e.turn_piece_of);
-    graph_reach(g, roots, c->count, e.needed);
-    count_uses(&e);
+    graph_uses(g, roots, c->count, e.needed, e.uses);
     return e;
 }
 

@@ -16,21 +16,6 @@ typedef struct economy {
     node *after[2];
 } economy;
 
-static void count_uses(economy *e, const node *roots, size_t count)
-{
-    graph_reach(e->from, roots, count, e->needed);
-    for (size_t i = 0; i < e->from->count; i++) {
-        const graph_node *n = &e->from->nodes[i];
-        if (e->needed[i]) {
-            e->uses[n->a] += operators[n->op].operands > 0;
-            e->uses[n->b] += operators[n->op].operands == 2;
-        }
-    }
-    for (size_t i = 0; i < count; i++) {
-        e->uses[roots[i]]++;
-    }
-}
-
 /* Whether a node is an operation that serves one other alone. */
 static bool serves_one(const economy *e, node i, operation op)
 {
@@ -281,7 +266,7 @@ graph economise(const graph *g, const node *roots, size_t count, node *result)
         e.term[k] = arena_take(g->memory, g->count, sizeof *e.term[k]);
         e.after[k] = arena_take(g->memory, g->count, sizeof *e.after[k]);
     }
-    count_uses(&e, roots, count);
+    graph_uses(g, roots, count, e.needed, e.uses);
     list_multiples(&e);
     for (size_t i = 0; i < g->count; i++) {
         if (e.needed[i]) {
@@ -300,5 +285,7 @@ graph economise(const graph *g, const node *roots, size_t count, node *result)
         arena_return(g->memory, e.term[k], g->count, sizeof *e.term[k]);
         arena_return(g->memory, e.after[k], g->count, sizeof *e.after[k]);
     }
-    return e.to;
+    graph result_graph = negate_free(&e.to, result, count);
+    graph_free(&e.to);
+    return result_graph;
 }

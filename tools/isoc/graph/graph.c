@@ -488,6 +488,21 @@ void graph_reach(const graph *g, const node *roots, size_t count, bool *needed)
     }
 }
 
+void graph_uses(const graph *g, const node *roots, size_t count, bool *needed, int *uses)
+{
+    graph_reach(g, roots, count, needed);
+    for (size_t i = 0; i < g->count; i++) {
+        const graph_node *n = &g->nodes[i];
+        if (needed[i]) {
+            uses[n->a] += operators[n->op].operands > 0;
+            uses[n->b] += operators[n->op].operands == 2;
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        uses[roots[i]]++;
+    }
+}
+
 reached reach(const graph *g, const node *roots, size_t count)
 {
     const reached r = {.g = g, .needed = arena_take(g->memory, g->count, 1), .count = g->count, .at = -1};

@@ -92,6 +92,9 @@ void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *
 /* Marks needed[g->count] for all that the `count` roots depend on. */
 void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
 
+/* The same, and how many nodes and roots take each: uses[g->count]. */
+void graph_uses(const graph *g, const node *roots, size_t count, bool *needed, int *uses);
+
 /* That node by node, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the node r.at.
  * What is made on the way is not among them. */
 typedef struct reached {
@@ -135,6 +138,9 @@ bool uses_time(const graph *g, const node *roots, size_t count);
  * that `count` roots need, in the same order, in a graph of their own, with fewer operations; made[count] are the roots
  * there. */
 graph economise(const graph *g, const node *roots, size_t count, node *result);
+
+/* negation.c: the same nodes without the negations that what they negate can take in; the roots become those there. */
+graph negate_free(const graph *g, node *roots, size_t count);
 
 /* differentiate.c: symbolic differentiation, and putting nodes in the place of leaves. */
 
