@@ -5,7 +5,7 @@
 
 #include "tools/table/table.h"
 
-enum { TICK_BYTES = sizeof(uint64_t) };
+enum { TICK_BYTES = 0 ISO_LINK_INPUTS_FIELDS(ISO_FIELD_BYTES) };
 
 /* Memory for twice as many, with what is there. */
 static void *doubled(void *const old, const size_t count, const size_t bytes)
