@@ -168,7 +168,7 @@ static const char *python_dictionary(arena *memory, const variable *all, int cou
 static void emit_client_module(const terminals *t, text *out)
 {
     static const char assignment[] = "    @name@=@number@,\n", entry[] = "    @number@: @words@,\n",
-                      layout[] = "    @name@=\"@layout@\",\n", name[] = "    \"@name@\",\n";
+                      layout[] = "    @name@=\"@layout@\",\n", quoted[] = "    \"@name@\",\n";
     arena *memory = out->memory;
     text_fill(out, embedded_text(client_files, "tools/client/client.py.in"),
               (const filling[]){{"scene", t->scene},
@@ -185,12 +185,12 @@ static void emit_client_module(const terminals *t, text *out)
                                 {"answers", protocol_rows(memory, PROTOCOL_ANSWERS, entry)},
                                 {"version", protocol_version(memory)},
                                 {"piece", protocol_piece(memory)},
-                                {"start fields", protocol_rows(memory, PROTOCOL_START_FIELDS, name)},
-                                {"state fields", protocol_rows(memory, PROTOCOL_STATE_FIELDS, name)},
+                                {"start fields", protocol_rows(memory, PROTOCOL_START_FIELDS, quoted)},
+                                {"state fields", protocol_rows(memory, PROTOCOL_STATE_FIELDS, quoted)},
                                 {"state layout", protocol_rows(memory, PROTOCOL_STATE_FIELDS, "@layout@")},
                                 {"layouts", protocol_rows(memory, PROTOCOL_FRAMES, layout)},
                                 {"command layouts", protocol_rows(memory, PROTOCOL_COMMANDS, layout)},
-                                {"words", protocol_rows(memory, PROTOCOL_WORDS, name)},
+                                {"words", protocol_rows(memory, PROTOCOL_WORDS, quoted)},
                                 {NULL, NULL}});
 }
 
