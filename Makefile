@@ -25,6 +25,7 @@
 ##     TARGET=host|posix|cortex-m4f|...    where to run: on this machine in virtual time or in real time, or on a board in QEMU: port/README.md
 ##     REAL=float|double                   the type of the numbers
 ##     XCP=open|LOCK                       for a2l and link: who may write and measure, all or who has the key of an iso_xcp_lock (core/xcp)
+##     CLOCK=168MHz  BOARD=stm32f405       for cycles: the clock, and the board; CORE=cortex-m0-small: another table of the TARGET
 ##     SCRIPT=FILE                         late, lost and slow ticks, on the host (port/sim/script.h)
 ##     CONTROLLER='./ctl'                  for link and hil: a command; it connects where ISOCHRON_LINK says
 ##     MODE=lockstep|free                  for link and hil: whether the plant waits for the controller, instead of what that asks for
@@ -45,8 +46,11 @@ OUTPUTS =
 CHECKED =
 COMPENSATED =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,$(if $(filter hil,$(MAKECMDGOALS)),60,$(if $(filter conform,$(MAKECMDGOALS)),0.02,10))))
-TARGET = $(if $(filter size ticks cost chains functions hil,$(MAKECMDGOALS)),cortex-m4f,host)
+TARGET = $(if $(filter size ticks cycles cost chains functions hil,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
+CORE =
+CLOCK =
+BOARD =
 SCRIPT =
 XCP = $(if $(filter a2l,$(MAKECMDGOALS)),open)
 CONTROLLER =
@@ -59,7 +63,7 @@ MODELS = $(wildcard models/*.scene)
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 PARTS = models methods restarts effects
 LENGTHS = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
-TABLES = models/costs.md models/README.md models/chains.md models/drift.md core/methods.md core/README.md tests/digits.md
+TABLES = models/costs.md models/cycles.md models/README.md models/chains.md models/drift.md core/methods.md core/README.md tests/digits.md
 V =
 
 .DEFAULT_GOAL := help
@@ -68,7 +72,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot link hil size stack ticks a2l conform cost chains flags report bench drift
+GOALS := run plot link hil size stack ticks cycles a2l conform cost chains flags report bench drift
 
 .PHONY: help shared digits functions tables pictures compare monitor clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -140,7 +144,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS
+TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -160,7 +164,8 @@ EFFECTS_stack := $(EFFECTS_size)
 EFFECTS_a2l := $(filter-out CHECKED COMPENSATED,$(EFFECTS_size)) XCP
 EFFECTS_conform := TARGET REAL SECONDS PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
 EFFECTS_ticks := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED TARGET REAL
-OF_ONE_SCENE := $(and $(filter cost,$(MAKECMDGOALS)),$(filter SCENE,$(GIVEN)))
+OF_ONE_SCENE := $(and $(filter cost cycles,$(MAKECMDGOALS)),$(filter SCENE,$(GIVEN)))
+EFFECTS_cycles := $(if $(OF_ONE_SCENE),SCENE METHOD STEP INPUTS SET WITHOUT TARGET CORE CLOCK BOARD OUT)
 EFFECTS_cost := $(if $(OF_ONE_SCENE),SCENE METHOD STEP INPUTS SET SECONDS,PARTS METHODS) TARGET REAL
 $(foreach name,$(if $(OF_ONE_SCENE),$(filter PARTS METHODS,$(GIVEN))),$(error $(name) has no effect on `make cost \
     SCENE=...`, which is of one scene; it has one on `make cost`))
@@ -268,10 +273,16 @@ ifneq ($(and $(SNAPSHOT)$(RESTORE),$(IS_IN_C)),)
 $(error a plant in C has no snapshots of its runs: they are for scenes)
 endif
 ifneq ($(and $(OF_ONE_SCENE),$(IS_IN_C)),)
-$(error make cost is of scenes; the plant in C $(SCENE) names no effects)
+$(error make $(MAKECMDGOALS) is of scenes; the plant in C $(SCENE) names no effects)
 endif
 ifneq ($(and $(filter ticks,$(MAKECMDGOALS)),$(IS_IN_C)),)
 $(error make ticks is of scenes)
+endif
+ifneq ($(and $(OF_ONE_SCENE),$(filter cycles,$(MAKECMDGOALS))),)
+ASKED := $(shell sh tools/measure/cycles/asked.sh $(TARGET) $(call quote,$(CORE)) $(call quote,$(BOARD)) $(call quote,$(CLOCK)))
+ifeq ($(firstword $(ASKED)),error)
+$(error $(wordlist 2,999,$(ASKED)))
+endif
 endif
 ifneq ($(TOLERANCE),)
 ifneq ($(filter-out adams,$(METHOD))$(if $(METHOD),,$(IS_IN_C)),)
@@ -340,7 +351,7 @@ TOOL_COMPILE := $(CC) $(WARNINGS) -O1 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DIS
 # them. A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
 ISOC_FOLDERS := $(sort $(patsubst tools/isoc/%/,%,$(dir $(wildcard tools/isoc/*/*.c))))
 ISOC_OBJECTS := $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o) $(patsubst %.c,build/obj/%.o,$(wildcard tools/isoc/*.c))
-TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)
+TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/measure/cycles/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)
 
 build/obj/tools/flags: always
 	$(call folders,$(patsubst %/,%,$(dir $(TOOL_OBJECTS))))
@@ -391,12 +402,18 @@ $(EMBEDDED): %.o: %.c build/obj/tools/flags
 build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
-build/cycles: build/obj/tools/measure/cycles.o build/obj/tools/table/table.o build/obj/tools/flags
+build/cycles: $(filter build/obj/tools/measure/cycles/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
     build/obj/tools/core/link/frame.o build/obj/tools/flags
 build/duties: $(filter build/obj/tools/conform/%,$(TOOL_OBJECTS)) build/obj/tools/link/child.o build/obj/tools/flags
 build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
     build/obj/tools/flags
+# A simulator as a library, for the traces of one port.
+build/simavr_trace: tools/measure/simavr/main.c build/obj/tools/flags
+	@test -e /usr/include/simavr/sim_avr.h || { echo 'simavr/sim_avr.h is missing. Install it with: apt-get install libsimavr-dev' >&2; exit 1; }
+	$(call say,CC,$<)
+	$(call link,$(TOOL_COMPILE) $< -lsimavr)
+
 TOOLS := build/isoc build/trace build/link build/duties build/monitor build/duration build/cycles
 .PHONY: tools
 tools: $(TOOLS)
@@ -448,6 +465,7 @@ size: ## print the memory of the firmware and of its parts; check the limits of 
 a2l: ## build the plant with a link and with measurement and calibration over XCP; write its A2L: addresses, types, units, ranges
 stack: ## print the deepest stack of a step; fail if it has no bound
 conform: ## check a port, TARGET: a line for each of its duties, which is ok, has FAILED, or which it has not
+cycles: ## count the cycles of the dearest tick of SCENE on a board, by published timings: does it fit? without SCENE a table
 ticks: ## count what a tick takes beside the step and the equations, on the Cortex-M4F
 cost: ## print what each effect of SCENE costs and changes; without SCENE tables: PARTS models methods restarts effects library
 chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float
@@ -458,7 +476,7 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
-folder_of = $(if $(filter run plot link hil size stack ticks a2l conform,$(1)),$(OUT),$(if $(filter cost,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
+folder_of = $(if $(filter run plot link hil size stack ticks a2l conform $(OF_ONE_SCENE:%=cycles),$(1)),$(OUT),$(if $(filter cost cycles,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
 shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
     $(OBJ)/tools/a2l/places.o)) $(if $(filter conform,$(1)),$(CONFORM_OBJECTS)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))

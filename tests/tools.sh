@@ -54,6 +54,7 @@ missing()
     have qemu-aarch64 || echo qemu-user
     have cmake || echo cmake
     have simavr || echo simavr
+    [ -f /usr/include/simavr/sim_avr.h ] || echo libsimavr-dev
     have valgrind || echo valgrind
     have clang || echo clang
     have_fuzzer || echo libclang-rt-dev

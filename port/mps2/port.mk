@@ -21,6 +21,9 @@ PORT_MACHINE = mps2-an386
 PORT_EXEC = qemu-system-arm -M $(PORT_MACHINE) -icount shift=10,align=off,sleep=$(if $(filter free,$(MODE)),on,off) -display none -monitor none \
     $(PORT_SERIAL) \
     -semihosting-config enable=on,target=native,arg=plant,arg=$(NANOSECONDS) -kernel $(PROGRAM)
+# Each instruction that it executes, for tools/measure/cycles; PORT_TRACER is a tool for that, which stands in build/.
+PORT_TRACE = $(PORT_EXEC) -singlestep -d nochain,exec 2>&1 >/dev/null
+PORT_TRACER =
 # The serial lines: of a plant with a link, the first is the controller's.
 PORT_SERIAL = -serial none
 PORT_SERIAL_LINKED = -chardev socket,id=controller,fd=3 -serial chardev:controller $(if $(XCP),-serial $(PORT_CALIBRATION))

@@ -18,6 +18,8 @@ PORT_STACK = $(shell echo | $(CC) -mno-red-zone -E - >/dev/null 2>&1 && echo -mn
 PORT_CLOCK = ns
 PORT_EXEC_TOOLS =
 PORT_EXEC = $(PROGRAM) $(NANOSECONDS) $(if $(SCRIPT),$(call quote,$(SCRIPT)))
+PORT_TRACE =
+PORT_TRACER =
 PORT_NM = nm
 PORT_SIZE = size
 # A program with a link has its addresses below 4 GB, where calibration finds them.

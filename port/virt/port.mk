@@ -14,6 +14,8 @@ PORT_CLOCK = instructions
 PORT_EXEC_TOOLS = qemu-system-riscv32
 PORT_EXEC = qemu-system-riscv32 -M virt -bios none -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
     -semihosting-config enable=on,target=native,arg=plant,arg=$(NANOSECONDS) -kernel $(PROGRAM)
+PORT_TRACE =
+PORT_TRACER =
 PORT_NM = riscv64-unknown-elf-nm
 PORT_SIZE = riscv64-unknown-elf-size
 # No channels.

@@ -91,6 +91,6 @@ unit force imu force_x force_x
 [ "${unit#* }" != "${gyro#* }" ]
 result $? "found: one that is used: $unit"
 
-! build/cycles iso_loop_tick_float /dev/null </dev/null 2>"$out/errors" && grep -q 'no function iso_loop_tick_float' "$out/errors"
+! build/cycles count tools/measure/cycles/cores/cortex-m4f.txt /dev/null iso_loop_tick_float </dev/null 2>"$out/errors" && grep -q 'no function iso_loop_tick_float' "$out/errors"
 result $? "found: a program without a loop"
 finish

@@ -195,6 +195,20 @@ ticks: NANOSECONDS = $(shell sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\10/
 ticks: $(PROGRAM) build/cycles
 	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) sh tools/measure/ticks.sh
 
+# In the programs that it traces a period is a variable of the shell.
+ifneq ($(OF_ONE_SCENE),)
+cycles: PROGRAM := $(OUT)/cycles/program
+cycles: NANOSECONDS := $$nanoseconds
+cycles: $(PROGRAM) build/cycles $(PORT_TRACER)
+	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
+	@SCENE=$(call quote,$(SCENE)) OUT=$(OUT) PROGRAM=$(firstword $(filter $(OUT)/%,$^)) ASKED='$(ASKED)' COMPILE=$(call quote,$(COMPILE)) \
+	    LINK=$(call quote,$(call of_objects,$(OUT)/cycles/plant.o $(OBJECTS)) -o $(OUT)/cycles/program) TRACE=$(call quote,$(PORT_TRACE)) \
+	    OBJDUMP=$(PORT_SIZE:size=objdump) SIZE=$(PORT_SIZE) NM=$(PORT_NM) sh tools/measure/cycles/scene.sh
+else
+cycles: build/isoc build/cycles
+	@$(CALLS_MAKE) MODELS=$(call quote,$(MODELS)) sh tools/measure/cycles/table.sh
+endif
+
 # GCC writes the call graph with the frame of every function into a .ci; that of the functions that compute with float stands beside it.
 STACK_SOURCES := $(filter port/soft/%,$(PORT_SHARED))
 stack: $(OUT)/plant.o

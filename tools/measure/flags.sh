@@ -1,6 +1,6 @@
 #!/bin/sh
 # The cost of a step with each optimisation of the compiler, as a Markdown table: rk4 and bdf4 of each model. On the Cortex-M4F
-# instructions, by the trace of QEMU, and the cycles that they mean (tools/measure/cycles.c); on the host instructions, by
+# instructions, by the trace of QEMU, and the cycles that they mean at most (tools/measure/cycles); on the host instructions, by
 # callgrind. The last row has the geometric means relative to -O2. PORT_OPTIMISE of port/TARGET/port.mk is chosen from it, on
 # the Cortex-M4F by cycles: -O2, or the least of those that take a twentieth less over all models.
 #
@@ -22,7 +22,8 @@ cost()
     case $TARGET in
     cortex-m4f)
         arm-none-eabi-objdump -d "$dir/program" >"$dir/listing" &&
-            $EXEC -singlestep -d nochain,exec 2>&1 >/dev/null | build/cycles step "$dir/listing" | cut -d ' ' -f 2
+            $EXEC -singlestep -d nochain,exec 2>&1 >/dev/null |
+            build/cycles count tools/measure/cycles/cores/cortex-m4f.txt "$dir/listing" step | cut -d ' ' -f 2
         ;;
     *)
         # shellcheck disable=SC2086

@@ -8,6 +8,7 @@
 # Called by `make ticks` for the program $PROGRAM, which $EXEC runs.
 set -u
 dir=$(dirname "$PROGRAM")
+core=tools/measure/cycles/cores/cortex-m4f.txt
 plant="step derivative held_derivative output drive advance settle"
 port="iso_port_wait iso_port_clock iso_port_read_float iso_port_publish_float"
 
@@ -20,7 +21,7 @@ count()
 {
     count_of=$1
     shift
-    build/cycles "$count_of" "$dir/listing" "$@" <"$dir/exec" | cut -d ' ' -f 2 | tr '\n' ' '
+    build/cycles count $core "$dir/listing" "$count_of" "$@" <"$dir/exec" | cut -d ' ' -f 2 | tr '\n' ' '
 }
 
 # shellcheck disable=SC2086
@@ -44,6 +45,6 @@ count()
     }' || exit 1
 if grep -q '<output_every_[0-9]*>:$' "$dir/listing"; then
     finish=$(sed -n 's/.*<\(finish\(_on_rung\)*\)>:$/\1/p' "$dir/listing" | sort | tail -n 1)
-    build/cycles --range "$finish" "$dir/listing" tick_interrupt <"$dir/exec" |
+    build/cycles count --range $core "$dir/listing" "$finish" <"$dir/exec" |
         awk '{ number[NR] = $2 } END { printf "finish %d to %d instructions\n", number[1], number[2] }'
 fi

@@ -1,0 +1,43 @@
+#!/bin/sh
+# What `make cycles` was asked for: asked.sh TARGET CORE BOARD CLOCK, of which the last three may be empty. Prints the core's
+# table, the clock in Hz, the board, and its bytes of flash and RAM; or a line that begins with `error` and says what is wrong.
+cores=$(ls tools/measure/cycles/cores | sed 's/\.txt$//')
+if ! echo "$cores" | grep -q "^$1"; then
+    case $1 in
+    cortex-m33) why='of the Cortex-M33 no published table of cycles is used here' ;;
+    rv32*) why='the cycles of a RISC-V core are a matter of its maker, and no published table of one is used here' ;;
+    *) why='a processor with caches and a system beside the plant has none' ;;
+    esac
+    echo "error make cycles has no table for TARGET=$1: $why. It can be:" \
+        "$(awk -F ' *[|] *' '!/^#/ && !told[$2]++ { print $2 }' tools/measure/cycles/boards.txt | tr '\n' ' ')"
+    exit
+fi
+echo "$cores" | awk -F ' *[|] *' -v target="$1" -v core="$2" -v board="$3" -v clock="$4" '
+    function refuse(text) { print "error " text; refused = 1; exit }
+    # Hertz of a number with a unit; 0 if it is none.
+    function hertz(text, number) {
+        number = text
+        if (sub(/ *MHz$/, "", number)) factor = 1e6
+        else if (sub(/ *kHz$/, "", number)) factor = 1e3
+        else if (sub(/ *GHz$/, "", number)) factor = 1e9
+        else if (sub(/ *Hz$/, "", number)) factor = 1
+        else return 0
+        return number ~ /^([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][0-9]+)?$/ ? number * factor : 0
+    }
+    FILENAME == "-" {
+        if (index($1, target) == 1) { known[$1]; tables = tables " " $1 }
+        next
+    }
+    /^#/ || $2 != target { next }
+    { boards = boards " " $1 }
+    board == "" ? chosen == "" : board == $1 { chosen = $1; own = $3; speed = $4; flash = $5; ram = $6 }
+    END {
+        if (refused) exit
+        if (chosen == "") refuse("BOARD=" board " is unknown; of TARGET=" target " it can be:" boards)
+        if (core == "") core = own
+        if (!(core in known)) refuse("CORE=" core " is no table of TARGET=" target "; it can be:" tables)
+        if (clock == "") clock = speed
+        hz = hertz(clock)
+        if (hz < 1e3 || hz > 1e10) refuse("CLOCK=" clock " is no clock; it could be 168MHz, from 1kHz to 10GHz")
+        printf "%s %.0f %s %s %s\n", core, hz, chosen, flash, ram
+    }' - tools/measure/cycles/boards.txt

@@ -1,0 +1,230 @@
+#include "tools/measure/cycles/core.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/table/table.h"
+
+enum { HEAD_CELLS = 2, RULE_CELLS = 6, NAME_MOST = 16 };
+
+_Noreturn static void refuse(const table *const t, const size_t row, const char *const what)
+{
+    fprintf(stderr, "%s:%zu: %s\n", t->path, row + 1, what);
+    exit(EXIT_FAILURE);
+}
+
+/* A cell without the spaces around it. */
+static char *trimmed(const table *const t, const size_t row, const size_t column)
+{
+    char *text = t->cell[t->first[row] + column];
+    text += strspn(text, " \t");
+    size_t length = strlen(text);
+    while (length > 0 && text[length - 1] == ' ') {
+        text[--length] = '\0';
+    }
+    return text;
+}
+
+/* Cycles: 2, 0.5, or a range 2-12. Returns where the text ends. */
+static const char *read_bound(const char *const text, bound *const b)
+{
+    char *end = NULL;
+    b->least = (int32_t)(strtod(text, &end) * HALVES);
+    b->most = b->least;
+    if (end != text && *end == '-') {
+        b->most = (int32_t)(strtod(end + 1, &end) * HALVES);
+    }
+    return end;
+}
+
+/* Cycles with those of each register: 1+n, 1+2n. */
+static bool read_cycles(const char *text, rule *const r)
+{
+    const char *const begin = text;
+    text = read_bound(text, &r->cycles);
+    if (text != begin && *text == '+') {
+        r->each = (bound){HALVES, HALVES};
+        text++;
+        if (*text != 'n') {
+            text = read_bound(text, &r->each);
+        }
+        return strcmp(text, "n") == 0;
+    }
+    return text != begin && *text == '\0';
+}
+
+static bool read_kind(const char *const text, kind *const k)
+{
+    static const char *const names[KINDS_OF_RULES] = {"float", "integer", "load", "store", "move", "branch"};
+    size_t i = 0;
+    while (i < KINDS_OF_RULES && strcmp(names[i], text) != 0) {
+        i++;
+    }
+    *k = (kind)i;
+    return i < KINDS_OF_RULES;
+}
+
+/* Words that say more: `late 1`, `address 1`, `indexed 1`, `literal 0-1`, or how operands are used. */
+static bool read_further(char *const text, rule *const r)
+{
+    static const char *const names[] = {"reads", "both", "two", "stack", "calls", "rests", "skips", "leads", "follows"};
+    enum { NAMES = sizeof names / sizeof *names };
+    for (const char *word = strtok(text, " "); word != NULL; word = strtok(NULL, " ")) {
+        bound *const late = strcmp(word, "late") == 0      ? &r->late
+                            : strcmp(word, "address") == 0 ? &r->late_addressed
+                            : strcmp(word, "indexed") == 0 ? &r->indexed
+                            : strcmp(word, "literal") == 0 ? &r->literal
+                                                           : NULL;
+        size_t i = 0;
+        if (late != NULL) {
+            const char *const cycles = strtok(NULL, " ");
+            if (cycles == NULL || *read_bound(cycles, late) != '\0') {
+                return false;
+            }
+            continue;
+        }
+        while (i < NAMES && strcmp(names[i], word) != 0) {
+            i++;
+        }
+        if (i == NAMES) {
+            return false;
+        }
+        r->use |= 1U << i;
+    }
+    return true;
+}
+
+static void read_head(core *const c, const table *const t, const size_t row)
+{
+    const char *const key = trimmed(t, row, 0), *const value = trimmed(t, row, 1);
+    if (strcmp(key, "name") == 0) {
+        c->name = value;
+    } else if (strcmp(key, "source") == 0) {
+        c->source = value;
+    } else if (strcmp(key, "note") == 0) {
+        c->note = value;
+    } else if (strcmp(key, "stack") == 0) {
+        c->stack = value;
+    } else if (strcmp(key, "code") == 0 && strcmp(value, "thumb") == 0) {
+        c->is_thumb = true;
+    } else if (strcmp(key, "code") != 0 || strcmp(value, "avr") != 0) {
+        refuse(t, row, "it is no line of a table of a core");
+    }
+}
+
+static void read_rule(core *const c, const table *const t, const size_t row)
+{
+    rule r = {.names = trimmed(t, row, 0), .where = trimmed(t, row, 5)};
+    const char *const taken = trimmed(t, row, 3);
+    if (!read_kind(trimmed(t, row, 1), &r.kind)) {
+        refuse(t, row, "the kind is none of: float integer load store move branch");
+    }
+    if (!read_cycles(trimmed(t, row, 2), &r) || (*taken != '\0' && *read_bound(taken, &r.taken) != '\0')) {
+        refuse(t, row, "these are no cycles; they could be 1, 2-12 or 1+n");
+    }
+    if (!read_further(trimmed(t, row, 4), &r)) {
+        refuse(t, row,
+               "a word is unknown; they are late N, address N, indexed N, literal N, reads both two stack calls rests "
+               "skips leads follows");
+    }
+    if (*r.where == '\0') {
+        refuse(t, row, "it does not say where it is published");
+    }
+    c->rules[c->count++] = r;
+}
+
+core core_read(const char *const path)
+{
+    /* Its cells live as long as the core, which is as long as the program. */
+    const table t = table_read(path, '|');
+    core c = {.rules = table_memory(t.rows + 1, sizeof(rule))};
+    for (size_t row = 0; row < t.rows; row++) {
+        const char *const begin = table_text(&t, row, 0);
+        const size_t cells = table_cells(&t, row);
+        if (begin[0] == '#' || (cells <= 1 && begin[0] == '\0')) {
+            continue;
+        }
+        if (cells == HEAD_CELLS) {
+            read_head(&c, &t, row);
+        } else if (cells == RULE_CELLS) {
+            read_rule(&c, &t, row);
+        } else {
+            refuse(&t, row, "a line has a key and its value, or six columns");
+        }
+    }
+    if (c.name == NULL || c.source == NULL || c.stack == NULL || c.note == NULL) {
+        fprintf(stderr, "%s: a core has a name, a source, a note and a stack\n", path);
+        exit(EXIT_FAILURE);
+    }
+    return c;
+}
+
+/* Whether a name stands in a list; one that ends with * stands for all that begin so. */
+static bool is_in(const char *names, const char *const name)
+{
+    while (*names != '\0') {
+        const size_t length = strcspn(names, " ");
+        const bool open = length > 0 && names[length - 1] == '*';
+        if (open ? strncmp(name, names, length - 1) == 0
+                 : strlen(name) == length && strncmp(name, names, length) == 0) {
+            return true;
+        }
+        names += length;
+        names += strspn(names, " ");
+    }
+    return false;
+}
+
+static const rule *named(const core *const c, const char *const name)
+{
+    for (size_t i = 0; i < c->count; i++) {
+        if (is_in(c->rules[i].names, name)) {
+            return &c->rules[i];
+        }
+    }
+    return NULL;
+}
+
+/* The name without a condition behind it, false if there is none. */
+static bool without_condition(char *const name)
+{
+    static const char conditions[] = "eq ne cs hs cc lo mi pl vs vc hi ls ge lt gt le al ";
+    const size_t length = strlen(name);
+    if (length < 3) {
+        return false;
+    }
+    const char end[] = {name[length - 2], name[length - 1], ' ', '\0'};
+    const char *const found = strstr(conditions, end);
+    if (found == NULL || (found - conditions) % 3 != 0) {
+        return false;
+    }
+    name[length - 2] = '\0';
+    return true;
+}
+
+const rule *core_rule(const core *const c, const char *const name)
+{
+    char whole[NAME_MOST] = "", part[NAME_MOST] = "";
+    snprintf(whole, sizeof whole, "%.*s", (int)(c->is_thumb ? strcspn(name, ".") : strlen(name)), name);
+    const rule *found = named(c, whole);
+    if (found != NULL || !c->is_thumb) {
+        return found;
+    }
+    /* adds, addne, addsne. */
+    memcpy(part, whole, sizeof part);
+    if (without_condition(part) && (found = named(c, part)) != NULL) {
+        return found;
+    }
+    for (int i = 0; i < 2; i++) {
+        char *const text = i == 0 ? whole : part;
+        const size_t length = strlen(text);
+        if (length > 1 && text[length - 1] == 's') {
+            text[length - 1] = '\0';
+            if ((found = named(c, text)) != NULL) {
+                return found;
+            }
+        }
+    }
+    return NULL;
+}

@@ -1,0 +1,136 @@
+/* Instructions and cycles of a function, from what a simulator executed, by a table of what each instruction takes.
+ *
+ *     SIMULATOR | cycles count [--range] CORE LISTING FUNCTION [LEFT_OUT...]
+ *     SIMULATOR | cycles tick CORE LISTING FUNCTION WHAT PART=FUNCTIONS...
+ *
+ * CORE is a table (cores/), LISTING what `objdump -d` prints of the program. `count` prints those of the last call of FUNCTION
+ * that returns, with all that it calls, but for interrupts and the functions LEFT_OUT; with --range the least and the most
+ * instructions of all calls. `tick` prints a table of the call that takes most cycles, of WHAT it was one, by parts of
+ * functions that are called in it; the part `interrupt` has those of interrupts, that of the name `-` is left out.
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/measure/cycles/walk.h"
+
+_Noreturn static void fail(const char *const what, const char *const which)
+{
+    fprintf(stderr, "cycles: %s%s\n", what, which);
+    exit(EXIT_FAILURE);
+}
+
+static walk_result *walked(const walk_plan *const plan, const char *const function)
+{
+    walk_result *const result = calloc(1, sizeof *result);
+    if (result == NULL) {
+        fail("no memory", "");
+    }
+    walk(plan, result);
+    if (result->calls == 0) {
+        fail("the trace has no call that returns of ", function);
+    }
+    return result;
+}
+
+static int count(int argc, char **argv)
+{
+    const bool ranges = argc > 0 && strcmp(argv[0], "--range") == 0;
+    argc -= ranges;
+    argv += ranges;
+    if (argc < 3) {
+        fail("usage: cycles count [--range] CORE LISTING FUNCTION [LEFT_OUT...] <TRACE", "");
+    }
+    /* tick_interrupt on boards of QEMU, __vector_15 on the AVR. */
+    part parts[PARTS_MOST] = {{"interrupt", "tick_interrupt,__vector_15"}};
+    size_t number = 1;
+    for (int i = 3; i < argc; i++) {
+        if (number == PARTS_MOST) {
+            fail("too many functions are left out", "");
+        }
+        parts[number++] = (part){"-", argv[i]};
+    }
+    const core c = core_read(argv[0]);
+    const listing l = listing_read(argv[1], &c, argv[2], parts, number);
+    walk_result *const result = walked(&(walk_plan){&c, &l, parts, 1, 0, 1}, argv[2]);
+    if (ranges) {
+        printf("least %" PRIu64 "\nmost %" PRIu64 "\n", result->least, result->most);
+    } else {
+        const amount all = call_total(&(walk_plan){.count = 1}, &result->last);
+        printf("instructions %" PRIu64 "\ncycles %" PRIi64 "\n", all.instructions, (all.most + HALVES - 1) / HALVES);
+    }
+    free(result);
+    return EXIT_SUCCESS;
+}
+
+static void print_amount(const char *const row, const char *const name, const amount a)
+{
+    printf("%s\t%s\t%" PRIu64 "\t%.12g\t%.12g\t%" PRIu64 "\n", row, name, a.instructions, (double)a.least / HALVES,
+           (double)a.most / HALVES, a.counted);
+}
+
+static void print_tick(const walk_plan *const plan, const walk_result *const result, const char *const what)
+{
+    static const char *const kinds[KINDS] = {"float", "integer", "load", "store", "move", "branch", "spill", "wait"};
+    const call *const dearest = &result->dearest;
+    printf("core\t%s\nsource\t%s\nnote\t%s\nof\t%s\n", plan->core->name, plan->core->source, plan->core->note, what);
+    printf("ticks\t%" PRIu64 "\nnumber\t%" PRIu64 "\nmean\t%.0f\n", result->calls, dearest->number,
+           (double)result->sum / HALVES / (double)result->calls);
+    for (size_t g = 0; g <= plan->count; g++) {
+        const char *const name = g == 0 ? "loop" : plan->parts[g - 1].name;
+        if (g == 0 || (g != plan->left_out && g != plan->interrupt)) {
+            print_amount("part", name, part_total(dearest, g));
+        }
+    }
+    print_amount("part", "tick", call_total(plan, dearest));
+    print_amount("part", "interrupt", dearest->interrupt);
+    for (size_t g = 1; g <= plan->count; g++) {
+        if (strcmp(plan->parts[g - 1].name, "step") == 0) {
+            for (size_t k = 0; k < KINDS; k++) {
+                print_amount("kind", kinds[k], dearest->amounts[g][k]);
+            }
+            printf("stack_of_step\t%" PRIi32 "\n", dearest->stack_of[g]);
+        }
+    }
+    printf("stack\t%" PRIi32 "\n", dearest->stack);
+}
+
+static int tick(const int argc, char **const argv)
+{
+    enum { FIRST_PART = 4 };
+    static part parts[PARTS_MOST];
+    walk_plan plan = {.parts = parts};
+    for (int i = FIRST_PART; i < argc; i++) {
+        char *const sign = strchr(argv[i], '=');
+        if (sign == NULL || plan.count == PARTS_MOST) {
+            fail("no part of functions: ", argv[i]);
+        }
+        *sign = '\0';
+        parts[plan.count++] = (part){argv[i], sign + 1};
+        plan.left_out = strcmp(argv[i], "-") == 0 ? plan.count : plan.left_out;
+        plan.interrupt = strcmp(argv[i], "interrupt") == 0 ? plan.count : plan.interrupt;
+    }
+    if (plan.count == 0) {
+        fail("usage: cycles tick CORE LISTING FUNCTION WHAT PART=FUNCTIONS... <TRACE", "");
+    }
+    const core c = core_read(argv[0]);
+    const listing l = listing_read(argv[1], &c, argv[2], parts, plan.count);
+    plan.core = &c;
+    plan.listing = &l;
+    walk_result *const result = walked(&plan, argv[2]);
+    print_tick(&plan, result, argv[3]);
+    free(result);
+    return EXIT_SUCCESS;
+}
+
+int main(const int argc, char **const argv)
+{
+    if (argc > 1 && strcmp(argv[1], "count") == 0) {
+        return count(argc - 2, argv + 2);
+    }
+    if (argc > 1 && strcmp(argv[1], "tick") == 0) {
+        return tick(argc - 2, argv + 2);
+    }
+    fail("usage: cycles count|tick ...", "");
+}

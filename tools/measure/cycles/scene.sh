@@ -1,0 +1,67 @@
+#!/bin/sh
+# What the dearest tick of a plant costs: `make cycles SCENE=...`. Ticks of a run are counted; where a tunable changes or a
+# method has a history, also those of a run in which every second tick has such a change, and where the method watches for
+# discontinuities, one in which every second step is made again.
+#
+# Called by `make cycles`, with the scene in $SCENE, its folder in $OUT, the program in $PROGRAM, the core's table, the clock in
+# Hz, the board, its flash and its RAM in $ASKED; the compiler with all flags in $COMPILE, the link of $OUT/cycles/plant.o in
+# $LINK; the command that traces $OUT/cycles/program for $nanoseconds in $TRACE; and objdump, size and nm.
+WHAT='make cycles'
+. tools/measure/common.sh
+dir=$OUT/cycles
+plant=$OUT/plant.c
+
+# ticks WHAT PERIOD PROGRAM: prints the dearest of them; $TRACE reads $nanoseconds.
+ticks()
+{
+    nanoseconds=$(($2 * ticks))
+    [ "$3" = "$dir/program" ] || cp "$3" "$dir/program"
+    $OBJDUMP -d "$dir/program" >"$dir/listing" || exit 1
+    eval "$TRACE" | build/cycles tick "tools/measure/cycles/cores/$core.txt" "$dir/listing" iso_loop_tick_float "$1" \
+        interrupt=tick_interrupt,__vector_15 inputs=drive,forced,iso_port_read_float checks=amiss,admit,book_refused \
+        step=step,iso_plant_attempt 'finish=finish*' outputs=iso_port_publish_float tell=tell,iso_plant_tell \
+        port=iso_port_wait,iso_port_clock -=forced_cause
+}
+
+# changed CAUSE WHAT: the same of a plant with discontinuities. Its tick is 10 ms (tools/measure/forced.awk).
+changed()
+{
+    compute forced -v discontinuity="$1" "$plant" >"$OUT/$1.c" && $COMPILE -c "$OUT/$1.c" -o "$dir/plant.o" && eval "$LINK" &&
+        ticks "$2" 10000000 "$dir/program" >"$dir/$1.tsv" || fail "no ticks of $2"
+    of="$of $dir/$1.tsv"
+}
+
+# shellcheck disable=SC2086
+set -- $ASKED
+core=$1 hz=$2 board=$3 flash=$4 ram=$5
+mkdir -p "$dir"
+! grep -q '^method adams$' "$OUT/plant.txt" ||
+    fail "adams has no fixed step: make cost PARTS=restarts counts its longest tick in instructions"
+period=$(sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\1/p' "$plant")
+
+# So many ticks that all outputs of only some ticks meet, and not less than three.
+ticks=$(grep -o 'output_every_[0-9]*' "$plant" | sort -u | awk -F _ '
+    function gcd(a, b) { return b ? gcd(b, a % b) : a }
+    BEGIN { all = 1 }
+    { all = all / gcd(all, $3) * $3 }
+    END { print all < 2 ? 3 : all < 100 ? all + 1 : 101 }')
+
+of=$dir/run.tsv
+ticks "a run" "$period" "$PROGRAM" >"$dir/run.tsv" || fail "the run has no ticks"
+if [ "$(awk '$1 == "parameters" { print $2 }' "$OUT/plant.txt")" -gt 0 ]; then
+    changed changed "a run with a change of the first tunable in every second"
+elif grep -q '^    .discontinuity = ' "$plant"; then
+    changed input "a run with a discontinuity of the first input in every second"
+fi
+if grep -q '^    .before = ' "$plant"; then
+    changed detected "a run with every second step made again, after a discontinuity"
+fi
+
+{ $SIZE "$PROGRAM" && $NM -S "$PROGRAM"; } >"$dir/sizes" &&
+    compute size -v limits=no "$dir/sizes" >"$dir/memory" || exit 1
+text=$(awk 'NR == 2 { print $1 }' "$dir/sizes")
+data=$(awk 'NR == 2 { print $2 }' "$dir/sizes")
+used=$(awk '$1 == "data_bss" { print $2 }' "$dir/memory")
+# shellcheck disable=SC2086
+compute cycles/report scene="$SCENE" board="$board" hz="$hz" period="$period" text="$text" data="$data" \
+    used="$used" flash="$flash" ram="$ram" tsv="$OUT/cycles.tsv" $of

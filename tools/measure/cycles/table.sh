@@ -1,0 +1,51 @@
+#!/bin/sh
+# The cycles of the dearest tick of each model on four cores, and how much of its step that is at some clocks, as a Markdown
+# table. Called by `make cycles`, with the make to call in $MAKE and the scenes in $MODELS. With $TURN, PART/PARTS, only these
+# rows: every PARTS-th from PART on, from 0.
+WHAT='make cycles'
+. tools/measure/common.sh
+turn=${TURN:-0/1}
+
+# cells MODEL TARGET MHZ...: the cycles, and the load at each clock; dashes where the target has no room for the program.
+cells()
+{
+    dir=build/cost/cycles/$2/$(basename "$1" .scene)
+    mkdir -p "$dir"
+    rm -f "$dir/cycles.tsv"
+    # It fails where the tick is longer than the step, too.
+    "${MAKE:-make}" --no-print-directory cycles SCENE="$1" TARGET="$2" OUT="$dir" CLOCK=100MHz >"$dir/said" 2>&1 </dev/null
+    shift 2
+    if [ ! -s "$dir/cycles.tsv" ]; then
+        grep -q "region .* overflowed\|relocation truncated\|will not fit" "$dir/said" ||
+            fail "no cycles of $dir; see $dir/said"
+        printf ' - |%s' "$(printf ' - |%.0s' "$@")"
+        return
+    fi
+    awk -F '\t' -v clocks="$*" '
+        $1 == "part" && $2 == "tick" { cycles = $5 }
+        $1 == "load_percent" { load = $3 }
+        END {
+            printf " %.0f |", cycles
+            n = split(clocks, mhz, " ")
+            for (i = 1; i <= n; i++) {
+                percent = load * 100 / mhz[i]
+                printf percent < 10 ? " %.2f %% |" : percent < 100 ? " %.1f %% |" : " %.0f %% |", percent
+            }
+        }' "$dir/cycles.tsv"
+}
+
+echo '| model | step | Cortex-M4F | 84 MHz | 168 MHz | Cortex-M3 | 84 MHz | 168 MHz | Cortex-M0 | 84 MHz | 168 MHz | AVR | 20 MHz |'
+echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
+row=-1
+for scene in $MODELS; do
+    row=$((row + 1))
+    [ $((row % ${turn#*/})) -eq "${turn%/*}" ] || continue
+    line="| $(basename "$scene" .scene) |"
+    cells=
+    for asked in 'cortex-m4f 84 168' 'cortex-m3 84 168' 'cortex-m0 84 168' 'atmega1284p 20'; do
+        # shellcheck disable=SC2086
+        cells="$cells$(cells "$scene" $asked)" || exit 1
+    done
+    step=$(awk '$1 == "step" && $3 == "s" { print $2 * 1000 " ms" }' "build/cost/cycles/cortex-m4f/$(basename "$scene" .scene)/plant.txt")
+    echo "$line $step |$cells"
+done
