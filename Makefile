@@ -273,7 +273,7 @@ ifneq ($(and $(SNAPSHOT)$(RESTORE),$(IS_IN_C)),)
 $(error a plant in C has no snapshots of its runs: they are for scenes)
 endif
 ifneq ($(and $(OF_ONE_SCENE),$(IS_IN_C)),)
-$(error make $(MAKECMDGOALS) is of scenes; the plant in C $(SCENE) names no effects)
+$(error make $(MAKECMDGOALS) is of scenes; $(SCENE) is a plant in C)
 endif
 ifneq ($(and $(filter ticks,$(MAKECMDGOALS)),$(IS_IN_C)),)
 $(error make ticks is of scenes)

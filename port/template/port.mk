@@ -21,6 +21,9 @@ PORT_CLOCK = counts
 # into the chip and then reads the serial line.
 PORT_EXEC_TOOLS =
 PORT_EXEC = false
+# How to show each instruction that it executes, for make cycles (tools/measure/cycles/trace.h), and a tool of build/ for that.
+PORT_TRACE =
+PORT_TRACER =
 PORT_NM = arm-none-eabi-nm
 PORT_SIZE = arm-none-eabi-size
 # The C files of the channels (port/channel.h), if the port has some; what stands on the command line when they are used.
