@@ -3,15 +3,20 @@
 #
 # tests/times has the seconds of processor time that each test took when they were measured last, longest first. In that
 # order they begin, so that every core has work to the end; what is not in it begins first of all. Of what took longer than
-# $TALLY_MOST nothing is run. What they take this time goes to $TEST_TIMES.txt. What passes is marked with $TEST_STATE, and with
-# the same state tests/exec.sh does not run it again. $TEST_BEGAN is how many processes the machine had started when all began.
+# $TALLY_MOST nothing is run. tests/starts has a budget for the processes that a test starts: one that starts more fails.
+#
+# What each takes this time goes to the folder $TEST_TAKES, and for all to $TEST_TAKES.txt. What passes is kept in the folder
+# $TEST_KEPT under $TEST_STATE, and with the same state tests/exec.sh does not run it again. $TEST_BEGAN is how many processes
+# the machine had started when all began.
 package Tally;
 
 use strict;
 use warnings;
 use parent 'TAP::Harness';
+use File::Path 'make_path';
 
 my $log = $ENV{TALLY_LOG} || 'build/tests/log';
+my ($takes, $kept, $state) = @ENV{qw(TEST_TAKES TEST_KEPT TEST_STATE)};
 my %lines;
 
 # Keeps what a test prints as it comes.
@@ -47,13 +52,13 @@ sub write_log {
 # The lines of a failed file that tell why: failed tests and the comments around them, or its last lines.
 sub show_failure {
     my ($name, $parser) = @_;
-    my @kept = @{ $lines{$name} };
-    my @shown = grep { /^(not ok|#|Bail out)/ } @kept;
+    my @all = @{ $lines{$name} };
+    my @shown = grep { /^(not ok|#|Bail out)/ } @all;
     if (@shown > 40) {
         @shown = ((grep { !/^#/ } @shown), "# the comments stand in $log");
     }
     if (!$parser->failed) {
-        @shown = (@kept > 20 ? @kept[ -20 .. -1 ] : @kept, map { "# $_" } $parser->parse_errors);
+        @shown = (@all > 20 ? @all[ -20 .. -1 ] : @all, map { "# $_" } $parser->parse_errors);
     }
     print "\n$name failed (status ", $parser->exit, "):\n", map { "    $_\n" } @shown;
 }
@@ -76,37 +81,61 @@ sub choose {
     return sort { ($seconds{$b} // 1e9) <=> ($seconds{$a} // 1e9) || $a cmp $b } @chosen;
 }
 
-# Puts the seconds of user and system time of all tests, which tests/exec.sh left in $TEST_TIMES, in one file.
-sub write_times {
-    my $folder = $ENV{TEST_TIMES} or return;
-    my %seconds;
-    for my $path (glob "$folder/*") {
-        open my $file, '<', $path or die "$path: $!\n";
-        my ($own, $children) = <$file>;
-        (my $name = $path) =~ s{.*/}{};
-        $name =~ tr{:}{/};
-        $seconds{$name} = 0;
-        $seconds{$name} += 60 * $1 + $2 while ($children // '') =~ /([0-9]+)m([0-9.]+)s/g;
-    }
-    open my $file, '>', "$folder.txt" or die "$folder.txt: $!\n";
-    printf $file "%7.1f %s\n", $seconds{$_}, $_ for sort { $seconds{$b} <=> $seconds{$a} || $a cmp $b } keys %seconds;
-    close $file or die "$folder.txt: $!\n";
+sub folder_of {
+    my ($path) = @_;
+    return $path =~ s{/[^/]*$}{}r;
 }
 
-# Marks a test that passed with the state of all that it follows from, beside what tests/exec.sh kept of it.
-sub mark_passed {
+sub write_file {
+    my ($path, @text) = @_;
+    make_path(folder_of($path));
+    open my $file, '>', $path or die "$path: $!\n";
+    print $file @text;
+    close $file or die "$path: $!\n";
+}
+
+sub read_file {
+    my ($path) = @_;
+    open my $file, '<', $path or return '';
+    return join '', <$file>;
+}
+
+# Whether exec.sh did not run this test again.
+sub is_kept {
     my ($name) = @_;
-    (my $folder = $name) =~ tr{/}{:};
-    $folder = ($ENV{TEST_KEPT} || 'build/tests/passed') . "/$folder";
-    return if !$ENV{TEST_STATE} || !-e "$folder/output";
-    open my $file, '>', "$folder/state" or die "$folder/state: $!\n";
-    print $file "$ENV{TEST_STATE}\n";
-    close $file or die "$folder/state: $!\n";
+    return ($lines{$name}[0] // '') =~ /^# not run again: /;
+}
+
+# What each of these tests took, or one that is kept took when it was run: seconds and processes. Nothing where none is told.
+sub read_takes {
+    my %takes;
+    for my $name (@_) {
+        my $line = read_file(is_kept($name) ? "$kept/$name/takes" : "$takes/$name");
+        $takes{$name} = [$1, $2] if $line =~ /^([0-9.]+) ([0-9]+|-)$/;
+    }
+    return %takes;
+}
+
+sub write_takes {
+    my (%of) = @_;
+    write_file("$takes.txt",
+        map { sprintf "%7.1f %6s %s\n", @{ $of{$_} }, $_ } sort { $of{$b}[0] <=> $of{$a}[0] || $a cmp $b } keys %of);
+}
+
+# Keeps what a test printed and took, if it passed and was run; what is left of an earlier time goes.
+sub keep {
+    my ($name, $has_passed) = @_;
+    return if !$kept || !$state || is_kept($name);
+    unlink "$kept/$name/state";
+    return if !$has_passed;
+    write_file("$kept/$name/output", map { "$_\n" } @{ $lines{$name} });
+    write_file("$kept/$name/takes", read_file("$takes/$name"));
+    write_file("$kept/$name/state", "$state\n");
 }
 
 # How many tests exec.sh did not run again.
 sub count_kept {
-    return scalar grep { ($lines{$_}[0] // '') =~ /^# not run again: / } keys %lines;
+    return scalar grep { is_kept($_) } keys %lines;
 }
 
 # Every variant of the unit tests must have run the same number of tests. Returns the numbers of passes and failures.
@@ -130,6 +159,37 @@ sub compare_variants {
     return ($passed, $failed);
 }
 
+# The budgets of processes in tests/starts, by the test; that of all together under `all`.
+sub read_budgets {
+    return map { /^\s*([0-9]+) (\S+)$/ ? ($2 => $1) : () } split /\n/, read_file($ENV{TALLY_STARTS} || 'tests/starts');
+}
+
+# A test that starts more processes than its budget and a margin fails, and all together likewise, if all were run. What has no
+# line has a small budget. Returns the numbers of passes, failures and skips.
+my ($small, $part, $few) = (100, 0.1, 20);
+
+sub compare_budgets {
+    my (%of) = @_;
+    my %budget = read_budgets();
+    my ($sum, @beyond) = (0);
+    for my $name (sort keys %of) {
+        my $started = $of{$name}[1];
+        if ($started eq '-') {
+            print "processes are not counted: neither root nor a user may have a namespace of them here\n";
+            return (0, 0, 1);
+        }
+        my $most = $budget{$name} // $small;
+        $sum += $started;
+        push @beyond, "$name started $started processes; its budget in tests/starts is $most" if $started > $most * (1 + $part) + $few;
+    }
+    my $all = $budget{all};
+    if (defined $all && !grep { $_ ne 'all' && !exists $of{$_} } keys %budget) {
+        push @beyond, "all tests started $sum processes; their budget in tests/starts is $all" if $sum > $all * (1 + $part / 2);
+    }
+    print "the tests started $sum processes\n", map { "budget: $_\n" } @beyond;
+    return (@beyond ? 0 : 1, scalar @beyond, 0);
+}
+
 # How many processes the machine has started since all began, those of others among them; nothing where it does not say.
 sub count_processes {
     open my $file, '<', '/proc/stat' or return;
@@ -140,7 +200,9 @@ sub count_processes {
 sub runtests {
     my ($self, @tests) = @_;
     $self->callback(made_parser => \&listen_to);
-    my $aggregate = $self->SUPER::runtests(choose(@tests));
+    @tests = choose(@tests);
+    make_path(map { folder_of("$takes/$_") } @tests) if $takes;
+    my $aggregate = $self->SUPER::runtests(@tests);
     my %parsers;
     @parsers{ $aggregate->descriptions } = $aggregate->parsers($aggregate->descriptions);
 
@@ -148,15 +210,21 @@ sub runtests {
     for my $name (sort keys %parsers) {
         my @one = count($parsers{$name});
         $sum[$_] += $one[$_] for 0 .. 2;
-        $one[1] ? show_failure($name, $parsers{$name}) : mark_passed($name);
+        show_failure($name, $parsers{$name}) if $one[1];
+        keep($name, !$one[1]);
     }
     write_log();
-    write_times();
     my @compared = compare_variants(\%parsers);
     $sum[0] += $compared[0];
     $sum[1] += $compared[1];
-    my ($kept, $all) = (count_kept(), scalar keys %parsers);
-    print "$kept of $all tests were not run again: they passed, and nothing has changed since\n" if $kept;
+    if ($takes) {
+        my %of = read_takes(keys %parsers);
+        write_takes(%of);
+        my @budget = compare_budgets(%of);
+        $sum[$_] += $budget[$_] for 0 .. 2;
+    }
+    my ($again, $all) = (count_kept(), scalar keys %parsers);
+    print "$again of $all tests were not run again: they passed, and nothing has changed since\n" if $again;
     my $started = count_processes();
     print "$started processes were started meanwhile on this machine\n" if defined $started;
     print "$sum[0] passed, $sum[1] failed", $sum[2] ? ", $sum[2] skipped" : '', "\n";

@@ -1,15 +1,14 @@
 #!/bin/sh
 # Runs a test where its folder says: exec.sh build/tests/VARIANT/REAL/PROGRAM, or a script. A program of a whole domain is
 # told how few numbers to try, and a number made of the text of core, which says whose turn it is.
-# Whatever runs for more than half an hour is killed, has no plan, and counts as failed. What it takes of the processor, as
-# `times` prints it, goes to $TEST_TIMES/NAME, if that is set.
+# Whatever runs for more than half an hour is killed, has no plan, and counts as failed. Under the harness what it takes of
+# the processor, and how many processes it starts, goes to $TEST_TAKES/NAME (tests/host/measured.c).
 #
-# What it prints is kept then as well, under build/tests/passed/. If the harness found that it passed, with the hash $TEST_STATE
-# of all that a test follows from (tests/host/state.sh), it is printed again and the test is not run.
+# If the harness found that it passed, with the hash $TEST_STATE of all that a test follows from (tests/host/state.sh), what it
+# printed then is printed again, and the test is not run.
 #
 # Tools and programs that have changed are built first; not under the harness, which has built all, and says so in $TEST_BUILT.
 name=$1
-kept=${TEST_KEPT:-build/tests/passed}/$(echo "$name" | tr / :)
 if [ -z "${TEST_BUILT-}" ]; then
     mkdir -p build
     case $1 in
@@ -37,18 +36,11 @@ build/tests/exhaustive/*)
     set -- sh "$@"
     ;;
 esac
-[ -n "${TEST_TIMES-}" ] || exec timeout 1800 "$@"
+[ -n "${TEST_MEASURED-}" ] || exec timeout 1800 "$@"
 
-if [ -n "${TEST_STATE-}" ] && [ "$(cat "$kept/state" 2>/dev/null)" = "$TEST_STATE" ]; then
-    cp "$kept/times" "$TEST_TIMES/${kept##*/}"
+kept=$TEST_KEPT/$name
+if [ -n "$TEST_STATE" ] && [ -f "$kept/state" ] && read -r state <"$kept/state" && [ "$state" = "$TEST_STATE" ]; then
     echo "# not run again: it passed, and nothing that it follows from has changed since"
     exec cat "$kept/output"
 fi
-rm -rf "$kept"
-mkdir -p "$kept"
-timeout 1800 "$@" >"$kept/output" 2>&1
-status=$?
-times >"$kept/times"
-cp "$kept/times" "$TEST_TIMES/${kept##*/}"
-cat "$kept/output"
-exit $status
+exec "$TEST_MEASURED" 1800 "$TEST_TAKES/$name" "$@"

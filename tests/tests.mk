@@ -106,19 +106,25 @@ $(TEST_ONCE)/once: tests/host/once.c build/tests/plain/float/command
 	    ln -s once $(TEST_ONCE)/$$compiler && ln -s "$$(command -v $$compiler)" $(TEST_ONCE)/real/$$compiler; done
 	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
 
+# It runs each test, and measures what it takes.
+TEST_MEASURED := build/tests/measured
+$(TEST_MEASURED): tests/host/measured.c build/tests/plain/float/command
+	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
+
 .PRECIOUS: $(TEST_OBJECTS)
-.PHONY: test check test-run check-run test-times
+.PHONY: test check test-run check-run test-times test-starts
 
 TEST_FAST := $(filter build/tests/plain/float/% build/tests/m4f/float/%,$(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f))
 TEST_ALL := $(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f) $(TEST_PROGRAMS_exhaustive) $(TEST_PROGRAMS_memcheck) $(TEST_PROGRAMS_asan)
-TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' \) -mtime +2 -delete; rm -rf build/tests/times && mkdir build/tests/times; \
-    TEST_BUILT=yes TEST_TIMES=$(CURDIR)/build/tests/times PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
+TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' \) -mtime +2 -delete; rm -rf build/tests/takes; \
+    TEST_BUILT=yes TEST_MEASURED=$(CURDIR)/$(TEST_MEASURED) TEST_TAKES=$(CURDIR)/build/tests/takes TEST_KEPT=$(CURDIR)/build/tests/passed \
+    PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
 
 # What make builds first it compiles by that program too: tests that build the tools in a copy of the project have their objects.
 # The state is that of the compilers themselves.
 define TEST_RUN
 @tests/tools.sh
-+@$(MAKE) -s --no-print-directory $(TEST_ONCE)/once
++@$(MAKE) -s --no-print-directory $(TEST_ONCE)/once $(TEST_MEASURED)
 +@export TEST_STATE=$$(sh tests/host/state.sh) TEST_BEGAN=$$(awk '$$1 == "processes" { print $$2 }' /proc/stat); \
     PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" $(MAKE) --no-print-directory -j$(TEST_JOBS) $(1)
 endef
@@ -139,4 +145,8 @@ check-run: $(TEST_FAST) $(TOOLS)
 
 # What each test of the last `make test` took. `make test-times >tests/times` keeps it: an order, and what is quick.
 test-times: ## print the processor time of each test of the last make test
-	@cat build/tests/times.txt
+	@awk '{ printf "%7.1f %s\n", $$1, $$3 }' build/tests/takes.txt
+
+# `make test-starts >tests/starts` keeps them as budgets; what starts fewer has a small one, which Tally.pm says.
+test-starts: ## print the processes that each test of the last make test started, if many, and all together
+	@awk '{ all += $$2 } $$2 > 100 { printf "%7d %s\n", $$2, $$3 | "LC_ALL=C sort -k 2" } END { printf "%7d all\n", all }' build/tests/takes.txt
