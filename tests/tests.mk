@@ -99,7 +99,7 @@ build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h test
 # What tests compile, they compile once: in their PATH a program stands before each compiler that keeps the objects
 # (tests/host/once.c). Objects and lists that were not used for two days go.
 TEST_ONCE := build/tests/once
-TEST_COMPILERS := cc gcc clang arm-none-eabi-gcc
+TEST_COMPILERS := cc gcc clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc
 $(TEST_ONCE)/once: tests/host/once.c build/tests/plain/float/command
 	@rm -rf $(TEST_ONCE) && mkdir -p $(TEST_ONCE)/real $(TEST_ONCE)/store
 	@for compiler in $(TEST_COMPILERS); do \

@@ -1,0 +1,9 @@
+# A line for each port to a target that is not this machine: its folder, its compiler, its flags, and behind `--` its C files and
+# those of other ports that it uses, as its port.mk says; as `make -s -f tests/host/ports.mk` prints it.
+PORTS := $(filter-out port/sim port/posix,$(shell sed -n 's/^PORT_OF_.* := //p' Makefile))
+
+.PHONY: ports
+ports: ; @:
+
+$(foreach port,$(PORTS),$(eval include $(port)/port.mk)$(info $(port) $(PORT_CC) $(strip $(PORT_FLAGS)) \
+    -- $(sort $(wildcard $(port)/*.c) $(PORT_SHARED))))
