@@ -139,7 +139,7 @@ static command take_apart(const int argc, char **const argv)
 static bool is_for_linker(const char *const word)
 {
     return begins_with(word, "-l") || begins_with(word, "-Wl,") || begins_with(word, "-L") || begins_with(word, "-T") ||
-           begins_with(word, "--specs") || strcmp(word, "-nostartfiles") == 0 || word[0] != '-';
+           strcmp(word, "-nostartfiles") == 0 || word[0] != '-';
 }
 
 /* The flags of a compilation: those of the command without what is the linker's, and what asks for a list for make. They are
