@@ -6,16 +6,24 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin hard_guard
+. tests/host/bits.sh
 project
 
 # guarded METHOD SECONDS FLAGS [REAL]: runs the plant, compiled with these flags; $csv is then the table.
 guarded()
 {
-    call run SCENE=tests/hard/guarded.c METHOD="$1" SECONDS="$2" PORT_FLAGS="$3" REAL="${4:-float}"
+    case ${4:-float} in
+    $variant) ;;
+    double) variant double sim "$CC" -O0 -DISO_REAL_DOUBLE ;;
+    *) variant float sim "$CC" -O0 ;;
+    esac
+    # shellcheck disable=SC2086
+    runs tests/hard/guarded.c "${2}000000000" "-DISO_METHOD=ISO_$(echo "$1" | tr a-z A-Z)" "-DISO_METHOD_NAME=$1" $3
     status=$?
-    csv=$out/project/$(value trace)
+    csv=$out/run/trace.csv
     return $status
 }
+variant=
 
 # stops STATE TICK: the last run was stopped there; states and ticks are regular expressions. The table ends with
 # finite outputs of the tick before, and the summary counts no more.
@@ -24,7 +32,7 @@ stops()
     found=$(sed -n "s/^trace: guard state \([0-9]*\) [a-z_]* at tick \([0-9]*\): it is $why\$/\1 \2/p" "$out/errors")
     tick=${found#* }
     sed -n 's/^trace: guard state \([0-9]* [a-z_]*\) at .*/\1/p' "$out/errors" | grep -Eqx "$names" &&
-        [ $status -ne 0 ] && grep -q 'run. Error 1$' "$out/errors" && echo "$found" | grep -Eqx "$1 $2" &&
+        [ $status -eq 1 ] && echo "$found" | grep -Eqx "$1 $2" &&
         [ "$(value ticks)" -eq $((tick - 1)) ] && [ "$(awk 'END { print NR - 1 }' "$csv")" -eq "$tick" ] &&
         ! tail -n 1 "$csv" | grep -Eqi 'nan|inf'
 }
@@ -107,6 +115,7 @@ output angle = position of shaft
 END
     call run SCENE="$(pwd)/$out/wheel.scene" METHOD="$3" SECONDS=0.02
     status=$?
+    ! grep -q 'run. Error 1$' "$out/errors" || status=1
     csv=$out/project/$(value trace)
 }
 
