@@ -203,7 +203,7 @@ result $? "found: two that differ by 1e-11"
 result $? "found: two that are no numbers"
 ! agreed '9 5 1 2'
 result $? "found: one alone"
-! call report METHODS=rk4 SECONDS=40 && grep -q 'no reference for double_pendulum after 40 s' "$out/errors"
+! call report METHODS=rk4 SECONDS=40 STEP=8ms && grep -q 'no reference for double_pendulum after 40 s' "$out/errors"
 expect $? "found: a time for which the motion is chaotic"
 ! call report SCENE=models/absent.scene && grep -q 'there is no scene models/absent.scene' "$out/errors"
 expect $? "found: a scene that is not there"

@@ -5,13 +5,14 @@ begin check/same_bytes
 turn=$(turn_of 3 "${1-}" tools/isoc models)
 echo "# turn $turn of the scenes"
 
-# compiled SOURCE...: objects of it by clang, in $out/objects. The kernels stay rolled, as make has them.
+# compiled SOURCE...: objects of it by clang, in $out/objects, without optimisation: it compiles for longer than it saves here. The
+# kernels stay rolled, as make has them.
 mkdir -p "$out/objects"
 compiled()
 {
     for source in "$@"; do
         object=${source##*/}
-        clang -std=c11 -O1 -ffp-contract=off -fno-math-errno -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -DISO_UNROLL= -I. \
+        clang -std=c11 -O0 -ffp-contract=off -fno-math-errno -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -DISO_UNROLL= -I. \
             -c "$source" -o "$out/objects/${object%.c}.o" || return 1
     done
 }

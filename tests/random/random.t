@@ -68,14 +68,16 @@ END
 result $? "the hashes tell the scenes apart"
 
 # Controls. A branch in the outputs of a random scene; and clang on a core that hides no mask from it.
+small=$(ls -rS "$out"/plant/[0-9]*/plant.c | head -n 1)
+small=${small%/plant.c}
 planted='static volatile int met; if (((plant_memory *)instance)->x[0] > R(0.25)) { met++; }'
 for compiler in gcc clang; do
     batch planted_$compiler float $compiler
-    sed "/^static void output(void \*const instance)\$/{n;s/{/{ $planted/;}" "$out/plant/$first/plant.c" >"$out/plant/planted.c"
-    cp "$out/plant/$first/plant.h" "$out/plant"
+    sed "/^static void output(void \*const instance)\$/{n;s/{/{ $planted/;}" "$small/plant.c" >"$out/plant/planted.c"
+    cp "$small/plant.h" "$out/plant"
     add "planted" "$out/plant/planted.c"
     ! watch >"$out/tap" && [ "$(grep '^not ok' "$out/tap")" = "not ok 3 - planted: nor do the memories and the outputs" ]
-    result $? "found: a branch in the outputs of seed $first, by $compiler"
+    result $? "found: a branch in the outputs of seed ${small##*/}, by $compiler"
 done
 batch bare float clang
 mkdir -p "$out/bare_core"

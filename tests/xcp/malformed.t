@@ -11,7 +11,7 @@ result $? "the plant"
 built()
 {
     # shellcheck disable=SC2086
-    EXTRA="-g -I$out/cart" program "$1" tests/xcp/malformed.c tests/host/report.c "$out/cart/plant.c" $slave "$2"
+    EXTRA="-I$out/cart" program "$1" tests/xcp/malformed.c tests/host/report.c "$out/cart/plant.c" $slave "$2"
 }
 
 built malformed core/xcp/access.c
