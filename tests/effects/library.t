@@ -3,6 +3,7 @@
 # float and in double. And under memcheck, which takes long: one of the ten programs in a turn, or with the argument `all` all.
 . tests/host/test.sh
 begin effects_library
+optimised -O1
 turn=$(turn_of 10 "${1-}" core models/effects tests/effects)
 echo "# memcheck: turn $turn of 10"
 

@@ -2,6 +2,7 @@
 # The local error that a method tells, beside the true one, on the double pendulum.
 . tests/host/test.sh
 begin estimate
+optimised -O1
 rolled
 ours="tests/estimate/local_error.c tests/order/plant.c tests/order/double_pendulum.c tests/host/report.c"
 

@@ -20,6 +20,14 @@ objects()
     done
 }
 
+# joint_source NAME SOURCE...: the file $out/NAME.c, which has them all, since most of what a compiler does is the same for each.
+joint_source()
+{
+    joint_name=$1
+    shift
+    printf '#include "%s"\n' "$@" >"$out/$joint_name.c"
+}
+
 # linked NAME OBJECT...: the fuzzer $out/NAME.
 linked()
 {
@@ -58,7 +66,9 @@ fuzzed()
 mkdir -p "$out/corpus_scene" && cp models/*.scene models/effects/*.scene tests/scenes/*.scene "$out/corpus_scene" &&
     cat "$out"/corpus_scene/*.scene | grep -v '^ *#' | grep -oE '[A-Za-z_]{2,}' | sort | uniq -c |
     awk '$1 > 1 { print "\"" $2 "\"" }' >"$out/words" &&
-    objects scene_objects tests/fuzz/scene.c tools/isoc/base/*.c tools/isoc/scene/*.c build/obj/tools/isoc/*_files.c &&
+    joint_source base tools/isoc/base/*.c && joint_source scene $(ls tools/isoc/scene/*.c | grep -v '/lexer\.c$\|/parse_output\.c$') &&
+    objects scene_objects tests/fuzz/scene.c "$out/base.c" "$out/scene.c" tools/isoc/scene/lexer.c tools/isoc/scene/parse_output.c \
+        build/obj/tools/isoc/*_files.c &&
     linked scene "$out"/scene_objects/*.o
 result $? "the parser of scenes as a fuzzer"
 fuzzed scene tests/fuzz/scene -dict="$out/words" -max_len=4096

@@ -3,6 +3,7 @@
 # function that makes its nodes. Large scenes take little memory and time.
 . tests/host/test.sh
 begin graph
+optimised -O0
 
 FLAGS="$FLAGS -D_POSIX_C_SOURCE=200809L"
 sources="tools/isoc/graph/*.c tools/isoc/base/*.c tests/graph/operators.c tests/tap.c port/sim/*.c port/host/console.c"

@@ -3,6 +3,7 @@
 # Euler on bodies that turn freely too.
 . tests/host/test.sh
 begin order
+optimised -O0
 rolled
 ours="tests/order/order.c tests/order/plant.c tests/host/report.c"
 

@@ -3,6 +3,7 @@
 # on the board as on the host; and at four times the cost.
 . tests/host/test.sh
 begin substeps
+optimised -O0
 
 # same SCENE METHOD REAL: whether both plants have the same bits.
 same()

@@ -3,6 +3,7 @@
 # gyroscope.
 . tests/host/test.sh
 begin tumble
+optimised -O1
 
 # tumbling OPTION...: the program of models/rigid_body.scene.
 tumbling()
