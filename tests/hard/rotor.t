@@ -2,6 +2,7 @@
 # The angle of a joint that turns without limit: by each method for a minute, and for a day.
 . tests/host/test.sh
 begin hard_rotor
+optimised -O1
 
 # rotor NAME OPTION...: builds the rotor, with $with in its joint, with these options of isoc.
 with=

@@ -4,6 +4,7 @@
 # and with the effects of the rungs.
 . tests/host/test.sh
 begin policy
+optimised -O1
 real float
 scripts=8 # of each policy
 scene=tests/policy/pendulum.scene

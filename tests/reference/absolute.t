@@ -4,6 +4,7 @@
 # truncation of a step alone is more than that, and another one in other coordinates.
 . tests/host/test.sh
 begin reference_absolute
+optimised -O0
 
 # moved FILE SCENE OUTPUT...: what a scene's outputs do.
 moved()

@@ -3,6 +3,7 @@
 # becomes a sixteenth, within 3x.
 . tests/host/test.sh
 begin reference_mechanisms
+optimised -O0
 . tests/reference/digits.sh
 
 # compiled NAME SCENE [OPTION...]: the program of a scene.
