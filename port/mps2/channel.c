@@ -11,6 +11,7 @@
 
 #include "port/mps2/board.h"
 #include "port/mps2/tick.h"
+#include "port/ring.h"
 
 #define VTOR (*(const uint32_t *volatile *)0xE000ED08U)
 #define NVIC_ISER (((volatile uint32_t *)0xE000E100U)[BOARD_FIRST_INTERRUPT / 32])
@@ -40,14 +41,6 @@ enum {
     ALL_INTERRUPTS = (1 << INTERRUPTS) - 1
 };
 
-/* Places count without an end; their last bits are those in the ring. One side moves the first, the other the last. */
-enum { RING_BYTES = ISO_CHANNEL_BYTES };
-_Static_assert((RING_BYTES & (RING_BYTES - 1)) == 0, "places go on where they wrap");
-typedef struct ring {
-    volatile uint32_t first, last;
-    volatile uint8_t bytes[RING_BYTES]; /* so that a byte is there before its place is counted */
-} ring;
-
 static struct {
     ring in, out;
 } lines[ISO_CHANNELS];
@@ -56,42 +49,19 @@ static volatile uart *const uarts[ISO_CHANNELS] = {
     [ISO_CHANNEL_CALIBRATION] = (volatile uart *)BOARD_UART1,
 };
 
-static bool is_full(const ring *const r)
-{
-    return r->last - r->first == RING_BYTES;
-}
-
-static bool is_empty(const ring *const r)
-{
-    return r->last == r->first;
-}
-
-static void put(ring *const r, const uint8_t byte)
-{
-    r->bytes[r->last % RING_BYTES] = byte;
-    r->last++;
-}
-
-static uint8_t take(ring *const r)
-{
-    const uint8_t byte = r->bytes[r->first % RING_BYTES];
-    r->first++;
-    return byte;
-}
-
 /* From the line to its ring, in the interrupt or with interrupts off. */
 static void move_in(const iso_channel channel)
 {
-    while ((uarts[channel]->state & RX_FULL) != 0 && !is_full(&lines[channel].in)) {
-        put(&lines[channel].in, (uint8_t)uarts[channel]->data);
+    while ((uarts[channel]->state & RX_FULL) != 0 && !ring_is_full(&lines[channel].in)) {
+        ring_put(&lines[channel].in, (uint8_t)uarts[channel]->data);
     }
 }
 
 /* From the ring to the line, likewise. */
 static void move_out(const iso_channel channel)
 {
-    while ((uarts[channel]->state & TX_FULL) == 0 && !is_empty(&lines[channel].out)) {
-        uarts[channel]->data = take(&lines[channel].out);
+    while ((uarts[channel]->state & TX_FULL) == 0 && !ring_is_empty(&lines[channel].out)) {
+        uarts[channel]->data = ring_take(&lines[channel].out);
     }
 }
 
@@ -161,12 +131,7 @@ static void open_lines(void)
 size_t iso_port_receive(const iso_channel channel, void *const bytes, const size_t count)
 {
     open_lines();
-    ring *const in = &lines[channel].in;
-    uint8_t *const to = bytes;
-    size_t taken = 0;
-    while (taken < count && !is_empty(in)) {
-        to[taken++] = take(in);
-    }
+    const size_t taken = ring_take_all(&lines[channel].in, bytes, count);
     if (taken > 0) { /* a byte that found the ring full gave no other interrupt */
         interrupts_off();
         move_in(channel);
@@ -185,16 +150,9 @@ uint32_t iso_port_opened(const iso_channel channel)
 bool iso_port_send(const iso_channel channel, const void *const bytes, const size_t count)
 {
     open_lines();
-    ring *const out = &lines[channel].out;
-    const uint8_t *const from = bytes;
-    if (count > RING_BYTES - (out->last - out->first)) {
+    if (!ring_put_all(&lines[channel].out, bytes, count)) {
         return false;
     }
-    const uint32_t last = out->last;
-    for (size_t i = 0; i < count; i++) {
-        out->bytes[(last + i) % RING_BYTES] = from[i];
-    }
-    out->last = last + count;
     interrupts_off();
     move_out(channel);
     interrupts_on();
@@ -209,7 +167,7 @@ void iso_port_idle(void)
     interrupts_off();
     bool came = false;
     for (unsigned channel = 0; channel < ISO_CHANNELS; channel++) {
-        came = came || !is_empty(&lines[channel].in);
+        came = came || !ring_is_empty(&lines[channel].in);
     }
     if (!came) {
         SYST_CSR = SYST_CSR_STOP;
@@ -223,7 +181,7 @@ void iso_port_idle(void)
 void iso_port_drain(void)
 {
     for (unsigned channel = 0; channel < ISO_CHANNELS; channel++) {
-        while (!is_empty(&lines[channel].out)) {
+        while (!ring_is_empty(&lines[channel].out)) {
             __asm__ volatile("wfi" ::: "memory");
         }
     }

@@ -29,7 +29,7 @@ static struct {
     uint64_t reported;       /* by iso_port_wait: the latest tick */
 } board;
 
-static uint64_t timer(void)
+uint64_t tick_timer(void)
 {
     uint32_t high, low;
     do {
@@ -47,6 +47,13 @@ static void set_alarm(const uint64_t time)
     MTIMECMP[1] = (uint32_t)(time >> 32);
 }
 
+void tick_pause(const uint64_t counts)
+{
+    board.start += counts;
+    board.next += counts;
+    set_alarm(board.next);
+}
+
 void tick_interrupt(void)
 {
     board.next += board.period;
@@ -59,7 +66,7 @@ __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
 {
     const uint32_t parts = (period_ns + CYCLE_NS * DILATION_OVER / 2) / (CYCLE_NS * DILATION_OVER);
     board.period = parts << DILATION_SHIFT;
-    board.start = timer();
+    board.start = tick_timer();
     board.next = board.start + board.period;
     set_alarm(board.next);
     __asm__ volatile("csrs mie, %0\n    csrs mstatus, %1" ::"r"(TIMER_ON), "r"(INTERRUPTS_ON) : "memory");
@@ -93,5 +100,5 @@ uint64_t iso_port_wait(void)
 uint64_t iso_port_clock(void)
 {
     const uint32_t half = 1 << (DILATION_SHIFT - 1);
-    return ((timer() - board.start) * DILATION_OVER + half) >> DILATION_SHIFT;
+    return ((tick_timer() - board.start) * DILATION_OVER + half) >> DILATION_SHIFT;
 }

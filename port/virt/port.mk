@@ -12,12 +12,14 @@ PORT_SUFFIX = .elf
 PORT_STACK =
 PORT_CLOCK = instructions
 PORT_EXEC_TOOLS = qemu-system-riscv32
-PORT_EXEC = qemu-system-riscv32 -M virt -bios none -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
+PORT_EXEC = qemu-system-riscv32 -M virt -bios none -icount shift=10,align=off,sleep=$(if $(filter free,$(MODE)),on,off) -display none -monitor none $(PORT_SERIAL) \
     -semihosting-config enable=on,target=native,arg=plant,arg=$(NANOSECONDS) -kernel $(PROGRAM)
 PORT_TRACE =
 PORT_TRACER =
 PORT_NM = riscv64-unknown-elf-nm
 PORT_SIZE = riscv64-unknown-elf-size
-# No channels.
-PORT_CHANNEL =
+# The serial line, for a plant with a link: that of the controller.
+PORT_SERIAL = -serial none
+PORT_SERIAL_LINKED = -chardev socket,id=controller,fd=3 -serial chardev:controller
+PORT_CHANNEL = port/virt/channel.c
 PORT_LINK_LINKED =

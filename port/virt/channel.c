@@ -1,0 +1,88 @@
+/* The serial line of the board as the channel to a controller: a 16550, 8 bits, no parity, one stop bit; there is none for
+ * calibration. QEMU keeps what comes until it is read, and takes at once what goes; an interrupt wakes the processor, and is never
+ * taken. Texas Instruments (2015), PC16550D Universal Asynchronous Receiver/Transmitter, SNLS378C: 8. RISC-V (2023), RISC-V
+ * Platform-Level Interrupt Controller Specification, version 1.0.0: 3. */
+#include "port/channel.h"
+
+#include <stdint.h>
+
+#include "port/virt/tick.h"
+
+#define UART ((volatile uint8_t *)0x10000000U)
+
+enum { DATA = 0, INTERRUPTS = 1, FIFO_CONTROL = 2, LINE_CONTROL = 3, LINE_STATUS = 5 };
+enum { FIFOS_ON = 1 << 0, EIGHT_BITS = 3, IS_FULL = 1 << 0, IS_EMPTY = 1 << 5, RECEIVED = 1 << 0 };
+
+/* The controller of interrupts: the priority of the line's, what is let through to the first processor, and what is served. */
+#define PLIC(offset) (*(volatile uint32_t *)(0x0C000000U + (offset)))
+enum { LINE = 10, PRIORITY = 4 * LINE, ENABLED = 0x2000, THRESHOLD = 0x200000, CLAIM = 0x200004 };
+
+/* Bits of mstatus and of mie. */
+enum { INTERRUPTS_ON = 1 << 3, EXTERNAL_ON = 1 << 11 };
+
+static void open_line(void)
+{
+    static bool is_open;
+    if (!is_open) {
+        is_open = true;
+        UART[LINE_CONTROL] = EIGHT_BITS;
+        UART[FIFO_CONTROL] = FIFOS_ON;
+        UART[INTERRUPTS] = RECEIVED;
+        PLIC(PRIORITY) = 1;
+        PLIC(ENABLED) = 1U << LINE;
+        PLIC(THRESHOLD) = 0;
+    }
+}
+
+size_t iso_port_receive(const iso_channel channel, void *const bytes, const size_t count)
+{
+    uint8_t *const to = bytes;
+    size_t taken = 0;
+    open_line();
+    while (channel == ISO_CHANNEL_CONTROLLER && taken < count && (UART[LINE_STATUS] & IS_FULL) != 0) {
+        to[taken++] = UART[DATA];
+    }
+    return taken;
+}
+
+/* A line does not show who is at its other end. */
+uint32_t iso_port_opened(const iso_channel channel)
+{
+    (void)channel;
+    return 0;
+}
+
+/* Waits for each byte until there is room for it: in QEMU that is at once. */
+bool iso_port_send(const iso_channel channel, const void *const bytes, const size_t count)
+{
+    const uint8_t *const from = bytes;
+    open_line();
+    for (size_t i = 0; channel == ISO_CHANNEL_CONTROLLER && i < count; i++) {
+        while ((UART[LINE_STATUS] & IS_EMPTY) == 0) {
+        }
+        UART[DATA] = from[i];
+    }
+    return channel == ISO_CHANNEL_CONTROLLER;
+}
+
+/* Time is virtual, and stands still: the ticks are moved by as long as the processor slept. */
+void iso_port_idle(void)
+{
+    open_line();
+    __asm__ volatile("csrc mstatus, %0" ::"r"(INTERRUPTS_ON) : "memory");
+    if ((UART[LINE_STATUS] & IS_FULL) == 0) {
+        const uint64_t begin = tick_timer();
+        uint32_t enabled;
+        __asm__ volatile("csrrw %0, mie, %1" : "=r"(enabled) : "r"(EXTERNAL_ON) : "memory");
+        __asm__ volatile("wfi" ::: "memory");
+        PLIC(CLAIM) = PLIC(CLAIM);
+        __asm__ volatile("csrw mie, %0" ::"r"(enabled) : "memory");
+        tick_pause(tick_timer() - begin);
+    }
+    __asm__ volatile("csrs mstatus, %0" ::"r"(INTERRUPTS_ON) : "memory");
+}
+
+/* What was handed out has gone. */
+void iso_port_drain(void)
+{
+}

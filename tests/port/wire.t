@@ -1,0 +1,25 @@
+#!/bin/sh
+# A controller over the serial line of the boards that same_bits and link/make.t leave out: the hash of the host; and what a port
+# without a line says.
+. tests/host/test.sh
+. tests/host/project.sh
+begin port/wire
+project
+
+call hil TARGET=host SECONDS=1.2 && hash=$(value hash) && [ -n "$hash" ]
+expect $? "the host: $hash"
+for target in cortex-m33 rv32imac; do
+    call hil TARGET=$target SECONDS=1.2 && [ "$(value hash)" = "$hash" ] && grep -Eqx 'exchanges 1200, .* missed 0' "$out/output"
+    expect $? "$target has the same hash: $(grep ^exchanges "$out/output")"
+done
+
+# A line of which a byte in a hundred is lost: the run takes a frame again, or does not end as it should.
+sed -i 's/^        to\[taken++\] = UART\[DATA\];/        static unsigned n;\n        to[taken] = UART[DATA];\n        taken += n++ % 100 != 99;/' \
+    "$out/project/port/virt/channel.c"
+call conform TARGET=rv32imac
+grep -q '^channel FAILED: ' "$out/output"
+expect $? "found: $(grep ^channel "$out/output")"
+
+! call link TARGET=atmega1284p && grep -q 'make link needs channels .*, and TARGET=atmega1284p has none' "$out/errors"
+result $? "the AVR says that it has none"
+finish
