@@ -1,6 +1,7 @@
 #!/bin/sh
-# The recipes of tests/README.md, done literally: each patch of tests/recipes changes at most two files, which the recipe names,
-# and what it adds works: a method, a kind of joint, a kind of output, a kind of closure, a function. Without the patches nothing of it is known.
+# The recipes of tests/README.md, done literally: each patch of tests/recipes changes at most two files, of a statement and a
+# policy at most five, which the recipe names, and what it adds works: a method, a kind of joint, a kind of output, a kind of
+# closure, a function, a statement, a policy. Without the patches nothing of it is known.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/recipes
@@ -48,13 +49,24 @@ sed 's/ cylindrical {/ line {/' "$out/project/cylindrical.scene" >"$out/project/
 ! call run SCENE=plain.scene && grep -q "'hypotenuse'" "$out/errors"
 expect $? "without the patches: the function is unknown"
 
+{ cat models/double_pendulum.scene && echo 'buoyancy 0.5'; } >"$out/project/buoyant.scene"
+! call run SCENE=buoyant.scene && grep -q "'buoyancy'" "$out/errors"
+expect $? "without the patches: the statement is unknown"
+{ cat models/double_pendulum.scene && echo 'overrun stop_twice'; } >"$out/project/twice.scene"
+! call run SCENE=twice.scene && grep -q "'stop_twice'" "$out/errors"
+expect $? "without the patches: the policy is unknown"
+
 for recipe in tests/recipes/*.patch; do
     sed -n 's|^+++ b/||p' "$recipe" >"$out/files"
-    [ -s "$out/files" ] && [ "$(grep -c . "$out/files")" -le 2 ]
+    case $recipe in
+    */statement.patch | */policy.patch) most=5 ;;
+    *) most=2 ;;
+    esac
+    [ -s "$out/files" ] && [ "$(grep -c . "$out/files")" -le $most ]
     result $? "$recipe changes $(grep -c . "$out/files") files: $(tr '\n' ' ' <"$out/files")"
     unnamed=
     while IFS= read -r file; do
-        grep -qF -e "$file" -e "$(dirname "$file")/NAME.h" tests/README.md || unnamed="$unnamed $file"
+        grep -qF -e "$file" -e "$(dirname "$file")/NAME.${file##*.}" tests/README.md || unnamed="$unnamed $file"
     done <"$out/files"
     [ -z "$unnamed" ]
     result $? "tests/README.md names them$unnamed"
@@ -96,6 +108,21 @@ near "$(cell -1 crank_angle)" "$crank" && ! near "$crank" "$(cell 0 crank_angle)
 expect $? "the closure holds a linkage as it does without: the crank is at $crank"
 near "$(cell 0 speed_of_two)" "$(cell 0 speed_of_pin)" && near "$(cell -1 speed_of_two)" "$(cell -1 speed_of_pin)" && ! near "$(cell 0 speed_of_pin)" "$(cell -1 speed_of_pin)"
 expect $? "the function gives the speed of a point: $(cell -1 speed_of_two)"
+
+# Half of gravity taken away is half of gravity, to the bit.
+sed 's/^gravity .*/gravity (0, -4.905, 0) m\/s^2/' models/double_pendulum.scene >"$out/project/half.scene"
+call run SCENE=half.scene SECONDS=1 && half=$(value hash) && call run SCENE=buoyant.scene SECONDS=1 && [ "$(value hash)" = "$half" ]
+expect $? "a scene with the new statement runs: $half"
+call run SCENE=models/double_pendulum.scene SECONDS=1 && [ "$(value hash)" != "$half" ]
+expect $? "control: without it the scene moves otherwise"
+
+# One overrun is counted, two in a row end the run.
+printf 'slow 5 1500us\nslow 7 1500us\n' >"$out/project/apart.script"
+printf 'slow 5 1500us\nslow 7 1500us\nslow 8 1500us\n' >"$out/project/row.script"
+call run SCENE=twice.scene SECONDS=1 SCRIPT=apart.script && [ "$(value overruns)" = 2 ] && [ "$(value ticks)" = 1000 ]
+expect $? "a scene with the new policy runs on behind $(value overruns) overruns"
+! call run SCENE=twice.scene SECONDS=1 SCRIPT=row.script && grep -q '^trace: stopped by the overrun of tick 8$' "$out/errors"
+expect $? "two in a row end it: $(grep '^trace: ' "$out/errors")"
 
 # state_error METHOD STEP: of the first angle of the double pendulum after 1 s, in double; the reference is rk4 with a step that
 # is short enough.
