@@ -33,6 +33,8 @@
 ##     RESTORE=FILE                        for run: goes on from a snapshot, of any target; SECONDS is of the whole run
 ##     KEEP=NAME                           for run, link and hil: keeps it in build/runs/NAME
 ##     RUNS='NAME NAME'                    for compare: two runs that were kept
+##     ON='host clang cortex-m4f'           for determinism: the targets; clang is the host by clang
+##     TICKS=100000                        for determinism: how many, of each of MODELS with each of METHODS
 ##     V=1                                 show the commands
 SCENE = models/$(if $(filter hil,$(MAKECMDGOALS)),hil/cart_pole,$(if $(filter drift,$(MAKECMDGOALS)),four_bar,double_pendulum)).scene
 METHOD =
@@ -62,6 +64,8 @@ RUNS =
 MODELS = $(wildcard models/*.scene)
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 PARTS = models methods restarts effects
+TICKS = 100000
+ON = $(filter-out posix,$(TARGETS)) clang
 LENGTHS = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
 TABLES = models/costs.md models/cycles.md models/README.md models/chains.md models/drift.md core/methods.md core/README.md tests/digits.md
 V =
@@ -74,7 +78,7 @@ MAKEFLAGS += --no-builtin-rules
 # The goals that build and run plants; each works in one folder.
 GOALS := run plot link hil size stack ticks cycles a2l conform cost chains flags report bench drift
 
-.PHONY: help shared digits functions tables pictures compare monitor clean $(GOALS)
+.PHONY: help shared digits functions determinism tables pictures compare monitor clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
@@ -178,16 +182,17 @@ EFFECTS_test := TEST_JOBS
 EFFECTS_check := TEST_JOBS
 EFFECTS_tables := TABLES
 EFFECTS_compare := RUNS
-EFFECTS := V CC CFLAGS $(sort $(foreach goal,$(GOALS) test check tables compare,$(EFFECTS_$(goal))))
+EFFECTS_determinism := MODELS METHODS ON TICKS REAL
+EFFECTS := V CC CFLAGS $(sort $(foreach goal,$(GOALS) test check tables compare determinism,$(EFFECTS_$(goal))))
 
 nearest = $(shell mkdir -p build && $(CC) -I. tools/build/nearest.c tools/isoc/base/nearest.c -o build/nearest.$$$$ && \
     build/nearest.$$$$ $(1) $(EFFECTS); rm -f build/nearest.$$$$)
 unknown = $(error $(1) is not known$(if $(2), (did you mean $(2)?)); `make help` lists what can be set)
 no_effect = $(error $(1) has no effect on `make $(2)`; it has one on: $(strip $(foreach goal,$(GOALS) test \
-    check tables compare,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
+    check tables compare determinism,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
 ifeq ($(MAKELEVEL),0)
 $(foreach name,$(filter-out $(EFFECTS) MAKEFLAGS SHELL,$(GIVEN)),$(call unknown,$(name),$(call nearest,$(name))))
-ifeq ($(filter-out $(GOALS) test check tables compare pictures help clean digits functions monitor,$(or $(MAKECMDGOALS),help)),)
+ifeq ($(filter-out $(GOALS) test check tables compare determinism pictures help clean digits functions monitor,$(or $(MAKECMDGOALS),help)),)
 $(foreach name,$(filter $(GIVEN),$(filter-out V CC CFLAGS,$(EFFECTS))),$(if $($(name)),$(if $(filter $(name),$(foreach \
     goal,$(MAKECMDGOALS),$(EFFECTS_$(goal)))),,$(call no_effect,$(name),$(or $(MAKECMDGOALS),help)))))
 endif
@@ -533,6 +538,10 @@ functions: ## print a table of the functions of core: domain, error, instruction
 # What they call makes the tools first, so that a table has no line of the compiler.
 tables: $(TOOLS) ## write the generated tables again, in the Markdown files TABLES
 	@$(CALLS_MAKE) sh tools/build/tables.sh $(TABLES)
+
+determinism: $(TOOLS) ## compare the hash of TICKS of MODELS with METHODS ON targets with that of the host, and count their steps; in REAL
+	@$(CALLS_MAKE) MODELS=$(call quote,$(MODELS)) METHODS=$(call quote,$(METHODS)) ON=$(call quote,$(ON)) TICKS=$(TICKS) REAL=$(REAL) \
+	    sh tools/measure/determinism.sh
 
 pictures: $(TOOLS) ## draw the pictures of models/README.md again
 	$(call require,gnuplot dot,apt-get install gnuplot-nox graphviz)

@@ -1,0 +1,98 @@
+#!/bin/sh
+# The hash of so many ticks, and the least and the most that a step takes, of scenes with methods on targets: a line for each as it
+# is measured, then a table of a row for a scene with a method and a column for a target, and all of it as tab-separated values in
+# build/determinism/REAL.tsv. Status 1 if a hash is another than that of the host, or a step takes no single number.
+#
+# Called by `make determinism`, with the make to call in $MAKE, the scenes in $MODELS, the methods in $METHODS, the targets in $ON,
+# where `clang` is the host by clang, the ticks in $TICKS and the number type in $REAL. What was measured of the same files is not
+# measured again: a sweep goes on where it was ended. $EXTRA are further words for make.
+WHAT='make determinism'
+. tools/measure/common.sh
+folder=build/determinism
+mkdir -p $folder
+kept=$folder/kept
+
+# The simulator of the AVR takes a thousand times as long as the others: it makes a thousandth of the ticks, one at least.
+ticks_on()
+{
+    case $1 in
+    atmega1284p) echo $((TICKS < 1000 ? 1 : TICKS / 1000)) ;;
+    *) echo "$TICKS" ;;
+    esac
+}
+
+# told KEY: what the last run printed for it.
+told()
+{
+    sed -n "s/^$1 //p" $folder/output | tail -n 1
+}
+
+# measured SCENE METHOD TARGET TICKS: hash, least, most and unit of a step, in $cell; a word in place of the hash where there is none.
+measured()
+{
+    case $3 in
+    clang) measured_on='host PORT_CC=clang' ;;
+    *) measured_on=$3 ;;
+    esac
+    seconds=$(awk -v ticks="$4" '$1 == "step" { printf "%.9f", ticks * $2 }' $folder/summary)
+    # shellcheck disable=SC2086
+    if "$MAKE" -s --no-print-directory run SCENE="$1" METHOD="$2" REAL="$REAL" SECONDS="$seconds" TARGET=$measured_on ${EXTRA-} \
+        >$folder/output 2>$folder/errors </dev/null; then
+        hash=$(told hash)
+    elif grep -q 'REAL=double\|double is not IEEE' $folder/errors; then
+        hash=refused
+    elif grep -q 'will not fit\|overflowed by\|overflow in conversion\|larger than maximum' $folder/errors; then
+        hash=too_large
+    else
+        tail -n 3 $folder/errors >&2
+        hash=failed
+    fi
+    # shellcheck disable=SC2046
+    case $hash in
+    *_* | refused | failed) set -- '' ;;
+    *) set -- $(told execution) ;;
+    esac
+    case ${4-} in
+    '' | ns) cell="$hash - - -" ;;
+    *) cell="$hash $1 $3 $4" ;;
+    esac
+}
+
+# look SCENE METHOD TARGET TICKS: the same, kept, in $cell.
+look()
+{
+    key="$state $1 $2 $3 $4 $REAL"
+    cell=$(awk -v key="$key" 'index($0, key " ") == 1 { print substr($0, length(key) + 2) }' $kept 2>/dev/null | tail -n 1)
+    [ -n "$cell" ] || {
+        measured "$@"
+        echo "$key $cell" >>$kept
+    }
+}
+
+state=$({ cat core/*/*.[ch] port/*/* Makefile build/isoc && echo "${EXTRA-}"; } 2>/dev/null | cksum | tr ' ' -)
+for scene in $MODELS; do
+    [ -f "$scene" ] || fail "there is no scene $scene"
+    state=$state.$(cksum <"$scene" | cut -d ' ' -f 1)
+done
+state=$(echo "$state" | cksum | tr ' ' -)
+
+# Each target with all scenes and methods, so that what they share is compiled once.
+printf 'scene\tmethod\ttarget\tticks\thash\tright\tleast\tmost\tunit\n' >$folder/$REAL.tsv
+for target in $ON; do
+    ticks=$(ticks_on "$target")
+    for scene in $MODELS; do
+        name=$(basename "$scene" .scene)
+        for method in $METHODS; do
+            build/isoc "$scene" -o $folder/plant --method "$method" --real "$REAL" >$folder/summary 2>$folder/errors || {
+                echo "$name $method: isoc refuses it" >&2
+                continue
+            }
+            look "$scene" "$method" host "$ticks"
+            right=${cell%% *}
+            look "$scene" "$method" "$target" "$ticks"
+            printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$name" "$method" "$target" "$ticks" "${cell%% *}" "$right" ${cell#* } >>$folder/$REAL.tsv
+            printf '%-12s %-16s %-12s %s\n' "$target" "$name" "$method" "$cell" >&2
+        done
+    done
+done
+compute determinism $folder/$REAL.tsv
