@@ -65,7 +65,7 @@ MODELS = $(wildcard models/*.scene)
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 PARTS = models methods restarts effects
 TICKS = 100000
-ON = $(filter-out posix,$(TARGETS)) clang
+ON = host clang $(sort $(filter-out host posix,$(TARGETS)))
 LENGTHS = 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16
 TABLES = models/costs.md models/cycles.md models/README.md models/chains.md models/drift.md core/methods.md core/README.md tests/digits.md
 V =
@@ -159,7 +159,7 @@ $(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
 
 # What has an effect on which goal. A goal that is a file, and a make that another make calls, may be given anything.
 EFFECTS_run = $(OF_A_RUN) SNAPSHOT RESTORE
-OF_A_RUN := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT KEEP OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
+OF_A_RUN := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT KEEP OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_CYCLE_NS PORT_EXEC
 EFFECTS_plot := $(filter-out KEEP,$(OF_A_RUN)) OUTPUTS
 EFFECTS_link := $(OF_A_RUN) XCP CONTROLLER MODE
 EFFECTS_hil := $(filter-out SCENE SCRIPT XCP CHECKED COMPENSATED OUT,$(EFFECTS_link))
@@ -430,7 +430,8 @@ $(TOOLS):
 
 # --- Objects that programs share ---------------------------------------------------------------------------------
 
-COMPILE := $(PORT_CC) $(WARNINGS) $(PORT_OPTIMISE) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. $(CFLAGS)
+# PORT_CYCLE_NS: what a cycle of a board in QEMU stands for, if not what its port says.
+COMPILE := $(PORT_CC) $(WARNINGS) $(PORT_OPTIMISE) $(NUMERICS) $(PORT_FLAGS) $(PORT_CYCLE_NS:%=-DBOARD_CYCLE_NS=%) $(REAL_FLAGS_$(REAL)) -I. $(CFLAGS)
 OBJ := build/obj/$(TARGET)/$(REAL)
 CONTROL := core/runtime/control.c core/runtime/snapshot.c
 OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(filter-out $(CONTROL),$(wildcard $(addsuffix /*.c,core/numbers core/runtime core/application))) \

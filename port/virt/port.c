@@ -13,7 +13,11 @@
 #define MTIME ((volatile uint32_t *)0x0200BFF8U)
 #define MTIMECMP ((volatile uint32_t *)0x02004000U)
 
+#ifdef BOARD_CYCLE_NS
+enum { CYCLE_NS = BOARD_CYCLE_NS };
+#else
 enum { CYCLE_NS = 10 };
+#endif
 
 /* The timer counts 10.24 = 2^8 / 25 times in a cycle: whole cycles in whole counts come in 25. */
 enum { DILATION_SHIFT = 8, DILATION_OVER = 25 };

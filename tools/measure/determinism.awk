@@ -1,7 +1,10 @@
 # The table of `make determinism`, of its tab-separated values: a row for a scene with a method, a column for a target. `=` has the
 # bits of the host, `N` too, with N instructions or cycles on every step; `N-M` takes from N to M, which only the sub-steps of adams
-# may; OTHER has other bits; `too large` does not fit onto the target, `refused` is not offered there. Status 1 if one is wrong.
-BEGIN { FS = "\t" }
+# may; `N+` takes N and an interrupt of the timer or more, since it is longer than a tick of the board; OTHER has other bits; `too large` does not fit onto the target, `refused` is not offered there. Status 1 if one is wrong.
+BEGIN {
+    FS = "\t"
+    PART = 500000 # a timer of 24 bits makes a longer tick of several parts, each with an interrupt
+}
 FNR == 1 { next }
 {
     row = $1 " " $2
@@ -33,6 +36,7 @@ function text()
     }
     if ($7 == "-") return "="
     if ($7 == $8) return $7
+    if ($10 == "longer" || $8 > PART) return $7 "+"
     wrong += $2 != "adams"
     return $7 "-" $8
 }
