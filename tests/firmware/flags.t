@@ -2,6 +2,7 @@
 # The folder of a plant under a stranger's compilers and flags: what core/numbers/README.md says of each row, in float and in
 # double. One that moves with other bits than `make run`, and was not refused, is never right.
 . tests/host/test.sh
+. tests/host/emulators.sh
 begin firmware_flags
 table=core/numbers/README.md
 m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
@@ -24,8 +25,8 @@ port()
     objects=$out/port/$1
     [ -d "$objects" ] && return
     case $1 in
-    mps2*) port_sources="$(ls port/mps2/*.c)" ;;
-    virt) port_sources="$(ls port/virt/*.c) port/mps2/semihosting.c port/mps2/console.c" ;;
+    cortex-*) port_sources="$(ls port/mps2/*.c)" ;;
+    rv32imafc) port_sources="$(ls port/virt/*.c) port/mps2/semihosting.c port/mps2/console.c" ;;
     atmega1284p) port_sources="$(ls port/atmega1284p/*.c)" ;;
     *) port_sources="$(ls port/sim/*.c) port/host/console.c" ;;
     esac
@@ -52,18 +53,18 @@ place_of()
     arm-none-eabi-gcc*)
         case "$*" in
         *=soft*)
-            where=mps2_soft
+            where=cortex-m3
             builder="arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
             ;;
         *)
-            where=mps2
+            where=cortex-m7
             builder="arm-none-eabi-gcc $m4f"
             ;;
         esac
         link="-nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections -lm"
         ;;
     riscv64-unknown-elf-gcc*)
-        where=virt
+        where=rv32imafc
         builder="riscv64-unknown-elf-gcc $rv32"
         link="-nostartfiles -T port/virt/virt.ld -Wl,--gc-sections -Wl,--no-warn-rwx-segments -lm"
         ;;
@@ -75,6 +76,7 @@ place_of()
     *-linux-gnu-gcc*)
         where=${1%-linux-gnu-gcc}
         builder="$1 $(of_processor "$where")"
+        [ "$where" != i686 ] || where=i386
         link=-static
         ;;
     *--target=aarch64-linux-gnu*)
@@ -86,23 +88,6 @@ place_of()
         where=host
         builder=gcc
         ;;
-    esac
-}
-
-# ran PROGRAM: what it writes.
-ran()
-{
-    case $where in
-    mps2_soft) timeout 60 qemu-system-arm -M mps2-an385 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
-        -semihosting-config enable=on,target=native -kernel "$1" ;;
-    mps2) timeout 60 qemu-system-arm -M mps2-an500 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
-        -semihosting-config enable=on,target=native -kernel "$1" ;;
-    virt) timeout 60 qemu-system-riscv32 -M virt -bios none -icount shift=10,align=off,sleep=off -display none -monitor none \
-        -serial none -semihosting-config enable=on,target=native -kernel "$1" ;;
-    atmega1284p) sh port/atmega1284p/run.sh "$1" 1 ;;
-    host) "$1" ;;
-    i686) qemu-i386 "$1" ;;
-    *) qemu-"$where" "$1" ;;
     esac
 }
 
@@ -134,7 +119,7 @@ happens()
         answer="does not link"
         return
     }
-    ran "$out/program" >"$out/output" 2>"$out/errors" </dev/null
+    emulated "$where" "$out/program" >"$out/output" 2>"$out/errors" </dev/null
     case $(cat "$out/output") in
     "$(cat "$out/$happens_real.hash")") answer="same bits" ;;
     refused) answer="does not start" ;;

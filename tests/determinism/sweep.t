@@ -1,0 +1,61 @@
+#!/bin/sh
+# make determinism: a scene with a method on two targets by turns; it finds other bits, and steps that take other times.
+. tests/host/test.sh
+. tests/host/project.sh
+begin determinism_sweep
+project
+turn=$(turn_of 840 "${1-}" core port tools/isoc models)
+echo "# turn $turn of the scenes, the methods and the targets"
+kept=$out/project/build/determinism
+
+# nth NUMBER WORD...: $nth is the word with this number, from 0, modulo how many there are.
+nth()
+{
+    nth_number=$1
+    shift
+    shift $((nth_number % $#))
+    nth=$1
+}
+
+targets="clang aarch64 s390x mips i386 cortex-m0 cortex-m3 cortex-m4f cortex-m7 cortex-m33 rv32imac rv32imafc"
+case $turn in
+all)
+    scenes=$(printf 'models/%s.scene ' pendulum double_pendulum cart_pole four_bar)
+    methods="rk4 bdf4"
+    on=$targets
+    ;;
+*)
+    # shellcheck disable=SC2086
+    nth "$turn" $(ls models/*.scene | grep -v stewart) && scenes=$nth &&
+        nth "$turn" $(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p') && methods=$nth &&
+        nth "$turn" $targets && on=$nth && nth $((turn / 12 + turn + 5)) $targets && on="$on $nth"
+    ;;
+esac
+call determinism MODELS="$scenes" METHODS="$methods" ON="host $on" TICKS=200
+expect $? "$scenes, $methods: the same bits and one number of instructions on $on"
+sed 's/^/# /' "$out/output"
+# shellcheck disable=SC2086
+[ "$(grep -c '[0-9a-f]\{16\}' "$kept/float.tsv")" -ge "$(($(echo $scenes | wc -w) * $(echo $methods | wc -w) * $(echo $on | wc -w)))" ]
+result $? "all of them ran"
+
+# swept TARGET: the pendulum on it.
+swept()
+{
+    call determinism MODELS=models/pendulum.scene METHODS=rk4 ON="host $1" TICKS=200
+}
+
+swept cortex-m3
+expect $? "the pendulum on the Cortex-M3: $(sed -n 's/.* //; 2p' "$out/output")"
+rm -rf "$out/project/build/obj/cortex-m3" && call determinism MODELS=models/pendulum.scene METHODS=rk4 ON="host cortex-m3" TICKS=200 &&
+    [ ! -e "$out/project/build/obj/cortex-m3" ]
+expect $? "what was measured is not measured again"
+sed -i 's/behind + (x \& 1) + most/behind + most - most/' "$out/project/port/soft/shifts.h"
+! swept rv32imac && grep -q '^pendulum rk4 .* OTHER$' "$out/output" && tail -n 1 "$out/output" | grep -q 'wrong: 1'
+expect $? "found: other bits"
+sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/m3/port.mk"
+! swept cortex-m3 && grep -q '^pendulum rk4 .* [0-9]*-[0-9]*$' "$out/output" && tail -n 1 "$out/output" | grep -q 'wrong: 1'
+expect $? "found: steps that take other times"
+sed -i 's/^PORT_CC = .*/PORT_CC = false/' "$out/project/port/mps2/port.mk"
+! swept cortex-m4f && grep -q '^pendulum rk4 .* failed$' "$out/output"
+expect $? "found: a target for which nothing is built"
+finish
