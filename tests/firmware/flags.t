@@ -14,7 +14,7 @@ echo "# turn $turn of the rows"
 
 for real in float double; do
     for plant in heavy=tests/order/top.scene rods=models/double_pendulum.scene; do
-        build/isoc "${plant#*=}" -o "$out/$real" --name "${plant%=*}" --real $real --standalone >"$out/summary" || exit 1
+        build/isoc "${plant#*=}" -o "$out/$real" --name "${plant%=*}" --step 5ms --real $real --standalone >"$out/summary" || exit 1
     done
     cp tests/firmware/strangers.c "$out/$real"
 done
