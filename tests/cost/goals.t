@@ -1,0 +1,57 @@
+#!/bin/sh
+# No step may take more instructions than its row of goals.txt has, by more than 1 %. Prints what each takes today beside its
+# goal and the least that its equations need.
+. tests/host/test.sh
+. tests/host/project.sh
+begin goals
+. tests/host/callgrind.sh
+EXTRA='-fno-tree-ter -frename-registers'
+
+mkdir -p "$out/scenes"
+cp models/*.scene "$out/scenes"
+for n in 2 8 32; do
+    sh tools/measure/chain.sh $n planar >"$out/scenes/chain$n.scene"
+done
+mv "$out/scenes/chain2.scene" "$out/scenes/dp_rod.scene"
+# Without the count of whole turns, which is exact whatever the equations cost.
+sed '/^ *continuous$/d' models/four_bar.scene >"$out/scenes/four_bar.scene"
+sed 's/^step/gravity (0, 0, -9.81) m\/s^2\nstep/' models/rigid_body.scene >"$out/scenes/free_body.scene"
+project
+
+# on_host NAME, on_board NAME: instructions of a step of the scene.
+on_host()
+{
+    build/isoc "$out/scenes/$1.scene" -o "$out/$1" --real double >"$out/$1.summary" &&
+        program "$1.run" tests/handwritten/count.c "$out/$1/plant.c" && per_step "$out/$1.run"
+}
+
+on_board()
+{
+    cp "$out/scenes/$1.scene" "$out/project" &&
+        call run SCENE="$1.scene" METHOD=rk4 TARGET=cortex-m4f REAL=float SECONDS=0.01 && value instructions_per_step
+}
+
+# within COUNT BUDGET
+within()
+{
+    [ "$1" -gt 0 ] && [ $((100 * $1)) -le $((101 * $2)) ]
+}
+
+echo '# row target now budget goal floor'
+rows=0
+while read -r row target budget goal floor; do
+    case $row in '#'*) continue ;; esac
+    rows=$((rows + 1))
+    case $target in
+    host) count=$(on_host "$row") ;;
+    *) count=$(on_board "$row") ;;
+    esac
+    echo "# $row $target ${count:-?} $budget $goal $floor"
+    within "${count:-0}" "$budget"
+    result $? "$row on $target: ${count:-?} instructions, at most $budget and 1 %"
+done <tests/cost/goals.txt
+[ $rows -ge 14 ]
+result $? "goals.txt has $rows rows"
+! within 1011 1000 && within 1010 1000 && ! within 0 1000
+result $? "control: a rise of 1.1 %, and no count, are found"
+finish
