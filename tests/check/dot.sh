@@ -3,25 +3,31 @@
 . tests/host/test.sh
 begin check/dot
 
-# statements WORD...: how many the scene has of them; those of a repeat are counted by hand.
-statements()
+# counted SCENE: how many bodies, frames, joints, springs and closures it has; those of a repeat are counted by hand.
+counted()
 {
-    more=0
-    for word in "$@"; do
-        case $scene:$word in
-        */stewart.scene:body | */stewart.scene:joint) more=$((more + 12)) ;;
-        */stewart.scene:close) more=$((more + 6)) ;;
-        */n_four_bar.scene:body | */n_four_bar.scene:joint) more=$((more + 5)) ;;
-        */n_four_bar.scene:close) more=$((more + 2)) ;;
-        esac
-    done
-    echo $(($(grep -Ec "^($(echo "$*" | tr ' ' '|')) " "$scene") + more))
+    case $1 in
+    */stewart.scene) more='12 0 12 0 6' ;;
+    */n_four_bar.scene) more='5 0 5 0 2' ;;
+    *) more='0 0 0 0 0' ;;
+    esac
+    awk -v more="$more" '
+        /^(body|frame|joint|spring|close) / { n[$1]++ }
+        END {
+            split(more, m, " ")
+            print n["body"] + m[1], n["frame"] + m[2], n["joint"] + m[3], n["spring"] + m[4], n["close"] + m[5]
+        }' "$1"
 }
 
-# drawn PATTERN: how many lines of the drawing have it.
+# drawn: how many nodes, edges, dashed and dotted lines the drawing has.
 drawn()
 {
-    grep -c -- "$1" "$out/drawing.svg"
+    awk '
+        /class="node"/ { nodes++ }
+        /class="edge"/ { edges++ }
+        /stroke-dasharray="5,2"/ { dashed++ }
+        /stroke-dasharray="1,5"/ { dotted++ }
+        END { print nodes + 0, edges + 0, dashed + 0, dotted + 0 }' "$out/drawing.svg"
 }
 
 for scene in models/*.scene tests/scenes/*.scene; do
@@ -30,12 +36,14 @@ for scene in models/*.scene tests/scenes/*.scene; do
     result $? "$scene is drawn, and nothing is said against it"
     # Of repeats and included files the number of words says nothing.
     ! grep -q '^ *\(include\|repeat\) ' "$scene" || continue
-    [ "$(drawn 'class="node"')" -eq $(($(statements body frame) + 1)) ]
-    result $? "$scene: a node for each of $(statements body frame) bodies and frames, and the ground"
-    [ "$(drawn 'class="edge"')" -eq "$(statements joint close frame spring)" ] &&
-        [ "$(drawn 'stroke-dasharray="5,2"')" -eq "$(statements close)" ] &&
-        [ "$(drawn 'stroke-dasharray="1,5"')" -eq "$(statements frame)" ]
-    result $? "$scene: an edge for each of $(statements joint) joints, $(statements spring) springs and $(statements frame) frames, a dashed one for each of $(statements close) closures"
+    counted "$scene" >"$out/counted"
+    read -r bodies frames joints springs closures <"$out/counted"
+    drawn >"$out/drawn"
+    read -r nodes edges dashed dotted <"$out/drawn"
+    [ "$nodes" -eq $((bodies + frames + 1)) ]
+    result $? "$scene: a node for each of $((bodies + frames)) bodies and frames, and the ground"
+    [ "$edges" -eq $((joints + closures + frames + springs)) ] && [ "$dashed" -eq "$closures" ] && [ "$dotted" -eq "$frames" ]
+    result $? "$scene: an edge for each of $joints joints, $springs springs and $frames frames, a dashed one for each of $closures closures"
 done
 
 # Effects; the last drawing is that of good.scene.

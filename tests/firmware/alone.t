@@ -93,7 +93,11 @@ result $? "found: a plant that moves otherwise"
 refused()
 {
     ! build/isoc models/pendulum.scene -o "$out/named" --name "$1" >"$out/summary" 2>"$out/errors" &&
-        grep -q -- '--name' "$out/errors" && [ ! -e "$out/named" ]
+        IFS= read -r refused_by <"$out/errors" && [ ! -e "$out/named" ] || return
+    case $refused_by in
+    *--name*) ;;
+    *) return 1 ;;
+    esac
 }
 
 # all_refused WHAT: each of the words that are read.
