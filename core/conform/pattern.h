@@ -1,4 +1,4 @@
-/* What the program of `make conform` and its reader have alike. */
+/* Shared by the program of `make conform` and its reader. */
 #ifndef ISO_CORE_CONFORM_PATTERN_H
 #define ISO_CORE_CONFORM_PATTERN_H
 

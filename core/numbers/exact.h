@@ -1,4 +1,4 @@
-/* What rounding takes from a sum and from a product: exactly, and without a branch. The compiler must not simplify the
+/* The rounding error of a sum and of a product: exactly, and without a branch. The compiler must not simplify the
  * differences to zero; the flags of the build see to that. */
 #ifndef ISO_CORE_NUMBERS_EXACT_H
 #define ISO_CORE_NUMBERS_EXACT_H

@@ -1,4 +1,4 @@
-/* What cuts a function into pieces: sign, floor, rounding, and a value where a condition holds. Without a branch, exact. */
+/* Functions in pieces: sign, floor, rounding, and a value where a condition holds. Without a branch, exact. */
 #ifndef ISO_CORE_NUMBERS_PIECES_H
 #define ISO_CORE_NUMBERS_PIECES_H
 

@@ -12,7 +12,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* What changes bits is put right for all that follows, as far as the compiler lets it, and costs no instruction: gcc fuses
+/* Settings that change bits are put right for all that follows, as far as the compiler lets it, which costs no instruction: gcc fuses
  * products with sums by default, and its vectoriser does so whatever it is told (GCC PR 106902); clang may fuse within an
  * expression, and has no macro for sums in another order and division by a reciprocal. A clang that does not know one of
  * these pragmas for its target leaves it. */
@@ -35,7 +35,7 @@
 #pragma GCC optimize("fp-contract=off", "no-tree-vectorize", "no-tree-slp-vectorize")
 #endif
 
-/* What the preprocessor sees of the rest is an error; core/numbers/self_check.h finds what it does not. */
+/* Of the other settings those that the preprocessor sees are errors; core/numbers/self_check.h finds the rest. */
 #if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ ||                            \
     defined __NO_SIGNED_ZEROS__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)
 #error "Isochron: -ffast-math and its parts change results; compile without them and without -Ofast"

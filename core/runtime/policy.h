@@ -1,4 +1,4 @@
-/* What the loop does about ticks that do not keep their time, and what else it counts of them: what a scene asks for with
+/* The policies of the loop on ticks that do not keep their time, and its further counts of them: what a scene asks for with
  * `overrun`, `grace`, `publish` and `histogram`. The program of a plant that asks for none has nothing of it: isoc writes
  * the account of those that do, of the functions below. The loop calls it after each tick with news, and counts, times and
  * skips by integers alone. */

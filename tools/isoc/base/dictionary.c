@@ -3,7 +3,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Where a name stands, or could: the size is a power of two, and at least one place in two is free. FNV-1a: Fowler, Noll
+/* Where a name stands, or could: the size is a power of two, and at least one slot in two is free. FNV-1a: Fowler, Noll
  * and Vo (1991). */
 static dictionary_entry *slot_of(const dictionary *d, const char *name)
 {

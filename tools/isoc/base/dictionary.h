@@ -5,7 +5,7 @@
 #include "tools/isoc/base/arena.h"
 
 typedef struct dictionary_entry {
-    const char *name; /* NULL: the place is free */
+    const char *name; /* NULL: the slot is free */
     int number;
 } dictionary_entry;
 

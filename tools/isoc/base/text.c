@@ -17,10 +17,10 @@ void text_add(text *t, const char *format, ...)
     t->length += length;
 }
 
-/* The filling of the place that begins at an @; the last of them if it is none. */
+/* The filling of the hole that begins at an @; the last of them if it is none. */
 static const filling *filling_of(const char *at, const filling *f)
 {
-    while (f->place != NULL && (strncmp(at + 1, f->place, strlen(f->place)) != 0 || at[1 + strlen(f->place)] != '@')) {
+    while (f->hole != NULL && (strncmp(at + 1, f->hole, strlen(f->hole)) != 0 || at[1 + strlen(f->hole)] != '@')) {
         f++;
     }
     return f;
@@ -30,9 +30,9 @@ void text_fill(text *t, const char *template, const filling *fillings)
 {
     for (const char *at = template; *at != '\0';) {
         const filling *f = at[0] == '@' ? filling_of(at, fillings) : NULL;
-        if (f != NULL && f->place != NULL) {
+        if (f != NULL && f->hole != NULL) {
             text_add(t, "%s", f->words);
-            at += strlen(f->place) + 2;
+            at += strlen(f->hole) + 2;
         } else {
             const size_t length = 1 + strcspn(at + 1, "@");
             text_add(t, "%.*s", (int)length, at);

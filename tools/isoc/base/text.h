@@ -13,12 +13,12 @@ typedef struct text {
 /* Adds what printf would write. */
 void text_add(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* The text for a place of a template, @name@; the last of an array has none. */
+/* The text for a hole of a template, @name@; the last of an array has none. */
 typedef struct filling {
-    const char *place, *words;
+    const char *hole, *words;
 } filling;
 
-/* Adds a template with its places filled. What is none of them stays as it is. */
+/* Adds a template with its holes filled. What is none of them stays as it is. */
 void text_fill(text *t, const char *template, const filling *fillings);
 
 /* Where a word stands among others, or their number. */

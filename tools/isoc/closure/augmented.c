@@ -39,12 +39,12 @@ static void choose_order(graph *g, const node *schur, int n, int *order)
 static void factorise(augmented *a, const mechanism *m)
 {
     graph *g = a->mass->k->g;
-    const int n = a->held.count;
+    const int n = a->phi.count;
     node *at = a->schur;
     graph_section(g, "Factorisation of the Schur complement, L D L'");
     for (int s = 0; s < n; s++) {
         const int k = a->order[s];
-        a->pivots[k] = graph_name(g, at[k * n + k], "pivot_%s_%d", m->closures[a->held.all[k].closure].name, k);
+        a->pivots[k] = graph_name(g, at[k * n + k], "pivot_%s_%d", m->closures[a->phi.all[k].closure].name, k);
         at[k * n + k] = divide(g, constant(g, 1.0), a->pivots[k]);
         for (int t = s + 1; t < n; t++) {
             const int i = a->order[t];
@@ -69,7 +69,7 @@ static void factorise(augmented *a, const mechanism *m)
 static void solve(const augmented *a, node *x)
 {
     graph *g = a->mass->k->g;
-    const int n = a->held.count;
+    const int n = a->phi.count;
     for (int s = 0; s < n; s++) {
         const int k = a->order[s];
         for (int t = s + 1; t < n; t++) {
@@ -92,12 +92,12 @@ static void build_schur(augmented *a)
 {
     const mass_matrix *mass = a->mass;
     graph *g = mass->k->g;
-    const int n = a->held.count;
+    const int n = a->phi.count;
     graph_section(g, "Schur complement A = Phi_q M^-1 Phi_q'");
     for (int r = 0; r < n; r++) {
         a->inward[r] = arena_take(g->memory, (size_t)mass->n, sizeof **a->inward);
         a->reach[r] = arena_take(g->memory, (size_t)mass->n, sizeof **a->reach);
-        memcpy(a->inward[r], a->held.all[r].row, (size_t)mass->n * sizeof **a->inward);
+        memcpy(a->inward[r], a->phi.all[r].row, (size_t)mass->n * sizeof **a->inward);
         mass_matrix_inward(mass, a->inward[r]);
         for (int f = 0; f < mass->n; f++) {
             a->reach[r][f] = mul(g, a->inward[r][f], mass->inverse[f]);
@@ -124,10 +124,10 @@ static double regularisation(const augmented *a)
     }
     const double *numbers = numbers_at_start(g, m);
     double sum = 0.0;
-    for (int r = 0; r < a->held.count; r++) {
-        sum += numbers[a->schur[r * a->held.count + r]];
+    for (int r = 0; r < a->phi.count; r++) {
+        sum += numbers[a->schur[r * a->phi.count + r]];
     }
-    return sum / a->held.count * sqrt(0.5 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON));
+    return sum / a->phi.count * sqrt(0.5 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON));
 }
 
 node demand_of(graph *g, const mechanism *m, const constraint *c)
@@ -144,19 +144,19 @@ static void build_demand(const augmented *a, const node *scaled, node *demand)
 {
     graph *g = a->mass->k->g;
     graph_section(g, "What the closures demand");
-    for (int r = 0; r < a->held.count; r++) {
-        demand[r] = demand_of(g, a->mass->k->m, &a->held.all[r]);
+    for (int r = 0; r < a->phi.count; r++) {
+        demand[r] = demand_of(g, a->mass->k->m, &a->phi.all[r]);
         for (int f = 0; f < a->mass->n; f++) {
             demand[r] = add(g, demand[r], mul(g, a->inward[r][f], scaled[f]));
         }
     }
 }
 
-augmented augmented_factors(const mass_matrix *mass, constraints held)
+augmented augmented_factors(const mass_matrix *mass, constraints phi)
 {
     graph *g = mass->k->g;
-    const int n = held.count;
-    augmented a = {.mass = mass, .held = held};
+    const int n = phi.count;
+    augmented a = {.mass = mass, .phi = phi};
     a.order = arena_take(g->memory, (size_t)n, sizeof *a.order);
     a.inward = arena_take(g->memory, (size_t)n, sizeof *a.inward);
     a.reach = arena_take(g->memory, (size_t)n, sizeof *a.reach);
@@ -173,12 +173,12 @@ augmented augmented_factors(const mass_matrix *mass, constraints held)
     return a;
 }
 
-augmented augmented_build(const mass_matrix *mass, constraints held, node *effort)
+augmented augmented_build(const mass_matrix *mass, constraints phi, node *effort)
 {
     const mechanism *m = mass->k->m;
     graph *g = mass->k->g;
-    const int n = held.count;
-    augmented a = augmented_factors(mass, held);
+    const int n = phi.count;
+    augmented a = augmented_factors(mass, phi);
     const node e = a.regularisation;
     a.multipliers = arena_take(g->memory, (size_t)n, sizeof *a.multipliers);
     node *delta = arena_take(g->memory, (size_t)n, sizeof *delta);
@@ -200,7 +200,7 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
         }
     }
     for (int r = 0; r < n; r++) {
-        graph_name(g, a.multipliers[r], "lambda_%s_%d", m->closures[held.all[r].closure].name, r);
+        graph_name(g, a.multipliers[r], "lambda_%s_%d", m->closures[phi.all[r].closure].name, r);
     }
 
     graph_section(g, "Efforts less bias and multipliers, over the pivots");
@@ -215,7 +215,7 @@ augmented augmented_build(const mass_matrix *mass, constraints held, node *effor
 void augmented_project(const augmented *a, const node *gap, node *change)
 {
     graph *g = a->mass->k->g;
-    const int n = a->held.count;
+    const int n = a->phi.count;
     node *x = arena_take(g->memory, (size_t)n, sizeof *x);
     memcpy(x, gap, (size_t)n * sizeof *x);
     solve(a, x);

@@ -39,7 +39,7 @@
 
 typedef struct augmented {
     const mass_matrix *mass;
-    constraints held;
+    constraints phi;     /* closed: Phi and what follows from it */
     int *order;          /* in which the constraints are eliminated: the one with the fewest neighbours first */
     node **inward;       /* [constraints][degrees of freedom] L'^-1 Phi_q' */
     node **reach;        /* [constraints][degrees of freedom] D^-1 L'^-1 Phi_q' */
@@ -51,10 +51,10 @@ typedef struct augmented {
 } augmented;
 
 /* The factors of A + e alone: without multipliers. */
-augmented augmented_factors(const mass_matrix *mass, constraints held);
+augmented augmented_factors(const mass_matrix *mass, constraints phi);
 
 /* From effort := L'^-1 (effort - bias) to effort := D^-1 L'^-1 (effort - bias - Phi_q' lambda). */
-augmented augmented_build(const mass_matrix *mass, constraints held, node *effort);
+augmented augmented_build(const mass_matrix *mass, constraints phi, node *effort);
 
 /* -gamma of a constraint: Phi_dd + 2 alpha Phi' + beta^2 Phi, or Phi_dd + alpha Phi' of one of speeds alone: its root
  * is where the double root of the others is with alpha = beta. */

@@ -388,12 +388,12 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
     return result;
 }
 
-node largest_violation(const kinematics *k, const constraints *held, bool of_rates)
+node largest_violation(const kinematics *k, const constraints *phi, bool of_rates)
 {
     graph *g = k->g;
     node largest = constant(g, 0.0);
-    for (int r = 0; r < held->count; r++) {
-        const node one = magnitude(g, of_rates ? held->all[r].rate : held->all[r].position);
+    for (int r = 0; r < phi->count; r++) {
+        const node one = magnitude(g, of_rates ? phi->all[r].rate : phi->all[r].position);
         largest = is_zero(g, largest) ? one : larger(g, largest, one);
     }
     return largest;

@@ -51,7 +51,7 @@ typedef struct constraints {
 } constraints;
 
 /* The largest |Phi|, or |Phi'| of all constraints. */
-node largest_violation(const kinematics *k, const constraints *held, bool of_rates);
+node largest_violation(const kinematics *k, const constraints *phi, bool of_rates);
 
 constraints constraints_build(const kinematics *k, const acceleration *accelerations, closure_axes axes);
 

@@ -75,7 +75,7 @@ static node power_of_constraint(const dynamics *d, int r)
     node rate = constant(g, 0.0);
     for (int f = 0; f < d->m->dof_count; f++) {
         const node speed = leaf(g, OP_STATE, d->m->position_count + f);
-        rate = add(g, rate, mul(g, d->loops.held.all[r].row[f], speed));
+        rate = add(g, rate, mul(g, d->loops.phi.all[r].row[f], speed));
     }
     return neg(g, mul(g, d->loops.multipliers[r], rate));
 }
@@ -104,7 +104,7 @@ node account_power(const dynamics *d)
             sum = add(g, sum, power_of_force(d, &m->forces.applied[i]));
         }
     }
-    for (int r = 0; r < d->loops.held.count; r++) {
+    for (int r = 0; r < d->loops.phi.count; r++) {
         sum = add(g, sum, power_of_constraint(d, r));
     }
     for (int i = 0; i < m->effects.count; i++) {

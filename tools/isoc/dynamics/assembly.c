@@ -10,7 +10,7 @@ static const double exact = 1e-10; /* what rounding leaves */
 typedef struct assembly {
     source *s;
     const mechanism *m;
-    const constraints *held;
+    const constraints *phi;
     closing c;
     bool *is_free;    /* [degrees of freedom] */
     bool *meets;      /* likewise: takes part in a multiple root */
@@ -41,8 +41,8 @@ static int choose_free(const assembly *a, bool rates, bool all)
         const segment *l = &a->m->segments[a->m->dofs[f].segment];
         const bool given = rates ? l->speed_given : l->start_given || (l->start_is_rough && a->keeps_rough);
         a->is_free[f] = false;
-        for (int r = 0; r < a->held->count && (all || !given); r++) {
-            const bool feels = closing_counts(&a->c, rates, r) && !is_zero(a->c.d->g, a->held->all[r].row[f]);
+        for (int r = 0; r < a->phi->count && (all || !given); r++) {
+            const bool feels = closing_counts(&a->c, rates, r) && !is_zero(a->c.d->g, a->phi->all[r].row[f]);
             a->is_free[f] = a->is_free[f] || feels;
         }
         count += a->is_free[f];
@@ -52,7 +52,7 @@ static int choose_free(const assembly *a, bool rates, bool all)
 
 static const closure *closure_of(const assembly *a, gap open)
 {
-    return &a->m->closures[a->held->all[open.row].closure];
+    return &a->m->closures[a->phi->all[open.row].closure];
 }
 
 /* The unit of a constraint: of axes an angle, of joints that of their coordinate. */
@@ -60,7 +60,7 @@ static const char *unit_of(const assembly *a, gap open)
 {
     const graph *g = a->c.d->g;
     const closure *at = closure_of(a, open);
-    const vector force = a->held->all[open.row].force;
+    const vector force = a->phi->all[open.row].force;
     const bool is_length = acts_along_joints(at->kind)
                                ? slides(&a->m->segments[at->parent.segment])
                                : !is_zero(g, force.at[0]) || !is_zero(g, force.at[1]) || !is_zero(g, force.at[2]);
@@ -133,7 +133,7 @@ static bool close_speeds(const assembly *a)
     if (left.rank == left.all || a->m->drift.is_redundant) {
         return true;
     }
-    const place at = a->m->closures[a->held->all[a->held->count - 1].closure].at;
+    const place at = a->m->closures[a->phi->all[a->phi->count - 1].closure].at;
     const int nearby = branches_rank_nearby(&a->c);
     if (nearby == left.all) {
         source_problem(a->s, at,
@@ -152,9 +152,9 @@ static bool close_speeds(const assembly *a)
 /* A constraint that no joint changes, as out of the plane of a planar mechanism, must hold as it is. */
 static bool check_dropped(const assembly *a)
 {
-    for (int i = 0; i < a->held->dropped; i++) {
-        const double off = fabs(a->c.numbers[a->held->dropped_gaps[i]]);
-        const closure *c = &a->m->closures[a->held->dropped_closures[i]];
+    for (int i = 0; i < a->phi->dropped; i++) {
+        const double off = fabs(a->c.numbers[a->phi->dropped_gaps[i]]);
+        const closure *c = &a->m->closures[a->phi->dropped_closures[i]];
         if (!(off <= closed_as_given)) {
             return source_problem(a->s, c->at,
                                   "'%s' cannot close: a gap of %.3g (m or rad) remains that no joint can close",
@@ -167,7 +167,7 @@ static bool check_dropped(const assembly *a)
 /* A distance that is what the start gives must be one. */
 static bool check_distances(const assembly *a)
 {
-    FOR_ALL (const constraint, c, a->held->all, a->held->count) {
+    FOR_ALL (const constraint, c, a->phi->all, a->phi->count) {
         if (a->m->closures[c->closure].kind == CLOSE_DISTANCE && !(a->c.numbers[c->length] > closed_as_given)) {
             return source_problem(
                 a->s, a->m->closures[c->closure].at,
@@ -182,7 +182,7 @@ static bool check_distances(const assembly *a)
 /* A disc stands on its plane, above it. */
 static bool check_discs(const assembly *a)
 {
-    FOR_ALL (const constraint, c, a->held->all, a->held->count) {
+    FOR_ALL (const constraint, c, a->phi->all, a->phi->count) {
         const closure *at = &a->m->closures[c->closure];
         if (at->is_disc && !is_zero(a->c.d->g, c->position) && !(a->c.numbers[c->length] > closed_as_given)) {
             return source_problem(a->s, at->at, "the disc of '%s' lies flat on its plane at the start, or is below it",
@@ -224,7 +224,7 @@ void assemble(source *s, const graph *g, const mechanism *m)
     graph scratch = graph_copy(g);
     const dynamics *d =
         dynamics_build(&scratch, m, FORMULATION_COMPOSITE); /* in the axes of the base, whatever is kept */
-    assembly a = {.s = s, .m = m, .held = &d->loops.held, .c = closing_start(s->memory, d)};
+    assembly a = {.s = s, .m = m, .phi = &d->loops.phi, .c = closing_start(s->memory, d)};
     a.is_free = arena_take(s->memory, (size_t)m->dof_count, sizeof *a.is_free);
     a.meets = arena_take(s->memory, (size_t)m->dof_count, sizeof *a.meets);
     go_near(&a);

@@ -15,7 +15,7 @@ void assemble(source *s, const graph *g, const mechanism *m);
 typedef struct closing {
     const dynamics *d;
     const mechanism *m;
-    const constraints *held;
+    const constraints *phi;
     arena *memory;
     double *x, *numbers; /* states, and the values of all nodes at them */
     double *jacobian;    /* [constraints][degrees of freedom] */

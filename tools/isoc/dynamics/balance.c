@@ -2,7 +2,7 @@
 
 int balance_rows(const dynamics *d)
 {
-    return d->m->dof_count + d->loops.held.count;
+    return d->m->dof_count + d->loops.phi.count;
 }
 
 /* Newton-Euler with the accelerations, inward. */
@@ -23,13 +23,13 @@ static void build_constraints(const dynamics *d, node *left, node *weights)
 {
     graph *g = d->g;
     const mechanism *m = d->m;
-    const constraints *held = &d->loops.held;
+    const constraints *phi = &d->loops.phi;
     const int n = m->dof_count, rows = balance_rows(d);
-    for (int r = 0; r < held->count; r++) {
-        node demand = demand_of(g, m, &held->all[r]);
+    for (int r = 0; r < phi->count; r++) {
+        node demand = demand_of(g, m, &phi->all[r]);
         const node lambda = leaf(g, OP_MULTIPLIER, r);
         for (int f = 0; f < n; f++) {
-            const node entry = held->all[r].row[f];
+            const node entry = phi->all[r].row[f];
             weights[f * rows + n + r] = weights[(n + r) * rows + f] = entry;
             left[f] = sub(g, left[f], mul(g, entry, lambda));
             demand = add(g, demand, mul(g, entry, leaf(g, OP_DERIVATIVE, m->position_count + f)));

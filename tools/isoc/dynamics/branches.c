@@ -31,7 +31,7 @@ typedef struct split {
 
 static linear linear_of(const closing *c, bool rates, const bool *is_free)
 {
-    linear result = {.c = c, .rates = rates, .rows = c->held->count};
+    linear result = {.c = c, .rates = rates, .rows = c->phi->count};
     result.of = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *result.of);
     for (int f = 0; f < c->m->dof_count; f++) {
         if (is_free == NULL || is_free[f]) {
@@ -252,7 +252,7 @@ static double approach(const linear *l, int count)
 static double largest_gap(const closing *c)
 {
     double largest = 0.0;
-    for (int r = 0; r < c->held->count; r++) {
+    for (int r = 0; r < c->phi->count; r++) {
         largest = closing_counts(c, false, r) ? fmax(largest, fabs(closing_gap(c, false, r))) : largest;
     }
     return largest;

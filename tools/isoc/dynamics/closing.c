@@ -15,27 +15,27 @@ void closing_evaluate(const closing *c)
     const int n = c->m->dof_count;
     const evaluation at = {.x = c->x, .p = c->m->parameters.defaults};
     graph_evaluate(c->d->g, 0, &at, c->numbers);
-    for (int r = 0; r < c->held->count; r++) {
+    for (int r = 0; r < c->phi->count; r++) {
         for (int f = 0; f < n; f++) {
-            c->jacobian[r * n + f] = c->numbers[c->held->all[r].row[f]];
+            c->jacobian[r * n + f] = c->numbers[c->phi->all[r].row[f]];
         }
     }
 }
 
 bool closing_counts(const closing *c, bool rates, int row)
 {
-    return rates || !is_zero(c->d->g, c->held->all[row].position);
+    return rates || !is_zero(c->d->g, c->phi->all[row].position);
 }
 
 double closing_gap(const closing *c, bool rates, int row)
 {
-    return c->numbers[rates ? c->held->all[row].rate : c->held->all[row].position];
+    return c->numbers[rates ? c->phi->all[row].rate : c->phi->all[row].position];
 }
 
 static double square_gaps(const closing *c, bool rates)
 {
     double sum = 0.0;
-    for (int r = 0; r < c->held->count; r++) {
+    for (int r = 0; r < c->phi->count; r++) {
         sum += closing_gap(c, rates, r) * closing_gap(c, rates, r);
     }
     return sum;
@@ -77,7 +77,7 @@ void closing_move(const closing *c, bool rates, const double *by)
  * of the columns. */
 static gap aim(const closing *c, bool rates, const bool *is_free, double *by)
 {
-    const int n = c->m->dof_count, rows = c->held->count;
+    const int n = c->m->dof_count, rows = c->phi->count;
     double *matrix_free = arena_take(c->memory, (size_t)(rows * n) + 1, sizeof *matrix_free);
     double *wanted = arena_take(c->memory, (size_t)rows + 1, sizeof *wanted);
     gap open = {0};
@@ -211,9 +211,9 @@ closing closing_start(arena *memory, const dynamics *d)
 {
     const mechanism *m = d->m;
     const size_t n = (size_t)m->dof_count;
-    closing c = {.d = d, .m = m, .held = &d->loops.held, .memory = memory, .x = mechanism_start(m, memory)};
+    closing c = {.d = d, .m = m, .phi = &d->loops.phi, .memory = memory, .x = mechanism_start(m, memory)};
     c.numbers = arena_take(memory, d->g->count, sizeof *c.numbers);
-    c.jacobian = arena_take(memory, n * (size_t)c.held->count + 1, sizeof *c.jacobian);
+    c.jacobian = arena_take(memory, n * (size_t)c.phi->count + 1, sizeof *c.jacobian);
     closing_evaluate(&c);
     return c;
 }

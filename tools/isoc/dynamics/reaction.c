@@ -24,8 +24,8 @@ static wrench closure_in_base(const dynamics *d, int index)
     graph *g = d->g;
     const augmented *loops = &d->loops;
     wrench sum = {vector_zero(g), vector_zero(g)};
-    for (int r = 0; r < loops->held.count; r++) {
-        const constraint *c = &loops->held.all[r];
+    for (int r = 0; r < loops->phi.count; r++) {
+        const constraint *c = &loops->phi.all[r];
         if (c->closure == index) {
             sum.force = vector_add(g, sum.force, vector_scale(g, loops->multipliers[r], c->force));
             sum.moment = vector_add(g, sum.moment, vector_scale(g, loops->multipliers[r], c->moment));
@@ -147,8 +147,8 @@ wrench closure_reaction(const dynamics *d, int index)
 node closure_effort(const dynamics *d, int index)
 {
     node effort = constant(d->g, 0.0);
-    for (int r = 0; r < d->loops.held.count; r++) {
-        effort = d->loops.held.all[r].closure == index ? neg(d->g, d->loops.multipliers[r]) : effort;
+    for (int r = 0; r < d->loops.phi.count; r++) {
+        effort = d->loops.phi.all[r].closure == index ? neg(d->g, d->loops.multipliers[r]) : effort;
     }
     return graph_name(d->g, effort, "effort_%s", d->m->closures[index].name);
 }

@@ -60,14 +60,14 @@ static node *along_moves(graph *g, const dynamics *d, const node *moved)
 /* The pivots that vary, without the regularisation, which would hide how small they are. */
 static void put_pivots(graph *g, const augmented *over, settled *result)
 {
-    const size_t count = (size_t)over->held.count;
+    const size_t count = (size_t)over->phi.count;
     result->pivots = arena_take(g->memory, count, sizeof *result->pivots);
     result->pivot_closures = arena_take(g->memory, count, sizeof *result->pivot_closures);
-    for (int r = 0; r < over->held.count; r++) {
+    for (int r = 0; r < over->phi.count; r++) {
         const node bare = sub(g, over->pivots[r], over->regularisation);
         if (!is_constant(g, bare)) {
             result->pivots[result->pivot_count] = bare;
-            result->pivot_closures[result->pivot_count++] = over->held.all[r].closure;
+            result->pivot_closures[result->pivot_count++] = over->phi.all[r].closure;
         }
     }
 }
@@ -82,15 +82,15 @@ static void put_pivots(graph *g, const augmented *over, settled *result)
  * the local error times the speed, which would be left from every step to the next. */
 static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, settled *result)
 {
-    const constraints *held = &d->loops.held;
-    const size_t count = (size_t)held->count;
+    const constraints *phi = &d->loops.phi;
+    const size_t count = (size_t)phi->count;
     node *gap = arena_take(g->memory, count, sizeof *gap), *rates = arena_take(g->memory, count, sizeof *rates);
     const mass_matrix *resistance = resistance_build(g, d);
-    const augmented over = resistance == &d->mass ? d->loops : augmented_factors(resistance, *held);
+    const augmented over = resistance == &d->mass ? d->loops : augmented_factors(resistance, *phi);
     graph_section(g, "Projection of the positions");
     for (size_t r = 0; r < count; r++) {
-        gap[r] = held->all[r].position;
-        rates[r] = held->all[r].rate;
+        gap[r] = phi->all[r].position;
+        rates[r] = phi->all[r].rate;
     }
     augmented_project(&over, gap, moved);
     graph_section(g, "Projection of the speeds");
@@ -105,7 +105,7 @@ static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, 
 settled settled_build(graph *g, const dynamics *d)
 {
     const mechanism *m = d->m;
-    const bool projected = m->drift.projections > 0 && d->loops.held.count > 0;
+    const bool projected = m->drift.projections > 0 && d->loops.phi.count > 0;
     const size_t states = (size_t)state_count(m), n = (size_t)m->dof_count;
     settled result = {.adds = ISO_IS_COMPENSATED(m->method.recipe)};
     result.states = arena_take(g->memory, states, sizeof *result.states);

@@ -16,7 +16,7 @@ static const effect_line *subject(effect_scope *w, const instance *in, const eff
     return found;
 }
 
-/* What is needed that is known only when all efforts are, or after the step; QUANTITY_ROWS: nothing. */
+/* The last needed quantity that is known only when all efforts are, or after the step; QUANTITY_ROWS: there is none. */
 static quantity_kind late_quantity(effect_scope *w, const node *roots, size_t count)
 {
     quantity_kind found = QUANTITY_ROWS;
@@ -88,7 +88,7 @@ static void do_rate(effect_scope *w, const instance *in, const effect_line *line
     if (e != NULL && line->value != NULL) {
         dimension rate = line_value(w, in, e).of;
         dimension_times(&rate, second, -1);
-        effect_quantity *result = &w->b->mechanism.effects.states[in->places[e - in->kind->lines]];
+        effect_quantity *result = &w->b->mechanism.effects.states[in->bound[e - in->kind->lines].index];
         const value found = value_like(w, in, line, e->parts, rate, "the rate of");
         for (int i = 0; i < e->parts; i++) {
             result[i].effect = number_of(w, in);
@@ -105,7 +105,7 @@ static void do_next(effect_scope *w, const instance *in, const effect_line *line
         const dimension same = line_value(w, in, e).of;
         const value found = value_like(w, in, line, e->parts, same, "the next");
         for (int i = 0; i < e->parts; i++) {
-            const int at = in->places[e - in->kind->lines] + i;
+            const int at = in->bound[e - in->kind->lines].index + i;
             w->b->mechanism.effects.memories[at].next =
                 in->use->dropped ? leaf(w->b->g, OP_INPUT, w->b->mechanism.inputs.count + at) : found.parts[i];
         }
@@ -115,7 +115,7 @@ static void do_next(effect_scope *w, const instance *in, const effect_line *line
 static void do_effort(effect_scope *w, const instance *in, const effect_line *line)
 {
     const effect_line *e = subject(w, in, line, EFFECT_JOINT, "joint");
-    const int l = e == NULL ? -1 : in->segments[e - in->kind->lines];
+    const int l = e == NULL ? -1 : in->bound[e - in->kind->lines].segment;
     if (l >= 0 && line->value != NULL) {
         graph *g = w->b->g;
         const dimension effort = quantity_dimension(QUANTITY_EFFORT, &w->b->mechanism.segments[l]);

@@ -119,26 +119,20 @@ static void build_instance(effect_scope *w, instance *in, int *states, int *memo
         b->is_effect_broken = true;
         return;
     }
-    const size_t room = in->kind->line_count + 1;
-    in->values = arena_take(b->s->memory, room, sizeof *in->values);
-    in->progress = arena_take(b->s->memory, room, sizeof *in->progress);
-    in->segments = arena_take(b->s->memory, room, sizeof *in->segments);
-    in->bodies = arena_take(b->s->memory, room, sizeof *in->bodies);
-    in->points = arena_take(b->s->memory, room, sizeof *in->points);
-    in->places = arena_take(b->s->memory, room, sizeof *in->places);
+    in->bound = arena_take(b->s->memory, in->kind->line_count + 1, sizeof *in->bound);
     for (size_t i = 0; i < in->kind->line_count; i++) {
         const effect_line *line = &in->kind->lines[i];
-        in->segments[i] = line->kind == EFFECT_JOINT ? bound_segment(w, in, line) : -1;
-        in->bodies[i] = line->kind == EFFECT_BODY ? bound_body(w, in, line, &in->points[i]) : -1;
-        in->places[i] = -1;
+        in->bound[i].segment = line->kind == EFFECT_JOINT ? bound_segment(w, in, line) : -1;
+        in->bound[i].body = line->kind == EFFECT_BODY ? bound_body(w, in, line, &in->bound[i].point) : -1;
+        in->bound[i].index = -1;
         if (in->use->left_out) {
             continue;
         }
         if (line->kind == EFFECT_FAULT) {
-            in->places[i] = add_fault(b, in->use, line);
+            in->bound[i].index = add_fault(b, in->use, line);
         } else if (line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY) {
             int *next = line->kind == EFFECT_STATE ? states : memories;
-            in->places[i] = *next;
+            in->bound[i].index = *next;
             *next += line->parts;
         }
     }

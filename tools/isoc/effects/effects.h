@@ -11,17 +11,22 @@
 
 enum { DEEPEST_EFFECT = 200, MOST_MEMORIES = 65535 /* and inputs, of a plant */ };
 
-/* One effect of the scene: of each line of its definition, the value, or the segment of a joint. */
+/* A line of a definition in one use of the effect. */
+typedef struct bound_line {
+    value value;
+    progress progress;
+    int segment; /* of a joint; -1: none */
+    int body;    /* likewise; and its point */
+    vector point;
+    int index; /* of a state, a memory or a fault: the first among all of its sort */
+} bound_line;
+
+/* One effect of the scene. */
 typedef struct instance {
     const effect_use *use;
     const effect_kind *kind; /* NULL: there is none */
-    value *values;
-    progress *progress;
-    int *segments; /* of joints; -1: none */
-    int *bodies;   /* likewise; and of each its point */
-    vector *points;
+    bound_line *bound;       /* [lines] */
     effect_account *account; /* when all its lines are done */
-    int *places;             /* of a state, a memory or a fault: the first among all of its sort */
 } instance;
 
 /* All of them. `within` is the instance whose lines are being evaluated, NULL in formulas of the scene. */

@@ -149,7 +149,7 @@ static value new_value(effect_scope *w, const instance *in, const effect_line *l
         (line->kind == EFFECT_FAULT || line->kind == EFFECT_STATE || line->kind == EFFECT_MEMORY)) {
         return absent_value(w, in, line);
     }
-    const int at = in->places[i];
+    const int at = in->bound[i].index;
     switch (line->kind) {
     case EFFECT_SIGNAL:
     case EFFECT_VALUE:
@@ -187,13 +187,13 @@ value line_value(effect_scope *w, const instance *in, const effect_line *line)
         }
     }
     const size_t i = (size_t)(meant - in->kind->lines);
-    if (in->progress[i] == STARTED) {
+    if (in->bound[i].progress == STARTED) {
         return refuse_loop(w, meant->name.at, meant->name.text);
     }
-    if (in->progress[i] == NOT_YET) {
-        in->progress[i] = STARTED;
-        in->values[i] = new_value(w, in, meant);
-        in->progress[i] = DONE;
+    if (in->bound[i].progress == NOT_YET) {
+        in->bound[i].progress = STARTED;
+        in->bound[i].value = new_value(w, in, meant);
+        in->bound[i].progress = DONE;
     }
-    return in->values[i];
+    return in->bound[i].value;
 }

@@ -84,7 +84,7 @@ int segment_of(effect_scope *w, name n)
         source_problem(w->b->s, n.at, "'%s' is no joint of this effect: write 'joint %s' in it", n.text, n.text);
         return -1;
     }
-    return w->within->segments[line - w->within->kind->lines];
+    return w->within->bound[line - w->within->kind->lines].segment;
 }
 
 bool find_point(effect_scope *w, const char *called, int *which, vector *point)
@@ -96,8 +96,8 @@ bool find_point(effect_scope *w, const char *called, int *which, vector *point)
         const effect_line *line = line_called(w->within->kind, called, false);
         const bool is = line != NULL && line->kind == EFFECT_BODY;
         if (is) {
-            *which = w->within->bodies[line - w->within->kind->lines];
-            *point = w->within->points[line - w->within->kind->lines];
+            *which = w->within->bound[line - w->within->kind->lines].body;
+            *point = w->within->bound[line - w->within->kind->lines].point;
         }
         return is;
     }

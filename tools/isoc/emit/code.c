@@ -163,8 +163,8 @@ const char *code_phase(arena *memory, double turns)
 
 static const char *number(emitter *e, double value)
 {
-    const bool is_held = real_holds(value, e->c->is_double) || real_is_tiny(value, e->c->is_double);
-    e->out_of_range_value = is_held ? e->out_of_range_value : value;
+    const bool fits = real_holds(value, e->c->is_double) || real_is_tiny(value, e->c->is_double);
+    e->out_of_range_value = fits ? e->out_of_range_value : value;
     return code_literal(e->g->memory, value, e->c->is_double);
 }
 
@@ -323,7 +323,7 @@ static void emit_node(emitter *e, node i)
 {
     const graph_node *n = &e->g->nodes[i];
     e->shown[i] = show(e, n);
-    if (operators[n->op].place == IN_PLACE ||
+    if (operators[n->op].form == INLINE ||
         (n->name == NULL && e->uses[i] < 2 && strlen(e->shown[i].text) < LONGEST_INLINE)) {
         return;
     }

@@ -121,7 +121,7 @@ static void emit_places_of_lu(const emission *e, const extended *x, int states)
     put(e, "/* Where the numbers of L U stand. */\n");
     emit_numbers(e, "uint32_t", "lu_row", x->e.row, x->e.count + 1);
     emit_numbers(e, "uint32_t", "lu_beyond", x->e.beyond, x->e.count);
-    emit_numbers(e, "uint16_t", "lu_column", x->e.column, x->e.places);
+    emit_numbers(e, "uint16_t", "lu_column", x->e.column, x->e.nonzeros);
     emit_numbers(e, "uint16_t", "lu_target", x->e.target, x->e.products);
     emit_numbers(e, "uint16_t", "lu_given", x->given, states);
     emit_numbers(e, "uint16_t", "lu_found", x->found, states);

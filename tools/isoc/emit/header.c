@@ -1,16 +1,16 @@
 #include "tools/isoc/emit/parts.h"
 
 /* The quantities of one array. */
-typedef struct table {
+typedef struct array_rows {
     const char *title; /* above its places */
     const char *what;  /* states */
     const leaf_name *leaves;
     const variable *all;
     int count;
-} table;
+} array_rows;
 
 /* The places in an array, each with its unit. */
-static void emit_places(const emission *e, const table *t)
+static void emit_places(const emission *e, const array_rows *t)
 {
     if (t->count == 0) {
         return;
@@ -38,7 +38,7 @@ static void emit_memory_places(const emission *e)
 }
 
 /* Name, unit and limits of the quantities of an array, for programs that read them at run time. */
-static void emit_table(const emission *e, const table *t)
+static void emit_table(const emission *e, const array_rows *t)
 {
     if (t->count == 0) {
         return;
@@ -82,7 +82,7 @@ void emit_header(const plant *p, const naming *names, text *out)
     const mechanism *m = p->m;
     const emission emitted = {.p = p, .names = names, .out = out, .suffix = ""}, *e = &emitted;
     const leaf_names *leaves = &names->leaves;
-    const table tables[] = {
+    const array_rows tables[] = {
         {"States x", "states", leaves->states, names->about_states, state_count(m)},
         {"Inputs u", "inputs", leaves->inputs, m->inputs.all, m->inputs.count},
         {"Tunable parameters p", "parameters", leaves->parameters, m->parameters.all, m->parameters.count},

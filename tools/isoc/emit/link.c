@@ -11,7 +11,7 @@
 #include "tools/isoc/base/embedded.h"
 #include "tools/isoc/emit/parts.h"
 
-/* What the frames of a plant carry. */
+/* The content of the frames of a plant. */
 typedef struct terminals {
     const char *prefix, *capitals; /* of names in C: cart_pole, CART_POLE */
     const char *scene;

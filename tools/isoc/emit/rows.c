@@ -59,7 +59,8 @@ static void begin_rows_function(emission *e, const char *head, const char *funct
 
 /* --- functions of time --- */
 
-/* What the step gets at the begin of a tick; or with `is_row` what the row shows, where the step gets it too. */
+/* The values that the step gets at the begin of a tick; or with `is_row` those that the row shows, where the step gets them
+ * too. */
 static assignments functions_of_time(const emission *e, bool is_row)
 {
     const mechanism *m = e->p->m;
@@ -98,7 +99,7 @@ static void emit_parameters(const emission *e, const code *result)
     put_if(e, code_uses(e, result, OP_PARAMETER), "    const real *const p = memory->p;\n");
 }
 
-/* What is set at times, then what outputs and memories read of the functions of time. */
+/* The tunables that are set at times, then the functions of time that outputs and memories read. */
 static void emit_seen(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -235,7 +236,7 @@ static assignments kept_of(const emission *e)
     return result;
 }
 
-/* What was kept in an earlier row is shown. */
+/* Memories get the values that were kept in an earlier row. */
 static void emit_shifts(emission *e)
 {
     const mechanism *m = e->p->m;

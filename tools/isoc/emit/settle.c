@@ -61,7 +61,7 @@ static void emit_hold_energy(emission *e)
     put(e, "                    memory->x + %d, %d);\n}\n\n", m->position_count, m->dof_count);
 }
 
-/* What is put right after a step, in place; and the pivots of the closures. */
+/* The function that puts states right after a step, in place, and sets the pivots of the closures. */
 void emit_settle(emission *e)
 {
     const settled *after = &e->p->after;

@@ -7,8 +7,8 @@ typedef struct splitter {
     arena *memory;
     int most;
     int *last;                   /* [pieces] the last part that reads it */
-    int *places;                 /* [pieces] of it in v[]; a sine has its cosine behind it */
-    int *free[2], free_count[2]; /* places that are read no more, of one real and of two */
+    int *slots;                  /* [pieces] of it in v[]; a sine has its cosine behind it */
+    int *free[2], free_count[2]; /* slots that are read no more, of one real and of two */
     int carried;
 } splitter;
 
@@ -17,8 +17,8 @@ static int part_of(const splitter *s, size_t piece)
     return (int)piece / s->most;
 }
 
-/* A place that is free, or one more. */
-static int take_place(splitter *s, bool is_turn)
+/* A slot that is free, or one more. */
+static int take_slot(splitter *s, bool is_turn)
 {
     if (s->free_count[is_turn] > 0) {
         return s->free[is_turn][--s->free_count[is_turn]];
@@ -27,7 +27,7 @@ static int take_place(splitter *s, bool is_turn)
     return s->carried - (is_turn ? 2 : 1);
 }
 
-/* The declarations of what a part reads: from arrays, and from parts before, whose places are then free if no later part
+/* The declarations of what a part reads: from arrays, and from parts before, whose slots are then free if no later part
  * reads them. */
 static void declare(splitter *s, size_t begin, size_t end, code_part *part, text *out)
 {
@@ -48,7 +48,7 @@ static void declare(splitter *s, size_t begin, size_t end, code_part *part, text
         for (size_t n = 0; n < p->all[i].read_count; n++) {
             const size_t read = p->all[i].reads[n];
             const code_piece *c = &p->all[read];
-            const int at = s->places[read];
+            const int at = s->slots[read];
             if (read >= begin || is_loaded[read]) {
                 continue;
             }
@@ -74,7 +74,7 @@ static void carry(splitter *s, size_t begin, size_t end, code_part *part, text *
         const code_piece *c = &s->from->all[i];
         part->sets = part->sets || c->declares == NULL;
         if (s->last[i] > part_of(s, i)) {
-            const int at = s->places[i] = take_place(s, c->is_turn);
+            const int at = s->slots[i] = take_slot(s, c->is_turn);
             part->carries = true;
             if (c->is_turn) {
                 text_add(out, "    v[%d] = %s.sin;\n    v[%d] = %s.cos;\n", at, c->declares, at + 1, c->declares);
@@ -105,7 +105,7 @@ code_parts code_split(const code_pieces *pieces, int most)
     splitter s = {.from = pieces, .memory = memory, .most = most};
     code_parts result = {.all = arena_take(memory, count / (size_t)most + 1, sizeof *result.all)};
     s.last = arena_take(memory, count, sizeof *s.last);
-    s.places = arena_take(memory, count, sizeof *s.places);
+    s.slots = arena_take(memory, count, sizeof *s.slots);
     s.free[false] = arena_take(memory, count, sizeof *s.free[false]);
     s.free[true] = arena_take(memory, count, sizeof *s.free[true]);
     for (size_t i = 0; i < count; i++) {

@@ -119,7 +119,7 @@ static unsigned step_recipe(const emission *e)
     return e->p->m->method.recipe | (e->p->after.count > 0 ? ISO_SETTLED : 0U);
 }
 
-/* What does not change in a step is computed; returns where that stands, or the tunables. */
+/* Computes the values that do not change in a step; returns the array that has them, or the tunables. */
 static const char *emit_held(emission *e)
 {
     const held *h = &e->p->held;
@@ -156,7 +156,7 @@ static void emit_multirate_call(emission *e)
         literal(e, method_step(m)), array_or_null(held_count(m), "memory->u"), parameters);
 }
 
-/* What is done about the samples of smooth inputs before a step or a restart. */
+/* Takes or forgets the samples of smooth inputs before a step or a restart. */
 static void emit_samples(emission *e, const char *function)
 {
     const unsigned recipe = e->p->m->method.recipe;
@@ -205,7 +205,7 @@ static void emit_before_turn(emission *e, const segment *l, int number)
         speed_place(e, l));
 }
 
-/* What the step in the number type of the plant lacks of the whole nanoseconds that it stands for. */
+/* The whole nanoseconds of the step less the step in the number type of the plant. */
 static double step_rest(const plant *p)
 {
     const double step = method_step(p->m), nanoseconds = floor(step * 1e9 + 0.5);
@@ -259,7 +259,7 @@ static void emit_settling(emission *e)
            progress_of(m));
 }
 
-/* What follows the method in a step: angles are put right, then the closures and the norms of quaternions, and whole
+/* After the method, in a step: angles are put right, then the closures and the norms of quaternions, and whole
  * turns are taken from angles. */
 static void emit_after(emission *e)
 {

@@ -77,7 +77,7 @@ value table_of_formula(values *v, const formula *f)
     return sum;
 }
 
-/* What of each stretch between the places lies before x. */
+/* The part of each stretch between the places that lies before x. */
 static node *parts_before(values *v, const value *x, const formula *const *places, size_t count)
 {
     node *parts = arena_take(v->g->memory, count, sizeof *parts);

@@ -6,13 +6,13 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { FIRST_TABLE = 4096 };
+enum { FIRST_SLOTS = 4096 };
 
 void graph_start(graph *g, arena *memory)
 {
-    *g = (graph){.memory = memory, .table_size = FIRST_TABLE};
-    g->table = arena_take(memory, g->table_size, sizeof *g->table);
-    memset(g->table, -1, g->table_size * sizeof *g->table);
+    *g = (graph){.memory = memory, .slot_count = FIRST_SLOTS};
+    g->slots = arena_take(memory, g->slot_count, sizeof *g->slots);
+    memset(g->slots, -1, g->slot_count * sizeof *g->slots);
 }
 
 void graph_start_like(graph *g, const graph *other)
@@ -36,7 +36,7 @@ graph graph_copy(const graph *g)
 void graph_free(graph *g)
 {
     arena_return(g->memory, g->nodes, g->room, sizeof *g->nodes);
-    arena_return(g->memory, g->table, g->table_size, sizeof *g->table);
+    arena_return(g->memory, g->slots, g->slot_count, sizeof *g->slots);
     *g = (graph){0};
 }
 
@@ -76,9 +76,9 @@ static size_t slot_of(const graph *g, const graph_node *n)
 {
     uint64_t hash = mix(mix((uint64_t)n->op, (uint64_t)n->a), (uint64_t)n->b);
     hash = mix(mix(mix(hash, (uint64_t)n->index), bits(n->value)), bits(n->second));
-    size_t slot = (size_t)hash & (g->table_size - 1);
-    for (; g->table[slot] >= 0; slot = (slot + 1) & (g->table_size - 1)) {
-        const graph_node *other = &g->nodes[g->table[slot]];
+    size_t slot = (size_t)hash & (g->slot_count - 1);
+    for (; g->slots[slot] >= 0; slot = (slot + 1) & (g->slot_count - 1)) {
+        const graph_node *other = &g->nodes[g->slots[slot]];
         if (other->op == n->op && other->a == n->a && other->b == n->b && other->index == n->index &&
             bits(other->value) == bits(n->value) && bits(other->second) == bits(n->second)) {
             break;
@@ -87,14 +87,14 @@ static size_t slot_of(const graph *g, const graph_node *n)
     return slot;
 }
 
-static void grow_table(graph *g)
+static void grow_slots(graph *g)
 {
-    arena_return(g->memory, g->table, g->table_size, sizeof *g->table);
-    g->table_size *= 2;
-    g->table = arena_take(g->memory, g->table_size, sizeof *g->table);
-    memset(g->table, -1, g->table_size * sizeof *g->table);
+    arena_return(g->memory, g->slots, g->slot_count, sizeof *g->slots);
+    g->slot_count *= 2;
+    g->slots = arena_take(g->memory, g->slot_count, sizeof *g->slots);
+    memset(g->slots, -1, g->slot_count * sizeof *g->slots);
     for (size_t i = 0; i < g->count; i++) {
-        g->table[slot_of(g, &g->nodes[i])] = (node)i;
+        g->slots[slot_of(g, &g->nodes[i])] = (node)i;
     }
 }
 
@@ -102,24 +102,24 @@ static void grow_table(graph *g)
 static node find(const graph *g, operation op, node a, node b)
 {
     const graph_node wanted = {.op = op, .a = a, .b = b};
-    return g->table[slot_of(g, &wanted)];
+    return g->slots[slot_of(g, &wanted)];
 }
 
 /* The node that is equal to `wanted`, made if there is none. */
 static node intern(graph *g, graph_node wanted)
 {
     size_t slot = slot_of(g, &wanted);
-    if (g->table[slot] < 0) {
-        if (2 * g->count > g->table_size) {
-            grow_table(g);
+    if (g->slots[slot] < 0) {
+        if (2 * g->count > g->slot_count) {
+            grow_slots(g);
             slot = slot_of(g, &wanted);
         }
         wanted.section = g->section_count - 1;
         g->nodes = arena_grow(g->memory, g->nodes, g->count, &g->room, sizeof *g->nodes);
         g->nodes[g->count] = wanted;
-        g->table[slot] = (node)g->count++;
+        g->slots[slot] = (node)g->count++;
     }
-    return g->table[slot];
+    return g->slots[slot];
 }
 
 node graph_put(graph *g, graph_node n)

@@ -28,8 +28,8 @@ typedef struct graph {
     arena *memory;
     graph_node *nodes;
     size_t count, room;
-    node *table; /* open addressing, -1 is free */
-    size_t table_size;
+    node *slots; /* open addressing, -1 is free */
+    size_t slot_count;
     const char **sections;
     int section_count;
     size_t section_room;

@@ -59,10 +59,9 @@ ISOC_OPERATIONS(VALUE_OF)
 ISOC_FUNCTIONS(VALUE_OF_CALL)
 
 #define ROW_OF_LEAF(NAME, ARRAY, TEXT, VALUE)                                                                          \
-    [OP_##NAME] = {KIND_LEAF, 0, #NAME, ARRAY, TEXT, .binds = BINDS_WHOLE, .place = IN_PLACE, .value = value_of_##NAME},
+    [OP_##NAME] = {KIND_LEAF, 0, #NAME, ARRAY, TEXT, .binds = BINDS_WHOLE, .form = INLINE, .value = value_of_##NAME},
 #define ROW_OF_TIMED(NAME, TEXT, BINDS)                                                                                \
-    [OP_##NAME] = {                                                                                                    \
-        KIND_TIMED, 0, #NAME, NULL, TEXT, .binds = BINDS_##BINDS, .place = IN_PLACE, .value = value_of_timed},
+    [OP_##NAME] = {KIND_TIMED, 0, #NAME, NULL, TEXT, .binds = BINDS_##BINDS, .form = INLINE, .value = value_of_timed},
 #define ROW_OF(NAME, OPERANDS, VALUE, DERIVATIVE, AGAIN, TEXT, BINDS, LEAST_A, LEAST_B, PLACE, ADD, MUL, DIV, SINCOS)  \
     [OP_##NAME] = {KIND_OPERATION,                                                                                     \
                    OPERANDS,                                                                                           \

@@ -21,7 +21,7 @@ struct graph_node;
 typedef enum binding { BINDS_SUM, BINDS_PRODUCT, BINDS_WHOLE } binding;
 
 /* Whether the code declares a variable for what has a name or several uses, or always writes the text itself. */
-typedef enum place_in_code { DECLARED, IN_PLACE } place_in_code;
+typedef enum writing_form { DECLARED, INLINE } writing_form;
 
 /* Its operations; comparisons and signs count as additions. */
 typedef struct operations {
@@ -78,7 +78,7 @@ typedef struct evaluation {
  *           value,
  *           derivative,
  *           the same on other operands,
- *           C text, how tightly it binds, what a must bind at least and b, its place,
+ *           C text, how tightly it binds, what a must bind at least and b, its form,
  *           operations: add, mul, div, sincos) */
 #define ISOC_OPERATIONS(OPERATION)                                                                                     \
     OPERATION(ADD, 2,                                                                                                  \
@@ -109,7 +109,7 @@ typedef struct evaluation {
               -a,                                                                                                      \
               neg(g, da),                                                                                              \
               neg(g, a),                                                                                               \
-              "-@a", PRODUCT, WHOLE, WHOLE, IN_PLACE,                                                                  \
+              "-@a", PRODUCT, WHOLE, WHOLE, INLINE,                                                                    \
               1, 0, 0, 0)                                                                                              \
     OPERATION(ABS, 1,                                                                                                  \
               fabs(a),                                                                                                 \
@@ -139,13 +139,13 @@ typedef struct evaluation {
               iso_sincos(a).sin,                                                                                       \
               mul(g, cosine(g, a), da),                                                                                \
               sine(g, a),                                                                                              \
-              "@t.sin", WHOLE, SUM, SUM, IN_PLACE,                                                                     \
+              "@t.sin", WHOLE, SUM, SUM, INLINE,                                                                       \
               0, 0, 0, 1)                                                                                              \
     OPERATION(COS, 1,                                                                                                  \
               iso_sincos(a).cos,                                                                                       \
               neg(g, mul(g, sine(g, a), da)),                                                                          \
               cosine(g, a),                                                                                            \
-              "@t.cos", WHOLE, SUM, SUM, IN_PLACE,                                                                     \
+              "@t.cos", WHOLE, SUM, SUM, INLINE,                                                                       \
               0, 0, 0, 1)
 
 /* Functions of core/numbers/HEADER.h; the code calls iso_WORD of the operands. In a corner the derivative is that of one
@@ -230,7 +230,7 @@ typedef struct operator_row {
     const char *name, *array, *text;
     const char *call, *header; /* of a function of core: iso_exp( and the file that has it */
     binding binds, least_a, least_b;
-    place_in_code place;
+    writing_form form;
     operations cost;
     double (*value)(const struct graph_node *of, const evaluation *at, double a, double b);
 } operator_row;

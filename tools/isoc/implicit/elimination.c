@@ -100,16 +100,16 @@ static void find_order(pattern *p, elimination *e, const int *groups)
 static void make_tables(const pattern *p, elimination *e)
 {
     for (int i = 0; i < p->count; i++) {
-        e->row[i] = e->places;
+        e->row[i] = e->nonzeros;
         for (int j = 0; j < p->count; j++) {
             if (has(p, e->order[i], e->order[j])) {
-                e->column[e->places++] = j;
-                e->beyond[i] = j <= i ? e->places : e->beyond[i];
+                e->column[e->nonzeros++] = j;
+                e->beyond[i] = j <= i ? e->nonzeros : e->beyond[i];
                 e->lower += j < i;
             }
         }
     }
-    e->row[p->count] = e->places;
+    e->row[p->count] = e->nonzeros;
 }
 
 /* Row i less a multiple of row k, for each k that it has before its diagonal. */
@@ -148,7 +148,7 @@ elimination elimination_of(pattern *p, const int *groups)
     return e;
 }
 
-int elimination_place(const elimination *e, int row, int column)
+int elimination_index(const elimination *e, int row, int column)
 {
     int at = e->row[e->turn[row]];
     while (e->column[at] != e->turn[column]) {

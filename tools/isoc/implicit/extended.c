@@ -176,12 +176,12 @@ const extended *extended_build(graph *g, const dynamics *d, const node *derivati
         pattern_add(&places, z.entries[i].row, z.entries[i].column);
     }
     result->e = elimination_of(&places, z.group);
-    result->entries = arena_take(g->memory, (size_t)result->e.places, sizeof *result->entries);
-    for (int i = 0; i < result->e.places; i++) {
+    result->entries = arena_take(g->memory, (size_t)result->e.nonzeros, sizeof *result->entries);
+    for (int i = 0; i < result->e.nonzeros; i++) {
         result->entries[i] = constant(g, 0.0);
     }
     for (size_t i = 0; i < z.entry_count; i++) {
-        result->entries[elimination_place(&result->e, z.entries[i].row, z.entries[i].column)] = z.entries[i].is;
+        result->entries[elimination_index(&result->e, z.entries[i].row, z.entries[i].column)] = z.entries[i].is;
     }
     result->given = arena_take(g->memory, (size_t)z.states, sizeof *result->given);
     result->found = arena_take(g->memory, (size_t)z.states, sizeof *result->found);

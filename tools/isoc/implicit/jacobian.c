@@ -265,9 +265,9 @@ static jacobian sparse(graph *g, const dynamics *d, const node *derivatives, con
 {
     const int states = state_count(d->m);
     jacobian result = {.kind = FACTORING_SPARSE};
-    result.factors = arena_take(g->memory, (size_t)x->e.places, sizeof *result.factors);
+    result.factors = arena_take(g->memory, (size_t)x->e.nonzeros, sizeof *result.factors);
     result.solution = arena_take(g->memory, (size_t)states, sizeof *result.solution);
-    replace_leaves(g, x->entries, (size_t)x->e.places, OP_DERIVATIVE, derivatives);
+    replace_leaves(g, x->entries, (size_t)x->e.nonzeros, OP_DERIVATIVE, derivatives);
     graph_section(g, "Their factors L U");
     factorise_sparse(g, &x->e, x->entries);
     graph_section(g, "L U d = r, for all unknowns");
@@ -277,7 +277,7 @@ static jacobian sparse(graph *g, const dynamics *d, const node *derivatives, con
 
 static jacobian looped(const extended *x)
 {
-    return (jacobian){.kind = FACTORING_LOOPED, .factors = x->entries, .factor_count = x->e.places, .looped = x};
+    return (jacobian){.kind = FACTORING_LOOPED, .factors = x->entries, .factor_count = x->e.nonzeros, .looped = x};
 }
 
 /* Whether the elimination is too long to be unrolled: up to so many products the code of factors and solution has less
@@ -285,7 +285,7 @@ static jacobian looped(const extended *x)
 static bool is_long(const elimination *e)
 {
     enum { MOST = 12000 };
-    return e->products + e->places > MOST;
+    return e->products + e->nonzeros > MOST;
 }
 
 /* A lower bound of the products that the factors of J take where it is full: those of a matrix with the places of M,

@@ -28,13 +28,13 @@ typedef struct pattern {
 
 typedef struct elimination {
     int count;    /* of unknowns */
-    int places;   /* of the factors, */
+    int nonzeros; /* of the factors, */
     int lower;    /* and of them before the diagonal */
     int *order;   /* [count] the unknowns as they are eliminated */
     int *turn;    /* [count] when an unknown is eliminated */
     int *row;     /* [count + 1] where the rows begin, in the order of the elimination */
     int *beyond;  /* [count] where what is right of the diagonal begins */
-    int *column;  /* [places] the columns, in the order of the elimination */
+    int *column;  /* [nonzeros] the columns, in the order of the elimination */
     int products; /* of a factorisation, without those by the inverse of the diagonal */
     int *target;  /* [products] where in its row each goes */
 } elimination;
@@ -47,7 +47,7 @@ void pattern_add(pattern *p, int row, int column);
 elimination elimination_of(pattern *p, const int *groups);
 
 /* Where an entry stands; both are numbers of unknowns. */
-int elimination_place(const elimination *e, int row, int column);
+int elimination_index(const elimination *e, int row, int column);
 
 /* extended.c: 1 - hb J of a tree as a sparse matrix: its unknowns are, beside the changes of the states, those of all
  * that recursive Newton-Euler hands on from segment to segment. Each row then has what a segment and its neighbours
@@ -56,7 +56,7 @@ int elimination_place(const elimination *e, int row, int column);
 
 typedef struct extended {
     elimination e;
-    node *entries; /* [e.places] zero where it fills in */
+    node *entries; /* [e.nonzeros] zero where it fills in */
     int *given;    /* [states] the row that has the right side of a state, in the order of the elimination */
     int *found;    /* [states] the unknown that the state is, likewise */
 } extended;

@@ -166,11 +166,11 @@ static matrix part_frame(builder *b, const joint_axes *axes, part_axis along, in
     return in_frame ? matrix_identity(b->g) : axes->turned[which];
 }
 
-/* The start of a joint with several coordinates. Place and speed are one number if it has one sliding axis, else a
+/* The start of a joint with several coordinates. Position and speed are one number if it has one sliding axis, else a
  * vector. */
 typedef struct given {
     int sliding;
-    double place[3], speed[3], spin[3];
+    double position[3], speed[3], spin[3];
 } given;
 
 /* Place and speed of a joint that slides along two axes must lie in their plane. */
@@ -193,11 +193,11 @@ static given read_given(builder *b, const joint *j, const joint_axes *axes)
     given result = {.sliding = joint_parts_that(j->kind, JOINT_PRISMATIC)};
     if (result.sliding > 0) {
         const int count = result.sliding == 1 ? 1 : 3;
-        constants(b, j->start.position, metre, count, "the place of this joint", result.place);
+        constants(b, j->start.position, metre, count, "the place of this joint", result.position);
         constants(b, j->speed, per_second(metre), count, "the speed of this joint", result.speed);
     }
     if (result.sliding == 2) {
-        check_plane(b, j->start.position, result.place, axes);
+        check_plane(b, j->start.position, result.position, axes);
         check_plane(b, j->speed, result.speed, axes);
     }
     const int count = joint_parts_that(j->kind, JOINT_SPHERICAL) > 0 ? 3 : turning;
@@ -212,13 +212,13 @@ static void start_sliding(builder *b, const joint *j, const given *from, matrix 
     part_made->start_given = j->start.position != NULL;
     part_made->speed_given = j->speed != NULL;
     if (from->sliding == 1) {
-        part_made->start[0] = from->place[0];
+        part_made->start[0] = from->position[0];
         part_made->speed[0] = from->speed[0];
         return;
     }
     for (int i = 0; i < 3; i++) {
         const double along = constant_value(b->g, turned.at[i][part_made->axis]);
-        part_made->start[0] += along * from->place[i];
+        part_made->start[0] += along * from->position[i];
         part_made->speed[0] += along * from->speed[i];
     }
 }

@@ -1,4 +1,4 @@
-/* What the outputs show: each a quantity alone, or a formula. */
+/* The content of outputs: each a quantity alone, or a formula. */
 #include <math.h>
 
 #include "tools/isoc/mechanism/builder.h"

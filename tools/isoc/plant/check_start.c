@@ -64,12 +64,12 @@ static bool check_closures(source *s, const graph *g, const plant *p, const eval
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     int lost = -1;
     graph_evaluate(g, 0, at, numbers);
-    for (int i = 0; i < loops->held.count && lost < 0; i++) {
+    for (int i = 0; i < loops->phi.count && lost < 0; i++) {
         const int r = loops->order[i];
         lost = numbers[loops->pivots[r]] > ulp * numbers[loops->diagonal[r]] ? -1 : r;
     }
     if (lost >= 0) {
-        const closure *c = &p->m->closures[loops->held.all[lost].closure];
+        const closure *c = &p->m->closures[loops->phi.all[lost].closure];
         source_problem(s, c->at, "%s cannot hold '%s' at the start: its pivot, %.3g, is lost in the rounding of %.3g%s",
                        name_of_real(p), c->name, numbers[loops->pivots[lost]], numbers[loops->diagonal[lost]],
                        advice(p));

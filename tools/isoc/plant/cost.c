@@ -66,7 +66,7 @@ implicit_cost cost_of_solving(const plant *p, const graph *g)
             cost.factor = operations_plus(cost.factor, e->products, (operations){.add = 1, .mul = 1});
             cost.factor = operations_plus(cost.factor, e->count, (operations){.div = 1});
             cost.factor = operations_plus(cost.factor, e->lower, (operations){.mul = 1});
-            cost.solve = (operations){.add = e->places - e->count, .mul = e->places};
+            cost.solve = (operations){.add = e->nonzeros - e->count, .mul = e->nonzeros};
         } else {
             cost.solve = count_operations(g, p->j.solution, (size_t)state_count(p->m));
         }

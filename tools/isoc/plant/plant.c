@@ -188,8 +188,8 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wa
     outputs_build(&p, g);
     hold(&p, g);
     p.fast = fast_build(g, m, p.held_derivatives);
-    p.violation = m->drift.violation_limit > 0.0 && p.d->loops.held.count > 0
-                      ? largest_violation(&p.d->k, &p.d->loops.held, false)
+    p.violation = m->drift.violation_limit > 0.0 && p.d->loops.phi.count > 0
+                      ? largest_violation(&p.d->k, &p.d->loops.phi, false)
                       : -1;
     p.broken = count_broken(g, m);
     return p;

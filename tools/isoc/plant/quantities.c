@@ -51,7 +51,7 @@ static void find_reaction(plant *p, graph *g, const query *q, node *parts)
  * does not reach. */
 static node violation_acceleration(const plant *p, graph *g)
 {
-    const constraints *closures = &p->d->loops.held;
+    const constraints *closures = &p->d->loops.phi;
     node largest = constant(g, 0.0);
     graph_section(g, "Residuals of the closures' equations for the accelerations");
     for (int r = 0; r < closures->count; r++) {
@@ -118,7 +118,7 @@ static bool number_of(plant *p, graph *g, const query *q, node *number)
         return true;
     case QUANTITY_VIOLATION:
     case QUANTITY_VIOLATION_RATE:
-        *number = largest_violation(&d->k, &d->loops.held, q->kind == QUANTITY_VIOLATION_RATE);
+        *number = largest_violation(&d->k, &d->loops.phi, q->kind == QUANTITY_VIOLATION_RATE);
         return true;
     case QUANTITY_VIOLATION_ACCELERATION:
         *number = violation_acceleration(p, g);

@@ -35,7 +35,7 @@ const char *suggest_effect(source *s, const scene *written, const char *typed);
 const char *suggest_setting(source *s, const scene *written, const char *typed);
 const char *suggest_number(source *s, const scene *written, const char *typed, bool in_formula);
 
-/* What the names of the numbers of a state or a memory end with: those of a vector, then that of one number. */
+/* The endings of the names of a state or a memory: three of a vector, then that of one number. */
 extern const char *const effect_endings[];
 
 /* The largest number of clocks that a motion can have: one for each use of the time in its formula. */

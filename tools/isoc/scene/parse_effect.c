@@ -196,7 +196,7 @@ static bool names_vector(const effect_kind *e, const char *called, size_t depth)
     return is;
 }
 
-/* What is asked of a body, and a force or a moment of a joint, but for their components. */
+/* A quantity of a body is a vector, and so is a force or a moment of a joint; a component of them is none. */
 static bool asks_for_vector(const effect_kind *e, const formula *f)
 {
     bool is = quantity_called(f->name, OF_CONNECTION) < QUANTITY_ROWS;

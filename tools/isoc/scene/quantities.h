@@ -1,4 +1,4 @@
-/* What can be asked of a mechanism: one row for each quantity. An output shows it, and a formula computes with it.
+/* The quantities of a mechanism: one row for each. An output shows it, and a formula computes with it.
  * tools/isoc/plant/quantities.c has the nodes of each, and tools/isoc/tree/point_query.c those that efforts may read too. */
 #ifndef ISOC_SCENE_QUANTITIES_H
 #define ISOC_SCENE_QUANTITIES_H
@@ -7,7 +7,7 @@
 
 #include "tools/isoc/scene/unit.h"
 
-/* What a quantity belongs to; from OF_COORDINATE on the scene names it. */
+/* The owner of a quantity; from OF_COORDINATE on the scene names it. */
 typedef enum operand {
     OF_MECHANISM,
     OF_CLOSURES, /* all of them */
@@ -20,7 +20,7 @@ typedef enum operand {
     OPERANDS
 } operand;
 
-/* What may stand behind the operand. */
+/* Words that may stand behind the operand. */
 typedef enum asking {
     ASKS_NOTHING,
     AT_POINT = 1,     /* at FORMULA */
@@ -116,7 +116,7 @@ const char *quantity_list(arena *memory, bool (*is_listed)(const quantity_row *r
 /* The words of what is of this operand, or one of these two: its position, speed or acceleration. */
 const char *quantity_words(arena *memory, operand of, operand or_of);
 
-/* What a word is of, where that has a name: a joint or a body; NULL where no quantity is called so. */
+/* The owners of a quantity that have a name: a joint or a body; NULL where no quantity is called so. */
 const char *quantity_owners(arena *memory, const char *word);
 
 /* The dimension of a unit such as kg*m^2; of "m or rad" none. */

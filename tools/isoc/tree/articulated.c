@@ -9,7 +9,7 @@ typedef struct articulated {
     node bias[SPATIAL];
 } articulated;
 
-/* What the way inward keeps of a degree of freedom for the way outward: its column U of the inertia, the pivot D on the
+/* Values of a degree of freedom that the way inward keeps for the way outward: its column U of the inertia, the pivot D on the
  * diagonal, and the remaining effort u. All along its coordinate axis, whatever the sign of the joint's axis. */
 typedef struct release {
     int at;                               /* its place among the six components */
@@ -156,7 +156,7 @@ static void name_parts(graph *g, const char *owner, const articulated *b)
 
 /* The part of a segment in its parent. Without accelerations of the joints it has that of its own joint's rate, which is
  * turned, and at its origin omega x (omega x p) of the parent. */
-static void COMPENSATIONTOP(const kinematics *k, int i, articulated *b)
+static void hand_inward(const kinematics *k, int i, articulated *b)
 {
     graph *g = k->g;
     const vector p = k->motions[i].p, still = vector_zero(g);
@@ -175,7 +175,7 @@ static void inward(const kinematics *k, const node *effort, articulated *bodies,
             releases[f] = let_go(k, f, effort[f], &bodies[i]);
         }
         if (l->parent != GROUND) {
-            COMPENSATIONTOP(k, i, &bodies[i]);
+            hand_inward(k, i, &bodies[i]);
             add_inertia(k->g, &bodies[i], &bodies[l->parent]);
         }
     }
