@@ -32,30 +32,16 @@ static inline bool iso_xcp_has_address(const uint8_t *const extension)
 
 extern const char iso_xcp_event_name[4];
 
+typedef uint16_t iso_xcp_answering(iso_xcp_slave *s, const iso_xcp_exchange *x);
+
 /* transfer.c */
-uint16_t iso_xcp_answer_mta(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_upload(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_short_upload(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_checksum(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_download(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_download_next(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_short_download(iso_xcp_slave *s, const iso_xcp_exchange *x);
+iso_xcp_answering iso_xcp_answer_mta, iso_xcp_answer_upload, iso_xcp_answer_short_upload, iso_xcp_answer_checksum,
+    iso_xcp_answer_download, iso_xcp_answer_download_next, iso_xcp_answer_short_download;
 
 /* measure.c */
-uint16_t iso_xcp_answer_processor_info(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_resolution_info(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_event_info(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_clock(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_free(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_alloc_lists(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_alloc_tables(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_alloc_entries(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_clear(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_pointer(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_write_daq(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_set_mode(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_get_mode(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_start_stop(iso_xcp_slave *s, const iso_xcp_exchange *x);
-uint16_t iso_xcp_answer_start_stop_synch(iso_xcp_slave *s, const iso_xcp_exchange *x);
+iso_xcp_answering iso_xcp_answer_processor_info, iso_xcp_answer_resolution_info, iso_xcp_answer_event_info,
+    iso_xcp_answer_clock, iso_xcp_answer_free, iso_xcp_answer_alloc_lists, iso_xcp_answer_alloc_tables,
+    iso_xcp_answer_alloc_entries, iso_xcp_answer_clear, iso_xcp_answer_pointer, iso_xcp_answer_write_daq,
+    iso_xcp_answer_set_mode, iso_xcp_answer_get_mode, iso_xcp_answer_start_stop, iso_xcp_answer_start_stop_synch;
 
 #endif

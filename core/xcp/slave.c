@@ -177,7 +177,7 @@ static uint16_t answer_user(iso_xcp_slave *const s, const iso_xcp_exchange *cons
 /* A command with what is checked before: its least length, and the resource that must not be locked. */
 typedef struct row {
     uint8_t code, length, resource;
-    uint16_t (*answer)(iso_xcp_slave *s, const iso_xcp_exchange *x);
+    iso_xcp_answering *answer;
 } row;
 
 static const row rows[] = {

@@ -150,3 +150,12 @@ void emit_arrays(const emission *e, const code *result)
     put_if(e, code_uses(e, result, OP_LOCAL_ERROR) || code_uses(e, result, OP_RESIDUAL),
            "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));
 }
+
+void emit_states(const emission *e, const char *array, const int *states, int count)
+{
+    put(e, "static const uint16_t %s[%d] = {", array, count);
+    for (int i = 0; i < count; i++) {
+        put(e, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[states[i]].place);
+    }
+    put(e, "};\n");
+}

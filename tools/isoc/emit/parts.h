@@ -99,6 +99,9 @@ void emit_head(emission *e, const char *head, const char *function, const char *
                const char *more);
 void emit_function(emission *e, const char *function, const char *array, const char *more, const code *result);
 
+/* static const uint16_t ARRAY[COUNT] = {CART_X_RAIL, ...}; */
+void emit_states(const emission *e, const char *array, const int *states, int count);
+
 /* --- the parts --- */
 
 /* memory.c: the struct of all that the plant keeps; and that the compiler put nothing between its members. */

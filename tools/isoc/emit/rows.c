@@ -211,26 +211,20 @@ static void call_samples(emission *e, const row_order *order, const char *functi
     }
 }
 
-/* The next values of effects' memories; and of the formulas of which the past is kept, what they are in the row. */
-static assignments nexts_of(const emission *e)
-{
-    const mechanism *m = e->p->m;
-    assignments result = room_for(e, m->effects.memory_count);
-    for (int i = 0; i < m->effects.memory_count; i++) {
-        if (m->effects.memories[i].kept == KEPT_NEXT) {
-            assign(&result, memory_target(e, i), m->effects.memories[i].about.quote, m->effects.memories[i].next);
-        }
-    }
-    return result;
-}
+/* Of effects' memories the next values; of the formulas of which the past is kept what they are in the row; constant starts
+ * that are not zero. */
+typedef enum memory_values { NEXT_VALUES, KEPT_VALUES, CONSTANT_STARTS } memory_values;
 
-static assignments kept_of(const emission *e)
+static assignments memories_to(const emission *e, memory_values which)
 {
     const mechanism *m = e->p->m;
     assignments result = room_for(e, m->effects.memory_count);
     for (int i = 0; i < m->effects.memory_count; i++) {
-        if (is_late(&m->effects.memories[i])) {
-            assign(&result, ring_place(e, i, 0.0), m->effects.memories[i].about.quote, m->effects.memories[i].next);
+        const effect_quantity *q = &m->effects.memories[i];
+        const bool is_start = which == CONSTANT_STARTS, is_kept = which == KEPT_VALUES;
+        if (is_start ? is_constant(e->g, q->begin) && begins(e, q) : is_kept ? is_late(q) : q->kept == KEPT_NEXT) {
+            assign(&result, is_kept ? ring_place(e, i, 0.0) : memory_target(e, i), q->about.quote,
+                   is_start ? q->begin : q->next);
         }
     }
     return result;
@@ -250,7 +244,7 @@ void emit_advance(emission *e)
 {
     static const char about[] = "The memories of a row.";
     const row_plan *r = &e->p->rows;
-    const assignments nexts = nexts_of(e), kept = kept_of(e);
+    const assignments nexts = memories_to(e, NEXT_VALUES), kept = memories_to(e, KEPT_VALUES);
     const bool is_all = kept.count + r->early.count + r->late.count == 0 && !keeps_rows(e->p);
     if (is_all) {
         emit_part(e, about, "advance", &nexts);
@@ -275,20 +269,6 @@ void emit_advance(emission *e)
 }
 
 /* --- starts --- */
-
-/* Constants that are not zero. */
-static assignments constant_starts(const emission *e)
-{
-    const mechanism *m = e->p->m;
-    assignments result = room_for(e, m->effects.memory_count);
-    for (int i = 0; i < m->effects.memory_count; i++) {
-        const effect_quantity *q = &m->effects.memories[i];
-        if (is_constant(e->g, q->begin) && begins(e, q)) {
-            assign(&result, memory_target(e, i), q->about.quote, q->begin);
-        }
-    }
-    return result;
-}
 
 static assignments starts_of_level(const emission *e, int level)
 {
@@ -322,7 +302,7 @@ static void emit_rings(emission *e)
 
 void emit_begin(emission *e)
 {
-    const assignments constants = constant_starts(e);
+    const assignments constants = memories_to(e, CONSTANT_STARTS);
     const int levels = e->p->rows.starts.levels;
     for (int level = 0; level < levels; level++) {
         const assignments a = starts_of_level(e, level);
@@ -340,7 +320,7 @@ void emit_begin(emission *e)
         put(e, "    begin_%d(memory);\n", level + 1);
     }
     emit_rings(e);
-    put_if(e, kept_of(e).count > 0, "    keep(memory);\n");
+    put_if(e, memories_to(e, KEPT_VALUES).count > 0, "    keep(memory);\n");
     put_if(e, e->names->is_checked,
            "    /* A build with other bits has no start: each tick ends at the guard. */\n"
            "    memory->x[%s] = iso_if_bits_are_kept(memory->x[%s]);\n",

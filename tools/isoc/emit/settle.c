@@ -1,27 +1,5 @@
 #include "tools/isoc/emit/parts.h"
 
-/* The states that are put right after a step by what is added to them. */
-static void emit_settled_states(const emission *e)
-{
-    const settled *after = &e->p->after;
-    put(e, "static const uint16_t settled_states[%d] = {", after->count);
-    for (int i = 0; i < after->count; i++) {
-        put(e, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[after->states[i]].place);
-    }
-    put(e, "};\n\n");
-}
-
-/* The closure of each pivot, by its place in the list of their names. */
-static void emit_pivot_closures(const emission *e)
-{
-    const settled *after = &e->p->after;
-    put(e, "static const uint16_t pivot_closures[%d] = {", after->pivot_count);
-    for (int i = 0; i < after->pivot_count; i++) {
-        put(e, "%s%d", i == 0 ? "" : ", ", after->pivot_closures[i]);
-    }
-    put(e, "};\n\n");
-}
-
 /* The targets of what is put right, then those of the pivots. */
 static const char *const *settled_targets(const emission *e)
 {
@@ -72,7 +50,8 @@ void emit_settle(emission *e)
     }
     const code result = code_of(e, settled_targets(e), roots, count);
     if (after->adds) {
-        emit_settled_states(e);
+        emit_states(e, "settled_states", after->states, after->count);
+        put(e, "\n");
     }
     put(e, "static void settle(real *const x%s%s)\n{\n",
         settles_by_parameters(e->p, e->g) ? ", const real *const p" : "",
@@ -83,7 +62,11 @@ void emit_settle(emission *e)
            recipe_symbol(e->out->memory, e->p->m->method.recipe), after->count);
     put(e, "}\n\n");
     if (after->pivot_count > 0) {
-        emit_pivot_closures(e);
+        put(e, "static const uint16_t pivot_closures[%d] = {", after->pivot_count);
+        for (int i = 0; i < after->pivot_count; i++) {
+            put(e, "%s%d", i == 0 ? "" : ", ", after->pivot_closures[i]);
+        }
+        put(e, "};\n\n");
     }
     if (after->pivot_count > 0 && e->p->m->drift.near_holds) {
         emit_hold_energy(e);

@@ -46,24 +46,15 @@ static void emit_equations(emission *e)
     put(e, "%s};\n\n", ISO_IS_VARYING(p->m->method.recipe) ? "    .adams = &options,\n" : "");
 }
 
-static void emit_places_of(emission *e, const char *array, const int *states, int count)
-{
-    put(e, "static const uint16_t %s$s[%d] = {", array, count);
-    for (int i = 0; i < count; i++) {
-        put(e, "%s%s", i == 0 ? "" : ", ", e->names->leaves.states[states[i]].place);
-    }
-    put(e, "};\n");
-}
-
 /* The states with sub-steps of their own. */
 static void emit_fast_states(emission *e)
 {
     const fast_part *fast = &e->p->fast;
     put(e, "/* States that move in %d sub-steps of a step, and the others that these read. */\n",
         e->p->m->effects.fast_substeps);
-    emit_places_of(e, "fast_states", fast->states, fast->count);
+    emit_states(e, form(e, "fast_states$s"), fast->states, fast->count);
     if (fast->read_count > 0) {
-        emit_places_of(e, "fast_reads", fast->reads, fast->read_count);
+        emit_states(e, form(e, "fast_reads$s"), fast->reads, fast->read_count);
     }
     put(e, "static const bool is_fast$s[$C_STATES] = {\n");
     for (int i = 0; i < fast->count; i++) {

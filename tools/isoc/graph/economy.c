@@ -255,20 +255,20 @@ static void move(economy *e, node i)
 
 graph economise(const graph *g, const node *roots, size_t count, node *result)
 {
-    economy e = {.from = g};
-    graph_start_like(&e.to, g);
-    e.moved = arena_take(g->memory, g->count, sizeof *e.moved);
-    e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
-    e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
-    e.multiple = arena_take(g->memory, g->count, sizeof *e.multiple);
-    e.next = arena_take(g->memory, g->count, sizeof *e.next);
+    enum { LISTS = 7 };
+    const size_t n = g->count;
+    node *lists = arena_take(g->memory, LISTS * n, sizeof *lists);
+    economy e = {.from = g, .moved = lists, .multiple = lists + n, .next = lists + 2 * n};
     for (int k = 0; k < 2; k++) {
-        e.term[k] = arena_take(g->memory, g->count, sizeof *e.term[k]);
-        e.after[k] = arena_take(g->memory, g->count, sizeof *e.after[k]);
+        e.term[k] = lists + (3 + (size_t)k) * n;
+        e.after[k] = lists + (5 + (size_t)k) * n;
     }
+    graph_start_like(&e.to, g);
+    e.needed = arena_take(g->memory, n, sizeof *e.needed);
+    e.uses = arena_take(g->memory, n, sizeof *e.uses);
     graph_uses(g, roots, count, e.needed, e.uses);
     list_multiples(&e);
-    for (size_t i = 0; i < g->count; i++) {
+    for (size_t i = 0; i < n; i++) {
         if (e.needed[i]) {
             move(&e, (node)i);
         }
@@ -276,15 +276,9 @@ graph economise(const graph *g, const node *roots, size_t count, node *result)
     for (size_t i = 0; i < count; i++) {
         result[i] = e.moved[roots[i]];
     }
-    arena_return(g->memory, e.moved, g->count, sizeof *e.moved);
-    arena_return(g->memory, e.needed, g->count, sizeof *e.needed);
-    arena_return(g->memory, e.uses, g->count, sizeof *e.uses);
-    arena_return(g->memory, e.multiple, g->count, sizeof *e.multiple);
-    arena_return(g->memory, e.next, g->count, sizeof *e.next);
-    for (int k = 0; k < 2; k++) {
-        arena_return(g->memory, e.term[k], g->count, sizeof *e.term[k]);
-        arena_return(g->memory, e.after[k], g->count, sizeof *e.after[k]);
-    }
+    arena_return(g->memory, lists, LISTS * n, sizeof *lists);
+    arena_return(g->memory, e.needed, n, sizeof *e.needed);
+    arena_return(g->memory, e.uses, n, sizeof *e.uses);
     graph result_graph = negate_free(&e.to, result, count);
     graph_free(&e.to);
     return result_graph;

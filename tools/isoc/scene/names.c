@@ -188,16 +188,13 @@ static void refuse_doubtful(source *s, const scene *written, const output *o)
 void names_check(source *s, const scene *written)
 {
     listing things = {0}, kinds = {0}, held = {0}, parameters = {0};
-    list_group(s, &things, GROUP(written->bodies));
-    list_group(s, &things, GROUP(written->frames));
-    list_group(s, &things, GROUP(written->joints));
-    list_group(s, &things, GROUP(written->closures));
-    list_group(s, &things, GROUP(written->springs));
-    list_group(s, &things, GROUP(written->forces));
-    list_group(s, &things, GROUP(written->parameters));
-    list_group(s, &things, GROUP(written->inputs));
-    list_group(s, &things, GROUP(written->signals));
-    list_group(s, &things, GROUP(written->effects));
+    const group all[] = {GROUP(written->bodies),     GROUP(written->frames),  GROUP(written->joints),
+                         GROUP(written->closures),   GROUP(written->springs), GROUP(written->forces),
+                         GROUP(written->parameters), GROUP(written->inputs),  GROUP(written->signals),
+                         GROUP(written->effects)};
+    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+        list_group(s, &things, all[i]);
+    }
     list_group(s, &kinds, GROUP(written->effect_kinds));
     list_group(s, &held, GROUP(written->inputs));
     list_group(s, &parameters, GROUP(written->parameters));
