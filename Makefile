@@ -333,6 +333,12 @@ OUT := $(if $(filter hil conform,$(MAKECMDGOALS)),build/$(filter hil conform,$(M
 
 include $(PORT)/port.mk
 
+# A port that does not say which number types it has a unit for has one for both.
+ifeq ($(filter $(REAL),$(or $(PORT_REALS),float double)),)
+$(error REAL=$(REAL) is refused on TARGET=$(TARGET): it has no unit for $(REAL), and the bits of the compiler's library, or its time, \
+    are others; take REAL=float there, or TARGET=cortex-m7 or host)
+endif
+
 ifneq ($(filter link hil a2l,$(MAKECMDGOALS)),)
 ifeq ($(PORT_CHANNEL),)
 $(error make $(MAKECMDGOALS) needs channels (port/channel.h), and TARGET=$(TARGET) has none)

@@ -5,6 +5,8 @@ PORT_TOOLS = avr-gcc
 PORT_INSTALL = apt-get install gcc-avr avr-libc simavr
 PORT_FLAGS = -mmcu=atmega1284p -DSOFT_STAGES -DSOFT_PIECES -ffunction-sections -fdata-sections -fno-tree-ter -frename-registers \
     -Wno-unknown-pragmas -Wno-conversion -Wno-pedantic -Wno-shift-count-overflow
+# Its compiler has no double of 64 bits.
+PORT_REALS = float
 PORT_OPTIMISE = -O2
 PORT_LINK = -Wl,--gc-sections
 PORT_LIBRARIES = -lm
