@@ -2,7 +2,7 @@
 # has the memory that the trace needs. An instruction stands for one cycle of 100 MHz, so that a step in software ends within
 # its tick.
 include port/mps2/port.mk
-PORT_FLAGS = -mcpu=cortex-m0 -mthumb -mfloat-abi=soft -masm-syntax-unified -DSOFT_PIECES -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers
+PORT_FLAGS = -mcpu=cortex-m0 -mthumb -mfloat-abi=soft -masm-syntax-unified -DSOFT_PIECES -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 PORT_MACHINE = mps2-an385
 PORT_SHARED = port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c port/mps2/start.c port/soft/aeabi.c port/soft/root.c
 PORT_CYCLE_NS = 10

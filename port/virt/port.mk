@@ -3,7 +3,7 @@
 PORT_CC = riscv64-unknown-elf-gcc
 PORT_TOOLS = riscv64-unknown-elf-gcc
 PORT_INSTALL = apt-get install gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc
-PORT_FLAGS = $(PORT_CHIP) -misa-spec=2.2 -mcmodel=medany -msmall-data-limit=0 --specs=picolibc.specs -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers
+PORT_FLAGS = $(PORT_CHIP) -misa-spec=2.2 -mcmodel=medany -msmall-data-limit=0 --specs=picolibc.specs -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 # What it has a unit for. Double by the compiler's library has another last bit, or a time that follows from the state.
 PORT_REALS = float
 PORT_OPTIMISE = -O2
