@@ -300,9 +300,9 @@ int branches_look(const closing *c, const bool *is_free, bool *meets)
     const linear l = linear_of(c, false, is_free);
     const split s = split_at(&l);
     const int freedoms = find_freedoms(&l, is_free, &s);
-    const bool settled = s.count > 0 && freedoms == 0 && settle(&l, s.count);
+    const bool is_settled = s.count > 0 && freedoms == 0 && settle(&l, s.count);
     for (int k = 0; k < s.count && freedoms == 0; k++) {
-        const bool is_multiple = settled || s.a.value[s.singular[k]] <= rank_limit * s.a.largest;
+        const bool is_multiple = is_settled || s.a.value[s.singular[k]] <= rank_limit * s.a.largest;
         for (int i = 0; i < l.columns && is_multiple; i++) {
             meets[l.of[i]] = meets[l.of[i]] || fabs(s.a.v[i * l.columns + s.singular[k]]) > found_to;
         }

@@ -24,10 +24,10 @@ static node *build_efforts(graph *g, const dynamics *d)
 }
 
 /* Adds -part times the derivatives by a state, times `factor`, to column `of` of sum[n n]. */
-static void add_column(graph *g, const node *efforts, int n, int state, node factor, int index, node *sum)
+static void add_column(graph *g, const node *efforts, int n, int state_index, node factor, int index, node *sum)
 {
     node *column = arena_take(g->memory, (size_t)n, sizeof *column);
-    differentiate(g, efforts, (size_t)n, leaf(g, OP_STATE, state), column);
+    differentiate(g, efforts, (size_t)n, leaf(g, OP_STATE, state_index), column);
     for (int i = 0; i < n; i++) {
         sum[i * n + index] = sub(g, sum[i * n + index], mul(g, factor, column[i]));
     }

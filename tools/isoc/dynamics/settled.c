@@ -1,15 +1,15 @@
 #include "tools/isoc/dynamics/dynamics.h"
 
-static void put(settled *result, int state, node to)
+static void put(settled *result, int of, node to)
 {
-    result->states[result->count] = state;
+    result->states[result->count] = of;
     result->values[result->count++] = to;
 }
 
 /* A state that changes by so much. */
-static void put_change(graph *g, settled *result, int state, node from, node change)
+static void put_change(graph *g, settled *result, int of, node from, node change)
 {
-    put(result, state, result->adds ? change : add(g, from, change));
+    put(result, of, result->adds ? change : add(g, from, change));
 }
 
 /* A quaternion of length one; where the projection moves it, turned by small angles about the segment's axes. */
@@ -125,8 +125,8 @@ settled settled_build(graph *g, const dynamics *d)
     }
     for (int f = 0; f < m->dof_count && projected; f++) {
         if (!is_zero(g, sped[f])) {
-            const int state = m->position_count + f;
-            put_change(g, &result, state, leaf(g, OP_STATE, state), sped[f]);
+            const int of = m->position_count + f;
+            put_change(g, &result, of, leaf(g, OP_STATE, of), sped[f]);
         }
     }
     return result;

@@ -101,7 +101,7 @@ bool find_point(effect_scope *w, const char *called, int *which, vector *point)
         }
         return is;
     }
-    const int body = INDEX_OF(written->bodies, called), frame = INDEX_OF(written->frames, called);
-    *which = frame >= 0 ? (int)written->bodies.count + frame : body;
+    const int own = INDEX_OF(written->bodies, called), frame = INDEX_OF(written->frames, called);
+    *which = frame >= 0 ? (int)written->bodies.count + frame : own;
     return *which >= 0;
 }
