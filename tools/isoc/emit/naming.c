@@ -20,8 +20,8 @@ static const leaf_name *leaves_of(const naming *n, arena *memory, char array, co
     for (int i = 0; i < count; i++) {
         const char *symbol = array == 'X' ? n->states[i].symbol
                                           : arena_format(memory, "%c_%s", tolower((unsigned char)array), all[i].name);
-        const char *place = arena_format(memory, "%s_%c_%s", n->capitals, array, capitals_of(memory, all[i].name));
-        result[i] = (leaf_name){symbol, place, all[i].quote};
+        const char *index = arena_format(memory, "%s_%c_%s", n->capitals, array, capitals_of(memory, all[i].name));
+        result[i] = (leaf_name){symbol, index, all[i].quote};
     }
     return result;
 }

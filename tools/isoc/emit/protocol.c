@@ -53,10 +53,10 @@ static const struct {
     [PROTOCOL_ANSWERS] = {"ANSWERS", TABLE(answers), "X(@number@, @words@)"},
 };
 
-static const char *row_as(arena *memory, const row_of_protocol *r, const char *pattern)
+static const char *row_as(arena *memory, const row_of_protocol *r, const char *as)
 {
     text row = {.memory = memory};
-    text_fill(&row, pattern,
+    text_fill(&row, as,
               (const filling[]){{"name", r->name},
                                 {"number", r->number},
                                 {"words", r->words},
@@ -66,11 +66,11 @@ static const char *row_as(arena *memory, const row_of_protocol *r, const char *p
     return row.bytes;
 }
 
-const char *protocol_rows(arena *memory, protocol_table table, const char *pattern)
+const char *protocol_rows(arena *memory, protocol_table table, const char *as)
 {
     text all = {.memory = memory};
     for (size_t i = 0; i < tables[table].count; i++) {
-        text_add(&all, "%s", row_as(memory, &tables[table].rows[i], pattern));
+        text_add(&all, "%s", row_as(memory, &tables[table].rows[i], as));
     }
     return all.bytes;
 }

@@ -26,9 +26,9 @@ static const embedded_file *find(const char *path, size_t length)
 }
 
 /* Whether this text, or what it includes, includes something beyond core: a port. */
-static bool needs_more(const char *source)
+static bool needs_more(const char *file)
 {
-    const char *at = source;
+    const char *at = file;
     for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
         const embedded_file *f = find(at, length);
         if (f == NULL || needs_more(f->text)) {
@@ -62,9 +62,9 @@ static void add_file(file_list *files, const embedded_file *f, bool is_double)
 }
 
 /* Adds what this text includes, each file once. */
-static void add_includes(file_list *files, const char *source, bool is_double)
+static void add_includes(file_list *files, const char *file, bool is_double)
 {
-    const char *at = source;
+    const char *at = file;
     for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
         const embedded_file *f = find(at, length);
         if (f != NULL && !file_list_has(files, f->path)) {

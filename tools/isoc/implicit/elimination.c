@@ -39,11 +39,11 @@ static long columns_in(const pattern *p, int row, const uint64_t *columns)
 }
 
 /* How many rows that are left have this column. */
-static long rows_with(const pattern *p, int column, const int *turn)
+static long rows_with(const pattern *p, int column, const int *turns)
 {
     long count = 0;
     for (int row = 0; row < p->count; row++) {
-        count += turn[row] < 0 && has(p, row, column);
+        count += turns[row] < 0 && has(p, row, column);
     }
     return count;
 }
@@ -51,13 +51,13 @@ static long rows_with(const pattern *p, int column, const int *turn)
 /* The unknown of a group whose elimination changes the fewest places, (rows - 1) (columns - 1); the last of equals.
  * Markowitz (1957), The elimination form of the inverse and its application to linear programming, Management Science 3;
  * of symmetric matrices the minimum degree of Tinney and Walker (1967), Proc. IEEE 55. */
-static int cheapest(const pattern *p, const int *groups, int group, const int *turn, const uint64_t *left)
+static int cheapest(const pattern *p, const int *groups, int group, const int *turns, const uint64_t *left)
 {
     int best = -1;
     long least = 0;
     for (int i = p->count - 1; i >= 0; i--) {
-        if (groups[i] == group && turn[i] < 0) {
-            const long cost = (rows_with(p, i, turn) - 1) * (columns_in(p, i, left) - 1);
+        if (groups[i] == group && turns[i] < 0) {
+            const long cost = (rows_with(p, i, turns) - 1) * (columns_in(p, i, left) - 1);
             best = best < 0 || cost < least ? i : best;
             least = best == i ? cost : least;
         }
@@ -66,11 +66,11 @@ static int cheapest(const pattern *p, const int *groups, int group, const int *t
 }
 
 /* The rows that are left and have the pivot's column get the columns of its row that are left. */
-static void eliminate(pattern *p, int pivot, const int *turn, uint64_t *left)
+static void eliminate(pattern *p, int pivot, const int *turns, uint64_t *left)
 {
     left[pivot / WORD] &= ~(UINT64_C(1) << (pivot % WORD));
     for (int row = 0; row < p->count; row++) {
-        if (turn[row] < 0 && has(p, row, pivot)) {
+        if (turns[row] < 0 && has(p, row, pivot)) {
             for (size_t word = 0; word < p->words; word++) {
                 row_of(p, row)[word] |= row_of(p, pivot)[word] & left[word];
             }

@@ -186,9 +186,9 @@ const extended *extended_build(graph *g, const dynamics *d, const node *derivati
     result->given = arena_take(g->memory, (size_t)z.states, sizeof *result->given);
     result->found = arena_take(g->memory, (size_t)z.states, sizeof *result->found);
     for (int i = 0; i < z.states; i++) {
-        const int state = z.quantities + i, speeds = i < m->position_count ? 0 : m->dof_count;
-        result->found[i] = result->e.turn[state];
-        result->given[i] = result->e.turn[state + speeds];
+        const int first = z.quantities + i, speeds = i < m->position_count ? 0 : m->dof_count;
+        result->found[i] = result->e.turn[first];
+        result->given[i] = result->e.turn[first + speeds];
     }
     return result;
 }

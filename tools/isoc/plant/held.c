@@ -199,30 +199,30 @@ held held_build(graph *g, const mechanism *m, node *roots, size_t count, int eva
 {
     enum { LOOK = 16, LOOK_EACH = 2 }; /* whether a tunable has changed: cycles of a tick */
     const int tunables = tunables_read(g, roots, count);
-    node *tuned = copy_of(g, roots, count);
+    node *changed = copy_of(g, roots, count);
     held result = {0};
     int saved = 0;
     if (tunables > 0) {
-        gather_coefficients(g, tuned, count);
-        result = hold_more(g, m, false, result, tuned, count);
+        gather_coefficients(g, changed, count);
+        result = hold_more(g, m, false, result, changed, count);
         result.tuned = result.count;
-        saved = saved_by(g, roots, tuned, count, result.tuned - tunables, evaluations) - LOOK - LOOK_EACH * tunables;
+        saved = saved_by(g, roots, changed, count, result.tuned - tunables, evaluations) - LOOK - LOOK_EACH * tunables;
     }
-    node *once = copy_of(g, tuned, count);
+    node *once = copy_of(g, changed, count);
     const held all = hold_more(g, m, true, result, once, count);
     const int more = all.count - all.tuned;
     const int computed = cycles_of(count_operations(g, all.values + all.tuned, (size_t)more));
-    const int saved_once = saved_by(g, tuned, once, count, more, evaluations) - computed - more;
+    const int saved_once = saved_by(g, changed, once, count, more, evaluations) - computed - more;
     if (saved_once > 0) {
         saved += saved_once;
         result = all;
-        tuned = once;
+        changed = once;
     }
     if (saved <= 0) {
         return (held){0};
     }
     for (size_t i = 0; i < count; i++) {
-        roots[i] = tuned[i];
+        roots[i] = changed[i];
     }
     return result;
 }

@@ -64,10 +64,10 @@ static node violation_acceleration(const plant *p, graph *g)
     return largest;
 }
 
-static int turns_before(const mechanism *m, int segment)
+static int turns_before(const mechanism *m, int index)
 {
     int count = 0;
-    for (int i = 0; i < segment; i++) {
+    for (int i = 0; i < index; i++) {
         count += m->segments[i].continuous;
     }
     return count;

@@ -59,20 +59,20 @@ static double distance_from_kink(const formulas *f, size_t i)
     }
 }
 
-static double distance_at(formulas *f, size_t kink, int state, double moved)
+static double distance_at(formulas *f, size_t kink, int index, double moved)
 {
-    f->x[state] = moved;
+    f->x[index] = moved;
     evaluate_formulas(f);
     return distance_from_kink(f, kink);
 }
 
 /* The value of a state at which a kink is, by secants from where it is; NAN where they find none. */
-static double find_kink(formulas *f, size_t kink, int state)
+static double find_kink(formulas *f, size_t kink, int index)
 {
     enum { SECANTS = 12 };
-    const double here = f->x[state];
+    const double here = f->x[index];
     double before = here, after = here + 1e-3 * (1.0 + fabs(here));
-    double d = distance_at(f, kink, state, before), e = distance_at(f, kink, state, after), found = (double)NAN;
+    double d = distance_at(f, kink, index, before), e = distance_at(f, kink, index, after), found = (double)NAN;
     for (int i = 0; i < SECANTS && e != d && isfinite(e - d); i++) {
         const double next = after - e * (after - before) / (e - d);
         if (fabs(next - after) <= 1e-12 * (1.0 + fabs(next))) {
@@ -82,9 +82,9 @@ static double find_kink(formulas *f, size_t kink, int state)
         before = after;
         d = e;
         after = next;
-        e = distance_at(f, kink, state, after);
+        e = distance_at(f, kink, index, after);
     }
-    f->x[state] = here;
+    f->x[index] = here;
     return found;
 }
 
@@ -137,17 +137,17 @@ static void keep_steeper(formulas *f, double steepest[STEEPEST_POINTS], double *
 }
 
 /* Moves one state to both sides of each kink that it leads to. */
-static void try_kinks(formulas *f, int state, double steepest[STEEPEST_POINTS], double *points[STEEPEST_POINTS])
+static void try_kinks(formulas *f, int index, double steepest[STEEPEST_POINTS], double *points[STEEPEST_POINTS])
 {
-    const double here = f->x[state];
+    const double here = f->x[index];
     for (size_t k = 0; k < f->l.g.count; k++) {
-        const double at = isnan(distance_at(f, k, state, here)) ? (double)NAN : find_kink(f, k, state);
+        const double at = isnan(distance_at(f, k, index, here)) ? (double)NAN : find_kink(f, k, index);
         const double beside = 1e-6 * (1.0 + fabs(at));
         for (int sign = -1; sign <= 1 && !isnan(at); sign += 2) {
-            f->x[state] = at + sign * beside;
+            f->x[index] = at + sign * beside;
             keep_steeper(f, steepest, points);
         }
-        f->x[state] = here;
+        f->x[index] = here;
     }
 }
 
