@@ -170,13 +170,23 @@ wrong 'no table for TARGET=cortex-m33: of the Cortex-M33 no published' SCENE=mod
 wrong 'no table for TARGET=host' SCENE=models/pendulum.scene TARGET=host
 wrong 'TARGET has no effect' TARGET=cortex-m3
 
-# models/cycles.md: a row of the table that `make cycles` prints; with the argument `all` every one.
-turn=$(turn_of 25 "${1-}" models core tools port)
-echo "# turn $turn of 25"
+# models/cycles.md: a row of the table that `make cycles` prints, of the Cortex-M4F and one other core; with `all` every one.
+turn=$(turn_of 75 "${1-}" models core tools port)
+echo "# turn $turn of 75"
 awk '/^<!-- end/ { on = 0 } on && NF; /^<!-- make cycles -->/ { on = 1 }' models/cycles.md >"$out/whole"
 case $turn in
 all) cp "$out/whole" "$out/table" && call cycles ;;
-*) awk -v turn="$turn" 'NR <= 2 || (NR - 3) % 25 == turn' "$out/whole" >"$out/table" && TURN=$turn/25 && export TURN && call cycles ;;
+*)
+    awk -F '|' -v OFS='|' -v turn="$turn" '
+        NR <= 2 { print }
+        NR > 2 && (NR - 3) % 25 == turn % 25 {
+            for (i = 7; i < NF; i++) if (int((i - 7) / 3) != int(turn / 25)) $i = " . "
+            print
+        }' "$out/whole" >"$out/table"
+    TURN=$((turn % 25))/25 CORES="cortex-m4f $(echo cortex-m3 cortex-m0 atmega1284p | cut -d ' ' -f $((turn / 25 + 1)))"
+    export TURN CORES
+    call cycles
+    ;;
 esac
 grep '^|' "$out/output" >"$out/printed"
 [ "$(wc -l <"$out/table")" -gt 2 ] && diff "$out/table" "$out/printed" >"$out/unlike"

@@ -58,6 +58,7 @@ END {
     why = why memory("RAM", used + fact("stack"), ram)
     why = why memory("flash", text + data, flash)
     printf "%-14s%s\n%-14s%s\n%-14sno wait states, no entry of interrupts\n", "timings", fact("source"), "", fact("note"), ""
+    printf "%-14s%s\n", "numbers", tsv
     print why == "" ? "fits" : "does not fit" why
     print "verdict\t" (why == "" ? "fits" : "does not fit") >tsv
     exit why != ""

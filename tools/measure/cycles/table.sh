@@ -1,10 +1,11 @@
 #!/bin/sh
 # The cycles of the dearest tick of each model on four cores, and how much of its step that is at some clocks, as a Markdown
 # table. Called by `make cycles`, with the make to call in $MAKE and the scenes in $MODELS. With $TURN, PART/PARTS, only these
-# rows: every PARTS-th from PART on, from 0.
+# rows: every PARTS-th from PART on, from 0; with $CORES only these cores, and dots for the others (tests/check/cycles.sh).
 WHAT='make cycles'
 . tools/measure/common.sh
 turn=${TURN:-0/1}
+cores=${CORES:-cortex-m4f cortex-m3 cortex-m0 atmega1284p}
 
 # cells MODEL TARGET MHZ...: the cycles, and the load at each clock; dashes where the target has no room for the program.
 cells()
@@ -43,6 +44,10 @@ for scene in $MODELS; do
     line="| $(basename "$scene" .scene) |"
     cells=
     for asked in 'cortex-m4f 84 168' 'cortex-m3 84 168' 'cortex-m0 84 168' 'atmega1284p 20'; do
+        case " $cores " in
+        *" ${asked%% *} "*) ;;
+        *) cells="$cells$(printf ' . |%.0s' $asked)" && continue ;;
+        esac
         # shellcheck disable=SC2086
         cells="$cells$(cells "$scene" $asked)" || exit 1
     done
