@@ -26,6 +26,7 @@
 ##     REAL=float|double                   the type of the numbers
 ##     XCP=open|LOCK                       for a2l and link: who may write and measure, all or who has the key of an iso_xcp_lock (core/xcp)
 ##     CLOCK=168MHz  BOARD=stm32f405       for cycles: the clock, and the board; CORE=cortex-m0-small: another table of the TARGET
+##     BOARD=/dev/ttyACM0                  the serial line of a real board: runs there instead of in QEMU (port/stm32f4)
 ##     SCRIPT=FILE                         late, lost and slow ticks, on the host (port/sim/script.h)
 ##     CONTROLLER='./ctl'                  for link and hil: a command; it connects where ISOCHRON_LINK says
 ##     MODE=lockstep|free                  for link and hil: whether the plant waits for the controller, instead of what that asks for
@@ -53,6 +54,7 @@ REAL = float
 CORE =
 CLOCK =
 BOARD =
+BOARD =
 SCRIPT =
 XCP = $(if $(filter a2l,$(MAKECMDGOALS)),open)
 CONTROLLER =
@@ -76,7 +78,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot link hil size stack ticks cycles a2l conform cost chains flags report bench drift
+GOALS := run plot link hil flash size stack ticks cycles a2l conform cost chains flags report bench drift
 
 .PHONY: help shared digits functions determinism tables pictures compare monitor clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -159,14 +161,15 @@ $(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
 
 # What has an effect on which goal. A goal that is a file, and a make that another make calls, may be given anything.
 EFFECTS_run = $(OF_A_RUN) SNAPSHOT RESTORE
-OF_A_RUN := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET REAL SCRIPT KEEP OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_CYCLE_NS PORT_EXEC
+OF_A_RUN := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET BOARD REAL SCRIPT KEEP OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_CYCLE_NS PORT_EXEC
 EFFECTS_plot := $(filter-out KEEP,$(OF_A_RUN)) OUTPUTS
 EFFECTS_link := $(OF_A_RUN) XCP CONTROLLER MODE
 EFFECTS_hil := $(filter-out SCENE SCRIPT XCP CHECKED COMPENSATED OUT,$(EFFECTS_link))
 EFFECTS_size := $(filter-out SECONDS SCRIPT KEEP,$(OF_A_RUN))
 EFFECTS_stack := $(EFFECTS_size)
 EFFECTS_a2l := $(filter-out CHECKED COMPENSATED,$(EFFECTS_size)) XCP
-EFFECTS_conform := TARGET REAL SECONDS PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
+EFFECTS_flash := $(filter-out SCRIPT KEEP,$(OF_A_RUN))
+EFFECTS_conform := BOARD TARGET REAL SECONDS PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
 EFFECTS_ticks := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED TARGET REAL
 OF_ONE_SCENE := $(and $(filter cost cycles,$(MAKECMDGOALS)),$(filter SCENE,$(GIVEN)))
 EFFECTS_cycles := $(if $(OF_ONE_SCENE),SCENE METHOD STEP INPUTS SET WITHOUT TARGET CORE CLOCK BOARD OUT)
@@ -209,6 +212,8 @@ PORT_OF_cortex-m0 := port/m0
 PORT_OF_rv32imac := port/rv32imac
 PORT_OF_rv32imafc := port/rv32imafc
 PORT_OF_atmega1284p := port/atmega1284p
+PORT_OF_stm32f407 := port/stm32f407
+PORT_OF_stm32f446 := port/stm32f446
 PORT_OF_aarch64 := port/aarch64
 PORT_OF_s390x := port/s390x
 PORT_OF_mips := port/mips
@@ -345,6 +350,12 @@ $(error make $(MAKECMDGOALS) needs channels (port/channel.h), and TARGET=$(TARGE
 endif
 endif
 
+ifneq ($(filter flash,$(MAKECMDGOALS))$(BOARD),)
+ifeq ($(PORT_FLASH),)
+$(error TARGET=$(TARGET) is no real board; stm32f407 and stm32f446 are)
+endif
+endif
+
 # --- How everything is compiled ----------------------------------------------------------------------------------
 
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \
@@ -473,6 +484,7 @@ run: ## run the scene: write build/TARGET/REAL/NAME/trace.csv and print a summar
 plot: ## run the scene and draw it with gnuplot: trace.svg, path.svg and histogram.svg, and all as png, beside the trace
 link: ## connect the scene with a CONTROLLER: trace.csv with inputs and outputs, a summary, and how long exchanges took
 hil: ## the worked example: a cart with its pole on the board, balanced by a controller in a process of its own; draw it
+flash: ## write the program into a real board and start it there: TARGET=stm32f407 or stm32f446
 size: ## print the memory of the firmware and of its parts; check the limits of the double pendulum
 a2l: ## build the plant with a link and with measurement and calibration over XCP; write its A2L: addresses, types, units, ranges
 stack: ## print the deepest stack of a step; fail if it has no bound
@@ -488,7 +500,7 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
-folder_of = $(if $(filter run plot link hil size stack ticks a2l conform $(OF_ONE_SCENE:%=cycles),$(1)),$(OUT),$(if $(filter cost cycles,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
+folder_of = $(if $(filter run plot link hil flash size stack ticks a2l conform $(OF_ONE_SCENE:%=cycles),$(1)),$(OUT),$(if $(filter cost cycles,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
 shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
     $(OBJ)/tools/a2l/places.o)) $(if $(filter conform,$(1)),$(CONFORM_OBJECTS)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))

@@ -147,6 +147,10 @@ run: build/trace
 	$(Q)$(RUN)$(if $(KEEP), >$(OUT)/summary.txt && cat $(OUT)/summary.txt)
 	$(Q)$(KEEP_RUN)
 
+flash: $(PROGRAM)
+	$(call require,openocd,$(PORT_INSTALL))
+	$(Q)$(PORT_FLASH)
+
 # --- With a controller -------------------------------------------------------------------------------------------
 
 # Finds its end of the wire at descriptor 3 (tools/link/main.c).

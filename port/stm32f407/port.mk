@@ -1,0 +1,4 @@
+# The STM32F407 on the Discovery STM32F4; the STM32F405 is the same but for what is not used here.
+PORT_BOARD =
+PORT_OPENOCD = board/stm32f4discovery.cfg
+include port/stm32f4/port.mk

@@ -1,0 +1,93 @@
+#!/bin/sh
+# The STM32F4: addresses and bits by a second source, the clock tree, tables of pins, and the firmware in QEMU's board with that
+# chip, as far as it goes: without its oscillators, converters and cycle counter.
+. tests/host/test.sh
+. tests/host/project.sh
+begin port/stm32f4
+project
+flags="$(sed -n 's/^PORT_FLAGS = //p' port/stm32f4/port.mk | sed 's/$(PORT_BOARD)//')"
+
+# facts FOLDER: whether the registers of this copy of the port are where the second source has them.
+facts()
+{
+    # shellcheck disable=SC2086
+    arm-none-eabi-gcc -I"$1" $FLAGS $flags -fsyntax-only tests/port/stm32f4_facts.c 2>"$out/errors"
+}
+facts .
+result $? "addresses and bits are those of the second source"
+while read -r file edit; do
+    mkdir -p "$out/tree/port/stm32f4"
+    sed "$edit" "port/stm32f4/$file" >"$out/tree/port/stm32f4/$file"
+    ! cmp -s "port/stm32f4/$file" "$out/tree/port/stm32f4/$file" && ! facts "$out/tree" && grep -q 'static assertion failed' "$out/errors"
+    result $? "found: $file $edit"
+    rm -r "$out/tree"
+done <<'END'
+clock.h s/0x40023800/0x40023804/
+clock.h s/PLL_P_AT = 16/PLL_P_AT = 17/
+gpio.h s/idr, odr/odr/
+usart.h s/USART_EMPTY = 1 << 7/USART_EMPTY = 1 << 6/
+timer.h s/arr, reserved/arr/
+adc.h s/ADC_START = 1 << 30/ADC_START = 1 << 22/
+dac.h s/left_12, right_8/left_12/
+END
+
+# clock BOARD EDIT: the test of the clock tree for a board, with this edit of the tree.
+clock()
+{
+    mkdir -p "$out/clock/port/stm32f4"
+    cp port/stm32f4/board.h "$out/clock/port/stm32f4"
+    sed "$2" port/stm32f4/clock.c >"$out/clock/port/stm32f4/clock.c"
+    sed -e "$2" -e 's/^#define RCC_AT .*/#define RCC_AT (\&fake_rcc)/; s/^#define PWR_AT .*/#define PWR_AT (\&fake_pwr)/' \
+        -e 's/^#define FLASH_ACR_AT .*/#define FLASH_ACR_AT (\&fake_flash)/' \
+        -e 's/^\/\* A tree:/extern rcc_registers fake_rcc;\nextern pwr_registers fake_pwr;\nextern uint32_t fake_flash;\n&/' \
+        port/stm32f4/clock.h >"$out/clock/port/stm32f4/clock.h"
+    # shellcheck disable=SC2086
+    "$CC" -I"$out/clock" $FLAGS $1 tests/port/stm32f4_clock.c tests/host/report.c -o "$out/clock/clock" && "$out/clock/clock"
+}
+joined "F407" clock "" ""
+joined "F446" clock -DBOARD_NUCLEO_F446RE ""
+for edit in 's/compared = 2000000/compared = 1000000/' 's/hz - 1) \/ 30000000/hz) \/ 30000000/' 's/hz \/ 4/hz \/ 2/' 's/!overdrive()/(overdrive(), false)/' \
+    's/from_hse ? HSE_HZ : HSI_HZ/HSE_HZ/' 's/if (is_locked \&\& run_from_pll/if (run_from_pll/'; do
+    ! clock -DBOARD_NUCLEO_F446RE "$edit" >"$out/tap" && grep -q '^not ok' "$out/tap"
+    result $? "found: $edit"
+done
+
+# pins CFLAGS: the test of tables, with the table of these flags.
+pins()
+{
+    # shellcheck disable=SC2086
+    arm-none-eabi-gcc $FLAGS $flags $1 -nostartfiles --specs=nano.specs -T port/stm32f4/stm32f4.ld -Wl,--gc-sections \
+        -Wl,--defsym=run_ns_high=0,--defsym=run_ns_low=0 tests/port/stm32f4_pins.c tests/tap.c port/stm32f4/*.c \
+        port/mps2/semihosting.c port/mps2/start.c -lm -o "$out/pins.elf" 2>"$out/errors" &&
+        timeout 60 qemu-system-arm -M netduinoplus2 -icount shift=10,align=off,sleep=off -display none -monitor none -serial null \
+            -chardev stdio,id=console,signal=off -serial chardev:console -semihosting-config enable=on,target=native \
+            -kernel "$out/pins.elf" </dev/null
+}
+joined "no table" pins ""
+joined "a table" pins "-include port/stm32f4/pins_example.h"
+
+for target in stm32f407 stm32f446; do
+    for scene in double_pendulum cart_pole_drive; do
+        call run SCENE=models/$scene.scene SECONDS=1 && hash=$(value hash) && call run SCENE=models/$scene.scene SECONDS=1 TARGET=$target &&
+            [ "$(value hash)" = "$hash" ] && [ "$(value instructions_per_step)" -gt 0 ] && [ "$(value overruns)" = 0 ]
+        expect $? "$scene on the $target: the bits of the host, $(value instructions_per_step) instructions on every step"
+    done
+    call conform TARGET=$target && ! grep -q FAILED "$out/output" && grep -q '^channel ok' "$out/output" && grep -q '^wrap ok' "$out/output"
+    expect $? "$target: $(grep ^jitter "$out/output")"
+done
+
+call hil TARGET=host SECONDS=1.2 && hash=$(value hash) && call hil TARGET=stm32f446 SECONDS=1.2 && [ "$(value hash)" = "$hash" ]
+expect $? "a controller on its serial line: the hash of the host"
+call run TARGET=stm32f407 SECONDS=0.1 CFLAGS='-include port/stm32f4/pins_example.h' && [ "$(value ticks)" = 100 ]
+expect $? "with a table of pins, and no converter that answers, it ends"
+sed 's/.pin = 6/.pin = 9/' port/stm32f4/pins_example.h >"$out/project/pins.h"
+! call run TARGET=stm32f407 SECONDS=0.1 CFLAGS='-include pins.h' && grep -q 'the table of pins: an output is on a pin that cannot show it' "$out/output" "$out/errors"
+expect $? "a table that is wrong is told, and nothing runs"
+
+# How long to run, on silicon by two symbols; a real board is not asked where there is none.
+call flash TARGET=stm32f446 SECONDS=10 -n && grep -q 'run_ns_high=2 ' "$out/output" && grep -q 'run_ns_low=1410065408 ' "$out/output" &&
+    grep -q 'openocd -f board/st_nucleo_f4.cfg -c "program build/stm32f446/float/double_pendulum/double_pendulum.elf verify reset exit"' "$out/output"
+expect $? "make flash: what it would do"
+! call flash && grep -q 'TARGET=host is no real board' "$out/errors"
+expect $? "make flash without a board is told"
+finish
