@@ -91,7 +91,7 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
         emit_link(p, &names, r->lock, &files); /* the controller's end of a wire */
     }
     if (r->is_standalone) {
-        standalone_files(&files, r->is_double); /* what the files so far include of core */
+        standalone_files(&files, &names, r->is_double); /* what the files so far include of core */
     }
     write_summary(p, g, &summary); /* operations of a derivative and of a step, bytes of state */
     return write_files(&files) && write_out(summary.bytes, summary.length);

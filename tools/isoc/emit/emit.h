@@ -37,7 +37,7 @@ const char *prefix_fault(const char *prefix, arena *memory);
 /* standalone.c: the files of core that a plant needs, so that its folder compiles alone. Adds the files of core that
  * those in the list include, and those that firmware calls and that need no port. They find each other by relative
  * paths, and in double they need no flag that says so. */
-void standalone_files(file_list *files, bool is_double);
+void standalone_files(file_list *files, const naming *names, bool is_double);
 
 /* link.c: the link of a plant, and the controller's end of it in C and in Python. */
 

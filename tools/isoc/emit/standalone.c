@@ -74,12 +74,32 @@ static void add_includes(file_list *files, const char *file, bool is_double)
     }
 }
 
-void standalone_files(file_list *files, bool is_double)
+/* The folder as a package of build systems. */
+static void add_packages(file_list *files, const naming *names)
+{
+    static const char *const packages[][2] = {
+        {"CMakeLists.txt", "tools/package/CMakeLists.txt.in"},
+        {"zephyr/module.yml", "tools/package/module.yml.in"},
+        {"zephyr/Kconfig", "tools/package/Kconfig.in"},
+        {"library.properties", "tools/package/library.properties.in"},
+        {"library.json", "tools/package/library.json.in"},
+        {"README.md", "tools/package/README.md.in"},
+    };
+    for (size_t i = 0; i < sizeof packages / sizeof packages[0]; i++) {
+        text filled = {.memory = files->memory};
+        text_fill(&filled, embedded_text(client_files, packages[i][1]),
+                  (const filling[]){{"name", names->prefix}, {"NAME", names->capitals}, {NULL, NULL}});
+        file_list_add(files, packages[i][0], &filled);
+    }
+}
+
+void standalone_files(file_list *files, const naming *names, bool is_double)
 {
     const size_t given = files->count;
     for (size_t i = 0; i < given; i++) {
         add_includes(files, files->files[i].text.bytes, is_double);
     }
+    add_packages(files, names);
     for (const embedded_file *f = core_files; f->path != NULL; f++) {
         if (is_for_callers(f) && !needs_more(f->text) && !file_list_has(files, f->path)) {
             add_file(files, f, is_double);
