@@ -53,6 +53,7 @@ missing()
     have i686-linux-gnu-gcc || echo gcc-i686-linux-gnu libc6-dev-i386-cross
     have qemu-aarch64 || echo qemu-user
     have cmake || echo cmake
+    [ -d /usr/share/arduino/hardware/arduino/avr ] || echo arduino-core-avr
     have simavr || echo simavr
     [ -f /usr/include/simavr/sim_avr.h ] || echo libsimavr-dev
     have valgrind || echo valgrind
