@@ -6,6 +6,7 @@ if ! echo "$cores" | grep -q "^$1"; then
     case $1 in
     cortex-m33) why='of the Cortex-M33 no published table of cycles is used here' ;;
     rv32*) why='the cycles of a RISC-V core are a matter of its maker, and no published table of one is used here' ;;
+    stm32*) why='its core is a Cortex-M4F: TARGET=cortex-m4f, with BOARD and CLOCK, counts the same code' ;;
     *) why='a processor with caches and a system beside the plant has none' ;;
     esac
     echo "error make cycles has no table for TARGET=$1: $why. It can be:" \
