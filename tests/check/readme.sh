@@ -222,7 +222,7 @@ found "a number of a step" README.md '/^instructions_per_step /s/$/0/'
 found "a number of the scene" README.md 's/^step 1 ms/step 2 ms/'
 found "a word of an error" tools/isoc/README.md "s/did you mean 'kg'/did you mean 'g'/"
 found "a command that was not run" README.md 's/^\$ make run.*/& SECONDS=3/'
-found "a link to nothing" README.md 's|(port/port.h)|(port/ports.h)|'
+found "a link to nothing" README.md 's|(models/chains.md)|(models/chain.md)|'
 found "a link to a heading that is not there" README.md 's|#the-summary-of-a-run|#the-summary|'
 sed 's/iso_plant_tick(/iso_plant_tock(/' core/README.md >"$out/changed.md"
 write_code "$out/changed.md"

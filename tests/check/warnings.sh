@@ -114,6 +114,10 @@ while read -r _ compiler flags; do
     compile "$compiler $FLAGS $flags" $planted >"$out/shown"
     found=$(cat "$out/found")
     for file in $planted; do
+        # A port may do without a warning of conversions, where its compiler has false ones.
+        case $flags:$file in
+        *-Wno-conversion*:*/a_conversion_that_loses_bits.c) continue ;;
+        esac
         case $found in
         *"${file##*/}:1:"*' error: '*) true ;;
         *) false ;;
