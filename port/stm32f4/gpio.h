@@ -18,7 +18,7 @@ static inline gpio_registers *gpio_of(const char port)
 {
     const uint32_t number = (uint32_t)(port - 'A');
     ((rcc_registers *)RCC_AT)->ahb1enr |= UINT32_C(1) << number;
-    return (gpio_registers *)(GPIO_AT + GPIO_STRIDE * number);
+    return (gpio_registers *)(uintptr_t)(GPIO_AT + GPIO_STRIDE * number);
 }
 
 static inline void gpio_set(volatile uint32_t *const field, const unsigned bits, const unsigned pin,
