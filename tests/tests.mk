@@ -137,10 +137,10 @@ test: ## run all tests, but for those that passed before and follow from nothing
 check: ## run the fast tests
 	$(call TEST_RUN,check-run)
 
-test-run: $(TEST_ALL) $(TOOLS)
+test-run: $(TEST_ALL) $(TOOLS) build/simavr_trace
 	@export TEST_STRIDE=1; $(TEST_PROVE) $(TEST_ALL) $(TEST_SCRIPTS)
 
-check-run: $(TEST_FAST) $(TOOLS)
+check-run: $(TEST_FAST) $(TOOLS) build/simavr_trace
 	@export TEST_STRIDE=11 TALLY_MOST=$(TEST_QUICK); $(TEST_PROVE) $(TEST_FAST) $(TEST_SCRIPTS)
 
 # What each test of the last `make test` took. `make test-times >tests/times` keeps it: an order, and what is quick.

@@ -52,8 +52,9 @@ static void record(worst_error *const w, const wide error, const real x)
     }
 }
 
-static void record_norm(const real x, const iso_sine_cosine got)
+static void record_norm(const real x)
 {
+    const iso_sine_cosine got = iso_sincos(x);
     const double halves = (double)x / (4.0 * (double)quarter_pi);
     const int slice = (int)((halves - floor(halves)) * SLICES);
     const wide sine = (wide)got.sin, cosine = (wide)got.cos;
@@ -68,7 +69,6 @@ static void compare(const real x, const wide sine, const wide cosine)
     const iso_sine_cosine mirrored = iso_sincos(-x);
     record(&worst_sine, (wide)got.sin - sine, x);
     record(&worst_cosine, (wide)got.cos - cosine, x);
-    record_norm(x, got);
     asymmetric += mirrored.sin != -got.sin || mirrored.cos != got.cos;
     numbers++;
 }
@@ -109,7 +109,9 @@ static void sweep(const uint64_t stride, const uint64_t turn)
         compare_double(fabs(middle + 1e-9 * (random_unit() - 0.5)));
     }
     for (uint64_t i = 0; i < 10000000 / stride; i++) {
-        compare_double(random_unit() * 1e4);
+        const double x = random_unit() * 1e4;
+        compare_double(x);
+        record_norm(x);
         compare_double(ldexp(1.0 + random_unit(), (int)(random_bits() % 44) - 30));
     }
 }
@@ -139,6 +141,7 @@ static void sweep(const uint64_t stride, const uint64_t turn)
     }
     for (b = small + turn % stride; b <= last; b += stride) {
         compare_float(iso_real_of((iso_bits)b));
+        record_norm(iso_real_of((iso_bits)b));
     }
     for (unsigned k = 1; k <= MULTIPLES; k++) {
         const iso_bits middle = iso_bits_of((float)(k * quarter_pi));
