@@ -13,6 +13,11 @@ typedef struct ring {
     volatile uint8_t bytes[RING_BYTES]; /* so that a byte is there before its place is counted */
 } ring;
 
+/* What has come in on each line, and what is to go out. */
+static struct {
+    ring in, out;
+} lines[ISO_CHANNELS];
+
 static inline bool ring_is_full(const ring *const r)
 {
     return r->last - r->first == RING_BYTES;

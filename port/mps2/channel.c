@@ -7,14 +7,11 @@
 #include "port/channel.h"
 
 #include <stdint.h>
-#include <string.h>
 
 #include "port/mps2/board.h"
+#include "port/mps2/interrupts.h"
 #include "port/mps2/tick.h"
 #include "port/ring.h"
-
-#define VTOR (*(const uint32_t *volatile *)0xE000ED08U)
-#define NVIC_ISER (((volatile uint32_t *)0xE000E100U)[BOARD_FIRST_INTERRUPT / 32])
 
 typedef struct uart {
     uint32_t data;
@@ -34,16 +31,8 @@ enum { BIT_COUNTS = BOARD_MHZ };
 
 /* Four interrupts: of UART0 receive and transmit, then of UART1. They stand behind the exceptions, and those before
  * them. */
-enum {
-    EXCEPTIONS = 16,
-    FIRST = EXCEPTIONS + BOARD_FIRST_INTERRUPT,
-    INTERRUPTS = 4,
-    ALL_INTERRUPTS = (1 << INTERRUPTS) - 1
-};
+enum { LINES_INTERRUPT = true, INTERRUPTS = 4, FIRST = EXCEPTIONS + BOARD_FIRST_INTERRUPT };
 
-static struct {
-    ring in, out;
-} lines[ISO_CHANNELS];
 static volatile uart *const uarts[ISO_CHANNELS] = {
     [ISO_CHANNEL_CONTROLLER] = (volatile uart *)BOARD_UART0,
     [ISO_CHANNEL_CALIBRATION] = (volatile uart *)BOARD_UART1,
@@ -65,14 +54,10 @@ static void move_out(const iso_channel channel)
     }
 }
 
-static void interrupts_off(void)
+static void move(const iso_channel channel)
 {
-    __asm__ volatile("cpsid i" ::: "memory");
-}
-
-static void interrupts_on(void)
-{
-    __asm__ volatile("cpsie i\n    isb" ::: "memory");
+    move_in(channel);
+    move_out(channel);
 }
 
 static void received(const iso_channel channel)
@@ -107,75 +92,30 @@ static void calibration_transmitted(void)
     transmitted(ISO_CHANNEL_CALIBRATION);
 }
 
-/* Opens all lines when the first is used: the table of exceptions gets those of the lines behind it. A table stands
- * at a multiple of its size, rounded up to a power of two. */
-static void open_lines(void)
+/* The table of exceptions gets those of the lines. */
+static void start_lines(void)
 {
-    static _Alignas(256) void (*table[FIRST + INTERRUPTS])(void) = {
+    static _Alignas(256) interrupt_handler *table[FIRST + INTERRUPTS] = {
         [FIRST] = controller_received, controller_transmitted, calibration_received, calibration_transmitted};
-    static bool is_open;
-    if (is_open) {
-        return;
-    }
-    is_open = true;
-    memcpy(table, VTOR, EXCEPTIONS * sizeof table[0]);
-    VTOR = (const uint32_t *)(uintptr_t)table;
-    __asm__ volatile("dsb\n    isb" ::: "memory");
+    interrupts_table(table);
     for (unsigned channel = 0; channel < ISO_CHANNELS; channel++) {
         uarts[channel]->divider = BIT_COUNTS;
         uarts[channel]->control = BOTH_ON;
     }
-    NVIC_ISER = ALL_INTERRUPTS;
+    for (unsigned i = 0; i < INTERRUPTS; i++) {
+        interrupts_let(BOARD_FIRST_INTERRUPT + i);
+    }
 }
 
-size_t iso_port_receive(const iso_channel channel, void *const bytes, const size_t count)
+/* Time is virtual, and stands still: QEMU would else go from tick to tick as fast as it can, and serve the lines between. */
+static void sleep(void)
 {
-    open_lines();
-    const size_t taken = ring_take_all(&lines[channel].in, bytes, count);
-    if (taken > 0) { /* a byte that found the ring full gave no other interrupt */
-        interrupts_off();
-        move_in(channel);
-        interrupts_on();
-    }
-    return taken;
+    SYST_CSR = SYST_CSR_STOP;
+    __asm__ volatile("wfi" ::: "memory");
+    SYST_CSR = SYST_CSR_RUN;
 }
 
-/* A line does not show who is at its other end. */
-uint32_t iso_port_opened(const iso_channel channel)
-{
-    (void)channel;
-    return 0;
-}
-
-bool iso_port_send(const iso_channel channel, const void *const bytes, const size_t count)
-{
-    open_lines();
-    if (!ring_put_all(&lines[channel].out, bytes, count)) {
-        return false;
-    }
-    interrupts_off();
-    move_out(channel);
-    interrupts_on();
-    return true;
-}
-
-/* Time is virtual, and stands still: QEMU would else go from tick to tick as fast as it can, and serve the lines
- * between. Interrupts are held off between the look and the sleep; a pending one wakes the processor all the same. */
-void iso_port_idle(void)
-{
-    open_lines();
-    interrupts_off();
-    bool came = false;
-    for (unsigned channel = 0; channel < ISO_CHANNELS; channel++) {
-        came = came || !ring_is_empty(&lines[channel].in);
-    }
-    if (!came) {
-        SYST_CSR = SYST_CSR_STOP;
-        __asm__ volatile("wfi" ::: "memory");
-        SYST_CSR = SYST_CSR_RUN;
-    }
-    interrupts_on();
-}
+#include "port/lines.h"
 
 /* The next tick wakes the processor at the latest. */
 void iso_port_drain(void)

@@ -9,6 +9,7 @@
 #include "port/port.h"
 
 #include "port/mps2/board.h"
+#include "port/mps2/interrupts.h"
 #include "port/mps2/tick.h"
 #include "port/none/inputs.h"
 #include "port/none/outputs.h"
@@ -67,28 +68,7 @@ __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
     return board.part * board.parts;
 }
 
-/* Ticks that are due and that the last call of iso_port_wait did not report; less than 2^32. */
-static uint32_t due(void)
-{
-    return board.ticks - (uint32_t)board.reported;
-}
-
-/* Interrupts are held off between the look and the sleep, so that a tick cannot slip in between; a pending one wakes
- * the processor all the same. */
-uint64_t iso_port_wait(void)
-{
-    uint32_t ticks = due();
-    while (ticks == 0) {
-        __asm__ volatile("cpsid i" ::: "memory");
-        if (due() == 0) {
-            __asm__ volatile("wfi" ::: "memory");
-        }
-        __asm__ volatile("cpsie i" ::: "memory");
-        ticks = due();
-    }
-    board.reported += ticks;
-    return board.reported;
-}
+#include "port/wait.h"
 
 /* Reads again if a part ended between the readings. SysTick counts down to the end of the part; the nearest count of the
  * clock is taken. */

@@ -4,36 +4,19 @@
  * taken, is lost: the frames tell. QEMU 7.2 has no interrupt of a line that is empty: so what can go goes at once, too. */
 #include "port/channel.h"
 
-#include <string.h>
-
+#include "port/mps2/interrupts.h"
 #include "port/ring.h"
 #include "port/stm32f4/clock.h"
 #include "port/stm32f4/gpio.h"
 #include "port/stm32f4/time.h"
 #include "port/stm32f4/usart.h"
 
-#define VTOR (*(const uint32_t *volatile *)0xE000ED08U)
-#define NVIC_ISER ((volatile uint32_t *)0xE000E100U)
+enum { LINES_INTERRUPT = true, LAST_INTERRUPT = USART6_INTERRUPT, UART_FUNCTION = 8 };
 
-enum { EXCEPTIONS = 16, LAST_INTERRUPT = USART6_INTERRUPT, UART_FUNCTION = 8 };
-
-static struct {
-    ring in, out;
-} lines[ISO_CHANNELS];
 static usart_registers *const uarts[ISO_CHANNELS] = {
     [ISO_CHANNEL_CONTROLLER] = (usart_registers *)USART6_AT,
     [ISO_CHANNEL_CALIBRATION] = (usart_registers *)UART4_AT,
 };
-
-static void interrupts_off(void)
-{
-    __asm__ volatile("cpsid i" ::: "memory");
-}
-
-static void interrupts_on(void)
-{
-    __asm__ volatile("cpsie i\n    isb" ::: "memory");
-}
 
 /* From the line to its ring, and from the ring to the line: in the interrupt or with interrupts off. A full ring leaves a byte
  * where it is; the line interrupts when it is empty as long as there is something to send. */
@@ -61,25 +44,12 @@ static void calibration_moves(void)
     move(ISO_CHANNEL_CALIBRATION);
 }
 
-static void let(const unsigned interrupt)
+/* The table of exceptions gets those of the lines. */
+static void start_lines(void)
 {
-    NVIC_ISER[interrupt / 32] = UINT32_C(1) << interrupt % 32;
-}
-
-/* Opens all lines when the first is used: the table of exceptions gets those of the lines behind it. A table stands at a multiple
- * of its size, rounded up to a power of two. */
-static void open_lines(void)
-{
-    static _Alignas(512) void (*table[EXCEPTIONS + LAST_INTERRUPT + 1])(void) = {
+    static _Alignas(512) interrupt_handler *table[EXCEPTIONS + LAST_INTERRUPT + 1] = {
         [EXCEPTIONS + USART6_INTERRUPT] = controller_moves, [EXCEPTIONS + UART4_INTERRUPT] = calibration_moves};
-    static bool is_open;
-    if (is_open) {
-        return;
-    }
-    is_open = true;
-    memcpy(table, VTOR, EXCEPTIONS * sizeof table[0]);
-    VTOR = (const uint32_t *)(uintptr_t)table;
-    __asm__ volatile("dsb\n    isb" ::: "memory");
+    interrupts_table(table);
     rcc_registers *const rcc = (rcc_registers *)RCC_AT;
     rcc->apb1enr |= UART4_CLOCK;
     rcc->apb2enr |= USART6_CLOCK;
@@ -88,55 +58,16 @@ static void open_lines(void)
     }
     usart_start(uarts[ISO_CHANNEL_CONTROLLER], the_clock.tree.apb2_hz, USART_RX_INTERRUPT);
     usart_start(uarts[ISO_CHANNEL_CALIBRATION], the_clock.tree.apb1_hz, USART_RX_INTERRUPT);
-    let(USART6_INTERRUPT);
-    let(UART4_INTERRUPT);
+    interrupts_let(USART6_INTERRUPT);
+    interrupts_let(UART4_INTERRUPT);
 }
 
-size_t iso_port_receive(const iso_channel channel, void *const bytes, const size_t count)
+static void sleep(void)
 {
-    open_lines();
-    const size_t taken = ring_take_all(&lines[channel].in, bytes, count);
-    if (taken > 0) { /* there is room again */
-        interrupts_off();
-        move(channel);
-        interrupts_on();
-    }
-    return taken;
+    time_idle();
 }
 
-/* A line does not show who is at its other end. */
-uint32_t iso_port_opened(const iso_channel channel)
-{
-    (void)channel;
-    return 0;
-}
-
-bool iso_port_send(const iso_channel channel, const void *const bytes, const size_t count)
-{
-    open_lines();
-    if (!ring_put_all(&lines[channel].out, bytes, count)) {
-        return false;
-    }
-    interrupts_off();
-    move(channel);
-    interrupts_on();
-    return true;
-}
-
-/* Interrupts are held off between the look and the sleep; a pending one wakes the processor all the same. */
-void iso_port_idle(void)
-{
-    open_lines();
-    interrupts_off();
-    bool came = false;
-    for (unsigned channel = 0; channel < ISO_CHANNELS; channel++) {
-        came = came || !ring_is_empty(&lines[channel].in);
-    }
-    if (!came) {
-        time_idle();
-    }
-    interrupts_on();
-}
+#include "port/lines.h"
 
 /* The next tick wakes the processor at the latest; then the last byte is on its way. */
 void iso_port_drain(void)

@@ -6,6 +6,7 @@
  * On silicon both numbers are 1. */
 #include "port/port.h"
 
+#include "port/mps2/interrupts.h"
 #include "port/stm32f4/clock.h"
 #include "port/stm32f4/time.h"
 #include "port/stm32f4/timer.h"
@@ -28,16 +29,6 @@ static struct {
 static bool is_emulated(void)
 {
     return the_clock.source == CLOCK_NONE;
-}
-
-static void interrupts_off(void)
-{
-    __asm__ volatile("cpsid i" ::: "memory");
-}
-
-static void interrupts_on(void)
-{
-    __asm__ volatile("cpsie i" ::: "memory");
 }
 
 /* Cycles modulo 2^32, with interrupts held off: by what is left of the part, or of the next one if its interrupt is pending. The
@@ -88,28 +79,7 @@ __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
     return board.part * board.parts;
 }
 
-/* Ticks that are due and that the last call of iso_port_wait did not report; less than 2^32. */
-static uint32_t due(void)
-{
-    return board.ticks - (uint32_t)board.reported;
-}
-
-/* Interrupts are held off between the look and the sleep, so that a tick cannot slip in between; a pending one wakes the processor
- * all the same. */
-uint64_t iso_port_wait(void)
-{
-    uint32_t ticks = due();
-    while (ticks == 0) {
-        interrupts_off();
-        if (due() == 0) {
-            __asm__ volatile("wfi" ::: "memory");
-        }
-        interrupts_on();
-        ticks = due();
-    }
-    board.reported += ticks;
-    return board.reported;
-}
+#include "port/wait.h"
 
 uint64_t iso_port_clock(void)
 {

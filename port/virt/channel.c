@@ -6,6 +6,7 @@
 
 #include <stdint.h>
 
+#include "port/ring.h"
 #include "port/virt/tick.h"
 
 #define UART ((volatile uint8_t *)0x10000000U)
@@ -17,70 +18,48 @@ enum { FIFOS_ON = 1 << 0, EIGHT_BITS = 3, IS_FULL = 1 << 0, IS_EMPTY = 1 << 5, R
 #define PLIC(offset) (*(volatile uint32_t *)(0x0C000000U + (offset)))
 enum { LINE = 10, PRIORITY = 4 * LINE, ENABLED = 0x2000, THRESHOLD = 0x200000, CLAIM = 0x200004 };
 
-/* Bits of mstatus and of mie. */
-enum { INTERRUPTS_ON = 1 << 3, EXTERNAL_ON = 1 << 11 };
+/* The bit of mie. */
+enum { EXTERNAL_ON = 1 << 11 };
 
-static void open_line(void)
+enum { LINES_INTERRUPT = false };
+
+/* What goes waits for each byte until there is room for it: in QEMU that is at once. */
+static void move(const iso_channel channel)
 {
-    static bool is_open;
-    if (!is_open) {
-        is_open = true;
-        UART[LINE_CONTROL] = EIGHT_BITS;
-        UART[FIFO_CONTROL] = FIFOS_ON;
-        UART[INTERRUPTS] = RECEIVED;
-        PLIC(PRIORITY) = 1;
-        PLIC(ENABLED) = 1U << LINE;
-        PLIC(THRESHOLD) = 0;
+    ring *const in = &lines[channel].in, *const out = &lines[channel].out;
+    while (channel == ISO_CHANNEL_CONTROLLER && (UART[LINE_STATUS] & IS_FULL) != 0 && !ring_is_full(in)) {
+        ring_put(in, UART[DATA]);
     }
-}
-
-size_t iso_port_receive(const iso_channel channel, void *const bytes, const size_t count)
-{
-    uint8_t *const to = bytes;
-    size_t taken = 0;
-    open_line();
-    while (channel == ISO_CHANNEL_CONTROLLER && taken < count && (UART[LINE_STATUS] & IS_FULL) != 0) {
-        to[taken++] = UART[DATA];
-    }
-    return taken;
-}
-
-/* A line does not show who is at its other end. */
-uint32_t iso_port_opened(const iso_channel channel)
-{
-    (void)channel;
-    return 0;
-}
-
-/* Waits for each byte until there is room for it: in QEMU that is at once. */
-bool iso_port_send(const iso_channel channel, const void *const bytes, const size_t count)
-{
-    const uint8_t *const from = bytes;
-    open_line();
-    for (size_t i = 0; channel == ISO_CHANNEL_CONTROLLER && i < count; i++) {
+    while (channel == ISO_CHANNEL_CONTROLLER && !ring_is_empty(out)) {
         while ((UART[LINE_STATUS] & IS_EMPTY) == 0) {
         }
-        UART[DATA] = from[i];
+        UART[DATA] = ring_take(out);
     }
-    return channel == ISO_CHANNEL_CONTROLLER;
+}
+
+static void start_lines(void)
+{
+    UART[LINE_CONTROL] = EIGHT_BITS;
+    UART[FIFO_CONTROL] = FIFOS_ON;
+    UART[INTERRUPTS] = RECEIVED;
+    PLIC(PRIORITY) = 1;
+    PLIC(ENABLED) = 1U << LINE;
+    PLIC(THRESHOLD) = 0;
 }
 
 /* Time is virtual, and stands still: the ticks are moved by as long as the processor slept. */
-void iso_port_idle(void)
+static void sleep(void)
 {
-    open_line();
-    __asm__ volatile("csrc mstatus, %0" ::"r"(INTERRUPTS_ON) : "memory");
-    if ((UART[LINE_STATUS] & IS_FULL) == 0) {
-        const uint64_t begin = tick_timer();
-        uint32_t enabled;
-        __asm__ volatile("csrrw %0, mie, %1" : "=r"(enabled) : "r"(EXTERNAL_ON) : "memory");
-        __asm__ volatile("wfi" ::: "memory");
-        PLIC(CLAIM) = PLIC(CLAIM);
-        __asm__ volatile("csrw mie, %0" ::"r"(enabled) : "memory");
-        tick_pause(tick_timer() - begin);
-    }
-    __asm__ volatile("csrs mstatus, %0" ::"r"(INTERRUPTS_ON) : "memory");
+    const uint64_t begin = tick_timer();
+    uint32_t enabled;
+    __asm__ volatile("csrrw %0, mie, %1" : "=r"(enabled) : "r"(EXTERNAL_ON) : "memory");
+    __asm__ volatile("wfi" ::: "memory");
+    PLIC(CLAIM) = PLIC(CLAIM);
+    __asm__ volatile("csrw mie, %0" ::"r"(enabled) : "memory");
+    tick_pause(tick_timer() - begin);
 }
+
+#include "port/lines.h"
 
 /* What was handed out has gone. */
 void iso_port_drain(void)

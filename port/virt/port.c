@@ -22,8 +22,8 @@ enum { CYCLE_NS = 10 };
 /* The timer counts 10.24 = 2^8 / 25 times in a cycle: whole cycles in whole counts come in 25. */
 enum { DILATION_SHIFT = 8, DILATION_OVER = 25 };
 
-/* Bits of mstatus and of mie. */
-enum { INTERRUPTS_ON = 1 << 3, TIMER_ON = 1 << 7 };
+/* The bit of mie. */
+enum { TIMER_ON = 1 << 7 };
 
 static struct {
     uint64_t start;          /* of the clock, in counts of the timer */
@@ -73,32 +73,12 @@ __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
     board.start = tick_timer();
     board.next = board.start + board.period;
     set_alarm(board.next);
-    __asm__ volatile("csrs mie, %0\n    csrs mstatus, %1" ::"r"(TIMER_ON), "r"(INTERRUPTS_ON) : "memory");
+    __asm__ volatile("csrs mie, %0" ::"r"(TIMER_ON) : "memory");
+    interrupts_on();
     return parts * DILATION_OVER;
 }
 
-/* Ticks that are due and that the last call of iso_port_wait did not report; less than 2^32. */
-static uint32_t due(void)
-{
-    return board.ticks - (uint32_t)board.reported;
-}
-
-/* Interrupts are held off between the look and the sleep, so that a tick cannot slip in between; a pending one wakes the
- * processor all the same. */
-uint64_t iso_port_wait(void)
-{
-    uint32_t ticks = due();
-    while (ticks == 0) {
-        __asm__ volatile("csrc mstatus, %0" ::"r"(INTERRUPTS_ON) : "memory");
-        if (due() == 0) {
-            __asm__ volatile("wfi" ::: "memory");
-        }
-        __asm__ volatile("csrs mstatus, %0" ::"r"(INTERRUPTS_ON) : "memory");
-        ticks = due();
-    }
-    board.reported += ticks;
-    return board.reported;
-}
+#include "port/wait.h"
 
 /* The nearest count of the clock. */
 uint64_t iso_port_clock(void)

@@ -4,8 +4,21 @@
 
 #include <stdint.h>
 
+/* The bit of mstatus. */
+enum { INTERRUPTS_ON = 1 << 3 };
+
 /* The timer, in its own counts. */
 uint64_t tick_timer(void);
+
+static inline void interrupts_off(void)
+{
+    __asm__ volatile("csrc mstatus, %0" ::"r"(INTERRUPTS_ON) : "memory");
+}
+
+static inline void interrupts_on(void)
+{
+    __asm__ volatile("csrs mstatus, %0" ::"r"(INTERRUPTS_ON) : "memory");
+}
 
 /* With interrupts held off: clock and ticks go on as if so many counts had not been. */
 void tick_pause(uint64_t counts);

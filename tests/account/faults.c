@@ -15,6 +15,7 @@
 #include "core/link/link.h"
 #include "core/runtime/tick.h"
 #include "port/channel.h"
+#include "port/none/inputs.h"
 #include "port/port.h"
 
 enum { PERIOD = 268435459, LATE = PERIOD / 16 };
@@ -97,12 +98,6 @@ uint64_t iso_port_wait(void)
 uint64_t iso_port_clock(void)
 {
     return now;
-}
-
-void iso_port_read(real *const u, const size_t inputs)
-{
-    (void)u;
-    (void)inputs;
 }
 
 static real seen[2];

@@ -9,6 +9,8 @@
 
 #include "core/link/link.h"
 #include "port/channel.h"
+#include "port/none/inputs.h"
+#include "port/none/outputs.h"
 #include "port/port.h"
 
 enum { STATES = 2, INPUTS = 1, PARAMETERS = 1, OUTPUTS = 2, PERIOD = 1000000 };
@@ -77,22 +79,6 @@ uint64_t iso_port_wait(void)
 uint64_t iso_port_clock(void)
 {
     return now;
-}
-
-void iso_port_read(real *const u, const size_t inputs)
-{
-    (void)u;
-    (void)inputs;
-}
-
-void iso_port_publish(const real *const y, const size_t outputs)
-{
-    (void)y;
-    (void)outputs;
-}
-
-void iso_port_safe(void)
-{
 }
 
 void iso_port_write(const void *const bytes, const size_t count)

@@ -7,35 +7,13 @@
 
 #include "core/link/link.c"
 
+#include "tests/link/script.h"
 #include "tests/tap.h"
 
 enum { TICKS = 40, FRAME_MOST = 64 };
 
 static iso_loop loop;
 static iso_link link;
-static struct {
-    uint8_t in[FRAME_MOST];
-    size_t count, taken, sent;
-} wire;
-
-size_t fake_receive(const iso_channel channel, void *const bytes, const size_t count)
-{
-    const size_t left = wire.count - wire.taken, taken = count < left ? count : left;
-    (void)channel;
-    if (taken > 0) {
-        memcpy(bytes, wire.in + wire.taken, taken);
-        wire.taken += taken;
-    }
-    return taken;
-}
-
-bool fake_send(const iso_channel channel, const void *const bytes, const size_t count)
-{
-    (void)channel, (void)bytes;
-    wire.sent = count;
-    return true;
-}
-
 void fake_idle(void)
 {
 }
@@ -48,7 +26,7 @@ static void put_start(void)
     iso_frame_put(&w, ISO_LINK_LOCKSTEP, 1);
     iso_frame_put(&w, 0, 8);
     wire.count = iso_frame_end(&w);
-    wire.taken = 0;
+    wire.taken = wire.sent = 0;
 }
 
 static void put_inputs(void)
@@ -59,7 +37,7 @@ static void put_inputs(void)
     iso_frame_put(&w, loop.tick, 8);
     iso_frame_put_reals(&w, u, iso_the_interface.wire_count);
     wire.count = iso_frame_end(&w);
-    wire.taken = 0;
+    wire.taken = wire.sent = 0;
 }
 
 /* Until so many ticks are due. */

@@ -13,19 +13,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "tests/draw.h"
+
 enum { WIRE = 3, ONE_OF = 800 };
 
-static uint32_t seed;
 static uint32_t damages;
-
-/* Marsaglia (2003), xorshift. */
-static uint32_t draw(const uint32_t below)
-{
-    seed ^= seed << 13;
-    seed ^= seed >> 17;
-    seed ^= seed << 5;
-    return seed % below;
-}
 
 /* Hands on what has come in. Returns false at the end. */
 static bool pass(const int from, const int to)

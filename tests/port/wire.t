@@ -14,7 +14,7 @@ for target in cortex-m33 rv32imac; do
 done
 
 # A line of which a byte in a hundred is lost: the run takes a frame again, or does not end as it should.
-sed -i 's/^        to\[taken++\] = UART\[DATA\];/        static unsigned n;\n        to[taken] = UART[DATA];\n        taken += n++ % 100 != 99;/' \
+sed -i 's/^        ring_put(in, UART.DATA.);/        static unsigned n;\n        const uint8_t byte = UART[DATA];\n        if (n++ % 100 != 99) {\n            ring_put(in, byte);\n        }/' \
     "$out/project/port/virt/channel.c"
 call conform TARGET=rv32imac
 grep -q '^channel FAILED: ' "$out/output"

@@ -1,22 +1,12 @@
 /* core/link: CRC-16, COBS and frames, against vectors of their authors, and against random damage of a wire. */
 #include "core/link/crc16.h"
+#include "tests/draw.h"
 #include "tests/tap.h"
 
 #undef iso_frame_put_reals
 #undef iso_frame_real
 #include "core/link/frame.c"
 #include "core/link/link.h"
-
-/* Of a generator of 32 bits (Marsaglia 2003, xorshift). */
-static uint32_t seed;
-
-static uint32_t draw(const uint32_t below)
-{
-    seed ^= seed << 13;
-    seed ^= seed >> 17;
-    seed ^= seed << 5;
-    return seed % below;
-}
 
 /* --- CRC --------------------------------------------------------------------------------------------------------- */
 

@@ -51,19 +51,24 @@ static uint32_t watched_finish(void *const memory)
                       watched_memory.good + 2, 1);
 }
 
-static void test_jump(void)
+static const iso_model watched_model = {
+    .period_ns = PERIOD,
+    .states = 2,
+    .start = start,
+    .range = range,
+    .memory_bytes = sizeof watched_memory,
+    .output = watched_output,
+    .drive = watched_drive,
+    .prime = watched_prime,
+    .step = watched_step,
+    .attempt = iso_plant_attempt,
+    .finish = watched_finish,
+};
+
+static iso_plant watched_plant(const iso_model *const of)
 {
-    static const script costs = {.cost = {0, 10, 10, 20, 30, 50, 10}};
-    iso_model watching = model;
-    watching.memory_bytes = sizeof watched_memory;
-    watching.drive = NULL;
-    watching.prime = watched_prime;
-    watching.step = watched_step;
-    watching.attempt = iso_plant_attempt;
-    watching.finish = watched_finish;
-    watching.output = watched_output;
-    const iso_plant watched = {
-        .model = &watching,
+    return (iso_plant){
+        .model = of,
         .memory = &watched_memory,
         .x = watched_memory.x,
         .u = watched_memory.u,
@@ -73,6 +78,13 @@ static void test_jump(void)
         .before = &watched_before,
         .good = watched_memory.good,
     };
+}
+
+static void test_jump(void)
+{
+    static const script costs = {.cost = {0, 10, 10, 20, 30, 50, 10}};
+    iso_model watching = watched_model;
+    const iso_plant watched = watched_plant(&watching);
     events = &costs;
     steps = primed = 0;
     iso_loop_start(&loop, &watched);
@@ -105,29 +117,9 @@ static void test_plant_tick(void)
 {
     enum { TICKS = 7 };
     static const script quiet;
-    const iso_model watched_model = {
-        .states = 2,
-        .start = start,
-        .range = range,
-        .memory_bytes = sizeof watched_memory,
-        .output = watched_output,
-        .drive = watched_drive,
-        .discontinuity = watched_discontinuity,
-        .prime = watched_prime,
-        .step = watched_step,
-        .attempt = iso_plant_attempt,
-        .finish = watched_finish,
-    };
-    iso_plant watched = plant;
-    watched.model = &watched_model;
-    watched.memory = &watched_memory;
-    watched.x = watched_memory.x;
-    watched.y = watched_memory.y;
-    watched.u = watched_memory.u;
-    watched.p = watched_memory.p;
-    watched.progress = &watched_memory.progress;
-    watched.before = &watched_before;
-    watched.good = watched_memory.good;
+    iso_model watching = watched_model;
+    watching.discontinuity = watched_discontinuity;
+    const iso_plant watched = watched_plant(&watching);
     events = &quiet;
     steps = primed = 0;
     iso_loop_start(&loop, &watched);

@@ -5,6 +5,7 @@
 #include "core/link/link.h"
 #include "core/xcp/service.h"
 #include "port/port.h"
+#include "tests/link/script.h"
 #include "tests/tap.h"
 
 enum { VALUES = 8, TICKS = 50, TICK_NS = 1000000 };
@@ -32,29 +33,6 @@ iso_control_answer iso_link_restore(iso_link *const link, const size_t bytes)
 {
     (void)link, (void)bytes;
     return ISO_CONTROL_NO_RUN;
-}
-
-static struct {
-    uint8_t in[ISO_XCP_FRAME_BYTES];
-    size_t count, taken, sent;
-} wire;
-
-size_t fake_receive(const iso_channel channel, void *const bytes, const size_t count)
-{
-    const size_t left = wire.count - wire.taken, taken = count < left ? count : left;
-    (void)channel;
-    if (taken > 0) {
-        memcpy(bytes, wire.in + wire.taken, taken);
-        wire.taken += taken;
-    }
-    return taken;
-}
-
-bool fake_send(const iso_channel channel, const void *const bytes, const size_t count)
-{
-    (void)channel, (void)bytes;
-    wire.sent += count;
-    return true;
 }
 
 uint32_t fake_opened(const iso_channel channel)

@@ -7,6 +7,7 @@
 #include "core/methods/method.h"
 #include "port/channel.h"
 #include "port/port.h"
+#include "tests/draw.h"
 #include "tests/tap.h"
 
 #undef iso_port_read
@@ -22,17 +23,6 @@
 #define iso_port_idle fake_idle
 
 enum { PERIOD = 1600, WIRES = 3, STATES = 2, TICKS_MOST = 300, WIRE_BYTES = 2048 };
-
-/* Of a generator of 32 bits (Marsaglia 2003, xorshift). */
-static uint32_t seed;
-
-static uint32_t draw(const uint32_t below)
-{
-    seed ^= seed << 13;
-    seed ^= seed >> 17;
-    seed ^= seed << 5;
-    return seed % below;
-}
 
 /* --- The port ---------------------------------------------------------------------------------------------------- */
 
