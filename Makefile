@@ -348,6 +348,9 @@ ifneq ($(filter link hil a2l,$(MAKECMDGOALS)),)
 ifeq ($(PORT_CHANNEL),)
 $(error make $(MAKECMDGOALS) needs channels (port/channel.h), and TARGET=$(TARGET) has none)
 endif
+ifeq ($(if $(XCP),$(PORT_CHANNELS)),1)
+$(error TARGET=$(TARGET) has one channel, that of a controller, and none for measurement and calibration over XCP)
+endif
 endif
 
 ifneq ($(filter flash,$(MAKECMDGOALS))$(BOARD),)

@@ -24,4 +24,5 @@ PORT_SIZE = riscv64-unknown-elf-size
 PORT_SERIAL = -serial none
 PORT_SERIAL_LINKED = -chardev socket,id=controller,fd=3 -serial chardev:controller
 PORT_CHANNEL = port/virt/channel.c
+PORT_CHANNELS = 1
 PORT_LINK_LINKED =

@@ -22,4 +22,8 @@ expect $? "found: $(grep ^channel "$out/output")"
 
 ! call link TARGET=atmega1284p && grep -q 'make link needs channels .*, and TARGET=atmega1284p has none' "$out/errors"
 result $? "the AVR says that it has none"
+for goal in 'link XCP=open' a2l; do
+    ! call $goal TARGET=rv32imac && grep -q 'TARGET=rv32imac has one channel, .* none for measurement and calibration' "$out/errors"
+    result $? "rv32imac says that it has none for calibration: make $goal"
+done
 finish
