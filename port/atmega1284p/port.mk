@@ -13,6 +13,8 @@ PORT_LIBRARIES = -lm
 PORT_SHARED = port/soft/gcc.c port/soft/root.c
 PORT_SUFFIX = .elf
 PORT_STACK =
+# Its compiler writes no call graph: that is read from the program.
+PORT_FRAMES = avr-objdump -d
 PORT_CLOCK = cycles
 PORT_EXEC_TOOLS = simavr perl
 PORT_EXEC = sh port/atmega1284p/run.sh $(PROGRAM) $(NANOSECONDS)

@@ -17,12 +17,14 @@ painted()
         call run SCENE="$1" METHOD="$2" TARGET="$3" SECONDS=0.001 || return
     base=build/obj/$3/float
     plant=build/$3/float/$painted_name
+    compiled=$plant/stack/plant.o
+    [ -e "$out/project/$compiled" ] || compiled=$plant/plant.o
     shift 3
     (
         cd "$out/project" || exit 1
         # shellcheck disable=SC2046
         $(cat "$base/flags") "$@" -c tests/determinism/painted.c -o painted.o &&
-            $(sed "s|$base/core/application/main.o|painted.o|; s|$plant/plant.o|$plant/stack/plant.o|" "$plant/link") -o painted
+            $(sed "s|$base/core/application/main.o|painted.o|; s|$plant/plant.o|$compiled|" "$plant/link") -o painted
     ) 2>"$out/errors" && emulated "$painted_on" "$out/project/painted" >"$out/output" 2>"$out/errors" </dev/null &&
         painted=$(value painted | sed 's/^0*//') && [ -n "$painted" ]
 }
@@ -35,7 +37,7 @@ within()
 }
 
 number=0
-for target in host cortex-m0 cortex-m3 cortex-m4f cortex-m7 cortex-m33 rv32imac rv32imafc aarch64 s390x mips i386; do
+for target in host cortex-m0 cortex-m3 cortex-m4f cortex-m7 cortex-m33 rv32imac rv32imafc aarch64 s390x mips i386 atmega1284p; do
     number=$((number + 1))
     [ "$turn" = all ] || [ $((number % 6)) -eq "$turn" ] || continue
     for row in double_pendulum:rk4 quadrotor:bdf4; do

@@ -215,12 +215,13 @@ endif
 
 # GCC writes the call graph with the frame of every function into a .ci; that of the functions that compute with float stands beside it.
 STACK_SOURCES := $(filter port/soft/%,$(PORT_SHARED))
-stack: $(OUT)/plant.o
+stack: $(if $(PORT_FRAMES),$(PROGRAM),$(OUT)/plant.o)
 	@mkdir -p $(OUT)/stack
 	$(Q)$(call_graphs) || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
 	@$(STACK_OF_STEP)
 STACK_OF_STEP = awk -v function_name=step -f tools/measure/stack.awk $(OUT)/stack/all.ci
-call_graphs = { $(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) -o $(OUT)/stack/plant.o \
+call_graphs = $(if $(PORT_FRAMES),$(PORT_FRAMES) $(PROGRAM) | awk -f tools/measure/frames.awk >$(OUT)/stack/all.ci,$(compiled_graphs))
+compiled_graphs = { $(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) -o $(OUT)/stack/plant.o \
     $(foreach source,$(STACK_SOURCES),&& $(COMPILE) -fcallgraph-info=su $(PORT_STACK) -c $(source) -o $(OUT)/stack/$(notdir $(source:.c=.o))) && \
     cat $(patsubst %,$(OUT)/stack/%.ci,$(basename $(notdir $(STACK_SOURCES))) plant) >$(OUT)/stack/all.ci; }
 
