@@ -1,7 +1,7 @@
 #!/bin/sh
 # Float by instructions of integers (port/soft): bit for bit what a floating-point unit computes, on pairs about all powers of
-# two and on 10^7 at random for each operation, with the argument `all` 10^8; and without a branch that follows from an
-# operand. Each kind of shift is tried on the host, and the code for the Cortex-M3 and the Cortex-M0 on a Cortex-M4F, against
+# two and on 10^7 at random for each operation, a fifth of these each time, with the argument `all` 10^8; and without a branch
+# that follows from an operand. Each kind of shift is tried on the host, and the code for the Cortex-M3 and the Cortex-M0 on a Cortex-M4F, against
 # its floating-point unit.
 . tests/host/test.sh
 begin soft
@@ -10,9 +10,17 @@ M3="-mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
 M0="-mcpu=cortex-m0 -mthumb -mfloat-abi=soft -masm-syntax-unified -DSOFT_PIECES"
 RV32IMAC="-march=rv32imac -mabi=ilp32 --specs=picolibc.specs"
 m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
-case ${1-}${TEST_WHOLE-} in
-'') pairs=10000000 ;;
-*) pairs=100000000 ;;
+turn=$(turn_of 5 "${1-}" core port tests/soft)
+echo "# turn $turn of the pairs on the host"
+case $turn in
+all)
+    pairs=100000000
+    turns=
+    ;;
+*)
+    pairs=2000000
+    turns="-DTURN=${turn}U -DTURNS=5U"
+    ;;
 esac
 
 # compared PAIRS [FLAG...]: on the host; a flag -I before . finds another port/soft.
@@ -60,8 +68,8 @@ branches()
         awk '/\t(b(eq|ne|cs|cc|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le|geu|ltu|gtu|leu)(z|\.[nw])?|cbn?z)\t/ { n++ } END { print n + 0 }'
 }
 
-joined "by one shift" compared $pairs
-joined "by stages, a product in pieces" compared $((pairs / 10)) -DSOFT_STAGES -DSOFT_PIECES
+joined "by one shift" compared $pairs $turns
+joined "by stages, a product in pieces" compared $((pairs / 10)) $turns -DSOFT_STAGES -DSOFT_PIECES
 joined "code for the Cortex-M3" on_board "$M3"
 joined "code for the Cortex-M0" on_board "$M0"
 for compiler in gcc clang; do
