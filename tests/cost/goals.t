@@ -1,6 +1,7 @@
 #!/bin/sh
 # No step may take more instructions than its row of goals.txt has, by more than 1 %. Prints what each takes today beside its
-# goal and the least that its equations need.
+# goal and the least that its equations need; and where there is one, how many times as long plain C takes (plain/), in
+# nanoseconds of one run, which no test holds to a number. Both end at the same states.
 . tests/host/test.sh
 . tests/host/project.sh
 begin goals
@@ -31,14 +32,34 @@ on_board()
         call run SCENE="$1.scene" METHOD=rk4 TARGET=cortex-m4f REAL=float SECONDS=0.01 && value instructions_per_step
 }
 
+# plain TARGET/NAME: sets hand to plain C of it, with what it is told; empty where there is none.
+plain()
+{
+    case $1 in
+    host/dp_rod) hand='tests/cost/plain/chain.c -DRODS=2' ;;
+    host/chain8) hand='tests/cost/plain/chain.c -DRODS=8' ;;
+    host/cart_pole | host/free_body | host/four_bar) hand=tests/cost/plain/${1#host/}.c ;;
+    *) hand= ;;
+    esac
+}
+
+# beside NAME FILE...: sets ratio; whether the plant of on_host and plain C end at the same states.
+beside()
+{
+    name=$1
+    shift
+    program "$name.beside" tests/cost/plain/ratio.c "$out/$name/plant.c" "$@" && ratio=$("$out/$name.beside")
+}
+
 # within COUNT BUDGET
 within()
 {
     [ "$1" -gt 0 ] && [ $((100 * $1)) -le $((101 * $2)) ]
 }
 
-echo '# row target now budget goal floor'
+echo '# row target now budget goal floor; ns of a step, of plain C, ratio'
 rows=0
+besides=0
 while read -r row target budget goal floor; do
     case $row in '#'*) continue ;; esac
     rows=$((rows + 1))
@@ -46,12 +67,22 @@ while read -r row target budget goal floor; do
     host) count=$(on_host "$row") ;;
     *) count=$(on_board "$row") ;;
     esac
-    echo "# $row $target ${count:-?} $budget $goal $floor"
+    ratio=
+    plain "$target/$row"
+    if [ -n "$hand" ]; then
+        besides=$((besides + 1))
+        # shellcheck disable=SC2086
+        beside "$row" $hand
+        result $? "$row: the plant and plain C end at the same states"
+    fi
+    echo "# $row $target ${count:-?} $budget $goal $floor${ratio:+; $ratio}"
     within "${count:-0}" "$budget"
     result $? "$row on $target: ${count:-?} instructions, at most $budget and 1 %"
 done <tests/cost/goals.txt
 [ $rows -ge 14 ]
 result $? "goals.txt has $rows rows"
+[ $besides -eq 5 ]
+result $? "$besides of them beside plain C"
 ! within 1011 1000 && within 1010 1000 && ! within 0 1000
 result $? "control: a rise of 1.1 %, and no count, are found"
 finish
