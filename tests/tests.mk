@@ -97,13 +97,15 @@ build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h test
 -include $(TEST_OBJECTS:.o=.d)
 
 # What tests compile, they compile once: in their PATH a program stands before each compiler that keeps the objects
-# (tests/host/once.c). Objects and lists that were not used for two days go.
+# (tests/host/once.c). Objects and lists that were not used for two days go. Python stands there as what it is: a python3 that is
+# a script, and looks for one each time, starts twenty processes.
 TEST_ONCE := build/tests/once
 TEST_COMPILERS := cc gcc clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc
 $(TEST_ONCE)/once: tests/host/once.c build/tests/plain/float/command
 	@rm -rf $(TEST_ONCE) && mkdir -p $(TEST_ONCE)/real $(TEST_ONCE)/store
 	@for compiler in $(TEST_COMPILERS); do \
 	    ln -s once $(TEST_ONCE)/$$compiler && ln -s "$$(command -v $$compiler)" $(TEST_ONCE)/real/$$compiler; done
+	@ln -s "$$(python3 -c 'import sys; print(sys.executable)')" $(TEST_ONCE)/python3
 	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
 
 # It runs each test, and measures what it takes.

@@ -28,17 +28,6 @@ result $? "control: $slow instructions are more than 1.1 x by hand"
 program libm tests/handwritten/count.c tests/handwritten/pendulum_libm.c && ! per_step "$out/libm" >/dev/null
 result $? "control: a sine that branches on its argument is seen"
 
-# inside FUNCTION PROGRAM ARGUMENT...: instructions of a call of it, all that it calls included.
-inside()
-{
-    function=$1
-    shift
-    for calls in 1000 2000; do
-        valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$function" "$1" $calls ${2:+"$2"} 2>&1 |
-            sed -n 's/.*Collected : //p'
-    done | paste -sd ' ' | awk 'NF == 2 { print ($2 - $1) / 1000 }'
-}
-
 # at_most_two STEP DERIVATIVE EVALUATIONS: of the sums and products that the method itself makes, $made, each costs at most two
 # instructions of a step beyond its evaluations: one computes, one loads or stores. Sets overhead.
 at_most_two()
@@ -58,8 +47,8 @@ beyond()
 {
     by_method "$1" tests/handwritten/double_pendulum.c
     result $? "double_pendulum by hand with $1 builds"
-    derivative=$(inside derivative "$out/$1.run" derivative)
-    step=$(inside step "$out/$1.run")
+    derivative=$(per_step "$out/$1.run" derivative derivative)
+    step=$(per_step "$out/$1.run" step)
     made=$(build/isoc models/double_pendulum.scene -o "$out/counted" --method "$1" --real double |
         awk -v evaluations="$2" '$1 == "derivative" || $1 == "step" && $2 == "add" { n[$1] = $3 + $5 }
             END { print n["step"] - evaluations * n["derivative"] }')
@@ -72,7 +61,7 @@ beyond abm4 2
 beyond ab4 1
 # Positive control: a step that calls its derivative, and does not have it in itself.
 sed 's/^static inline void derivative/static __attribute__((noinline)) void derivative/' tests/handwritten/double_pendulum.c >"$out/called.c" &&
-    by_method ab4 "$out/called.c" && step=$(inside step "$out/ab4.run") && ! at_most_two "$step" "$derivative" 1
+    by_method ab4 "$out/called.c" && step=$(per_step "$out/ab4.run" step) && ! at_most_two "$step" "$derivative" 1
 result $? "control: with a call, of $step instructions $overhead are beyond one evaluation of $derivative"
 
 # The operations of arm6's derivative, which isoc counts, beside those of the articulated-body algorithm for n joints in
