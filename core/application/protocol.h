@@ -98,7 +98,7 @@ enum { ISO_LINK_VERSION = 1 };
 #define ISO_LINK_ANSWER_FIELDS(X)                                                                                      \
     X(command, U8, 1)                                                                                                  \
     X(number, U8, 1)                                                                                                   \
-    X(answer, U8, 1) /* then ISO_COMMAND_STATE_FIELDS, or ISO_COMMAND_PIECE_FIELDS */
+    X(answer, U8, 1) /* then as ISO_COMMAND_STATE_FIELDS, or what was asked for */
 #define ISO_LINK_REFUSAL_FIELDS(X)                                                                                     \
     X(reason, U8, 1)                                                                                                   \
     X(type, U8, 1) /* of the frame that is refused */
@@ -136,7 +136,10 @@ enum { ISO_LINK_VERSION = 1 };
     X(TAKE, 5)    /* takes a snapshot into the record */                                                               \
     X(READ, 6)    /* a piece of the record */                                                                          \
     X(WRITE, 7)   /* a piece of it */                                                                                  \
-    X(RESTORE, 8) /* puts the plant to the record; rests there */
+    X(RESTORE, 8) /* puts the plant to the record; rests there */                                                      \
+    X(SET, 9)     /* a tunable, from the next step on */                                                               \
+    X(GET, 10)    /* a tunable */                                                                                      \
+    X(COUNTS, 11) /* how the run has gone so far */
 #define ISO_COMMAND_STATE_TAKES(X)
 #define ISO_COMMAND_RUN_TAKES(X) X(ticks, U64, 1) /* 0: without an end */
 #define ISO_COMMAND_REST_TAKES(X)
@@ -145,6 +148,9 @@ enum { ISO_LINK_VERSION = 1 };
 #define ISO_COMMAND_READ_TAKES(X) X(offset, U32, 1)
 #define ISO_COMMAND_WRITE_TAKES(X) ISO_COMMAND_PIECE_FIELDS(X)
 #define ISO_COMMAND_RESTORE_TAKES(X) X(bytes, U32, 1) /* of the record */
+#define ISO_COMMAND_SET_TAKES(X) ISO_COMMAND_VALUE_FIELDS(X)
+#define ISO_COMMAND_GET_TAKES(X) X(tunable, U16, 1)
+#define ISO_COMMAND_COUNTS_TAKES(X)
 
 /* A piece of the record, of at most so many bytes. All pieces are as long, but for the last one. */
 enum { ISO_COMMAND_PIECE = 128 };
@@ -152,7 +158,12 @@ enum { ISO_COMMAND_PIECE = 128 };
     X(offset, U32, 1)                                                                                                  \
     X(piece, U8, MANY)
 
-/* An answer that is no piece. */
+/* A tunable, by its place in the plant, and its value. */
+#define ISO_COMMAND_VALUE_FIELDS(X)                                                                                    \
+    X(tunable, U16, 1)                                                                                                 \
+    X(value, REAL, MANY)
+
+/* The answer to COUNTS has the words of an end frame. Any other answer is how the plant is. */
 #define ISO_COMMAND_STATE_FIELDS(X)                                                                                    \
     X(state, U8, 1)                                                                                                    \
     X(tick, U64, 1)                                                                                                    \
@@ -181,6 +192,7 @@ enum { ISO_COMMAND_PIECE = 128 };
     X(ISO_CONTROL_NO_RUN, 16, "there is no run")                                                                       \
     X(ISO_CONTROL_BAD_STATE, 17, "the guard has stopped the plant")                                                    \
     X(ISO_CONTROL_BEYOND, 18, "a piece beyond the end")                                                                \
-    X(ISO_CONTROL_RUNS, 19, "the plant does not rest")
+    X(ISO_CONTROL_RUNS, 19, "the plant does not rest")                                                                 \
+    X(ISO_CONTROL_NO_TUNABLE, 20, "there is no such tunable")
 
 #endif

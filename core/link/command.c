@@ -9,6 +9,7 @@ enum {
     HEAD_BYTES = 0 ISO_LINK_COMMAND_FIELDS(ISO_FIELD_BYTES),
     TICKS_BYTES = 0 ISO_COMMAND_RUN_TAKES(ISO_FIELD_BYTES),
     OFFSET_BYTES = 0 ISO_COMMAND_PIECE_FIELDS(ISO_FIELD_BYTES),
+    TUNABLE_BYTES = 0 ISO_COMMAND_VALUE_FIELDS(ISO_FIELD_BYTES),
 };
 
 /* Whether the bytes behind the head are as many as the command has. */
@@ -17,6 +18,7 @@ static bool has_length(const iso_command_type type, const size_t length)
 #define LENGTH(name, number) [number] = 0 ISO_COMMAND_##name##_TAKES(ISO_FIELD_BYTES),
     static const uint8_t lengths[ISO_COMMANDS] = {ISO_COMMAND_LIST(LENGTH)};
     return type == ISO_COMMAND_WRITE ? length > OFFSET_BYTES && length <= OFFSET_BYTES + ISO_COMMAND_PIECE
+           : type == ISO_COMMAND_SET ? length == TUNABLE_BYTES + sizeof(real)
                                      : length == lengths[type];
 }
 
@@ -49,11 +51,29 @@ static iso_control_answer write_piece(const iso_control *const control, const si
     return ISO_CONTROL_DONE;
 }
 
+static real *tunable_of(const iso_control *const control, const uint8_t *const payload)
+{
+    return iso_control_tunable(control, (size_t)iso_frame_number(payload + HEAD_BYTES, TUNABLE_BYTES));
+}
+
+static iso_control_answer set_tunable(const iso_control *const control, const uint8_t *const payload)
+{
+    real *const tunable = tunable_of(control, payload);
+    if (tunable == NULL) {
+        return ISO_CONTROL_NO_TUNABLE;
+    }
+    *tunable = iso_frame_real(payload + HEAD_BYTES + TUNABLE_BYTES);
+    return ISO_CONTROL_DONE;
+}
+
 /* The commands that need a run that goes on. */
-static iso_control_answer run_or_rest(iso_control *const control, const bool is_running, const uint8_t *const payload)
+static iso_control_answer in_a_run(iso_control *const control, const bool is_running, const uint8_t *const payload)
 {
     if (!is_running) {
         return ISO_CONTROL_NO_RUN;
+    }
+    if (payload[0] == ISO_COMMAND_SET) {
+        return set_tunable(control, payload);
     }
     if (payload[0] == ISO_COMMAND_RUN) {
         iso_control_run(control, iso_frame_number(payload + HEAD_BYTES, TICKS_BYTES));
@@ -79,7 +99,10 @@ static iso_control_answer answer_to(iso_control *const control, const bool is_ru
 {
     switch (payload[0]) {
     case ISO_COMMAND_STATE:
+    case ISO_COMMAND_COUNTS:
         return ISO_CONTROL_DONE;
+    case ISO_COMMAND_GET:
+        return tunable_of(control, payload) != NULL ? ISO_CONTROL_DONE : ISO_CONTROL_NO_TUNABLE;
     case ISO_COMMAND_RESET:
         iso_control_reset(control);
         return ISO_CONTROL_DONE;
@@ -93,7 +116,7 @@ static iso_control_answer answer_to(iso_control *const control, const bool is_ru
     case ISO_COMMAND_RESTORE:
         return iso_command_restore(control, is_running, offset_of(payload));
     default:
-        return run_or_rest(control, is_running, payload);
+        return in_a_run(control, is_running, payload);
     }
 }
 
@@ -122,6 +145,15 @@ iso_command_outcome iso_command_do(iso_commands *const commands, iso_control *co
                                                                       : ISO_COMMAND_DONE;
 }
 
+static void put_piece(const iso_control *const control, const size_t offset, iso_frame_writer *const w)
+{
+    const size_t bytes = piece_bytes(control, offset);
+    iso_frame_put(w, offset, OFFSET_BYTES);
+    for (size_t i = 0; i < bytes; i++) {
+        iso_frame_put(w, control->record[offset + i], 1);
+    }
+}
+
 static iso_command_state state_of(const iso_control *const control, const bool is_running)
 {
     return is_stopped(control)               ? ISO_COMMAND_STOPPED
@@ -132,28 +164,33 @@ static iso_command_state state_of(const iso_control *const control, const bool i
 
 #define FIELD(name, ...) uint64_t name;
 #define PUT_STATE(name, type, count) iso_frame_put(w, fields.name, ISO_BYTES_OF_##type);
+static void put_state(const iso_control *const control, const bool is_running, iso_frame_writer *const w)
+{
+    const struct {
+        ISO_COMMAND_STATE_FIELDS(FIELD)
+    } fields = {
+        .state = state_of(control, is_running),
+        .tick = control->loop->tick,
+        .left = control->left,
+        .hash = control->hash,
+        .snapshot_bytes = control->record_bytes,
+    };
+    ISO_COMMAND_STATE_FIELDS(PUT_STATE)
+}
+
 void iso_command_put_answer(const iso_commands *const commands, const iso_control *const control, const bool is_running,
                             const uint8_t *const payload, iso_frame_writer *const w)
 {
+    const bool is_done = commands->answer == ISO_CONTROL_DONE;
     iso_frame_put(w, payload[0], 1);
     iso_frame_put(w, payload[1], 1);
     iso_frame_put(w, commands->answer, 1);
     if (payload[0] == ISO_COMMAND_READ) {
-        const size_t offset = offset_of(payload), bytes = piece_bytes(control, offset);
-        iso_frame_put(w, offset, OFFSET_BYTES);
-        for (size_t i = 0; i < bytes; i++) {
-            iso_frame_put(w, control->record[offset + i], 1);
-        }
-    } else {
-        const struct {
-            ISO_COMMAND_STATE_FIELDS(FIELD)
-        } fields = {
-            .state = state_of(control, is_running),
-            .tick = control->loop->tick,
-            .left = control->left,
-            .hash = control->hash,
-            .snapshot_bytes = control->record_bytes,
-        };
-        ISO_COMMAND_STATE_FIELDS(PUT_STATE)
+        put_piece(control, offset_of(payload), w);
+    } else if (payload[0] == ISO_COMMAND_GET && is_done) {
+        iso_frame_put(w, iso_frame_number(payload + HEAD_BYTES, TUNABLE_BYTES), TUNABLE_BYTES);
+        iso_frame_put_reals(w, tunable_of(control, payload), 1);
+    } else if (payload[0] != ISO_COMMAND_COUNTS) {
+        put_state(control, is_running, w);
     }
 }

@@ -53,7 +53,7 @@ iso_command_outcome iso_command_do(iso_commands *commands, iso_control *control,
 /* Puts the plant to the snapshot in the record: that of a run, or of one that the guard has stopped. */
 iso_control_answer iso_command_restore(iso_control *control, bool is_running, size_t bytes);
 
-/* Writes the payload of the answer to it. */
+/* Writes the payload of the answer to it; of COUNTS the begin, behind which the link's own words come. */
 void iso_command_put_answer(const iso_commands *commands, const iso_control *control, bool is_running,
                             const uint8_t *payload, iso_frame_writer *w);
 

@@ -62,7 +62,8 @@ static void send_outputs(iso_link *const link)
     put_frame(link, &w);
 }
 
-static void send_end(iso_link *const link)
+/* How the run went, or has gone so far. */
+static void put_words(const iso_link *const link, iso_frame_writer *const w)
 {
     static const iso_adams_state none;
     const iso_loop *const loop = link->loop;
@@ -74,12 +75,16 @@ static void send_end(iso_link *const link)
 #define LINK_COUNT(name) link->statistics.name,
     const uint64_t words[] = {ISO_STREAM_COUNTS(LOOP_COUNT) ISO_STREAM_WORDS(LOOP_WORD) ISO_LINK_COUNTS(LINK_COUNT)};
     _Static_assert(sizeof words == ISO_LINK_END_BYTES, "the end frame has these words and no others");
+    for (size_t i = 0; i < ISO_LINK_END_WORDS; i++) {
+        iso_frame_put(w, words[i], sizeof words[i]);
+    }
+}
 
+static void send_end(iso_link *const link)
+{
     iso_frame_writer w;
     iso_frame_begin(&w, link->interface->sent, ISO_LINK_END);
-    for (size_t i = 0; i < ISO_LINK_END_WORDS; i++) {
-        iso_frame_put(&w, words[i], sizeof words[i]);
-    }
+    put_words(link, &w);
     put_frame(link, &w);
 }
 
@@ -211,6 +216,9 @@ static void take_command(iso_link *const link, const uint8_t *const payload, con
     iso_frame_writer w;
     iso_frame_begin(&w, link->interface->sent, ISO_LINK_ANSWER);
     iso_command_put_answer(&link->commands, &link->control, link->running, payload, &w);
+    if (payload[0] == ISO_COMMAND_COUNTS) {
+        put_words(link, &w);
+    }
     put_frame(link, &w);
     if (outcome != ISO_COMMAND_DONE) {
         send_outputs(link);

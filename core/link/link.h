@@ -42,15 +42,16 @@ enum {
         0 ISO_STREAM_COUNTS(ISO_LINK_ONE_OF) ISO_STREAM_WORDS(ISO_LINK_ONE_OF) ISO_LINK_COUNTS(ISO_LINK_ONE_OF)
 };
 
-/* Bytes of payload. No command or answer is longer than the end frame. */
+/* Bytes of payload. No command or answer is longer than that with the words of the end frame. */
 #define ISO_LINK_LARGER(a, b) ((a) < (b) ? (b) : (a))
 #define ISO_LINK_TICK_BYTES(reals) ((0 ISO_LINK_OUTPUTS_FIELDS(ISO_FIELD_BYTES)) + (reals) * sizeof(real))
 #define ISO_LINK_END_BYTES (ISO_LINK_END_WORDS * ISO_BYTES_OF_U64)
+#define ISO_LINK_COUNTS_BYTES ((0 ISO_LINK_ANSWER_FIELDS(ISO_FIELD_BYTES)) + ISO_LINK_END_BYTES)
 
 /* Bytes of a buffer for the frames of a plant. */
 #define ISO_LINK_BYTES(wires, outputs)                                                                                 \
-    ISO_FRAME_BYTES(                                                                                                   \
-        ISO_LINK_LARGER(ISO_LINK_TICK_BYTES(ISO_LINK_LARGER((size_t)(wires), (size_t)(outputs))), ISO_LINK_END_BYTES))
+    ISO_FRAME_BYTES(ISO_LINK_LARGER(ISO_LINK_TICK_BYTES(ISO_LINK_LARGER((size_t)(wires), (size_t)(outputs))),          \
+                                    ISO_LINK_COUNTS_BYTES))
 
 typedef struct iso_link {
     const iso_interface *interface;

@@ -22,7 +22,8 @@ typedef enum iso_control_answer {
         16, /* there is none: not started, over, or stopped by the guard, which nothing but a restore ends */
     ISO_CONTROL_BAD_STATE, /* no snapshot of a plant that the guard has stopped */
     ISO_CONTROL_BEYOND,    /* a piece that is not in the record; or there is no room for one */
-    ISO_CONTROL_RUNS       /* not to another tick while it does not rest */
+    ISO_CONTROL_RUNS,      /* not to another tick while it does not rest */
+    ISO_CONTROL_NO_TUNABLE
 } iso_control_answer;
 
 typedef struct iso_control {
@@ -33,6 +34,14 @@ typedef struct iso_control {
     uint64_t hash;         /* of the trajectory so far */
     uint64_t left;         /* ticks to do until it rests, or ISO_CONTROL_ENDLESS; 0: it rests */
 } iso_control;
+
+/* Where a tunable of the plant stands; NULL if there is none of this number. Between two ticks it may be set: the next tick checks
+ * it as the platform's own (core/runtime/admit.h). A reset puts it to its default, a restore to that of the snapshot. */
+static inline real *iso_control_tunable(const iso_control *const control, const size_t tunable)
+{
+    const iso_plant *const plant = control->loop->plant;
+    return tunable < plant->model->parameters ? &plant->p[tunable] : NULL;
+}
 
 /* Runs for so many ticks; 0: until something else is asked. */
 static inline void iso_control_run(iso_control *const control, const uint64_t ticks)

@@ -153,10 +153,10 @@ flash: $(PROGRAM)
 
 # --- With a controller -------------------------------------------------------------------------------------------
 
-# Finds its end of the wire at descriptor 3 (tools/link/main.c).
+# Finds its end of the wire at descriptor 3 (tools/link/main.c). A controller in Python finds the plant's module.
 link hil: PROGRAM := $(LINKED_PROGRAM)
 link hil: PORT_SERIAL = $(PORT_SERIAL_LINKED)
-CONNECT = build/link -o $(OUT) --header "$$(ls $(LINKED)/*_link.h)" $(MODE:%=--mode %) \
+CONNECT = PYTHONPATH=$(LINKED)$${PYTHONPATH:+:$$PYTHONPATH} build/link -o $(OUT) --header "$$(ls $(LINKED)/*_link.h)" $(MODE:%=--mode %) \
     $(if $(CONTROLLER),--controller $(call quote,$(CONTROLLER))) -- $(RUN)
 
 link: $(LINKED_PROGRAM) $(if $(XCP),$(A2L)) build/trace build/link

@@ -369,6 +369,13 @@ static inline const char *iso_client_answer(unsigned code)
     return ISO_CLIENT_ANSWERS(ISO_CLIENT_IF) "not known";
 }
 
+/* How a run went, or has gone so far. */
+static inline void iso_client_take_words(iso_client *c, const uint8_t *at)
+{
+#define ISO_CLIENT_TAKE_WORD(name) c->end.name = iso_client_number(at, 8), at += 8;
+    ISO_CLIENT_WORDS(ISO_CLIENT_TAKE_WORD)
+}
+
 /* Takes a frame. Returns 1 if outputs came of a tick from `from` on, or, where those of the next tick are due, of an
  * earlier one to which somebody else has put the plant; and if they need an answer. 0 if something else came, -1 if
  * the run is over or the plant has refused it. */
@@ -385,9 +392,7 @@ static inline int iso_client_take(iso_client *c, size_t length, uint64_t from)
         return is_taken && (c->ticks == 0 || tick < c->ticks);
     }
     if (type == ISO_CLIENT_FRAME_END && length == sizeof c->end) {
-        const uint8_t *at = c->received + 1;
-#define ISO_CLIENT_TAKE_WORD(name) c->end.name = iso_client_number(at, 8), at += 8;
-        ISO_CLIENT_WORDS(ISO_CLIENT_TAKE_WORD)
+        iso_client_take_words(c, c->received + 1);
         c->over = true;
         c->problem[0] = '\0';
         return -1;
@@ -472,117 +477,6 @@ static inline bool iso_client_stop(iso_client *c)
 {
     iso_client_begin(c, ISO_CLIENT_FRAME_END);
     return c->over || (iso_client_finish(c) && !iso_client_await(c, UINT64_MAX) && c->over);
-}
-
-/* --- Commands ---------------------------------------------------------------------------------------------------- */
-
-#define ISO_CLIENT_TAKES(name, number, bytes) +(command == (number) ? (bytes) : 0)
-
-/* Begins a command with the number that it takes; one that takes none has no bytes of it. */
-static inline void iso_client_command(iso_client *c, uint8_t command, uint64_t argument)
-{
-    iso_client_begin(c, ISO_CLIENT_FRAME_COMMAND);
-    iso_client_put(c, command, 1);
-    iso_client_put(c, ++c->number, 1);
-    iso_client_put(c, argument, (size_t)(0 ISO_CLIENT_COMMANDS(ISO_CLIENT_TAKES)));
-}
-
-/* Sends the command that has been begun, again and again until its answer comes: that is then from
- * received[ISO_CLIENT_ANSWER_AT] on, of *length bytes; before it is what became of the command. */
-enum { ISO_CLIENT_ANSWER_AT = 1 + ISO_CLIENT_BYTES_OF_ANSWER };
-
-static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length)
-{
-    bool sent = iso_client_finish(c);
-    for (int tries = 0; sent && tries < ISO_CLIENT_TRIES;) {
-        const int came = iso_client_receive(c, ISO_CLIENT_PATIENCE_MS, length);
-        if (came < 0) {
-            return false;
-        }
-        if (came == 0) {
-            tries++;
-            sent = iso_client_write(c);
-        } else if (c->received[0] == ISO_CLIENT_FRAME_ANSWER && *length >= ISO_CLIENT_BYTES_OF_ANSWER &&
-                   c->received[1] == command && c->received[2] == c->number) {
-            *length -= ISO_CLIENT_BYTES_OF_ANSWER;
-            const uint8_t answer = c->received[ISO_CLIENT_ANSWER_AT - 1];
-            return answer == 0 || iso_client_fail(c, "refused", iso_client_answer(answer));
-        } else if (iso_client_take(c, *length, 0) < 0 && !c->over) {
-            return false;
-        }
-    }
-    return sent && iso_client_fail(c, "the plant does not answer", NULL);
-}
-
-#define ISO_CLIENT_FIELD_BYTES(name, bytes) +(bytes)
-#define ISO_CLIENT_TAKE_FIELD(name, bytes)                                                                             \
-    c->state.name = (ISO_CLIENT_OF_##bytes)iso_client_number(at, bytes), at += (bytes);
-enum { ISO_CLIENT_STATE_BYTES = 0 ISO_CLIENT_STATE_FIELDS(ISO_CLIENT_FIELD_BYTES) };
-
-/* A command whose answer says how the plant is. The first one of a link asks for that alone: then no number of a
- * controller before is taken for one of this. */
-static inline bool iso_client_do(iso_client *c, uint8_t command, uint64_t argument)
-{
-    size_t length = 0;
-    if (c->number == 0 && command != ISO_CLIENT_STATE && !iso_client_do(c, ISO_CLIENT_STATE, 0)) {
-        return false;
-    }
-    iso_client_command(c, command, argument);
-    if (!iso_client_ask(c, command, &length) || length != ISO_CLIENT_STATE_BYTES) {
-        return false;
-    }
-    const uint8_t *at = c->received + ISO_CLIENT_ANSWER_AT;
-    ISO_CLIENT_STATE_FIELDS(ISO_CLIENT_TAKE_FIELD)
-    return true;
-}
-
-/* The same of one that puts the plant to another tick, with the outputs there. */
-static inline bool iso_client_move(iso_client *c, uint8_t command, uint64_t argument)
-{
-    if (!iso_client_do(c, command, argument)) {
-        return false;
-    }
-    c->over = false;
-    return iso_client_await(c, c->state.tick);
-}
-
-/* Takes a snapshot of the plant into record[room]. Returns its bytes; 0 with a problem. */
-static inline size_t iso_client_snapshot(iso_client *c, void *record, size_t room)
-{
-    size_t length = 0;
-    if (!iso_client_do(c, ISO_CLIENT_TAKE, 0)) {
-        return 0;
-    }
-    const size_t bytes = c->state.snapshot_bytes, head = ISO_CLIENT_BYTES_TO_READ;
-    for (size_t at = 0; at < bytes && bytes <= room; at += length - head) {
-        iso_client_command(c, ISO_CLIENT_READ, at);
-        if (!iso_client_ask(c, ISO_CLIENT_READ, &length)) {
-            return 0;
-        }
-        const uint8_t *piece = c->received + ISO_CLIENT_ANSWER_AT;
-        if (length <= head || iso_client_number(piece, head) != at || length - head > bytes - at) {
-            return (size_t)iso_client_fail(c, "the snapshot", "a piece is not that which was asked for");
-        }
-        memcpy((char *)record + at, piece + head, length - head);
-    }
-    return bytes <= room ? bytes : (size_t)iso_client_fail(c, "the snapshot", "there is no room for it");
-}
-
-/* Puts the plant to a snapshot, of this or another plant of its kind; it rests there, and the outputs are those. */
-static inline bool iso_client_restore(iso_client *c, const void *record, size_t bytes)
-{
-    size_t length = 0;
-    for (size_t at = 0; at < bytes; at += ISO_CLIENT_PIECE) {
-        const size_t piece = bytes - at < ISO_CLIENT_PIECE ? bytes - at : (size_t)ISO_CLIENT_PIECE;
-        iso_client_command(c, ISO_CLIENT_WRITE, at);
-        for (size_t i = 0; i < piece; i++) {
-            iso_client_put_byte(c, ((const uint8_t *)record)[at + i]);
-        }
-        if (!iso_client_ask(c, ISO_CLIENT_WRITE, &length)) {
-            return false;
-        }
-    }
-    return iso_client_move(c, ISO_CLIENT_RESTORE, bytes);
 }
 
 #ifdef __cplusplus

@@ -5,7 +5,10 @@
 
 #include "tools/table/table.h"
 
-enum { TICK_BYTES = 0 ISO_LINK_INPUTS_FIELDS(ISO_FIELD_BYTES) };
+enum {
+    TICK_BYTES = 0 ISO_LINK_INPUTS_FIELDS(ISO_FIELD_BYTES),
+    ANSWER_BYTES = 0 ISO_LINK_ANSWER_FIELDS(ISO_FIELD_BYTES),
+};
 
 /* Memory for twice as many, with what is there. */
 static void *doubled(void *const old, const size_t count, const size_t bytes)
@@ -38,19 +41,37 @@ static void add_turn(account *const a, const uint64_t turn)
     a->turns[a->turn_count++] = turn;
 }
 
+/* Outputs of a tick: those of the next row, or of one to which a command has put the plant. */
+static void take_outputs(account *const a, const uint64_t tick, const uint64_t now)
+{
+    if (a->moved) {
+        memset(a->shown, 0, sizeof a->shown);
+    } else if (tick > a->newest) {
+        if (tick == a->newest + 1) {
+            add_turn(a, now - a->seen);
+        }
+        a->row += tick - a->newest;
+    } else if (tick > 0) {
+        return;
+    }
+    a->moved = false;
+    a->seen = now;
+    a->newest = tick;
+    a->shown[tick % ACCOUNT_OPEN] = now;
+}
+
+static bool is_move(const uint8_t *const answer)
+{
+    return answer[2] == ISO_CONTROL_DONE && (answer[0] == ISO_COMMAND_RESET || answer[0] == ISO_COMMAND_RESTORE);
+}
+
 void account_plant(account *const a, const uint8_t type, const uint8_t *const payload, const size_t length,
                    const uint64_t now)
 {
     if (type == ISO_LINK_OUTPUTS && length >= TICK_BYTES) {
-        const uint64_t tick = iso_frame_number(payload, TICK_BYTES);
-        if (tick > a->newest || tick == 0) {
-            if (tick == a->newest + 1) {
-                add_turn(a, now - a->seen);
-            }
-            a->seen = now;
-            a->newest = tick;
-            a->shown[tick % ACCOUNT_OPEN] = now;
-        }
+        take_outputs(a, iso_frame_number(payload, TICK_BYTES), now);
+    } else if (type == ISO_LINK_ANSWER && length >= ANSWER_BYTES && is_move(payload)) {
+        a->moved = true;
     } else if (type == ISO_LINK_END && length == ISO_LINK_END_BYTES) {
         take_end(a, payload);
     }
@@ -77,7 +98,7 @@ void account_controller(account *const a, const uint8_t type, const uint8_t *con
     }
     a->input_bytes = bytes;
     a->trips[a->exchanges] = now - *shown;
-    a->answered[a->exchanges] = tick;
+    a->answered[a->exchanges] = a->row - (a->newest - tick);
     memcpy(a->inputs + a->exchanges * bytes, payload + TICK_BYTES, bytes);
     a->exchanges++;
     *shown = 0;
@@ -93,7 +114,8 @@ static int compare(const void *const a, const void *const b)
 account_trips account_sum(account *const a)
 {
     account_trips sum = {.count = a->exchanges};
-    while (sum.count > 0 && a->answered[sum.count - 1] >= a->end.tick) {
+    const uint64_t rows = a->row + (a->end.tick - a->newest);
+    while (sum.count > 0 && a->answered[sum.count - 1] >= rows) {
         sum.count--;
     }
     if (sum.count > 0) {

@@ -111,7 +111,7 @@ static void put_units(FILE *const to, const size_t line, void *const context)
     fputs(line == 0 ? r->of->names : r->of->units, to);
 }
 
-/* Line 0 has the names, and line k + 1 is of tick k. */
+/* Line 0 has the names, and line k + 1 is row k. */
 static void put_inputs(FILE *const to, const size_t line, void *const context)
 {
     rows *const r = context;

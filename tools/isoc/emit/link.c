@@ -15,8 +15,8 @@
 typedef struct terminals {
     const char *prefix, *capitals; /* of names in C: cart_pole, CART_POLE */
     const char *scene;
-    const variable *inputs, *outputs;
-    int input_count, output_count;
+    const variable *inputs, *outputs, *tunables;
+    int input_count, output_count, tunable_count;
     uint64_t identity;
     long period_ns;
     bool is_double;
@@ -95,8 +95,10 @@ static terminals terminals_of(const plant *p, const naming *names, arena *memory
                        .scene = m->name,
                        .inputs = inputs,
                        .outputs = names->about_outputs,
+                       .tunables = m->parameters.all,
                        .input_count = m->inputs.wire_count,
                        .output_count = p->outputs.count,
+                       .tunable_count = m->parameters.count,
                        .identity = identity,
                        .period_ns = lround(m->method.step * 1e9),
                        .is_double = p->is_double};
@@ -136,13 +138,15 @@ static void emit_terminals(const terminals *t, char array, const char *what, con
 
 static void emit_client_header(const terminals *t, text *out)
 {
-    text inputs = {.memory = out->memory}, outputs = {.memory = out->memory};
+    text inputs = {.memory = out->memory}, outputs = inputs, tunables = inputs;
     emit_terminals(t, 'U', "inputs", t->inputs, t->input_count, &inputs);
     emit_terminals(t, 'Y', "outputs", t->outputs, t->output_count, &outputs);
+    emit_terminals(t, 'P', "tunables", t->tunables, t->tunable_count, &tunables);
     text_fill(out, embedded_text(client_files, "tools/client/link.h.in"),
               (const filling[]){{"scene", t->scene},
                                 {"tables", protocol_in_c(out->memory)},
                                 {"client", embedded_text(client_files, "tools/client/client.h")},
+                                {"commands", embedded_text(client_files, "tools/client/commands.h")},
                                 {"prefix", t->prefix},
                                 {"PREFIX", t->capitals},
                                 {"real", t->is_double ? "double" : "float"},
@@ -150,6 +154,7 @@ static void emit_client_header(const terminals *t, text *out)
                                 {"period_ns", arena_format(out->memory, "%ld", t->period_ns)},
                                 {"inputs", inputs.bytes},
                                 {"outputs", outputs.bytes},
+                                {"tunables", tunables.bytes},
                                 {NULL, NULL}});
 }
 
@@ -177,6 +182,7 @@ static void emit_client_module(const terminals *t, text *out)
                                 {"period_ns", arena_format(memory, "%ld", t->period_ns)},
                                 {"inputs", python_dictionary(memory, t->inputs, t->input_count)},
                                 {"outputs", python_dictionary(memory, t->outputs, t->output_count)},
+                                {"tunables", python_dictionary(memory, t->tunables, t->tunable_count)},
                                 {"frames", protocol_rows(memory, PROTOCOL_FRAMES, "    @name@=b@number@,\n")},
                                 {"modes", protocol_rows(memory, PROTOCOL_MODES, "    @words@: @number@,\n")},
                                 {"reasons", protocol_rows(memory, PROTOCOL_REASONS, entry)},
