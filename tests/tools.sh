@@ -57,6 +57,7 @@ missing()
     have simavr || echo simavr
     [ -f /usr/include/simavr/sim_avr.h ] || echo libsimavr-dev
     have valgrind || echo valgrind
+    have pytest-3 || echo python3-pytest
     have clang || echo clang
     have_fuzzer || echo libclang-rt-dev
     have clang-format || echo clang-format

@@ -44,18 +44,22 @@ result $? "found: a field that is missing"
 # taken README: the types that the commands take, by number, and of the state in an answer.
 taken()
 {
-    awk -F ' *[|] *' '$3 ~ /^[1-8]$/ { print $3, $4 }' "$1" | sed 's/, 0 without an end//; s/\(u[0-9]*\) [^,]*/\1/g; s/, [0-9]* to [0-9]* bytes/ bytes/'
+    awk -F ' *[|] *' '$3 ~ /^[0-9]+$/ { print $3, $4 }' "$1" | sed 's/, 0 without an end//; s/\(u[0-9]*\) [^,]*/\1/g; s/, [0-9]* to [0-9]* bytes/ bytes/; s/, real/ reals/'
     tr '\n' ' ' <"$1" | grep -o 'any other one with [^.]*' | grep -o 'u[0-9][0-9]* ' | tr -d '\n'
     echo
 }
 {
-    sed -n 's/^    X(\([A-Z]*\), \([1-8]\)) .*/\1 \2/p' $protocol | while read -r name number; do
-        [ "$name" = WRITE ] && list=ISO_COMMAND_PIECE_FIELDS || list=ISO_COMMAND_${name}_TAKES
+    sed -n 's/^    X(\([A-Z]*\), \([0-9]*\)) .*/\1 \2/p' $protocol | while read -r name number; do
+        case $name in
+        WRITE) list=ISO_COMMAND_PIECE_FIELDS ;;
+        SET) list=ISO_COMMAND_VALUE_FIELDS ;;
+        *) list=ISO_COMMAND_${name}_TAKES ;;
+        esac
         echo "$number $(fields $list)"
     done
     echo "$(fields ISO_COMMAND_STATE_FIELDS) "
 } >"$out/commands"
-[ "$(grep -c . "$out/commands")" -eq 9 ] && taken core/link/README.md | diff - "$out/commands" >"$out/told"
+[ "$(grep -c . "$out/commands")" -eq 12 ] && taken core/link/README.md | diff - "$out/commands" >"$out/told"
 result $? "the table of commands has what they take, and the text how a plant is"
 sed 's/u32 offset, 1 to/u16 offset, 1 to/' core/link/README.md >"$out/changed.md"
 ! taken "$out/changed.md" | cmp -s - "$out/commands"

@@ -81,6 +81,15 @@ on_board=$(hash "$out/board" python3 tests/link/script.py "$out/schedule" $ticks
 [ -n "$on_board" ] && [ "$on_board" = "$over_link" ]
 result $? "the same on the board: $on_board"
 
+# The package of the controller's end: a wheel, which Python reads as it is.
+python3 -c 'import os, sys; sys.path.insert(0, sys.argv[1]); import script_link_wheel; print(script_link_wheel.build_wheel(sys.argv[2]))' \
+    "$out/link" "$out" >"$out/wheel"
+PYTHONPATH=$out/$(cat "$out/wheel")
+from_wheel=$(hash "$out/link/program" python3 tests/link/script.py "$out/schedule" $ticks)
+[ -n "$from_wheel" ] && [ "$from_wheel" = "$over_link" ] && python3 -m zipfile -t "$out/$(cat "$out/wheel")" >"$out/told"
+result $? "the same from the wheel $(cat "$out/wheel")"
+PYTHONPATH=$out/link
+
 # Control: the same one tick later has another hash.
 awk '{ $1++; print }' "$out/schedule" >"$out/later"
 later=$(hash "$out/link/program" python3 tests/link/script.py "$out/later" $ticks)

@@ -200,6 +200,26 @@ static void emit_client_module(const terminals *t, text *out)
                                 {NULL, NULL}});
 }
 
+/* What pip makes a package of the module by. */
+static void add_package(const terminals *t, file_list *files)
+{
+    arena *memory = files->memory;
+    const char *module = arena_format(memory, "%s_link", t->prefix);
+    const char *const parts[][2] = {
+        {"pyproject.toml", "tools/client/pyproject.toml.in"},
+        {arena_format(memory, "%s_wheel.py", module), "tools/client/wheel.py.in"},
+    };
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        text filled = {.memory = memory};
+        text_fill(&filled, embedded_text(client_files, parts[i][1]),
+                  (const filling[]){{"scene", t->scene},
+                                    {"module", module},
+                                    {"identity", arena_format(memory, "%016" PRIx64, t->identity)},
+                                    {NULL, NULL}});
+        file_list_add(files, parts[i][0], &filled);
+    }
+}
+
 bool link_fits(const plant *p, const char *path)
 {
     enum { TICK_BYTES = 0 ISO_LINK_OUTPUTS_FIELDS(ISO_FIELD_BYTES) };
@@ -239,4 +259,5 @@ void emit_link(const plant *p, const naming *names, const char *lock, file_list 
     }
     file_list_add(files, arena_format(memory, "%s_link.h", t.prefix), &header);
     file_list_add(files, arena_format(memory, "%s_link.py", t.prefix), &module);
+    add_package(&t, files);
 }
