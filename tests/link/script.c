@@ -45,8 +45,8 @@ int main(int count, char **arguments)
     }
     const uint64_t last = strtoull(arguments[2], NULL, 10);
     bool more = next_entry(file, &e);
-    bool good = script_open(&plant, NULL) && !script_set(&plant, 0, 0) && strstr(plant.client.problem, "no run") != NULL &&
-                script_start(&plant, ISO_CLIENT_LOCKSTEP, 0);
+    bool good = script_open(&plant, NULL) && !script_set(&plant, 0, 0) &&
+                strstr(plant.client.problem, "no run") != NULL && script_start(&plant, ISO_CLIENT_LOCKSTEP, 0);
     while (good && plant.client.tick < last) {
         const float volts = 30 * plant.y[SCRIPT_Y_MEASURED_POLE] + 2 * plant.y[SCRIPT_Y_MEASURED_CART];
         plant.u[SCRIPT_U_COMMAND] = volts < -12 ? -12 : volts > 12 ? 12 : volts;
