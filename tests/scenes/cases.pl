@@ -1,5 +1,6 @@
 # Bad scenes: what isoc says of each, to the letter, and that it leaves its output alone. Prints TAP.
-# cases.pl plain COMMAND...: the compiler. cases.pl memcheck COMMAND...: tests/scenes/many.c under valgrind.
+# cases.pl plain all COMMAND...: the compiler. cases.pl memcheck TURN COMMAND...: tests/scenes/many.c under valgrind.
+# TURN is of thirds of bad.txt.
 #
 # bad.txt: `== NAME`, then either the scene itself or lines `edit: OLD -> NEW` on the scene good.scene, or on the one that
 # a line `of: SCENE` names (each OLD stands in it once; \0, \n, \t, \\ and \xHH are read as in C), then lines
@@ -8,7 +9,7 @@ $|=1; use strict;
 use warnings;
 use IPC::Open2;
 
-my ($kind, @compiler) = @ARGV;
+my ($kind, $turn, @compiler) = @ARGV;
 my $dir = "build/tests/scenes/$kind";
 my $number = 0;
 my ($answers, $requests);
@@ -98,7 +99,8 @@ sub accepted {
 }
 
 my %base = map { $_ => slurp("tests/scenes/$_.scene") } 'good', 'closed', 'effect', 'loop';
-for my $case (grep { /\S/ } split /^== /m, slurp('tests/scenes/bad.txt')) {
+my @cases = grep { /\S/ } split /^== /m, slurp('tests/scenes/bad.txt');
+for my $case (map { $turn eq 'all' || $_ % 3 == $turn ? $cases[$_] : () } 0 .. $#cases) {
     my ($name, @lines) = split /\n/, $case;
     my @expected = map { /^> (.*)/ ? $1 : () } @lines;
     my @edits = map { /^edit: (.*?) -> (.*)/ ? [$1, $2] : () } @lines;
