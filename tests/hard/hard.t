@@ -5,9 +5,9 @@ begin hard
 unrolled=$FLAGS
 rolled
 
-# The longest run of all is tried in one real each time, in both with the argument `all`.
+# What runs for long is tried in one real each time, in both with the argument `all`.
 turn=$(turn_of 2 "${1-}" core tests/hard)
-echo "# turn $turn of the reals of long_run"
+echo "# turn $turn of the reals of what runs for long"
 
 # share: what all cases share, in the real of now, compiled once. Their list is then $common. The steps of adams alone are
 # compiled soon and run for long.
@@ -76,7 +76,12 @@ for number in float double; do
     real $number
     share
     result $? "what all cases share builds in $number"
-    for name in van_der_pol robertson oregonator bushing quarter_car inputs denormals; do
+    case $turn,$number in
+    all,*) long='long_run robertson van_der_pol oregonator' ;;
+    0,float | 1,double) long='long_run robertson' ;;
+    *) long='van_der_pol oregonator' ;;
+    esac
+    for name in $long bushing quarter_car inputs denormals; do
         hard $name tests/hard/$name.c
     done
     costs_the_same 2 rk4
@@ -85,9 +90,6 @@ for number in float double; do
     program "rounding.$real" tests/hard/rounding.c $common
     result $? "rounding builds in $real"
     joined "rounding, $real" "$out/rounding.$real" "$out/rounding_$real.tsv"
-    case $turn,$number in
-    all,* | 0,float | 1,double) hard long_run tests/hard/long_run.c ;;
-    esac
     generated mass_ratio light_tip
     generated mass_ratio heavy_tip
 done
