@@ -3,6 +3,7 @@
 # nothing.
 . tests/host/test.sh
 begin effects
+optimised -O0
 
 for number in float double; do
     real $number
@@ -43,7 +44,7 @@ cell()
     printf '%s\n' "$plate" "$mount" | cat "models/$1.scene" - tests/effects/cell.scene |
         sed "s/JOINT/$2/; s/CONNECTION/$3/; ${5-}" >"$out/$1.scene"
     build/isoc "$out/$1.scene" -o "$out/$1" --real "$real" >"$out/$1.summary" &&
-        EXTRA="-O0 -DPLANT=\"$out/$1/plant.c\"" program cell.run tests/effects/cell.c tests/host/report.c
+        EXTRA="-DPLANT=\"$out/$1/plant.c\"" program cell.run tests/effects/cell.c tests/host/report.c
 }
 for number in float double; do
     real $number
@@ -169,7 +170,6 @@ own 'spring 5 N*m/rad rest 10 deg' 'effect elastic {
 own 'damping 0.1 N*m*s/rad' "$viscous" 'effect bearing viscous { along pivot; factor 0.1 N*m*s/rad }'
 
 # A function of time in a formula is that of an input that the effect reads, with the same new starts of a method with a history.
-optimised -O0
 driven='effect driven { joint along; signal by; effort on along = 0.3 N*m * by }'
 cp tests/inputs/road.csv "$out"
 for of in 'time / 1 s' 'step(0.3 s)' 'square(7 Hz)' 'prbs(7, 10 ms)' 'chirp(1 Hz, 9 Hz, 1 s)' 'file "road.csv"'; do
