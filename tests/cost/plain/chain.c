@@ -1,5 +1,8 @@
 /* A planar chain of RODS uniform rods of 1 m and 1 kg, as tools/measure/chain.sh describes it, by the equations of
  * Lagrange in absolute angles th_i. */
+#ifndef RODS
+#define RODS 8
+#endif
 #define STATES (2 * RODS)
 #define UNKNOWNS RODS
 #include "tests/cost/plain/plain.h"

@@ -6,7 +6,7 @@
 /* Of what no quantity is called: place of hinge; or of nothing. */
 static void refuse_quantity(parser *p)
 {
-    const char *words[QUANTITY_ROWS];
+    const char *words[QUANTITY_ROWS] = {NULL};
     size_t count = 0;
     for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
         const quantity_row *row = &quantity_rows[kind];
