@@ -26,6 +26,7 @@ typedef enum option {
     OPTION_DOT,
     OPTION_FILES,
     OPTION_EFFECTS,
+    OPTION_SHAPE,
     OPTION_STANDALONE,
     OPTION_LINK,
     OPTIONS
@@ -59,6 +60,7 @@ static const struct {
     [OPTION_DOT] = {.word = "--dot"},
     [OPTION_FILES] = {.word = "--files"},
     [OPTION_EFFECTS] = {.word = "--effects"},
+    [OPTION_SHAPE] = {.word = "--shape"},
     [OPTION_STANDALONE] = {.word = "--standalone"},
     [OPTION_LINK] = {.word = "--link"},
 };
@@ -112,9 +114,10 @@ static bool read_options(char **arguments, const char **given)
 /* Which options can stand together. */
 static bool check_together(arena *memory, const char *const *given)
 {
-    const char *listing = given[OPTION_DOT] != NULL     ? given[OPTION_DOT]
-                          : given[OPTION_FILES] != NULL ? given[OPTION_FILES]
-                                                        : given[OPTION_EFFECTS]; /* and no plant */
+    const char *listing = given[OPTION_DOT] != NULL       ? given[OPTION_DOT]
+                          : given[OPTION_FILES] != NULL   ? given[OPTION_FILES]
+                          : given[OPTION_EFFECTS] != NULL ? given[OPTION_EFFECTS]
+                                                          : given[OPTION_SHAPE]; /* and no plant */
     const char *unlinked = given[OPTION_NAME] != NULL         ? rows[OPTION_NAME].word
                            : given[OPTION_STANDALONE] != NULL ? given[OPTION_STANDALONE]
                                                               : listing;
@@ -168,6 +171,7 @@ static request request_of(const char *const *given)
         .draws = given[OPTION_DOT] != NULL,
         .lists_files = given[OPTION_FILES] != NULL,
         .lists_effects = given[OPTION_EFFECTS] != NULL,
+        .lists_shape = given[OPTION_SHAPE] != NULL,
         .is_double = index_of_word(given[OPTION_REAL], real_names, 2) == 1,
         .is_standalone = given[OPTION_STANDALONE] != NULL,
         .is_linked = given[OPTION_LINK] != NULL,

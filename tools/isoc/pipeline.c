@@ -33,6 +33,24 @@ static bool write_effects(const source *s, const scene *written)
     return write_out(list.bytes, list.length);
 }
 
+/* Prints the problems; then nothing is written. */
+static bool refuse(source *s)
+{
+    source_report(s);
+    return false;
+}
+
+/* What a picture of the mechanism needs besides the poses of its bodies. */
+static bool write_scene_shape(arena *memory, source *s, const scene *written)
+{
+    text shape = {.memory = memory};
+    graph g;
+    graph_start(&g, memory);
+    graph_section(&g, "");
+    mechanism_shape(s, &g, written, &shape);
+    return s->problem_count > 0 ? refuse(s) : write_out(shape.bytes, shape.length);
+}
+
 /* Bodies, joints and closures, for graphviz. */
 static bool write_graph(arena *memory, const scene *written, const mechanism *m)
 {
@@ -44,13 +62,6 @@ static bool write_graph(arena *memory, const scene *written, const mechanism *m)
     }
     dot_write(written, &(drawn_states){names, (size_t)state_count(m)}, &drawing);
     return write_out(drawing.bytes, drawing.length);
-}
-
-/* Prints the problems; then nothing is written. */
-static bool refuse(source *s)
-{
-    source_report(s);
-    return false;
 }
 
 /* Checks that a plant is useful at its start, each where those before it hold. */
@@ -115,6 +126,9 @@ bool compile(arena *memory, const request *r)
     }
     if (r->lists_effects) {
         return s.problem_count > 0 ? refuse(&s) : write_effects(&s, &written);
+    }
+    if (r->lists_shape) {
+        return write_scene_shape(memory, &s, &written);
     }
     /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are carried into segments. */
     graph_start(&g, memory);

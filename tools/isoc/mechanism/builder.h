@@ -128,6 +128,9 @@ matrix align(graph *g, const double a[3], int *k, double *sign);
 bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end);
 int common_segment(const mechanism *m, int a, int b);
 
+/* shape.c: what a picture needs. */
+void write_shape(builder *b, text *out);
+
 /* regroup.c: moves to the parents what the joints' motion does not change. */
 void regroup(builder *b);
 

@@ -200,6 +200,33 @@ static builder builder_of(source *s, graph *g, const scene *written, bool is_dou
     return b;
 }
 
+/* The passes up to the tree of bodies. */
+static void build_bodies_and_joints(builder *b)
+{
+    names_check(b->s, b->written); /* no two things with one name */
+    build_step(b);                 /* of a tick, in whole nanoseconds */
+    build_method(b);               /* the recipe */
+    build_policies(b);             /* what the loop does about late ticks */
+    values_resolve(&b->values);    /* constants and tunables, each after those that it names */
+    b->mechanism.forces.gravity = vector_value(b, b->written->gravity, acceleration, "gravity");
+    build_bodies(b);   /* what they weigh, in parts, each in the axes of its body */
+    connect_joints(b); /* which body is the child of which */
+    build_tree(b);     /* segments from the ground on, with the bodies that they carry */
+    build_frames(b);   /* on their bodies, which are placed */
+}
+
+void mechanism_shape(source *s, graph *g, const scene *written, text *out)
+{
+    builder b = builder_of(s, g, written, true, NULL);
+    values_start(&b.values, s, g, written, count_faults(written), true);
+    if (counts_check(s, written)) {
+        build_bodies_and_joints(&b);
+    }
+    if (s->problem_count == 0) {
+        write_shape(&b, out);
+    }
+}
+
 mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
 {
     builder b = builder_of(s, g, written, is_double, whole);
@@ -208,16 +235,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     if (!counts_check(s, written)) {
         return b.mechanism;
     }
-    names_check(s, written);   /* no two things with one name */
-    build_step(&b);            /* of a tick, in whole nanoseconds */
-    build_method(&b);          /* the recipe */
-    build_policies(&b);        /* what the loop does about late ticks */
-    values_resolve(&b.values); /* constants and tunables, each after those that it names */
-    b.mechanism.forces.gravity = vector_value(&b, written->gravity, acceleration, "gravity");
-    build_bodies(&b);              /* what they weigh, in parts, each in the axes of its body */
-    connect_joints(&b);            /* which body is the child of which */
-    build_tree(&b);                /* segments from the ground on, with the bodies that they carry */
-    build_frames(&b);              /* on their bodies, which are placed */
+    build_bodies_and_joints(&b);
     list_dofs(&b);                 /* the degrees of freedom of all segments */
     build_applied_forces(&b);      /* of inputs */
     build_springs(&b);             /* between two points */

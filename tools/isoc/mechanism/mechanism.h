@@ -15,6 +15,7 @@
 #include <math.h>
 
 #include "core/methods/table.h"
+#include "tools/isoc/base/text.h"
 #include "tools/isoc/formula/functions.h"
 #include "tools/isoc/graph/vector.h"
 
@@ -447,6 +448,10 @@ const char *query_unit(const mechanism *m, const query *q);
  * are dropped, `whole` is the mechanism with them: both have the same states, inputs, memories and parameters. Else it is
  * NULL. */
 mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole);
+
+/* Bodies with their solids, joints, closures, springs, forces, points of effects, and outputs that are points, a line of cells for
+ * each; notes problems. Places are in the frames of bodies. */
+void mechanism_shape(source *s, graph *g, const scene *written, text *out);
 
 /* Only the method and the step, for a scene that has nothing else; notes problems. */
 void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double);
