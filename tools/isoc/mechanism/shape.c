@@ -109,6 +109,7 @@ static void write_connections(builder *b, text *out)
         place_cells(b, out, &c->child);
         axis_cells(b, out, c->axis);
         number_cell(out, c->radius == NULL ? 0.0 : value_now(&b->values, scalar_value(b, c->radius, metre, "a radius")));
+        axis_cells(b, out, c->wheel);
         text_add(out, "\n");
     }
 }
@@ -171,16 +172,21 @@ static void write_effects(builder *b, text *out)
 }
 
 /* The outputs that are places of points, of which a picture can have the way. */
-static void write_points(const builder *b, text *out)
+static void write_points(builder *b, text *out)
 {
     FOR_EACH (const output, o, b->written->outputs) {
         const formula *f = o->formula;
-        if (f != NULL && f->kind == FORMULA_OF && strcmp(f->name, "position") == 0 && f->along.text == NULL &&
-            f->count > 0 && f->parts[0]->kind == FORMULA_NAME &&
-            (INDEX_OF(b->written->bodies, f->parts[0]->name) >= 0 ||
-             INDEX_OF(b->written->frames, f->parts[0]->name) >= 0)) {
-            text_add(out, "point\t%s\n", o->name.text);
+        if (f == NULL || f->kind != FORMULA_OF || strcmp(f->name, "position") != 0 || f->along.text != NULL ||
+            f->count == 0 || f->parts[0] == NULL || f->parts[0]->kind != FORMULA_NAME ||
+            (INDEX_OF(b->written->bodies, f->parts[0]->name) < 0 &&
+             INDEX_OF(b->written->frames, f->parts[0]->name) < 0)) {
+            continue;
         }
+        text_add(out, "point\t%s", o->name.text);
+        place_cells(b, out,
+                    &(placement){.body = {f->parts[0]->name, f->parts[0]->at},
+                                 .position = f->count > 1 ? f->parts[1] : NULL});
+        text_add(out, "\n");
     }
 }
 

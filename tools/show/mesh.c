@@ -1,0 +1,216 @@
+#include "tools/show/mesh.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static const double whole_turn = 6.28318530717958647692;
+
+static void *longer(void *items, size_t count, size_t bytes)
+{
+    /* A power of two has as many behind it. */
+    if (count > 0 && (count & (count - 1)) != 0) {
+        return items;
+    }
+    void *more = realloc(items, (count == 0 ? 1 : 2 * count) * bytes);
+    if (more == NULL) {
+        fputs("show: no memory\n", stderr);
+        exit(EXIT_FAILURE);
+    }
+    return more;
+}
+
+static size_t add_vertex(mesh *to, const pose *at, double x, double y, double z)
+{
+    to->vertex = longer(to->vertex, to->vertices, sizeof *to->vertex);
+    to->vertex[to->vertices] = placed(at, (vec){x, y, z});
+    return to->vertices++;
+}
+
+static void add_corner(mesh *to, size_t vertex)
+{
+    to->corner = longer(to->corner, to->corners, sizeof *to->corner);
+    to->corner[to->corners++] = vertex;
+}
+
+static void end_face(mesh *to)
+{
+    to->end = longer(to->end, to->faces, sizeof *to->end);
+    to->end[to->faces++] = to->corners;
+}
+
+static void add_four(mesh *to, size_t a, size_t b, size_t c, size_t d)
+{
+    add_corner(to, a);
+    add_corner(to, b);
+    add_corner(to, c);
+    add_corner(to, d);
+    end_face(to);
+}
+
+/* A side of a box, in parts: what is near is drawn over what is far by the middles of faces, so that these must not be large
+ * against what stands before them. */
+static void add_side(mesh *to, const pose *at, vec middle, vec across, vec up)
+{
+    enum { PARTS = 3 };
+    size_t first = 0;
+    for (int i = 0; i <= PARTS; i++) {
+        for (int j = 0; j <= PARTS; j++) {
+            const vec p = plus(middle, plus(times(2.0 * j / PARTS - 1.0, across), times(2.0 * i / PARTS - 1.0, up)));
+            const size_t made = add_vertex(to, at, p.x, p.y, p.z);
+            first = i == 0 && j == 0 ? made : first;
+        }
+    }
+    for (size_t i = 0; i < PARTS; i++) {
+        for (size_t j = 0; j < PARTS; j++) {
+            const size_t a = first + i * (PARTS + 1) + j;
+            add_four(to, a, a + 1, a + PARTS + 2, a + PARTS + 1);
+        }
+    }
+}
+
+void mesh_box(mesh *to, pose at, vec edges)
+{
+    const vec x = {edges.x / 2, 0, 0}, y = {0, edges.y / 2, 0}, z = {0, 0, edges.z / 2};
+    add_side(to, &at, x, y, z);
+    add_side(to, &at, times(-1, x), z, y);
+    add_side(to, &at, y, z, x);
+    add_side(to, &at, times(-1, y), x, z);
+    add_side(to, &at, z, x, y);
+    add_side(to, &at, times(-1, z), y, x);
+}
+
+/* A ring of vertices; returns the first. */
+static size_t add_ring(mesh *to, const pose *at, double rx, double ry, double z, int sides)
+{
+    const size_t first = to->vertices;
+    for (int i = 0; i < sides; i++) {
+        const double angle = whole_turn * i / sides;
+        add_vertex(to, at, rx * cos(angle), ry * sin(angle), z);
+    }
+    return first;
+}
+
+/* The faces between two rings, of which the second is above as seen from without. */
+static void add_band(mesh *to, size_t low, size_t high, int sides)
+{
+    const size_t n = (size_t)sides;
+    for (size_t i = 0; i < n; i++) {
+        add_four(to, low + i, low + (i + 1) % n, high + (i + 1) % n, high + i);
+    }
+}
+
+static void add_cap(mesh *to, size_t ring, int sides, int is_top)
+{
+    const size_t n = (size_t)sides;
+    for (size_t i = 0; i < n; i++) {
+        add_corner(to, ring + (is_top ? i : n - 1 - i));
+    }
+    end_face(to);
+}
+
+void mesh_prism(mesh *to, pose at, double radius, double length, int sides)
+{
+    const size_t low = add_ring(to, &at, radius, radius, 0.0, sides);
+    const size_t high = add_ring(to, &at, radius, radius, length, sides);
+    add_band(to, low, high, sides);
+    add_cap(to, low, sides, 0);
+    add_cap(to, high, sides, 1);
+}
+
+void mesh_tube(mesh *to, pose at, double radius, double hole, double length, int sides)
+{
+    const size_t low = add_ring(to, &at, radius, radius, 0.0, sides);
+    const size_t high = add_ring(to, &at, radius, radius, length, sides);
+    const size_t low_hole = add_ring(to, &at, hole, hole, 0.0, sides);
+    const size_t high_hole = add_ring(to, &at, hole, hole, length, sides);
+    add_band(to, low, high, sides);
+    add_band(to, high, high_hole, sides);
+    add_band(to, high_hole, low_hole, sides);
+    add_band(to, low_hole, low, sides);
+}
+
+void mesh_cone(mesh *to, pose at, double radius, double length, int sides)
+{
+    const size_t ring = add_ring(to, &at, radius, radius, 0.0, sides), n = (size_t)sides;
+    const size_t tip = add_vertex(to, &at, 0.0, 0.0, length);
+    for (size_t i = 0; i < n; i++) {
+        add_corner(to, ring + i);
+        add_corner(to, ring + (i + 1) % n);
+        add_corner(to, tip);
+        end_face(to);
+    }
+    add_cap(to, ring, sides, 0);
+}
+
+void mesh_ellipsoid(mesh *to, pose at, vec radii, int sides)
+{
+    const int rows = sides / 2;
+    size_t before = 0;
+    for (int i = 1; i < rows; i++) {
+        const double angle = whole_turn / 2 * i / rows;
+        const size_t ring =
+            add_ring(to, &at, radii.x * sin(angle), radii.y * sin(angle), -radii.z * cos(angle), sides);
+        if (i > 1) {
+            add_band(to, before, ring, sides);
+        } else {
+            add_cap(to, ring, sides, 0);
+        }
+        before = ring;
+    }
+    add_cap(to, before, sides, 1);
+}
+
+/* The outline of points in a plane, gift wrapping (Jarvis 1973); returns its length. */
+static size_t wrap(const vec *point, size_t points, vec normal, size_t *outline)
+{
+    size_t first = 0, count = 0; /* the point farthest from the middle is on the outline */
+    vec middle = {0, 0, 0};
+    for (size_t i = 0; i < points; i++) {
+        middle = plus(middle, times(1.0 / (double)points, point[i]));
+    }
+    for (size_t i = 0; i < points; i++) {
+        first = length_of(minus(point[i], middle)) > length_of(minus(point[first], middle)) ? i : first;
+    }
+    size_t at = first;
+    do {
+        outline[count++] = at;
+        size_t next = at == 0 ? 1 : 0;
+        for (size_t i = 0; i < points; i++) {
+            const vec a = minus(point[next], point[at]), b = minus(point[i], point[at]);
+            const double side = inner(normal, outer(a, b));
+            const double slack = 1e-9 * length_of(a) * length_of(b);
+            next = i != at && (side < -slack || (side < slack && length_of(b) > length_of(a))) ? i : next;
+        }
+        at = next;
+    } while (at != first && count < points);
+    return count;
+}
+
+void mesh_plate(mesh *to, const vec *point, size_t points, vec normal, double thickness)
+{
+    size_t outline[64];
+    if (points > sizeof outline / sizeof outline[0]) {
+        return;
+    }
+    const size_t count = wrap(point, points, normal, outline), low = to->vertices;
+    for (int side = 0; side < 2; side++) {
+        const vec move = times((side - 0.5) * thickness, normal);
+        for (size_t i = 0; i < count; i++) {
+            const vec p = plus(point[outline[i]], move);
+            add_vertex(to, &no_pose, p.x, p.y, p.z);
+        }
+    }
+    add_band(to, low, low + count, (int)count);
+    add_cap(to, low, (int)count, 0);
+    add_cap(to, low + count, (int)count, 1);
+}
+
+void mesh_helix(mesh *to, double radius, int turns)
+{
+    enum { STEPS = 12 };
+    for (int i = 0; i <= turns * STEPS; i++) {
+        const double angle = whole_turn * i / STEPS, share = (double)i / (turns * STEPS);
+        add_corner(to, add_vertex(to, &no_pose, radius * sin(angle), radius * cos(angle), share));
+    }
+    end_face(to);
+}

@@ -1,0 +1,153 @@
+#include "tools/show/record.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/trace/stream.h"
+
+static _Noreturn void fail(const char *why)
+{
+    fprintf(stderr, "show: %s\n", why);
+    exit(EXIT_FAILURE);
+}
+
+/* As many frames as a page of some megabytes can have: the fewer bodies, the more. */
+static size_t frames_wanted(size_t columns)
+{
+    enum { NUMBERS = 250000, LEAST = 600, MOST = 4000 };
+    const size_t frames = NUMBERS / (columns + 1);
+    return frames < LEAST ? LEAST : frames > MOST ? MOST : frames;
+}
+
+/* The words of a list with commas. */
+static char **words_of(const char *list, size_t count)
+{
+    char **all = table_memory(count + 1, sizeof *all);
+    const char *from = list;
+    for (size_t i = 0; i < count; i++) {
+        const size_t length = strcspn(from, ",");
+        all[i] = table_memory(length + 1, 1);
+        memcpy(all[i], from, length);
+        from += length + (from[length] == ',');
+    }
+    return all;
+}
+
+static float number_of(const stream *run, size_t i)
+{
+    double wide;
+    float narrow;
+    if (run->header.real_bytes == sizeof narrow) {
+        memcpy(&narrow, run->values + i * sizeof narrow, sizeof narrow);
+        return narrow;
+    }
+    memcpy(&wide, run->values + i * sizeof wide, sizeof wide);
+    return (float)wide;
+}
+
+/* Takes a row into the frame that it belongs to: the frame is its last row. */
+static void take_row(record *r, const stream *run, size_t frame, bool is_first)
+{
+    for (size_t i = 0; i < r->columns; i++) {
+        const size_t at = frame * r->columns + i;
+        const float x = number_of(run, i);
+        r->least[at] = is_first || x < r->least[at] ? x : r->least[at];
+        r->most[at] = is_first || x > r->most[at] ? x : r->most[at];
+        r->value[at] = x;
+    }
+}
+
+/* Row 0 is frame 0; behind it every `stride` rows make a frame. */
+static void read_rows(record *r, stream *run, size_t room, size_t stride)
+{
+    size_t rows = 0;
+    stream_record next = stream_read(run);
+    while (next == STREAM_ROW) {
+        const size_t frame = (rows + stride - 1) / stride;
+        if (frame < room) {
+            take_row(r, run, frame, rows == 0 || (rows - 1) % stride == 0);
+            r->frames = rows % stride == 0 ? frame + 1 : r->frames;
+        }
+        rows++;
+        next = stream_read(run);
+    }
+    r->end = (double)(rows > 0 ? rows - 1 : 0) * r->tick;
+    if (next == STREAM_ERROR) {
+        snprintf(r->stopped, sizeof r->stopped, "%.200s", run->error);
+    } else if (run->end.guard < run->header.states) {
+        static char name[STREAM_TEXT_BYTES];
+        snprintf(r->stopped, sizeof r->stopped, "the guard stopped it: state %.100s",
+                 stream_state_name(run, (size_t)run->end.guard, name));
+    }
+}
+
+static void find_places(record *r, size_t bodies)
+{
+    r->place = table_memory(bodies + 1, sizeof *r->place);
+    for (size_t i = 0; i < bodies; i++) {
+        char name[RECORD_NAME_BYTES];
+        record_name(name, "at_x", i);
+        r->place[i] = record_column(r, name);
+        if (r->place[i] < 0) {
+            fail("the run has no places of bodies; `show scene` writes a scene that has them");
+        }
+    }
+}
+
+record record_run(const char *command, size_t bodies)
+{
+    static stream run;
+    record r = {.frames = 0};
+    run = (stream){.file = popen(command, "r")};
+    if (run.file == NULL || !stream_read_header(&run)) {
+        fail(run.file == NULL ? command : run.error);
+    }
+    const stream_header *h = &run.header;
+    const size_t rows = h->period_ns > 0 ? (size_t)(h->duration_ns / h->period_ns) + 1 : 1;
+    const size_t wanted = frames_wanted(7 * bodies + 2 * h->outputs), stride = (rows + wanted - 1) / wanted;
+    const size_t room = rows / stride + 2;
+    snprintf(r.method, sizeof r.method, "%s", h->method);
+    snprintf(r.step, sizeof r.step, "%s", h->step);
+    snprintf(r.real, sizeof r.real, "%s", h->real);
+    r.columns = (size_t)h->outputs;
+    r.tick = h->step_size;
+    r.interval = h->step_size * (double)stride;
+    r.name = words_of(h->names, r.columns);
+    r.unit = words_of(h->units, r.columns);
+    r.value = table_memory(room * r.columns + 1, sizeof *r.value);
+    r.least = table_memory(room * r.columns + 1, sizeof *r.least);
+    r.most = table_memory(room * r.columns + 1, sizeof *r.most);
+    find_places(&r, bodies);
+    read_rows(&r, &run, room, stride);
+    (void)pclose(run.file);
+    if (r.frames == 0) {
+        fail(r.stopped[0] != '\0' ? r.stopped : "the run has no rows");
+    }
+    return r;
+}
+
+int record_column(const record *r, const char *name)
+{
+    for (size_t i = 0; i < r->columns; i++) {
+        if (strcmp(r->name[i], name) == 0) {
+            return (int)i;
+        }
+    }
+    return -1;
+}
+
+void record_name(char text[RECORD_NAME_BYTES], const char *what, size_t i)
+{
+    snprintf(text, RECORD_NAME_BYTES, "shown%zu_%s", i, what);
+}
+
+pose record_pose(const record *r, size_t frame, int body)
+{
+    if (body == ON_GROUND) {
+        return no_pose;
+    }
+    const float *v = r->value + frame * r->columns + r->place[body];
+    const double q[4] = {(double)v[3], (double)v[4], (double)v[5], (double)v[6]};
+    return pose_of(q, (vec){(double)v[0], (double)v[1], (double)v[2]});
+}

@@ -1,0 +1,151 @@
+#include "tools/show/shape.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The cells of a line are read one after the other. */
+typedef struct cells {
+    const table *of;
+    size_t row, next;
+} cells;
+
+static const char *word(cells *c)
+{
+    return table_text(c->of, c->row, c->next++);
+}
+
+static double number(cells *c)
+{
+    return table_number(c->of, c->row, c->next++);
+}
+
+static vec vector(cells *c)
+{
+    const double x = number(c), y = number(c), z = number(c);
+    return (vec){x, y, z};
+}
+
+static pose frame(cells *c)
+{
+    pose p;
+    p.at = vector(c);
+    for (int i = 0; i < 3; i++) {
+        p.row[i] = vector(c);
+    }
+    return p;
+}
+
+static spot place(cells *c)
+{
+    const int body = (int)number(c);
+    return (spot){body, frame(c)};
+}
+
+static void read_solid(shape *s, cells *c)
+{
+    shape_solid *to = &s->solid[s->solids++];
+    to->at.body = (int)number(c);
+    to->kind = word(c);
+    to->at.frame = frame(c);
+    for (int i = 0; i < 3; i++) {
+        to->size[i] = number(c);
+    }
+}
+
+static void read_lump(shape *s, cells *c)
+{
+    shape_lump *to = &s->lump[s->lumps++];
+    to->body = (int)number(c);
+    to->centre = vector(c);
+    to->mass = number(c);
+    for (int i = 0; i < 6; i++) {
+        to->inertia[i] = number(c);
+    }
+}
+
+static void read_joint(shape *s, cells *c, bool is_closure)
+{
+    shape_joint *to = &s->joint[s->joints++];
+    to->name = word(c);
+    to->kind = word(c);
+    to->parent = place(c);
+    to->child = place(c);
+    to->axis = vector(c);
+    const double last = number(c);
+    to->is_closure = is_closure;
+    to->has_spring = !is_closure && last != 0.0;
+    to->radius = is_closure ? last : 0.0;
+    to->axle = vector(c);
+}
+
+static void read_effect(shape *s, cells *c)
+{
+    enum { CELLS_OF_A_PLACE = 13 };
+    shape_effect *to = &s->effect[s->effects++];
+    to->name = word(c);
+    to->kind = word(c);
+    to->radius = number(c);
+    while (c->next + CELLS_OF_A_PLACE <= table_cells(c->of, c->row) && to->points < MOST_POINTS) {
+        to->at[to->points++] = place(c);
+    }
+}
+
+static void read_line(shape *s, cells *c)
+{
+    const char *kind = word(c);
+    if (strcmp(kind, "scene") == 0) {
+        s->name = word(c);
+    } else if (strcmp(kind, "method") == 0) {
+        s->method = word(c);
+    } else if (strcmp(kind, "gravity") == 0) {
+        s->gravity = vector(c);
+    } else if (strcmp(kind, "body") == 0) {
+        s->body[s->bodies++] = word(c);
+    } else if (strcmp(kind, "solid") == 0) {
+        read_solid(s, c);
+    } else if (strcmp(kind, "lump") == 0) {
+        read_lump(s, c);
+    } else if (strcmp(kind, "joint") == 0 || strcmp(kind, "closure") == 0) {
+        read_joint(s, c, kind[0] == 'c');
+    } else if (strcmp(kind, "spring") == 0) {
+        (void)word(c);
+        s->spring[s->springs].first = place(c);
+        s->spring[s->springs++].second = place(c);
+    } else if (strcmp(kind, "force") == 0) {
+        shape_force *to = &s->force[s->forces++];
+        (void)word(c);
+        to->input = word(c);
+        to->at = place(c);
+        to->axis = vector(c);
+    } else if (strcmp(kind, "effect") == 0) {
+        read_effect(s, c);
+    } else if (strcmp(kind, "point") == 0) {
+        s->point[s->points].name = word(c);
+        s->point[s->points++].at = place(c);
+    }
+}
+
+/* Each list has room for as many as there are lines. */
+shape shape_read(const char *path)
+{
+    shape s = {.text = table_read(path, '\t')};
+    const size_t rows = s.text.rows + 1;
+    s.body = table_memory(rows, sizeof *s.body);
+    s.solid = table_memory(rows, sizeof *s.solid);
+    s.lump = table_memory(rows, sizeof *s.lump);
+    s.joint = table_memory(rows, sizeof *s.joint);
+    s.spring = table_memory(rows, sizeof *s.spring);
+    s.force = table_memory(rows, sizeof *s.force);
+    s.effect = table_memory(rows, sizeof *s.effect);
+    s.point = table_memory(rows, sizeof *s.point);
+    for (size_t row = 0; row < s.text.rows; row++) {
+        cells c = {&s.text, row, 0};
+        read_line(&s, &c);
+    }
+    if (s.name == NULL || s.bodies == 0) {
+        fprintf(stderr, "show: %s has no bodies; isoc SCENE --shape writes such a file\n", path);
+        exit(EXIT_FAILURE);
+    }
+    return s;
+}
