@@ -40,7 +40,6 @@ ellipsoid ellipsoid_of(const shape_lump *l)
     }
     const vec z = outer((vec){v[0][0], v[1][0], v[2][0]}, (vec){v[0][1], v[1][1], v[2][1]});
     const double over = l->mass > 0.0 ? 3.0 / l->mass : 0.0;
-    return (ellipsoid){
-        {{{v[0][0], v[0][1], z.x}, {v[1][0], v[1][1], z.y}, {v[2][0], v[2][1], z.z}}, l->centre},
-        {sqrt(fmax(over * a[0][0], 0)), sqrt(fmax(over * a[1][1], 0)), sqrt(fmax(over * a[2][2], 0))}};
+    return (ellipsoid){{{{v[0][0], v[0][1], z.x}, {v[1][0], v[1][1], z.y}, {v[2][0], v[2][1], z.z}}, l->centre},
+                       {sqrt(fmax(over * a[0][0], 0)), sqrt(fmax(over * a[1][1], 0)), sqrt(fmax(over * a[2][2], 0))}};
 }

@@ -291,8 +291,8 @@ static bool flies(const shape *s, int body)
 {
     bool any = false;
     for (size_t i = 0; i < s->joints; i++) {
-        any = any || (!s->joint[i].is_closure && s->joint[i].child.body == body && is_loose(&s->joint[i]) &&
-                      s->forces > 0);
+        any = any ||
+              (!s->joint[i].is_closure && s->joint[i].child.body == body && is_loose(&s->joint[i]) && s->forces > 0);
     }
     return any;
 }
@@ -507,8 +507,8 @@ figure figure_of(const shape *s, const record *r)
 {
     enum { PARTS_OF_A_BODY = POINTS_OF_BODY + 1 };
     figure f = {.floor_normal = {0, 0, 1}, .size = size_of(s, r)};
-    const size_t most = 2 * s->solids + s->lumps + PARTS_OF_A_BODY * s->bodies + 4 * s->joints + s->springs + s->forces +
-                        2 * s->effects + 1;
+    const size_t most = 2 * s->solids + s->lumps + PARTS_OF_A_BODY * s->bodies + 4 * s->joints + s->springs +
+                        s->forces + 2 * s->effects + 1;
     f.all = table_memory(most, sizeof *f.all);
     add_bodies(&f, s);
     for (size_t i = 0; i < s->joints; i++) {

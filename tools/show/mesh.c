@@ -148,8 +148,7 @@ void mesh_ellipsoid(mesh *to, pose at, vec radii, int sides)
     size_t before = 0;
     for (int i = 1; i < rows; i++) {
         const double angle = whole_turn / 2 * i / rows;
-        const size_t ring =
-            add_ring(to, &at, radii.x * sin(angle), radii.y * sin(angle), -radii.z * cos(angle), sides);
+        const size_t ring = add_ring(to, &at, radii.x * sin(angle), radii.y * sin(angle), -radii.z * cos(angle), sides);
         if (i > 1) {
             add_band(to, before, ring, sides);
         } else {

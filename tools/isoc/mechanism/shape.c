@@ -108,7 +108,8 @@ static void write_connections(builder *b, text *out)
         place_cells(b, out, &c->parent);
         place_cells(b, out, &c->child);
         axis_cells(b, out, c->axis);
-        number_cell(out, c->radius == NULL ? 0.0 : value_now(&b->values, scalar_value(b, c->radius, metre, "a radius")));
+        number_cell(out,
+                    c->radius == NULL ? 0.0 : value_now(&b->values, scalar_value(b, c->radius, metre, "a radius")));
         axis_cells(b, out, c->wheel);
         text_add(out, "\n");
     }
@@ -155,7 +156,8 @@ static void write_effects(builder *b, text *out)
         const effect_kind *kind = find_effect_kind(b->written, use->kind);
         bool any = false;
         for (size_t i = 0; kind != NULL && !use->left_out && i < kind->line_count; i++) {
-            const quantity *given = kind->lines[i].kind == EFFECT_BODY ? operand_of(use, kind->lines[i].name.text) : NULL;
+            const quantity *given =
+                kind->lines[i].kind == EFFECT_BODY ? operand_of(use, kind->lines[i].name.text) : NULL;
             if (given == NULL || given->value->kind != FORMULA_NAME) {
                 continue;
             }
@@ -164,8 +166,7 @@ static void write_effects(builder *b, text *out)
                 number_cell(out, radius_of(b, use, kind));
             }
             any = true;
-            place_cells(b, out,
-                        &(placement){.body = {given->value->name, given->value->at}, .position = given->point});
+            place_cells(b, out, &(placement){.body = {given->value->name, given->value->at}, .position = given->point});
         }
         text_add(out, any ? "\n" : "");
     }
@@ -183,9 +184,9 @@ static void write_points(builder *b, text *out)
             continue;
         }
         text_add(out, "point\t%s", o->name.text);
-        place_cells(b, out,
-                    &(placement){.body = {f->parts[0]->name, f->parts[0]->at},
-                                 .position = f->count > 1 ? f->parts[1] : NULL});
+        place_cells(
+            b, out,
+            &(placement){.body = {f->parts[0]->name, f->parts[0]->at}, .position = f->count > 1 ? f->parts[1] : NULL});
         text_add(out, "\n");
     }
 }

@@ -1,0 +1,104 @@
+#!/bin/sh
+# The page of a scene in motion. Called by `make show`, with the make to call in $MAKE and in the environment:
+#
+#     SCENE NAME FOLDER NANOSECONDS         the scene, and where all stands; FOLDER/show.html is the page
+#     METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL
+#     AGAINST                               further runs, with | between: of each what is other, as 'REAL=double | WITHOUT=rub'
+#     STILL                                 a time in seconds: FOLDER/still.svg is a picture of it, in place of the page
+#     COMPILE LINK OBJECTS                  how a plant becomes a program, in the number type REAL
+set -eu
+
+say()
+{
+    printf '  %-5s %s\n' "$1" "$2"
+}
+
+# shown VALUE...: the options of isoc for the variables as they are.
+options()
+{
+    set -- --real "$REAL"
+    [ -z "$METHOD" ] || set -- "$@" --method "$METHOD"
+    [ -z "$STEP" ] || set -- "$@" --step "$STEP"
+    [ -z "$TOLERANCE" ] || set -- "$@" --tolerance "$TOLERANCE"
+    [ -z "$INPUTS" ] || set -- "$@" --inputs "$INPUTS"
+    [ -z "$SET" ] || set -- "$@" --set "$SET"
+    [ -z "$WITHOUT" ] || set -- "$@" --without "$WITHOUT"
+    build/isoc "$SCENE" --shape "$@" >"$dir/shape"
+    build/show scene "$(realpath "$SCENE")" "$dir/shape" >"$dir/$NAME.scene"
+    build/isoc "$dir/$NAME.scene" -o "$dir" "$@" >"$dir/plant.txt"
+}
+
+# program: $dir/program of the scene. Without optimisation a run has the same bits, and the compiler is done ten times sooner.
+program()
+{
+    real_flag=
+    [ "$REAL" = float ] || real_flag=-DISO_REAL_DOUBLE
+    objects=$(echo "$OBJECTS" | sed "s,/host/[a-z]*/,/host/$REAL/,g")
+    if [ "$REAL" != "$FIRST_REAL" ]; then
+        flock build/lock "${MAKE:-make}" --no-print-directory shared SHARED="$objects" REAL="$REAL"
+    fi
+    # shellcheck disable=SC2086
+    { $(echo "$COMPILE" | sed 's/ -DISO_REAL_DOUBLE//') $real_flag -O0 -c "$dir/plant.c" -o "$dir/plant.o" &&
+        $LINK "$dir/plant.o" $objects -o "$dir/program"; }
+}
+
+# made NUMBER: the program of the variables as they are.
+made()
+{
+    dir=$FOLDER/$1
+    mkdir -p "$dir"
+    options
+    program
+}
+
+# changed WORD...: sets the variables to what is other; what is no variable goes on with the value before.
+changed()
+{
+    name=
+    value=
+    for word; do
+        case $word in
+        METHOD=* | STEP=* | TOLERANCE=* | INPUTS=* | SET=* | WITHOUT=* | REAL=*)
+            name=${word%%=*}
+            value=${word#*=}
+            ;;
+        *)
+            [ -n "$name" ] || {
+                echo "AGAINST: '$word' is no variable of a run; it could be AGAINST='REAL=double | WITHOUT=rub'" >&2
+                exit 1
+            }
+            value="$value $word"
+            ;;
+        esac
+        export "$name=$value"
+    done
+}
+
+FIRST_REAL=$REAL
+say ISOC "$SCENE"
+made 1
+if [ -n "$STILL" ]; then
+    say SHOW "$FOLDER/still.svg"
+    build/show still "$STILL" "$FOLDER/1/shape" "$FOLDER/1/program $NANOSECONDS" >"$FOLDER/still.new"
+    mv "$FOLDER/still.new" "$FOLDER/still.svg"
+    exit
+fi
+set -- "$NAME" "$FOLDER/1/shape" "$FOLDER/1/program $NANOSECONDS"
+number=1
+rest=$AGAINST
+while [ -n "$rest" ]; do
+    one=${rest%%|*}
+    case $rest in
+    *'|'*) rest=${rest#*|} ;;
+    *) rest= ;;
+    esac
+    number=$((number + 1))
+    one=$(echo "$one" | sed 's/^ *//; s/ *$//')
+    say ISOC "$SCENE $one"
+    # shellcheck disable=SC2086
+    (set -f && changed $one && made $number)
+    set -- "$@" "$one" "$FOLDER/$number/shape" "$FOLDER/$number/program $NANOSECONDS"
+done
+say SHOW "$FOLDER/show.html"
+build/show page tools/show "$@" >"$FOLDER/show.new"
+mv "$FOLDER/show.new" "$FOLDER/show.html"
