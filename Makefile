@@ -21,6 +21,8 @@
 ##     INPUTS=held|smooth                  the reading of all inputs, instead of that of the scene
 ##     RECORDED=FILE                       for report and bench: inputs of a controller, a line for each tick
 ##     OUTPUTS=speed,current               for plot: what to draw over time, instead of all
+##     AGAINST='REAL=double | WITHOUT=rub' for show: further runs beside the first; what is other in each
+##     STILL=1.5                           for show: a picture of this time, still.svg, instead of the page
 ##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600, of hil: 60, of conform: 0.02
 ##     TARGET=host|posix|cortex-m4f|...    where to run: on this machine in virtual time or in real time, or on a board in QEMU: port/README.md
 ##     REAL=float|double                   the type of the numbers
@@ -46,6 +48,8 @@ RECORDED =
 SET =
 WITHOUT =
 OUTPUTS =
+AGAINST =
+STILL =
 CHECKED =
 COMPENSATED =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,$(if $(filter hil,$(MAKECMDGOALS)),60,$(if $(filter conform,$(MAKECMDGOALS)),0.02,10))))
@@ -78,7 +82,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot link hil flash size stack ticks cycles a2l conform cost chains flags report bench drift
+GOALS := run plot show link hil flash size stack ticks cycles a2l conform cost chains flags report bench drift
 
 .PHONY: help shared digits functions determinism tables pictures compare monitor clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -150,7 +154,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD
+TEXTS := AGAINST STILL SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -163,6 +167,7 @@ $(foreach name,$(TEXTS),$(if $(findstring $(newline),$($(name))), \
 EFFECTS_run = $(OF_A_RUN) SNAPSHOT RESTORE
 OF_A_RUN := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED SECONDS TARGET BOARD REAL SCRIPT KEEP OUT PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_CYCLE_NS PORT_EXEC
 EFFECTS_plot := $(filter-out KEEP,$(OF_A_RUN)) OUTPUTS
+EFFECTS_show := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT SECONDS REAL AGAINST STILL
 EFFECTS_link := $(OF_A_RUN) XCP CONTROLLER MODE
 EFFECTS_hil := $(filter-out SCENE SCRIPT XCP CHECKED COMPENSATED OUT,$(EFFECTS_link))
 EFFECTS_size := $(filter-out SECONDS SCRIPT KEEP,$(OF_A_RUN))
@@ -281,6 +286,14 @@ endif
 endif
 ifneq ($(and $(SNAPSHOT)$(RESTORE),$(IS_IN_C)),)
 $(error a plant in C has no snapshots of its runs: they are for scenes)
+endif
+ifneq ($(and $(filter show,$(MAKECMDGOALS)),$(IS_IN_C)),)
+$(error make show is of scenes; $(SCENE) is a plant in C, of whose bodies nothing is known)
+endif
+ifneq ($(STILL),)
+ifneq ($(shell printf %s $(call quote,$(STILL)) | sed 's/^[0-9]\{1,9\}\([.][0-9]*\)\{0,1\}$$//'),)
+$(error STILL=$(STILL) is no time in seconds; it could be 1.5)
+endif
 endif
 ifneq ($(and $(OF_ONE_SCENE),$(IS_IN_C)),)
 $(error make $(MAKECMDGOALS) is of scenes; $(SCENE) is a plant in C)
@@ -426,6 +439,8 @@ $(EMBEDDED): %.o: %.c build/obj/tools/flags
 
 build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
+build/show: $(filter build/obj/tools/show/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/stream.o \
+    build/obj/tools/trace/decimal.o build/obj/tools/flags
 build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
 build/cycles: $(filter build/obj/tools/measure/cycles/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
@@ -439,7 +454,7 @@ build/simavr_trace: tools/measure/simavr/main.c build/obj/tools/flags
 	$(call say,CC,$<)
 	$(call link,$(TOOL_COMPILE) $< -lsimavr)
 
-TOOLS := build/isoc build/trace build/link build/duties build/monitor build/duration build/cycles
+TOOLS := build/isoc build/trace build/link build/duties build/monitor build/show build/duration build/cycles
 .PHONY: tools
 tools: $(TOOLS)
 	@:
@@ -485,6 +500,7 @@ $(OBJ)/%.o: %.c $(OBJ)/flags
 
 run: ## run the scene: write build/TARGET/REAL/NAME/trace.csv and print a summary
 plot: ## run the scene and draw it with gnuplot: trace.svg, path.svg and histogram.svg, and all as png, beside the trace
+show: ## run the scene and write show.html beside the trace: a page with the mechanism in motion and its outputs; AGAINST: other runs beside it
 link: ## connect the scene with a CONTROLLER: trace.csv with inputs and outputs, a summary, and how long exchanges took
 hil: ## the worked example: a cart with its pole on the board, balanced by a controller in a process of its own; draw it
 flash: ## write the program into a real board and start it there: TARGET=stm32f407 or stm32f446
@@ -503,13 +519,14 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
-folder_of = $(if $(filter run plot link hil flash size stack ticks a2l conform $(OF_ONE_SCENE:%=cycles),$(1)),$(OUT),$(if $(filter cost cycles,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
+folder_of = $(if $(filter run plot show link hil flash size stack ticks a2l conform $(OF_ONE_SCENE:%=cycles),$(1)),$(OUT),$(if $(filter cost cycles,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
 shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
     $(OBJ)/tools/a2l/places.o)) $(if $(filter conform,$(1)),$(CONFORM_OBJECTS)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
 # Of goals that need few of them; the others have all.
 TOOLS_OF_run := $(addprefix build/,isoc trace duration)
 TOOLS_OF_plot := $(TOOLS_OF_run)
+TOOLS_OF_show := $(TOOLS_OF_run) build/show
 TOOLS_OF_link := $(TOOLS_OF_run) build/link
 TOOLS_OF_hil := $(TOOLS_OF_link)
 TOOLS_OF_conform := $(TOOLS_OF_run) build/duties

@@ -184,6 +184,13 @@ plot: $(PROGRAM) build/trace
 	$(Q)$(RUN) >$(OUT)/summary.txt
 	$(Q)sh tools/plot/plot.sh $(OUT) $(foreach name,$(subst $(comma), ,$(OUTPUTS)),$(call quote,$(name)))
 
+# The programs of the runs that are shown stand apart: they have the poses of all bodies among their outputs.
+show: build/show
+	@$(CALLS_MAKE) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(OUT)/show NANOSECONDS=$(NANOSECONDS) METHOD=$(METHOD) STEP=$(call quote,$(STEP)) \
+	    TOLERANCE=$(call quote,$(TOLERANCE)) INPUTS=$(INPUTS) SET=$(call quote,$(SET)) WITHOUT=$(call quote,$(WITHOUT)) REAL=$(REAL) \
+	    AGAINST=$(call quote,$(AGAINST)) STILL=$(STILL) COMPILE=$(call quote,$(COMPILE)) LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK)) \
+	    OBJECTS=$(call quote,$(OBJECTS)) sh tools/show/show.sh
+
 # --- What it costs -----------------------------------------------------------------------------------------------
 
 size: $(PROGRAM)

@@ -76,47 +76,66 @@ static void include(bounds *b, vec p)
     b->any = true;
 }
 
-static void include_spot(bounds *b, const record *r, const spot *at)
+static void include_spot(bounds *b, const record *r, size_t frame, const spot *at)
 {
-    const pose p = record_pose(r, 0, at->body);
+    const pose p = record_pose(r, frame, at->body);
     include(b, placed(&p, at->frame.at));
 }
 
-static void include_round(bounds *b, const record *r, int body, vec at, double radius)
+static void include_round(bounds *b, const record *r, size_t frame, int body, vec at, double radius)
 {
-    const pose p = record_pose(r, 0, body);
+    const pose p = record_pose(r, frame, body);
     const vec middle = placed(&p, at), reach = {radius, radius, radius};
     include(b, minus(middle, reach));
     include(b, plus(middle, reach));
 }
 
-/* Half the diagonal of all that stands at the start. */
-static double size_of(const shape *s, const record *r)
+/* All that stands in a frame. */
+static void include_frame(bounds *b, const shape *s, const record *r, size_t frame)
 {
-    bounds b = {.any = false};
     for (size_t i = 0; i < s->lumps; i++) {
-        include_round(&b, r, s->lump[i].body, s->lump[i].centre, 0.0);
+        include_round(b, r, frame, s->lump[i].body, s->lump[i].centre, 0.0);
     }
     for (size_t i = 0; i < s->solids; i++) {
         const double *size = s->solid[i].size;
-        include_round(&b, r, s->solid[i].at.body, s->solid[i].at.frame.at, fmax(size[0], fmax(size[1], size[2])) / 2);
+        include_round(b, r, frame, s->solid[i].at.body, s->solid[i].at.frame.at,
+                      fmax(size[0], fmax(size[1], size[2])) / 2);
     }
     for (size_t i = 0; i < s->joints; i++) {
         if (!is_loose(&s->joint[i])) {
-            include_spot(&b, r, &s->joint[i].parent);
-            include_spot(&b, r, &s->joint[i].child);
+            include_spot(b, r, frame, &s->joint[i].parent);
+            include_spot(b, r, frame, &s->joint[i].child);
         }
     }
     for (size_t i = 0; i < s->forces; i++) {
-        include_spot(&b, r, &s->force[i].at);
+        include_spot(b, r, frame, &s->force[i].at);
     }
-    const double size = b.any ? length_of(minus(b.most, b.least)) : 0.0;
-    double inertial = 0.0;
+}
+
+static double diagonal(const bounds *b)
+{
+    return b->any ? length_of(minus(b->most, b->least)) : 0.0;
+}
+
+/* The diagonal of what stands at one time; not less than a part of where it goes. */
+static double size_of(const shape *s, const record *r)
+{
+    enum { LOOKS = 40 };
+    static const double least_part = 0.12;
+    bounds all = {.any = false};
+    double size = 0.0;
+    for (size_t frame = 0; frame < r->frames; frame += r->frames / LOOKS + 1) {
+        bounds once = {.any = false};
+        include_frame(&once, s, r, frame);
+        include_frame(&all, s, r, frame);
+        size = fmax(size, diagonal(&once));
+    }
+    size = fmax(size, least_part * diagonal(&all));
     for (size_t i = 0; i < s->lumps; i++) {
         const vec radii = ellipsoid_of(&s->lump[i]).radii;
-        inertial = fmax(inertial, fmax(radii.x, fmax(radii.y, radii.z)));
+        size = fmax(size, 2.0 * fmax(radii.x, fmax(radii.y, radii.z)));
     }
-    return fmax(size, 2.0 * inertial) > 0.0 ? fmax(size, 2.0 * inertial) : 1.0;
+    return size > 0.0 ? size : 1.0;
 }
 
 /* --- bodies --- */

@@ -1,10 +1,10 @@
 #!/bin/sh
 # The page of a scene in motion. Called by `make show`, with the make to call in $MAKE and in the environment:
 #
-#     SCENE NAME FOLDER NANOSECONDS         the scene, and where all stands; FOLDER/show.html is the page
+#     SCENE NAME FOLDER NANOSECONDS         the scene, and where all stands; FOLDER.html is the page
 #     METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL
 #     AGAINST                               further runs, with | between: of each what is other, as 'REAL=double | WITHOUT=rub'
-#     STILL                                 a time in seconds: FOLDER/still.svg is a picture of it, in place of the page
+#     STILL                                 a time in seconds: FOLDER.svg is a picture of it, in place of the page
 #     COMPILE LINK OBJECTS                  how a plant becomes a program, in the number type REAL
 set -eu
 
@@ -78,9 +78,9 @@ FIRST_REAL=$REAL
 say ISOC "$SCENE"
 made 1
 if [ -n "$STILL" ]; then
-    say SHOW "$FOLDER/still.svg"
+    say SHOW "$FOLDER.svg"
     build/show still "$STILL" "$FOLDER/1/shape" "$FOLDER/1/program $NANOSECONDS" >"$FOLDER/still.new"
-    mv "$FOLDER/still.new" "$FOLDER/still.svg"
+    mv "$FOLDER/still.new" "$FOLDER.svg"
     exit
 fi
 set -- "$NAME" "$FOLDER/1/shape" "$FOLDER/1/program $NANOSECONDS"
@@ -99,6 +99,6 @@ while [ -n "$rest" ]; do
     (set -f && changed $one && made $number)
     set -- "$@" "$one" "$FOLDER/$number/shape" "$FOLDER/$number/program $NANOSECONDS"
 done
-say SHOW "$FOLDER/show.html"
+say SHOW "$FOLDER.html"
 build/show page tools/show "$@" >"$FOLDER/show.new"
-mv "$FOLDER/show.new" "$FOLDER/show.html"
+mv "$FOLDER/show.new" "$FOLDER.html"

@@ -82,10 +82,28 @@ static void add_face(picture *to, const part *p, const pose *at, const camera *b
     to->count++;
 }
 
+/* The pen is at a point of the grid of tenths of pixels; each point is told from the one before. */
+typedef struct pen {
+    long x, y;
+    bool is_down;
+} pen;
+
+static void draw_to(FILE *out, pen *at, const seen *p)
+{
+    const long x = lround(10.0 * p->x), y = lround(10.0 * p->y);
+    if (!at->is_down) {
+        fprintf(out, "M%ld %ldl", x, y);
+    } else if (x != at->x || y != at->y) {
+        fprintf(out, "%ld%s%ld ", x - at->x, y < at->y ? "" : " ", y - at->y);
+    }
+    *at = (pen){x, y, true};
+}
+
 static void write_points(FILE *out, const seen *p, size_t count)
 {
+    pen at = {.is_down = false};
     for (size_t i = 0; i < count; i++) {
-        fprintf(out, "%s%.1f %.1f", i == 0 ? "M" : "L", p[i].x + 0.0, p[i].y + 0.0);
+        draw_to(out, &at, &p[i]);
     }
 }
 
@@ -95,7 +113,7 @@ static void write_floor(FILE *out, const view *v, const camera *by)
     const vec from = minus(by->centre, v->floor_point);
     const double x = v->cell * floor(inner(from, v->floor_x) / v->cell + 0.5),
                  y = v->cell * floor(inner(from, v->floor_y) / v->cell + 0.5);
-    fputs("<path fill='none' stroke='#d4d9df' stroke-width='.8' d='", out);
+    fputs("<path fill='none' stroke='#d4d9df' stroke-width='8' d='", out);
     for (int i = -GRID; i <= GRID; i++) {
         for (int way = 0; way < 2; way++) {
             seen line[2];
@@ -123,11 +141,12 @@ static void write_ways(FILE *out, const shape *s, const record *r, const camera 
         if (column < 0) {
             continue;
         }
-        fputs("<path fill='none' stroke='#e2574c' stroke-opacity='.55' d='", out);
+        fputs("<path fill='none' stroke='#e2574c' stroke-width='10' stroke-opacity='.55' d='", out);
+        pen on = {.is_down = false};
         for (size_t frame = 0; frame < r->frames; frame += stride) {
             const float *p = r->value + frame * r->columns + (size_t)column;
             const seen at = camera_sees(by, (vec){(double)p[0], (double)p[1], (double)p[2]});
-            fprintf(out, "%s%.1f %.1f", frame == 0 ? "M" : "L", at.x + 0.0, at.y + 0.0);
+            draw_to(out, &on, &at);
         }
         fputs("'/>\n", out);
     }
@@ -153,23 +172,23 @@ void still_write(FILE *out, const shape *s, const record *r, const figure *f, co
     }
     qsort(all.all, all.count, sizeof *all.all, by_nearness);
     fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' viewBox='0 0 %d %d'>\n", WIDTH, HEIGHT,
-            WIDTH, HEIGHT);
+            10 * WIDTH, 10 * HEIGHT);
     fprintf(out, "<title>%s at %g s</title>\n<rect width='100%%' height='100%%' fill='#fff'/>\n", s->name,
             (double)frame * r->interval);
     if (v->has_floor) {
         write_floor(out, v, &by);
     }
     write_ways(out, s, r, &by);
-    fputs("<g stroke-width='.6' stroke-linejoin='round'>\n", out);
+    fputs("<g stroke-width='6' stroke-linejoin='round' fill='currentColor' stroke='currentColor'>\n", out);
     for (size_t i = 0; i < all.count; i++) {
         const drawn *d = &all.all[i];
         char colour[8];
         snprintf(colour, sizeof colour, "#%02x%02x%02x", (unsigned)d->colour[0], (unsigned)d->colour[1],
                  (unsigned)d->colour[2]);
         if (d->is_line) {
-            fprintf(out, "<path fill='none' stroke-width='2' stroke='%s' d='", colour);
+            fprintf(out, "<path fill='none' stroke-width='18' color='%s' d='", colour);
         } else {
-            fprintf(out, "<path fill='%s' stroke='%s' d='", colour, colour);
+            fprintf(out, "<path color='%s' d='", colour);
         }
         write_points(out, all.point + d->first, d->corners);
         fputs(d->is_line ? "'/>\n" : "z'/>\n", out);

@@ -105,7 +105,8 @@ static void face(view *v, const shape *s, const record *r)
 {
     static const double flat_yaw = 0.3, flat_pitch = 0.2, corner_yaw = 0.6, corner_pitch = 0.35;
     const int flat = flat_axis(s, r);
-    v->up = up_of(s);
+    v->is_flat = flat >= 0;
+    v->up = flat == 2 && length_of(s->gravity) == 0.0 ? (vec){0, 1, 0} : up_of(s);
     v->out = flat == 0 ? (vec){1, 0, 0} : flat == 2 ? (vec){0, 0, 1} : (vec){0, -1, 0};
     if (fabs(inner(v->up, v->out)) > 0.9) {
         v->out = fabs(v->up.x) > 0.9 ? (vec){0, -1, 0} : (vec){1, 0, 0};
@@ -146,7 +147,7 @@ static void lay_floor(view *v, const figure *f, const box *all, const record *r)
 {
     const vec least = {all->least[0], all->least[1], all->least[2]}, most = {all->most[0], all->most[1], all->most[2]};
     v->cell = round_length(f->size / 4.0);
-    v->has_floor = f->has_floor || (v->yaw > 0.5 && !v->follows && r->frames > 0);
+    v->has_floor = f->has_floor || (!v->is_flat && !v->follows && r->frames > 0);
     v->floor_point = f->floor_point;
     const vec normal = f->has_floor ? f->floor_normal : v->up;
     if (!f->has_floor) {

@@ -10,6 +10,7 @@ typedef struct view {
     vec centre;                               /* of the picture; where it follows, from the middle of the bodies */
     double half_width, half_height, distance; /* m: of what is seen, and of the viewer */
     bool follows;                             /* the middle of the bodies */
+    bool is_flat;                             /* of a mechanism in a plane */
     bool has_floor;
     vec floor_point, floor_x, floor_y; /* level */
     double cell;                       /* m: of its grid */
