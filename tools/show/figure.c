@@ -6,7 +6,7 @@
 
 /* The sizes of what has none of its own, over that of the mechanism. */
 static const double link_radius = 0.011, marker_radius = 0.02, point_radius = 0.035, plate_thickness = 0.018,
-                    longest_arrow = 0.3, spring_radius = 0.025;
+                    longest_arrow = 0.3, spring_radius = 0.025, rotor_radius = 0.16;
 enum { SIDES = 14, FEW_SIDES = 7, POINTS_OF_BODY = 48, TURNS = 7 };
 
 vec up_of(const shape *s)
@@ -117,7 +117,16 @@ static double diagonal(const bounds *b)
     return b->any ? length_of(minus(b->most, b->least)) : 0.0;
 }
 
-/* The diagonal of what stands at one time; not less than a part of where it goes. */
+static bool any_loose(const shape *s)
+{
+    bool any = false;
+    for (size_t i = 0; i < s->joints; i++) {
+        any = any || is_loose(&s->joint[i]);
+    }
+    return any;
+}
+
+/* The diagonal of what stands at one time; of what is not free to go anywhere not less than a part of where it goes. */
 static double size_of(const shape *s, const record *r)
 {
     enum { LOOKS = 40 };
@@ -130,7 +139,7 @@ static double size_of(const shape *s, const record *r)
         include_frame(&all, s, r, frame);
         size = fmax(size, diagonal(&once));
     }
-    size = fmax(size, least_part * diagonal(&all));
+    size = any_loose(s) ? size : fmax(size, least_part * diagonal(&all));
     for (size_t i = 0; i < s->lumps; i++) {
         const vec radii = ellipsoid_of(&s->lump[i]).radii;
         size = fmax(size, 2.0 * fmax(radii.x, fmax(radii.y, radii.z)));
@@ -140,30 +149,35 @@ static double size_of(const shape *s, const record *r)
 
 /* --- bodies --- */
 
+/* A quarter of what is round about z has another ink, which shows that it turns. */
+static void add_ring_of(figure *f, const shape_solid *solid, int ink, vec sizes)
+{
+    enum { ROUND = 2 * SIDES, QUARTER = ROUND / 4 };
+    const int body = solid->at.body;
+    mesh_wedge(&add_part(f, PART_OF_BODY, INK_STEEL, body)->shape, solid->at.frame, sizes, ROUND, 0, QUARTER);
+    mesh_wedge(&add_part(f, PART_OF_BODY, ink, body)->shape, solid->at.frame, sizes, ROUND, QUARTER, ROUND);
+}
+
 static void add_solid(figure *f, const shape_solid *solid, int ink)
 {
-    const double *size = solid->size, thin = link_radius * f->size;
+    const double *size = solid->size;
     const pose at = solid->at.frame;
+    if (strcmp(solid->kind, "cylinder") == 0) {
+        add_ring_of(f, solid, ink, (vec){size[0], 0.0, size[1]});
+        return;
+    }
+    if (strcmp(solid->kind, "tube") == 0) {
+        add_ring_of(f, solid, ink, (vec){size[0], size[1], size[2]});
+        return;
+    }
     part *p = add_part(f, PART_OF_BODY, ink, solid->at.body);
     if (strcmp(solid->kind, "box") == 0) {
         mesh_box(&p->shape, at, (vec){size[0], size[1], size[2]});
-    } else if (strcmp(solid->kind, "cylinder") == 0) {
-        mesh_prism(&p->shape, moved_along_z(at, -size[1] / 2), size[0], size[1], 2 * SIDES);
-    } else if (strcmp(solid->kind, "tube") == 0) {
-        mesh_tube(&p->shape, moved_along_z(at, -size[2] / 2), size[0], size[1], size[2], 2 * SIDES);
     } else if (strcmp(solid->kind, "rod") == 0) {
-        mesh_prism(&p->shape, moved_along_z(at, -size[0] / 2), thin, size[0], FEW_SIDES);
+        mesh_prism(&p->shape, moved_along_z(at, -size[0] / 2), link_radius * f->size, size[0], FEW_SIDES);
     } else {
         const double radius = size[0] > 0.0 ? size[0] : point_radius * f->size;
         mesh_ellipsoid(&p->shape, at, (vec){radius, radius, radius}, SIDES);
-    }
-    /* A line on what is round shows that it turns. */
-    if (strcmp(solid->kind, "cylinder") == 0 || strcmp(solid->kind, "tube") == 0) {
-        const double length = solid->kind[0] == 'c' ? size[1] : size[2], hole = solid->kind[0] == 'c' ? 0.0 : size[1];
-        part *mark = add_part(f, PART_OF_BODY, INK_STEEL, solid->at.body);
-        pose middle = at;
-        middle.at = placed(&at, (vec){(size[0] + hole) / 2, 0, 0});
-        mesh_box(&mark->shape, middle, (vec){0.9 * (size[0] - hole), 0.16 * size[0], 1.04 * length});
     }
 }
 
@@ -187,7 +201,26 @@ static bool slides(const shape *s, int body)
     return any;
 }
 
-/* An ellipsoid of inertia; of a point mass a ball that follows its mass, or a block where it slides. */
+/* Whether the force has a rotor: it turns the body about its line. */
+static bool has_rotor(const shape_force *x)
+{
+    return x->moment != 0.0;
+}
+
+static bool flies(const shape *s, int body)
+{
+    bool any = false;
+    for (size_t i = 0; i < s->forces; i++) {
+        any = any || (s->force[i].at.body == body && has_rotor(&s->force[i]));
+    }
+    for (size_t i = 0; i < s->effects; i++) {
+        any = any || (s->effect[i].points == 1 && s->effect[i].at[0].body == body &&
+                      strcmp(s->effect[i].kind, "propeller") == 0);
+    }
+    return any;
+}
+
+/* An ellipsoid of inertia, of what flies by rotors at half its size, so that its arms show; of a point mass a ball that follows its mass, or a block where it slides. */
 static void add_lump(figure *f, const shape *s, const shape_lump *l, int ink)
 {
     const ellipsoid e = ellipsoid_of(l);
@@ -198,7 +231,9 @@ static void add_lump(figure *f, const shape *s, const shape_lump *l, int ink)
     }
     part *p = add_part(f, PART_OF_BODY, ink, l->body);
     if (fmax(e.radii.x, fmax(e.radii.y, e.radii.z)) > least) {
-        const vec radii = {fmax(e.radii.x, least), fmax(e.radii.y, least), fmax(e.radii.z, least)};
+        const double part_of = flies(s, l->body) ? 0.5 : 1.0;
+        const vec radii = {fmax(part_of * e.radii.x, least), fmax(part_of * e.radii.y, least),
+                           fmax(part_of * e.radii.z, least)};
         mesh_ellipsoid(&p->shape, e.at, radii, SIDES);
     } else if (slides(s, l->body)) {
         pose at = no_pose;
@@ -346,6 +381,29 @@ static void add_links(figure *f, const shape *s, int body, int ink)
     }
 }
 
+/* Rotors are thin discs, above what carries them. */
+static void add_rotor(figure *f, const spot *at, vec axis)
+{
+    const double radius = rotor_radius * f->size, thick = 0.5 * link_radius * f->size;
+    const pose across =
+        pose_between(plus(at->frame.at, times(2.0 * thick, axis)), plus(at->frame.at, times(4.0 * thick, axis)));
+    mesh_prism(&add_part(f, PART_OF_BODY, INK_STEEL, at->body)->shape, across, radius, 1.0, 2 * SIDES);
+}
+
+static void add_rotors(figure *f, const shape *s)
+{
+    for (size_t i = 0; i < s->forces; i++) {
+        if (has_rotor(&s->force[i])) {
+            add_rotor(f, &s->force[i].at, unit(turned(&s->force[i].at.frame, s->force[i].axis)));
+        }
+    }
+    for (size_t i = 0; i < s->effects; i++) {
+        if (s->effect[i].points == 1 && strcmp(s->effect[i].kind, "propeller") == 0) {
+            add_rotor(f, &s->effect[i].at[0], (vec){0, 0, 1});
+        }
+    }
+}
+
 /* A ball on level ground whose body has nothing round there, and a wheel that rolls. */
 static void add_round(figure *f, const shape *s)
 {
@@ -409,6 +467,7 @@ static void add_bodies(figure *f, const shape *s)
             add_links(f, s, (int)i, (int)i % INKS_OF_BODIES);
         }
     }
+    add_rotors(f, s);
     add_round(f, s);
 }
 

@@ -117,16 +117,22 @@ void mesh_prism(mesh *to, pose at, double radius, double length, int sides)
     add_cap(to, high, sides, 1);
 }
 
-void mesh_tube(mesh *to, pose at, double radius, double hole, double length, int sides)
+void mesh_wedge(mesh *to, pose at, vec sizes, int sides, int from, int end)
 {
-    const size_t low = add_ring(to, &at, radius, radius, 0.0, sides);
-    const size_t high = add_ring(to, &at, radius, radius, length, sides);
-    const size_t low_hole = add_ring(to, &at, hole, hole, 0.0, sides);
-    const size_t high_hole = add_ring(to, &at, hole, hole, length, sides);
-    add_band(to, low, high, sides);
-    add_band(to, high, high_hole, sides);
-    add_band(to, high_hole, low_hole, sides);
-    add_band(to, low_hole, low, sides);
+    size_t ring[4]; /* low and high, of the outside and of the hole */
+    for (int i = 0; i < 4; i++) {
+        const double radius = i < 2 ? sizes.x : sizes.y, z = i % 2 == 0 ? -sizes.z / 2 : sizes.z / 2;
+        ring[i] = add_ring(to, &at, radius, radius, z, sides);
+    }
+    for (int i = from; i < end; i++) {
+        const size_t a = (size_t)(i % sides), b = (size_t)((i + 1) % sides);
+        add_four(to, ring[0] + a, ring[0] + b, ring[1] + b, ring[1] + a);
+        add_four(to, ring[1] + a, ring[1] + b, ring[3] + b, ring[3] + a);
+        add_four(to, ring[2] + a, ring[2] + b, ring[0] + b, ring[0] + a);
+        if (sizes.y > 0.0) {
+            add_four(to, ring[3] + a, ring[3] + b, ring[2] + b, ring[2] + a);
+        }
+    }
 }
 
 void mesh_cone(mesh *to, pose at, double radius, double length, int sides)

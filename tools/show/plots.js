@@ -1,6 +1,6 @@
 // The outputs over time, a panel for each, or for the parts of a vector; a cursor at the time of the mechanism.
 
-const PLOT_MARGIN = {left: 52, right: 8, top: 6, bottom: 20};
+const PLOT_MARGIN = {left: 40, most: 84, right: 8, top: 6, bottom: 20};
 
 // Names with _x, _y, _z, or _w before these, are one panel.
 function panelsOf(run) {
@@ -39,6 +39,7 @@ class Plot {
     constructor(panel, runs, seek) {
         this.panel = panel;
         this.runs = runs;
+        this.left = PLOT_MARGIN.left;
         this.figure = document.createElement("figure");
         const caption = document.createElement("figcaption"), name = document.createElement("b");
         const unit = panel.unit && panel.unit !== "1" ? `, ${panel.unit}` : "";
@@ -47,12 +48,13 @@ class Plot {
         caption.append(name, this.reading);
         this.canvas = document.createElement("canvas");
         this.figure.append(caption, this.canvas);
-        const move = (e) => seek((e.offsetX - PLOT_MARGIN.left) / this.innerWidth() * this.end());
+        const move = (e) => seek((e.offsetX - this.left) / this.innerWidth() * this.end());
         this.canvas.addEventListener("pointerdown", (e) => {
             this.canvas.setPointerCapture(e.pointerId);
             move(e);
         });
         this.canvas.addEventListener("pointermove", (e) => e.buttons & 1 && move(e));
+        this.several = runs.length > 1 || panel.letters !== "";
         this.scale();
     }
 
@@ -61,7 +63,7 @@ class Plot {
     }
 
     innerWidth() {
-        return this.canvas.clientWidth - PLOT_MARGIN.left - PLOT_MARGIN.right;
+        return this.canvas.clientWidth - this.left - PLOT_MARGIN.right;
     }
 
     // The range of all runs.
@@ -112,7 +114,7 @@ class Plot {
     }
 
     x(time, width) {
-        return PLOT_MARGIN.left + time / this.end() * (width - PLOT_MARGIN.left - PLOT_MARGIN.right);
+        return this.left + time / this.end() * (width - this.left - PLOT_MARGIN.right);
     }
 
     y(value, height) {
@@ -120,12 +122,17 @@ class Plot {
         return PLOT_MARGIN.top + (this.most - value) / (this.most - this.least) * inside;
     }
 
+    // The values at the cursor, in the colours of their curves.
     read(time) {
-        const size = Math.max(Math.abs(this.least), Math.abs(this.most));
-        this.reading.textContent = this.runs.map((run) => this.columnsIn(run).map((column) => {
-            const x = run.column(time, column);
-            return Math.abs(x) < 1e-6 * size ? "0" : x.toPrecision(4).replace(/\.?0+$/, "");
-        }).join(" ")).join("  |  ");
+        const size = Math.max(Math.abs(this.least), Math.abs(this.most)), readings = [];
+        this.runs.forEach((run, r) => this.columnsIn(run).forEach((column, n) => {
+            const x = run.column(time, column), reading = document.createElement("span");
+            const number = Math.abs(x) < 1e-6 * size ? "0" : Number(x.toPrecision(4)).toString();
+            reading.textContent = `${this.panel.letters && r === 0 ? this.panel.letters[n] + " " : ""}${number}`;
+            reading.style.color = this.several ? `var(--run${(this.runs.length > 1 ? r : n) % 6})` : "";
+            readings.push(reading, " ");
+        }));
+        this.reading.replaceChildren(...readings);
     }
 
     // Axes and curves, which do not move.
@@ -143,18 +150,14 @@ class Plot {
             this.drawCurve(context, run, column, width, height);
         }));
         context.setLineDash([]);
-        if (this.panel.letters && this.runs.length === 1) {
-            [...this.panel.letters].forEach((c, n) => {
-                context.fillStyle = style.run[n % style.run.length];
-                context.fillText(c, width - PLOT_MARGIN.right - 10 * (this.panel.letters.length - n), PLOT_MARGIN.top + 10);
-            });
-        }
         return still;
     }
 
     drawAxes(context, width, height, style) {
         const floor = height - PLOT_MARGIN.bottom, across = ticksOf(0, this.end(), width > 600 ? 10 : 5);
-        const up = ticksOf(this.least, this.most, 4);
+        const up = ticksOf(this.least, this.most, 4), labels = up.ticks.map((v) => shortNumber(v, up.step));
+        const wide = Math.max(...labels.map((label) => context.measureText(label).width)) + 9;
+        this.left = Math.max(PLOT_MARGIN.left, Math.min(PLOT_MARGIN.most, wide));
         context.strokeStyle = style.line;
         context.fillStyle = style.faint;
         context.textAlign = "center";
@@ -166,12 +169,12 @@ class Plot {
         }
         context.textAlign = "right";
         context.textBaseline = "middle";
-        for (const v of up.ticks) {
+        up.ticks.forEach((v, i) => {
             const y = this.y(v, height);
-            trace(context, [[PLOT_MARGIN.left, y], [width - PLOT_MARGIN.right, y]], false);
+            trace(context, [[this.left, y], [width - PLOT_MARGIN.right, y]], false);
             context.stroke();
-            context.fillText(shortNumber(v, up.step), PLOT_MARGIN.left - 5, y);
-        }
+            context.fillText(labels[i], this.left - 5, y);
+        });
         context.textAlign = "left";
         context.textBaseline = "alphabetic";
     }

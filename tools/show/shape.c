@@ -118,6 +118,7 @@ static void read_line(shape *s, cells *c)
         to->input = word(c);
         to->at = place(c);
         to->axis = vector(c);
+        to->moment = number(c);
     } else if (strcmp(kind, "effect") == 0) {
         read_effect(s, c);
     } else if (strcmp(kind, "point") == 0) {

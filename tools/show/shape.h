@@ -49,6 +49,7 @@ typedef struct shape_force {
     const char *input;
     spot at;
     vec axis;
+    double moment; /* m: about its line, for each newton */
 } shape_force;
 
 /* An output that is the place of a point. */

@@ -127,6 +127,7 @@ static void write_forces(builder *b, text *out)
         text_add(out, "force\t%s\t%s", f->name.text, f->drive.text);
         place_cells(b, out, &f->at);
         axis_cells(b, out, f->axis);
+        number_cell(out, value_now(&b->values, scalar_value(b, f->moment, metre, "a moment for each newton")));
         text_add(out, "\n");
     }
 }
