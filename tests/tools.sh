@@ -67,6 +67,7 @@ missing()
     have g++ || echo g++
     have patch || echo patch
     have python3 || echo python3
+    have chromium-headless-shell || have chromium || have google-chrome || echo chromium-headless-shell
     if have ${CC:-cc} && ! have_sanitizers; then
         case $(${CC:-cc} --version) in
         *clang*) echo "libclang-rt-$(${CC:-cc} -dumpversion | cut -d. -f1)-dev" ;;
@@ -91,7 +92,7 @@ else
     echo "tests: something is missing; install it with: sudo $install" >&2
     exit 1
 fi
-echo "tests: installs what is missing, which takes some minutes; all of it would be 740 MB to download and 4.2 GB on the disk:"
+echo "tests: installs what is missing, which takes some minutes; all of it would be 840 MB to download and 4.5 GB on the disk:"
 echo "tests: ${root:+$root }$install"
 log=build/tests/install.log
 mkdir -p build/tests

@@ -39,11 +39,27 @@ function drawRun(context, r, left, width, height, style, isOver) {
         drawFloor(context, data.view, camera, style.line);
     }
     drawWays(context, runs[r], state.time, camera, runs.length > 1 ? style.run[r % style.run.length] : style.cursor);
-    context.globalAlpha = isOver ? 0.55 : 1;
     const tint = isOver ? colourNumbers(style.run[r % style.run.length]) : null;
-    drawPolygons(context, polygonsOf(runs[r], state.time, camera, data.inks, tint));
-    context.globalAlpha = 1;
+    const polygons = polygonsOf(runs[r], state.time, camera, data.inks, tint);
+    if (isOver) {
+        drawOver(context, polygons, width, height);
+    } else {
+        drawPolygons(context, polygons);
+    }
     context.restore();
+}
+
+// A figure as a whole that what is behind shows through: on a canvas of its own first.
+const sheet = document.createElement("canvas");
+function drawOver(context, polygons, width, height) {
+    const ratio = window.devicePixelRatio || 1, own = sheet.getContext("2d");
+    sheet.width = Math.round(width * ratio);
+    sheet.height = Math.round(height * ratio);
+    own.setTransform(ratio, 0, 0, ratio, 0, 0);
+    drawPolygons(own, polygons);
+    context.globalAlpha = 0.55;
+    context.drawImage(sheet, 0, 0, width, height);
+    context.globalAlpha = 1;
 }
 
 function draw() {
