@@ -9,7 +9,7 @@ typedef struct request {
     const char *scene, *directory, *name;
     const char *method, *step, *tolerance, *set, *without, *inputs; /* instead of what the scene says */
     const char *lock;                                               /* of --xcp */
-    bool draws, lists_files, lists_effects, lists_shape;                         /* nothing else is asked for */
+    bool draws, lists_files, lists_effects, lists_shape;            /* nothing else is asked for */
     bool is_double, is_standalone, is_linked;
     build_options wanted;
 } request;
