@@ -264,35 +264,54 @@ static inline uint64_t soft_to_natural(const uint32_t a)
     return (uint64_t)(high & number) << 32 | (low & number);
 }
 
+/* An integer of a magnitude and of the sign bit of `sign`. */
+
+static inline uint32_t soft_uint32_of(const uint64_t natural, const uint32_t sign)
+{
+    const uint32_t beyond = 0 - soft_nonzero((uint32_t)(natural >> 32));
+    return ((uint32_t)natural | beyond) & ~soft_mask(sign);
+}
+
+static inline uint32_t soft_int32_of(const uint64_t natural, const uint32_t sign)
+{
+    const uint32_t all = (uint32_t)natural | (0 - soft_nonzero((uint32_t)(natural >> 32)));
+    const uint32_t mask = soft_mask(sign);
+    return (soft_select(all, SOFT_MAGNITUDE + (sign >> 31), all) ^ mask) - mask;
+}
+
+static inline uint64_t soft_uint64_of(const uint64_t natural, const uint32_t sign)
+{
+    const uint32_t positive = ~soft_mask(sign);
+    return natural & ((uint64_t)positive << 32 | positive);
+}
+
+static inline uint64_t soft_int64_of(const uint64_t natural, const uint32_t sign)
+{
+    const uint32_t is_beyond = soft_mask((uint32_t)(natural >> 32));
+    const uint64_t beyond = (uint64_t)is_beyond << 32 | is_beyond;
+    const uint64_t mask = (uint64_t)soft_mask(sign) << 32 | soft_mask(sign);
+    const uint64_t last = (uint64_t)INT64_MAX + (sign >> 31);
+    return (((natural & ~beyond) | (last & beyond)) ^ mask) - mask;
+}
+
 static inline uint32_t soft_to_uint32(const uint32_t a)
 {
-    const uint64_t natural = soft_to_natural(a);
-    const uint32_t beyond = 0 - soft_nonzero((uint32_t)(natural >> 32));
-    return ((uint32_t)natural | beyond) & ~soft_mask(a);
+    return soft_uint32_of(soft_to_natural(a), a);
 }
 
 static inline uint32_t soft_to_int32(const uint32_t a)
 {
-    const uint64_t natural = soft_to_natural(a);
-    const uint32_t all = (uint32_t)natural | (0 - soft_nonzero((uint32_t)(natural >> 32)));
-    const uint32_t mask = soft_mask(a);
-    return (soft_select(all, SOFT_MAGNITUDE + (a >> 31), all) ^ mask) - mask;
+    return soft_int32_of(soft_to_natural(a), a);
 }
 
 static inline uint64_t soft_to_uint64(const uint32_t a)
 {
-    const uint32_t positive = ~soft_mask(a);
-    return soft_to_natural(a) & ((uint64_t)positive << 32 | positive);
+    return soft_uint64_of(soft_to_natural(a), a);
 }
 
 static inline uint64_t soft_to_int64(const uint32_t a)
 {
-    const uint64_t all = soft_to_natural(a);
-    const uint32_t is_beyond = soft_mask((uint32_t)(all >> 32));
-    const uint64_t beyond = (uint64_t)is_beyond << 32 | is_beyond;
-    const uint64_t mask = (uint64_t)soft_mask(a) << 32 | soft_mask(a);
-    const uint64_t last = (uint64_t)INT64_MAX + (a >> 31);
-    return (((all & ~beyond) | (last & beyond)) ^ mask) - mask;
+    return soft_int64_of(soft_to_natural(a), a);
 }
 
 #endif
