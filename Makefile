@@ -351,10 +351,9 @@ OUT := $(if $(filter hil conform,$(MAKECMDGOALS)),build/$(filter hil conform,$(M
 
 include $(PORT)/port.mk
 
-# A port that does not say which number types it has a unit for has one for both.
+# A port that does not say which number types it computes with has both.
 ifeq ($(filter $(REAL),$(or $(PORT_REALS),float double)),)
-$(error REAL=$(REAL) is refused on TARGET=$(TARGET): it has no unit for $(REAL), and the bits of the compiler's library, or its time, \
-    are others; take REAL=float there, or TARGET=cortex-m7 or host)
+$(error REAL=$(REAL) is refused on TARGET=$(TARGET): its compiler has no double of 64 bits; take REAL=float there)
 endif
 
 ifneq ($(filter link hil a2l,$(MAKECMDGOALS)),)

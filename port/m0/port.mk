@@ -4,5 +4,5 @@
 include port/mps2/port.mk
 PORT_FLAGS = -mcpu=cortex-m0 -mthumb -mfloat-abi=soft -masm-syntax-unified -DSOFT_PIECES -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 PORT_MACHINE = mps2-an385
-PORT_SHARED = port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c port/mps2/start.c port/soft/aeabi.c port/soft/root.c
-PORT_CYCLE_NS = 10
+PORT_SHARED = port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c port/mps2/start.c port/soft/aeabi.c port/soft/root.c $(PORT_DOUBLE)
+PORT_CYCLE_NS = $(if $(filter double,$(REAL)),1,10)

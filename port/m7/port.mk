@@ -4,4 +4,4 @@ include port/mps2/port.mk
 PORT_FLAGS = -mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 PORT_MACHINE = mps2-an500
 PORT_SHARED = port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c port/mps2/start.c
-PORT_REALS = float double
+PORT_CYCLE_NS =

@@ -10,8 +10,12 @@ PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffuncti
 # By `make flags TARGET=cortex-m4f`. -Os takes fewer instructions than -O2, but multiply-accumulate is among them, at 3 cycles for
 # the 2 of a product and a sum, and more loads: of cycles a third more. -O3 unrolls what then keeps too many values alive.
 PORT_OPTIMISE = -O2
-# What it has a unit for. Double by the compiler's library has another last bit, or a time that follows from the state.
-PORT_REALS = float
+# Double by integers, where there is no unit for it: the compiler's library has another last bit, or a time that follows from the
+# state. PORT_SHARED of a chip names it again.
+PORT_DOUBLE = $(if $(filter double,$(REAL)),port/soft/aeabi_double.c port/soft/root_double.c)
+PORT_SHARED = $(PORT_DOUBLE)
+# With double a step takes a hundred times as many instructions: one stands for a nanosecond, so that it ends within its tick.
+PORT_CYCLE_NS = $(if $(filter double,$(REAL)),1)
 PORT_LINK = -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections
 # The root of a double, which this processor has no instruction for.
 PORT_LIBRARIES = -lm

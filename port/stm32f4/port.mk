@@ -10,7 +10,8 @@ PORT_RUN_NS = $(if $(BOARD)$(filter flash,$(MAKECMDGOALS)),$(if $(filter SECONDS
 PORT_LINK = -nostartfiles --specs=nano.specs -T port/stm32f4/stm32f4.ld -Wl,--gc-sections \
     -Wl,--defsym=run_ns_high=$(shell echo $$(($(PORT_RUN_NS) / 4294967296))) -Wl,--defsym=run_ns_low=$(shell echo $$(($(PORT_RUN_NS) % 4294967296)))
 PORT_LIBRARIES = -lm
-PORT_SHARED = $(addprefix port/stm32f4/,clock.c console.c pins.c port.c) port/mps2/semihosting.c port/mps2/start.c
+PORT_SHARED = $(addprefix port/stm32f4/,clock.c console.c pins.c port.c) port/mps2/semihosting.c port/mps2/start.c \
+    $(if $(filter double,$(REAL)),port/soft/aeabi_double.c port/soft/root_double.c)
 PORT_SUFFIX = .elf
 PORT_STACK =
 # On silicon the caches of the flash make a step take some cycles more or less: the clock does not count what every step takes alike.

@@ -7,7 +7,7 @@ PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi
 # The processor. -mfloat-abi=soft where it has no floating-point unit: then PORT_SHARED has port/soft/aeabi.c and port/soft/root.c
 # besides. The last three options keep the order in which isoc writes the equations, which needs few registers.
 PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers
-# The number types that the processor has a unit for: float, or float double.
+# The number types: float, or float double, with PORT_DOUBLE of port/mps2 in PORT_SHARED where there is no unit for that.
 PORT_REALS = float
 # By `make flags`, which measures each on the Cortex-M4F and on the host.
 PORT_OPTIMISE = -O2

@@ -4,8 +4,10 @@ PORT_CC = riscv64-unknown-elf-gcc
 PORT_TOOLS = riscv64-unknown-elf-gcc
 PORT_INSTALL = apt-get install gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf qemu-system-misc
 PORT_FLAGS = $(PORT_CHIP) -misa-spec=2.2 -mcmodel=medany -msmall-data-limit=0 --specs=picolibc.specs -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
-# What it has a unit for. Double by the compiler's library has another last bit, or a time that follows from the state.
-PORT_REALS = float
+# Double by integers: the compiler's library has a time that follows from the state. PORT_SHARED of a chip names it.
+PORT_DOUBLE = $(if $(filter double,$(REAL)),port/soft/gcc_double.c port/soft/root_double.c)
+# With double a step takes a hundred times as many instructions: one stands for a nanosecond, so that it ends within its tick.
+PORT_CYCLE_NS = $(if $(filter double,$(REAL)),1)
 PORT_OPTIMISE = -O2
 PORT_LINK = -nostartfiles -T port/virt/virt.ld -Wl,--gc-sections -Wl,--no-warn-rwx-segments
 # The root of a double, and what both C libraries have.
