@@ -6,8 +6,27 @@
 #include <valgrind/memcheck.h>
 
 #include "tests/soft/operations.h"
+#include "tests/soft/wide_operations.h"
 
 enum { KINDS = 14 };
+
+static bool report(const int number, const char *const name, const bool passed)
+{
+    printf("%sok %d - %s\n", passed ? "" : "not ", number, name);
+    return passed;
+}
+
+/* Those of binary64. */
+static bool is_wide_unbranched(const wide_kind kind)
+{
+    uint64_t a = UINT64_C(0x3FF0000000000001), b = UINT64_C(0xBFF0000000000001);
+    const unsigned long before = VALGRIND_COUNT_ERRORS;
+    VALGRIND_MAKE_MEM_UNDEFINED(&a, sizeof a);
+    VALGRIND_MAKE_MEM_UNDEFINED(&b, sizeof b);
+    const uint64_t result = wide_operations[kind](a, b);
+    uint64_t marks = 0;
+    return VALGRIND_GET_VBITS(&result, &marks, sizeof marks) == 1 && marks != 0 && VALGRIND_COUNT_ERRORS == before;
+}
 
 int main(void)
 {
@@ -43,10 +62,13 @@ int main(void)
         const uint32_t result = cases[i].tried(a, b);
         uint32_t marks = 0;
         const bool is_marked = VALGRIND_GET_VBITS(&result, &marks, sizeof marks) == 1 && marks != 0;
-        const bool passed = VALGRIND_COUNT_ERRORS == before && is_marked;
-        failures += passed ? 0 : 1;
-        printf("%sok %d - %s\n", passed ? "" : "not ", i + 1, cases[i].name);
+        failures += report(i + 1, cases[i].name, VALGRIND_COUNT_ERRORS == before && is_marked) ? 0 : 1;
     }
-    printf("1..%d\n", KINDS);
+    for (int i = 0; i < WIDE_KINDS; i++) {
+        char name[32];
+        (void)snprintf(name, sizeof name, "double: %s", wide_names[i]);
+        failures += report(KINDS + i + 1, name, is_wide_unbranched((wide_kind)i)) ? 0 : 1;
+    }
+    printf("1..%d\n", KINDS + WIDE_KINDS);
     return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

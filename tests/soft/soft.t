@@ -1,8 +1,8 @@
 #!/bin/sh
-# Float by instructions of integers (port/soft): bit for bit what a floating-point unit computes, on pairs about all powers of
-# two and on 10^7 at random for each operation, a fifth of these each time, with the argument `all` 10^8; and without a branch
-# that follows from an operand. Each kind of shift is tried on the host, and the code for the Cortex-M3 and the Cortex-M0 on a Cortex-M4F, against
-# its floating-point unit.
+# Float and double by instructions of integers (port/soft): bit for bit what a floating-point unit computes, on pairs about powers of
+# two and on 10^7 at random for each operation, a fifth of these each time, with the argument `all` 10^8 (of double half of what is
+# tried of float); and without a branch that follows from an operand. Each kind of shift is tried on the host, and the code for the
+# Cortex-M3 and the Cortex-M0 on a Cortex-M4F and a Cortex-M7, against its floating-point unit.
 . tests/host/test.sh
 begin soft
 real float
@@ -10,6 +10,7 @@ M3="-mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
 M0="-mcpu=cortex-m0 -mthumb -mfloat-abi=soft -masm-syntax-unified -DSOFT_PIECES"
 RV32IMAC="-march=rv32imac -mabi=ilp32 --specs=picolibc.specs"
 m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
+m7=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/m7/port.mk)
 turn=$(turn_of 5 "${1-}" core port tests/soft)
 echo "# turn $turn of the pairs on the host"
 case $turn in
@@ -23,26 +24,42 @@ all)
     ;;
 esac
 
-# compared PAIRS [FLAG...]: on the host; a flag -I before . finds another port/soft.
+# compared PROGRAM PAIRS [FLAG...]: on the host; the program is soft or wide, of float or double. A flag -I before . finds another
+# port/soft.
 compared()
 {
-    compared_pairs=$1
-    shift
+    compared_by=$1
+    compared_pairs=$2
+    shift 2
     # shellcheck disable=SC2086
-    "$CC" "$@" $FLAGS tests/soft/soft.c tests/soft/operations.c tests/tap.c port/sim/*.c port/host/console.c -o "$out/soft" -lm &&
-        "$out/soft" "$compared_pairs"
+    "$CC" "$@" $FLAGS "tests/soft/$compared_by.c" tests/soft/$(operations $compared_by).c tests/tap.c port/sim/*.c port/host/console.c \
+        -o "$out/soft" -lm && "$out/soft" "$compared_pairs"
 }
 
-# on_board FLAGS: code for another core, on the board that has a floating-point unit.
+# operations PROGRAM: the file with what it tries.
+operations()
+{
+    case $1 in
+    soft) echo operations ;;
+    wide) echo wide_operations ;;
+    esac
+}
+
+# on_board PROGRAM FLAGS: code for another core, on the board that has a floating-point unit.
 on_board()
 {
+    case $1 in
+    soft) set -- "$@" "$m4f" mps2-an386 17 20000 ;;
+    wide) set -- "$@" "$m7" mps2-an500 5 4000 ;;
+    esac
     # shellcheck disable=SC2086
-    arm-none-eabi-gcc $FLAGS $1 -c tests/soft/operations.c -o "$out/operations.o" &&
+    arm-none-eabi-gcc $FLAGS $2 -c "tests/soft/$(operations "$1").c" -o "$out/operations.o" &&
         arm-none-eabi-objcopy --remove-section .ARM.attributes "$out/operations.o" &&
-        arm-none-eabi-gcc $FLAGS $m4f -DEXPONENT_STEP=17 -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld \
-            -Wl,--gc-sections tests/soft/soft.c "$out/operations.o" tests/tap.c port/mps2/*.c -lm -o "$out/board" &&
-        timeout 300 qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
-            -semihosting-config enable=on,target=native,arg=soft,arg=20000 -kernel "$out/board"
+        arm-none-eabi-gcc $FLAGS $3 -DEXPONENT_STEP=$5 -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld \
+            -Wl,--gc-sections "tests/soft/$1.c" "$out/operations.o" tests/tap.c port/mps2/port.c port/mps2/console.c port/mps2/s*.c \
+            -lm -o "$out/board" &&
+        timeout 300 qemu-system-arm -M $4 -icount shift=10,align=off,sleep=off -display none -monitor none -serial none \
+            -semihosting-config enable=on,target=native,arg=soft,arg=$6 -kernel "$out/board"
 }
 
 # watched COMPILER [FLAG...]: under memcheck, with operands that are undefined.
@@ -51,7 +68,7 @@ watched()
     compiler=$1
     shift
     # shellcheck disable=SC2086
-    "$compiler" "$@" $FLAGS tests/soft/poison.c tests/soft/operations.c -o "$out/poison" &&
+    "$compiler" "$@" $FLAGS tests/soft/poison.c tests/soft/operations.c tests/soft/wide_operations.c -o "$out/poison" &&
         valgrind --quiet --log-file="$out/memcheck" "$out/poison"
 }
 
@@ -68,21 +85,30 @@ branches()
         awk '/\t(b(eq|ne|cs|cc|hs|lo|mi|pl|vs|vc|hi|ls|ge|lt|gt|le|geu|ltu|gtu|leu)(z|\.[nw])?|cbn?z)\t/ { n++ } END { print n + 0 }'
 }
 
-joined "by one shift" compared $pairs $turns
-joined "by stages, a product in pieces" compared $((pairs / 10)) $turns -DSOFT_STAGES -DSOFT_PIECES
-joined "code for the Cortex-M3" on_board "$M3"
-joined "code for the Cortex-M0" on_board "$M0"
+joined "by one shift" compared soft $pairs $turns
+joined "by stages, a product in pieces" compared soft $((pairs / 10)) $turns -DSOFT_STAGES -DSOFT_PIECES
+joined "double, by one shift" compared wide $((pairs / 2))
+joined "double, a product in pieces" compared wide $((pairs / 20)) -DSOFT_STAGES -DSOFT_PIECES
+for program in soft wide; do
+    joined "$program: code for the Cortex-M3" on_board $program "$M3"
+    joined "$program: code for the Cortex-M0" on_board $program "$M0"
+done
 for compiler in gcc clang; do
     joined "$compiler, by one shift, no branch" watched $compiler
     joined "$compiler, by stages, no branch" watched $compiler -DSOFT_STAGES -DSOFT_PIECES
 done
 # The loop of the quotient counts its bits.
-[ "$(branches arm-none-eabi "$M3" aeabi)" -eq 1 ]
-result $? "code for the Cortex-M3 has no condition but that of a loop"
-[ "$(branches arm-none-eabi "$M0" aeabi)" -eq 1 ]
-result $? "code for the Cortex-M0 has no condition but that of a loop"
-[ "$(branches riscv64-unknown-elf "$RV32IMAC" gcc)" -eq 1 ]
-result $? "code for the RV32IMAC has no condition but that of a loop"
+while read -r core tools helpers flags; do
+    [ "$(branches $tools "$flags" $helpers)" -eq 1 ]
+    result $? "code for the $core has no condition but that of a loop: $helpers.c"
+done <<END
+Cortex-M3 arm-none-eabi aeabi $M3
+Cortex-M3 arm-none-eabi aeabi_double $M3
+Cortex-M0 arm-none-eabi aeabi $M0
+Cortex-M0 arm-none-eabi aeabi_double $M0
+RV32IMAC riscv64-unknown-elf gcc $RV32IMAC
+RV32IMAC riscv64-unknown-elf gcc_double $RV32IMAC
+END
 
 # planted FILE EDIT: another text of it, found by -I$out/planted.
 planted()
@@ -103,11 +129,21 @@ failed()
 rounding="sum difference product quotient from int32 from uint32 from int64 from uint64"
 for term in 1 0; do
     # shellcheck disable=SC2086
-    planted shifts.h "s/behind + (x & 1) + most/behind + $term + most/" && ! compared 1000 -DEXPONENT_STEP=3 "-I$out/planted" >"$out/tap" && failed $rounding
+    planted shifts.h "s/behind + (x & 1) + most/behind + $term + most/" && ! compared soft 1000 -DEXPONENT_STEP=3 "-I$out/planted" >"$out/tap" && failed $rounding
     result $? "found: a half that is always rounded $([ $term = 1 ] && echo up || echo down)"
 done
-planted binary32.h 's/ + (positive - exponent);/;/' && ! compared 1000 -DEXPONENT_STEP=3 "-I$out/planted" >"$out/tap" && failed product quotient
+planted binary32.h 's/ + (positive - exponent);/;/' && ! compared soft 1000 -DEXPONENT_STEP=3 "-I$out/planted" >"$out/tap" && failed product quotient
 result $? "found: numbers below the least normal one that are not rounded as such"
+planted binary64.h 's/soft_nonzero(behind << 1) | ((uint32_t)x & 1)/1/' && ! compared wide 1000 "-I$out/planted" >"$out/tap" &&
+    failed sum difference product quotient from int64 from uint64
+result $? "found: a half of a double that is always rounded up"
+planted binary64.h 's/ + (positive - exponent));/);/' && ! compared wide 1000 "-I$out/planted" >"$out/tap" && failed product quotient
+result $? "found: doubles below the least normal one that are not rounded as such"
+planted binary64.h '/^static inline uint64_t soft64_add/,/^}/s/^    const uint64_t x = a/    if (a == 0) { return b; }\n&/' &&
+    ! watched gcc "-I$out/planted" >"$out/tap" && failed double: sum double: difference
+result $? "found by memcheck: a branch on a double"
+[ "$(branches arm-none-eabi "$M3" aeabi_double "-I$out/planted")" -gt 1 ]
+result $? "found in the code for the Cortex-M3: a branch on a double"
 planted binary32.h '/^static inline uint32_t soft_multiply/,/^}/s/^    uint32_t significand;/    if (a == 0) { return 0; }\n&/' &&
     ! watched gcc "-I$out/planted" >"$out/tap" && failed product
 result $? "found by memcheck: a branch on an operand"

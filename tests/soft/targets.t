@@ -1,16 +1,16 @@
 #!/bin/sh
-# Other cores than the Cortex-M4F, also without a floating-point unit: the bits of the host, and one number of instructions, or
-# of cycles, for every step; with libgcc's helpers in place of port/soft the bits are the same, and the number follows from
-# the state.
+# Other cores than the Cortex-M4F, also without a floating-point unit, and double where there is no unit for that: the bits of the
+# host, and one number of instructions, or of cycles, for every step; with libgcc's helpers in place of port/soft the number follows
+# from the state, and in float the bits are the same.
 . tests/host/test.sh
 . tests/host/project.sh
 begin soft_targets
 project
 
-# ran SCENE TARGET SECONDS: make run.
+# ran SCENE TARGET SECONDS [REAL]: make run.
 ran()
 {
-    call run SCENE="models/$1.scene" TARGET="$2" SECONDS="$3"
+    call run SCENE="models/$1.scene" TARGET="$2" SECONDS="$3" REAL="${4-float}"
 }
 
 # counted: in the last run the shortest step took as long as the longest. $least, $mean and $most are these.
@@ -40,6 +40,26 @@ rv32imafc 2
 rv32imac 2
 atmega1284p 0.02
 END
+
+# Of double by turns a scene on a target.
+turn=$(turn_of 7 "${1-}" core port tools/isoc)
+echo "# turn $turn of double"
+ran double_pendulum host 0.2 double && right=$(value hash) && [ -n "$right" ]
+expect $? "double_pendulum on the host, double: $right"
+number=0
+for target in cortex-m4f cortex-m33 cortex-m3 cortex-m0 rv32imac rv32imafc stm32f407; do
+    number=$((number + 1))
+    [ "$turn" = all ] || [ $((number - 1)) -eq "$turn" ] || continue
+    ran double_pendulum $target 0.2 double && [ "$(value hash)" = "$right" ] && counted
+    expect $? "double_pendulum on the $target, double: the same bits, $least $unit on every step"
+done
+for port in mps2 virt; do
+    sed -i 's/^PORT_DOUBLE = .*/PORT_DOUBLE =/' "$out/project/port/$port/port.mk"
+done
+! ran double_pendulum cortex-m4f 0.2 double && grep -q 'changes the bits of results' "$out/errors"
+expect $? "found: helpers of libgcc for double on the cortex-m4f, by the check at the start"
+ran double_pendulum rv32imac 0.2 double && [ "$(value hash)" = "$right" ] && ! counted && [ -n "$unit" ]
+expect $? "found: helpers of libgcc for double on the rv32imac: from $least to $most $unit, mean $mean"
 
 while read -r target seconds; do
     sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/${target#cortex-}/port.mk"

@@ -9,6 +9,10 @@
 #include "tests/soft/wide_operations.h"
 #include "tests/tap.h"
 
+#ifndef EXPONENT_STEP
+#define EXPONENT_STEP 1
+#endif
+
 static const uint64_t infinity = UINT64_C(0x7FF) << 52, sign = UINT64_C(1) << 63;
 
 static double number(const uint64_t bits)
@@ -182,7 +186,7 @@ static uint64_t structured(const uint32_t index)
                                          1085, 1086, 1087, 1149, 1150, 1151, 1535, 1996, 2044, 2045, 2046, 2047};
     static const uint64_t half = UINT64_C(1) << 51, all = (UINT64_C(1) << 52) - 1;
     const uint64_t fractions[8] = {0, 1, 2, half - 1, half, half + 1, all - 1, all};
-    const uint32_t of = index >> 4;
+    const uint32_t of = (index >> 4) * EXPONENT_STEP;
     return of >= sizeof exponents / sizeof exponents[0]
                ? UINT64_MAX
                : (uint64_t)(index >> 3 & 1) << 63 | (uint64_t)exponents[of] << 52 | fractions[index & 7];
