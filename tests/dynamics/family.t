@@ -1,15 +1,18 @@
 #!/bin/sh
 # Random mechanisms, 40 trees and 40 closed loops, of all kinds of joints and closures, in every formulation and with every
-# way to the factors of an implicit method, in double: reactions, Jacobian and orders. By itself a fifth of them; with an
-# argument, all:
+# way to the factors of an implicit method, in double: reactions, Jacobian and orders. By itself a tenth of them, by turns;
+# with an argument, all:
 #
 #     tests/dynamics/family.t all
 . tests/host/test.sh
 begin dynamics_family
 . tests/dynamics/solver.sh
 seeds=40
-step=5
-[ "${1-}" != all ] && [ -z "${TEST_WHOLE-}" ] || step=1
+turn=$(turn_of 10 "${1-}" core tools/isoc)
+echo "# turn $turn of the seeds"
+step=10
+first=$turn
+[ "$turn" != all ] || { step=1 && first=0; }
 
 EXTRA=-O1
 # shellcheck disable=SC2086
@@ -98,7 +101,7 @@ echo '#include "tests/dynamics/family.h"' >"$out/family.c"
 list=
 for kind in tree loop; do
     built=0
-    for seed in $(seq 1 "$step" $seeds); do
+    for seed in $(seq $((first + 1)) "$step" $seeds); do
         if member $kind "$seed"; then
             built=$((built + 1))
             list="$list ${kind}_$seed"
@@ -106,7 +109,7 @@ for kind in tree loop; do
         fi
     done
     [ "$built" -eq $((seeds / step)) ]
-    result $? "$built of $((seeds / step)) seeds of a $kind are compiled, one in $step up to $seeds"
+    result $? "$built of $((seeds / step)) seeds of a $kind are compiled, one in $step from $((first + 1)) up to $seeds"
 done
 {
     echo 'const family_member *const family[] = {'

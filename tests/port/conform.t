@@ -1,20 +1,12 @@
 #!/bin/sh
 # make conform: the ports keep their duties, also one made from port/template; and one that is broken in a duty is found, for
-# each. A third of the boards and of the duties has its turn; all of them with the argument `all`.
+# each. A sixth of the boards and of the duties has its turn; all of them with the argument `all`.
 . tests/host/test.sh
 . tests/host/project.sh
 begin port/conform
 project
-turn=$(turn_of 3 "${1-}" core port tools/conform)
+turn=$(turn_of 6 "${1-}" core port tools/conform)
 echo "# turn $turn of the boards and of the duties that are broken"
-
-# is_turn: whether the next one of a list has its turn.
-number=0
-is_turn()
-{
-    number=$((number + 1))
-    [ "$turn" = all ] || [ $((number % 3)) -eq "$turn" ]
-}
 
 # conforms TARGET: make conform says of no duty that it failed, and of all of them something.
 duties='arithmetic duration inputs stack start clock wrap tick jitter catching_up console channel exit bits count'
@@ -35,7 +27,7 @@ shown()
 }
 
 while read -r target none; do
-    [ "$target" = host ] || is_turn || continue
+    [ "$target" = host ] || next_turn 6 || continue
     conforms "$target"
     expect $? "$target: $(shown jitter stack)"
     [ "$(sed -n 's/^\([a-z_]*\) has none.*/\1/p' "$out/output" | sort | paste -sd ' ')" = "$none" ]
@@ -72,7 +64,7 @@ sed -i '/^plant /d' "$out/project/tools/conform/conform.sh"
 # other than 0.
 broken()
 {
-    is_turn || return 0
+    next_turn 6 || return 0
     cp "$mine/$2" "$out/whole"
     sed -i "$3" "$mine/$2"
     ! cmp -s "$mine/$2" "$out/whole" && ! call conform TARGET=mine && grep -q "^$1 FAILED: " "$out/output"
