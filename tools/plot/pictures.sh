@@ -1,17 +1,19 @@
 #!/bin/sh
 # Draws the pictures of the gallery, models/README.md, into a folder, by the commands that stand there above them: the way of
-# a point (make plot), the example of a controller (make hil), or the graph of a scene (isoc --dot). Without what names the
+# a point (make plot), the mechanism at one time (make show), the example of a controller (make hil), or the graph of a scene
+# (isoc --dot). Without what names the
 # versions of gnuplot and graphviz. Called by `make pictures`, with the make to call in $MAKE:
 #
 #     pictures.sh FOLDER
 set -eu
 folder=$1
 
-# commands: path NAME SECONDS, trace NAME SECONDS OUTPUTS, graph NAME or hil hil SECONDS, one on a line.
+# commands: path NAME SECONDS, still NAME SECONDS TIME, trace NAME SECONDS OUTPUTS, graph NAME or hil hil SECONDS, one on a line.
 commands()
 {
     sed -n -e 's|^`make plot SCENE=models/\([a-z0-9_]*\)\.scene SECONDS=\([0-9.]*\)`$|path \1 \2|p' \
         -e 's|^`make plot SCENE=models/\([a-z0-9_]*\)\.scene SECONDS=\([0-9.]*\) OUTPUTS=\([a-z0-9_,]*\)`$|trace \1 \2 \3|p' \
+        -e 's|^`make show SCENE=models/\([a-z0-9_]*\)\.scene SECONDS=\([0-9.]*\) STILL=\([0-9.]*\)`$|still \1 \2 \3|p' \
         -e 's|^`make hil TARGET=host SECONDS=\([0-9.]*\)`$|hil hil \1|p' \
         -e 's|^`build/isoc models/\([a-z0-9_]*\)\.scene --dot . dot -Tsvg`$|graph \1|p' models/README.md
 }
@@ -23,6 +25,11 @@ commands | while read -r kind name seconds outputs; do
         drawn=$("${MAKE:-make}" --no-print-directory plot SCENE="models/$name.scene" SECONDS="$seconds" \
             ${outputs:+OUTPUTS="$outputs"} </dev/null | grep "/$kind\.svg\$")
         grep -v '^<desc>' "$drawn" >"$folder/$name.svg"
+        ;;
+    still)
+        drawn=$("${MAKE:-make}" --no-print-directory show SCENE="models/$name.scene" SECONDS="$seconds" STILL="$outputs" \
+            </dev/null | sed -n 's/^ *SHOW *//p')
+        cp "$drawn" "$folder/$name.svg"
         ;;
     hil)
         drawn=$("${MAKE:-make}" --no-print-directory hil TARGET=host SECONDS="$seconds" </dev/null | grep '/trace\.svg$')

@@ -106,6 +106,9 @@ static void include_frame(bounds *b, const shape *s, const record *r, size_t fra
     for (size_t i = 0; i < s->forces; i++) {
         include_spot(b, r, frame, &s->force[i].at);
     }
+    for (size_t i = 0; i < s->points; i++) {
+        include_spot(b, r, frame, &s->point[i].at);
+    }
 }
 
 static double diagonal(const bounds *b)
