@@ -171,8 +171,8 @@ void still_write(FILE *out, const shape *s, const record *r, const figure *f, co
         }
     }
     qsort(all.all, all.count, sizeof *all.all, by_nearness);
-    fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' width='%d' height='%d' viewBox='0 0 %d %d'>\n", WIDTH, HEIGHT,
-            10 * WIDTH, 10 * HEIGHT);
+    fprintf(out, "<svg xmlns='http://www.w3.org/2000/svg' class='still' width='%d' height='%d' viewBox='0 0 %d %d'>\n",
+            WIDTH, HEIGHT, 10 * WIDTH, 10 * HEIGHT);
     fprintf(out, "<title>%s at %g s</title>\n<rect width='100%%' height='100%%' fill='#fff'/>\n", s->name,
             (double)frame * r->interval);
     if (v->has_floor) {
