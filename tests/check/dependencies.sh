@@ -123,6 +123,10 @@ change "a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/osci
 # A flag that changes no object, so that none is compiled for it. All that follows keeps it: a change builds everything.
 state >"$out/before"
 change "CFLAGS" "$program build/obj/host/float/core/runtime/loop.o build/host/float/double_pendulum/plant.o" CFLAGS=-MP
+call -s -n build/isoc build/trace CFLAGS='-MP -include port/stm32f4/pins_example.h' && [ ! -s "$out/output" ]
+expect $? "a file that CFLAGS include, for a plant's program: no tool is built"
+call -s -n build/isoc build/trace CFLAGS='-MP -DPLANTED' && grep -q DPLANTED "$out/output"
+expect $? "control: one would be for another flag"
 
 # A Makefile that forgets a header is found: without the lists of included files, a touched header builds nothing, if it is
 # no part of isoc.
