@@ -143,10 +143,12 @@ same()
     }
 }
 
-# everywhere: on the host, without optimisation, and on the Cortex-M4F, the plants and methods that the script's `wanted` says.
+# everywhere: the plants and methods that the script's `wanted` says: on the host without optimisation, with it by either
+# compiler, and last on the Cortex-M4F.
 everywhere()
 {
-    for place in "host sim $CC -O0" "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
+    for place in "host sim $CC -O0" "optimised sim $CC -O2" "clang sim clang -O2" \
+        "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
         # shellcheck disable=SC2086
         variant $place
         result $? "$variant: core and port compile"

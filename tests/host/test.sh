@@ -41,14 +41,14 @@ real()
 }
 
 # rolled: the programs that follow run kernels of which the compiler knows neither recipe nor n. To unroll their loops would
-# take it most of its time, and changes no bit; plants are compiled with it, and compared without it, by check/same_bits*.sh.
+# take it most of its time, and changes no bit; plants are compiled with it, and compared without it, by check/same_bits.sh.
 rolled()
 {
     FLAGS="$FLAGS -DISO_UNROLL="
 }
 
 # optimised LEVEL: the programs that follow are compiled with it: -O0 where they run for less time than a compiler optimises.
-# It changes no bit (check/same_bits*.sh), and what gcc warns of where it optimises other tests see.
+# It changes no bit (check/same_bits.sh), and what gcc warns of where it optimises other tests see.
 optimised()
 {
     FLAGS=$(echo "$FLAGS" | sed "s/ -O[0-9s] / $1 /")
@@ -109,19 +109,25 @@ has_turn()
     ! place "$1" $shared_models || [ $(((place + 1) % 3)) -eq "$has_turn_place" ]
 }
 
-# fifth SCENE METHOD: whether it is tried this time, $turn of turn_of 5: one-step methods from one table always, of the other
-# pairs a fifth.
-fifth()
+# due SCENE METHOD: whether it is tried this time, $turn of turn_of 10. One-step methods from one table: always on models that are
+# tried in depth, on the others every second time; of all other pairs a fifth, and of stewart, which takes gcc ten seconds.
+due()
 {
-    case $2,$turn in
-    euler,* | heun,* | rk4,* | *,all) return 0 ;;
+    due_of=5
+    case $2,$1,$turn in
+    *,all) return 0 ;;
+    *,models/stewart.scene,*) ;;
+    euler,* | heun,* | rk4,*)
+        ! in_depth "$1" || return 0
+        due_of=2
+        ;;
     esac
     # shellcheck disable=SC2086
     place "$2" $METHODS
-    fifth_place=$place
+    due_place=$place
     # shellcheck disable=SC2086
     place "$1" models/*.scene
-    [ $(((place + fifth_place) % 5)) -eq "$turn" ]
+    [ $(((place + due_place) % due_of)) -eq $((turn % due_of)) ]
 }
 
 # turn_of PARTS ALL FOLDER...: which of so many parts is tried this time, from 0: a checksum of these folders, so that over
