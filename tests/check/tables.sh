@@ -6,7 +6,7 @@
 begin check/tables
 project
 
-# What takes long is measured by turns: every fourth row of the tables of make cost; two lengths of chains; and the tables of
+# What takes long is measured by turns: every eighth row of the tables of make cost; two lengths of chains; and the tables of
 # make drift and make bench whole, one at a time. Of eight turns this one follows from what the tables say and what they
 # follow from. With the argument `all` all is measured; `make tables` always does that.
 turn=$(turn_of 8 "${1-}" models core tools port)
@@ -54,7 +54,7 @@ measured()
 {
     case $turn-$1 in
     [0-7]-make\ chains) grep -E "^[|-]([^,]*, ($(echo "$lengths" | tr ' ' '|')) | chain|---|$growth)" ;;
-    [0-7]-make\ cost*) grep '^[|-]' | awk -v turn=$((turn % 4)) 'NR <= 2 || (NR - 3) % 4 == turn' ;;
+    [0-7]-make\ cost*) grep '^[|-]' | awk -v turn="$turn" 'NR <= 2 || (NR - 3) % 8 == turn' ;;
     *) cat ;;
     esac | grep '^[|-]'
 }
@@ -64,7 +64,7 @@ run()
 {
     case $turn-$1 in
     [0-7]-make\ chains) set -- "make chains LENGTHS='$lengths'" ;;
-    [0-7]-make\ cost*) set -- "TURN=$((turn % 4)) $1" ;;
+    [0-7]-make\ cost*) set -- "TURN=$turn $1" ;;
     esac
     (cd "$out/project" && eval "$1") </dev/null
 }

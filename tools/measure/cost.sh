@@ -7,7 +7,7 @@
 #     effects   what each effect of tools/measure/effects.txt adds to the pendulum
 #     library   what each effect of models/effects adds, in a scene of tools/measure/library.txt
 #
-# Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 3, only every fourth
+# Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 7, only every eighth
 # row of a table is measured, from that row on (tests/check/tables.sh).
 . tools/measure/board.sh
 
@@ -15,7 +15,7 @@
 due()
 {
     row=$((row + 1))
-    [ -z "${TURN-}" ] || [ $((row % 4)) -eq "$TURN" ]
+    [ -z "${TURN-}" ] || [ $((row % 8)) -eq "$TURN" ]
 }
 
 # cost: of the program measured last: instructions of a step and of a tick, bytes of the firmware's text and of the
