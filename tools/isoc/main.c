@@ -29,6 +29,9 @@ typedef enum option {
     OPTION_SHAPE,
     OPTION_STANDALONE,
     OPTION_LINK,
+    OPTION_LINEAR,
+    OPTION_TRIM,
+    OPTION_STATE,
     OPTIONS
 } option;
 
@@ -63,6 +66,9 @@ static const struct {
     [OPTION_SHAPE] = {.word = "--shape"},
     [OPTION_STANDALONE] = {.word = "--standalone"},
     [OPTION_LINK] = {.word = "--link"},
+    [OPTION_LINEAR] = {.word = "--linear"},
+    [OPTION_TRIM] = {"--trim", .has_value = true},
+    [OPTION_STATE] = {"--state", .has_value = true},
 };
 
 static bool is_identifier(const char *word)
@@ -130,6 +136,9 @@ static bool check_together(arena *memory, const char *const *given)
     if (given[OPTION_LINK] != NULL && unlinked != NULL) {
         return complain("--link is of a whole program: leave out", unlinked);
     }
+    if ((given[OPTION_TRIM] != NULL || given[OPTION_STATE] != NULL) && given[OPTION_LINEAR] == NULL) {
+        return complain("--trim and --state are of a linear model: add --linear", NULL);
+    }
     if (given[OPTION_LOCK] != NULL && given[OPTION_LINK] == NULL) {
         return complain("--xcp is of a plant with a link: add --link to --xcp", given[OPTION_LOCK]);
     }
@@ -168,6 +177,8 @@ static request request_of(const char *const *given)
         .without = given[OPTION_WITHOUT],
         .inputs = given[OPTION_INPUTS],
         .lock = given[OPTION_LOCK],
+        .trim = given[OPTION_TRIM],
+        .state = given[OPTION_STATE],
         .draws = given[OPTION_DOT] != NULL,
         .lists_files = given[OPTION_FILES] != NULL,
         .lists_effects = given[OPTION_EFFECTS] != NULL,
@@ -175,6 +186,7 @@ static request request_of(const char *const *given)
         .is_double = index_of_word(given[OPTION_REAL], real_names, 2) == 1,
         .is_standalone = given[OPTION_STANDALONE] != NULL,
         .is_linked = given[OPTION_LINK] != NULL,
+        .is_linear = given[OPTION_LINEAR] != NULL,
         .wanted = {(formulation)index_of_word(given[OPTION_FORMULATION], formulation_names, FORMULATIONS),
                    (factoring)index_of_word(given[OPTION_FACTORS], factoring_names, FACTORINGS)},
     };

@@ -5,6 +5,7 @@
 #include "tools/isoc/base/real_range.h"
 #include "tools/isoc/dynamics/assembly.h"
 #include "tools/isoc/emit/emit.h"
+#include "tools/isoc/linear/linear.h"
 #include "tools/isoc/plant/checks.h"
 #include "tools/isoc/scene/dot.h"
 #include "tools/isoc/scene/parser.h"
@@ -151,6 +152,10 @@ bool compile(arena *memory, const request *r)
     /* The plant: all that a tick computes, as nodes of states, inputs and tunables. */
     plant p = plant_build(&g, &m, r->is_double, r->wanted); /* derivative, outputs, factors of an implicit method */
     rows_build(&s, &g, &p, NULL);                           /* what a row sets, in its order; starts of effects */
+    if (r->is_linear && s.problem_count == 0) {
+        const linear_request of = {r->state, r->trim, r->directory};
+        return linear_run(&s, &g, &written, &p, &of); /* its linear model, and no plant */
+    }
     check(&s, &g, &p);
     if (s.problem_count > 0) {
         return refuse(&s);

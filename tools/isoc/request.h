@@ -9,8 +9,9 @@ typedef struct request {
     const char *scene, *directory, *name;
     const char *method, *step, *tolerance, *set, *without, *inputs; /* instead of what the scene says */
     const char *lock;                                               /* of --xcp */
+    const char *trim, *state;                                       /* of a linear model */
     bool draws, lists_files, lists_effects, lists_shape;            /* nothing else is asked for */
-    bool is_double, is_standalone, is_linked;
+    bool is_double, is_standalone, is_linked, is_linear;
     build_options wanted;
 } request;
 

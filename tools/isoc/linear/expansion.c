@@ -1,0 +1,82 @@
+#include "tools/isoc/linear/linear.h"
+
+#include <string.h>
+
+/* Rates, then outputs with the accelerations that they show, then the gaps of the closures and their rates. */
+static void list_roots(graph *g, const expansion *e, const node *derivatives, node *roots)
+{
+    const plant *p = e->p;
+    memcpy(roots, derivatives, (size_t)e->states * sizeof *roots);
+    node *to = roots + e->states;
+    for (int i = 0; i < e->outputs; i++) {
+        to[i] = p->outputs.roots[i];
+    }
+    if (e->outputs > 0) {
+        replace_leaves(g, to, (size_t)e->outputs, OP_DERIVATIVE, derivatives);
+    }
+    to += e->outputs;
+    for (int i = 0; i < e->gaps; i++) {
+        to[i] = p->d->loops.phi.all[i].position;
+        to[e->gaps + i] = p->d->loops.phi.all[i].rate;
+    }
+}
+
+expansion expand(const graph *g, const plant *p, const node *derivatives, bool is_whole)
+{
+    const mechanism *m = p->m;
+    expansion e = {.p = p, .states = state_count(m), .inputs = m->inputs.count};
+    e.outputs = is_whole ? p->outputs.count : 0;
+    e.gaps = is_whole ? p->d->loops.phi.count : 0;
+    e.roots = e.states + e.outputs + 2 * e.gaps;
+    const size_t roots = (size_t)e.roots + 1, states = (size_t)e.states + 1;
+    graph copy = graph_copy(g);
+    node *all = arena_take(g->memory, roots, sizeof *all), *along = arena_take(g->memory, states, sizeof *along);
+    list_roots(&copy, &e, derivatives, all);
+    e.values = arena_take(g->memory, roots, sizeof *e.values);
+    e.changes = arena_take(g->memory, roots, sizeof *e.changes);
+    e.by_input = arena_take(g->memory, roots * ((size_t)e.inputs + 1), sizeof *e.by_input);
+    e.g = economise(&copy, all, (size_t)e.roots, e.values);
+    graph_free(&copy);
+    for (int i = 0; i < e.states; i++) {
+        along[i] = leaf(&e.g, OP_INPUT, held_count(m) + i);
+    }
+    differentiate_along(&e.g, e.values, (size_t)e.roots, along, e.changes);
+    for (int i = 0; i < e.inputs; i++) {
+        differentiate(&e.g, e.values, (size_t)e.roots, leaf(&e.g, OP_INPUT, i), e.by_input + i * e.roots);
+    }
+    return e;
+}
+
+/* The numbers of some nodes. */
+static void numbers_at(const expansion *e, const point *at, const double *along, const node *of, double *numbers)
+{
+    const graph *g = &e->g;
+    const int held = held_count(e->p->m);
+    const size_t given = (size_t)(held + e->states) + 1;
+    double *all = arena_take(g->memory, g->count, sizeof *all), *u = arena_take(g->memory, given, sizeof *u);
+    memcpy(u, at->u, (size_t)held * sizeof *u);
+    if (along != NULL) {
+        memcpy(u + held, along, (size_t)e->states * sizeof *u);
+    }
+    graph_evaluate(g, 0, &(evaluation){.x = at->x, .u = u, .p = at->p}, all);
+    for (int i = 0; i < e->roots; i++) {
+        numbers[i] = all[of[i]];
+    }
+    arena_return(g->memory, all, g->count, sizeof *all);
+    arena_return(g->memory, u, given, sizeof *u);
+}
+
+void values_at(const expansion *e, const point *at, double *values)
+{
+    numbers_at(e, at, NULL, e->values, values);
+}
+
+void changes_at(const expansion *e, const point *at, const double *along, double *changes)
+{
+    numbers_at(e, at, along, e->changes, changes);
+}
+
+void changes_by_input(const expansion *e, const point *at, int input, double *changes)
+{
+    numbers_at(e, at, NULL, e->by_input + input * e->roots, changes);
+}

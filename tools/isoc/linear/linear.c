@@ -1,0 +1,69 @@
+#include "tools/isoc/linear/linear.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* Reads `word count number...`; the count must be that of the plant. */
+static bool read_numbers(FILE *from, const char *word, int count, double *to)
+{
+    char found[8];
+    int given = -1;
+    bool good = fscanf(from, "%7s %d", found, &given) == 2 && strcmp(found, word) == 0 && given == count;
+    for (int i = 0; i < count && good; i++) {
+        good = fscanf(from, "%lf", &to[i]) == 1;
+    }
+    return good;
+}
+
+/* The point of a file: states, inputs with memories, tunables. */
+static bool read_point(const char *path, const mechanism *m, const point *to)
+{
+    FILE *from = fopen(path, "r");
+    const bool good = from != NULL && read_numbers(from, "x", state_count(m), to->x) &&
+                      read_numbers(from, "u", held_count(m), to->u) &&
+                      read_numbers(from, "p", m->parameters.count, to->p);
+    if (!good) {
+        fprintf(stderr, "isoc: error: %s is no state of %s\n", path, m->name);
+    }
+    if (from != NULL) {
+        fclose(from);
+    }
+    return good;
+}
+
+static bool report(source *s)
+{
+    source_report(s);
+    return false;
+}
+
+bool linear_run(source *s, graph *g, const scene *written, const plant *p, const linear_request *r)
+{
+    const mechanism *m = p->m;
+    const size_t tunables = (size_t)m->parameters.count;
+    point at = {mechanism_start(m, s->memory), inputs_at_start(g, m),
+                arena_take(s->memory, tunables + 1, sizeof *at.p)};
+    if (tunables > 0) {
+        memcpy(at.p, m->parameters.defaults, tunables * sizeof *at.p);
+    }
+    if (r->state != NULL && !read_point(r->state, m, &at)) {
+        return false;
+    }
+    wishes w = {0};
+    if (r->trim != NULL) {
+        w = wishes_read(s, g, written, p, source_add(s, "TRIM", r->trim));
+        if (s->problem_count > 0) {
+            return report(s);
+        }
+    }
+    const expansion e = expand(g, p, p->derivatives, true);
+    if (r->trim != NULL && !trim(s, &e, written, &w, &at)) {
+        return report(s);
+    }
+    const linear_model l = model_at(&e, written, at);
+    if (l.not_finite != NULL) {
+        source_problem(s, m->segments[0].at, "no linear model: %s has no finite slope at this point", l.not_finite);
+        return report(s);
+    }
+    return linear_write(s, g, written, p, &l, r);
+}

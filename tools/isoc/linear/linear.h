@@ -1,0 +1,163 @@
+/* The linear model of a plant about a point: d' = A d + B v, w = C d + D v, with d, v and w the deviations of states,
+ * inputs and outputs. Memories, and states that are time itself, keep the values that they have at the point.
+ *
+ * d stands in coordinates that are independent: three small angles in the place of a quaternion, and in closed loops only
+ * those positions and speeds from which the others follow.
+ */
+#ifndef ISOC_LINEAR_LINEAR_H
+#define ISOC_LINEAR_LINEAR_H
+
+#include "tools/isoc/plant/plant.h"
+
+/* A point: states, inputs with memories behind them, tunables. */
+typedef struct point {
+    double *x, *u, *p;
+} point;
+
+/* expansion.c: the formulas of a plant and what they change by, as nodes and as numbers. */
+
+typedef struct expansion {
+    const plant *p;
+    graph g;
+    int states, inputs, outputs, gaps; /* gaps: of the closures, positions */
+    int roots;                         /* rates of the states, outputs, gaps, rates of the gaps */
+    node *values;                      /* [roots] */
+    node *changes;  /* [roots] along inputs that stand behind those of the plant, one for each state */
+    node *by_input; /* [inputs][roots] */
+} expansion;
+
+/* All roots; without `is_whole` the rates alone, of these derivatives, which may be those of another mechanism. */
+expansion expand(const graph *g, const plant *p, const node *derivatives, bool is_whole);
+
+/* values[roots] at a point. */
+void values_at(const expansion *e, const point *at, double *values);
+
+/* The change of the roots with the states along[states], at a point. */
+void changes_at(const expansion *e, const point *at, const double *along, double *changes);
+
+/* The change of the roots with one of the inputs. */
+void changes_by_input(const expansion *e, const point *at, int input, double *changes);
+
+/* chart.c: the small coordinates of the states, and of these the independent ones. */
+
+/* One small coordinate. */
+typedef struct coordinate {
+    const char *name, *unit;
+    const char *meaning;
+    const char *whose; /* body 'rod', effect 'drive' */
+    int state;         /* -1: a small angle */
+    int segment;       /* -1: of an effect */
+    bool is_speed;
+} coordinate;
+
+typedef struct chart {
+    int states, all, count;  /* states, small coordinates, and the independent ones of these */
+    coordinate *coordinates; /* [all] */
+    int *chosen;             /* [count] which of them */
+    double *turn, *back;     /* [states][all] and [all][states]: states by small coordinates, and the other way */
+    double *basis;           /* [all][count]: small coordinates by the independent ones */
+} chart;
+
+/* At a point; `count` is that of all until chart_choose. */
+chart chart_at(const mechanism *m, const scene *written, arena *memory, const double *x);
+
+/* Chooses independent coordinates: slopes[rows][all] are those of what must stay zero, of which the first `positions` rows are
+ * of positions alone. Joints that an input or an effect moves stay independent where they can. */
+void chart_choose(chart *c, const mechanism *m, arena *memory, double *slopes, int rows, int positions);
+
+/* Moves the states by small coordinates[all], which need not be small. */
+void chart_move(const chart *c, const mechanism *m, double *x, const double *by);
+
+/* slopes.c: the model. */
+
+/* What is not smooth at the point: the model takes the mean of the slopes on both sides. */
+typedef struct kink {
+    const char *by, *of; /* the coordinate or the input, and a state or an output */
+    double below, above;
+} kink;
+
+typedef struct linear_model {
+    const expansion *e;
+    point at;
+    chart c;
+    double *rates;          /* [c.count] of the coordinates at the point */
+    double *outputs;        /* [outputs] */
+    double *a, *b, *cy, *d; /* [count][count], [count][inputs], [outputs][count], [outputs][inputs] */
+    kink *kinks;
+    int kink_count;
+    const char *not_finite; /* the name of what has no slope; NULL */
+} linear_model;
+
+/* The slopes of all roots by all small coordinates: at[roots][all]. */
+void slopes_by_coordinates(const expansion *e, const chart *c, const point *at, double *slopes);
+
+/* Row i of the rates of small coordinates: sum over the states. */
+double *reduced_rates(const expansion *e, const chart *c, arena *memory, const double *slopes);
+
+linear_model model_at(const expansion *e, const scene *written, point at);
+
+/* A of other derivatives of the same states, in the coordinates of a model. */
+double *matrix_without(const linear_model *of, const expansion *other);
+
+/* trim.c: equilibria. */
+
+/* What is asked for: an input, an output or a state has a value; or an input is free. */
+typedef struct wish {
+    place at;
+    const char *name;
+    enum { WISH_INPUT, WISH_OUTPUT, WISH_STATE } sort;
+    int index; /* of the input, output, state */
+    bool is_free;
+    double value;
+    const char *unit;
+} wish;
+
+typedef struct wishes {
+    wish *all;
+    int count;
+    size_t room;
+} wishes;
+
+/* wishes.c: reads them: 'rest', or parts such as `theta = 10 deg`, `input force = 0`, `free force`. Notes problems. */
+wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *of);
+
+/* Moves the point to the nearest equilibrium that has what is wished. False after noting what is left, and of which
+ * body. */
+bool trim(source *s, const expansion *e, const scene *written, const wishes *w, point *at);
+
+/* eigenvectors.c: the modes of the model. */
+
+typedef struct mode {
+    double re, im;   /* im >= 0 */
+    bool is_neutral; /* re cannot be told from zero */
+    double *part;    /* [count] of the coordinates in it; their sum is 1 */
+    const char *by;  /* the effect, spring or damping that it follows from most; NULL */
+} mode;
+
+typedef struct mode_list {
+    mode *all; /* what grows fastest comes first */
+    int count;
+    bool found;
+} mode_list;
+
+mode_list modes_find(const graph *g, const linear_model *l);
+
+/* doubles every 0.19 s */
+const char *mode_words(arena *memory, const mode *m);
+
+/* report.c: files and text. */
+
+/* What isoc --linear is asked for. */
+typedef struct linear_request {
+    const char *state, *trim; /* a file with the point, and wishes; NULL */
+    const char *folder;
+} linear_request;
+
+/* Writes the model into the folder, and a summary to standard output. */
+bool linear_write(source *s, const graph *g, const scene *written, const plant *p, const linear_model *l,
+                  const linear_request *r);
+
+/* linear.c: all of that. */
+bool linear_run(source *s, graph *g, const scene *written, const plant *p, const linear_request *r);
+
+#endif

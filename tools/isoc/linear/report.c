@@ -1,0 +1,394 @@
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/emit/write.h"
+#include "tools/isoc/linear/linear.h"
+#include "tools/isoc/scene/parser.h"
+
+/* A side of a matrix: names and units of its rows or columns. */
+typedef struct labels {
+    const char **names, **units;
+    int count;
+} labels;
+
+static labels room_for_labels(arena *memory, int count)
+{
+    return (labels){arena_take(memory, (size_t)count + 1, sizeof(char *)),
+                    arena_take(memory, (size_t)count + 1, sizeof(char *)), count};
+}
+
+static labels labels_of_states(const linear_model *l, arena *memory)
+{
+    labels result = room_for_labels(memory, l->c.count);
+    for (int i = 0; i < l->c.count; i++) {
+        result.names[i] = l->c.coordinates[l->c.chosen[i]].name;
+        result.units[i] = l->c.coordinates[l->c.chosen[i]].unit;
+    }
+    return result;
+}
+
+static labels labels_of_inputs(const linear_model *l, arena *memory)
+{
+    labels result = room_for_labels(memory, l->e->inputs);
+    for (int i = 0; i < l->e->inputs; i++) {
+        result.names[i] = l->e->p->m->inputs.all[i].name;
+        result.units[i] = l->e->p->m->inputs.all[i].unit;
+    }
+    return result;
+}
+
+static labels labels_of_outputs(const linear_model *l)
+{
+    return (labels){l->e->p->outputs.names, l->e->p->outputs.units, l->e->outputs};
+}
+
+/* One of A, B, C, D. */
+typedef struct matrix_part {
+    const char *name;
+    const double *at;
+    const labels *rows, *columns;
+    bool is_rate;
+} matrix_part;
+
+/* --- tables --- */
+
+/* rad/s/s per N: of a rate of a state by an input. */
+static const char *unit_of_entry(arena *memory, const matrix_part *m, int i, int k)
+{
+    return arena_format(memory, "(%s)%s/(%s)", m->rows->units[i], m->is_rate ? "/s" : "", m->columns->units[k]);
+}
+
+static void add_table(text *to, arena *memory, const matrix_part *m)
+{
+    for (int i = 0; i < m->rows->count; i++) {
+        for (int k = 0; k < m->columns->count; k++) {
+            text_add(to, "%s\t%s\t%s\t%.17g\t%s\n", m->name, m->rows->names[i], m->columns->names[k],
+                     m->at[i * m->columns->count + k] + 0.0, unit_of_entry(memory, m, i, k));
+        }
+    }
+}
+
+static void add_state_table(text *to, const linear_model *l)
+{
+    text_add(to, "state\tunit\tvalue\trate\tof\tmeaning\n");
+    for (int i = 0; i < l->c.count; i++) {
+        const coordinate *is = &l->c.coordinates[l->c.chosen[i]];
+        text_add(to, "%s\t%s\t%.17g\t%.17g\t%s\t%s\n", is->name, is->unit, is->state < 0 ? 0.0 : l->at.x[is->state],
+                 l->rates[i], is->whose, is->meaning);
+    }
+}
+
+static void add_mode_table(text *to, arena *memory, const linear_model *l, const mode_list *modes)
+{
+    text_add(to, "re\tim\tunit\twords\tstate\tof\tby\n");
+    for (int i = 0; i < modes->count; i++) {
+        const mode *of = &modes->all[i];
+        int first = 0;
+        for (int k = 0; k < l->c.count; k++) {
+            first = of->part[k] > of->part[first] ? k : first;
+        }
+        const coordinate *is = &l->c.coordinates[l->c.chosen[first]];
+        text_add(to, "%.17g\t%.17g\t1/s\t%s\t%s\t%s\t%s\n", of->re, of->im, mode_words(memory, of), is->name, is->whose,
+                 of->by == NULL ? "" : of->by);
+    }
+}
+
+/* --- programs --- */
+
+/* What a language writes around lists. */
+typedef struct language {
+    const char *comment, *list, *list_end, *row, *row_end, *quote, *of_none;
+} language;
+
+static void add_names(text *to, const language *in, const char *name, const char *const *all, int count)
+{
+    text_add(to, "%s = %s", name, in->of_none[0] == '[' ? "[" : "{");
+    for (int i = 0; i < count; i++) {
+        text_add(to, "%s%s%s%s", i == 0 ? "" : ", ", in->quote, all[i], in->quote);
+    }
+    text_add(to, "%s\n", in->of_none[0] == '[' ? "]" : "};");
+}
+
+static void add_matrix(text *to, const language *in, const matrix_part *m)
+{
+    const int rows = m->rows->count, columns = m->columns->count;
+    if (rows == 0 || columns == 0) {
+        if (in->of_none[0] == '[') {
+            text_add(to, "%s = [[] for _ in range(%d)]\n", m->name, rows);
+        } else {
+            text_add(to, "%s = zeros(%d, %d);\n", m->name, rows, columns);
+        }
+        return;
+    }
+    text_add(to, "%s = %s\n", m->name, in->list);
+    for (int i = 0; i < rows; i++) {
+        text_add(to, "    %s", in->row);
+        for (int k = 0; k < columns; k++) {
+            text_add(to, "%s%.17g", k == 0 ? "" : ", ", m->at[i * columns + k] + 0.0);
+        }
+        text_add(to, "%s\n", in->row_end);
+    }
+    text_add(to, "%s\n", in->list_end);
+}
+
+static void add_numbers(text *to, const language *in, const char *name, const double *at, int count)
+{
+    text_add(to, "%s = [", name);
+    for (int i = 0; i < count; i++) {
+        text_add(to, "%s%.17g", i == 0 ? "" : ", ", at[i]);
+    }
+    text_add(to, "]%s\n", in->of_none[0] == '[' ? "" : ";");
+}
+
+static void add_program(text *to, const linear_model *l, const language *in, const matrix_part *all, const char *head)
+{
+    static const char *const sides[] = {"state", "input", "output"};
+    const labels *of[] = {all[0].rows, all[1].columns, all[2].rows};
+    arena *memory = to->memory;
+    text_add(to, "%s %s: d' = A d + B v, w = C d + D v, in SI units; made by isoc\n", in->comment, head);
+    for (int i = 0; i < 3; i++) {
+        add_names(to, in, arena_format(memory, "%s_names", sides[i]), of[i]->names, of[i]->count);
+        add_names(to, in, arena_format(memory, "%s_units", sides[i]), of[i]->units, of[i]->count);
+    }
+    for (int i = 0; i < 4; i++) {
+        add_matrix(to, in, &all[i]);
+    }
+    double *at = arena_take(memory, (size_t)l->c.count + 1, sizeof *at);
+    for (int i = 0; i < l->c.count; i++) {
+        const int state = l->c.coordinates[l->c.chosen[i]].state;
+        at[i] = state < 0 ? 0.0 : l->at.x[state];
+    }
+    text_add(to, "%s The point: d, v and w are deviations from it\n", in->comment);
+    add_numbers(to, in, "state_point", at, l->c.count);
+    add_numbers(to, in, "input_point", l->at.u, l->e->inputs);
+    add_numbers(to, in, "output_point", l->outputs, l->e->outputs);
+    add_numbers(to, in, "state_rates", l->rates, l->c.count);
+}
+
+/* --- what the plant is measured with --- */
+
+static void add_line(text *to, const char *word, const double *at, int count)
+{
+    text_add(to, "%s %d", word, count);
+    for (int i = 0; i < count; i++) {
+        text_add(to, " %.17g", at[i]);
+    }
+    text_add(to, "\n");
+}
+
+static void add_labels(text *to, const char *word, const labels *of)
+{
+    text_add(to, "%s %d", word, of->count);
+    for (int i = 0; i < of->count; i++) {
+        text_add(to, " %s %s", of->names[i], of->units[i]);
+    }
+    text_add(to, "\n");
+}
+
+/* The point, the states by the coordinates and the other way, and the model. */
+static void add_point(text *to, const linear_model *l, const matrix_part *all, double slowest, double fastest)
+{
+    const chart *c = &l->c;
+    const mechanism *m = l->e->p->m;
+    arena *memory = to->memory;
+    double *up = arena_take(memory, (size_t)(c->states * c->count) + 1, sizeof *up),
+           *down = arena_take(memory, (size_t)(c->states * c->count) + 1, sizeof *down);
+    for (int j = 0; j < c->count; j++) {
+        for (int i = 0; i < c->states; i++) {
+            down[j * c->states + i] = c->back[c->chosen[j] * c->states + i];
+            for (int k = 0; k < c->all; k++) {
+                up[i * c->count + j] += c->turn[i * c->all + k] * c->basis[k * c->count + j];
+            }
+        }
+    }
+    add_line(to, "x", l->at.x, c->states);
+    add_line(to, "u", l->at.u, held_count(m));
+    add_line(to, "p", l->at.p, m->parameters.count);
+    add_labels(to, "states", all[0].rows);
+    add_labels(to, "inputs", all[1].columns);
+    add_labels(to, "outputs", all[2].rows);
+    add_line(to, "up", up, c->states * c->count);
+    add_line(to, "down", down, c->states * c->count);
+    for (int i = 0; i < 4; i++) {
+        add_line(to, all[i].name, all[i].at, all[i].rows->count * all[i].columns->count);
+    }
+    add_line(to, "rates", l->rates, c->count);
+    add_line(to, "modes", (double[]){slowest, fastest}, 2);
+}
+
+/* --- the summary --- */
+
+static void add_left_out(text *to, const linear_model *l)
+{
+    const plant *p = l->e->p;
+    const mechanism *m = p->m;
+    bool *read = arena_take(to->memory, (size_t)(held_count(m) + l->e->states) + 1, sizeof *read);
+    mark_leaves(&l->e->g, l->e->values, (size_t)l->e->roots, OP_INPUT, read);
+    const char *names = "";
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        if (read[m->inputs.count + i]) {
+            names = arena_format(to->memory, "%s%s%s", names, names[0] == '\0' ? "" : ", ",
+                                 m->effects.memories[i].about.name);
+        }
+    }
+    if (names[0] != '\0') {
+        text_add(to,
+                 "left_out %s: sampled parts, which keep their values here; what acts through them is not in the "
+                 "model\n",
+                 names);
+    }
+    if (m->clocks.count > 0) {
+        text_add(to, "left_out time: motions that follow it stand still here\n");
+    }
+    for (int i = 0; i < l->kink_count; i++) {
+        const kink *k = &l->kinks[i];
+        text_add(to, "kink %s by %s: its slope is %.4g below and %.4g above this point; the model has the mean\n",
+                 k->of, k->by, k->below, k->above);
+    }
+}
+
+static void add_tangent(text *to, const linear_model *l)
+{
+    const chart *c = &l->c;
+    if (c->count == c->all) {
+        return;
+    }
+    text_add(to, "independent");
+    for (int i = 0; i < c->count; i++) {
+        text_add(to, " %s", c->coordinates[c->chosen[i]].name);
+    }
+    text_add(to, " (the other %d coordinates follow from these by the closures)\n", c->all - c->count);
+}
+
+static void add_equilibrium(text *to, const linear_model *l)
+{
+    const chart *c = &l->c;
+    int worst = 0;
+    double most = 0.0;
+    for (int i = 0; i < c->count; i++) {
+        double scale = 1.0;
+        for (int k = 0; k < c->count; k++) {
+            scale = fmax(scale, fabs(l->a[i * c->count + k]));
+        }
+        if (fabs(l->rates[i]) / scale > most) {
+            most = fabs(l->rates[i]) / scale;
+            worst = i;
+        }
+    }
+    if (most <= 1e-7) {
+        text_add(to, "equilibrium yes\n");
+        return;
+    }
+    const coordinate *is = &c->coordinates[c->chosen[worst]];
+    text_add(
+        to,
+        "equilibrium no: the rate of %s of %s is %.4g %s/s; the model is of small deviations from this motion, now\n",
+        is->name, is->whose, l->rates[worst], is->unit);
+}
+
+/* The coordinates that make up most of a mode, at most three. */
+static void add_parts(text *to, const linear_model *l, const mode *of)
+{
+    double last = 2.0;
+    int before = -1;
+    for (int n = 0; n < 3; n++) {
+        int next = -1;
+        for (int k = 0; k < l->c.count; k++) {
+            const bool is_less = of->part[k] < last || (of->part[k] <= last && k > before);
+            next = is_less && (next < 0 || of->part[k] > of->part[next]) ? k : next;
+        }
+        if (next < 0 || of->part[next] < 0.2 * of->part[before < 0 ? next : before] || of->part[next] < 0.1) {
+            break;
+        }
+        const coordinate *is = &l->c.coordinates[l->c.chosen[next]];
+        text_add(to, "%s%s of %s", n == 0 ? "" : ", ", is->name, is->whose);
+        last = of->part[next];
+        before = next;
+    }
+}
+
+static void add_modes(text *to, const linear_model *l, const mode_list *modes)
+{
+    for (int i = 0; i < modes->count; i++) {
+        const mode *of = &modes->all[i];
+        text_add(to, "mode %.6g", of->is_neutral ? 0.0 : of->re);
+        if (of->im > 0.0) {
+            text_add(to, " +- %.6g i", of->im);
+        }
+        text_add(to, " 1/s %s: ", mode_words(to->memory, of));
+        add_parts(to, l, of);
+        text_add(to, "%s%s\n", of->by == NULL ? "" : "; by ", of->by == NULL ? "" : of->by);
+    }
+}
+
+/* The words for a whole plant. */
+static void add_verdict(text *to, const linear_model *l, const mode_list *modes)
+{
+    const mode *first = modes->count > 0 ? &modes->all[0] : NULL;
+    if (first == NULL || (!first->is_neutral && first->re < 0.0)) {
+        text_add(to, "stable: every deviation decays\n");
+    } else if (first->is_neutral) {
+        text_add(to, "neutral: nothing grows, and something does not decay\n");
+    } else {
+        text_add(to, "unstable: %s: ", mode_words(to->memory, first));
+        add_parts(to, l, first);
+        text_add(to, "\n");
+    }
+}
+
+/* The least and the largest size of an eigenvalue that is not zero. */
+static void find_range(const mode_list *modes, double *slowest, double *fastest)
+{
+    for (int i = 0; i < modes->count; i++) {
+        const mode *of = &modes->all[i];
+        const double size = sqrt(of->re * of->re + of->im * of->im);
+        if (!(of->is_neutral && !(of->im > 0.0))) {
+            *slowest = *slowest == 0.0 ? size : fmin(*slowest, size);
+            *fastest = fmax(*fastest, size);
+        }
+    }
+}
+
+bool linear_write(source *s, const graph *g, const scene *written, const plant *p, const linear_model *l,
+                  const linear_request *r)
+{
+    static const language octave = {"%", "[", "];", "", ";", "'", "{"}, python = {"#", "[", "]", "[", "],", "\"", "[]"};
+    arena *memory = s->memory;
+    const labels states = labels_of_states(l, memory), inputs = labels_of_inputs(l, memory),
+                 outputs = labels_of_outputs(l);
+    const matrix_part all[] = {{"A", l->a, &states, &states, true},
+                               {"B", l->b, &states, &inputs, true},
+                               {"C", l->cy, &outputs, &states, false},
+                               {"D", l->d, &outputs, &inputs, false}};
+    const mode_list modes = modes_find(g, l);
+    double slowest = 0.0, fastest = 0.0;
+    file_list files = {.memory = memory, .folder = r->folder};
+    text matrices = {.memory = memory}, rows = matrices, values = matrices, m = matrices, py = matrices, at = matrices,
+         said = matrices;
+    (void)written;
+    find_range(&modes, &slowest, &fastest);
+    text_add(&matrices, "matrix\trow\tcolumn\tvalue\tunit\n");
+    for (int i = 0; i < 4; i++) {
+        add_table(&matrices, memory, &all[i]);
+    }
+    add_state_table(&rows, l);
+    add_mode_table(&values, memory, l, &modes);
+    add_program(&m, l, &octave, all, p->m->name);
+    text_add(&m, "%% sys = ss(A, B, C, D);\n");
+    add_program(&py, l, &python, all, p->m->name);
+    add_point(&at, l, all, slowest, fastest);
+    file_list_add(&files, "matrices.tsv", &matrices);
+    file_list_add(&files, "states.tsv", &rows);
+    file_list_add(&files, "modes.tsv", &values);
+    file_list_add(&files, "linear_model.m", &m);
+    file_list_add(&files, "linear_model.py", &py);
+    file_list_add(&files, "point.txt", &at);
+    text_add(&said, "scene %s\nstates %d\ninputs %d\noutputs %d\n", p->m->name, l->c.count, l->e->inputs,
+             l->e->outputs);
+    add_tangent(&said, l);
+    add_left_out(&said, l);
+    add_equilibrium(&said, l);
+    add_modes(&said, l, &modes);
+    add_verdict(&said, l, &modes);
+    return write_files(&files) && write_out(said.bytes, said.length);
+}

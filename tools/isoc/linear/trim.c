@@ -1,0 +1,363 @@
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/base/least_squares.h"
+#include "tools/isoc/linear/linear.h"
+
+/* An equilibrium by Newton's method in small coordinates and free inputs. What must be zero: the rates of all coordinates, the
+ * gaps of the closures and their rates, and what is wished. A position whose speed is wished to be other than zero may go on,
+ * and those that closures tie to it. Each row is divided by its largest slope, so that a stiff spring counts as a soft one; of
+ * the moves that are as good the shortest is made, so that what nothing holds stays where it is. */
+typedef struct search {
+    const expansion *e;
+    const scene *written;
+    const wishes *w;
+    arena *memory;
+    point at;
+    chart c;
+    bool *goes_on; /* [all] */
+    int *free;     /* [frees] inputs */
+    int frees, rows, columns;
+    double *left;   /* [rows] what is not zero */
+    double *slopes; /* [rows][columns] */
+    double *scales; /* [rows] */
+} search;
+
+static int rows_before_wishes(const search *s)
+{
+    return s->c.all + 2 * s->e->gaps;
+}
+
+/* The root that a wish is about, or -1: of an input. */
+static int root_of(const search *s, const wish *w)
+{
+    return w->sort == WISH_OUTPUT ? s->e->states + w->index : -1;
+}
+
+static void fill_wish(search *s, const wish *w, int row, const double *values, const double *by_coordinates,
+                      const double *by_inputs)
+{
+    double *slope = s->slopes + row * s->columns;
+    const int all = s->c.all, root = root_of(s, w);
+    if (w->is_free || w->sort == WISH_INPUT) {
+        return;
+    }
+    s->left[row] = (root < 0 ? s->at.x[w->index] : values[root]) - w->value;
+    for (int k = 0; k < all; k++) {
+        slope[k] = root < 0 ? s->c.turn[w->index * all + k] : by_coordinates[root * all + k];
+    }
+    for (int k = 0; k < s->frees && root >= 0; k++) {
+        slope[all + k] = by_inputs[root * s->frees + k];
+    }
+}
+
+static void fill_rates(search *s, const double *values, const double *by_coordinates, const double *by_inputs)
+{
+    const chart *c = &s->c;
+    const double *reduced = reduced_rates(s->e, c, s->memory, by_coordinates);
+    for (int i = 0; i < c->all; i++) {
+        double *slope = s->slopes + i * s->columns;
+        for (int n = 0; n < s->e->states && !s->goes_on[i]; n++) {
+            const double back = c->back[i * c->states + n];
+            s->left[i] += back * values[n];
+            for (int k = 0; k < s->frees; k++) {
+                slope[c->all + k] += back * by_inputs[n * s->frees + k];
+            }
+        }
+        for (int k = 0; k < c->all && !s->goes_on[i]; k++) {
+            slope[k] = reduced[i * c->all + k];
+        }
+    }
+}
+
+/* What is left at the point; with its slopes where these are wanted. */
+static void look(search *s, bool with_slopes)
+{
+    const expansion *e = s->e;
+    const size_t roots = (size_t)e->roots + 1;
+    s->c = chart_at(e->p->m, s->written, s->memory, s->at.x);
+    const int all = s->c.all, gaps = rows_before_wishes(s) - all;
+    double *values = arena_take(s->memory, roots, sizeof *values),
+           *column = arena_take(s->memory, roots, sizeof *column),
+           *by_coordinates = arena_take(s->memory, roots * ((size_t)all + 1), sizeof *by_coordinates),
+           *by_inputs = arena_take(s->memory, roots * ((size_t)s->frees + 1), sizeof *by_inputs);
+    values_at(e, &s->at, values);
+    if (with_slopes) {
+        slopes_by_coordinates(e, &s->c, &s->at, by_coordinates);
+    }
+    for (int k = 0; k < s->frees && with_slopes; k++) {
+        changes_by_input(e, &s->at, s->free[k], column);
+        for (int i = 0; i < e->roots; i++) {
+            by_inputs[i * s->frees + k] = column[i];
+        }
+    }
+    memset(s->left, 0, (size_t)s->rows * sizeof *s->left);
+    memset(s->slopes, 0, (size_t)(s->rows * s->columns) * sizeof *s->slopes);
+    fill_rates(s, values, by_coordinates, by_inputs);
+    for (int i = 0; i < gaps; i++) {
+        const int root = e->states + e->outputs + i;
+        s->left[all + i] = values[root];
+        memcpy(s->slopes + (all + i) * s->columns, by_coordinates + root * all, (size_t)all * sizeof *s->slopes);
+    }
+    for (int i = 0; i < s->w->count; i++) {
+        fill_wish(s, &s->w->all[i], all + gaps + i, values, by_coordinates, by_inputs);
+    }
+}
+
+static void find_scales(search *s)
+{
+    for (int i = 0; i < s->rows; i++) {
+        s->scales[i] = 1.0;
+        for (int k = 0; k < s->columns; k++) {
+            s->scales[i] = fmax(s->scales[i], fabs(s->slopes[i * s->columns + k]));
+        }
+    }
+}
+
+/* The sum of the squares of what is left, by the scales. */
+static double size_left(const search *s)
+{
+    double sum = 0.0;
+    for (int i = 0; i < s->rows; i++) {
+        sum += s->left[i] * s->left[i] / (s->scales[i] * s->scales[i]);
+    }
+    return isfinite(sum) ? sum : HUGE_VAL;
+}
+
+static void move(search *s, const point *from, const double *by, double part)
+{
+    const mechanism *m = s->e->p->m;
+    double *change = arena_take(s->memory, (size_t)s->c.all + 1, sizeof *change);
+    memcpy(s->at.x, from->x, (size_t)s->e->states * sizeof *s->at.x);
+    for (int k = 0; k < s->c.all; k++) {
+        change[k] = part * by[k];
+    }
+    chart_move(&s->c, m, s->at.x, change);
+    for (int k = 0; k < s->frees; k++) {
+        s->at.u[s->free[k]] = from->u[s->free[k]] + part * by[s->c.all + k];
+    }
+}
+
+/* The shortest move that removes most of what is left; positions by no more than half a metre or radian. */
+static double *aim(search *s)
+{
+    const double longest = 0.5;
+    double *by = arena_take(s->memory, (size_t)s->columns + 1, sizeof *by),
+           *wanted = arena_take(s->memory, (size_t)s->rows + 1, sizeof *wanted),
+           *rows = arena_take(s->memory, (size_t)(s->rows * s->columns) + 1, sizeof *rows), largest = 0.0;
+    for (int i = 0; i < s->rows; i++) {
+        wanted[i] = -s->left[i] / s->scales[i];
+        for (int k = 0; k < s->columns; k++) {
+            rows[i * s->columns + k] = s->slopes[i * s->columns + k] / s->scales[i];
+        }
+    }
+    least_squares(s->memory, rows, s->rows, s->columns, wanted, by);
+    for (int k = 0; k < s->c.all; k++) {
+        const bool is_position = s->c.coordinates[k].segment >= 0 && !s->c.coordinates[k].is_speed;
+        largest = is_position ? fmax(largest, fabs(by[k])) : largest;
+    }
+    for (int k = 0; k < s->columns && largest > longest; k++) {
+        by[k] *= longest / largest;
+    }
+    return by;
+}
+
+/* One move; it is halved until less is left. Returns whether that is so. */
+static bool step(search *s, const point *from)
+{
+    enum { HALVINGS = 24 };
+    find_scales(s);
+    const double before = size_left(s);
+    const double *by = aim(s);
+    const size_t states = (size_t)s->e->states, held = (size_t)held_count(s->e->p->m);
+    memcpy(from->x, s->at.x, states * sizeof *from->x);
+    memcpy(from->u, s->at.u, held * sizeof *from->u);
+    double part = 1.0;
+    for (int i = 0; i < HALVINGS; i++, part *= 0.5) {
+        move(s, from, by, part);
+        look(s, false);
+        if (size_left(s) < before) {
+            return true;
+        }
+    }
+    move(s, from, by, 0.0);
+    return false;
+}
+
+static point copy_of_point(arena *memory, const point *at, size_t states, size_t held)
+{
+    point result = {arena_take(memory, states + 1, sizeof *result.x), arena_take(memory, held + 1, sizeof *result.u),
+                    at->p};
+    memcpy(result.x, at->x, states * sizeof *result.x);
+    memcpy(result.u, at->u, held * sizeof *result.u);
+    return result;
+}
+
+/* Newton's method from the point, to where no step leaves less; returns what is left there. */
+static double descend(search *s)
+{
+    enum { ITERATIONS = 60 };
+    arena *whole = s->memory;
+    const point from = copy_of_point(whole, &s->at, (size_t)s->e->states, (size_t)held_count(s->e->p->m));
+    s->memory = arena_new();
+    look(s, true);
+    for (int i = 0; i < ITERATIONS && step(s, &from); i++) {
+        look(s, true);
+    }
+    look(s, true);
+    find_scales(s);
+    const double left = size_left(s);
+    arena_free(s->memory);
+    s->memory = whole;
+    return left;
+}
+
+/* Moves positions to the n-th of a sequence of other beginnings, farther and farther away. */
+static void move_away(search *s, int n)
+{
+    double *by = arena_take(s->memory, (size_t)s->c.all + 1, sizeof *by);
+    double phase = 0.0;
+    for (int k = 0; k < s->c.all; k++) {
+        phase += 0.7548776662466927 * n + 0.1;
+        phase -= floor(phase);
+        if (s->c.coordinates[k].segment >= 0 && !s->c.coordinates[k].is_speed) {
+            by[k] = (phase - 0.5) * 0.2 * n;
+        }
+    }
+    chart_move(&s->c, s->e->p->m, s->at.x, by);
+}
+
+/* Positions whose speed is wished to be other than zero, and those that closures tie to these. */
+static void find_going_on(search *s)
+{
+    const expansion *e = s->e;
+    const int all = s->c.all;
+    double *slopes = arena_take(s->memory, (size_t)(e->roots * all) + 1, sizeof *slopes);
+    bool *speeds = arena_take(s->memory, (size_t)all + 1, sizeof *speeds);
+    slopes_by_coordinates(e, &s->c, &s->at, slopes);
+    for (int i = 0; i < s->w->count; i++) {
+        const wish *w = &s->w->all[i];
+        const int root = root_of(s, w);
+        for (int k = 0; k < all && !w->is_free && w->sort != WISH_INPUT && w->value != 0.0; k++) {
+            const double slope = root < 0 ? s->c.turn[w->index * all + k] : slopes[root * all + k];
+            speeds[k] = speeds[k] || (s->c.coordinates[k].is_speed && slope != 0.0);
+        }
+    }
+    for (bool more = true; more;) {
+        more = false;
+        for (int i = 0; i < e->gaps; i++) {
+            const double *row = slopes + (e->states + e->outputs + e->gaps + i) * all;
+            bool tied = false;
+            for (int k = 0; k < all; k++) {
+                tied = tied || (speeds[k] && row[k] != 0.0);
+            }
+            for (int k = 0; k < all && tied; k++) {
+                const bool joins = s->c.coordinates[k].is_speed && row[k] != 0.0 && !speeds[k];
+                speeds[k] = speeds[k] || joins;
+                more = more || joins;
+            }
+        }
+    }
+    for (int i = 0; i < all; i++) {
+        for (int k = 0; k < all; k++) {
+            s->goes_on[i] = s->goes_on[i] || (speeds[k] && !s->c.coordinates[i].is_speed &&
+                                              s->c.coordinates[i].segment == s->c.coordinates[k].segment);
+        }
+    }
+}
+
+/* The row that is farthest from zero, by its scale; of those that nothing moves first. */
+static int worst_row(const search *s)
+{
+    int worst = 0;
+    double most = -1.0;
+    for (int i = 0; i < s->rows; i++) {
+        const double size = fabs(s->left[i]) / s->scales[i];
+        worst = size > most ? i : worst;
+        most = fmax(most, size);
+    }
+    return worst;
+}
+
+static void refuse_trim(source *s, const search *of, const wishes *w, place at)
+{
+    const int row = worst_row(of), all = of->c.all;
+    const double left = of->left[row];
+    if (row >= rows_before_wishes(of)) {
+        const wish *wished = &w->all[row - rows_before_wishes(of)];
+        source_problem(s, wished->at,
+                       "no equilibrium found: '%s' stays %.4g %s away from %.4g; free an input that moves it, or begin "
+                       "nearer",
+                       wished->name, left, wished->unit, wished->value);
+    } else if (row >= all) {
+        const expansion *e = of->e;
+        const constraints *phi = &e->p->d->loops.phi;
+        const closure *c = &e->p->m->closures[phi->all[(row - all) % e->gaps].closure];
+        source_problem(s, at, "no equilibrium found: the closure '%s' stays open by %.4g", c->name, left);
+    } else {
+        const coordinate *is = &of->c.coordinates[row];
+        source_problem(s, at,
+                       "no equilibrium found: the rate of '%s' of %s stays %.4g %s/s; free an input that holds it, or "
+                       "begin nearer",
+                       is->name, is->whose, left, is->unit);
+    }
+}
+
+static search search_start(const expansion *e, const scene *written, const wishes *w, const point *at)
+{
+    arena *memory = e->g.memory;
+    const mechanism *m = e->p->m;
+    search s = {.e = e, .written = written, .w = w, .memory = memory};
+    s.at = copy_of_point(memory, at, (size_t)e->states, (size_t)held_count(m));
+    s.c = chart_at(m, written, memory, s.at.x);
+    s.free = arena_take(memory, (size_t)e->inputs + 1, sizeof *s.free);
+    s.goes_on = arena_take(memory, (size_t)s.c.all + 1, sizeof *s.goes_on);
+    for (int i = 0; i < w->count; i++) {
+        if (w->all[i].is_free) {
+            s.free[s.frees++] = w->all[i].index;
+        } else if (w->all[i].sort == WISH_INPUT) {
+            s.at.u[w->all[i].index] = w->all[i].value;
+        } else if (w->all[i].sort == WISH_STATE) {
+            s.at.x[w->all[i].index] = w->all[i].value;
+        }
+    }
+    s.rows = rows_before_wishes(&s) + w->count;
+    s.columns = s.c.all + s.frees;
+    s.left = arena_take(memory, (size_t)s.rows + 1, sizeof *s.left);
+    s.scales = arena_take(memory, (size_t)s.rows + 1, sizeof *s.scales);
+    s.slopes = arena_take(memory, (size_t)(s.rows * s.columns) + 1, sizeof *s.slopes);
+    find_going_on(&s);
+    return s;
+}
+
+bool trim(source *s, const expansion *e, const scene *written, const wishes *w, point *at)
+{
+    enum { TRIES = 24 };
+    const double enough = 1e-16; /* 1e-8 of the scale of a row */
+    const size_t states = (size_t)e->states, held = (size_t)held_count(e->p->m);
+    search of = search_start(e, written, w, at);
+    const point start = copy_of_point(e->g.memory, &of.at, states, held);
+    point best = start;
+    double least = HUGE_VAL;
+    for (int n = 0; n < TRIES && !(least <= enough); n++) {
+        of.at = copy_of_point(e->g.memory, &start, states, held);
+        if (n > 0) {
+            of.c = chart_at(e->p->m, written, of.memory, of.at.x);
+            move_away(&of, n);
+        }
+        const double left = descend(&of);
+        if (left < least) {
+            least = left;
+            best = of.at;
+        }
+    }
+    of.at = best;
+    look(&of, true);
+    find_scales(&of);
+    if (!(least <= enough)) {
+        refuse_trim(s, &of, w, w->count > 0 ? w->all[0].at : e->p->m->segments[0].at);
+        return false;
+    }
+    *at = of.at;
+    return true;
+}

@@ -1,0 +1,151 @@
+#include <string.h>
+
+#include "tools/isoc/formula/scalar.h"
+#include "tools/isoc/linear/linear.h"
+#include "tools/isoc/scene/parser.h"
+#include "tools/isoc/scene/take.h"
+
+/* The dimension of a unit as it is shown. */
+static dimension dimension_of(arena *memory, const char *shown)
+{
+    source s = source_of_text(memory, "unit",
+                              arena_format(memory, "constant c = 1 %s\n", strcmp(shown, "1") == 0 ? "" : shown));
+    const scene of = parse_scene(&s);
+    graph g;
+    values v;
+    graph_start(&g, memory);
+    graph_section(&g, "");
+    values_start(&v, &s, &g, &of, 0, true);
+    values_resolve(&v);
+    return s.problem_count > 0 || of.parameters.count == 0 ? plain : v.parameters[0].of;
+}
+
+/* Whether both are the same name: `drive.current` is drive_current in a header. */
+static bool is_called(const char *name, const char *typed)
+{
+    size_t i = 0;
+    while (name[i] != '\0' && (name[i] == typed[i] || (name[i] == '_' && typed[i] == '.'))) {
+        i++;
+    }
+    return name[i] == '\0' && typed[i] == '\0';
+}
+
+/* The names of one sort, with units. */
+typedef struct names_of_sort {
+    const char **names, **units;
+    int count;
+} names_of_sort;
+
+static names_of_sort names_of(const plant *p, arena *memory, int sort)
+{
+    const mechanism *m = p->m;
+    const size_t room = (size_t)(m->inputs.count + p->outputs.count + state_count(m)) + 1;
+    names_of_sort result = {arena_take(memory, room, sizeof *result.names),
+                            arena_take(memory, room, sizeof *result.units), 0};
+    const state *states = mechanism_states(m, memory);
+    result.count = sort == WISH_INPUT ? m->inputs.count : sort == WISH_OUTPUT ? p->outputs.count : state_count(m);
+    for (int i = 0; i < result.count; i++) {
+        const variable *about = sort == WISH_INPUT ? &m->inputs.all[i] : &states[i].about;
+        result.names[i] = sort == WISH_OUTPUT ? p->outputs.names[i] : about->name;
+        result.units[i] = sort == WISH_OUTPUT ? p->outputs.units[i] : about->unit;
+    }
+    return result;
+}
+
+/* Finds what a name is: an input, else an output, else a state; or of the sort alone that stands before it. */
+static bool find_wished(parser *p, const plant *of, wish *w, int sort)
+{
+    const char *all[256];
+    size_t known = 0;
+    for (int which = sort < 0 ? WISH_INPUT : sort; which <= (sort < 0 ? (int)WISH_STATE : sort); which++) {
+        const names_of_sort names = names_of(of, p->s->memory, which);
+        for (int i = 0; i < names.count; i++) {
+            if (is_called(names.names[i], w->name)) {
+                w->sort = which;
+                w->index = i;
+                w->name = names.names[i];
+                w->unit = names.units[i];
+                return true;
+            }
+            if (known < COUNT_OF(all)) {
+                all[known++] = names.names[i];
+            }
+        }
+    }
+    static const char *const sorts[] = {"input", "output", "state"};
+    return PARSE_FAULT(p, w->at, "no %s is called '%s'%s", sort < 0 ? "input, output or state" : sorts[sort], w->name,
+                       source_suggestion(p->s, w->name, all, known));
+}
+
+/* A wish with its formula; NULL where it is free. */
+static formula *read_wish(parser *p, const plant *of, wish *w)
+{
+    static const char *const sorts[] = {"input", "output", "state"};
+    int sort = -1;
+    w->is_free = next_is_word(p, "free") && p->next[1].kind == TOKEN_NAME && take_word(p, "free");
+    for (int i = 0; i < 3 && sort < 0; i++) {
+        sort = next_is_word(p, sorts[i]) && p->next[1].kind == TOKEN_NAME && take_word(p, sorts[i]) ? i : -1;
+    }
+    if (p->next->kind != TOKEN_NAME) {
+        parse_problem(p, "expected rest, NAME = VALUE, or free NAME");
+        return NULL;
+    }
+    *w = (wish){.at = p->next->at, .name = p->next->text, .is_free = w->is_free};
+    p->next++;
+    if (!find_wished(p, of, w, sort)) {
+        return NULL;
+    }
+    if (w->is_free && w->sort != WISH_INPUT) {
+        PARSE_FAULT(p, w->at, "'%s' is no input: only an input can be free", w->name);
+    }
+    if (!w->is_free) {
+        expect_sign(p, '=', "expected = and a value");
+    }
+    return p->failed || w->is_free ? NULL : parse_formula(p);
+}
+
+/* Its value as a number, of the dimension of what it is of. */
+static void evaluate_wish(values *v, wish *w, const formula *f)
+{
+    const value found = value_any(v, f);
+    const dimension expected = dimension_of(v->s->memory, w->unit);
+    if (found.count == 0) {
+        return;
+    }
+    if (found.count != 1) {
+        source_problem(v->s, f->at, "'%s' is a number; this is none", w->name);
+    } else if (!found.any && !dimension_equal_but_angle(found.of, expected)) {
+        source_problem(v->s, f->at, "'%s' is in %s; this %s", w->name, w->unit,
+                       dimension_phrase(v->s->memory, found.of));
+    } else {
+        w->value = value_now(v, found.parts[0]);
+    }
+}
+
+wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *of)
+{
+    static const block none = {.what = "wish"};
+    scene with = *written;
+    parser at = {.s = s, .made = &with, .statements = &none, .within = &none};
+    values v;
+    wishes result = {0};
+    at.known = (dictionary){.memory = s->memory};
+    at.next = lex(s, of, source_passage(s, of, 0, of->length, NULL));
+    values_start(&v, s, g, written, (size_t)p->m->parameters.count, true);
+    values_resolve(&v);
+    const bool rests = take_word(&at, "rest");
+    while (at.next->kind != TOKEN_END && !at.failed) {
+        wish w = {0};
+        if ((rests || result.count > 0) && !take_sign(&at, ';')) {
+            parse_problem(&at, "expected ; and a further wish");
+        }
+        const formula *f = at.failed ? NULL : read_wish(&at, p, &w);
+        if (!at.failed && f != NULL) {
+            evaluate_wish(&v, &w, f);
+        }
+        if (!at.failed) {
+            ADD_TO(s->memory, result.all, result.count, result.room, w);
+        }
+    }
+    return result;
+}
