@@ -178,15 +178,14 @@ static void add_line(text *to, const char *word, const double *at, int count)
 
 static void add_labels(text *to, const char *word, const labels *of)
 {
-    text_add(to, "%s %d", word, of->count);
+    text_add(to, "%s %d\n", word, of->count);
     for (int i = 0; i < of->count; i++) {
-        text_add(to, " %s %s", of->names[i], of->units[i]);
+        text_add(to, "%s\t%s\n", of->names[i], of->units[i]);
     }
-    text_add(to, "\n");
 }
 
 /* The point, the states by the coordinates and the other way, and the model. */
-static void add_point(text *to, const linear_model *l, const matrix_part *all, double slowest, double fastest)
+static void add_point(text *to, const linear_model *l, const matrix_part *all, const double *range)
 {
     const chart *c = &l->c;
     const mechanism *m = l->e->p->m;
@@ -213,7 +212,7 @@ static void add_point(text *to, const linear_model *l, const matrix_part *all, d
         add_line(to, all[i].name, all[i].at, all[i].rows->count * all[i].columns->count);
     }
     add_line(to, "rates", l->rates, c->count);
-    add_line(to, "modes", (double[]){slowest, fastest}, 2);
+    add_line(to, "modes", range, 3);
 }
 
 /* --- the summary --- */
@@ -290,20 +289,21 @@ static void add_equilibrium(text *to, const linear_model *l)
 static void add_parts(text *to, const linear_model *l, const mode *of)
 {
     double last = 2.0;
-    int before = -1;
+    int before = -1, first = 0;
     for (int n = 0; n < 3; n++) {
         int next = -1;
         for (int k = 0; k < l->c.count; k++) {
             const bool is_less = of->part[k] < last || (of->part[k] <= last && k > before);
             next = is_less && (next < 0 || of->part[k] > of->part[next]) ? k : next;
         }
-        if (next < 0 || of->part[next] < 0.2 * of->part[before < 0 ? next : before] || of->part[next] < 0.1) {
+        if (next < 0 || (n > 0 && (of->part[next] < 0.3 * of->part[first] || of->part[next] < 0.1))) {
             break;
         }
         const coordinate *is = &l->c.coordinates[l->c.chosen[next]];
         text_add(to, "%s%s of %s", n == 0 ? "" : ", ", is->name, is->whose);
         last = of->part[next];
         before = next;
+        first = n == 0 ? next : first;
     }
 }
 
@@ -336,15 +336,16 @@ static void add_verdict(text *to, const linear_model *l, const mode_list *modes)
     }
 }
 
-/* The least and the largest size of an eigenvalue that is not zero. */
-static void find_range(const mode_list *modes, double *slowest, double *fastest)
+/* The least and the largest size of an eigenvalue that is not zero, and the largest real part. */
+static void find_range(const mode_list *modes, double *range)
 {
     for (int i = 0; i < modes->count; i++) {
         const mode *of = &modes->all[i];
         const double size = sqrt(of->re * of->re + of->im * of->im);
         if (!(of->is_neutral && !(of->im > 0.0))) {
-            *slowest = *slowest == 0.0 ? size : fmin(*slowest, size);
-            *fastest = fmax(*fastest, size);
+            range[0] = range[0] > 0.0 ? fmin(range[0], size) : size;
+            range[1] = fmax(range[1], size);
+            range[2] = fmax(range[2], of->re);
         }
     }
 }
@@ -361,12 +362,12 @@ bool linear_write(source *s, const graph *g, const scene *written, const plant *
                                {"C", l->cy, &outputs, &states, false},
                                {"D", l->d, &outputs, &inputs, false}};
     const mode_list modes = modes_find(g, l);
-    double slowest = 0.0, fastest = 0.0;
+    double range[3] = {0.0, 0.0, 0.0};
     file_list files = {.memory = memory, .folder = r->folder};
     text matrices = {.memory = memory}, rows = matrices, values = matrices, m = matrices, py = matrices, at = matrices,
          said = matrices;
     (void)written;
-    find_range(&modes, &slowest, &fastest);
+    find_range(&modes, range);
     text_add(&matrices, "matrix\trow\tcolumn\tvalue\tunit\n");
     for (int i = 0; i < 4; i++) {
         add_table(&matrices, memory, &all[i]);
@@ -376,7 +377,7 @@ bool linear_write(source *s, const graph *g, const scene *written, const plant *
     add_program(&m, l, &octave, all, p->m->name);
     text_add(&m, "%% sys = ss(A, B, C, D);\n");
     add_program(&py, l, &python, all, p->m->name);
-    add_point(&at, l, all, slowest, fastest);
+    add_point(&at, l, all, range);
     file_list_add(&files, "matrices.tsv", &matrices);
     file_list_add(&files, "states.tsv", &rows);
     file_list_add(&files, "modes.tsv", &values);

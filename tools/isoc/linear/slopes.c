@@ -44,83 +44,96 @@ double *reduced_rates(const expansion *e, const chart *c, arena *memory, const d
 
 /* --- kinks --- */
 
-/* What both sides of a point have as slopes. */
+/* The slopes of all roots on both sides of a point. */
 typedef struct sides {
     double *below, *above;
 } sides;
 
-static const char *name_of_root(const expansion *e, arena *memory, int root)
+static sides room_for_sides(const expansion *e)
+{
+    const size_t roots = (size_t)e->roots + 1;
+    sides result = {arena_take(e->g.memory, roots, sizeof *result.below), NULL};
+    result.above = arena_take(e->g.memory, roots, sizeof *result.above);
+    return result;
+}
+
+static const char *name_of_root(const expansion *e, int root)
 {
     const plant *p = e->p;
+    arena *memory = e->g.memory;
     return root < e->states ? arena_format(memory, "the rate of %s", mechanism_states(p->m, memory)[root].about.name)
            : root < e->states + e->outputs ? p->outputs.names[root - e->states]
                                            : "a closure";
 }
 
-/* Where the sides differ, the mean of both stands in the place of the slope. */
-static void take_mean(linear_model *l, const sides *two, const char *by, double *at, int stride)
+/* Where to look: along an independent coordinate, or an input. */
+typedef struct direction {
+    const linear_model *l;
+    int coordinate, input; /* one of them is -1 */
+} direction;
+
+/* The slopes at a distance from the point. */
+static void slopes_beside(const direction *d, double distance, double *slopes)
+{
+    const expansion *e = d->l->e;
+    const chart *c = &d->l->c;
+    arena *memory = e->g.memory;
+    const size_t states = (size_t)e->states, held = (size_t)held_count(e->p->m);
+    point beside = {arena_take(memory, states + 1, sizeof *beside.x), arena_take(memory, held + 1, sizeof *beside.u),
+                    d->l->at.p};
+    memcpy(beside.x, d->l->at.x, states * sizeof *beside.x);
+    memcpy(beside.u, d->l->at.u, held * sizeof *beside.u);
+    if (d->input >= 0) {
+        beside.u[d->input] += distance * (1.0 + fabs(beside.u[d->input]));
+        changes_by_input(e, &beside, d->input, slopes);
+        return;
+    }
+    double *along = arena_take(memory, states + 1, sizeof *along);
+    for (int i = 0; i < e->states; i++) {
+        for (int k = 0; k < c->all; k++) {
+            along[i] += c->turn[i * c->all + k] * c->basis[k * c->count + d->coordinate];
+        }
+    }
+    for (int i = 0; i < e->states; i++) {
+        beside.x[i] += distance * along[i];
+    }
+    changes_at(e, &beside, along, slopes);
+}
+
+static sides sides_at(const direction *d, double distance)
+{
+    const sides result = room_for_sides(d->l->e);
+    slopes_beside(d, -distance, result.below);
+    slopes_beside(d, distance, result.above);
+    return result;
+}
+
+/* Both sides of a kink differ by as much four times nearer to it; those of a curve by a quarter of that. */
+static bool is_kink(const sides *far, const sides *near, int root)
+{
+    const double apart = fabs(far->above[root] - far->below[root]);
+    const double nearer = fabs(near->above[root] - near->below[root]);
+    return apart > 1e-3 * (fabs(far->above[root]) + fabs(far->below[root])) && apart > 1e-9 && nearer > 0.6 * apart;
+}
+
+/* Puts the mean of both sides in the place of the slopes at[root * stride] that have a kink. */
+static void take_means(linear_model *l, const direction *d, const char *by, double *at, int stride)
 {
     const expansion *e = l->e;
+    const double distance = 1e-8;
+    const sides far = sides_at(d, distance), near = sides_at(d, 0.25 * distance);
     double largest = 0.0;
     int found = -1;
-    for (int i = 0; i < e->roots; i++) {
-        const double apart = fabs(two->above[i] - two->below[i]);
-        const double size = fabs(two->above[i]) + fabs(two->below[i]);
-        if (apart > 1e-3 * size && apart > 1e-6) {
-            at[i * stride] = 0.5 * (two->above[i] + two->below[i]);
+    for (int i = 0; i < e->states + e->outputs; i++) {
+        if (is_kink(&far, &near, i)) {
+            const double apart = fabs(near.above[i] - near.below[i]);
+            at[i * stride] = 0.5 * (near.above[i] + near.below[i]);
             found = apart > largest ? i : found;
             largest = fmax(largest, apart);
         }
     }
     if (found >= 0) {
-        l->kinks[l->kink_count++] =
-            (kink){by, name_of_root(e, e->g.memory, found), two->below[found], two->above[found]};
-    }
-}
-
-static double step_of(double x)
-{
-    return 1e-8 * (1.0 + fabs(x));
-}
-
-static point moved_copy(const expansion *e, const point *at)
-{
-    const size_t states = (size_t)e->states, held = (size_t)held_count(e->p->m);
-    point result = {arena_take(e->g.memory, states + 1, sizeof *result.x),
-                    arena_take(e->g.memory, held + 1, sizeof *result.u), at->p};
-    memcpy(result.x, at->x, states * sizeof *result.x);
-    memcpy(result.u, at->u, held * sizeof *result.u);
-    return result;
-}
-
-static void find_kinks_of_coordinates(linear_model *l, sides *two, double *slopes)
-{
-    const expansion *e = l->e;
-    const chart *c = &l->c;
-    double *by = arena_take(e->g.memory, (size_t)c->all + 1, sizeof *by);
-    for (int k = 0; k < c->all; k++) {
-        const double step = c->coordinates[k].state < 0 ? 1e-8 : step_of(l->at.x[c->coordinates[k].state]);
-        for (int side = 0; side < 2; side++) {
-            point beside = moved_copy(e, &l->at);
-            by[k] = side == 0 ? -step : step;
-            chart_move(c, e->p->m, beside.x, by);
-            by[k] = 0.0;
-            column_at(e, c, &beside, k, side == 0 ? two->below : two->above);
-        }
-        take_mean(l, two, c->coordinates[k].name, slopes + k, c->all);
-    }
-}
-
-static void find_kinks_of_inputs(linear_model *l, sides *two, double *slopes)
-{
-    const expansion *e = l->e;
-    for (int k = 0; k < e->inputs; k++) {
-        for (int side = 0; side < 2; side++) {
-            point beside = moved_copy(e, &l->at);
-            beside.u[k] += (side == 0 ? -1.0 : 1.0) * step_of(beside.u[k]);
-            changes_by_input(e, &beside, k, side == 0 ? two->below : two->above);
-        }
-        take_mean(l, two, e->p->m->inputs.all[k].name, slopes + k, e->inputs);
+        l->kinks[l->kink_count++] = (kink){by, name_of_root(e, found), near.below[found], near.above[found]};
     }
 }
 
@@ -184,44 +197,72 @@ static void check_finite(linear_model *l, const double *slopes, int columns)
     for (int i = 0; i < l->e->roots && l->not_finite == NULL; i++) {
         for (int k = 0; k < columns; k++) {
             if (!isfinite(slopes[i * columns + k])) {
-                l->not_finite = name_of_root(l->e, l->e->g.memory, i);
+                l->not_finite = name_of_root(l->e, i);
                 return;
             }
         }
     }
 }
 
+/* A and C: what the basis makes of the slopes, and what kinks change in that. */
+static void fill_by_coordinates(linear_model *l, arena *memory, const double *slopes)
+{
+    const expansion *e = l->e;
+    const chart *c = &l->c;
+    const double *smooth = in_basis(c, memory, slopes, e->roots, NULL);
+    double *kinked = in_basis(c, memory, slopes, e->roots, NULL);
+    for (int j = 0; j < c->count; j++) {
+        take_means(l, &(direction){l, j, -1}, c->coordinates[c->chosen[j]].name, kinked + j, c->count);
+    }
+    for (int i = 0; i < e->roots * c->count; i++) {
+        kinked[i] -= smooth[i];
+    }
+    const double *moved = in_chosen(c, memory, kinked, c->count);
+    l->a = in_basis(c, memory, reduced_rates(e, c, memory, slopes), c->count, c->chosen);
+    l->cy = in_basis(c, memory, slopes + e->states * c->all, e->outputs, NULL);
+    for (int i = 0; i < c->count * c->count; i++) {
+        l->a[i] += moved[i];
+    }
+    for (int i = 0; i < e->outputs * c->count; i++) {
+        l->cy[i] += kinked[e->states * c->count + i];
+    }
+}
+
+/* B and D. */
+static void fill_by_inputs(linear_model *l, arena *memory)
+{
+    const expansion *e = l->e;
+    const size_t roots = (size_t)e->roots + 1;
+    double *slopes = arena_take(memory, roots * ((size_t)e->inputs + 1), sizeof *slopes),
+           *column = arena_take(memory, roots, sizeof *column);
+    for (int k = 0; k < e->inputs; k++) {
+        changes_by_input(e, &l->at, k, column);
+        for (int i = 0; i < e->roots; i++) {
+            slopes[i * e->inputs + k] = column[i];
+        }
+        take_means(l, &(direction){l, -1, k}, e->p->m->inputs.all[k].name, slopes + k, e->inputs);
+    }
+    check_finite(l, slopes, e->inputs);
+    l->b = in_chosen(&l->c, memory, slopes, e->inputs);
+    l->d = slopes + e->states * e->inputs;
+}
+
 linear_model model_at(const expansion *e, const scene *written, point at)
 {
     arena *memory = e->g.memory;
-    const mechanism *m = e->p->m;
     const size_t roots = (size_t)e->roots + 1;
-    linear_model l = {.e = e, .at = at, .c = chart_at(m, written, memory, at.x)};
-    chart *c = &l.c;
-    double *slopes = arena_take(memory, roots * ((size_t)c->all + 1), sizeof *slopes),
-           *by_inputs = arena_take(memory, roots * ((size_t)e->inputs + 1), sizeof *by_inputs),
-           *values = arena_take(memory, roots, sizeof *values), *column = arena_take(memory, roots, sizeof *column);
-    sides two = {arena_take(memory, roots, sizeof *two.below), arena_take(memory, roots, sizeof *two.above)};
-    l.kinks = arena_take(memory, (size_t)(c->all + e->inputs) + 1, sizeof *l.kinks);
-    slopes_by_coordinates(e, c, &at, slopes);
-    for (int k = 0; k < e->inputs; k++) {
-        changes_by_input(e, &at, k, column);
-        for (int i = 0; i < e->roots; i++) {
-            by_inputs[i * e->inputs + k] = column[i];
-        }
-    }
-    find_kinks_of_coordinates(&l, &two, slopes);
-    find_kinks_of_inputs(&l, &two, by_inputs);
-    check_finite(&l, slopes, c->all);
-    check_finite(&l, by_inputs, e->inputs);
+    linear_model l = {.e = e, .at = at, .c = chart_at(e->p->m, written, memory, at.x)};
+    double *slopes = arena_take(memory, roots * ((size_t)l.c.all + 1), sizeof *slopes),
+           *values = arena_take(memory, roots, sizeof *values);
+    l.kinks = arena_take(memory, (size_t)(l.c.all + e->inputs) + 1, sizeof *l.kinks);
+    slopes_by_coordinates(e, &l.c, &at, slopes);
+    check_finite(&l, slopes, l.c.all);
     choose(&l, memory, slopes);
     values_at(e, &at, values);
-    l.rates = in_chosen(c, memory, values, 1);
+    l.rates = in_chosen(&l.c, memory, values, 1);
     l.outputs = values + e->states;
-    l.a = in_basis(c, memory, reduced_rates(e, c, memory, slopes), c->count, c->chosen);
-    l.b = in_chosen(c, memory, by_inputs, e->inputs);
-    l.cy = in_basis(c, memory, slopes + e->states * c->all, e->outputs, NULL);
-    l.d = by_inputs + e->states * e->inputs;
+    fill_by_coordinates(&l, memory, slopes);
+    fill_by_inputs(&l, memory);
     return l;
 }
 

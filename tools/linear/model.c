@@ -1,0 +1,184 @@
+#include "tools/linear/model.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void fail(const char *path, const char *word)
+{
+    fprintf(stderr, "linear: %s is no linear model: %s\n", path, word);
+    exit(EXIT_FAILURE);
+}
+
+void *numbers(const size_t count, const size_t size)
+{
+    void *const result = calloc(count + 1, size);
+    if (result == NULL) {
+        fputs("linear: no memory\n", stderr);
+        exit(EXIT_FAILURE);
+    }
+    return result;
+}
+
+/* The count behind a word. */
+static int read_count(FILE *const from, const char *const path, const char *const word)
+{
+    char found[16];
+    int count = -1;
+    if (fscanf(from, "%15s %d", found, &count) != 2 || strcmp(found, word) != 0 || count < 0 || count > 1000000) {
+        fail(path, word);
+    }
+    return count;
+}
+
+static double *read_numbers(FILE *const from, const char *const path, const char *const word, int *const count)
+{
+    *count = read_count(from, path, word);
+    double *const result = numbers((size_t)*count, sizeof *result);
+    for (int i = 0; i < *count; i++) {
+        if (fscanf(from, "%lf", &result[i]) != 1) {
+            fail(path, word);
+        }
+    }
+    return result;
+}
+
+static labels read_labels(FILE *const from, const char *const path, const char *const word)
+{
+    labels result = {.count = read_count(from, path, word)};
+    result.names = numbers((size_t)result.count, sizeof *result.names);
+    result.units = numbers((size_t)result.count, sizeof *result.units);
+    for (int i = 0; i < result.count; i++) {
+        if (fscanf(from, " %79[^\t] %39[^\n]", result.names[i], result.units[i]) != 2) {
+            fail(path, word);
+        }
+    }
+    return result;
+}
+
+model model_read(const char *const path)
+{
+    model m = {0};
+    int count;
+    FILE *const from = fopen(path, "r");
+    if (from == NULL) {
+        fail(path, "it cannot be read");
+    }
+    m.x = read_numbers(from, path, "x", &m.states);
+    m.u = read_numbers(from, path, "u", &m.held);
+    m.p = read_numbers(from, path, "p", &m.parameters);
+    m.rows = read_labels(from, path, "states");
+    m.inputs = read_labels(from, path, "inputs");
+    m.outputs = read_labels(from, path, "outputs");
+    m.n = m.rows.count;
+    m.up = read_numbers(from, path, "up", &count);
+    m.down = read_numbers(from, path, "down", &count);
+    m.a = read_numbers(from, path, "A", &count);
+    m.b = read_numbers(from, path, "B", &count);
+    m.c = read_numbers(from, path, "C", &count);
+    m.d = read_numbers(from, path, "D", &count);
+    m.rates = read_numbers(from, path, "rates", &count);
+    const double *const modes = read_numbers(from, path, "modes", &count);
+    m.slowest = modes[0];
+    m.fastest = modes[1];
+    m.growth = modes[2];
+    fclose(from);
+    return m;
+}
+
+static void swap(double complex *const a, double complex *const b)
+{
+    const double complex kept = *a;
+    *a = *b;
+    *b = kept;
+}
+
+void solve_complex(double complex *const m, const int n, double complex *const b)
+{
+    int *const column = numbers((size_t)n, sizeof *column), rank = 0;
+    double largest = 0.0;
+    for (int i = 0; i < n; i++) {
+        column[i] = i;
+    }
+    for (; rank < n; rank++) {
+        int row = rank, at = rank;
+        for (int i = rank; i < n; i++) {
+            for (int j = rank; j < n; j++) {
+                if (cabs(m[i * n + j]) > cabs(m[row * n + at])) {
+                    row = i;
+                    at = j;
+                }
+            }
+        }
+        largest = rank == 0 ? cabs(m[row * n + at]) : largest;
+        if (cabs(m[row * n + at]) <= 1e-12 * largest) {
+            break;
+        }
+        for (int j = 0; j < n; j++) {
+            swap(&m[rank * n + j], &m[row * n + j]);
+        }
+        for (int i = 0; i < n; i++) {
+            swap(&m[i * n + rank], &m[i * n + at]);
+        }
+        swap(&b[rank], &b[row]);
+        const int kept = column[rank];
+        column[rank] = column[at];
+        column[at] = kept;
+        for (int i = rank + 1; i < n; i++) {
+            const double complex factor = m[i * n + rank] / m[rank * n + rank];
+            for (int j = rank; j < n; j++) {
+                m[i * n + j] -= factor * m[rank * n + j];
+            }
+            b[i] -= factor * b[rank];
+        }
+    }
+    double complex *const x = numbers((size_t)n, sizeof *x);
+    for (int i = rank - 1; i >= 0; i--) {
+        double complex sum = b[i];
+        for (int j = i + 1; j < rank; j++) {
+            sum -= m[i * n + j] * x[column[j]];
+        }
+        x[column[i]] = sum / m[i * n + i];
+    }
+    memcpy(b, x, (size_t)n * sizeof *b);
+    free(x);
+    free(column);
+}
+
+void response(const model *const m, const int input, const double w, double complex *const x)
+{
+    const int n = m->n;
+    double complex *const left = numbers((size_t)(n * n), sizeof *left);
+    for (int i = 0; i < n; i++) {
+        for (int j = 0; j < n; j++) {
+            left[i * n + j] = -m->a[i * n + j] + (i == j ? w * (double complex)_Complex_I : 0.0);
+        }
+        x[i] = m->b[i * m->inputs.count + input];
+    }
+    solve_complex(left, n, x);
+    free(left);
+}
+
+double complex gain(const model *const m, const int input, const int output, const double complex *const x)
+{
+    double complex sum = m->d[output * m->inputs.count + input];
+    for (int i = 0; i < m->n; i++) {
+        sum += m->c[output * m->n + i] * x[i];
+    }
+    return sum;
+}
+
+bool is_steady(const model *const m)
+{
+    bool is = true;
+    for (int i = 0; i < m->n; i++) {
+        double scale = 1.0, by = 0.0;
+        for (int k = 0; k < m->n; k++) {
+            scale = fmax(scale, fabs(m->a[i * m->n + k]));
+            by = fmax(by, fabs(m->a[k * m->n + i]));
+        }
+        is = is && (fabs(m->rates[i]) <= 1e-7 * scale || by <= 1e-12);
+    }
+    return is;
+}
