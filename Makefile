@@ -19,6 +19,9 @@
 ##     WITHOUT='drive; bearing'            effects of the scene that are left out
 ##     CHECKED=yes  COMPENSATED=yes        options of the method of a plant in C; a scene has a statement for each
 ##     INPUTS=held|smooth                  the reading of all inputs, instead of that of the scene
+##     AT=2s                               for linear: about the state that the run has then, instead of the start
+##     TRIM='pole = 0; free force'         for linear: about the equilibrium with these values, or `rest`, the nearest (tools/linear)
+##     BODE='force to pole'                for linear: draws the frequency response, and measures it on the plant
 ##     RECORDED=FILE                       for report and bench: inputs of a controller, a line for each tick
 ##     OUTPUTS=speed,current               for plot: what to draw over time, instead of all
 ##     AGAINST='REAL=double | WITHOUT=rub' for show: further runs beside the first; what is other in each
@@ -50,6 +53,9 @@ WITHOUT =
 OUTPUTS =
 AGAINST =
 STILL =
+AT =
+TRIM =
+BODE =
 CHECKED =
 COMPENSATED =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,$(if $(filter hil,$(MAKECMDGOALS)),60,$(if $(filter conform,$(MAKECMDGOALS)),0.02,10))))
@@ -82,7 +88,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot show link hil flash size stack ticks cycles a2l conform cost chains flags report bench drift
+GOALS := run plot show link hil flash size stack ticks cycles a2l conform cost chains flags report bench drift linear
 
 .PHONY: help shared digits functions determinism tables pictures compare monitor clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -154,7 +160,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := AGAINST STILL SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD
+TEXTS := AGAINST STILL SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD AT TRIM BODE
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -185,6 +191,7 @@ EFFECTS_chains := LENGTHS TARGET REAL
 EFFECTS_flags := TARGET REAL MODELS
 EFFECTS_report := SCENE METHODS STEP SECONDS RECORDED
 EFFECTS_bench := $(EFFECTS_report)
+EFFECTS_linear := SCENE METHOD STEP TOLERANCE SET WITHOUT AT TRIM BODE
 EFFECTS_drift := SCENE STEP SECONDS
 EFFECTS_test := TEST_JOBS
 EFFECTS_check := TEST_JOBS
@@ -516,6 +523,7 @@ chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cor
 flags: ## measure a step with each optimisation of the compiler: a table of MODELS on the TARGET
 report: ## measure the error of every method over its cost and its step: tables and a picture in build/report/NAME/
 bench: ## compare the methods at equal step and at equal error, as a table
+linear: ## the linear model of SCENE: A, B, C, D, equilibria (TRIM), modes in words, Bode plots (BODE), in build/linear/NAME/
 drift: ## measure the drift of closed loops with every stabilisation: a table, and a picture in build/drift/NAME/
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
@@ -529,6 +537,7 @@ TOOLS_OF_run := $(addprefix build/,isoc trace duration)
 TOOLS_OF_plot := $(TOOLS_OF_run)
 TOOLS_OF_show := $(TOOLS_OF_run) build/show
 TOOLS_OF_link := $(TOOLS_OF_run) build/link
+TOOLS_OF_linear := build/isoc build/duration
 TOOLS_OF_hil := $(TOOLS_OF_link)
 TOOLS_OF_conform := $(TOOLS_OF_run) build/duties
 LOCK_TOOLS := flock realpath

@@ -10,6 +10,13 @@ ifeq ($(NANOSECONDS),)
 $(error SECONDS=$(SECONDS) is no time to run; it could be 10 or 0.5)
 endif
 
+ifneq ($(AT),)
+AT_NANOSECONDS := $(call duration,ns,$(AT),1,1e18)
+ifeq ($(AT_NANOSECONDS),)
+$(error AT=$(AT) is no time; it could be 2s or 0.5)
+endif
+endif
+
 ifeq ($(suffix $(SCENE_FILE)),.c)
 ifneq ($(SET),)
 $(error SET has no effect on a plant in C, which has no scene)
@@ -291,3 +298,11 @@ drift: build/isoc build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/measure/drift.sh
+
+# Its plants are double: its points and its slopes are as exact as that.
+linear: build/isoc
+	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no linear model: it is for scenes))
+	$(if $(BODE),$(call require,gnuplot,apt-get install gnuplot-nox))
+	@SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) AT=$(AT_NANOSECONDS) TRIM=$(call quote,$(TRIM)) BODE=$(call quote,$(BODE)) \
+	    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS)) \
+	    sh tools/linear/linear.sh $(filter-out --real float double,$(CHOICE)) --real double

@@ -1,6 +1,6 @@
 /* Runs and drives a plant for `make linear`; compiled with the plant, in double.
  *
- *     linear reach TICKS                     the state, inputs and tunables after so many ticks
+ *     linear reach NANOSECONDS               the state, inputs and tunables in the last tick until then
  *     linear bode POINT 'INPUT to OUTPUT'    the gain and phase of the model in POINT, which isoc wrote, over the frequency, and
  *                                            at five frequencies as measured on the plant
  */
@@ -113,7 +113,8 @@ static int bode(const char *const path, const char *const pair)
         phase = put_model(&m, input, output, low * pow(high / low, (double)i / (POINTS - 1)), phase);
     }
     if (!is_steady(&m)) {
-        fputs("measured no: the plant is in no equilibrium here, so that no sine has a response of its own\n", stderr);
+        fputs("measured none: the plant is in no equilibrium here, so that no sine has a response of its own\n",
+              stderr);
         return EXIT_SUCCESS;
     }
     const double from = fmax(0.3 * slowest, slowest_measured(&m)), to = fmax(3.0 * fastest, 2.0 * from);
@@ -124,19 +125,19 @@ static int bode(const char *const path, const char *const pair)
         largest = fmax(largest, apart);
         count += apart >= 0.0;
     }
-    fprintf(stderr, "measured %d of %d sines, %.3g to %.3g Hz: the plant differs from the model by at most %.2g %%\n",
-            count, MEASURED, from / tau, to / tau, 100.0 * largest);
+    fprintf(stderr, "measured %d of %d sines from %.3g to %.3g Hz: the plant is within %.2g %% of the model\n", count,
+            MEASURED, from / tau, to / tau, 100.0 * largest);
     return EXIT_SUCCESS;
 }
 
 int main(const int argc, char **const argv)
 {
     if (argc == 3 && strcmp(argv[1], "reach") == 0) {
-        return reach(strtoull(argv[2], NULL, 10)) ? EXIT_SUCCESS : EXIT_FAILURE;
+        return reach(strtoull(argv[2], NULL, 10) / plant->model->period_ns) ? EXIT_SUCCESS : EXIT_FAILURE;
     }
     if (argc == 4 && strcmp(argv[1], "bode") == 0) {
         return bode(argv[2], argv[3]);
     }
-    fputs("usage: linear reach TICKS | linear bode POINT 'INPUT to OUTPUT'\n", stderr);
+    fputs("usage: linear reach NANOSECONDS | linear bode POINT 'INPUT to OUTPUT'\n", stderr);
     return EXIT_FAILURE;
 }
