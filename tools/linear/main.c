@@ -107,7 +107,9 @@ static int bode(const char *const path, const char *const pair)
     const int output = find(&m.outputs, between + 4, strlen(between + 4), "output");
     const double fastest = m.fastest > 0.0 ? m.fastest : tau, slowest = m.slowest > 0.0 ? m.slowest : tau;
     const double high = 10.0 * fastest, low = fmax(0.1 * slowest, 1e-6 * high);
-    printf("from\tfrequency Hz\tgain %s/(%s)\tphase deg\n", m.outputs.units[output], m.inputs.units[input]);
+    const bool is_whole = strpbrk(m.inputs.units[input], "*/ ") == NULL;
+    printf("from\tfrequency Hz\tgain %s/%s%s%s\tphase deg\n", m.outputs.units[output], is_whole ? "" : "(",
+           m.inputs.units[input], is_whole ? "" : ")");
     double phase = 0.0;
     for (int i = 0; i < POINTS; i++) {
         phase = put_model(&m, input, output, low * pow(high / low, (double)i / (POINTS - 1)), phase);

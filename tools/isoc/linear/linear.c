@@ -65,5 +65,5 @@ bool linear_run(source *s, graph *g, const scene *written, const plant *p, const
         source_problem(s, m->segments[0].at, "no linear model: %s has no finite slope at this point", l.not_finite);
         return report(s);
     }
-    return linear_write(s, g, written, p, &l, r);
+    return linear_write(s, g, p, &l, r);
 }

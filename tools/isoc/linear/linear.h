@@ -154,8 +154,7 @@ typedef struct linear_request {
 } linear_request;
 
 /* Writes the model into the folder, and a summary to standard output. */
-bool linear_write(source *s, const graph *g, const scene *written, const plant *p, const linear_model *l,
-                  const linear_request *r);
+bool linear_write(source *s, const graph *g, const plant *p, const linear_model *l, const linear_request *r);
 
 /* linear.c: all of that. */
 bool linear_run(source *s, graph *g, const scene *written, const plant *p, const linear_request *r);

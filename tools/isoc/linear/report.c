@@ -52,10 +52,18 @@ typedef struct matrix_part {
 
 /* --- tables --- */
 
-/* rad/s/s per N: of a rate of a state by an input. */
+/* In parentheses where it is made of parts. */
+static const char *whole_unit(arena *memory, const char *unit)
+{
+    return strpbrk(unit, "*/ ") == NULL ? unit : arena_format(memory, "(%s)", unit);
+}
+
+/* rad/s/s/N: of the rate of a speed by a force. */
 static const char *unit_of_entry(arena *memory, const matrix_part *m, int i, int k)
 {
-    return arena_format(memory, "(%s)%s/(%s)", m->rows->units[i], m->is_rate ? "/s" : "", m->columns->units[k]);
+    const char *row = m->rows->units[i];
+    return arena_format(memory, "%s%s/%s", strchr(row, ' ') == NULL ? row : whole_unit(memory, row),
+                        m->is_rate ? "/s" : "", whole_unit(memory, m->columns->units[k]));
 }
 
 static void add_table(text *to, arena *memory, const matrix_part *m)
@@ -259,30 +267,65 @@ static void add_tangent(text *to, const linear_model *l)
     text_add(to, " (the other %d coordinates follow from these by the closures)\n", c->all - c->count);
 }
 
-static void add_equilibrium(text *to, const linear_model *l)
+/* Whether nothing depends on the coordinate. */
+static bool is_cyclic(const linear_model *l, int which)
+{
+    bool is = true;
+    for (int i = 0; i < l->c.count; i++) {
+        is = is && fabs(l->a[i * l->c.count + which]) <= 1e-12;
+    }
+    return is;
+}
+
+/* The coordinate with the largest rate, by the largest slope of that; of those that nothing depends on, or of the others. -1:
+ * none has one. */
+static int fastest(const linear_model *l, bool of_cyclic)
 {
     const chart *c = &l->c;
-    int worst = 0;
-    double most = 0.0;
+    double most = 1e-7;
+    int found = -1;
     for (int i = 0; i < c->count; i++) {
         double scale = 1.0;
         for (int k = 0; k < c->count; k++) {
             scale = fmax(scale, fabs(l->a[i * c->count + k]));
         }
-        if (fabs(l->rates[i]) / scale > most) {
+        if (fabs(l->rates[i]) / scale > most && is_cyclic(l, i) == of_cyclic) {
             most = fabs(l->rates[i]) / scale;
-            worst = i;
+            found = i;
         }
     }
-    if (most <= 1e-7) {
+    return found;
+}
+
+static void add_equilibrium(text *to, const linear_model *l)
+{
+    const int changes = fastest(l, false), goes_on = fastest(l, true), which = changes < 0 ? goes_on : changes;
+    if (which < 0) {
         text_add(to, "equilibrium yes\n");
         return;
     }
-    const coordinate *is = &c->coordinates[c->chosen[worst]];
-    text_add(
-        to,
-        "equilibrium no: the rate of %s of %s is %.4g %s/s; the model is of small deviations from this motion, now\n",
-        is->name, is->whose, l->rates[worst], is->unit);
+    const coordinate *is = &l->c.coordinates[l->c.chosen[which]];
+    text_add(to, "equilibrium %s %s of %s is %.4g %s/s%s\n", changes < 0 ? "steady: the rate of" : "no: the rate of",
+             is->name, is->whose, l->rates[which], is->unit,
+             changes < 0 ? ", and nothing depends on where it is"
+                         : "; the model is of small deviations from this motion, now");
+}
+
+/* What the point is, and its numbers where isoc found them. */
+static void add_point_text(text *to, const linear_model *l, const linear_request *r)
+{
+    const mechanism *m = l->e->p->m;
+    text_add(to, "point %s%s\n", r->trim == NULL ? "" : "an equilibrium, from ",
+             r->state == NULL ? "the start" : "a state of the run");
+    for (int i = 0; i < m->inputs.count && r->trim != NULL; i++) {
+        text_add(to, "input %s %.6g %s\n", m->inputs.all[i].name, l->at.u[i], m->inputs.all[i].unit);
+    }
+    for (int i = 0; i < l->c.count && r->trim != NULL; i++) {
+        const coordinate *is = &l->c.coordinates[l->c.chosen[i]];
+        if (is->state >= 0 && fabs(l->at.x[is->state]) > 1e-12) {
+            text_add(to, "state %s %.6g %s\n", is->name, l->at.x[is->state], is->unit);
+        }
+    }
 }
 
 /* The coordinates that make up most of a mode, at most three. */
@@ -350,8 +393,7 @@ static void find_range(const mode_list *modes, double *range)
     }
 }
 
-bool linear_write(source *s, const graph *g, const scene *written, const plant *p, const linear_model *l,
-                  const linear_request *r)
+bool linear_write(source *s, const graph *g, const plant *p, const linear_model *l, const linear_request *r)
 {
     static const language octave = {"%", "[", "];", "", ";", "'", "{"}, python = {"#", "[", "]", "[", "],", "\"", "[]"};
     arena *memory = s->memory;
@@ -366,7 +408,6 @@ bool linear_write(source *s, const graph *g, const scene *written, const plant *
     file_list files = {.memory = memory, .folder = r->folder};
     text matrices = {.memory = memory}, rows = matrices, values = matrices, m = matrices, py = matrices, at = matrices,
          said = matrices;
-    (void)written;
     find_range(&modes, range);
     text_add(&matrices, "matrix\trow\tcolumn\tvalue\tunit\n");
     for (int i = 0; i < 4; i++) {
@@ -386,6 +427,7 @@ bool linear_write(source *s, const graph *g, const scene *written, const plant *
     file_list_add(&files, "point.txt", &at);
     text_add(&said, "scene %s\nstates %d\ninputs %d\noutputs %d\n", p->m->name, l->c.count, l->e->inputs,
              l->e->outputs);
+    add_point_text(&said, l, r);
     add_tangent(&said, l);
     add_left_out(&said, l);
     add_equilibrium(&said, l);
