@@ -318,7 +318,7 @@ static void add_point_text(text *to, const linear_model *l, const linear_request
     text_add(to, "point %s%s\n", r->trim == NULL ? "" : "an equilibrium, from ",
              r->state == NULL ? "the start" : "a state of the run");
     for (int i = 0; i < m->inputs.count && r->trim != NULL; i++) {
-        text_add(to, "input %s %.6g %s\n", m->inputs.all[i].name, l->at.u[i], m->inputs.all[i].unit);
+        text_add(to, "input %s %.6g %s\n", m->inputs.all[i].name, l->at.u[i] + 0.0, m->inputs.all[i].unit);
     }
     for (int i = 0; i < l->c.count && r->trim != NULL; i++) {
         const coordinate *is = &l->c.coordinates[l->c.chosen[i]];
