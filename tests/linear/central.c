@@ -1,9 +1,8 @@
-/* A linear model against central differences of its plant, in double: central FOLDER GEOMETRY. FOLDER has what isoc --linear
- * wrote; GEOMETRY is what write_scene.py says of the closed loop. Nothing here is of isoc: a small turn turns a quaternion,
- * and a four-bar linkage is closed by Newton's method on its lengths.
+/* A linear model against central differences of its plant, in double: central FOLDER GEOMETRY. FOLDER has what isoc
+ * --linear wrote; GEOMETRY is what write_scene.py says of the closed loop. Nothing here is of isoc: a small turn turns
+ * a quaternion, and a four-bar linkage is closed by Newton's method on its lengths.
  *
- * Prints the largest difference, as a part of 1 + |entry|, where it is, and how many entries were compared.
- */
+ * Prints the largest difference, as a part of 1 + |entry|, where it is, and how many entries were compared. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -174,7 +173,8 @@ static void angular_velocity(const double *const x, const double *const dx, cons
     }
 }
 
-/* The rate of row r at x, of which only `by` was moved, by so much: of a small turn e, e' = omega - omega of the start - e x that. */
+/* The rate of row r at x, of which only `by` was moved, by so much: of a small turn e, e' = omega - omega of the start
+ * - e x that. */
 static double rate_of(const row *const r, const double *const x, const double *const dx, const double *const dx0,
                       const row *const by, const double size)
 {

@@ -1,9 +1,9 @@
 /* A sine drives a stable plant until what it started with has decayed; then the gain is fitted over whole periods:
- * decay BODE INPUT OUTPUT WAIT, where BODE has what `linear bode` printed, INPUT and OUTPUT are numbers, and WAIT is in
- * seconds. Prints the largest difference from the model, as a part of the gain, at the frequencies of the plant's sines.
+ * decay BODE INPUT OUTPUT WAIT, where BODE has what `linear bode` printed, INPUT and OUTPUT are numbers, and WAIT is
+ * in seconds. Prints the largest difference from the model, as a part of the gain, at the frequencies of the plant's
+ * sines.
  *
- * The plant stands at the point that is read from standard input: x, u, p, each with its count.
- */
+ * The plant stands at the point that is read from standard input: x, u, p, each with its count. */
 #include <complex.h>
 #include <math.h>
 #include <stdio.h>

@@ -130,7 +130,8 @@ static void multiply(double *const to, const double *const a, const double *cons
     }
 }
 
-/* What a small deviation becomes in a part: slopes of the plant's derivative by central differences, in as many steps. */
+/* What a small deviation becomes in a part: from slopes of the plant's derivative by central differences, in as many
+ * steps. */
 static void find_flow(const drive *const d)
 {
     const model *const m = d->m;

@@ -14,9 +14,9 @@ typedef struct measured {
     bool found;
 } measured;
 
-/* Drives the input with a sine of w rad/s beside its value at the point, and finds the motion that repeats itself. It is one
- * of classical Runge-Kutta steps of the plant's derivative, in parts of a period that Newton's method joins: so it is found
- * also where the plant is unstable. */
+/* Drives the input with a sine of w rad/s beside its value at the point, and finds the motion that repeats itself. It
+ * is one of classical Runge-Kutta steps of the plant's derivative, in parts of a period that Newton's method joins: so
+ * it is found also where the plant is unstable. */
 measured measure(const iso_plant *plant, const model *m, int input, int output, double w);
 
 /* The lowest frequency, rad/s, of which that does not take too long. */

@@ -6,9 +6,9 @@
 /* --- what the coordinates are --- */
 
 /* Whether the segment is `of`, or moves with it. */
-static bool is_beyond(const mechanism *m, int segment, int of)
+static bool is_beyond(const mechanism *m, int which, int of)
 {
-    int at = segment;
+    int at = which;
     while (at != GROUND && at != of) {
         at = m->segments[at].parent;
     }
@@ -16,23 +16,23 @@ static bool is_beyond(const mechanism *m, int segment, int of)
 }
 
 /* The first body that the segment moves: its own, or one beyond it. */
-static const char *body_of(const mechanism *m, const scene *written, arena *memory, int segment)
+static const char *body_of(const mechanism *m, const scene *written, arena *memory, int which)
 {
     int found = -1;
     for (int i = 0; i < (int)written->bodies.count; i++) {
         const int at = m->bodies.frames[i].segment;
-        if (at != GROUND && is_beyond(m, at, segment) && (found < 0 || at < m->bodies.frames[found].segment)) {
+        if (at != GROUND && is_beyond(m, at, which) && (found < 0 || at < m->bodies.frames[found].segment)) {
             found = i;
         }
     }
-    return found < 0 ? arena_format(memory, "joint '%s'", m->segments[segment].name)
+    return found < 0 ? arena_format(memory, "joint '%s'", m->segments[which].name)
                      : arena_format(memory, "body '%s'", written->bodies.all[found].name.text);
 }
 
-static coordinate *add_coordinate(chart *c, const state *of, int index, int segment, const char *whose)
+static coordinate *add_coordinate(chart *c, const state *of, int index, int which, const char *whose)
 {
     coordinate *result = &c->coordinates[c->all++];
-    *result = (coordinate){of->about.name, of->about.unit, "", whose, index, segment, of->kind == STATE_SPEED};
+    *result = (coordinate){of->about.name, of->about.unit, "", whose, index, which, of->kind == STATE_SPEED};
     return result;
 }
 
@@ -195,8 +195,9 @@ static void clear_column(const rows_of_coordinates *m, int row, int column)
     }
 }
 
-/* Gauss and Jordan in the rows from `from` to `end`, with the largest pivot of all: row_of[column] of what is eliminated. A
- * column of the weight zero is not; one of a small weight stays independent where another is nearly as good. */
+/* Gauss and Jordan in the rows from `from` to `end`, with the largest pivot of all: row_of[column] of what is
+ * eliminated. A column of the weight zero is not; one of a small weight stays independent where another is nearly as
+ * good. */
 static void eliminate(const rows_of_coordinates *m, int from, int end, const double *weights, int *row_of)
 {
     double least = 0.0;

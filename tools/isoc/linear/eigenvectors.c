@@ -1,3 +1,5 @@
+#include "tools/isoc/linear/linear.h"
+
 #include <complex.h>
 #include <float.h>
 #include <math.h>
@@ -5,7 +7,6 @@
 
 #include "tools/isoc/base/eigenvalues.h"
 #include "tools/isoc/base/elementary.h"
-#include "tools/isoc/linear/linear.h"
 #include "tools/isoc/stability/modes.h"
 
 static const double log_2 = 0.69314718055994530942, tau = 6.28318530717958647692;
@@ -71,14 +72,14 @@ static void solve_shifted(const double complex *a, int n, const int *row, double
 }
 
 /* The vector of an eigenvalue of a, or of its transpose, by inverse iteration beside it. */
-static double complex *eigenvector_of(arena *memory, const double *a, int n, double complex value, bool transposed)
+static double complex *eigenvector_of(arena *memory, const double *a, int n, double complex eigenvalue, bool transposed)
 {
     enum { ITERATIONS = 3 };
     double complex *shifted = arena_take(memory, (size_t)(n * n) + 1, sizeof *shifted),
                    *result = arena_take(memory, (size_t)n + 1, sizeof *result);
     int *row = arena_take(memory, (size_t)n + 1, sizeof *row);
     const double largest = size_of_matrix(a, n);
-    const double complex beside = value * (1.0 + 1e-10) + 1e-14 * largest;
+    const double complex beside = eigenvalue * (1.0 + 1e-10) + 1e-14 * largest;
     for (int i = 0; i < n; i++) {
         result[i] = 1.0 + 0.1 * (double)(7 * i % 5);
         for (int j = 0; j < n; j++) {
@@ -213,9 +214,9 @@ mode_list modes_find(const graph *g, const linear_model *l)
         }
         mode *to = &list.all[list.count];
         *to = (mode){.re = re[i], .im = im[i], .part = arena_take(memory, room, sizeof *to->part)};
-        const double complex value = re[i] + im[i] * (double complex)_Complex_I;
-        left[list.count] = eigenvector_of(memory, l->a, n, value, true);
-        right[list.count] = eigenvector_of(memory, l->a, n, value, false);
+        const double complex eigenvalue = re[i] + im[i] * (double complex)_Complex_I;
+        left[list.count] = eigenvector_of(memory, l->a, n, eigenvalue, true);
+        right[list.count] = eigenvector_of(memory, l->a, n, eigenvalue, false);
         find_parts(to, n, left[list.count], right[list.count]);
         to->is_neutral = is_neutral(l->a, n, to, left[list.count], right[list.count]);
         list.count++;

@@ -51,12 +51,12 @@ expansion expand(const graph *g, const plant *p, const node *derivatives, bool i
 static void numbers_at(const expansion *e, const point *at, const double *along, const node *of, double *numbers)
 {
     const graph *g = &e->g;
-    const int held = held_count(e->p->m);
-    const size_t given = (size_t)(held + e->states) + 1;
+    const int kept = held_count(e->p->m);
+    const size_t given = (size_t)(kept + e->states) + 1;
     double *all = arena_take(g->memory, g->count, sizeof *all), *u = arena_take(g->memory, given, sizeof *u);
-    memcpy(u, at->u, (size_t)held * sizeof *u);
+    memcpy(u, at->u, (size_t)kept * sizeof *u);
     if (along != NULL) {
-        memcpy(u + held, along, (size_t)e->states * sizeof *u);
+        memcpy(u + kept, along, (size_t)e->states * sizeof *u);
     }
     graph_evaluate(g, 0, &(evaluation){.x = at->x, .u = u, .p = at->p}, all);
     for (int i = 0; i < e->roots; i++) {
@@ -66,9 +66,9 @@ static void numbers_at(const expansion *e, const point *at, const double *along,
     arena_return(g->memory, u, given, sizeof *u);
 }
 
-void values_at(const expansion *e, const point *at, double *values)
+void values_at(const expansion *e, const point *at, double *result)
 {
-    numbers_at(e, at, NULL, e->values, values);
+    numbers_at(e, at, NULL, e->values, result);
 }
 
 void changes_at(const expansion *e, const point *at, const double *along, double *changes)

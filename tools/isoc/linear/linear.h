@@ -1,9 +1,8 @@
 /* The linear model of a plant about a point: d' = A d + B v, w = C d + D v, with d, v and w the deviations of states,
  * inputs and outputs. Memories, and states that are time itself, keep the values that they have at the point.
  *
- * d stands in coordinates that are independent: three small angles in the place of a quaternion, and in closed loops only
- * those positions and speeds from which the others follow.
- */
+ * d stands in coordinates that are independent: three small angles in the place of a quaternion, and in closed loops
+ * only those positions and speeds from which the others follow. */
 #ifndef ISOC_LINEAR_LINEAR_H
 #define ISOC_LINEAR_LINEAR_H
 
@@ -61,8 +60,8 @@ typedef struct chart {
 /* At a point; `count` is that of all until chart_choose. */
 chart chart_at(const mechanism *m, const scene *written, arena *memory, const double *x);
 
-/* Chooses independent coordinates: slopes[rows][all] are those of what must stay zero, of which the first `positions` rows are
- * of positions alone. Joints that an input or an effect moves stay independent where they can. */
+/* Chooses independent coordinates: slopes[rows][all] are those of what must stay zero, of which the first `positions`
+ * rows are of positions alone. Joints that an input or an effect moves stay independent where they can. */
 void chart_choose(chart *c, const mechanism *m, arena *memory, double *slopes, int rows, int positions);
 
 /* Moves the states by small coordinates[all], which need not be small. */
@@ -102,10 +101,12 @@ double *matrix_without(const linear_model *of, const expansion *other);
 /* trim.c: equilibria. */
 
 /* What is asked for: an input, an output or a state has a value; or an input is free. */
+typedef enum wish_sort { WISH_INPUT, WISH_OUTPUT, WISH_STATE } wish_sort;
+
 typedef struct wish {
     place at;
     const char *name;
-    enum { WISH_INPUT, WISH_OUTPUT, WISH_STATE } sort;
+    wish_sort sort;
     int index; /* of the input, output, state */
     bool is_free;
     double value;

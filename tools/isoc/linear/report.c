@@ -1,8 +1,9 @@
+#include "tools/isoc/linear/linear.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "tools/isoc/emit/write.h"
-#include "tools/isoc/linear/linear.h"
 #include "tools/isoc/scene/parser.h"
 
 /* A side of a matrix: names and units of its rows or columns. */
@@ -53,9 +54,9 @@ typedef struct matrix_part {
 /* --- tables --- */
 
 /* In parentheses where it is made of parts. */
-static const char *whole_unit(arena *memory, const char *unit)
+static const char *whole_unit(arena *memory, const char *of)
 {
-    return strpbrk(unit, "*/ ") == NULL ? unit : arena_format(memory, "(%s)", unit);
+    return strpbrk(of, "*/ ") == NULL ? of : arena_format(memory, "(%s)", of);
 }
 
 /* rad/s/s/N: of the rate of a speed by a force. */
@@ -108,9 +109,9 @@ typedef struct language {
     const char *comment, *list, *list_end, *row, *row_end, *quote, *of_none;
 } language;
 
-static void add_names(text *to, const language *in, const char *name, const char *const *all, int count)
+static void add_names(text *to, const language *in, const char *called, const char *const *all, int count)
 {
-    text_add(to, "%s = %s", name, in->of_none[0] == '[' ? "[" : "{");
+    text_add(to, "%s = %s", called, in->of_none[0] == '[' ? "[" : "{");
     for (int i = 0; i < count; i++) {
         text_add(to, "%s%s%s%s", i == 0 ? "" : ", ", in->quote, all[i], in->quote);
     }
@@ -139,9 +140,9 @@ static void add_matrix(text *to, const language *in, const matrix_part *m)
     text_add(to, "%s\n", in->list_end);
 }
 
-static void add_numbers(text *to, const language *in, const char *name, const double *at, int count)
+static void add_numbers(text *to, const language *in, const char *called, const double *at, int count)
 {
-    text_add(to, "%s = [", name);
+    text_add(to, "%s = [", called);
     for (int i = 0; i < count; i++) {
         text_add(to, "%s%.17g", i == 0 ? "" : ", ", at[i]);
     }
@@ -163,8 +164,8 @@ static void add_program(text *to, const linear_model *l, const language *in, con
     }
     double *at = arena_take(memory, (size_t)l->c.count + 1, sizeof *at);
     for (int i = 0; i < l->c.count; i++) {
-        const int state = l->c.coordinates[l->c.chosen[i]].state;
-        at[i] = state < 0 ? 0.0 : l->at.x[state];
+        const int which = l->c.coordinates[l->c.chosen[i]].state;
+        at[i] = which < 0 ? 0.0 : l->at.x[which];
     }
     text_add(to, "%s The point: d, v and w are deviations from it\n", in->comment);
     add_numbers(to, in, "state_point", at, l->c.count);
@@ -277,8 +278,8 @@ static bool is_cyclic(const linear_model *l, int which)
     return is;
 }
 
-/* The coordinate with the largest rate, by the largest slope of that; of those that nothing depends on, or of the others. -1:
- * none has one. */
+/* The coordinate with the largest rate, by the largest slope of that; of those that nothing depends on, or of the
+ * others. -1: none has one. */
 static int fastest(const linear_model *l, bool of_cyclic)
 {
     const chart *c = &l->c;
@@ -406,7 +407,7 @@ bool linear_write(source *s, const graph *g, const plant *p, const linear_model 
     const mode_list modes = modes_find(g, l);
     double range[3] = {0.0, 0.0, 0.0};
     file_list files = {.memory = memory, .folder = r->folder};
-    text matrices = {.memory = memory}, rows = matrices, values = matrices, m = matrices, py = matrices, at = matrices,
+    text matrices = {.memory = memory}, rows = matrices, eigen = matrices, m = matrices, py = matrices, at = matrices,
          said = matrices;
     find_range(&modes, range);
     text_add(&matrices, "matrix\trow\tcolumn\tvalue\tunit\n");
@@ -414,14 +415,14 @@ bool linear_write(source *s, const graph *g, const plant *p, const linear_model 
         add_table(&matrices, memory, &all[i]);
     }
     add_state_table(&rows, l);
-    add_mode_table(&values, memory, l, &modes);
+    add_mode_table(&eigen, memory, l, &modes);
     add_program(&m, l, &octave, all, p->m->name);
     text_add(&m, "%% sys = ss(A, B, C, D);\n");
     add_program(&py, l, &python, all, p->m->name);
     add_point(&at, l, all, range);
     file_list_add(&files, "matrices.tsv", &matrices);
     file_list_add(&files, "states.tsv", &rows);
-    file_list_add(&files, "modes.tsv", &values);
+    file_list_add(&files, "modes.tsv", &eigen);
     file_list_add(&files, "linear_model.m", &m);
     file_list_add(&files, "linear_model.py", &py);
     file_list_add(&files, "point.txt", &at);

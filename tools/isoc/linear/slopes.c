@@ -25,8 +25,8 @@ void slopes_by_coordinates(const expansion *e, const chart *c, const point *at, 
     }
 }
 
-/* The rate of small angles: none of these changes it, for a turn of the frame that they stand in turns the rate too, and only
- * what the angular velocity changes by is left. */
+/* The rate of small angles: none of these changes it, for a turn of the frame that they stand in turns the rate too,
+ * and only what the angular velocity changes by is left. */
 double *reduced_rates(const expansion *e, const chart *c, arena *memory, const double *slopes)
 {
     double *result = arena_take(memory, (size_t)(c->all * c->all) + 1, sizeof *result);
@@ -78,11 +78,11 @@ static void slopes_beside(const direction *d, double distance, double *slopes)
     const expansion *e = d->l->e;
     const chart *c = &d->l->c;
     arena *memory = e->g.memory;
-    const size_t states = (size_t)e->states, held = (size_t)held_count(e->p->m);
-    point beside = {arena_take(memory, states + 1, sizeof *beside.x), arena_take(memory, held + 1, sizeof *beside.u),
+    const size_t states = (size_t)e->states, kept = (size_t)held_count(e->p->m);
+    point beside = {arena_take(memory, states + 1, sizeof *beside.x), arena_take(memory, kept + 1, sizeof *beside.u),
                     d->l->at.p};
     memcpy(beside.x, d->l->at.x, states * sizeof *beside.x);
-    memcpy(beside.u, d->l->at.u, held * sizeof *beside.u);
+    memcpy(beside.u, d->l->at.u, kept * sizeof *beside.u);
     if (d->input >= 0) {
         beside.u[d->input] += distance * (1.0 + fabs(beside.u[d->input]));
         changes_by_input(e, &beside, d->input, slopes);
@@ -253,14 +253,14 @@ linear_model model_at(const expansion *e, const scene *written, point at)
     const size_t roots = (size_t)e->roots + 1;
     linear_model l = {.e = e, .at = at, .c = chart_at(e->p->m, written, memory, at.x)};
     double *slopes = arena_take(memory, roots * ((size_t)l.c.all + 1), sizeof *slopes),
-           *values = arena_take(memory, roots, sizeof *values);
+           *now = arena_take(memory, roots, sizeof *now);
     l.kinks = arena_take(memory, (size_t)(l.c.all + e->inputs) + 1, sizeof *l.kinks);
     slopes_by_coordinates(e, &l.c, &at, slopes);
     check_finite(&l, slopes, l.c.all);
     choose(&l, memory, slopes);
-    values_at(e, &at, values);
-    l.rates = in_chosen(&l.c, memory, values, 1);
-    l.outputs = values + e->states;
+    values_at(e, &at, now);
+    l.rates = in_chosen(&l.c, memory, now, 1);
+    l.outputs = now + e->states;
     fill_by_coordinates(&l, memory, slopes);
     fill_by_inputs(&l, memory);
     return l;

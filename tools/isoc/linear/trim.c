@@ -1,13 +1,15 @@
+#include "tools/isoc/linear/linear.h"
+
 #include <math.h>
 #include <string.h>
 
 #include "tools/isoc/base/least_squares.h"
-#include "tools/isoc/linear/linear.h"
 
-/* An equilibrium by Newton's method in small coordinates and free inputs. What must be zero: the rates of all coordinates, the
- * gaps of the closures and their rates, and what is wished. A position whose speed is wished to be other than zero may go on,
- * and those that closures tie to it. Each row is divided by its largest slope, so that a stiff spring counts as a soft one; of
- * the moves that are as good the shortest is made, so that what nothing holds stays where it is. */
+/* An equilibrium by Newton's method in small coordinates and free inputs. What must be zero: the rates of all
+ * coordinates, the gaps of the closures and their rates, and what is wished. A position whose speed is wished to be
+ * other than zero may go on, and those that closures tie to it. Each row is divided by its largest slope, so that a
+ * stiff spring counts as a soft one; of the moves that are as good the shortest is made, so that what nothing holds
+ * stays where it is. */
 typedef struct search {
     const expansion *e;
     const scene *written;
@@ -34,7 +36,7 @@ static int root_of(const search *s, const wish *w)
     return w->sort == WISH_OUTPUT ? s->e->states + w->index : -1;
 }
 
-static void fill_wish(search *s, const wish *w, int row, const double *values, const double *by_coordinates,
+static void fill_wish(search *s, const wish *w, int row, const double *now, const double *by_coordinates,
                       const double *by_inputs)
 {
     double *slope = s->slopes + row * s->columns;
@@ -42,7 +44,7 @@ static void fill_wish(search *s, const wish *w, int row, const double *values, c
     if (w->is_free || w->sort == WISH_INPUT) {
         return;
     }
-    s->left[row] = (root < 0 ? s->at.x[w->index] : values[root]) - w->value;
+    s->left[row] = (root < 0 ? s->at.x[w->index] : now[root]) - w->value;
     for (int k = 0; k < all; k++) {
         slope[k] = root < 0 ? s->c.turn[w->index * all + k] : by_coordinates[root * all + k];
     }
@@ -51,7 +53,7 @@ static void fill_wish(search *s, const wish *w, int row, const double *values, c
     }
 }
 
-static void fill_rates(search *s, const double *values, const double *by_coordinates, const double *by_inputs)
+static void fill_rates(search *s, const double *now, const double *by_coordinates, const double *by_inputs)
 {
     const chart *c = &s->c;
     const double *reduced = reduced_rates(s->e, c, s->memory, by_coordinates);
@@ -59,7 +61,7 @@ static void fill_rates(search *s, const double *values, const double *by_coordin
         double *slope = s->slopes + i * s->columns;
         for (int n = 0; n < s->e->states && !s->goes_on[i]; n++) {
             const double back = c->back[i * c->states + n];
-            s->left[i] += back * values[n];
+            s->left[i] += back * now[n];
             for (int k = 0; k < s->frees; k++) {
                 slope[c->all + k] += back * by_inputs[n * s->frees + k];
             }
@@ -77,11 +79,10 @@ static void look(search *s, bool with_slopes)
     const size_t roots = (size_t)e->roots + 1;
     s->c = chart_at(e->p->m, s->written, s->memory, s->at.x);
     const int all = s->c.all, gaps = rows_before_wishes(s) - all;
-    double *values = arena_take(s->memory, roots, sizeof *values),
-           *column = arena_take(s->memory, roots, sizeof *column),
+    double *now = arena_take(s->memory, roots, sizeof *now), *column = arena_take(s->memory, roots, sizeof *column),
            *by_coordinates = arena_take(s->memory, roots * ((size_t)all + 1), sizeof *by_coordinates),
            *by_inputs = arena_take(s->memory, roots * ((size_t)s->frees + 1), sizeof *by_inputs);
-    values_at(e, &s->at, values);
+    values_at(e, &s->at, now);
     if (with_slopes) {
         slopes_by_coordinates(e, &s->c, &s->at, by_coordinates);
     }
@@ -93,14 +94,14 @@ static void look(search *s, bool with_slopes)
     }
     memset(s->left, 0, (size_t)s->rows * sizeof *s->left);
     memset(s->slopes, 0, (size_t)(s->rows * s->columns) * sizeof *s->slopes);
-    fill_rates(s, values, by_coordinates, by_inputs);
+    fill_rates(s, now, by_coordinates, by_inputs);
     for (int i = 0; i < gaps; i++) {
         const int root = e->states + e->outputs + i;
-        s->left[all + i] = values[root];
+        s->left[all + i] = now[root];
         memcpy(s->slopes + (all + i) * s->columns, by_coordinates + root * all, (size_t)all * sizeof *s->slopes);
     }
     for (int i = 0; i < s->w->count; i++) {
-        fill_wish(s, &s->w->all[i], all + gaps + i, values, by_coordinates, by_inputs);
+        fill_wish(s, &s->w->all[i], all + gaps + i, now, by_coordinates, by_inputs);
     }
 }
 
@@ -169,9 +170,9 @@ static bool step(search *s, const point *from)
     find_scales(s);
     const double before = size_left(s);
     const double *by = aim(s);
-    const size_t states = (size_t)s->e->states, held = (size_t)held_count(s->e->p->m);
+    const size_t states = (size_t)s->e->states, kept = (size_t)held_count(s->e->p->m);
     memcpy(from->x, s->at.x, states * sizeof *from->x);
-    memcpy(from->u, s->at.u, held * sizeof *from->u);
+    memcpy(from->u, s->at.u, kept * sizeof *from->u);
     double part = 1.0;
     for (int i = 0; i < HALVINGS; i++, part *= 0.5) {
         move(s, from, by, part);
@@ -184,12 +185,12 @@ static bool step(search *s, const point *from)
     return false;
 }
 
-static point copy_of_point(arena *memory, const point *at, size_t states, size_t held)
+static point copy_of_point(arena *memory, const point *at, size_t states, size_t kept)
 {
-    point result = {arena_take(memory, states + 1, sizeof *result.x), arena_take(memory, held + 1, sizeof *result.u),
+    point result = {arena_take(memory, states + 1, sizeof *result.x), arena_take(memory, kept + 1, sizeof *result.u),
                     at->p};
     memcpy(result.x, at->x, states * sizeof *result.x);
-    memcpy(result.u, at->u, held * sizeof *result.u);
+    memcpy(result.u, at->u, kept * sizeof *result.u);
     return result;
 }
 
@@ -334,13 +335,13 @@ bool trim(source *s, const expansion *e, const scene *written, const wishes *w, 
 {
     enum { TRIES = 24 };
     const double enough = 1e-16; /* 1e-8 of the scale of a row */
-    const size_t states = (size_t)e->states, held = (size_t)held_count(e->p->m);
+    const size_t states = (size_t)e->states, kept = (size_t)held_count(e->p->m);
     search of = search_start(e, written, w, at);
-    const point start = copy_of_point(e->g.memory, &of.at, states, held);
+    const point start = copy_of_point(e->g.memory, &of.at, states, kept);
     point best = start;
     double least = HUGE_VAL;
     for (int n = 0; n < TRIES && !(least <= enough); n++) {
-        of.at = copy_of_point(e->g.memory, &start, states, held);
+        of.at = copy_of_point(e->g.memory, &start, states, kept);
         if (n > 0) {
             of.c = chart_at(e->p->m, written, of.memory, of.at.x);
             move_away(&of, n);

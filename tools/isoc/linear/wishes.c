@@ -1,15 +1,16 @@
+#include "tools/isoc/linear/linear.h"
+
 #include <string.h>
 
 #include "tools/isoc/formula/scalar.h"
-#include "tools/isoc/linear/linear.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/scene/take.h"
 
 /* The dimension of a unit as it is shown. */
-static dimension dimension_of(arena *memory, const char *shown)
+static dimension dimension_of(arena *memory, const char *in)
 {
-    source s = source_of_text(memory, "unit",
-                              arena_format(memory, "constant c = 1 %s\n", strcmp(shown, "1") == 0 ? "" : shown));
+    source s =
+        source_of_text(memory, "unit", arena_format(memory, "constant c = 1 %s\n", strcmp(in, "1") == 0 ? "" : in));
     const scene of = parse_scene(&s);
     graph g;
     values v;
@@ -21,13 +22,13 @@ static dimension dimension_of(arena *memory, const char *shown)
 }
 
 /* Whether both are the same name: `drive.current` is drive_current in a header. */
-static bool is_called(const char *name, const char *typed)
+static bool is_called(const char *called, const char *typed)
 {
     size_t i = 0;
-    while (name[i] != '\0' && (name[i] == typed[i] || (name[i] == '_' && typed[i] == '.'))) {
+    while (called[i] != '\0' && (called[i] == typed[i] || (called[i] == '_' && typed[i] == '.'))) {
         i++;
     }
-    return name[i] == '\0' && typed[i] == '\0';
+    return called[i] == '\0' && typed[i] == '\0';
 }
 
 /* The names of one sort, with units. */
@@ -61,7 +62,7 @@ static bool find_wished(parser *p, const plant *of, wish *w, int sort)
         const names_of_sort names = names_of(of, p->s->memory, which);
         for (int i = 0; i < names.count; i++) {
             if (is_called(names.names[i], w->name)) {
-                w->sort = which;
+                w->sort = (wish_sort)which;
                 w->index = i;
                 w->name = names.names[i];
                 w->unit = names.units[i];
