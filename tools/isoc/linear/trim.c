@@ -297,10 +297,8 @@ static void refuse_trim(source *s, const search *of, const wishes *w, place at)
         source_problem(s, at, "no equilibrium found: the closure '%s' stays open by %.4g", c->name, left);
     } else {
         const coordinate *is = &of->c.coordinates[row];
-        source_problem(s, at,
-                       "no equilibrium found: the rate of '%s' of %s stays %.4g %s/s; free an input that holds it, or "
-                       "begin nearer",
-                       is->name, is->whose, left, is->unit);
+        source_problem(s, at, "no equilibrium found: '%s' of %s keeps a rate of %.4g %s/s: free an input", is->name,
+                       is->whose, left, is->unit);
     }
 }
 
