@@ -13,7 +13,8 @@ of_port()
     sed -n "s/^$2 = //p" "port/$1/port.mk"
 }
 
-# variant NAME PORT COMPILER LEVEL [FLAG...]: how programs are made and run from here on.
+# variant NAME PORT COMPILER LEVEL [FLAG...]: how programs are made and run from here on. What a variant has already is not compiled
+# again.
 variant()
 {
     variant=$1
@@ -27,12 +28,16 @@ variant()
         link="$link $(of_port mps2 PORT_FLAGS) $(of_port mps2 PORT_LINK)"
         ;;
     esac
-    compiler="$compiler $*"
+    # shellcheck disable=SC2086
+    set -- $compiler "$@"
+    compiler=$*
     base=$out/$variant
+    [ -f "$base/command" ] && read -r made <"$base/command" && [ "$made" = "$compiler" ] && return
     mkdir -p "$base"
     for source in core/numbers/*.c core/runtime/*.c core/application/*.c port/"$port"/*.c $(of_port "$port" PORT_SHARED); do
         $compiler -c "$source" -o "$base/${source##*/}.o" || return
     done
+    echo "$compiler" >"$base/command"
 }
 
 # runs SOURCE NANOSECONDS [FLAG...]: the program of this plant in C; its summary is in $out/output. Returns its status.

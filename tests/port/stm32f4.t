@@ -6,6 +6,7 @@
 . tests/host/project.sh
 begin port/stm32f4
 project
+optimised -O0
 turn=$(turn_of 2 "${1-}" core port tools/conform)
 echo "# turn $turn of the targets"
 flags="$(sed -n 's/^PORT_FLAGS = //p' port/stm32f4/port.mk | sed 's/$(PORT_BOARD)//')"
@@ -83,10 +84,10 @@ done
 
 call hil TARGET=host SECONDS=1.2 && hash=$(value hash) && call hil TARGET=$tried SECONDS=1.2 && [ "$(value hash)" = "$hash" ]
 expect $? "a controller on its serial line: the hash of the host"
-call run TARGET=$tried SECONDS=0.1 CFLAGS='-include port/stm32f4/pins_example.h' && [ "$(value ticks)" = 100 ]
+call run TARGET=$tried SECONDS=0.1 CFLAGS='-O0 -include port/stm32f4/pins_example.h' && [ "$(value ticks)" = 100 ]
 expect $? "with a table of pins, and no converter that answers, it ends"
 sed 's/.pin = 6/.pin = 9/' port/stm32f4/pins_example.h >"$out/project/pins.h"
-! call run TARGET=$tried SECONDS=0.1 CFLAGS='-include pins.h' && grep -q 'the table of pins: an output is on a pin that cannot show it' "$out/output" "$out/errors"
+! call run TARGET=$tried SECONDS=0.1 CFLAGS='-O0 -include pins.h' && grep -q 'the table of pins: an output is on a pin that cannot show it' "$out/output" "$out/errors"
 expect $? "a table that is wrong is told, and nothing runs"
 
 # How long to run, on silicon by two symbols; a real board is not asked where there is none.
