@@ -123,7 +123,15 @@ done >"$out/c.c"
 for compiler in gcc clang arm-none-eabi-gcc; do
     roots=$($compiler -xc -E -v - </dev/null 2>&1 | sed -n '/^#include </,/^End/s/^ //p' | xargs realpath)
     $compiler -M -MG "$out/c.c" | tr -s ' \\' '\n\n' | grep '\.h$' | xargs realpath -q | while read -r path; do
-        ! echo "$roots" | grep -qxF "${path%/*}" || basename "$path" .h
+        folder=${path%/*}
+        name=${path##*/}
+        case "
+$roots
+" in
+        *"
+$folder
+"*) echo "${name%.h}" ;;
+        esac
     done
 done | grep -xE '[a-z][a-z0-9_]*' >>"$out/headers"
 sort -u "$out/headers" >"$out/words"
@@ -131,7 +139,8 @@ all_refused "names of headers that gcc, clang and the board's compiler read for 
 [ "$(wc -l <"$out/words")" -gt 33 ] && grep -qx features "$out/words"
 result $? "among them those that others include"
 for path in core/numbers/*.h core/methods/*.h core/runtime/plant.h core/runtime/tick.h; do
-    basename "$path" .h
+    path=${path##*/}
+    echo "${path%.h}"
 done >"$out/words"
 all_refused "headers of core" <"$out/words"
 # A word is a keyword where it cannot be the name of a variable.
@@ -156,7 +165,7 @@ tried=0
 turn=$(turn_of 5 "${1-}" core tools/isoc)
 echo "# turn $turn of the words"
 while read -r word; do
-    [ "$turn" = all ] || [ $(($(echo "$word" | cksum | cut -d ' ' -f 1) % 5)) -eq "$turn" ] || continue
+    next_turn 5 || continue
     refused "$word" || {
         tried=$((tried + 1))
         build/isoc models/cart_pole_drive.scene -o "$out/named" --name "$word" --standalone >"$out/summary" 2>"$out/errors" &&

@@ -3,6 +3,7 @@
 # a controller in C and of one in Python; another plant is refused; and without a link nothing of all this is there.
 . tests/host/test.sh
 begin link/link
+optimised -O0
 plain="core/numbers/*.c core/runtime/*.c core/application/stream.c port/sim/*.c"
 posix=-D_POSIX_C_SOURCE=200809L
 sed 's/^input force .*/input force in -20 N to 20 N safe 0 N after 5 ticks/' models/cart_pole.scene >"$out/cart_pole.scene"
@@ -89,8 +90,6 @@ other()
     # shellcheck disable=SC2086
     isoc "$out/foreign" "$@" --link && EXTRA="$posix" program other "$out/foreign"/*.c core/link/*.c port/host/*.c $plain
 }
-
-optimised -O0
 
 # long OUTPUTS [OPTION...]: a plant with so many outputs.
 long()

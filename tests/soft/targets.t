@@ -13,6 +13,13 @@ ran()
     call run SCENE="models/$1.scene" TARGET="$2" SECONDS="$3" REAL="${4-float}"
 }
 
+# on_host SCENE SECONDS: sets hash, by a run at the first call for both.
+on_host()
+{
+    [ -f "$out/$1-$2" ] || { ran "$1" host "$2" && value hash >"$out/$1-$2"; }
+    hash= && read -r hash <"$out/$1-$2" && [ -n "$hash" ]
+}
+
 # counted: in the last run the shortest step took as long as the longest. $least, $mean and $most are these.
 counted()
 {
@@ -24,7 +31,7 @@ counted()
 
 while read -r target seconds; do
     for scene in double_pendulum cart_pole_drive; do
-        ran $scene host "$seconds" && hash=$(value hash) && [ -n "$hash" ]
+        on_host $scene "$seconds"
         expect $? "$scene on the host: $hash"
         ran $scene "$target" "$seconds" && [ "$(value hash)" = "$hash" ]
         expect $? "$scene on the $target: the same bits"
@@ -71,7 +78,7 @@ esac
 
 while read -r target seconds; do
     sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/${target#cortex-}/port.mk"
-    ran double_pendulum host "$seconds" && hash=$(value hash) && ran double_pendulum "$target" "$seconds" &&
+    on_host double_pendulum "$seconds" && ran double_pendulum "$target" "$seconds" &&
         [ "$(value hash)" = "$hash" ] && ! counted && [ -n "$unit" ]
     expect $? "found: helpers of libgcc on the $target: from $least to $most $unit, mean $mean"
 done <<END
