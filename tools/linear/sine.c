@@ -244,11 +244,11 @@ static double complex first_harmonic(const drive *const d, const int output)
     return 2.0 * (double complex)_Complex_I * sum / (d->parts * d->amplitude);
 }
 
-/* The sine is so small that the model moves no state by more than the excursion. */
+/* The sine is so small that the model moves no state by more than the excursion, and at most a tenth in SI units. */
 static double amplitude_of(const model *const m, const int input, const double w)
 {
     double complex *const x = numbers((size_t)m->n, sizeof *x);
-    double largest = 1e-3;
+    double largest = 10.0 * excursion;
     response(m, input, w, x);
     for (int i = 0; i < m->n; i++) {
         largest = fmax(largest, cabs(x[i]));
@@ -287,8 +287,10 @@ measured measure(const iso_plant *const plant, const model *const m, const int i
         }
         join_parts(&d);
     }
-    result.found = result.left < 1e-4;
     result.gain = first_harmonic(&d, output);
+    /* Of an output that moves by less the rounding would be measured. */
+    const double moved = d.amplitude * cabs(result.gain), rounding = 1e-12 * fabs(plant->y[output]);
+    result.found = result.left < 1e-4 && moved > rounding;
     free(d.u);
     free(d.slopes);
     free(d.flow);

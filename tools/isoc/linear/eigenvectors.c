@@ -199,6 +199,20 @@ static void name_causes(const graph *g, const linear_model *l, const mode_list *
     }
 }
 
+/* Puts zeros in the place of eigenvalues that are the rounding of the largest. */
+static void clear_rounding(double *re, double *im, int n)
+{
+    double largest = 0.0;
+    for (int i = 0; i < n; i++) {
+        largest = fmax(largest, sqrt(re[i] * re[i] + im[i] * im[i]));
+    }
+    for (int i = 0; i < n; i++) {
+        if (sqrt(re[i] * re[i] + im[i] * im[i]) <= 1e-13 * largest) {
+            re[i] = im[i] = 0.0;
+        }
+    }
+}
+
 mode_list modes_find(const graph *g, const linear_model *l)
 {
     arena *memory = g->memory;
@@ -208,6 +222,7 @@ mode_list modes_find(const graph *g, const linear_model *l)
     double complex **left = arena_take(memory, room, sizeof *left), **right = arena_take(memory, room, sizeof *right);
     mode_list list = {.all = arena_take(memory, room, sizeof *list.all)};
     list.found = eigenvalues(memory, l->a, n, re, im);
+    clear_rounding(re, im, n);
     for (int i = 0; i < n && list.found; i++) {
         if (im[i] < 0.0) {
             continue;

@@ -294,7 +294,8 @@ static void refuse_trim(source *s, const search *of, const wishes *w, place at)
         const expansion *e = of->e;
         const constraints *phi = &e->p->d->loops.phi;
         const closure *c = &e->p->m->closures[phi->all[(row - all) % e->gaps].closure];
-        source_problem(s, at, "no equilibrium found: the closure '%s' stays open by %.4g", c->name, left);
+        const char *fault = row - all < e->gaps ? "stays open by" : "moves, at a rate of";
+        source_problem(s, at, "no equilibrium found: the closure '%s' %s %.4g", c->name, fault, left);
     } else {
         const coordinate *is = &of->c.coordinates[row];
         source_problem(s, at, "no equilibrium found: '%s' of %s keeps a rate of %.4g %s/s: free an input", is->name,
