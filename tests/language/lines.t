@@ -1,16 +1,18 @@
 #!/bin/sh
 # Statements stand in any order, and none is read across the end of a line where it is complete: pairs of statements give
 # the plant that they give with a semicolon between them, and in the other order. And names: each word of the language is
-# a name where the grammar is not ambiguous.
+# a name where the grammar is not ambiguous. A third of the pairs and of the words each time.
 . tests/host/test.sh
 begin language/lines
-python3 -B tests/language/lines.py build/isoc "$out" 20261122 30
+turn=$(turn_of 3 "${1-}" tools/isoc tests/language)
+echo "# turn $turn of the pairs and of the words"
+python3 -B tests/language/lines.py build/isoc "$out" 20261122 30 "$turn"
 result $? 'pairs of statements, with a line between them, a semicolon, and in the other order'
 
 # names SORT RESERVED SCENE: the words that can be names of it give the plant that another name gives; the others are refused.
 names()
 {
-    printf '%s\n' "$3" | python3 -B tests/language/names.py build/isoc "$out" "$2" >"$out/bad" && [ ! -s "$out/bad" ]
+    printf '%s\n' "$3" | python3 -B tests/language/names.py build/isoc "$out" "$2" "$turn" >"$out/bad" && [ ! -s "$out/bad" ]
     names_status=$?
     [ ! -s "$out/bad" ] || sed "s/^/# $1: /" "$out/bad"
     result $names_status "$1 called like words of the language; reserved are $2"
@@ -53,7 +55,7 @@ NAME 2 }"
 for reserved in 'ground pi time at' 'ground pi'; do
     echo "$begun
 $hinge
-signal NAME = speed of pivot" | python3 -B tests/language/names.py build/isoc "$out" "$reserved" | sed 's/:.*//'
+signal NAME = speed of pivot" | python3 -B tests/language/names.py build/isoc "$out" "$reserved" 'ground pi time at' | sed 's/:.*//'
 done | paste -sd ' ' >"$out/bad"
 [ "$(cut -d ' ' -f 1,2 "$out/bad")" = "at time" ]
 result $? "found: a word that is a name, and one that is none"

@@ -1,6 +1,6 @@
-"""Words of the language as names: names.py ISOC FOLDER RESERVED, with a scene on stdin in which NAME stands for the name. Each word
-gives the plant that another name gives, but for names and comments; one of those that are reserved is refused. Prints the words of
-which that is not so."""
+"""Words of the language as names: names.py ISOC FOLDER RESERVED WORDS, with a scene on stdin in which NAME stands for the name. Each word
+gives the plant that another name gives, but for names and comments; one of those that are reserved is refused. WORDS are some of them, or
+`all`, or a number, which says whose turn it is of thirds. Prints the words of which that is not so."""
 import os
 import re
 import subprocess
@@ -28,7 +28,8 @@ def main():
     isoc, folder, reserved, scene = sys.argv[1], sys.argv[2], sys.argv[3].split(), sys.stdin.read()
     accepted, told, neutral = compiled(isoc, folder, scene, "neutral")
     bad = [] if accepted and neutral else ["neutral: " + told]
-    for word in WORDS:
+    which = sys.argv[4]
+    for word in WORDS if which == "all" else WORDS[int(which)::3] if which.isdigit() else which.split():
         accepted, told, plant = compiled(isoc, folder, scene, word)
         if word in reserved:
             good = not accepted and f"'{word}' is a word of the language" in told
