@@ -144,12 +144,12 @@ turn_of()
     find "$@" -type f | LC_ALL=C sort | tr '\n' '\0' | xargs -0 cat | cksum | awk -v parts="$turn_parts" '{ print $1 % parts }'
 }
 
-# next_turn PARTS: whether the next thing of a list is tried this time, by $turn of `turn_of PARTS`.
+# next_turn PARTS: whether the next thing of a list is tried this time, by $turn of a turn_of as many parts, or a multiple.
 turns_so_far=0
 next_turn()
 {
     turns_so_far=$((turns_so_far + 1))
-    [ "$turn" = all ] || [ $((turns_so_far % $1)) -eq "$turn" ]
+    [ "$turn" = all ] || [ $((turns_so_far % $1)) -eq $((turn % $1)) ]
 }
 
 # scene NAME [OPTION...]: compiles models/NAME.scene into $out/NAME, with these options of isoc.
