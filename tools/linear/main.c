@@ -68,20 +68,28 @@ static double phase_of(const double complex g, const double before)
     return phase + 2.0 * half_turn * round((before - phase) / (2.0 * half_turn));
 }
 
-/* The model at w; returns the phase. */
-static double put_model(const model *const m, const int input, const int output, const double w, const double before)
+/* Frequencies and phases of the model, from low to high. */
+typedef struct curve {
+    double w[POINTS], phase[POINTS];
+} curve;
+
+static void put_model(const model *const m, const int input, const int output, const double low, const double high,
+                      curve *const to)
 {
     double complex *const x = numbers((size_t)m->n, sizeof *x);
-    response(m, input, w, x);
-    const double complex g = gain(m, input, output, x);
-    const double phase = phase_of(g, before);
-    printf("model\t%.9g\t%.9g\t%.9g\n", w / tau, cabs(g), phase);
+    for (int i = 0; i < POINTS; i++) {
+        to->w[i] = low * pow(high / low, (double)i / (POINTS - 1));
+        response(m, input, to->w[i], x);
+        const double complex g = gain(m, input, output, x);
+        to->phase[i] = phase_of(g, i == 0 ? 0.0 : to->phase[i - 1]);
+        printf("model\t%.9g\t%.9g\t%.9g\n", to->w[i] / tau, cabs(g), to->phase[i]);
+    }
     free(x);
-    return phase;
 }
 
-/* The plant at w beside the model. Returns the difference, of the gain; -1: none is found. */
-static double put_measured(const model *const m, const int input, const int output, const double w)
+/* The plant at w, with a phase near that of the model. Returns the difference, of the gain; -1: none is found. */
+static double put_measured(const model *const m, const int input, const int output, const double w,
+                           const curve *const beside)
 {
     double complex *const x = numbers((size_t)m->n, sizeof *x);
     response(m, input, w, x);
@@ -91,7 +99,11 @@ static double put_measured(const model *const m, const int input, const int outp
     if (!found.found) {
         return -1.0;
     }
-    printf("plant\t%.9g\t%.9g\t%.9g\n", w / tau, cabs(found.gain), phase_of(found.gain, phase_of(g, 0.0)));
+    int nearest = 0;
+    while (nearest + 1 < POINTS && beside->w[nearest + 1] <= w) {
+        nearest++;
+    }
+    printf("plant\t%.9g\t%.9g\t%.9g\n", w / tau, cabs(found.gain), phase_of(found.gain, beside->phase[nearest]));
     return cabs(found.gain - g) / fmax(cabs(g), 1e-300);
 }
 
@@ -110,10 +122,8 @@ static int bode(const char *const path, const char *const pair)
     const bool is_whole = strpbrk(m.inputs.units[input], "*/ ") == NULL;
     printf("from\tfrequency Hz\tgain %s/%s%s%s\tphase deg\n", m.outputs.units[output], is_whole ? "" : "(",
            m.inputs.units[input], is_whole ? "" : ")");
-    double phase = 0.0;
-    for (int i = 0; i < POINTS; i++) {
-        phase = put_model(&m, input, output, low * pow(high / low, (double)i / (POINTS - 1)), phase);
-    }
+    curve shown;
+    put_model(&m, input, output, low, high, &shown);
     if (!is_steady(&m)) {
         fputs("measured none: the plant is in no equilibrium here, so that no sine has a response of its own\n",
               stderr);
@@ -123,7 +133,7 @@ static int bode(const char *const path, const char *const pair)
     double largest = 0.0;
     int count = 0;
     for (int i = 0; i < MEASURED; i++) {
-        const double apart = put_measured(&m, input, output, from * pow(to / from, (double)i / (MEASURED - 1)));
+        const double apart = put_measured(&m, input, output, from * pow(to / from, (double)i / (MEASURED - 1)), &shown);
         largest = fmax(largest, apart);
         count += apart >= 0.0;
     }
