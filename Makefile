@@ -22,7 +22,8 @@
 ##     AT=2s                               for linear: about the state that the run has then, instead of the start
 ##     TRIM='pole = 0; free force'         for linear: about the equilibrium with these values, or `rest`, the nearest (tools/linear)
 ##     BODE='force to pole'                for linear: draws the frequency response, and measures it on the plant
-##     RECORDED=FILE                       for report and bench: inputs of a controller, a line for each tick
+##     ERROR='1 mm of tip; 1 deg of theta' for choose: how far outputs may be from the exact motion; LOAD=50%: what it may take of the chip
+##     RECORDED=FILE                       for report, bench and choose: inputs of a controller, a line for each tick
 ##     OUTPUTS=speed,current               for plot: what to draw over time, instead of all
 ##     AGAINST='REAL=double | WITHOUT=rub' for show: further runs beside the first; what is other in each
 ##     STILL=1.5                           for show: a picture of this time, still.svg, instead of the page
@@ -30,14 +31,14 @@
 ##     TARGET=host|posix|cortex-m4f|...    where to run: on this machine in virtual time or in real time, or on a board in QEMU: port/README.md
 ##     REAL=float|double                   the type of the numbers
 ##     XCP=open|LOCK                       for a2l and link: who may write and measure, all or who has the key of an iso_xcp_lock (core/xcp)
-##     CLOCK=168MHz  BOARD=stm32f405       for cycles: the clock, and the board; CORE=cortex-m0-small: another table of the TARGET
+##     CLOCK=168MHz  BOARD=stm32f405       for cycles and choose: the clock, and the board; CORE=cortex-m0-small: another table of the TARGET
 ##     BOARD=/dev/ttyACM0                  the serial line of a real board: runs there instead of in QEMU (port/stm32f4)
 ##     SCRIPT=FILE                         late, lost and slow ticks, on the host (port/sim/script.h)
 ##     CONTROLLER='./ctl'                  for link and hil: a command; it connects where ISOCHRON_LINK says
 ##     MODE=lockstep|free                  for link and hil: whether the plant waits for the controller, instead of what that asks for
 ##     SNAPSHOT=N                          for run: takes a snapshot of tick N, build/TARGET/REAL/NAME/snapshot.bin
 ##     RESTORE=FILE                        for run: goes on from a snapshot, of any target; SECONDS is of the whole run
-##     KEEP=NAME                           for run, link and hil: keeps it in build/runs/NAME
+##     KEEP=NAME                           for run, link and hil: keeps it in build/runs/NAME; for choose KEEP=yes: writes it into the scene
 ##     RUNS='NAME NAME'                    for compare: two runs that were kept
 ##     ON='host clang cortex-m4f'           for determinism: the targets; clang is the host by clang
 ##     TICKS=100000                        for determinism: how many, of each of MODELS with each of METHODS
@@ -48,6 +49,8 @@ STEP =
 TOLERANCE =
 INPUTS =
 RECORDED =
+ERROR =
+LOAD = 50%
 SET =
 WITHOUT =
 OUTPUTS =
@@ -59,7 +62,7 @@ BODE =
 CHECKED =
 COMPENSATED =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,$(if $(filter hil,$(MAKECMDGOALS)),60,$(if $(filter conform,$(MAKECMDGOALS)),0.02,10))))
-TARGET = $(if $(filter size ticks cycles cost chains functions hil,$(MAKECMDGOALS)),cortex-m4f,host)
+TARGET = $(if $(filter size ticks cycles choose cost chains functions hil,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
 CORE =
 CLOCK =
@@ -88,7 +91,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot show link hil flash size stack ticks cycles a2l conform cost chains flags report bench drift linear
+GOALS := run plot show link hil flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear
 
 .PHONY: help shared digits functions determinism tables pictures compare monitor clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -160,7 +163,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := AGAINST STILL SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD AT TRIM BODE
+TEXTS := AGAINST STILL SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD ERROR LOAD AT TRIM BODE
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -184,6 +187,7 @@ EFFECTS_conform := BOARD TARGET REAL SECONDS PORT_CC PORT_FLAGS PORT_OPTIMISE PO
 EFFECTS_ticks := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED TARGET REAL
 OF_ONE_SCENE := $(and $(filter cost cycles,$(MAKECMDGOALS)),$(filter SCENE,$(GIVEN)))
 EFFECTS_cycles := $(if $(OF_ONE_SCENE),SCENE METHOD STEP INPUTS SET WITHOUT TARGET CORE CLOCK BOARD OUT)
+EFFECTS_choose := SCENE STEP INPUTS RECORDED SET WITHOUT METHODS SECONDS ERROR LOAD KEEP TARGET CORE CLOCK BOARD
 EFFECTS_cost := $(if $(OF_ONE_SCENE),SCENE METHOD STEP INPUTS SET SECONDS,PARTS METHODS) TARGET REAL
 $(foreach name,$(if $(OF_ONE_SCENE),$(filter PARTS METHODS,$(GIVEN))),$(error $(name) has no effect on `make cost \
     SCENE=...`, which is of one scene; it has one on `make cost`))
@@ -305,10 +309,10 @@ endif
 ifneq ($(and $(OF_ONE_SCENE),$(IS_IN_C)),)
 $(error make $(MAKECMDGOALS) is of scenes; $(SCENE) is a plant in C)
 endif
-ifneq ($(and $(filter ticks,$(MAKECMDGOALS)),$(IS_IN_C)),)
-$(error make ticks is of scenes)
+ifneq ($(and $(filter choose ticks,$(MAKECMDGOALS)),$(IS_IN_C)),)
+$(error make $(MAKECMDGOALS) is of scenes)
 endif
-ifneq ($(and $(OF_ONE_SCENE),$(filter cycles,$(MAKECMDGOALS))),)
+ifneq ($(filter choose,$(MAKECMDGOALS))$(and $(OF_ONE_SCENE),$(filter cycles,$(MAKECMDGOALS))),)
 ASKED := $(shell sh tools/measure/cycles/asked.sh $(TARGET) $(call quote,$(CORE)) $(call quote,$(BOARD)) $(call quote,$(CLOCK)))
 ifeq ($(firstword $(ASKED)),error)
 $(error $(wordlist 2,999,$(ASKED)))
@@ -517,6 +521,7 @@ a2l: ## build the plant with a link and with measurement and calibration over XC
 stack: ## print the deepest stack of a step; fail if it has no bound
 conform: ## check a port, TARGET: a line for each of its duties, which is ok, has FAILED, or which it has not
 cycles: ## count the cycles of the dearest tick of SCENE on a board, by published timings: does it fit? without SCENE a table
+choose: ## advise the cheapest method, step and sub-steps of SCENE for an ERROR on a TARGET: what it takes of the chip
 ticks: ## count what a tick takes beside the step and the equations, on the Cortex-M4F
 cost: ## print what each effect of SCENE costs and changes; without SCENE tables: PARTS models methods restarts effects library
 chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float

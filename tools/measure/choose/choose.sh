@@ -1,0 +1,286 @@
+#!/bin/sh
+# The cheapest method, step, number of steps in a tick and summation of a scene whose errors stay below bounds. Called by `make choose`, which
+# gives in the environment
+#
+#     MAKE COMPILE                 make, and the compiler with all flags but those of a plant
+#     SCENE NAME FOLDER            what is asked about, its name, and its folder
+#     ASKED TARGET CORE CLOCK BOARD    the chip: what cycles/asked.sh says, and what was asked
+#     ERROR LOAD NANOSECONDS       the bounds, the most of a tick that may be used, and how long
+#     STEP INPUTS RECORDED SET WITHOUT METHODS KEEP    as they were given
+#
+# Everything stands in build/choose/FOLDER/: tries/, every run that was made; choose.tsv, the table; advised.scene.
+dir=build/choose/$FOLDER
+export dir
+. tools/measure/choose/parts.sh
+
+# asked: takes ERROR, LOAD, RECORDED and KEEP apart; what is wrong is told by their names.
+asked()
+{
+    [ -f "$SCENE" ] || fail "there is no scene $SCENE"
+    [ -n "$ERROR" ] || fail "ERROR is missing: how large the error may be, of which output; it could be ERROR='1 mm of tip'"
+    compute choose/bounds >"$dir/bounds"
+    ! grep -q '^error' "$dir/bounds" || fail "ERROR: $(sed 's/^error //' "$dir/bounds")"
+    load=$(echo "$LOAD" | awk '/^ *([0-9]+[.]?[0-9]*|[.][0-9]+) *%? *$/ && $1 + 0 > 0 && $1 + 0 <= 100 { print $1 + 0 }')
+    [ -n "$load" ] || fail "LOAD=$LOAD is no load; it could be 50%, above 0 and up to 100%"
+    [ -z "$RECORDED" ] || [ -f "$RECORDED" ] || fail "RECORDED=$RECORDED: there is no such file"
+    [ "$RECORDED$INPUTS" != "${RECORDED}smooth" ] || [ -z "$RECORDED" ] ||
+        fail "INPUTS=smooth has no effect with RECORDED: between the lines of a file there is no signal"
+    case $KEEP in
+    '' | yes) ;;
+    *) fail "KEEP=$KEEP is unknown; KEEP=yes writes the advice into $SCENE" ;;
+    esac
+}
+
+# scene: base.scene, what all that follows is made of; the outputs that are bounded; the scene's step in ns.
+scene()
+{
+    elsewhere "$SCENE" >"$dir/base.scene" || exit 1
+    mkdir -p "$dir/bounded"
+    {
+        cat "$dir/base.scene"
+        echo
+        awk -F '|' '{ print "output choose_bound_" $1 " = " $2 }' "$dir/bounds"
+    } >"$dir/bounded/$NAME.scene"
+    for which in base.scene "bounded/$NAME.scene"; do
+        build/isoc "$dir/$which" -o "$dir/bounded" ${STEP:+--step "$STEP"} ${SET:+--set "$SET"} ${WITHOUT:+--without "$WITHOUT"} \
+            --method rk4 >"$dir/bounded/plant.txt" 2>"$dir/bounded/said" && continue
+        [ "$which" = base.scene ] || fail "ERROR='$ERROR': $(sed -n 's/.*error: //p' "$dir/bounded/said" | head -n 1)"
+        sed "s|^$dir/base.scene:|$SCENE:|" "$dir/bounded/said" >&2
+        exit 1
+    done
+    compute choose/columns "$dir/bounded/plant.c" "$dir/bounds" >"$dir/columns"
+    ! grep -q '^error' "$dir/columns" || fail "ERROR: $(sed -n 's/^error //p' "$dir/columns")"
+    plant=$dir/bounded/plant.c
+    period=$(sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\1/p' "$plant")
+    inputs=$(awk '$1 == "inputs" { print $2 }' "$dir/bounded/plant.txt")
+    rows=$((NANOSECONDS / period))
+    every=$(grep -o 'output_every_[0-9]*' "$plant" | sort -u | awk -F _ '
+        function gcd(a, b) { return b ? gcd(b, a % b) : a }
+        BEGIN { all = 1 }
+        { all = all / gcd(all, $3) * $3 }
+        END { print all }')
+    rows=$((rows / every * every))
+    [ $((rows / every)) -ge 8 ] || fail "SECONDS is too short: $rows steps of $(step_of "$period") are less than 8 rows"
+    reading=held
+    if [ -z "$RECORDED" ] && { [ "$INPUTS" = smooth ] || { [ -z "$INPUTS" ] && grep -q ISO_SMOOTH "$plant"; }; }; then
+        reading=smooth
+    fi
+    [ -z "$RECORDED" ] || [ "$inputs" -gt 0 ] || fail "RECORDED=$RECORDED has no effect: $SCENE has no inputs"
+    bounds=$(awk -F '|' '{ printf "%s=%s ", $2, $3 }' "$dir/columns")
+    export period rows every bounds
+}
+
+# scaled FACTOR: the bounds, so many times as large.
+scaled()
+{
+    awk -F '|' -v factor="$1" '{ printf "%.9g=%s ", $2 * factor, $3 }' "$dir/columns"
+}
+
+# reference N OUT [OPTION...]: rows of rk4 in double with compensated sums, of N steps in a step of the scene; prints what
+# run.c does. Smooth inputs are sampled at each of them.
+reference()
+{
+    reference_n=$1 reference_out=$2
+    shift 2
+    reference_of=$dir/reference-$reference_n
+    if [ $reading = smooth ]; then
+        [ -x "$reference_of/run" ] || built "$reference_of" double "substeps -; compensated yes" rk4 $((period / reference_n)) --inputs smooth
+        reference_every=$reference_n
+    else
+        [ -x "$reference_of/run" ] || built "$reference_of" double "substeps $reference_n; compensated yes" rk4 "$period" ${INPUTS:+--inputs $INPUTS}
+        reference_every=1
+    fi || fail "the reference cannot be built for $SCENE: $(head -n 1 "$reference_of/said")"
+    "$reference_of/run" -n $((rows * reference_every)) -e $reference_every ${RECORDED:+-u "$RECORDED"} ${reference_out:+-w "$reference_out"} "$@" ||
+        fail "the reference does not run"
+}
+
+# kept: of what run.c prints, the rows that keep all bounds: as many as were asked for, or fewer.
+kept()
+{
+    awk '$1 == "error" && (least == "" || $5 < least) { least = $5 } $1 == "rows" && $2 < least { least = $2 } END { print least + 0 }'
+}
+
+# seconds ROWS
+seconds()
+{
+    awk -v rows="$1" -v ns="$period" 'BEGIN { printf "%.4g\n", rows * ns * 1e-9 }'
+}
+
+# judge: the reference, in $dir/reference, and for how many rows one can judge. From the first row on in which a start as far off
+# as rounding to float puts it makes an error as large as the bound, no method in float can keep it; an eighth is left to the steps.
+judge()
+{
+    steps=$(awk -v period="$period" 'BEGIN {
+        for (n = 2; n <= 1000 && period / n >= 1000; n++) if (period % n == 0 && n >= 2 * last) { printf "%d ", n; last = n } }')
+    # shellcheck disable=SC2086
+    set -- $steps
+    [ $# -ge 2 ] || fail "the step of $(step_of "$period") is too short for a reference"
+    [ $# -eq 2 ] || shift
+    # shellcheck disable=SC2086
+    reference "$1" "$dir/reference" $(scaled 1) >"$dir/reference.txt"
+    ended=$(awk '$1 == "rows" { print $2 }' "$dir/reference.txt")
+    if [ "$ended" -lt "$rows" ]; then
+        rows=$(((ended - 1) / every * every))
+        echo "The motion ends at the guard after $(seconds "$rows") s: judged up to there."
+        [ $rows -ge $((8 * every)) ] || fail "the scene does not run for 8 steps; make run SCENE=$SCENE says why"
+    fi
+    sure=$rows can=$rows
+    for seed in 1 2 3; do
+        # shellcheck disable=SC2046
+        near=$(reference "$1" "" -p $seed -r "$dir/reference" $(scaled 0.125) | kept)
+        # shellcheck disable=SC2046
+        far=$(reference "$1" "" -p $seed -r "$dir/reference" $(scaled 1) | kept)
+        [ "$near" -ge "$sure" ] || sure=$near
+        [ "$far" -ge "$can" ] || can=$far
+    done
+    eighth=$sure
+    if [ "$can" -lt "$rows" ]; then
+        [ "$sure" -ge $((can / 2)) ] || sure=$((can / 2))
+        echo "From $(seconds "$can") s on no method in float can keep the bound: what rounding to float leaves of the start, 6e-8 of it, grows to that,"
+        echo "lastly by a factor of e in $(awk -v near="$(seconds "$eighth")" -v far="$(seconds "$can")" 'BEGIN { printf "%.2g", (far - near) / log(8) }') s. Judged up to $(seconds "$sure") s."
+    else
+        sure=$rows
+    fi
+    [ $((sure / every)) -ge 8 ] || {
+        # shellcheck disable=SC2046
+        echo "Rounding of the start to float alone makes $(reference "$1" "" -p 1 -r "$dir/reference" $(scaled 1) | awk '
+            $1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.2g", most }') times the bound."
+        echo "none: no method keeps $ERROR in float; a larger ERROR would do"
+        exit 1
+    }
+    rows=$((sure / every * every))
+    agree "$@"
+}
+
+# agree N...: refines the reference until it differs from the one before by less than a fiftieth of the bounds.
+agree()
+{
+    shift
+    for n; do
+        # shellcheck disable=SC2046
+        text=$(reference "$n" "$dir/finer" -r "$dir/reference" $(scaled 0.02))
+        mv "$dir/finer" "$dir/reference"
+        agreed=$(echo "$text" | kept)
+        known=$(echo "$text" | awk '$1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.1g", most / 50 }')
+        if [ "$agreed" -ge "$rows" ]; then
+            echo "Reference: rk4 in double, $n steps in $(step_of "$period"), inputs $reading; twice the steps change it by $known of the bound."
+            return
+        fi
+        # A finer one would take minutes.
+        [ $((rows * n)) -lt 4000000 ] || break
+    done
+    agreed=$(echo "$text" | awk '$1 == "error" && $3 > 5 * $2 { bad = 1 } END { print !bad }')
+    [ "$agreed" -eq 1 ] ||
+        fail "the exact motion is known to $known of the bound only, by $n steps in $(step_of "$period"); what changes so fast needs a larger ERROR, or a shorter SECONDS"
+    echo "Reference: rk4 in double, $n steps in $(step_of "$period"), inputs $reading; twice the steps change it by $known of the bound."
+}
+
+# candidates METHOD...: tries them, a few at once.
+candidates()
+{
+    total=$#
+    rm -rf "$dir/done"
+    mkdir -p "$dir/done" "$dir/found" "$dir/tries"
+    export total load hz each limit longest METHODS
+    export -p >"$dir/settings"
+    printf '%s\n' "$@" | xargs -n 1 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/choose/method.sh || exit 1
+    for method; do
+        cat "$dir/found/$method-no" "$dir/found/$method-yes"
+    done >"$dir/candidates"
+}
+
+# told WHAT [OPTION...] FILE
+told()
+{
+    told_what=$1
+    shift
+    compute choose/told -v what="$told_what" -v period="$period" -v hz="$hz" -v load="$load" "$dir/columns" "$@"
+}
+
+# advise LINE: writes the scene as it is advised, runs it by make, measures its error again, and tells it.
+advise()
+{
+    # shellcheck disable=SC2086
+    set -- $1
+    method=$1 compensated=$2 k=$3 n=$4 ratio=$8
+    text="step $(step_of $((period * k))); method $method; $(statements "$n" "$compensated")"
+    [ "$compensated" = yes ] || text=$(echo "$text" | sed 's/compensated no/compensated -/')
+    if compute choose/edit -v statements="$text" -v must=step "$dir/base.scene" >"$dir/advised.scene"; then
+        set --
+    else
+        compute choose/edit -v statements="$(statements "$n" "$compensated")" "$dir/base.scene" >"$dir/advised.scene"
+        set -- METHOD="$method" STEP="$((period * k))ns"
+    fi
+    shown=
+    if [ -n "$RECORDED" ]; then
+        sh tools/measure/choose/try.sh "$method" "$compensated" "$k" "$n" | awk '{ print $1, 1e-4 }' >"$dir/again"
+    else
+        "${MAKE:-make}" --no-print-directory run SCENE="$dir/advised.scene" OUT="$dir/run" SECONDS="$(awk -v ns=$((period * rows)) 'BEGIN { printf "%.9f", ns * 1e-9 }')" \
+            TARGET=host REAL=float SET="$SET" WITHOUT="$WITHOUT" INPUTS="$INPUTS" "$@" >"$dir/run.txt" 2>&1 </dev/null ||
+            fail "the advised scene does not run; see $dir/run.txt"
+        columns=$(awk -F '|' '{ n += split($3, part, ",") } END { print n }' "$dir/columns")
+        od -An -v -t f8 -w$((8 * columns)) "$dir/reference" | awk -v step=$((k * every)) 'NR % step == 1 || step == 1' >"$dir/reference.rows"
+        compute choose/measured -v judged=$((rows / k / every)) -v every="$every" "$dir/columns" "$dir/reference.rows" "$dir/run/trace.csv" >"$dir/again"
+    fi
+    again=
+    read -r again shown <"$dir/again"
+    awk -v a="$again" -v b="$ratio" -v shown="$shown" 'BEGIN { exit !(a != "" && a <= 1 + shown && a - b <= shown && b - a <= shown) }' ||
+        fail "the advised scene has $again of the bound when it runs, not $ratio; it is $dir/advised.scene"
+    echo "It ran as $dir/advised.scene: its error is $(awk -v a="$again" 'BEGIN { printf "%.0f", 100 * a }') % of the bound."
+}
+
+# keep: writes the advice into the scene.
+keep()
+{
+    [ "$KEEP" = yes ] || return 0
+    compute choose/edit -v statements="$text" -v must=step "$SCENE" >"$dir/kept.scene" ||
+        fail "KEEP=yes: $SCENE has no step of its own, but includes one; it stays as it is. The advice is: $text"
+    cat "$dir/kept.scene" >"$SCENE"
+    echo "kept in $SCENE: $text$([ -z "$INPUTS" ] || echo "; INPUTS=$INPUTS has to be given to each run")"
+}
+
+mkdir -p "$dir"
+rm -rf "$dir"/best-* "$dir/found" "$dir/tries" "$dir"/reference-* "$dir/candidates"
+asked
+scene
+# shellcheck disable=SC2086
+set -- $ASKED
+core=$1 hz=$2 board=$3
+case $core in
+cortex-m4f | cortex-m7) soft=1 ;;
+*) soft=20 ;; # a sum or a product without a unit takes at least so many cycles
+esac
+# Cycles of an evaluation: at least those of its operations.
+each=$(awk -v soft=$soft '$1 == "derivative" { print soft * ($3 + $5 + 14 * $7 + 20 * $9) }' "$dir/bounded/plant.txt")
+# A step that is given is the tick: then no longer one is tried.
+longest=1000
+[ -z "$STEP" ] || longest=1
+limit=$(awk -v hz="$hz" -v load="$load" 'BEGIN { print hz * load / 100 }')
+for real in float double; do
+    flag=
+    [ $real = float ] || flag=-DISO_REAL_DOUBLE
+    # shellcheck disable=SC2086
+    $COMPILE $flag -c tools/measure/choose/run.c -o "$dir/run_$real.o" || exit 1
+done
+build/isoc --methods >"$dir/methods"
+
+echo "$SCENE on the $board at $(awk -v hz="$hz" 'BEGIN { print hz / 1e6 }') MHz: $ERROR over $(seconds "$rows") s, load at most $load %"
+judge
+# The dearest that can be told beforehand come last: then they need not be tried in short steps.
+METHODS=$(echo "$METHODS" | tr -s ' ' '\n' | awk '
+    { rank = $1 == "rk4" ? 1 : $1 ~ /^(euler|semi_implicit)$/ ? 3 : 2; of[rank] = of[rank] " " $1 }
+    END { print of[1] of[2] of[3] }')
+# shellcheck disable=SC2086
+candidates $METHODS
+told table "$dir/candidates" | tee "$dir/table.txt"
+best=$(told cheapest "$dir/candidates")
+if [ -n "$best" ]; then
+    advise "$best"
+    told decides "$dir/candidates"
+    keep
+    echo "$best" >"$dir/best"
+    told take "$dir/best"
+    exit 0
+fi
+. tools/measure/choose/none.sh
+exit 1

@@ -1,0 +1,95 @@
+# shellcheck shell=sh
+# What would do where no candidate keeps the bounds within the load: a larger error, another chip, an effect less. Read by
+# choose.sh; the last line says `none`.
+
+# larger_error: the least error of all runs that were made, whose tick fits. What was too dear stands for all that has as many steps
+# in a time.
+larger_error()
+{
+    cat "$dir"/tries/* | awk '$5 != "inf" { print $5, $0 }' | sort -g >"$dir/least"
+    dear=1e9
+    left=8
+    while [ $left -gt 0 ] && read -r ratio method compensated k n errors; do
+        awk -v n="$n" -v k="$k" -v dear="$dear" 'BEGIN { exit !(n / k < dear) }' || continue
+        left=$((left - 1))
+        of=$dir/least-$method-$compensated
+        mkdir -p "$of"
+        compute choose/edit -v statements="$(statements "$n" "$compensated")" "$dir/base.scene" >"$of/$NAME.scene"
+        counted=$(cycles "$of" "$of/$NAME.scene" "$method" $((period * k))) || continue
+        echo "$counted" | awk -v load="$load" '{ exit !($2 <= load) }' || {
+            dear=$(awk -v n="$n" -v k="$k" 'BEGIN { print n / k }')
+            continue
+        }
+        echo "$method $compensated $k $n $counted - $errors" >"$dir/least.line"
+        echo "A larger error: ERROR='$(awk -F '|' -v ratio="$ratio" '
+            { bound = $2 * $5 * (ratio > 1 ? ratio : 1) * 1.05; text = text (NR > 1 ? "; " : "") sprintf("%.2g %s of %s", bound, $4, $6) }
+            END { print text }' "$dir/columns")': $(told take "$dir/least.line" | sed 's/^take: //')."
+        return
+    done <"$dir/least"
+    echo "A larger error: nothing that was tried fits into $load % of this chip."
+}
+
+# another_chip: the cheapest that keeps the bounds, whatever it takes of this chip, on the boards that have a unit for floats.
+another_chip()
+{
+    if ! told any "$dir/candidates" | grep -q .; then
+        limit=1e30
+        rm -f "$dir"/best-*
+        candidates $methods_of_another_chip
+    fi
+    best=$(told any "$dir/candidates")
+    if [ -z "$best" ]; then
+        echo "Another chip: none; in float no method that was tried keeps the bounds, however fast the chip."
+        return
+    fi
+    echo "$best" >"$dir/best"
+    echo "Another chip: $(told take "$dir/best" | sed 's/^take: //'): a clock of $(echo "$best" | awk -v hz="$hz" -v load="$load" '{ printf "%.3g MHz", hz * $6 / load / 1e6 }')."
+    # shellcheck disable=SC2086
+    set -- $best
+    of=$dir/chip
+    mkdir -p "$of"
+    compute choose/edit -v statements="$(statements "$4" "$2")" "$dir/base.scene" >"$of/$NAME.scene"
+    grep -v '^#' tools/measure/cycles/boards.txt | tr -d ' ' | while IFS='|' read -r name target _ clock _; do
+        case $target in
+        cortex-m4f | cortex-m7) [ "$name" != "$board" ] || continue ;;
+        *) continue ;;
+        esac
+        counted=$(cycles "$of/$name" "$of/$NAME.scene" "$1" $((period * $3)) TARGET="$target" BOARD="$name" CLOCK="$clock" CORE=) || continue
+        echo "    $name, TARGET=$target, at $clock: $(echo "$counted" | awk -v load="$load" '{ printf "%.3g %%%s\n", $2, $2 <= load ? ", within the load" : "" }')"
+    done
+}
+
+# without EFFECT: what would do if it were left out, and how far that moves the outputs.
+without()
+{
+    echo "choose: without $1" >&2
+    if ! FOLDER=$FOLDER/without-$1 WITHOUT="${WITHOUT:+$WITHOUT; }$1" METHODS=$methods_of_another_chip KEEP='' NESTED=yes sh tools/measure/choose/choose.sh >"$dir/without.txt" 2>/dev/null; then
+        echo "    without $1: $(grep -q '^none' "$dir/without.txt" && echo "none either" || echo "it cannot be left out for this bound")"
+        return
+    fi
+    columns=$(awk -F '|' '{ n += split($3, part, ",") } END { print n }' "$dir/columns")
+    for which in "$dir" "$dir/without-$1"; do
+        od -An -v -t f8 -w$((8 * columns)) "$which/reference" >"$which/reference.rows"
+    done
+    echo "    without $1: $(sed -n 's/^take: //p' "$dir/without.txt"); but that changes $(paste "$dir/reference.rows" "$dir/without-$1/reference.rows" |
+        compute choose/apart -v columns="$columns" "$dir/columns" -)"
+}
+
+[ -z "${NESTED-}" ] || {
+    echo "none"
+    exit 1
+}
+methods_of_another_chip=$(for method in rk4 heun rosenbrock; do echo "$METHODS" | tr ' ' '\n' | grep -x $method; done)
+[ -n "$methods_of_another_chip" ] || methods_of_another_chip=$METHODS
+echo
+echo "What would do:"
+echo "$(larger_error)"
+echo "$(another_chip)"
+build/isoc "$dir/base.scene" --effects ${WITHOUT:+--without "$WITHOUT"} 2>/dev/null | awk '{ print $1 }' >"$dir/effects"
+if [ -s "$dir/effects" ]; then
+    echo "An effect less:"
+    while read -r effect; do
+        without "$effect"
+    done <"$dir/effects"
+fi
+echo "none: no method keeps $ERROR within $load % of the chip"

@@ -1,0 +1,64 @@
+# shellcheck shell=sh
+# What the scripts of make choose share. In the environment they have what the Makefile gives to choose.sh, and from that
+#
+#     dir              the folder of all that is made
+#     period           the scene's step, ns
+#     rows             how many of them are judged
+#     bounds           what run.c takes: BOUND=COLUMNS ...
+#     every            the rows in which all outputs are due are multiples of it
+WHAT="make choose"
+. tools/measure/common.sh
+# What this make was told is no concern of those that are called; CC and CFLAGS they have of the environment.
+unset MAKEFLAGS MFLAGS MAKEOVERRIDES
+
+# step_of NS: as a scene has it.
+step_of()
+{
+    awk -v ns="$1" 'BEGIN {
+        if (ns >= 1e6) printf "%.9g ms\n", ns / 1e6
+        else if (ns >= 1e3) printf "%.9g us\n", ns / 1e3
+        else printf "%d ns\n", ns
+    }'
+}
+
+# built FOLDER REAL STATEMENTS METHOD NS [OPTION...]: the program FOLDER/run of the scene with these statements at its top and these
+# options of isoc. What isoc or the compiler says is in FOLDER/said.
+built()
+{
+    built_folder=$1 built_real=$2 built_statements=$3 built_method=$4 built_ns=$5
+    shift 5
+    mkdir -p "$built_folder" &&
+        compute choose/edit -v statements="$built_statements" "$dir/base.scene" >"$built_folder/$NAME.scene" &&
+        build/isoc "$built_folder/$NAME.scene" -o "$built_folder" --method "$built_method" --step "${built_ns}ns" --real "$built_real" \
+            ${SET:+--set "$SET"} ${WITHOUT:+--without "$WITHOUT"} "$@" >"$built_folder/plant.txt" 2>"$built_folder/said" || return 1
+    built_flag=
+    [ "$built_real" = float ] || built_flag=-DISO_REAL_DOUBLE
+    # shellcheck disable=SC2086
+    $COMPILE -O1 $built_flag "$built_folder/plant.c" "$dir/run_$built_real.o" -lm -o "$built_folder/run" 2>"$built_folder/said"
+}
+
+# statements N COMPENSATED: of a plant with so many steps in a tick.
+statements()
+{
+    [ "$1" -eq 1 ] && set -- - "$2"
+    echo "substeps $1; compensated $2"
+}
+
+# cycles FOLDER SCENE METHOD NS [VARIABLE=VALUE...]: those of the dearest tick on the target, and what share of the step it is, in percent,
+# and whether all fits in memory; by make cycles, whose messages are in FOLDER/said.
+cycles()
+{
+    cycles_folder=$1 cycles_scene=$2 cycles_method=$3 cycles_ns=$4
+    shift 4
+    mkdir -p "$cycles_folder"
+    rm -f "$cycles_folder/cycles.tsv"
+    "${MAKE:-make}" --no-print-directory cycles SCENE="$cycles_scene" METHOD="$cycles_method" STEP="${cycles_ns}ns" OUT="$cycles_folder" \
+        TARGET="$TARGET" CORE="$CORE" CLOCK="$CLOCK" BOARD="$BOARD" INPUTS="$INPUTS" SET="$SET" WITHOUT="$WITHOUT" "$@" \
+        >"$cycles_folder/table" 2>"$cycles_folder/said" </dev/null
+    [ -s "$cycles_folder/cycles.tsv" ] || return 1
+    awk -F '\t' '
+        $1 == "part" && $2 == "tick" { cycles = $5 }
+        $1 == "part" && $2 == "interrupt" { cycles += $5 }
+        $1 == "load_percent" { load = $3 }
+        END { print cycles, load }' "$cycles_folder/cycles.tsv"
+}
