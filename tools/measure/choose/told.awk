@@ -21,6 +21,12 @@ function step_of(ns) {
     return ns >= 1e6 ? sprintf("%.9g ms", ns / 1e6) : ns >= 1e3 ? sprintf("%.9g us", ns / 1e3) : sprintf("%d ns", ns)
 }
 
+function tick_of(ns, text) {
+    text = step_of(ns)
+    sub(/ /, "", text)
+    return text
+}
+
 function time_of(ns) {
     return ns >= 1e9 ? sprintf("%.3g s", ns / 1e9) : ns >= 1e6 ? sprintf("%.3g ms", ns / 1e6) : ns >= 1e3 ? sprintf("%.3g us", ns / 1e3) : sprintf("%d ns", ns)
 }
@@ -53,10 +59,8 @@ function share(line, w) {
 function why(line, w, text) {
     split(line, w, " ")
     if (w[2] == "yes" && (w[1] in has)) return ""
-    if (w[4] == "steps" || w[4] == "rounding") {
-        text = w[4] == "steps" ? "dearer, or none: with as many steps as it can afford " : "rounding leaves "
-        return text errors_of(line, 10) ", at " step_of(period * w[5]) (w[6] > 1 ? " in " w[6] " sub-steps" : "")
-    }
+    if (w[4] == "steps" || w[4] == "rounding")
+        return "no: " errors_of(line, 10) " at " step_of(period * w[5]) (w[6] > 1 ? " in " w[6] " sub-steps" : "") (w[4] == "steps" ? "; more steps are dearer" : ", by rounding")
     text = line
     sub(/^[^ ]+ [^ ]+ none */, "", text)
     return text == "" ? "it ends early" : text
@@ -87,6 +91,7 @@ function decide(i, w, first) {
     printf "%s: %s, %.0f %% of the bound%s.\n", named(row[1]), errors_of(row[1], 11), 100 * first[8],
         first[7] == "-" ? "" : "; the next longer step has " (first[7] < 1e4 ? sprintf("%.0f %%", 100 * first[7]) : "none that stays")
     printf "%s cycles in the dearest tick, %s; %.3g of %g %% of the chip.\n", first[5], time_of(first[5] / hz * 1e9), first[6], load
+    if (first[3] > 1) printf "Its tick is %d times that of the scene; STEP=%s keeps it as it is.\n", first[3], tick_of(period)
     for (i = 2; i <= found; i++) {
         split(row[i], w, " ")
         if (w[1] != first[1]) {
