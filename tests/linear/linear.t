@@ -134,7 +134,7 @@ told()
         grep -q -- "$words" "$out/said" || return 1
     done
 }
-told 'thrust_front = 1 N' "no equilibrium found: 'air_turn_y_speed' of body 'frame' keeps a rate of 22.* rad/s/s"
+told 'thrust_front = 1 N' "no equilibrium found: 'air_turn_y_speed' of body 'frame' keeps a rate of 22.* rad/s^2"
 result $? 'told: what is left where there is no equilibrium, and of which body'
 told 'thrust = 1 N' "no input, output or state is called 'thrust'" && told 'thrust_front = 1 m' "'thrust_front' is in N; this is in m" &&
     told 'free place_x' "only an input can be free" && told 'place_z 1 m' 'expected = and a value' &&

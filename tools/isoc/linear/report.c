@@ -59,12 +59,20 @@ static const char *whole_unit(arena *memory, const char *of)
     return strpbrk(of, "*/ ") == NULL ? of : arena_format(memory, "(%s)", of);
 }
 
-/* rad/s/s/N: of the rate of a speed by a force. */
+const char *unit_of_rate(arena *memory, const char *unit)
+{
+    const size_t length = strlen(unit);
+    const bool is_speed = length > 2 && strcmp(unit + length - 2, "/s") == 0;
+    return arena_format(memory, "%s%s", unit, is_speed ? "^2" : "/s");
+}
+
+/* rad/s^2/N: of the rate of a speed by a force. */
 static const char *unit_of_entry(arena *memory, const matrix_part *m, int i, int k)
 {
-    const char *row = m->rows->units[i];
-    return arena_format(memory, "%s%s/%s", strchr(row, ' ') == NULL ? row : whole_unit(memory, row),
-                        m->is_rate ? "/s" : "", whole_unit(memory, m->columns->units[k]));
+    const char *of = m->rows->units[i];
+    const char *row = strchr(of, ' ') == NULL ? of : whole_unit(memory, of);
+    return arena_format(memory, "%s/%s", m->is_rate ? unit_of_rate(memory, row) : row,
+                        whole_unit(memory, m->columns->units[k]));
 }
 
 static void add_table(text *to, arena *memory, const matrix_part *m)
@@ -306,8 +314,8 @@ static void add_equilibrium(text *to, const linear_model *l)
         return;
     }
     const coordinate *is = &l->c.coordinates[l->c.chosen[which]];
-    text_add(to, "equilibrium %s %s of %s is %.4g %s/s%s\n", changes < 0 ? "steady: the rate of" : "no: the rate of",
-             is->name, is->whose, l->rates[which], is->unit,
+    text_add(to, "equilibrium %s %s of %s is %.4g %s%s\n", changes < 0 ? "steady: the rate of" : "no: the rate of",
+             is->name, is->whose, l->rates[which], unit_of_rate(to->memory, is->unit),
              changes < 0 ? ", and nothing depends on where it is"
                          : "; the model is of small deviations from this motion, now");
 }

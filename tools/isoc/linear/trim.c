@@ -298,8 +298,8 @@ static void refuse_trim(source *s, const search *of, const wishes *w, place at)
         source_problem(s, at, "no equilibrium found: the closure '%s' %s %.4g", c->name, fault, left);
     } else {
         const coordinate *is = &of->c.coordinates[row];
-        source_problem(s, at, "no equilibrium found: '%s' of %s keeps a rate of %.4g %s/s: free an input", is->name,
-                       is->whose, left, is->unit);
+        source_problem(s, at, "no equilibrium found: '%s' of %s keeps a rate of %.4g %s: free an input", is->name,
+                       is->whose, left, unit_of_rate(s->memory, is->unit));
     }
 }
 
