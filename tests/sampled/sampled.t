@@ -3,6 +3,7 @@
 # out by hand; and the order of each method with a delay in the equations.
 . tests/host/test.sh
 begin sampled
+optimised -O0
 
 # rows NAME ROW...: of the scene on standard input; each row is its outputs.
 rows()
