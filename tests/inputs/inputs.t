@@ -8,10 +8,10 @@ begin inputs
 mkdir -p "$out/hash" "$out/plant" "$out/run"
 rm -f "$out/hand"
 scene=tests/inputs/loop.scene
+optimised -O0
 
-# With every kernel the program takes a compiler longer to optimise than it runs.
 build/isoc $scene -o "$out/order" --real double >/dev/null &&
-    (rolled && optimised -O0 && EXTRA="-DPLANT=\"$out/order/plant.c\"" &&
+    (rolled && EXTRA="-DPLANT=\"$out/order/plant.c\"" &&
         program order.run tests/inputs/order.c tests/order/plant.c tests/host/report.c)
 result $? "the plant builds"
 joined order "$out/order.run"
@@ -101,10 +101,10 @@ result $? "held is what an input is by itself"
 # The same bits, and one count: functions of time as samples.
 sed 's/^input force smooth/& = 8 N * sin(5 Hz)/; s/^input torque smooth/input torque = 1 N*m * sin(2 Hz)/' $scene >"$out/waves.scene"
 real float
-for where in 'host sim cc' 'board mps2 arm-none-eabi-gcc'; do
+optimised -O2
+for where in 'host sim cc -O0' 'board mps2 arm-none-eabi-gcc -O2'; do
     # shellcheck disable=SC2086
-    set -- $where
-    variant "$1" "$2" "$3" -O2
+    variant $where
     for method in rk4 abm4 bdf4 rosenbrock adams; do
         same "$out/waves.scene" $method
     done
