@@ -12,7 +12,8 @@
 typedef struct iso_step {
     const iso_history *history; /* the states, and what the method keeps */
     const iso_equations *equations;
-    iso_derivative *f; /* of the equations */
+    iso_derivative *f;        /* of the equations */
+    iso_derivative *prepared; /* the same for the start of a step of a plant; or NULL */
     real h;
     const real *u; /* inputs and parameters, held over the step but for smooth inputs, */
     const real *p;
@@ -65,7 +66,7 @@ ISO_INLINE void iso_step_begin(iso_step *const step, const real gamma)
     const iso_history *const history = step->history;
     const iso_equations *const eq = step->equations;
     real *const derivative = step->work;
-    iso_evaluate(step, derivative, history->x);
+    (step->prepared != NULL ? step->prepared : step->f)(derivative, history->x, step->u, step->p);
     if (gamma != R(0.0)) {
         real *const error = step->work + history->n;
         eq->factor(step->lu, history->x, step->u, step->p, step->h * gamma);

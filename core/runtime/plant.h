@@ -92,7 +92,7 @@ typedef struct iso_model {
 typedef struct iso_plant {
     const iso_model *model;
     void *memory;
-    real *x;                      /* in the memory: state, */
+    real *x;                      /* in the memory: state; who writes it between steps calls model->output then, */
     real *u;                      /* inputs, */
     real *p;                      /* tunable parameters, seen by iso_plant_admit, */
     real *y;                      /* outputs, */

@@ -87,7 +87,8 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     double out_of_range_value = 0.0;
     naming names = naming_of(p, memory, r->name); /* what states, arrays and functions are called in C */
     names.is_checked = r->name != NULL || r->is_standalone;
-    emit_header(p, &names, &header); /* places, units and limits; the struct of the memory */
+    names.cut = cut_of(p, g, &names); /* what a step prepares for the next one */
+    emit_header(p, &names, &header);  /* places, units and limits; the struct of the memory */
     if (!emit_source(p, g, &names, &source_text,
                      &out_of_range_value)) { /* straight-line C of the equations; the step */
         fprintf(stderr, "%s: error: the equations contain %g; %s\n", r->scene, out_of_range_value,

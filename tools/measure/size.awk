@@ -16,7 +16,7 @@ NR > 2 && NF == 4 {
     bytes = hexadecimal($2)
     if ($4 == "trace_buffer") buffer = bytes
     if ($4 == "memory" && $3 ~ /^[bB]$/) memory = bytes
-    if ($3 ~ /^[tT]$/ && $4 ~ /^(step|derivative|held_derivative|hold)($|[.]|_[0-9])/) step += bytes
+    if ($3 ~ /^[tT]$/ && $4 ~ /^(step|derivative|held_derivative|prepare|complete|prepared_derivative|hold)($|[.]|_[0-9])/) step += bytes
 }
 
 function show(name, bytes, limit)

@@ -9,7 +9,7 @@
 set -u
 dir=$(dirname "$PROGRAM")
 core=tools/measure/cycles/cores/cortex-m4f.txt
-plant="step derivative held_derivative output drive advance settle"
+plant="step derivative held_derivative prepare complete prepared_derivative output prepared_output drive advance settle"
 port="iso_port_wait iso_port_clock iso_port_read_float iso_port_publish_float"
 
 arm-none-eabi-objdump -d "$PROGRAM" >"$dir/listing" || exit 1

@@ -29,6 +29,7 @@ typedef struct emitter {
     const char **turned; /* of an angle: what holds its sine and cosine */
     dictionary taken;    /* the names given so far, each with the number to try next behind it */
     int temporaries, section;
+    size_t body;        /* where in the text the last heading ends */
     const char *quoted; /* the last line of the scene that was quoted */
     bool *is_marked;
     double out_of_range_value;
@@ -106,6 +107,7 @@ static void heading(emitter *e, int section)
         text_add(e->out, "%s    /* %s */\n", e->out->bytes[e->out->length - 2] == '{' ? "" : "\n",
                  e->g->sections[section]);
     }
+    e->body = e->out->length;
 }
 
 /* Parentheses where the operand binds less than its place asks for. */
@@ -148,7 +150,10 @@ static void note_piece(emitter *e, const char *declares, bool is_turn, const nod
 {
     code_pieces *p = e->pieces;
     if (p != NULL) {
-        code_piece result = {.declares = declares, .is_turn = is_turn};
+        const size_t begin = p->count == 0 ? 0 : p->all[p->count - 1].end;
+        code_piece result = {.declares = declares, .is_turn = is_turn, .section = e->section};
+        result.body = e->body > begin ? e->body : begin;
+        result.angle = n[0];
         note_reads(e, &result, n, count);
         result.end = e->out->length;
         ADD_TO(e->g->memory, p->all, p->count, p->room, result);
@@ -168,6 +173,27 @@ static const char *number(emitter *e, double value)
     return code_literal(e->g->memory, value, e->c->is_double);
 }
 
+/* Where the sine and cosine of a state stand already, or NULL. */
+static const char *kept_turn(const emitter *e, node angle)
+{
+    const graph_node *n = &e->g->nodes[angle];
+    return n->op == OP_STATE && e->c->turns != NULL ? e->c->turns[n->index] : NULL;
+}
+
+/* A state is not read of which that is all that is asked for. */
+static void leave_out_kept_angles(emitter *e)
+{
+    int *others = arena_take(e->g->memory, e->g->count, sizeof *others);
+    memcpy(others, e->uses, e->g->count * sizeof *others);
+    for (size_t i = 0; i < e->g->count; i++) {
+        const graph_node *n = &e->g->nodes[i];
+        if (e->needed[i] && (n->op == OP_SIN || n->op == OP_COS) && kept_turn(e, n->a) != NULL) {
+            e->needed[n->a] = --others[n->a] > 0;
+        }
+    }
+    arena_return(e->g->memory, others, e->g->count, sizeof *others);
+}
+
 /* Sine and cosine of one angle come from one call. */
 static const char *turned(emitter *e, const graph_node *n)
 {
@@ -175,7 +201,12 @@ static const char *turned(emitter *e, const graph_node *n)
         const char *joint = n->name != NULL ? n->name + strlen("sin_") : "wave";
         e->turned[n->a] = unique_name(e, arena_format(e->g->memory, "turn_%s", joint));
         heading(e, n->section);
-        text_add(e->out, "    const iso_sine_cosine %s = iso_sincos(%s);\n", e->turned[n->a], e->shown[n->a].text);
+        const char *kept = kept_turn(e, n->a);
+        if (kept != NULL) {
+            text_add(e->out, "    const iso_sine_cosine %s = {%s};\n", e->turned[n->a], kept);
+        } else {
+            text_add(e->out, "    const iso_sine_cosine %s = iso_sincos(%s);\n", e->turned[n->a], e->shown[n->a].text);
+        }
         note_piece(e, e->turned[n->a], true, &n->a, 1);
         e->turn_piece_of[n->a] = e->pieces == NULL ? 0 : e->pieces->count;
     }
@@ -352,6 +383,15 @@ static const char *declaration(emitter *e, node i)
     return arena_format(e->g->memory, "    const real %s = %s[%s];\n", name, array, place);
 }
 
+/* The scene's line of what stands in an array, where the function quotes them. */
+static const char *quote_of_leaf(const emitter *e, node i)
+{
+    const graph_node *n = &e->g->nodes[i];
+    const char array = operators[n->op].array[0];
+    const bool has_line = n->op != OP_FACTOR && e->c->quotes_leaves;
+    return has_line ? leaf_of(e, array == 'd' ? 'x' : array, n->index)->quote : NULL;
+}
+
 /* For the states, inputs and parameters that are used. */
 static void declare_leaves(emitter *e)
 {
@@ -360,9 +400,7 @@ static void declare_leaves(emitter *e)
             const graph_node *n = &e->g->nodes[i];
             if (e->needed[i] && n->op == op) {
                 const char *result = declaration(e, (node)i);
-                const char array = operators[op].array[0];
-                const leaf_name *leaf = op == OP_FACTOR ? NULL : leaf_of(e, array == 'd' ? 'x' : array, n->index);
-                quote(e, leaf != NULL && e->c->quotes_leaves ? leaf->quote : NULL);
+                quote(e, quote_of_leaf(e, (node)i));
                 text_add(e->out, "%s", result);
             }
         }
@@ -380,6 +418,7 @@ static emitter begin(const code *c, graph *g, node *roots, text *out)
     e.piece_of = arena_take(g->memory, g->count, sizeof *e.piece_of);
     e.turn_piece_of = arena_take(g->memory, g->count, sizeof *e.turn_piece_of);
     graph_uses(g, roots, c->count, e.needed, e.uses);
+    leave_out_kept_angles(&e);
     return e;
 }
 
@@ -421,13 +460,16 @@ code_pieces code_in_pieces(const code *c, double *out_of_range_value)
     *g = economise(c->g, c->roots, c->count, roots);
     code_pieces result = {
         .g = g, .text = {.memory = memory}, .leaves = arena_take(memory, g->count, sizeof *result.leaves)};
+    result.quotes = arena_take(memory, g->count, sizeof *result.quotes);
     emitter e = begin(c, g, roots, &result.text);
     int *first = arena_take(memory, g->count, sizeof *first), *next = arena_take(memory, c->count + 1, sizeof *next);
     e.pieces = &result;
     list_targets(&e, first, next);
     text_add(&result.text, "{\n");
+    e.body = result.text.length;
     for (size_t i = 0; i < g->count; i++) {
         result.leaves[i] = e.needed[i] ? declaration(&e, (node)i) : NULL;
+        result.quotes[i] = result.leaves[i] == NULL ? NULL : quote_of_leaf(&e, (node)i);
     }
     for (size_t i = 0; i < g->count; i++) {
         if (e.needed[i]) {

@@ -34,6 +34,8 @@ typedef struct code {
     bool quotes_leaves;        /* and above what the function reads */
     const mark *marks;
     size_t mark_count;
+    const char *const
+        *turns; /* [states] how the sine and cosine of one are read that stand somewhere, or NULL; or NULL */
 } code;
 
 /* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real; *out_of_range_value is it.
@@ -42,9 +44,12 @@ bool code_emit(const code *c, text *out, double *out_of_range_value);
 
 /* A piece of statements: it ends in the text where the next begins. */
 typedef struct code_piece {
+    size_t body; /* where it begins behind the heading that stands before it */
     size_t end;
+    int section;
     const char *declares; /* a quantity, or NULL: the piece sets a target */
-    bool is_turn;         /* the quantity is a sine and a cosine */
+    bool is_turn;         /* the quantity is a sine and a cosine, */
+    node angle;           /* of this */
     size_t *reads;        /* [read_count] pieces whose quantities it reads */
     size_t read_count;
     node *leaves; /* [leaf_count] */
@@ -59,6 +64,7 @@ typedef struct code_pieces {
     code_piece *all;
     size_t count, room;
     const char **leaves; /* [nodes] how a leaf is declared, or NULL where it needs no declaration */
+    const char **quotes; /* [nodes] the scene's line of a leaf, or NULL */
 } code_pieces;
 
 code_pieces code_in_pieces(const code *c, double *out_of_range_value);
@@ -87,5 +93,19 @@ typedef struct code_parts {
 
 /* Parts of at most so many statements. What one declares and a later one reads stands in v[]. */
 code_parts code_split(const code_pieces *pieces, int most);
+
+/* cut.c: a body in two: what follows from the states alone, and the rest, which reads that from s[]. */
+
+typedef struct code_cut {
+    const char *of_states, *rest;
+    bool reads[OPERATIONS];    /* which leaves the rest reads */
+    int count;                 /* reals of s[], */
+    int *turns;                /* [states] where in it sine and cosine of one are, or -1 */
+    int statements;            /* of the states alone */
+    double out_of_range_value; /* a constant that leaves the range of real; else 0 */
+} code_cut;
+
+/* s[] has also the sines and cosines of these of so many states, where the derivative computes them. */
+code_cut code_cut_by_states(const code_pieces *pieces, const bool *turned, int states);
 
 #endif

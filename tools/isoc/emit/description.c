@@ -99,7 +99,7 @@ void emit_model(emission *e)
     put_if(e, m->inputs.count + m->parameters.count > 0, "    .amiss = amiss,\n    .admit = admit,\n");
     put_if(e, sets_rows(p), "    .advance = advance,\n");
     put_if(e, can_restart(p), "    .discontinuity = discontinuity,\n");
-    put_if(e, is_primed(p), "    .prime = prime,\n");
+    put_if(e, is_primed(p) || e->names->cut != NULL, "    .prime = prime,\n");
     put(e, "    .step = step,\n");
     const bool has_ladder = m->policies.rung_count > 0;
     put_if(e, has_ladder, "    .attempt = attempt,\n");

@@ -17,10 +17,16 @@ typedef struct naming {
     leaf_names leaves; /* states, inputs with memories behind them, parameters: CART_X_RAIL, CART_U_PUSH, CART_P_MASS */
     const variable *about_states, *about_held, *about_outputs; /* in the same order */
     const leaf_name *outputs;                                  /* CART_Y_ANGLE */
+    const code_cut *cut; /* the derivative in two, where a step prepares the next one: prepared.c; else NULL */
 } naming;
 
 /* With this prefix, or as the plant of the program where it is NULL. */
 naming naming_of(const plant *p, arena *memory, const char *prefix);
+
+/* prepared.c: where outputs ask for accelerations, they and the first evaluation of the next step have the states in common.
+ * What follows from these alone is then computed once, at the end of a step, and stands behind them in the memory. The
+ * derivative in two for that; NULL where it is not worth it. */
+const code_cut *cut_of(const plant *p, graph *g, const naming *names);
 
 /* A word in capitals. */
 const char *capitals_of(arena *memory, const char *word);

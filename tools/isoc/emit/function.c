@@ -80,8 +80,7 @@ void emit_head(emission *e, const char *head, const char *function, const char *
     put(e, "    const real *restrict const u, const real *restrict const %s%s)\n{\n", argument_of(e, 2).name, more);
 }
 
-/* (void)x; for the parameters that a function does not read. */
-static void emit_unread(emission *e, const bool *reads, const char *more)
+void emit_unread(emission *e, const bool *reads, const char *more)
 {
     for (int i = 0; i < 3; i++) {
         const argument a = argument_of(e, i);
@@ -136,6 +135,21 @@ void emit_function(emission *e, const char *function, const char *array, const c
     put(e, "}\n\n");
 }
 
+code derivative_code(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    mark *marks = arena_take(e->out->memory, (size_t)m->closure_count + 1, sizeof *marks);
+    for (int i = 0; i < m->closure_count; i++) {
+        marks[i] = (mark){m->closures[i].name, source_quote(m->source, m->closures[i].at)};
+    }
+    const char *const *targets = places_in(e, "dx", e->names->leaves.states, state_count(m));
+    code result = code_of(e, targets, e->p->held_derivatives, state_count(m));
+    result.quotes_leaves = true;
+    result.marks = marks;
+    result.mark_count = (size_t)m->closure_count;
+    return result;
+}
+
 void emit_arrays(const emission *e, const code *result)
 {
     const mechanism *m = e->p->m;
@@ -145,7 +159,8 @@ void emit_arrays(const emission *e, const code *result)
         put_if(e, code_uses(e, result, arguments[i].op) || (derives && sizes[i] > 0),
                "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
     }
-    put_if(e, derives, "    real dx[$C_STATES];\n    derivative$s(dx, x, %s, %s);\n", sizes[1] > 0 ? "u" : "NULL",
+    put_if(e, derives, "    real dx[$C_STATES];\n    %sderivative$s(dx, x, %s, %s);\n",
+           e->is_prepared && e->names->cut != NULL ? "prepared_" : "", sizes[1] > 0 ? "u" : "NULL",
            sizes[2] > 0 ? "p" : "NULL");
     put_if(e, code_uses(e, result, OP_LOCAL_ERROR) || code_uses(e, result, OP_RESIDUAL),
            "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));

@@ -37,19 +37,13 @@ static bool asks_for_derivative(const emission *e)
     return any;
 }
 
-/* The derivative quotes the scene's lines of what it reads, and of the closures. */
 static void emit_derivative(emission *e)
 {
-    const mechanism *m = e->p->m;
-    mark *marks = arena_take(e->out->memory, (size_t)m->closure_count + 1, sizeof *marks);
-    for (int i = 0; i < m->closure_count; i++) {
-        marks[i] = (mark){m->closures[i].name, source_quote(m->source, m->closures[i].at)};
+    if (e->names->cut != NULL) {
+        emit_cut_derivative(e);
+        return;
     }
-    const char *const *targets = places_in(e, "dx", e->names->leaves.states, state_count(m));
-    code result = code_of(e, targets, e->p->held_derivatives, state_count(m));
-    result.quotes_leaves = true;
-    result.marks = marks;
-    result.mark_count = (size_t)m->closure_count;
+    const code result = derivative_code(e);
     const char *function = form(e, "derivative$s");
     if (e->p->held.count == 0) {
         emit_function(e, function, "dx", "", &result);
@@ -235,8 +229,9 @@ static void emit_finish(emission *e)
     put_if(e, m->inputs.count > 0, "    iso_copy(memory->good, memory->u, $C_INPUTS);\n");
     put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0,
            "    if (memory->nearness.closure != 0) {\n        return ISO_NEAR;\n    }\n");
-    put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, output%s$s,\n", has_range(e) ? "range" : "NULL",
-        sets_rows(e->p) ? advance : "NULL", has_slow_outputs(m) ? "_due" : "");
+    put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, %soutput%s$s,\n",
+        has_range(e) ? "range" : "NULL", sets_rows(e->p) ? advance : "NULL", e->names->cut != NULL ? "prepared_" : "",
+        has_slow_outputs(m) ? "_due" : "");
     put(e, "                      memory->y, memory->good");
     put_if(e, m->inputs.count > 0, " + $C_INPUTS");
     put_if(e, m->parameters.count > 0, " + $C_PARAMETERS");

@@ -37,18 +37,41 @@ static void add_numbered(memory_layout *to, const char *array, int count, const 
     add_reals(to, array, form(to->e, "%d", count), (size_t)count, about);
 }
 
+static size_t vectors_of(const emission *e)
+{
+    const size_t states = (size_t)state_count(e->p->m);
+    return ISO_METHOD_STATE(e->p->m->method.recipe, states) / states;
+}
+
+const char *method_state_size(const emission *e)
+{
+    return vectors_of(e) > 1 ? form(e, "$C_STATES * %zu", vectors_of(e)) : form(e, "$C_STATES");
+}
+
+/* What stands behind the states. */
+static const char *about_state_array(const emission *e)
+{
+    const char *kept =
+        vectors_of(e) > 1 ? form(e, "what %s keeps", method_names[ISO_METHOD_OF(e->p->m->method.recipe)]) : NULL;
+    const char *prepared = e->names->cut != NULL ? "what follows from them alone" : NULL;
+    return kept == NULL && prepared == NULL
+               ? NULL
+               : form(e, "the states, and behind them %s%s%s", kept == NULL ? "" : kept,
+                      kept != NULL && prepared != NULL ? ", and " : "", prepared == NULL ? "" : prepared);
+}
+
 /* The states with what the method keeps, and the inputs with their samples. */
 static void add_moving(memory_layout *to)
 {
     const emission *e = to->e;
     const mechanism *m = e->p->m;
     const unsigned recipe = m->method.recipe;
-    const size_t states = (size_t)state_count(m), vectors = ISO_METHOD_STATE(recipe, states) / states;
+    const size_t states = (size_t)state_count(m) * vectors_of(e);
+    const size_t prepared = e->names->cut != NULL ? (size_t)e->names->cut->count : 0;
     const size_t samples = ISO_METHOD_SAMPLES(recipe, (size_t)m->inputs.sampled_count);
     const bool smooth = ISO_IS_SMOOTH(recipe);
-    add_reals(to, "x", vectors > 1 ? form(e, "$C_STATES * %zu", vectors) : form(e, "$C_STATES"), states * vectors,
-              vectors > 1 ? form(e, "the states, and behind them what %s keeps", method_names[ISO_METHOD_OF(recipe)])
-                          : NULL);
+    add_reals(to, "x", form(e, prepared > 0 ? "%s + %zu" : "%s", method_state_size(e), prepared), states + prepared,
+              about_state_array(e));
     add_reals(to, "u",
               smooth ? form(e, "%s + %s * %d + 1", held_size(e), sampled_size(e), ISO_DEGREE(recipe) + 1)
                      : held_size(e),

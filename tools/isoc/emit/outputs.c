@@ -12,9 +12,12 @@ static void emit_outputs_of(emission *e, const char *head, const char *function,
     }
     code result = code_of(e, targets, o->roots, o->count);
     result.quotes = quotes;
+    result.turns = prepared_turns(e);
     put(e, "%sstatic void %s$s(void *const instance)\n{\n", head, function);
     put(e, "    $p_memory *const memory = instance;\n    real *const y = memory->y;\n");
+    e->is_prepared = true;
     emit_arrays(e, &result);
+    e->is_prepared = false;
     emit_code(e, &result);
     put(e, "}\n\n");
 }
@@ -43,7 +46,8 @@ void emit_output(emission *e)
 {
     const output_rates rates = output_rates_of(e->p, e->out->memory);
     if (!has_slow_outputs(e->p->m)) {
-        emit_outputs_of(e, "", "output", &rates.all[0]);
+        emit_outputs_of(e, "", e->names->cut == NULL ? "output" : "prepared_output", &rates.all[0]);
+        emit_preparing_output(e);
         return;
     }
     for (int i = 0; i < rates.count; i++) {

@@ -14,6 +14,7 @@ typedef struct emission {
     const char
         *suffix;  /* of what is not of the whole plant, but of the rungs of a ladder that drop effects; else empty */
     bool in_step; /* the function is one of those that a step calls */
+    bool is_prepared;          /* or is called behind a step */
     double out_of_range_value; /* a constant that leaves the range of real; else 0 */
 } emission;
 
@@ -80,6 +81,9 @@ bool has_range(const emission *e);
 /* Whether what follows a step depends on tunables: masses, or lengths of closures. */
 bool settles_by_parameters(const plant *p, const graph *g);
 
+/* memory.c: the reals of x that the method has, as C. */
+const char *method_state_size(const emission *e);
+
 /* function.c: the emission of what is left of the plant by a drop of its ladder; or of the whole where it is NULL. */
 emission emission_of(const emission *e, const reduced_plant *left);
 
@@ -94,10 +98,16 @@ bool code_uses(const emission *e, const code *result, operation op);
 void emit_arrays(const emission *e, const code *result);
 void emit_code(emission *e, const code *result);
 
+/* The derivatives of all states, with the scene's lines of what they read, and of the closures. */
+code derivative_code(const emission *e);
+
 /* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. And the whole of it. */
 void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
                const char *more);
 void emit_function(emission *e, const char *function, const char *array, const char *more, const code *result);
+
+/* (void)x; for the parameters that a function does not read. */
+void emit_unread(emission *e, const bool *reads, const char *more);
 
 /* static const uint16_t ARRAY[COUNT] = {CART_X_RAIL, ...}; */
 void emit_states(const emission *e, const char *array, const int *states, int count);
@@ -135,6 +145,13 @@ void emit_settle(emission *e);
 
 /* outputs.c: the outputs. */
 void emit_output(emission *e);
+
+/* prepared.c: the derivative in two functions; where the outputs find sines and cosines, NULL where nowhere; the call by which
+ * the end of a step, or a start, prepares the next one; and the outputs with that. */
+void emit_cut_derivative(emission *e);
+const char *const *prepared_turns(const emission *e);
+void emit_preparing(const emission *e);
+void emit_preparing_output(const emission *e);
 
 /* step.c: the method. */
 void emit_step(emission *e);

@@ -39,6 +39,7 @@ static void emit_equations(emission *e)
     put_if(e, ISO_IS_IMPLICIT(p->m->method.recipe), "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n",
            p->j.factor_count);
     put_if(e, p->rate_count > 0, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
+    put_if(e, e->names->cut != NULL, "    .prepared = prepared_derivative,\n");
     if (ISO_IS_SMOOTH(p->m->method.recipe)) {
         put(e, "    .held = %s,\n    .inputs = %s,\n    .smooth = smooth,\n", held_size(e), sampled_size(e));
         put_if(e, p->is_curved, "    .curved = true,\n");
@@ -166,6 +167,7 @@ static void emit_prime(emission *e)
     if (ISO_IS_PRIMED(e->p->m->method.recipe)) {
         emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
     }
+    emit_preparing(e);
     put(e, "%s}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
 }
 
@@ -259,13 +261,16 @@ static void emit_after(emission *e)
         emit_settling(e);
     }
     for_turns(e, emit_take_turns);
+    emit_preparing(e);
 }
 
 /* That the header, which is without the methods, has room for what the method keeps. */
 static void emit_check_of_room(emission *e)
 {
-    put(e, "_Static_assert(sizeof(($p_memory *)0)->x == ISO_METHOD_STATE(%s, $C_STATES) * sizeof(real),\n",
-        recipe_symbol(e->out->memory, e->p->m->method.recipe));
+    const code_cut *cut = e->names->cut;
+    put(e, "_Static_assert(sizeof(($p_memory *)0)->x == %sISO_METHOD_STATE(%s, $C_STATES)%s * sizeof(real),\n",
+        cut != NULL ? "(" : "", recipe_symbol(e->out->memory, e->p->m->method.recipe),
+        cut != NULL ? form(e, " + %d)", cut->count) : "");
     put(e, "    \"made for another version of core/methods/method.h\");\n\n");
     if (ISO_IS_SMOOTH(e->p->m->method.recipe)) {
         put(e, "_Static_assert(sizeof(($p_memory *)0)->u == (%s + ISO_METHOD_SAMPLES(%s, %s)) * sizeof(real),\n",
@@ -369,7 +374,7 @@ void emit_step(emission *e)
     if (can_restart(e->p)) {
         emit_discontinuity(e);
     }
-    if (is_primed(e->p)) {
+    if (is_primed(e->p) || e->names->cut != NULL) {
         emit_prime(e);
     }
     emit_step_function(e, "");
