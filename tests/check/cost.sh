@@ -6,6 +6,19 @@
 begin check/cost
 project
 
+# By turns, with the argument `all` all: one of the two kinds of discontinuities, and one of three tolerances of adams.
+turn=$(turn_of 6 "${1-}" core tools models)
+echo "# turn $turn of the restarts and the tolerances"
+
+# of_turn PARTS WORD...: of so many words that of this turn.
+of_turn()
+{
+    of_turn_parts=$1
+    shift
+    [ "$turn" = all ] || shift $((turn % of_turn_parts))
+    [ "$turn" = all ] && echo "$@" || echo "$1"
+}
+
 call size && [ "$(value text | wc -w)" -gt 1 ]
 expect $? "make size: the double pendulum's firmware keeps its limits"
 call size TARGET=host && [ -n "$(value step_text)" ]
@@ -78,7 +91,7 @@ tables()
 # A restart has one number of instructions for every motion: from the horizontal, and from 10 deg with a push.
 sed '0,/start 90 deg/s//start 10 deg\n    speed 3 rad\/s/' models/double_pendulum.scene >"$out/project/pushed.scene"
 for method in ab4 abm4 abm4_pec abm4_pecece bdf4; do
-    for discontinuity in announced detected; do
+    for discontinuity in $(of_turn 2 announced detected); do
         one=$(tables longest_step one models/double_pendulum.scene $method $discontinuity) &&
             other=$(tables longest_step other pushed.scene $method $discontinuity) && [ "$one" -eq "$other" ]
         result $? "$method, a discontinuity that is $discontinuity: $one instructions, and from another start $other"
@@ -122,7 +135,7 @@ forced=$(tables longest_step adams models/pendulum.scene adams announced) && sil
     more=$(tables longest_step adams models/pendulum.scene adams announced 'tolerance 1e-30' 'substeps 9') && limit=$(tables noisy 0.0)
 adams "the budget used in vain" "$forced" "$((more - 1))"
 adams "the same with noise of size 0" "$silent" "$((limit - 1))"
-for tolerance in 1e-4 1e-6 1e-8; do
+for tolerance in $(of_turn 3 1e-4 1e-6 1e-8); do
     adams "a tolerance of $tolerance" "$(tables longest_step adams models/pendulum.scene adams announced "tolerance $tolerance")" "$forced"
     for size in 1e-10 1e-8 1e-7; do
         adams "and noise of $size" "$(tables noisy $size)" "$limit"

@@ -18,13 +18,13 @@ check()
     return $status
 }
 
-# What goes to a target, always; of the tools and the tests a fifth by turns, all with the argument `all`.
-turn=$(turn_of 5 "${1-}" tools tests)
+# What goes to a target, always; of the tools and the tests a tenth by turns, all with the argument `all`.
+turn=$(turn_of 10 "${1-}" tools tests)
 echo "# turn $turn of the tools and the tests"
 number=0
 for file in $both $once; do
     case $file in
-    tools/* | tests/*) number=$((number + 1)) && { [ "$turn" = all ] || [ $((number % 5)) -eq "$turn" ]; } && echo "$file" ;;
+    tools/* | tests/*) number=$((number + 1)) && { [ "$turn" = all ] || [ $((number % 10)) -eq "$turn" ]; } && echo "$file" ;;
     *) echo "$file" ;;
     esac
 done >"$out/files"

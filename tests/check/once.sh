@@ -99,6 +99,7 @@ cp "$out/a/part.c" "$out/d/part.c"
 sleep 0.05
 asked 8 "a header in a folder of -I" -O1 "-I$out/i" -c "$out/c/part.c"
 unasked 8 "the same elsewhere" -O1 "-I$out/i" -c "$out/d/part.c"
+unasked 8 "the folder before another flag" "-I$out/i" -O1 -c "$out/d/part.c"
 header d 5
 asked 9 "another that is found before it" -O1 "-I$out/i" -c "$out/d/part.c"
 unasked 9 "the source without that" -O1 "-I$out/i" -c "$out/c/part.c"

@@ -9,7 +9,7 @@
 . tests/host/test.sh
 . tests/host/sources.sh
 begin check/warnings
-turn=$(turn_of 3 "${1-}" tools tests)
+turn=$(turn_of 6 "${1-}" tools tests)
 echo "# turn $turn of the tools and the tests for clang, and of isoc's files alone"
 
 plants=$(find core models/*.c -name '*.c' | sort)
@@ -33,7 +33,7 @@ compile()
     [ $status -eq 0 ] && [ ! -s "$out/found" ] && [ $# -gt 0 ]
 }
 
-of_turn=$(printf '%s\n' $once | awk -v turn="$turn" 'turn == "all" || NR % 3 == turn')
+of_turn=$(printf '%s\n' $once | awk -v turn="$turn" 'turn == "all" || NR % 6 == turn')
 # shellcheck disable=SC2086
 compile "clang $FLAGS -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE" $of_turn
 result $? "clang for the host, tools and models' tests"

@@ -142,19 +142,21 @@ static bool is_for_linker(const char *const word)
            strcmp(word, "-nostartfiles") == 0 || word[0] != '-';
 }
 
-/* The flags of a compilation: those of the command without what is the linker's, and what asks for a list for make. They are
- * added to the hash. */
+/* The flags of a compilation: those of the command without what is the linker's, and what asks for a list for make; folders of
+ * headers last, wherever they stood. They are added to the hash. */
 static int flags_of(const command *const c, char **const flags, hash *const h)
 {
     int count = 0;
-    for (int i = 0; i < c->word_count; i++) {
-        const int words = takes_value(c->words[i]) && i + 1 < c->word_count ? 2 : 1;
-        for (int j = i; j < i + words && (i == 0 || !(is_for_linker(c->words[i]) || begins_with(c->words[i], "-M")));
-             j++) {
-            flags[count++] = c->words[j];
-            hash_add(h, c->words[j], strlen(c->words[j]) + 1);
+    for (int folders = 0; folders < 2; folders++) {
+        for (int i = 0, words = 1; i < c->word_count; i += words) {
+            const char *const word = c->words[i];
+            const bool passes = i == 0 || !(is_for_linker(word) || begins_with(word, "-M"));
+            words = takes_value(word) && i + 1 < c->word_count ? 2 : 1;
+            for (int j = i; j < i + words && passes && begins_with(word, "-I") == (folders == 1); j++) {
+                flags[count++] = c->words[j];
+                hash_add(h, c->words[j], strlen(c->words[j]) + 1);
+            }
         }
-        i += words - 1;
     }
     return count;
 }
@@ -381,10 +383,7 @@ static bool list_append(const task *const t, const bool named, const reading *co
     const int out =
         copy(object, made) && rename(made, kept) == 0 ? open(t->list[named], O_WRONLY | O_CREAT | O_APPEND, 0666) : -1;
     const bool written = out >= 0 && write(out, text, length) == (ssize_t)length;
-    if (out >= 0) {
-        close(out);
-    }
-    return written;
+    return out >= 0 && close(out) == 0 && written;
 }
 
 /* Whether the list has a time at which all files were what they are: the object that came of it, and the files. */
