@@ -4,10 +4,10 @@
 begin port/m33
 real float
 
-# of_port VARIABLE: its value in port.mk.
+# of_port VARIABLE: its value in port.mk, in float.
 of_port()
 {
-    sed -n "s/^$1 = //p" port/m33/port.mk
+    sed -n -e 's/ *$(PORT_DOUBLE)//' -e "s/^$1 =//p" port/m33/port.mk
 }
 
 # board TEXT STATEMENT [EDIT]: a program that executes the statement, with this edit of the start, ends with a message and

@@ -276,7 +276,7 @@ flags: NANOSECONDS := 1
 flags: build/isoc build/cycles
 	$(call require,valgrind,apt-get install valgrind)
 	@TARGET=$(TARGET) REAL=$(REAL) COMPILE=$(call quote,$(COMPILE)) LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK)) \
-	    EXEC=$(call quote,$(PORT_EXEC)) MODELS=$(call quote,$(MODELS)) sh tools/measure/flags.sh
+	    SHARED='$(PORT_SHARED)' EXEC=$(call quote,$(PORT_EXEC)) MODELS=$(call quote,$(MODELS)) sh tools/measure/flags.sh
 
 # Both measure the methods of METHODS; default: all.
 REPORT = $(CALLS_MAKE) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) NANOSECONDS=$(NANOSECONDS) \

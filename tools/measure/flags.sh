@@ -4,8 +4,9 @@
 # callgrind. The last row has the geometric means relative to -O2. PORT_OPTIMISE of port/TARGET/port.mk is chosen from it, on
 # the Cortex-M4F by cycles: -O2, or the least of those that take a twentieth less over all models.
 #
-# Called by `make flags`, with the target and its real in $TARGET and $REAL, the compiler with all flags in $COMPILE, the link
-# in $LINK, the command that runs build/flags/program for one tick in $EXEC, and the scenes in $MODELS.
+# Called by `make flags`, with the target and its real in $TARGET and $REAL, the compiler with all flags in $COMPILE,
+# the link in $LINK, what the port shares with others in $SHARED, the command that runs build/flags/program for one
+# tick in $EXEC, and the scenes in $MODELS.
 WHAT="make flags"
 . tools/measure/common.sh
 dir=build/flags
@@ -33,7 +34,7 @@ cost()
 }
 
 mkdir -p "$dir/objects" && rm -f "$dir"/objects/*
-for source in core/numbers/*.c core/runtime/*.c core/application/*.c port/$port/*.c $(sed -n "s/^PORT_SHARED = //p" port/$port/port.mk); do
+for source in core/numbers/*.c core/runtime/*.c core/application/*.c port/$port/*.c $SHARED; do
     $COMPILE -c "$source" -o "$dir/objects/$(echo "$source" | tr / -).o" || fail "$source is not compiled"
 done
 for method in rk4 bdf4; do
