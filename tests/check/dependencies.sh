@@ -4,6 +4,7 @@
 . tests/host/project.sh
 begin check/dependencies
 project
+unoptimised
 
 program=build/host/float/double_pendulum/double_pendulum
 scene=$out/project/models/double_pendulum.scene

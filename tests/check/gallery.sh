@@ -17,8 +17,7 @@ told()
 }
 
 rm -r "$out/project/models/pictures"
-# Without optimisation a run has the same bits (check/same_bits.sh), and compiles in a third of the time.
-sed -i 's/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/' "$out/project/port/sim/port.mk"
+unoptimised
 call pictures
 expect $? "make pictures"
 for scene in models/*.scene hil; do

@@ -7,6 +7,7 @@
 . tests/host/project.sh
 begin check/jumps
 project
+unoptimised
 
 # cart JUMP [STATEMENT...]: writes the scene; JUMP is what is said of jumps.
 cart()

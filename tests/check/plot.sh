@@ -7,8 +7,7 @@
 begin check/plot
 project
 reads_picture
-# As check/gallery.sh, which has the same objects.
-sed -i 's/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/' "$out/project/port/sim/port.mk"
+unoptimised
 
 # texts FILE: the texts of a drawing, one on a line.
 texts()

@@ -6,6 +6,7 @@
 . tests/host/project.sh
 begin check/recipes
 project
+unoptimised
 cat >"$out/project/pin_slot.scene" <<'SCENE'
 # A bar with a pin in a slot: it slides along x and turns about y, without gravity.
 step 1 ms

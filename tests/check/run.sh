@@ -4,6 +4,7 @@
 . tests/host/project.sh
 begin check/run
 project
+unoptimised
 
 keys="scene method step real ticks late overruns state hash trace"
 

@@ -5,6 +5,7 @@
 . tests/host/project.sh
 begin check/violation
 project
+unoptimised
 
 # linkage NAME STABILISATION: the scene, whose output `off` is the violation.
 linkage()
