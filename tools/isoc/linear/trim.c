@@ -332,14 +332,15 @@ static search search_start(const expansion *e, const scene *written, const wishe
 
 bool trim(source *s, const expansion *e, const scene *written, const wishes *w, point *at)
 {
-    enum { TRIES = 24 };
+    enum { TRIES = 24, FEW_TRIES = 3, SMALL = 40 };
     const double enough = 1e-16; /* 1e-8 of the scale of a row */
     const size_t states = (size_t)e->states, kept = (size_t)held_count(e->p->m);
     search of = search_start(e, written, w, at);
     const point start = copy_of_point(e->g.memory, &of.at, states, kept);
     point best = start;
+    const int tries = of.columns > SMALL ? FEW_TRIES : TRIES; /* of the time of isoc */
     double least = HUGE_VAL;
-    for (int n = 0; n < TRIES && !(least <= enough); n++) {
+    for (int n = 0; n < tries && !(least <= enough); n++) {
         of.at = copy_of_point(e->g.memory, &start, states, kept);
         if (n > 0) {
             of.c = chart_at(e->p->m, written, of.memory, of.at.x);
