@@ -3,7 +3,7 @@
 PORT_CC = arm-none-eabi-gcc
 PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm openocd
-PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 $(PORT_BOARD) -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers
+PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 $(PORT_BOARD) -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 PORT_OPTIMISE = -O2
 # On silicon the program has no command line: how long to run stands in it. 0 is until reset.
 PORT_RUN_NS = $(if $(BOARD)$(filter flash,$(MAKECMDGOALS)),$(if $(filter SECONDS,$(GIVEN))$(BOARD),$(NANOSECONDS),0),0)

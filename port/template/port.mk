@@ -6,7 +6,7 @@ PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi
 # The processor. -mfloat-abi=soft where it has no floating-point unit: then PORT_SHARED has port/soft/aeabi.c and port/soft/root.c
 # besides. The last three options keep the order in which isoc writes the equations, which needs few registers.
-PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers
+PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 # The number types: float, or float double, with PORT_DOUBLE of port/mps2 in PORT_SHARED where there is no unit for that.
 PORT_REALS = float
 # By `make flags`, which measures each on the Cortex-M4F and on the host.
