@@ -376,7 +376,7 @@ $(error TARGET=$(TARGET) has one channel, that of a controller, and none for mea
 endif
 endif
 
-ifneq ($(filter flash,$(MAKECMDGOALS))$(BOARD),)
+ifneq ($(filter flash,$(MAKECMDGOALS))$(if $(filter cycles choose shared,$(MAKECMDGOALS)),,$(BOARD)),)
 ifeq ($(PORT_FLASH),)
 $(error TARGET=$(TARGET) is no real board; stm32f407 and stm32f446 are)
 endif

@@ -20,7 +20,7 @@ FNR == 1 {
 (FNR - 2) % every == 0 {
     split($0, y, ",")
     row = (FNR - 2) / every
-    if (!(row in there)) next
+    if (row > judged || !(row in there)) next
     rows++
     split(there[row], x, " ")
     at = 0

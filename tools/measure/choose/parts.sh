@@ -56,9 +56,9 @@ cycles()
         TARGET="$TARGET" CORE="$CORE" CLOCK="$CLOCK" BOARD="$BOARD" INPUTS="$INPUTS" SET="$SET" WITHOUT="$WITHOUT" "$@" \
         >"$cycles_folder/table" 2>"$cycles_folder/said" </dev/null
     [ -s "$cycles_folder/cycles.tsv" ] || return 1
-    awk -F '\t' '
+    awk -F '\t' -v ns="$cycles_ns" '
         $1 == "part" && $2 == "tick" { cycles = $5 }
         $1 == "part" && $2 == "interrupt" { cycles += $5 }
-        $1 == "load_percent" { load = $3 }
-        END { print cycles, load }' "$cycles_folder/cycles.tsv"
+        $1 == "highest_rate_hz" { rate = $2 }
+        END { printf "%d %.6g\n", cycles, 1e11 / (rate * ns) }' "$cycles_folder/cycles.tsv"
 }

@@ -57,7 +57,7 @@ function coarser(place, to, i) {
 # From a place that is not good to coarser ones, as long as the error hardly grows: then it is that of rounding, of which fewer steps
 # have less. Returns the coarsest that is good, or finest - 1.
 function fewer_roundings(place, to, grown) {
-    for (to = place + 1; to <= coarsest && grown < 2; to++) {
+    for (to = place + 1; ratio(place) < HUGE && to <= coarsest && grown < 2; to++) {
         if (ratio(to) <= 1) return coarser(to)
         if (ratio(to) > 8 * ratio(place)) break
         grown += ratio(to) > 2 * ratio(place)

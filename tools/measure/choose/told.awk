@@ -47,7 +47,7 @@ function errors_of(line, from, w, i, text) {
 
 function cost_of(line, w) {
     split(line, w, " ")
-    return sprintf("%s, %.2g %% of the chip", time_of(w[5] / hz * 1e9), w[6])
+    return sprintf(w[6] < 10 ? "%s, %.2g %% of the chip" : "%s, %.0f %% of the chip", time_of(w[5] / hz * 1e9), w[6])
 }
 
 function share(line, w) {
@@ -58,7 +58,9 @@ function share(line, w) {
 # Why there is none.
 function why(line, w, text) {
     split(line, w, " ")
-    if (w[2] == "yes" && (w[1] in has)) return ""
+    if (w[2] == "yes" && ((w[1] in has) || w[4] == plain[w[1]] || w[7] > 0.9 * least[w[1]])) return ""
+    if (w[2] == "no" && w[5] != "") least[w[1]] = w[7]
+    if (w[2] == "no" && w[5] == "") plain[w[1]] = w[4]
     if (w[4] == "steps" || w[4] == "rounding")
         return "no: " errors_of(line, 10) " at " step_of(period * w[5]) (w[6] > 1 ? " in " w[6] " sub-steps" : "") (w[4] == "steps" ? "; more steps are dearer" : ", by rounding")
     text = line
@@ -73,7 +75,7 @@ $3 == "none" { none[++nones] = $0; next }
     has[$1]
 }
 
-function table(i, w) {
+function table(i, w, reason) {
     if (found) printf "%-36s %9s %9s %9s  %s\n", "method", "cycles", "time", "load", "error"
     for (i = 1; i <= found; i++) {
         split(row[i], w, " ")
@@ -81,7 +83,8 @@ function table(i, w) {
     }
     for (i = 1; i <= nones; i++) {
         split(none[i], w, " ")
-        if (why(none[i]) != "") printf "%-36s %s\n", w[1] (w[2] == "yes" ? ", compensated" : ""), why(none[i])
+        reason = why(none[i])
+        if (reason != "") printf "%-36s %s\n", w[1] (w[2] == "yes" ? ", compensated" : ""), reason
     }
 }
 
