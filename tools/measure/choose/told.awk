@@ -76,15 +76,15 @@ $3 == "none" { none[++nones] = $0; next }
 }
 
 function table(i, w, reason) {
-    if (found) printf "%-36s %9s %9s %9s  %s\n", "method", "cycles", "time", "load", "error"
+    if (found) printf "%-44s %9s %9s %9s  %s\n", "method", "cycles", "time", "load", "error"
     for (i = 1; i <= found; i++) {
         split(row[i], w, " ")
-        printf "%-36s %9s %9s %9s  %s\n", named(row[i]), w[5], time_of(w[5] / hz * 1e9), sprintf("%.3g %%", w[6]), errors_of(row[i], 11)
+        printf "%-44s %9s %9s %9s  %s\n", named(row[i]), w[5], time_of(w[5] / hz * 1e9), sprintf("%.3g %%", w[6]), errors_of(row[i], 11)
     }
     for (i = 1; i <= nones; i++) {
         split(none[i], w, " ")
         reason = why(none[i])
-        if (reason != "") printf "%-36s %s\n", w[1] (w[2] == "yes" ? ", compensated" : ""), reason
+        if (reason != "") printf "%-44s %s\n", w[1] (w[2] == "yes" ? ", compensated" : ""), reason
     }
 }
 
