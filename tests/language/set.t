@@ -56,7 +56,7 @@ for shift in $(seq 0 $last); do
             accepts "$settings"
             result $? "accepted: $settings"
         else
-            told "$settings" "'$letter[0-9]+' is in .* in the scene; this " $last
+            told "$settings" "'${letter}[0-9]+' is in .* in the scene; this " $last
             result $? "each is refused: $settings"
         fi
     done
