@@ -131,8 +131,8 @@ define TEST_RUN
     PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" $(MAKE) --no-print-directory -j$(TEST_JOBS) $(1)
 endef
 
-# All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole domains, checkers, models: 20 minutes on two cores.
-test: ## run all tests, but for those that passed before and follow from nothing that has changed; 20 minutes on two cores
+# All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole domains, checkers, models: 10 minutes on two cores.
+test: ## run all tests, but for those that passed before and follow from nothing that has changed; 10 minutes on two cores
 	$(call TEST_RUN,test-run)
 
 # The fast part: units in float, and the checkers that are quick.
