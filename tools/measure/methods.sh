@@ -143,7 +143,31 @@ start()
 # reference TIME [KIND MODE]: adds to $dir/reference.txt a line: the time, how much the two methods differ there, and the
 # state; of a loop to $dir/MODE.txt, by programs of the KIND in a mode of drive.c. The step begins with 1/64 of the coarsest
 # and is halved until they agree.
+#
+# What was computed once is kept in build/report/references, by all that it follows from.
 reference()
+{
+    kept_reference=build/report/references/$(kept_name "$@")
+    if [ ! -s "$kept_reference" ]; then
+        compute_reference "$@"
+        mkdir -p "${kept_reference%/*}" && cp "$dir/agreed" "$kept_reference.$$" && mv "$kept_reference.$$" "$kept_reference" || exit 1
+    fi
+    cat "$kept_reference" >>"$dir/${3:-reference}.txt"
+}
+
+# kept_name TIME [KIND MODE]: a name of the reference: a checksum of the programs that compute it and of the numbers they are told.
+kept_name()
+{
+    {
+        echo "$* $coarsest $REFERENCE_METHODS"
+        for method in $REFERENCE_METHODS; do
+            cat "$dir/${2:-reference}-$method/drive"
+        done
+        [ -z "$RECORDED" ] || cat "$RECORDED"
+    } | cksum | tr ' ' -
+}
+
+compute_reference()
 {
     steps=$((64 * coarsest))
     for _ in 0 1 2 3 4 5; do
@@ -151,7 +175,6 @@ reference()
             "$dir/${2:-reference}-$method/drive" ${3:+"$3"} "$1" $steps || exit 1
         done >"$dir/references"
         if compute agree -v time="$1" -v tolerance=1e-12 "$dir/references" >"$dir/agreed"; then
-            cat "$dir/agreed" >>"$dir/${3:-reference}.txt"
             return
         fi
         steps=$((2 * steps))

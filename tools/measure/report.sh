@@ -1,6 +1,6 @@
 #!/bin/sh
 # Work-precision of every method on one scene. Called by `make report`; everything stands in build/report/NAME/:
-# report.txt and report.tsv, the tables; work_precision.svg and .png, the picture. Of a scene with inputs, whose inputs keep
+# report.html, the page (page.sh); report.txt and report.tsv, the tables; work_precision.svg and .png, the picture. Of a scene with inputs, whose inputs keep
 # their values there, also in a loop, where they change at every tick: loop.tsv, loop.svg and loop.png.
 WHAT="make report"
 dir=build/report/$FOLDER
@@ -64,12 +64,17 @@ fi
 
 sh tools/plot/picture.sh work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/work_precision.gnuplot" || exit 1
 
+sh tools/plot/draw.sh "$dir/work_precision.gnuplot" >"$dir/drawn" || fail "gnuplot does not draw $dir/work_precision.gnuplot"
+[ "$inputs" -eq 0 ] || sh tools/plot/draw.sh "$dir/loop.gnuplot" >"$dir/loop_drawn" || fail "gnuplot does not draw $dir/loop.gnuplot"
+. tools/measure/page.sh
+
 cat "$dir/report.txt"
 echo
+echo "$dir/report.html"
 echo "$dir/report.txt"
 echo "$dir/report.tsv"
 [ "$inputs" -eq 0 ] || {
     echo "$dir/loop.tsv"
-    sh tools/plot/draw.sh "$dir/loop.gnuplot" || fail "gnuplot does not draw $dir/loop.gnuplot"
+    cat "$dir/loop_drawn"
 }
-sh tools/plot/draw.sh "$dir/work_precision.gnuplot" || fail "gnuplot does not draw $dir/work_precision.gnuplot"
+cat "$dir/drawn"

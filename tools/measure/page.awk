@@ -1,0 +1,108 @@
+# Parts of the page of a report, as HTML. Each number in a text is made of a cell of a table, and says which: data-cell has the file,
+# the line and the column; tests/check/report.sh looks them up.
+#
+#     awk -v part=table|errors|growth|account|tick|effects -v file=NAME.tsv -f page.awk FILE
+BEGIN { FS = "\t" }
+
+function escaped(text)
+{
+    gsub(/&/, "\\&amp;", text)
+    gsub(/</, "\\&lt;", text)
+    return text
+}
+
+# Cell c of line r in short.
+function number(r, c)
+{
+    return sprintf("<data value='%s' data-cell='%s:%d:%d'>%.3g</data>", cell[r, c], file, r, c, cell[r, c])
+}
+
+{
+    for (c = 1; c <= NF; c++) cell[NR, c] = $c
+    columns[NR] = NF
+}
+
+# All of the table.
+function put_table(r, c, tag)
+{
+    printf "<details><summary>%s, %d lines</summary>\n<table data-file='%s'>\n", file, NR, file
+    for (r = 1; r <= NR; r++) {
+        tag = r == 1 ? "th" : "td"
+        printf "<tr>"
+        for (c = 1; c <= columns[r]; c++) printf "<%s>%s</%s>", tag, escaped(cell[r, c]), tag
+        print "</tr>"
+    }
+    print "</table></details>"
+}
+
+# Of each kind the least error and its place, and the cheapest that has at most a thousand times it.
+function put_errors(r, kinds, k, kind, best, cheap)
+{
+    for (r = 2; r <= NR; r++) {
+        if (cell[r, 5] == "inf" || cell[r, 5] + 0 <= 0) continue
+        if (!(cell[r, 1] in best)) kind[++kinds] = cell[r, 1]
+        k = cell[r, 1]
+        if (!(k in best) || cell[r, 5] + 0 < cell[best[k], 5] + 0) best[k] = r
+    }
+    for (r = 2; r <= NR; r++) {
+        k = cell[r, 1]
+        if (cell[r, 5] == "inf" || !(k in best) || cell[r, 5] + 0 > 1000 * cell[best[k], 5]) continue
+        if (!(k in cheap) || cell[r, 8] + 0 < cell[cheap[k], 8] + 0) cheap[k] = r
+    }
+    print "<ul>"
+    for (k = 1; k <= kinds; k++) {
+        r = best[kind[k]]
+        printf "<li><b>%s</b>: no error is below %s: %s, steps of %s s, %s instructions per second. ", kind[k], number(r, 5),
+            cell[r, 2], number(r, 3), number(r, 8)
+        r = cheap[kind[k]]
+        printf "Of those within a factor of a thousand the cheapest is %s with steps of %s s: error %s, %s instructions per second.</li>\n",
+            cell[r, 2], number(r, 3), number(r, 5), number(r, 8)
+    }
+    print "</ul>"
+}
+
+# The last line of each kind.
+function put_growth(r, said)
+{
+    for (r = 2; r <= NR; r++)
+        if (r == NR || cell[r + 1, 1] != cell[r, 1])
+            said = said (said == "" ? "" : ", ") sprintf("%s in %s", cell[r, 5] == "inf" ? "lost" : number(r, 5), cell[r, 1])
+    printf "<p>%s with a step of %s s; the error after %s s is %s.</p>\n", cell[2, 2], number(2, 3), number(NR, 4), said
+}
+
+function put_account(r)
+{
+    print "<ul>"
+    for (r = 2; r <= NR; r++)
+        printf "<li><b>%s</b>%s: %s at the start, %s at the end, between %s and %s.</li>\n", cell[r, 1],
+            cell[r, 2] == "" ? "" : ", " cell[r, 2], number(r, 3), number(r, 4), number(r, 5), number(r, 6)
+    print "</ul>"
+}
+
+# A bar for each target: the parts of a tick by their share of its cycles.
+function put_tick(r, c, share, total)
+{
+    for (r = 2; r <= NR; r++) if (cell[r, 2] == "tick") total[cell[r, 1]] = r
+    for (r = 2; r <= NR; r++) {
+        if (cell[r, 1] != last) {
+            last = cell[r, 1]
+            if (r > 2) print "</div>"
+            printf "<p><b>%s</b>: a tick takes at most %s cycles, %s us.</p>\n<div class='bar'>", last, number(total[last], 5), number(total[last], 6)
+        }
+        if (cell[r, 2] == "tick" || cell[r, 2] == "interrupt" || cell[r, 5] + 0 == 0) continue
+        share = 100 * cell[r, 5] / cell[total[last], 5]
+        printf "<span class='%s' style='flex-grow:%.4g' title='%s: %s cycles'>%s</span>", cell[r, 2], share, cell[r, 2], cell[r, 5],
+            share > 9 ? cell[r, 2] : ""
+    }
+    print "</div>"
+    print "<p class='key'><i class='loop'></i>loop <i class='inputs'></i>inputs <i class='checks'></i>checks <i class='step'></i>step " \
+        "<i class='finish'></i>finish <i class='outputs'></i>outputs <i class='tell'></i>tell <i class='port'></i>port</p>"
+}
+
+END {
+    if (part == "table") put_table()
+    if (part == "errors") put_errors()
+    if (part == "growth") put_growth()
+    if (part == "account") put_account()
+    if (part == "tick") put_tick()
+}

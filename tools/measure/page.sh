@@ -1,0 +1,178 @@
+# shellcheck shell=sh
+# The page of a report, report.html, and what it has besides the tables of methods: read by report.sh, when these are there. Each
+# part makes its tables and pictures in $dir; a part that a scene cannot have is left out.
+
+# The targets whose ticks are shown, by published timings.
+TICK_TARGETS="cortex-m4f cortex-m7"
+
+now_doing()
+{
+    echo "$WHAT: $1" >&2
+}
+
+# own_method: the method of the scene, at whose step errors grow; nothing where its steps vary.
+own_method()
+{
+    case $SCENE in
+    *.c) echo rk4 ;;
+    *) build/isoc "$SCENE" --shape | sed -n '/^method\tadams$/d; s/^method\t//p' ;;
+    esac
+}
+
+# grow: growth.tsv, the error of the scene's method at its step after parts of the time.
+grow()
+{
+    method=$(own_method)
+    [ -n "$method" ] || return 0
+    : >"$dir/grown.txt"
+    for kind in float compensated double; do
+        [ -x "$dir/$kind-$method/drive" ] || (variable $kind "$method") || return 0
+        for part in 32 16 8 4 2 1; do
+            steps=$((4 * coarsest / part))
+            [ $steps -eq 0 ] || "$dir/$kind-$method/drive" "$(awk -v n=$steps -v step="$step" 'BEGIN { printf "%.17g", n * step }')" $steps |
+                sed "s/^/$kind $method 0 - /" >>"$dir/grown.txt"
+        done
+    done
+    cp "$dir/reference.txt" "$dir/kept.txt"
+    : >"$dir/reference.txt"
+    cut -d ' ' -f 6 "$dir/grown.txt" | sort -u >"$dir/times"
+    while IFS= read -r at; do
+        reference "$at"
+    done <"$dir/times"
+    mv "$dir/reference.txt" "$dir/grown_reference.txt"
+    mv "$dir/kept.txt" "$dir/reference.txt"
+    compute reference -f tools/measure/errors.awk "$dir/grown_reference.txt" "$dir/grown.txt" | awk -F '\t' -v OFS='\t' '
+        NR == 1 { print "kind", "method", "step_s", "time_s", "error"; next }
+        { print $1, $2, $3, sprintf("%.9g", $3 * $4), $5 }' >"$dir/growth.tsv"
+    sh tools/plot/picture.sh growth "$NAME" "$dir/growth.tsv" >"$dir/growth.gnuplot" && sh tools/plot/draw.sh "$dir/growth.gnuplot" >/dev/null
+}
+
+# account: account.tsv and account.svg, of a run: the energy, what its balance leaves, and of closed loops the violation.
+account()
+{
+    case $SCENE in
+    *.c) return 0 ;;
+    esac
+    mkdir -p "$dir/account"
+    {
+        elsewhere "$SCENE"
+        printf '\noutput report_energy = energy\noutput report_balance = balance\n'
+        ! build/isoc "$SCENE" --shape | grep -q '^closure' || echo 'output report_violation = violation'
+    } >"$dir/account/$NAME.scene"
+    "${MAKE:-make}" --no-print-directory run SCENE="$dir/account/$NAME.scene" OUT="$dir/account" TARGET=host REAL=float METHOD= INPUTS= STEP="$STEP" \
+        SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/account/summary.txt" 2>"$dir/account/said" </dev/null || return 0
+    sh tools/plot/picture.sh trace "$dir/account" $(sed -n 1p "$dir/account/trace.csv" | tr , '\n' | grep '^report_') >"$dir/account.gnuplot"
+    sh tools/plot/draw.sh "$dir/account.gnuplot" >/dev/null
+    awk -F , -v OFS='\t' '
+        FNR == 1 { file++ }
+        file == 1 { for (c = 1; c <= NF; c++) unit[c] = $c; next }
+        FNR == 1 { for (c = 1; c <= NF; c++) name[c] = $c; columns = NF; next }
+        {
+            for (c = 1; c <= NF; c++) {
+                if (FNR == 2) first[c] = least[c] = most[c] = $c
+                if ($c + 0 < least[c] + 0) least[c] = $c
+                if ($c + 0 > most[c] + 0) most[c] = $c
+                last[c] = $c
+            }
+        }
+        END {
+            print "quantity", "unit", "first", "last", "least", "most"
+            for (c = 1; c <= columns; c++)
+                if (sub(/^report_/, "", name[c])) print name[c], unit[c], first[c], last[c], least[c], most[c]
+        }' "$dir/account/units.csv" "$dir/account/trace.csv" >"$dir/account.tsv"
+}
+
+# tick: tick.tsv, the parts of the dearest tick on each target.
+tick_parts()
+{
+    case $SCENE in
+    *.c) return 0 ;;
+    esac
+    printf 'target\tpart\tinstructions\tcycles_least\tcycles_most\tus\n' >"$dir/tick.new"
+    for target in $TICK_TARGETS; do
+        "${MAKE:-make}" --no-print-directory cycles SCENE="$SCENE" OUT="$dir/cycles-$target" TARGET="$target" METHOD= INPUTS= STEP="$STEP" REAL=float \
+            >"$dir/cycles-$target.txt" 2>&1 </dev/null && sed -n "s/^part	/$target	/p" "$dir/cycles-$target/cycles.tsv" >>"$dir/tick.new"
+    done
+    [ "$(grep -c . "$dir/tick.new")" -lt 2 ] || mv "$dir/tick.new" "$dir/tick.tsv"
+}
+
+# prices: effects.tsv and effects.svg, of a scene that has effects.
+prices()
+{
+    case $SCENE in
+    *.c) return 0 ;;
+    esac
+    [ -n "$(build/isoc "$SCENE" --effects)" ] || return 0
+    "${MAKE:-make}" --no-print-directory cost SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" SECONDS=1 >"$dir/cost.txt" 2>&1 </dev/null || return 0
+    cp "build/cost/$FOLDER/effects.tsv" "build/cost/$FOLDER/effects.svg" "$dir"
+}
+
+# motion: the page of make show, in this page.
+motion()
+{
+    case $SCENE in
+    *.c) return 0 ;;
+    esac
+    "${MAKE:-make}" --no-print-directory show SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" OUT="$dir/motion" TARGET=host REAL=float \
+        SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/motion.txt" 2>&1 </dev/null || return 0
+    echo '<h2>The mechanism</h2>'
+    printf '<iframe title="The mechanism in motion" srcdoc="'
+    sed 's/&/\&amp;/g; s/"/\&quot;/g' "$dir/motion/show.html"
+    echo '"></iframe>'
+}
+
+# section TITLE PART NAME PICTURE TEXT: a part of the page, if its table is there.
+section()
+{
+    [ -s "$dir/$3.tsv" ] || return 0
+    echo "<h2>$1</h2>"
+    [ -z "$5" ] || echo "<p>$5</p>"
+    [ "$2" = table ] || compute page -v part="$2" -v file="$3.tsv" "$dir/$3.tsv"
+    if [ -n "$4" ] && [ -s "$dir/$4.svg" ]; then
+        printf '<figure><img alt="%s" src="data:image/svg+xml;base64,%s"></figure>\n' "$1" "$(base64 -w 0 "$dir/$4.svg")"
+    fi
+    compute page -v part=table -v file="$3.tsv" "$dir/$3.tsv"
+}
+
+# page: all of it.
+page()
+{
+    cat <<END
+<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>$NAME: report</title>
+<style>
+END
+    cat tools/show/page.css tools/measure/page.css
+    cat <<END
+</style>
+</head>
+<body>
+<header><h1>$NAME</h1><p id="about">report of its methods; every number is of a table on this page</p></header>
+<main class="report">
+END
+    motion
+    section "Error over cost and step" errors report work_precision \
+        "The error of the state at the end, as a 2-norm over all states in SI units, for every method, step and number type."
+    section "In a loop" table loop loop "Inputs change at every tick, as a held staircase or as samples of a smooth signal."
+    section "How the error grows" growth growth growth ""
+    section "Energy and balance" account account account \
+        "Of a run in float. The balance is the power that the energy does not explain."
+    section "The dearest tick" tick tick "" "Its parts by published timings of the core."
+    section "What each effect costs and changes" table effects effects ""
+    echo '</main></body></html>'
+}
+
+now_doing "growth of the error"
+grow
+now_doing "energy and balance"
+account
+now_doing "cycles of a tick"
+tick_parts
+now_doing "prices of effects"
+prices
+now_doing "the page"
+page >"$dir/report.html.new" && mv "$dir/report.html.new" "$dir/report.html"
