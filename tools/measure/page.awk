@@ -12,9 +12,11 @@ function escaped(text)
 }
 
 # Cell c of line r in short.
-function number(r, c)
+function number(r, c, size)
 {
-    return sprintf("<data value='%s' data-cell='%s:%d:%d'>%.3g</data>", cell[r, c], file, r, c, cell[r, c])
+    size = cell[r, c] < 0 ? -cell[r, c] : cell[r, c]
+    return sprintf("<data value='%s' data-cell='%s:%d:%d'>" (size >= 100 && size < 1e7 ? "%.0f" : "%.3g") "</data>", cell[r, c], file, r, c,
+        cell[r, c])
 }
 
 {
@@ -80,7 +82,7 @@ function put_account(r)
 }
 
 # A bar for each target: the parts of a tick by their share of its cycles.
-function put_tick(r, c, share, total)
+function put_tick(r, share, total, last)
 {
     for (r = 2; r <= NR; r++) if (cell[r, 2] == "tick") total[cell[r, 1]] = r
     for (r = 2; r <= NR; r++) {
@@ -92,7 +94,7 @@ function put_tick(r, c, share, total)
         if (cell[r, 2] == "tick" || cell[r, 2] == "interrupt" || cell[r, 5] + 0 == 0) continue
         share = 100 * cell[r, 5] / cell[total[last], 5]
         printf "<span class='%s' style='flex-grow:%.4g' title='%s: %s cycles'>%s</span>", cell[r, 2], share, cell[r, 2], cell[r, 5],
-            share > 9 ? cell[r, 2] : ""
+            (share > 9 ? cell[r, 2] : "")
     }
     print "</div>"
     print "<p class='key'><i class='loop'></i>loop <i class='inputs'></i>inputs <i class='checks'></i>checks <i class='step'></i>step " \

@@ -29,7 +29,8 @@ END {
     print "# size 900 380"
     put_style()
     print "set logscale xy\nset mxtics 1\nset mytics 1"
-    put_decades("x", least["time"] / 1.3, most["time"] * 1.3, 1)
+    for (at = most["time"]; at > least["time"] / 1.1; at /= 2) list = sprintf("'%.3g' %.9g", at, at) (list == "" ? "" : ", ") list
+    printf "set xrange [%.4g:%.4g]\nset xtics (%s)\n", least["time"] / 1.2, most["time"] * 1.2, list
     put_decades("y", power_of_ten(decade_below(least["error"])), power_of_ten(decade_above(most["error"])), 1)
     print "set xlabel 't, s'\nset ylabel 'error of the state'"
     printf "set title '%s: how the error grows, %s with a step of %.4g ms' noenhanced\n", scene, method, 1000 * step
