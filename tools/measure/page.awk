@@ -1,7 +1,7 @@
 # Parts of the page of a report, as HTML. Each number in a text is made of a cell of a table, and says which: data-cell has the file,
 # the line and the column; tests/check/report.sh looks them up.
 #
-#     awk -v part=table|errors|growth|account|tick|effects -v file=NAME.tsv -f page.awk FILE
+#     awk -v part=table|errors|growth|account|tick|regions -v file=NAME.tsv -f page.awk FILE
 BEGIN { FS = "\t" }
 
 function escaped(text)
@@ -81,6 +81,19 @@ function put_account(r)
     print "</ul>"
 }
 
+# The eigenvalues that are farthest to the left, to the right and up.
+function put_regions(r, left, right, up)
+{
+    for (r = 2; r <= NR; r++) {
+        if (cell[r, 1] != "eigenvalue") continue
+        if (!left || cell[r, 2] + 0 < cell[left, 2] + 0) left = r
+        if (!right || cell[r, 2] + 0 > cell[right, 2] + 0) right = r
+        if (!up || cell[r, 3] + 0 > cell[up, 3] + 0) up = r
+    }
+    printf "<p>The fastest decay times the step is %s, the fastest growth %s, the fastest oscillation %s.</p>\n", number(left, 2),
+        number(right, 2), number(up, 3)
+}
+
 # A bar for each target: the parts of a tick by their share of its cycles.
 function put_tick(r, share, total, last)
 {
@@ -107,4 +120,5 @@ END {
     if (part == "growth") put_growth()
     if (part == "account") put_account()
     if (part == "tick") put_tick()
+    if (part == "regions") put_regions()
 }

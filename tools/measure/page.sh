@@ -107,6 +107,27 @@ prices()
     cp "build/cost/$FOLDER/effects.tsv" "build/cost/$FOLDER/effects.svg" "$dir"
 }
 
+# eigenvalues: regions.tsv and regions.svg, the regions of stability and the step times the eigenvalues of the scene, at its start,
+# in the middle and at the end of the time.
+eigenvalues()
+{
+    case $SCENE in
+    *.c) return 0 ;;
+    esac
+    compute regions >"$dir/regions.new" </dev/null
+    for at in 0 "$(awk -v t="$time" 'BEGIN { printf "%.9g", t / 2 }')" "$time"; do
+        at_option=
+        [ "$at" = 0 ] || at_option=AT=${at}s
+        "${MAKE:-make}" --no-print-directory linear SCENE="$SCENE" $at_option METHOD= INPUTS= STEP="$STEP" TRIM= BODE= \
+            >"$dir/linear.txt" 2>&1 </dev/null || continue
+        awk -F '\t' -v step="$step" 'FNR > 1 { printf "eigenvalue\t%.6g\t%.6g\n", step * $1, step * $2 }' "build/linear/$FOLDER/modes.tsv" >>"$dir/regions.new"
+    done
+    ! grep -q '^eigenvalue' "$dir/regions.new" || {
+        mv "$dir/regions.new" "$dir/regions.tsv"
+        sh tools/plot/picture.sh regions "$NAME" "$dir/regions.tsv" >"$dir/regions.gnuplot" && sh tools/plot/draw.sh "$dir/regions.gnuplot" >/dev/null
+    }
+}
+
 # motion: the page of make show, in this page.
 motion()
 {
@@ -161,6 +182,8 @@ END
     section "How the error grows" growth growth growth ""
     section "Energy and balance" account account account \
         "Of a run in float. The balance is the power that the energy does not explain."
+    section "Stability" regions regions regions \
+        "Inside of its curve a method damps what the scene damps; the points are the step times the eigenvalues at the start, in the middle and at the end."
     section "The dearest tick" tick tick "" "Its parts by published timings of the core."
     section "What each effect costs and changes" table effects effects ""
     echo '</main></body></html>'
@@ -172,6 +195,8 @@ now_doing "energy and balance"
 account
 now_doing "cycles of a tick"
 tick_parts
+now_doing "regions of stability"
+eigenvalues
 now_doing "prices of effects"
 prices
 now_doing "the page"
