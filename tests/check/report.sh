@@ -95,12 +95,48 @@ printf 'DIR/%s/a.scene:3:1: warning: %s\n    text\n    ^\n' one first one second
 ) 2>"$out/told.text"
 printf 'models/a.scene:3:1: warning: %s\n    text\n    ^\n' first second | diff - "$out/told.text" >"$out/diff"
 result $? "two warnings of two kinds are told once each"
-for file in report.txt report.tsv work_precision.svg work_precision.png; do
+for file in report.html report.txt report.tsv work_precision.svg work_precision.png; do
     [ -s "$folder/$file" ] && grep -qx "build/report/double_pendulum/$file" "$out/output"
     result $? "$file is there, and named"
 done
 whole "$tsv"
 result $? "the table has every kind, method and step"
+
+# The page: its tables are the files, and each number in its text is that of a cell.
+python3 tests/check/cells.py "$folder/report.html" "$folder" >"$out/cells"
+status=$?
+sed 's/^/# /' "$out/cells"
+result $status "every number of the page is a cell of a table that it shows: $(tail -n 1 "$out/cells")"
+for part in report growth account tick regions; do
+    grep -q "<table data-file='$part.tsv'>" "$folder/report.html" && grep -q "data-cell='$part.tsv:" "$folder/report.html"
+    result $? "the page has $part.tsv, and numbers of it"
+done
+[ "$(grep -c 'srcdoc="<!doctype html>' "$folder/report.html")" -eq 1 ] && [ "$(grep -c 'img alt=.* src="data:image/svg+xml;base64' "$folder/report.html")" -eq 4 ]
+result $? "it has the mechanism and four pictures in it"
+[ "$(find "$out/project/build/report/references" -type f | wc -l)" -ge 2 ]
+result $? "references are kept"
+mkdir -p "$out/wrong" && cp "$folder"/*.tsv "$out/wrong"
+awk -F '\t' -v OFS='\t' 'NR == 5 { $5 = "1.234e-05" } { print }' "$folder/growth.tsv" >"$out/wrong/growth.tsv"
+! python3 tests/check/cells.py "$folder/report.html" "$out/wrong" >/dev/null
+result $? "found: a table that is not that of the page"
+sed "0,/\(data-cell='tick[^>]*>\)[0-9.]*/s//\11234/" "$folder/report.html" >"$out/wrong.html"
+! cmp -s "$folder/report.html" "$out/wrong.html" && ! python3 tests/check/cells.py "$out/wrong.html" "$folder" >/dev/null
+result $? "found: a number that is not that of its cell"
+sed 's/<h2>The dearest tick/<p>It takes 12 us.<\/p>&/' "$folder/report.html" >"$out/wrong.html"
+! python3 tests/check/cells.py "$out/wrong.html" "$folder" >/dev/null
+result $? "found: a number of no cell"
+# What growth.tsv says of the end is what report.tsv says of the scene's step.
+awk -F '\t' '
+    FNR == NR { if ($2 == "rk4" && $3 > 0.00099 && $3 < 0.00101) error[$1] = $5; next }
+    FNR > 1 { last[$1] = $5 }
+    END { for (kind in last) { n++; if (last[kind] != error[kind]) exit 1 } exit n != 3 }' "$tsv" "$folder/growth.tsv"
+result $? "the error at the end of the growth is that of the table"
+# The edge of rk4 on the real axis, and that of ab4.
+awk -F '\t' '
+    $1 == "rk4" && ($3 < 0 ? -$3 : $3) < 1e-3 && $2 < rk4 { rk4 = $2 }
+    $1 == "ab4" && ($3 < 0 ? -$3 : $3) < 1e-3 && $2 < ab4 { ab4 = $2 }
+    END { exit !(rk4 < -2.784 && rk4 > -2.786 && ab4 < -0.2999 && ab4 > -0.3001) }' "$folder/regions.tsv"
+result $? "the regions of rk4 and ab4 end at -2.785 and -0.3"
 build/isoc --methods >"$out/methods.md"
 ordered "$tsv" "$out/methods.md"
 result $? "errors fall with the order of the method"

@@ -178,6 +178,7 @@ END
     motion
     section "Error over cost and step" errors report work_precision \
         "The error of the state at the end, as a 2-norm over all states in SI units, for every method, step and number type."
+    [ ! -s "$dir/unlooped" ] || echo "<p>In a loop nothing is measured: two methods do not agree on what is right.</p>"
     section "In a loop" table loop loop "Inputs change at every tick, as a held staircase or as samples of a smooth signal."
     section "How the error grows" growth growth growth ""
     section "Energy and balance" account account account \
