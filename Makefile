@@ -526,7 +526,7 @@ ticks: ## count what a tick takes beside the step and the equations, on the Cort
 cost: ## print what each effect of SCENE costs and changes; without SCENE tables: PARTS models methods restarts effects library
 chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float
 flags: ## measure a step with each optimisation of the compiler: a table of MODELS on the TARGET
-report: ## measure the error of every method over its cost and its step: tables and a picture in build/report/NAME/
+report: ## measure the error of every method over its cost and its step, and more: a page, tables and pictures in build/report/NAME/
 bench: ## compare the methods at equal step and at equal error, as a table
 linear: ## the linear model of SCENE: A, B, C, D, equilibria (TRIM), modes in words, Bode plots (BODE), in build/linear/NAME/
 drift: ## measure the drift of closed loops with every stabilisation: a table, and a picture in build/drift/NAME/

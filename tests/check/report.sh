@@ -7,6 +7,7 @@
 . tests/host/picture.sh
 begin check/report
 project
+reads_picture
 
 # By turns, both with the argument `all`: the report of a scene with inputs, and make bench.
 turn=$(turn_of 2 "${1-}" core tools models)
@@ -125,6 +126,13 @@ result $? "found: a number that is not that of its cell"
 sed 's/<h2>The dearest tick/<p>It takes 12 us.<\/p>&/' "$folder/report.html" >"$out/wrong.html"
 ! python3 tests/check/cells.py "$out/wrong.html" "$folder" >/dev/null
 result $? "found: a number of no cell"
+# The pictures of the page, read back.
+awk -F '\t' -v OFS='\t' 'FNR > 1 && $5 > 0 { print "|t, s", $1, $4, $5 }' "$folder/growth.tsv" >"$out/points"
+shows "$folder/growth.svg" "$out/points" all
+result $? "the picture of the growth has the points of its table"
+awk -F '\t' -v OFS='\t' 'FNR > 1 { print "|real part of the eigenvalue times the step", $1, $2, $3 }' "$folder/regions.tsv" >"$out/points"
+shows "$folder/regions.svg" "$out/points" drawn
+result $? "the picture of the regions shows what its table has"
 # What growth.tsv says of the end is what report.tsv says of the scene's step.
 awk -F '\t' '
     FNR == NR { if ($2 == "rk4" && $3 > 0.00099 && $3 < 0.00101) error[$1] = $5; next }
@@ -146,7 +154,6 @@ grep -Ev '^  (CC|LINK) ' "$out/output" | head -n "$(grep -c '' "$folder/report.t
 result $? "report.txt is what is printed"
 [ "$(wc -c <"$folder/work_precision.svg")" -lt 100000 ]
 result $? "the picture is smaller than 100 kB"
-reads_picture
 report_points "$tsv" >"$out/points"
 shows "$folder/work_precision.svg" "$out/points" all
 result $? "the picture, read back through its labels, has the points of the table, and those of the Pareto fronts"

@@ -5,6 +5,12 @@
 # The targets whose ticks are shown, by published timings.
 TICK_TARGETS="cortex-m4f cortex-m7"
 
+# own_make ARGUMENT...: make, without what this report was told and others do not know: its METHODS, say.
+own_make()
+{
+    env -u MAKEFLAGS -u MFLAGS -u MAKEOVERRIDES "${MAKE:-make}" --no-print-directory "$@"
+}
+
 now_doing()
 {
     echo "$WHAT: $1" >&2
@@ -59,7 +65,7 @@ account()
         printf '\noutput report_energy = energy\noutput report_balance = balance\n'
         ! build/isoc "$SCENE" --shape | grep -q '^closure' || echo 'output report_violation = violation'
     } >"$dir/account/$NAME.scene"
-    "${MAKE:-make}" --no-print-directory run SCENE="$dir/account/$NAME.scene" OUT="$dir/account" TARGET=host REAL=float METHOD= INPUTS= STEP="$STEP" \
+    own_make run SCENE="$dir/account/$NAME.scene" OUT="$dir/account" TARGET=host REAL=float METHOD= INPUTS= STEP="$STEP" \
         SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/account/summary.txt" 2>"$dir/account/said" </dev/null || return 0
     sh tools/plot/picture.sh trace "$dir/account" $(sed -n 1p "$dir/account/trace.csv" | tr , '\n' | grep '^report_') >"$dir/account.gnuplot"
     sh tools/plot/draw.sh "$dir/account.gnuplot" >/dev/null
@@ -90,7 +96,7 @@ tick_parts()
     esac
     printf 'target\tpart\tinstructions\tcycles_least\tcycles_most\tus\n' >"$dir/tick.new"
     for target in $TICK_TARGETS; do
-        "${MAKE:-make}" --no-print-directory cycles SCENE="$SCENE" OUT="$dir/cycles-$target" TARGET="$target" METHOD= INPUTS= STEP="$STEP" REAL=float \
+        own_make cycles SCENE="$SCENE" OUT="$dir/cycles-$target" TARGET="$target" METHOD= INPUTS= STEP="$STEP" REAL=float \
             >"$dir/cycles-$target.txt" 2>&1 </dev/null && sed -n "s/^part	/$target	/p" "$dir/cycles-$target/cycles.tsv" >>"$dir/tick.new"
     done
     [ "$(grep -c . "$dir/tick.new")" -lt 2 ] || mv "$dir/tick.new" "$dir/tick.tsv"
@@ -103,7 +109,7 @@ prices()
     *.c) return 0 ;;
     esac
     [ -n "$(build/isoc "$SCENE" --effects)" ] || return 0
-    "${MAKE:-make}" --no-print-directory cost SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" SECONDS=1 >"$dir/cost.txt" 2>&1 </dev/null || return 0
+    own_make cost SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" SECONDS=1 >"$dir/cost.txt" 2>&1 </dev/null || return 0
     cp "build/cost/$FOLDER/effects.tsv" "build/cost/$FOLDER/effects.svg" "$dir"
 }
 
@@ -118,7 +124,7 @@ eigenvalues()
     for at in 0 "$(awk -v t="$time" 'BEGIN { printf "%.9g", t / 2 }')" "$time"; do
         at_option=
         [ "$at" = 0 ] || at_option=AT=${at}s
-        "${MAKE:-make}" --no-print-directory linear SCENE="$SCENE" $at_option METHOD= INPUTS= STEP="$STEP" TRIM= BODE= \
+        own_make linear SCENE="$SCENE" $at_option METHOD= INPUTS= STEP="$STEP" TRIM= BODE= \
             >"$dir/linear.txt" 2>&1 </dev/null || continue
         awk -F '\t' -v step="$step" 'FNR > 1 { printf "eigenvalue\t%.6g\t%.6g\n", step * $1, step * $2 }' "build/linear/$FOLDER/modes.tsv" >>"$dir/regions.new"
     done
@@ -134,7 +140,7 @@ motion()
     case $SCENE in
     *.c) return 0 ;;
     esac
-    "${MAKE:-make}" --no-print-directory show SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" OUT="$dir/motion" TARGET=host REAL=float \
+    own_make show SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" OUT="$dir/motion" TARGET=host REAL=float \
         SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/motion.txt" 2>&1 </dev/null || return 0
     echo '<h2>The mechanism</h2>'
     printf '<iframe title="The mechanism in motion" srcdoc="'

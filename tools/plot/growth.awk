@@ -29,7 +29,7 @@ END {
     print "# size 900 380"
     put_style()
     print "set logscale xy\nset mxtics 1\nset mytics 1"
-    for (at = most["time"]; at > least["time"] / 1.1; at /= 2) list = sprintf("'%.3g' %.9g", at, at) (list == "" ? "" : ", ") list
+    for (at = most["time"]; at > least["time"] / 1.1; at /= 2) list = sprintf("'%.6g' %.9g", at, at) (list == "" ? "" : ", ") list
     printf "set xrange [%.4g:%.4g]\nset xtics (%s)\n", least["time"] / 1.2, most["time"] * 1.2, list
     put_decades("y", power_of_ten(decade_below(least["error"])), power_of_ten(decade_above(most["error"])), 1)
     print "set xlabel 't, s'\nset ylabel 'error of the state'"

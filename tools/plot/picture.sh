@@ -8,6 +8,8 @@
 #     picture.sh work_precision SCENE TIME report.tsv
 #     picture.sh violation SCENE measured
 #     picture.sh effects SCENE TARGET effects.tsv
+#     picture.sh growth SCENE growth.tsv
+#     picture.sh regions SCENE regions.tsv
 #     picture.sh compare DIRECTORY DIRECTORY
 #     picture.sh differences DIRECTORY DIRECTORY      as a table
 set -eu

@@ -24,7 +24,7 @@ END {
     put_style()
     for (i = 1; i <= methods; i++) put_block("edge_" order[i], curve[order[i]])
     put_block("eigenvalues", points)
-    print "set xrange [-4.2:1.4]\nset yrange [-3.2:3.2]\nset size ratio -1\nset xzeroaxis\nset yzeroaxis"
+    print "set xrange [-4.2:1.4]\nset yrange [-3.2:3.2]\nset size ratio -1"
     print "set xlabel 'real part of the eigenvalue times the step'\nset ylabel 'imaginary part'"
     print "set title '" scene ": what each method keeps stable, and the eigenvalues at its step' noenhanced"
     print "set key on outside right center noenhanced samplen 2"
