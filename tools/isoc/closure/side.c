@@ -62,7 +62,7 @@ static void add_way(const kinematics *k, const acceleration *all, int i, bool mo
         return;
     }
     const vector omega = k->motions[i].omega, alpha = all[i].alpha;
-    const vector slid = moves && slides(&k->m->segments[i]) ? k->motions[i].rate : zero;
+    const vector slid = moves ? slide_of(k, i, k->motions[i].rate) : zero;
     const vector coriolis = moves ? joint_coriolis(k, i).a : zero;
     vector rate, bias;
     if (same(matrix_apply(g, rotation, omega), omega) && same(matrix_apply(g, rotation, alpha), alpha)) {
@@ -84,8 +84,8 @@ static void add_dofs(const kinematics *k, int i, matrix rotation, side *to)
     const segment *l = &k->m->segments[i];
     for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
         const vector e = matrix_apply(g, rotation, axis_of(k, f));
-        to->linear[f] = slides(l) ? e : vector_cross(g, e, to->point);
-        to->angular[f] = slides(l) ? vector_zero(g) : e;
+        to->angular[f] = turn_of(k, i, e);
+        to->linear[f] = slides(l) ? e : vector_add(g, vector_cross(g, e, to->point), slide_of(k, i, e));
     }
 }
 

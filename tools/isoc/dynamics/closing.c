@@ -172,7 +172,7 @@ static void move_away(const closing *c, const bool *is_free, int n, double reach
 static void fold(const closing *c, const bool *is_free)
 {
     FOR_ALL (const segment, l, c->m->segments, c->m->segment_count) {
-        if (l->kind == JOINT_REVOLUTE && is_free[l->dof]) {
+        if (l->kind == JOINT_REVOLUTE && l->lead == 0.0 && is_free[l->dof]) {
             const double from = l->continuous ? 0.0 : l->start[0];
             c->x[l->position] -= around * floor((c->x[l->position] - from) / around + 0.5);
         }

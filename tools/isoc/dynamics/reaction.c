@@ -9,10 +9,11 @@ acceleration *reaction_accelerations(const dynamics *d)
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
         result[i] = accelerate_outward(&d->k, i, result);
-        vector *moved = slides(l) ? &result[i].a : &result[i].alpha;
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             const node qdd = leaf(g, OP_DERIVATIVE, m->position_count + f);
-            *moved = vector_add(g, *moved, vector_scale(g, qdd, axis_of(&d->k, f)));
+            const vector moved = vector_scale(g, qdd, axis_of(&d->k, f));
+            result[i].alpha = vector_add(g, result[i].alpha, turn_of(&d->k, i, moved));
+            result[i].a = vector_add(g, result[i].a, slide_of(&d->k, i, moved));
         }
     }
     return result;

@@ -28,8 +28,9 @@ static void find_uses(const builder *b, name input, bool *force, bool *torque)
     *force = *torque = false;
     FOR_EACH (const joint, user, b->written->joints) {
         if (same_name(user->drive, input)) {
-            *force = *force || user->kind == JOINT_PRISMATIC;
-            *torque = *torque || user->kind == JOINT_REVOLUTE;
+            const joint_kind part = joint_rows[user->kind].parts[0].kind;
+            *force = *force || part == JOINT_PRISMATIC;
+            *torque = *torque || part == JOINT_REVOLUTE;
         }
     }
     for (size_t j = 0; j < b->written->forces.count; j++) {

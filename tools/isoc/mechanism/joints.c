@@ -106,6 +106,7 @@ static segment single(builder *b, const joint *j, int axis, double sign)
     dimension stiffness = turns ? newton_metre : newton;
     dimension_times(&stiffness, coordinate, -1);
 
+    result.lead = value_constant(&b->values, j->pitch, metre, "the pitch of this joint", 0.0) / (2.0 * half_turn);
     const formula *start = j->start.coordinate;
     result.start[0] = value_constant(&b->values, start, coordinate, "the start of this joint", 0.0);
     result.start_is_rough = j->start.is_rough;

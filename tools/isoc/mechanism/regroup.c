@@ -29,6 +29,9 @@ void regroup(builder *b)
     const node zero = constant(g, 0.0);
     for (int i = b->mechanism.segment_count - 1; i >= 0; i--) {
         segment *l = &b->mechanism.segments[i];
+        if (l->lead != 0.0) {
+            continue; /* a screw moves all of them */
+        }
         if (l->kind == JOINT_PRISMATIC) {
             move_to_parent(b, l, zero, vector_zero(g), l->own.inertia);
             l->own.inertia = tensor_zero(g);

@@ -10,6 +10,7 @@ typedef enum joint_kind {
     JOINT_FIXED,
     JOINT_REVOLUTE,
     JOINT_PRISMATIC,
+    JOINT_SCREW,
     JOINT_UNIVERSAL,
     JOINT_CYLINDRICAL,
     JOINT_PLANAR,
@@ -42,6 +43,7 @@ typedef struct joint_row {
     const char *word;
     const char *start; /* how a start is written */
     joint_part parts[PARTS_OF_A_JOINT + 1];
+    bool advances; /* its turn slides it along the axis, by its `pitch` */
 } joint_row;
 
 extern const joint_row joint_rows[JOINT_KINDS];
@@ -62,7 +64,8 @@ enum {
     HAS_SPEED = 16, /* slides, or has one coordinate */
     HAS_SPIN = 32,  /* turns, and has more than one coordinate */
     HAS_ONE_COORDINATE = 64,
-    TURNS_ROUND = 128, /* its only coordinate is an angle */
+    TURNS_ROUND = 128, /* its only coordinate is an angle, and a whole turn changes nothing */
+    HAS_PITCH = 256,
 };
 
 /* The traits of a kind, combined. */

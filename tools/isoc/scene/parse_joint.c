@@ -107,6 +107,7 @@ static const property joint_properties[] = {
     {"child", read_placement, IN(child), EVERY_KIND, "child BODY"},
     {"axis", read_axis, IN(axis), HAS_AXIS, "axis z"},
     {"second", read_axis, IN(second), HAS_SECOND, "second y"},
+    {"pitch", read_formula, IN(pitch), HAS_PITCH, "pitch 5 mm"},
     {"start", read_start, 0, MOVES, NULL},
     {"speed", read_formula, IN(speed), HAS_SPEED, NULL},
     {"spin", read_spin, 0, HAS_SPIN, NULL},

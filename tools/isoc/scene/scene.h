@@ -98,7 +98,7 @@ typedef struct joint {
     name name;
     joint_kind kind;
     placement parent, child;
-    formula *axis, *second;
+    formula *axis, *second, *pitch;
     pose start;
     formula *speed, *spin; /* spin: of what turns in a joint of several coordinates; speed: of all others */
     bool spin_in_ground;   /* in the axes of the ground, not of the child */

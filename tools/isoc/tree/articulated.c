@@ -13,6 +13,7 @@ typedef struct articulated {
  * diagonal, and the remaining effort u. All along its coordinate axis, whatever the sign of the joint's axis. */
 typedef struct release {
     int at;                               /* its place among the six components */
+    double lead;                          /* of a screw: its part in the linear component of the same axis */
     node column[SPATIAL], share[SPATIAL]; /* U, U / D */
     node pivot, inverse, effort;
 } release;
@@ -67,6 +68,19 @@ static articulated rigid(graph *g, const segment *l, wrench still)
     return result;
 }
 
+/* The component of a release's own motion. */
+static node own_component(graph *g, const release *r, const node *components)
+{
+    const node own = components[r->at];
+    return r->lead == 0.0 ? own : add(g, own, mul(g, constant(g, r->lead), components[r->at + LINEAR]));
+}
+
+/* Whether component i is that degree of freedom, and nothing else. */
+static bool is_own(const release *r, int i)
+{
+    return i == r->at && r->lead == 0.0;
+}
+
 /* Frees a degree of freedom: the inertia becomes I - U U' / D, and the bias gets U / D times the effort less its part
  * of the bias. Along the degree of freedom itself only the effort is left. */
 static release let_go(const kinematics *k, int f, node effort, articulated *b)
@@ -75,20 +89,23 @@ static release let_go(const kinematics *k, int f, node effort, articulated *b)
     const segment *l = &k->m->segments[k->m->dofs[f].segment];
     const int at = k->m->dofs[f].axis + (slides(l) ? LINEAR : ANGULAR);
     const node borne = mul(g, axis_of(k, f).at[at % 3], effort), zero = constant(g, 0.0);
-    release result = {.at = at, .pivot = graph_name(g, b->inertia[at][at], "D_%s", k->m->dofs[f].name)};
-    result.inverse = divide(g, constant(g, 1.0), result.pivot);
-    result.effort = sub(g, borne, b->bias[at]);
+    release result = {.at = at, .lead = l->lead};
     for (int i = 0; i < SPATIAL; i++) {
-        result.column[i] = b->inertia[i][at];
+        result.column[i] = own_component(g, &result, b->inertia[i]);
+    }
+    result.pivot = graph_name(g, own_component(g, &result, result.column), "D_%s", k->m->dofs[f].name);
+    result.inverse = divide(g, constant(g, 1.0), result.pivot);
+    result.effort = sub(g, borne, own_component(g, &result, b->bias));
+    for (int i = 0; i < SPATIAL; i++) {
         result.share[i] = mul(g, result.column[i], result.inverse);
     }
     for (int i = 0; i < SPATIAL; i++) {
         for (int j = 0; j <= i; j++) {
-            const bool gone = i == at || j == at;
+            const bool gone = is_own(&result, i) || is_own(&result, j);
             const node taken = gone ? zero : mul(g, result.share[i], result.column[j]);
             b->inertia[i][j] = b->inertia[j][i] = gone ? zero : sub(g, b->inertia[i][j], taken);
         }
-        b->bias[i] = i == at ? borne : add(g, b->bias[i], mul(g, result.share[i], result.effort));
+        b->bias[i] = is_own(&result, i) ? borne : add(g, b->bias[i], mul(g, result.share[i], result.effort));
     }
     return result;
 }
@@ -187,7 +204,7 @@ static node follow(graph *g, const release *r, bool alone, const node *a)
 {
     node sum = alone ? r->effort : mul(g, r->effort, r->inverse);
     for (int i = 0; i < SPATIAL; i++) {
-        if (i != r->at) {
+        if (!is_own(r, i)) {
             sum = sub(g, sum, mul(g, alone ? r->column[i] : r->share[i], a[i]));
         }
     }
@@ -208,8 +225,12 @@ static void outward(const kinematics *k, const release *releases, node *x)
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             const release *r = &releases[f];
             const node result = follow(g, r, m->dofs[f].before == GROUND, a);
-            x[f] = mul(g, axis_of(k, f).at[m->dofs[f].axis], sub(g, result, a[r->at]));
-            a[r->at] = result;
+            const node moved = r->lead == 0.0 ? sub(g, result, a[r->at]) : result;
+            x[f] = mul(g, axis_of(k, f).at[m->dofs[f].axis], moved);
+            a[r->at] = r->lead == 0.0 ? result : add(g, a[r->at], result);
+            if (r->lead != 0.0) {
+                a[r->at + LINEAR] = add(g, a[r->at + LINEAR], mul(g, constant(g, r->lead), result));
+            }
         }
         all[i] = (acceleration){vector_at(a, ANGULAR), vector_at(a, LINEAR)};
     }

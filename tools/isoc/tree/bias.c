@@ -14,9 +14,8 @@ acceleration joint_coriolis(const kinematics *k, int i)
 {
     graph *g = k->g;
     const motion *now = &k->motions[i];
-    const vector turned = vector_cross(g, now->carried, now->rate), zero = vector_zero(g);
-    return slides(&k->m->segments[i]) ? (acceleration){zero, vector_scale(g, constant(g, 2.0), turned)}
-                                      : (acceleration){turned, zero};
+    const vector turned = vector_cross(g, now->carried, now->rate);
+    return (acceleration){turn_of(k, i, turned), vector_scale(g, constant(g, 2.0), slide_of(k, i, turned))};
 }
 
 acceleration accelerate_outward(const kinematics *k, int i, const acceleration *all)
@@ -63,7 +62,7 @@ void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts)
         vector_name(g, wrenches[i].force, "force", l->name);
         vector_name(g, wrenches[i].moment, "moment", l->name);
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
-            const node along = vector_dot(g, axis_of(k, f), slides(l) ? wrenches[i].force : felt[i]);
+            const node along = component_along(k, f, wrenches[i].force, felt[i]);
             efforts[f] = graph_name(g, along, "bias_%s", m->dofs[f].name);
         }
         if (l->parent != GROUND) {

@@ -5,11 +5,32 @@ bool slides(const segment *l)
     return l->kind == JOINT_PRISMATIC;
 }
 
+node component_along(const kinematics *k, int f, vector linear, vector angular)
+{
+    const segment *l = &k->m->segments[k->m->dofs[f].segment];
+    const node along = vector_dot(k->g, axis_of(k, f), slides(l) ? linear : angular);
+    return l->lead == 0.0
+               ? along
+               : add(k->g, along, vector_dot(k->g, slide_of(k, k->m->dofs[f].segment, axis_of(k, f)), linear));
+}
+
+vector slide_of(const kinematics *k, int i, vector moved)
+{
+    const segment *l = &k->m->segments[i];
+    return slides(l) ? moved : l->lead == 0.0 ? vector_zero(k->g) : vector_scale(k->g, constant(k->g, l->lead), moved);
+}
+
+vector turn_of(const kinematics *k, int i, vector moved)
+{
+    return slides(&k->m->segments[i]) ? vector_zero(k->g) : moved;
+}
+
 int shared_axis(const kinematics *k, int i)
 {
     const segment *l = &k->m->segments[i];
     const segment *parent = l->parent == GROUND ? l : &k->m->segments[l->parent];
-    if (!k->absolute || parent == l || l->kind != JOINT_REVOLUTE || parent->kind != JOINT_REVOLUTE) {
+    if (!k->absolute || parent == l || l->kind != JOINT_REVOLUTE || parent->kind != JOINT_REVOLUTE || l->lead != 0.0 ||
+        parent->lead != 0.0) {
         return 0;
     }
     const double along = l->sign * parent->sign * constant_value(k->g, l->turn.at[parent->axis][l->axis]);
@@ -90,10 +111,13 @@ static void start_motion(const kinematics *k, int i)
         for (int n = 0; n < 9; n++) {
             graph_name(g, now->free_turn.at[n / 3][n % 3], "R_%s_%d%d", l->name, n / 3 + 1, n % 3 + 1);
         }
-    } else if (slides(l)) {
-        const vector along = vector_scale(g, now->q[0], axis_of(k, l->dof));
+        return;
+    }
+    if (slides(l) || l->lead != 0.0) {
+        const vector along = slide_of(k, i, vector_scale(g, now->q[0], axis_of(k, l->dof)));
         now->p = vector_name(g, vector_add(g, l->offset, matrix_apply(g, l->turn, along)), "p", l->name);
-    } else {
+    }
+    if (!slides(l)) {
         const node s = graph_name(g, sine(g, now->q[0]), "sin_%s", l->name);
         now->s = mul(g, constant(g, l->sign), s);
         now->c = graph_name(g, cosine(g, now->q[0]), "cos_%s", l->name);
@@ -133,8 +157,8 @@ void kinematics_velocities(const kinematics *k)
         const segment *l = &k->m->segments[i];
         motion *now = &k->motions[i];
         now->v = l->parent == GROUND ? vector_zero(g) : from_parent(k, i, point_velocity(k, l->parent, now->p));
-        if (slides(l)) {
-            now->v = vector_add(g, now->v, now->rate);
+        if (slides(l) || l->lead != 0.0) {
+            now->v = vector_add(g, now->v, slide_of(k, i, now->rate));
         }
         vector_name(g, now->v, "v", l->name);
     }

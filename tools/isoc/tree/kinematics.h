@@ -38,6 +38,13 @@ int shared_axis(const kinematics *k, int segment);
 /* The axis of a degree of freedom in its segment's axes. */
 vector axis_of(const kinematics *k, int f);
 
+/* What a joint's motion along its axes, such as its rate, is of a slide and of a turn. */
+vector slide_of(const kinematics *k, int segment, vector moved);
+vector turn_of(const kinematics *k, int segment, vector moved);
+
+/* What of a force and a moment is along a degree of freedom. */
+node component_along(const kinematics *k, int f, vector linear, vector angular);
+
 /* A vector from segment axes to the parent's axes and back. */
 vector to_parent(const kinematics *k, int segment, vector a);
 vector from_parent(const kinematics *k, int segment, vector a);

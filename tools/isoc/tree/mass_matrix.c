@@ -4,8 +4,7 @@
 
 static node at_dof(const kinematics *k, int f, wrench w)
 {
-    const segment *l = &k->m->segments[k->m->dofs[f].segment];
-    return vector_dot(k->g, axis_of(k, f), slides(l) ? w.force : w.moment);
+    return component_along(k, f, w.force, w.moment);
 }
 
 /* --- composite bodies --- */
@@ -77,6 +76,11 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
     } else {
         w.force = vector_cross(g, e, whole.ms);
         w.moment = tensor_apply(g, whole.inertia, e);
+    }
+    if (l->lead != 0.0) {
+        const vector slid = slide_of(k, i, e);
+        w.force = vector_add(g, w.force, vector_scale(g, whole.mass, slid));
+        w.moment = vector_add(g, w.moment, vector_cross(g, whole.ms, slid));
     }
     int j = f;
     for (; j != GROUND && dofs[j].segment == i; j = dofs[j].before) {
