@@ -34,6 +34,24 @@ effect late_brake brake { on bar }
 output twice = 2 * angular_velocity of bar along x
 SCENE
 
+# Of 2 kg and 0.02 kg m^2 about the thread; a turn advances it by 0.1 m: what falls is (2 + 0.02 / lead^2) kg, lead 0.1 m / 2 pi.
+cat >"$out/project/swivel_nut.scene" <<'SCENE'
+gravity (0, 0, -9.81) m/s^2
+step 1 ms
+body nut {
+    mass 2 kg
+    inertia (0.02, 0.02, 0.02) kg*m^2
+}
+joint thread swivel_nut {
+    parent ground
+    child nut
+    axis z
+    second x
+    pitch 100 mm
+    start rotate 0 deg rotate 0 deg
+}
+output place = position of nut
+SCENE
 ! call run SCENE=pin_slot.scene && grep -q "'pin_slot'" "$out/errors"
 expect $? "without the patches: the kind of joint is unknown"
 ! call run METHOD=ralston && grep -q 'METHOD=ralston is unknown' "$out/errors"
@@ -100,6 +118,11 @@ near "$(cell -1 turning_x)" -3 && near "$(cell -1 turning_y)" 0 && near "$(cell 
 expect $? "the angular velocity is in the axes of the ground"
 near "$(cell -1 twice)" -6 && near "$(cell 0 twice)" -6
 expect $? "a formula has it, and so has an effect"
+
+call run SCENE=swivel_nut.scene SECONDS=1 REAL=double
+expect $? "a scene with the other new joint runs"
+near "$(cell -1 place_z)" "$(awk 'BEGIN { lead = 0.1 / 6.283185307179586; printf "%.12f", -0.5 * 9.81 * 2 / (2 + 0.02 / lead ^ 2) }')"
+expect $? "its thread advances as it falls: $(cell -1 place_z) m"
 
 # In the plane such a closure holds what one on a line does.
 call run SCENE=models/four_bar.scene SECONDS=1 REAL=double && crank=$(cell -1 crank_angle) &&

@@ -106,7 +106,6 @@ static segment single(builder *b, const joint *j, int axis, double sign)
     dimension stiffness = turns ? newton_metre : newton;
     dimension_times(&stiffness, coordinate, -1);
 
-    result.lead = value_constant(&b->values, j->pitch, metre, "the pitch of this joint", 0.0) / (2.0 * half_turn);
     const formula *start = j->start.coordinate;
     result.start[0] = value_constant(&b->values, start, coordinate, "the start of this joint", 0.0);
     result.start_is_rough = j->start.is_rough;
@@ -294,9 +293,11 @@ int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT
     const joint_part *parts = joint_rows[j->kind].parts;
     const int count = joint_parts_count(j->kind);
     const joint_axes axes = axes_of(b, j);
+    const double lead = value_constant(&b->values, j->pitch, metre, "the pitch of this joint", 0.0) / (2.0 * half_turn);
     if (joint_has_one_coordinate(j->kind)) {
         aligned[0] = axes.turned[0];
         segments[0] = single(b, j, axes.k[0], axes.sign[0]);
+        segments[0].lead = lead;
         return 1;
     }
     const given from = read_given(b, j, &axes);
@@ -305,6 +306,7 @@ int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT
         double sign;
         aligned[n] = part_frame(b, &axes, parts[n].axis, &k, &sign);
         segments[n] = part(b, j, parts[n].kind, parts[n].ending == NULL ? letters[k] : parts[n].ending, k, sign);
+        segments[n].lead = parts[n].advances ? lead : 0.0;
         if (parts[n].kind == JOINT_PRISMATIC) {
             start_sliding(b, j, &from, aligned[n], &segments[n]);
         } else if (parts[n].kind == JOINT_REVOLUTE) {

@@ -7,7 +7,7 @@ const joint_row joint_rows[JOINT_KINDS] = {
     [JOINT_FIXED] = {"fixed", NULL, {{0}}},
     [JOINT_REVOLUTE] = {"revolute", "start 10 deg", {{TURN, ALONG_AXIS, ""}}},
     [JOINT_PRISMATIC] = {"prismatic", "start 10 mm", {{SLIDE, ALONG_AXIS, ""}}},
-    [JOINT_SCREW] = {"screw", "start 10 deg", {{TURN, ALONG_AXIS, ""}}, .advances = true},
+    [JOINT_SCREW] = {"screw", "start 10 deg", {{TURN, ALONG_AXIS, "", .advances = true}}},
     [JOINT_UNIVERSAL] = {"universal",
                          "start rotate 10 deg rotate 20 deg",
                          {{TURN, ALONG_AXIS, "_first"}, {TURN, ALONG_SECOND, "_second"}}},
@@ -55,10 +55,8 @@ unsigned joint_traits(size_t kind)
     unsigned traits = ANY_JOINT | (single ? HAS_ONE_COORDINATE | HAS_SPEED : 0U);
     for (const joint_part *part = joint_rows[kind].parts; part->kind != JOINT_FIXED; part++) {
         const bool slides = part->kind == JOINT_PRISMATIC;
-        traits |= MOVES | (slides                      ? HAS_SPEED
-                           : !single                   ? HAS_SPIN
-                           : joint_rows[kind].advances ? HAS_PITCH
-                                                       : TURNS_ROUND);
+        traits |= MOVES | (slides ? HAS_SPEED : !single ? HAS_SPIN : part->advances ? 0U : TURNS_ROUND);
+        traits |= part->advances ? HAS_PITCH : 0U;
         traits |= part->axis == ALONG_SECOND ? HAS_SECOND : 0U;
         traits |= part->axis == ALONG_AXIS || part->axis == ACROSS_AXIS || part->axis == ACROSS_BOTH ? HAS_AXIS : 0U;
     }

@@ -35,6 +35,7 @@ typedef struct joint_part {
     joint_kind kind; /* JOINT_PRISMATIC, JOINT_REVOLUTE or JOINT_SPHERICAL; JOINT_FIXED: the chain has ended */
     part_axis axis;
     const char *ending; /* of its name; NULL: _x, _y or _z, the axis of the joint's frame that it slides along */
+    bool advances;      /* a turn that slides it along its axis, by the `pitch` of the joint */
 } joint_part;
 
 enum { PARTS_OF_A_JOINT = 4 };
@@ -43,7 +44,6 @@ typedef struct joint_row {
     const char *word;
     const char *start; /* how a start is written */
     joint_part parts[PARTS_OF_A_JOINT + 1];
-    bool advances; /* its turn slides it along the axis, by its `pitch` */
 } joint_row;
 
 extern const joint_row joint_rows[JOINT_KINDS];
