@@ -368,19 +368,13 @@ $(error REAL=$(REAL) is refused on TARGET=$(TARGET): its compiler has no double 
 endif
 
 ifneq ($(filter link hil a2l,$(MAKECMDGOALS)),)
-ifeq ($(PORT_CHANNEL),)
-$(error make $(MAKECMDGOALS) needs channels (port/channel.h), and TARGET=$(TARGET) has none)
-endif
-ifeq ($(if $(XCP),$(PORT_CHANNELS)),1)
-$(error TARGET=$(TARGET) has one channel, that of a controller, and none for measurement and calibration over XCP)
-endif
+$(if $(PORT_CHANNEL),,$(error make $(MAKECMDGOALS) needs channels (port/channel.h), and TARGET=$(TARGET) has none))
+$(if $(filter 1,$(if $(XCP),$(PORT_CHANNELS))),$(error TARGET=$(TARGET) has one channel, that of a controller, and none for measurement \
+    and calibration over XCP))
 endif
 
-ifneq ($(filter flash,$(MAKECMDGOALS))$(if $(filter cycles choose shared,$(MAKECMDGOALS)),,$(BOARD)),)
-ifeq ($(PORT_FLASH),)
-$(error TARGET=$(TARGET) is no real board; stm32f407 and stm32f446 are)
-endif
-endif
+$(if $(filter flash,$(MAKECMDGOALS))$(if $(filter cycles choose shared,$(MAKECMDGOALS)),,$(BOARD)),$(if $(PORT_FLASH),,\
+    $(error TARGET=$(TARGET) is no real board; stm32f407 and stm32f446 are)))
 
 # --- How everything is compiled ----------------------------------------------------------------------------------
 
