@@ -217,7 +217,7 @@ result $? "found: a variant with another number of tests"
 
 # A machine that lacks one of the tools that are asked for, clang, with a package manager and a user that are made up.
 mkdir -p "$out/bin"
-asked=$(sed -n 's/^    have \([a-z0-9+-]*\) || echo .*/\1/p' tests/tools.sh | grep -vx clang)
+asked=$(sed -n 's|^    have \([a-z0-9+-]*\) .*echo .*|\1|p' tests/tools.sh | grep -vx clang)
 for tool in sh cut tr cat uname env ln mkdir tail perl grep flock as ld "$CC" $asked; do
     ln -sf "$(command -v "$tool")" "$out/bin/$tool"
 done
