@@ -1,7 +1,8 @@
 #!/bin/sh
-# make choose: what it takes keeps its bounds in a run of its own, and nothing is cheaper by more than 10 %, by a search of all methods,
-# ticks and sub-steps; what cannot be; what is asked for wrongly; what it writes into a scene. Of eight scenes, four of them random,
-# with three bounds each, one by turns with one method, of which a fifth is tried; with `all` all with every method, which takes an hour.
+# make choose: what it takes keeps its bounds in a run of its own, and nothing is cheaper by more than 10 %, by a search
+# of all methods, ticks and sub-steps; what cannot be; what is asked for wrongly; what it writes into a scene. Of eight
+# scenes, four of them random, with three bounds each, one by turns with one method, of which a fifth is tried; with
+# `all` all with every method, which takes an hour.
 . tests/host/test.sh
 begin choose
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD METHODS STEP SECONDS TARGET REAL

@@ -1,9 +1,10 @@
 #!/bin/sh
-# exhaustive.sh FOLDER [PARTS]: whether what `make choose` took in FOLDER is the cheapest. Tries every method, without and with compensated sums, at
-# every tick and with every number of steps in it, whose cost can be up to that of what it took; prints `kept METHOD COMPENSATED K N CYCLES LOAD RATIO
-# SHARE` for each that keeps the bounds and costs so little, SHARE of what it took, and `tried N`. The cost of a method at one step in the
-# scene's tick is counted; compensated sums only add to it, and each further step has at least the operations of its evaluations.
-# With PARTS one place of so many is tried, and that which it took.
+# exhaustive.sh FOLDER [PARTS]: whether what `make choose` took in FOLDER is the cheapest. Tries every method, without
+# and with compensated sums, at every tick and with every number of steps in it, whose cost can be up to that of what it
+# took; prints `kept METHOD COMPENSATED K N CYCLES LOAD RATIO SHARE` for each that keeps the bounds and costs so little,
+# SHARE of what it took, and `tried N`. The cost of a method at one step in the scene's tick is counted; compensated
+# sums only add to it, and each further step has at least the operations of its evaluations. With PARTS one place of so
+# many is tried, and that which it took.
 . "$1/settings"
 . tools/measure/choose/parts.sh
 parts=${2:-1}
@@ -11,7 +12,8 @@ took=$(awk '{ print $3, $4 }' "$dir/best")
 most=$(awk '{ print 1.001 * $6 }' "$dir/best")
 ticks=$(sed -n 's/^ *n = split("\([0-9 ]*\)", part.*/\1/p' tools/measure/choose/search.awk)
 
-# cheaper CYCLES EVALUATIONS: `K N` of every place that can cost less, where one step in the scene's tick takes so many cycles.
+# cheaper CYCLES EVALUATIONS: `K N` of every place that can cost less, where one step in the scene's tick takes so many
+# cycles.
 cheaper()
 {
     echo "$ticks" | awk -v period="$period" -v rows="$rows" -v every="$every" -v cycles="$1" -v evaluations="$2" -v each="$each" -v hz="$hz" \

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A random scene that moves smoothly: write_scene.py SEED.
 
-One to three links in series or side by side, on joints with springs and dampers; a force that is a function of time; outputs
-of a place, an angle or a stroke, and the energy. The same seed gives the same scene.
+One to three links in series or side by side, on joints with springs and dampers; a force that is a function of time;
+outputs of a place, an angle or a stroke, and the energy. The same seed gives the same scene.
 """
 import random
 import sys
@@ -24,7 +24,8 @@ for i in range(links):
     print(f"body b{i} {{ mass {number(0.3, 2)} kg; com (0, -{number(0.1, 0.4)}, 0) m; "
           f"inertia ({number(.01, .03)}, {number(.01, .03)}, {number(.01, .03)}) kg*m^2 }}")
     if kind == "revolute":
-        rest = f"axis z; start {number(-1.2, 1.2)} rad; damping {number(0.05, 0.3)} N*m*s/rad; spring {number(1, 20)} N*m/rad"
+        rest = f"axis z; start {number(-1.2, 1.2)} rad; damping {number(0.05, 0.3)} N*m*s/rad; " \
+               f"spring {number(1, 20)} N*m/rad"
     else:
         rest = f"axis x; start {number(-0.1, 0.1)} m; damping {number(1, 5)} N*s/m; spring {number(100, 1000)} N/m"
     print(f"joint j{i} {kind} {{ parent {parent}; child b{i}; {rest}{'; drive push' if i == 0 else ''} }}")

@@ -1,4 +1,5 @@
-# How far two motions are apart: reads columns (columns.awk), then rows of both, side by side, of so many `columns` each.
+# How far two motions are apart: reads columns (columns.awk), then rows of both, side by side, of so many `columns`
+# each.
 FNR == 1 { file++ }
 file == 1 {
     split($0, cell, "|")

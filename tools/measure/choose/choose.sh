@@ -1,6 +1,6 @@
 #!/bin/sh
-# The cheapest method, step, number of steps in a tick and summation of a scene whose errors stay below bounds. Called by `make choose`, which
-# gives in the environment
+# The cheapest method, step, number of steps in a tick and summation of a scene whose errors stay below bounds. Called
+# by `make choose`, which gives in the environment
 #
 #     MAKE COMPILE                 make, and the compiler with all flags but those of a plant
 #     SCENE NAME FOLDER            what is asked about, its name, and its folder
@@ -8,7 +8,7 @@
 #     ERROR LOAD NANOSECONDS       the bounds, the most of a tick that may be used, and how long
 #     STEP INPUTS RECORDED SET WITHOUT METHODS KEEP    as they were given
 #
-# Everything stands in build/choose/FOLDER/: tries/, every run that was made; choose.tsv, the table; advised.scene.
+# Everything stands in build/choose/FOLDER/: tries/, every run that was made; table.txt, the table; advised.scene.
 dir=build/choose/$FOLDER
 export dir
 . tools/measure/choose/parts.sh
@@ -76,8 +76,8 @@ scaled()
     awk -F '|' -v factor="$1" '{ printf "%.9g=%s ", $2 * factor, $3 }' "$dir/columns"
 }
 
-# reference N OUT [OPTION...]: rows of rk4 in double with compensated sums, of N steps in a step of the scene; prints what
-# run.c does. Smooth inputs are sampled at each of them.
+# reference N OUT [OPTION...]: rows of rk4 in double with compensated sums, of N steps in a step of the scene; prints
+# what run.c does. Smooth inputs are sampled at each of them.
 reference()
 {
     reference_n=$1 reference_out=$2
@@ -106,8 +106,9 @@ seconds()
     awk -v rows="$1" -v ns="$period" 'BEGIN { printf "%.4g\n", rows * ns * 1e-9 }'
 }
 
-# judge: the reference, in $dir/reference, and for how many rows one can judge. From the first row on in which a start as far off
-# as rounding to float puts it makes an error as large as the bound, no method in float can keep it; an eighth is left to the steps.
+# judge: the reference, in $dir/reference, and for how many rows one can judge. From the first row on in which a start
+# as far off as rounding to float puts it makes an error as large as the bound, no method in float can keep it; an
+# eighth is left to the steps.
 judge()
 {
     steps=$(awk -v period="$period" 'BEGIN {
@@ -137,7 +138,8 @@ judge()
     if [ "$can" -lt "$rows" ]; then
         [ "$sure" -ge $((can / 2)) ] || sure=$((can / 2))
         echo "From $(seconds "$can") s on no method in float can keep the bound: what rounding to float leaves of the start, 6e-8 of it, grows to that,"
-        echo "lastly by a factor of e in $(awk -v near="$(seconds "$eighth")" -v far="$(seconds "$can")" 'BEGIN { printf "%.2g", (far - near) / log(8) }') s. Judged up to $(seconds "$sure") s."
+        fold=$(awk -v near="$(seconds "$eighth")" -v far="$(seconds "$can")" 'BEGIN { printf "%.2g", (far - near) / log(8) }')
+        echo "lastly by a factor of e in $fold s. Judged up to $(seconds "$sure") s."
     else
         sure=$rows
     fi
@@ -172,7 +174,8 @@ agree()
     # A tenth will do, or most of the time.
     if awk -v known="$known" 'BEGIN { exit !(known > 0.1) }'; then
         [ "$agreed" -ge $((rows / 2)) ] && [ "$agreed" -ge $((8 * every)) ] ||
-            fail "the exact motion is not known: $n steps in $(step_of "$period") or half as many differ by $known times the bound. Take a larger ERROR or a shorter SECONDS"
+            fail "the exact motion is not known: $n steps in $(step_of "$period") or half as many differ by $known times the bound.
+Take a larger ERROR or a shorter SECONDS"
         rows=$((agreed / every * every))
         echo "The exact motion is known to a fiftieth of the bound up to $(seconds $rows) s: judged up to there."
         known=0.02
@@ -220,11 +223,12 @@ advise()
     if [ -n "$RECORDED" ]; then
         sh tools/measure/choose/try.sh "$method" "$compensated" "$k" "$n" | awk '{ print $1, 1e-4 }' >"$dir/again"
     else
-        "${MAKE:-make}" --no-print-directory run SCENE="$dir/advised.scene" OUT="$dir/run" SECONDS="$(awk -v ns=$((period * rows)) 'BEGIN { printf "%.9f", ns * 1e-9 }')" \
-            TARGET=host REAL=float SET="$SET" WITHOUT="$WITHOUT" INPUTS="$INPUTS" "$@" >"$dir/run.txt" 2>&1 </dev/null ||
+        "${MAKE:-make}" --no-print-directory run SCENE="$dir/advised.scene" OUT="$dir/run" \
+            SECONDS="$(awk -v ns=$((period * rows)) 'BEGIN { printf "%.9f", ns * 1e-9 }')" TARGET=host REAL=float SET="$SET" WITHOUT="$WITHOUT" INPUTS="$INPUTS" "$@" >"$dir/run.txt" 2>&1 </dev/null ||
             fail "the advised scene does not run; see $dir/run.txt"
         columns=$(awk -F '|' '{ n += split($3, part, ",") } END { print n }' "$dir/columns")
-        od -An -v -t f8 -w$((8 * columns)) "$dir/reference" | awk -v step=$((k * every)) 'NR % step == 1 || step == 1' >"$dir/reference.rows"
+        od -An -v -t f8 -w$((8 * columns)) "$dir/reference" |
+            awk -v step=$((k * every)) 'NR % step == 1 || step == 1' >"$dir/reference.rows"
         compute choose/measured -v judged=$((rows / k / every)) -v every="$every" "$dir/columns" "$dir/reference.rows" "$dir/run/trace.csv" >"$dir/again"
     fi
     again=

@@ -1,6 +1,6 @@
-# A scene with other statements at its top: each that is given, `word=value ...`, stands in the place of the one that the scene has,
-# or at the end. `word=-` takes it away. Status 1, and nothing printed, where a word of `must` has no place of its own in
-# this file.
+# A scene with other statements at its top: each that is given, `word=value ...`, stands in the place of the one that
+# the scene has, or at the end. `word=-` takes it away. Status 1, and nothing printed, where a word of `must` has no
+# place of its own in this file.
 #
 #     awk -f edit.awk -v statements='method rk4; substeps 2; compensated -' [-v must='step method'] SCENE
 function told(word, blanks) {

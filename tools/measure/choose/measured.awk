@@ -1,6 +1,6 @@
-# The largest error of a run in its bound, and how far off the decimal numbers of a trace may put it, which are as short as they tell one float
-# from another: reads columns (columns.awk), rows of the reference, each `every` rows of the run, and trace.csv, whose columns begin with t. Prints
-# nothing where the run has fewer rows than are judged.
+# The largest error of a run in its bound, and how far off the decimal numbers of a trace may put it, which are as short
+# as they tell one float from another: reads columns (columns.awk), rows of the reference, each `every` rows of the run,
+# and trace.csv, whose columns begin with t. Prints nothing where the run has fewer rows than are judged.
 #
 #     awk -v every=ROWS -v judged=ROWS -f measured.awk COLUMNS REFERENCE trace.csv
 FNR == 1 { file++ }

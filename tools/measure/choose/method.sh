@@ -1,13 +1,14 @@
 #!/bin/sh
-# method.sh METHOD: the cheapest of a method that keeps the bounds, without and with compensated sums. Writes $dir/found/METHOD-no and -yes:
-# `METHOD COMPENSATED K N CYCLES LOAD NEXT RATIO BOUND ROW ERROR...`, NEXT the ratio of one step coarser, `-` if there is none; or
-# `METHOD COMPENSATED none WHY ...`. Called by choose.sh.
+# method.sh METHOD: the cheapest of a method that keeps the bounds, without and with compensated sums. Writes
+# $dir/found/METHOD-no and -yes: `METHOD COMPENSATED K N CYCLES LOAD NEXT RATIO BOUND ROW ERROR...`, NEXT the ratio of
+# one step coarser, `-` if there is none; or `METHOD COMPENSATED none WHY ...`. Called by choose.sh.
 . tools/measure/choose/parts.sh
 method=$1
 order=$(awk -v method="$method" '$2 == method { print $4 }' "$dir/methods")
 evaluations=$(awk -v method="$method" '$2 == method { print $6 }' "$dir/methods")
 
-# most_steps: in a tick of the scene, so that the evaluations alone take no more than the cheapest that was found, or the load.
+# most_steps: in a tick of the scene, so that the evaluations alone take no more than the cheapest that was found, or
+# the load.
 most_steps()
 {
     cat "$dir"/best-* 2>/dev/null | awk -v limit="$limit" -v evaluations="$evaluations" -v each="$each" -v period="$period" '

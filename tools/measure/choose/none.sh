@@ -1,9 +1,9 @@
 # shellcheck shell=sh
-# What would do where no candidate keeps the bounds within the load: a larger error, another chip, an effect less. Read by
-# choose.sh; the last line says `none`.
+# What would do where no candidate keeps the bounds within the load: a larger error, another chip, an effect less. Read
+# by choose.sh; the last line says `none`.
 
-# larger_error: the least error of all runs that were made, whose tick fits. What was too dear stands for all that has as many steps
-# in a time.
+# larger_error: the least error of all runs that were made, whose tick fits. What was too dear stands for all that has
+# as many steps in a time.
 larger_error()
 {
     cat "$dir"/tries/* | awk '$5 != "inf" && $5 < 1000 { print $5, $0 }' | sort -g >"$dir/least"
@@ -29,7 +29,8 @@ larger_error()
     echo "A larger error: up to a thousand times as large, nothing that was tried fits into $load % of this chip."
 }
 
-# another_chip: the cheapest that keeps the bounds, whatever it takes of this chip, on the boards that have a unit for floats.
+# another_chip: the cheapest that keeps the bounds, whatever it takes of this chip, on the boards that have a unit for
+# floats.
 another_chip()
 {
     if ! told any "$dir/candidates" | grep -q .; then
@@ -43,7 +44,8 @@ another_chip()
         return
     fi
     echo "$best" >"$dir/best"
-    echo "Another chip: $(told take "$dir/best" | sed 's/^take: //'): a clock of $(echo "$best" | awk -v hz="$hz" -v load="$load" '{ printf "%.3g MHz", hz * $6 / load / 1e6 }')."
+    clock=$(echo "$best" | awk -v hz="$hz" -v load="$load" '{ printf "%.3g MHz", hz * $6 / load / 1e6 }')
+    echo "Another chip: $(told take "$dir/best" | sed 's/^take: //'): a clock of $clock."
     # shellcheck disable=SC2086
     set -- $best
     of=$dir/chip
@@ -64,7 +66,8 @@ another_chip()
 without()
 {
     echo "choose: without $1" >&2
-    if ! FOLDER=$FOLDER/without-$1 WITHOUT="${WITHOUT:+$WITHOUT; }$1" METHODS=$methods_of_another_chip KEEP='' NESTED=yes sh tools/measure/choose/choose.sh >"$dir/without.txt" 2>/dev/null; then
+    if ! FOLDER=$FOLDER/without-$1 WITHOUT="${WITHOUT:+$WITHOUT; }$1" METHODS=$methods_of_another_chip KEEP='' NESTED=yes \
+        sh tools/measure/choose/choose.sh >"$dir/without.txt" 2>/dev/null; then
         echo "    without $1: $(grep -q '^none' "$dir/without.txt" && echo "none either" || echo "it cannot be left out for this bound")"
         return
     fi
@@ -72,8 +75,8 @@ without()
     for which in "$dir" "$dir/without-$1"; do
         od -An -v -t f8 -w$((8 * columns)) "$which/reference" >"$which/reference.rows"
     done
-    echo "    without $1: $(sed -n 's/^take: //p' "$dir/without.txt"); but that changes $(paste "$dir/reference.rows" "$dir/without-$1/reference.rows" |
-        compute choose/apart -v columns="$columns" "$dir/columns" -)"
+    moved=$(paste "$dir/reference.rows" "$dir/without-$1/reference.rows" | compute choose/apart -v columns="$columns" "$dir/columns" -)
+    echo "    without $1: $(sed -n 's/^take: //p' "$dir/without.txt"); but that changes $moved"
 }
 
 [ -z "${NESTED-}" ] || {

@@ -1,5 +1,6 @@
 # shellcheck shell=sh
-# What the scripts of make choose share. In the environment they have what the Makefile gives to choose.sh, and from that
+# What the scripts of make choose share. In the environment they have what the Makefile gives to choose.sh, and from
+# that
 #
 #     dir              the folder of all that is made
 #     period           the scene's step, ns
@@ -21,8 +22,8 @@ step_of()
     }'
 }
 
-# built FOLDER REAL STATEMENTS METHOD NS [OPTION...]: the program FOLDER/run of the scene with these statements at its top and these
-# options of isoc. What isoc or the compiler says is in FOLDER/said.
+# built FOLDER REAL STATEMENTS METHOD NS [OPTION...]: the program FOLDER/run of the scene with these statements at its
+# top and these options of isoc. What isoc or the compiler says is in FOLDER/said.
 built()
 {
     built_folder=$1 built_real=$2 built_statements=$3 built_method=$4 built_ns=$5
@@ -44,8 +45,8 @@ statements()
     echo "substeps $1; compensated $2"
 }
 
-# cycles FOLDER SCENE METHOD NS [VARIABLE=VALUE...]: those of the dearest tick on the target, and what share of the step it is, in percent,
-# and whether all fits in memory; by make cycles, whose messages are in FOLDER/said.
+# cycles FOLDER SCENE METHOD NS [VARIABLE=VALUE...]: those of the dearest tick on the target, and what share of the step
+# it is, in percent, and whether all fits in memory; by make cycles, whose messages are in FOLDER/said.
 cycles()
 {
     cycles_folder=$1 cycles_scene=$2 cycles_method=$3 cycles_ns=$4

@@ -1,5 +1,5 @@
-/* Runs a plant as the loop does, and compares outputs with those that another plant wrote. Compiled with the plant, in its
- * real.
+/* Runs a plant as the loop does, and compares outputs with those that another plant wrote. Compiled with the plant, in
+ * its real.
  *
  *     run [OPTION VALUE]... BOUND=COLUMN[,COLUMN...]...
  *
@@ -11,9 +11,10 @@
  *     -p SEED      each state at the start is another, at most by half a unit in the last place of a float
  *     -u FILE      recorded inputs: a line for each tick of the reference
  *
- * A BOUND is in the unit of its columns; the error is the length of the vector that they make, at the largest row. Prints for each bound
- * `error BOUND ERROR ROW KEPT`: the largest error, its row, and the rows from the first on that keep the bound, in rows of the
- * reference; `rows ROWS`, as many as there are in both; and `guard STATE` where the run ended early.
+ * A BOUND is in the unit of its columns; the error is the length of the vector that they make, at the largest row.
+ * Prints for each bound `error BOUND ERROR ROW KEPT`: the largest error, its row, and the rows from the first on that
+ * keep the bound, in rows of the reference; `rows ROWS`, as many as there are in both; and `guard STATE` where the run
+ * ended early.
  */
 #include <math.h>
 #include <stdio.h>

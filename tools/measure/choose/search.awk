@@ -2,12 +2,14 @@
 #
 #     awk -v method=M -v compensated=no|yes -v order=P -v most_n=N -v period=NS -v rows=ROWS -v every=ROWS [-v longest=K] [-v from=PLACE [-v only=coarser]] -f search.awk
 #
-# Places on the grid: at 0 the tick is the scene's step and one step long; at 1, 2, ... it is so many of the scene's steps as `ticks` says;
-# at -1, -2, ... it has as many steps as divide it. Prints `found K N PLACE RATIO BOUND ROW ERROR...` and `next K N RATIO ...`, the place that is
-# one coarser; or `none`, why, and the K, N and RATIO ... of the least error.
+# Places on the grid: at 0 the tick is the scene's step and one step long; at 1, 2, ... it is so many of the scene's
+# steps as `ticks` says; at -1, -2, ... it has as many steps as divide it. Prints `found K N PLACE RATIO BOUND ROW
+# ERROR...` and `next K N RATIO ...`, the place that is one coarser; or `none`, why, and the K, N and RATIO ... of the
+# least error.
 #
-# Where the place 0 keeps the bounds, places are tried to coarser ones until AGAIN in turn do not, or the next is hopeless; else to finer ones, until
-# one does. It leaps as far as the order of the method says; the places that it leapt over are tried backwards.
+# Where the place 0 keeps the bounds, places are tried to coarser ones until AGAIN in turn do not, or the next is
+# hopeless; else to finer ones, until one does. It leaps as far as the order of the method says; the places that it
+# leapt over are tried backwards.
 function grid(list, to, sign, number, i, n, part) {
     n = split(list, part, " ")
     for (i = 1; i <= n; i++) to[number = i] = part[i] + 0
@@ -54,8 +56,8 @@ function coarser(place, to, i) {
     }
 }
 
-# From a place that is not good to coarser ones, as long as the error hardly grows: then it is that of rounding, of which fewer steps
-# have less. Returns the coarsest that is good, or finest - 1.
+# From a place that is not good to coarser ones, as long as the error hardly grows: then it is that of rounding, of
+# which fewer steps have less. Returns the coarsest that is good, or finest - 1.
 function fewer_roundings(place, to, grown) {
     for (to = place + 1; ratio(place) < HUGE && to <= coarsest && grown < 2; to++) {
         if (ratio(to) <= 1) return coarser(to)

@@ -28,7 +28,8 @@ function tick_of(ns, text) {
 }
 
 function time_of(ns) {
-    return ns >= 1e9 ? sprintf("%.3g s", ns / 1e9) : ns >= 1e6 ? sprintf("%.3g ms", ns / 1e6) : ns >= 1e3 ? sprintf("%.3g us", ns / 1e3) : sprintf("%d ns", ns)
+    if (ns >= 1e9) return sprintf("%.3g s", ns / 1e9)
+    return ns >= 1e6 ? sprintf("%.3g ms", ns / 1e6) : ns >= 1e3 ? sprintf("%.3g us", ns / 1e3) : sprintf("%d ns", ns)
 }
 
 # As `rk4 at 4 ms`, from a line.
@@ -41,7 +42,8 @@ function named(line, w) {
 function errors_of(line, from, w, i, text) {
     split(line, w, " ")
     for (i = 1; i <= bounds; i++)
-        text = text (i > 1 ? ", " : "") sprintf("%.2g", w[from + i - 1] * scale[i]) (unit[i] != "" ? " " unit[i] : "") (bounds > 1 || what != "take" ? " of " output[i] : "")
+        text = text (i > 1 ? ", " : "") sprintf("%.2g", w[from + i - 1] * scale[i]) (unit[i] != "" ? " " unit[i] : "") \
+            (bounds > 1 || what != "take" ? " of " output[i] : "")
     return text
 }
 
@@ -62,7 +64,8 @@ function why(line, w, text) {
     if (w[2] == "no" && w[5] != "") least[w[1]] = w[7]
     if (w[2] == "no" && w[5] == "") plain[w[1]] = w[4]
     if (w[4] == "steps" || w[4] == "rounding")
-        return "no: " errors_of(line, 10) " at " step_of(period * w[5]) (w[6] > 1 ? " in " w[6] " sub-steps" : "") (w[4] == "steps" ? "; more steps are dearer" : ", by rounding")
+        return "no: " errors_of(line, 10) " at " step_of(period * w[5]) (w[6] > 1 ? " in " w[6] " sub-steps" : "") \
+            (w[4] == "steps" ? "; more steps are dearer" : ", by rounding")
     text = line
     sub(/^[^ ]+ [^ ]+ none */, "", text)
     return text == "" ? "it ends early" : text
