@@ -318,19 +318,13 @@ ifeq ($(firstword $(ASKED)),error)
 $(error $(wordlist 2,999,$(ASKED)))
 endif
 endif
-ifneq ($(TOLERANCE),)
-ifneq ($(filter-out adams,$(METHOD))$(if $(METHOD),,$(IS_IN_C)),)
-$(error TOLERANCE has no effect on METHOD=$(or $(METHOD),rk4); it is of METHOD=adams)
-endif
-endif
+$(if $(TOLERANCE),$(if $(filter-out adams,$(METHOD))$(if $(METHOD),,$(IS_IN_C)),\
+    $(error TOLERANCE has no effect on METHOD=$(or $(METHOD),rk4); it is of METHOD=adams)))
 $(foreach name,CHECKED COMPENSATED,$(if $($(name)),$(if $(filter yes no,$($(name))),,$(error $(name)=$($(name)) is \
     unknown; it can be yes or no))$(if $(IS_IN_C),,$(error $(name) is of a plant in C; a scene says it itself: $(if \
     $(filter CHECKED,$(name)),checked,compensated) yes))))
-ifneq ($(METHOD),)
-ifeq ($(filter $(FIXED_METHODS) adams,$(METHOD)),)
-$(error METHOD=$(METHOD) is unknown; it can be one of: $(FIXED_METHODS) adams)
-endif
-endif
+$(if $(METHOD),$(if $(filter $(FIXED_METHODS) adams,$(METHOD)),,\
+    $(error METHOD=$(METHOD) is unknown; it can be one of: $(FIXED_METHODS) adams)))
 
 # What make could misread in a path of ours becomes a line; a path outside of models/, an unusual one and a long one get
 # their number.
