@@ -135,7 +135,7 @@ cp -p "$out/flags" "$flags"
 
 # A Makefile that forgets a header is found: without the lists of included files, a touched header builds nothing, if it is
 # no part of isoc.
-sed -i 's/^-include .*//' "$out/project/Makefile" "$out/project/tools/build/goals.mk"
+sed -i 's/^-include .*//' "$out/project/Makefile" "$out/project/tools/build/goals.mk" "$out/project/tools/build/tools.mk"
 call run SECONDS=1 CFLAGS=-MP
 touched core/runtime/loop.h
 ! { call run SECONDS=1 CFLAGS=-MP && built $program; }

@@ -1,0 +1,83 @@
+# The tools on the host: isoc, a folder of which is compiled as one, with the texts that it has in it; and the others.
+
+# A file that CFLAGS include, as a table of pins, is of the plant's program: the tools are not compiled again for it.
+TOOL_CFLAGS := $(filter-out included:%,$(subst -include ,included:,$(strip $(CFLAGS))))
+TOOL_COMPILE := $(CC) $(WARNINGS) -O1 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(TOOL_CFLAGS)
+
+# A folder of isoc is compiled as one, by a file that includes all of it: most of what a compiler does is the same for each of
+# them. A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
+ISOC_FOLDERS := $(sort $(patsubst tools/isoc/%/,%,$(dir $(wildcard tools/isoc/*/*.c))))
+ISOC_OBJECTS := $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o) $(patsubst %.c,build/obj/%.o,$(wildcard tools/isoc/*.c))
+TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/measure/cycles/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)
+
+build/obj/tools/flags: always
+	$(call folders,$(patsubst %/,%,$(dir $(TOOL_OBJECTS))))
+	$(call remember,$(TOOL_COMPILE) $(TOOL_OBJECTS))
+
+build/obj/tools/%.o: tools/%.c build/obj/tools/flags
+	$(call require,$(firstword $(CC)),apt-get install gcc)
+	$(call say,CC,$<)
+	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
+
+# It has every kernel, to see what a step does to a linear plant: they stay rolled, whichever file includes them first
+# (tools/isoc/method/step_map.c), and as they are, which isoc takes no longer for.
+TOOL_FLAGS_method := -O0 -DISO_UNROLL=
+
+$(ISOC_FOLDERS:%=build/obj/tools/isoc/%.c): build/obj/tools/isoc/%.c: always
+	$(call remember,$(foreach file,$(sort $(wildcard tools/isoc/$*/*.c)),$(HASH)include "$(file)"$(newline)))
+
+$(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o): build/obj/tools/isoc/%.o: build/obj/tools/isoc/%.c build/obj/tools/flags
+	$(call require,$(firstword $(CC)),apt-get install gcc)
+	$(call say,CC,tools/isoc/$*/*.c)
+	$(Q)$(TOOL_COMPILE) $(TOOL_FLAGS_$*) -Wno-shadow -MMD -MP -c $< -o $@
+
+# Frames are read and written by what the plant has for it.
+build/obj/tools/core/%.o: core/%.c build/obj/tools/flags
+	$(call folders,$(@D))
+	$(call say,CC,$<)
+	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
+
+# Isoc has the text of core in it, for plants that stand alone; they need no loop.
+PLANT_CORE := $(filter-out core/runtime/loop.%,$(wildcard core/numbers/*.[ch] core/methods/*.[ch] core/runtime/*.[ch]))
+EMBEDDED_core := $(PLANT_CORE)
+EMBEDDED_effect := $(sort $(wildcard models/effects/*.scene))
+EMBEDDED_client := $(wildcard tools/client/*) $(wildcard tools/package/*)
+EMBEDDED_help := tools/isoc/help.txt
+EMBEDDED := $(addprefix build/obj/tools/isoc/,core_files.o effect_files.o client_files.o help_files.o)
+build/obj/tools/isoc/core_files.c: $(EMBEDDED_core)
+build/obj/tools/isoc/effect_files.c: $(EMBEDDED_effect)
+build/obj/tools/isoc/client_files.c: $(EMBEDDED_client)
+build/obj/tools/isoc/help_files.c: $(EMBEDDED_help)
+$(EMBEDDED:.o=.list): build/obj/tools/isoc/%_files.list: always
+	$(call remember,$(EMBEDDED_$*))
+$(EMBEDDED:.o=.c): build/obj/tools/isoc/%_files.c: build/obj/tools/isoc/%_files.list tools/build/embed.awk | build/obj/tools/flags
+	$(Q)awk -f tools/build/embed.awk $*_files $(EMBEDDED_$*) >$@
+
+$(EMBEDDED): %.o: %.c build/obj/tools/flags
+	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
+
+build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
+build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
+build/show: $(filter build/obj/tools/show/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/stream.o \
+    build/obj/tools/trace/decimal.o build/obj/tools/flags
+build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
+build/cycles: $(filter build/obj/tools/measure/cycles/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
+build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
+    build/obj/tools/core/link/frame.o build/obj/tools/flags
+build/duties: $(filter build/obj/tools/conform/%,$(TOOL_OBJECTS)) build/obj/tools/link/child.o build/obj/tools/flags
+build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
+    build/obj/tools/flags
+# A simulator as a library, for the traces of one port.
+build/simavr_trace: tools/measure/simavr/main.c build/obj/tools/flags
+	@test -e /usr/include/simavr/sim_avr.h || { echo 'simavr/sim_avr.h is missing. Install it with: apt-get install libsimavr-dev' >&2; exit 1; }
+	$(call say,CC,$<)
+	$(call link,$(TOOL_COMPILE) $< -lsimavr)
+
+TOOLS := build/isoc build/trace build/link build/duties build/monitor build/show build/duration build/cycles
+.PHONY: tools
+tools: $(TOOLS)
+	@:
+
+$(TOOLS):
+	$(call say,LINK,$@)
+	$(call link,$(CC) $(TOOL_CFLAGS) $(filter %.o,$^) -lm)
