@@ -83,7 +83,6 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
 {
     const iso_history history = iso_history_of(recipe, n, x);
     iso_step step = iso_step_of(recipe, &history, eq, h, u, p, lu, work, progress);
-    step.prepared = eq->prepared;
     step.errors = ISO_IS_SETTLED(recipe) ? step.work + ISO_METHOD_ERRORS(recipe, n) : NULL;
     switch (ISO_METHOD_OF(recipe)) {
 #define ISO_STEP_CASE(r, m, name, order, f, j, s, past, vectors, prime, sums, products, kind, gamma, kernel, primes)   \
@@ -92,7 +91,7 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
             __builtin_trap();                                                                                          \
         }                                                                                                              \
         if (ISO_IS_SEEN(m) && (kind) == ISO_FROM_START) {                                                              \
-            iso_step_begin(&step, gamma);                                                                              \
+            iso_step_begin_by(&step, eq->prepared != NULL ? eq->prepared : eq->derivative, gamma);                     \
         }                                                                                                              \
         if (ISO_IS_SEEN(m)) {                                                                                          \
             kernel(&step);                                                                                             \

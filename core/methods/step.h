@@ -12,8 +12,7 @@
 typedef struct iso_step {
     const iso_history *history; /* the states, and what the method keeps */
     const iso_equations *equations;
-    iso_derivative *f;        /* of the equations */
-    iso_derivative *prepared; /* the same for the start of a step of a plant; or NULL */
+    iso_derivative *f; /* of the equations */
     real h;
     const real *u; /* inputs and parameters, held over the step but for smooth inputs, */
     const real *p;
@@ -57,16 +56,16 @@ ISO_INLINE void iso_evaluate_at(const iso_step *const step, const real c, real *
     step->f(derivative, x, iso_inputs_at(step, c), step->p);
 }
 
-/* Computes the derivative at the start of a step and, if gamma is not zero, the factors of 1 - h gamma J there. If steps
- * are checked, it also computes the local error of the step before; the factors remove the stiff part of that error
- * (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is [n], with factors [2 n].
- */
-ISO_INLINE void iso_step_begin(iso_step *const step, const real gamma)
+/* Computes the derivative at the start of a step, by `first`, and, if gamma is not zero, the factors of 1 - h gamma J
+ * there. If steps are checked, it also computes the local error of the step before; the factors remove the stiff part of
+ * that error (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is [n], with
+ * factors [2 n]. */
+ISO_INLINE void iso_step_begin_by(iso_step *const step, iso_derivative *const first, const real gamma)
 {
     const iso_history *const history = step->history;
     const iso_equations *const eq = step->equations;
     real *const derivative = step->work;
-    (step->prepared != NULL ? step->prepared : step->f)(derivative, history->x, step->u, step->p);
+    first(derivative, history->x, step->u, step->p);
     if (gamma != R(0.0)) {
         real *const error = step->work + history->n;
         eq->factor(step->lu, history->x, step->u, step->p, step->h * gamma);
@@ -84,6 +83,11 @@ ISO_INLINE void iso_step_begin(iso_step *const step, const real gamma)
         step->error = iso_check(history, step->h, derivative, NULL);
     }
     iso_keep_derivative(history, step->h, derivative);
+}
+
+ISO_INLINE void iso_step_begin(iso_step *const step, const real gamma)
+{
+    iso_step_begin_by(step, step->f, gamma);
 }
 
 /* A local error of more than ISO_DISCONTINUITY_RATIO times its usual size is a discontinuity: a kink makes the error
