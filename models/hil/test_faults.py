@@ -1,6 +1,6 @@
 """Ten cases of a cart with its pole, each from the same snapshot of the balanced plant: which faults does the controller survive?
 
-    make link SCENE=models/hil/faults.scene SECONDS=60 CONTROLLER='pytest-3 -p no:cacheprovider models/hil --junitxml=build/faults.xml'
+    make link SCENE=models/hil/faults.scene SECONDS=60 CONTROLLER='pytest-3 models/hil --junitxml=build/faults.xml'
 """
 import copy
 import math

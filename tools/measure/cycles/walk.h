@@ -4,7 +4,7 @@
 
 #include "tools/measure/cycles/listing.h"
 
-enum { PARTS_MOST = 24 };
+enum { PARTS_MOST = 64 };
 
 /* What the time goes into: the kinds of rules, beside these. */
 enum { SPILL = KINDS_OF_RULES, WAIT, KINDS };
