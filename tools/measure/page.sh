@@ -2,8 +2,8 @@
 # The page of a report, report.html, and what it has besides the tables of methods: read by report.sh, when these are there. Each
 # part makes its tables and pictures in $dir; a part that a scene cannot have is left out.
 
-# The targets whose ticks are shown, by published timings.
-TICK_TARGETS="cortex-m4f cortex-m7"
+# The targets whose ticks are shown, by published timings, if the environment names no others.
+: "${TICK_TARGETS:=cortex-m4f cortex-m7}"
 
 # own_make ARGUMENT...: make, without what this report was told and others do not know: its METHODS, say.
 own_make()
@@ -113,15 +113,15 @@ prices()
     cp "build/cost/$FOLDER/effects.tsv" "build/cost/$FOLDER/effects.svg" "$dir"
 }
 
-# eigenvalues: regions.tsv and regions.svg, the regions of stability and the step times the eigenvalues of the scene, at its start,
-# in the middle and at the end of the time.
+# eigenvalues: regions.tsv and regions.svg, the regions of stability and the step times the eigenvalues of the scene, at its start and
+# at the end of the time.
 eigenvalues()
 {
     case $SCENE in
     *.c) return 0 ;;
     esac
     compute regions >"$dir/regions.new" </dev/null
-    for at in 0 "$(awk -v t="$time" 'BEGIN { printf "%.9g", t / 2 }')" "$time"; do
+    for at in 0 "$time"; do
         at_option=
         [ "$at" = 0 ] || at_option=AT=${at}s
         own_make linear SCENE="$SCENE" $at_option METHOD= INPUTS= STEP="$STEP" TRIM= BODE= \
@@ -137,8 +137,10 @@ eigenvalues()
 # motion: the page of make show, in this page.
 motion()
 {
-    case $SCENE in
+    case "$REPORT_PARTS $SCENE" in
     *.c) return 0 ;;
+    *motion*) ;;
+    *) return 0 ;;
     esac
     own_make show SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" OUT="$dir/motion" TARGET=host REAL=float \
         SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/motion.txt" 2>&1 </dev/null || return 0
@@ -190,21 +192,17 @@ END
     section "Energy and balance" account account account \
         "Of a run in float. The balance is the power that the energy does not explain."
     section "Stability" regions regions regions \
-        "Inside of its curve a method damps what the scene damps; the points are the step times the eigenvalues at the start, in the middle and at the end."
+        "Inside of its curve a method damps what the scene damps; the points are the step times the eigenvalues at the start and at the end."
     section "The dearest tick" tick tick "" "Its parts by published timings of the core."
     section "What each effect costs and changes" table effects effects ""
     echo '</main></body></html>'
 }
 
-now_doing "growth of the error"
-grow
-now_doing "energy and balance"
-account
-now_doing "cycles of a tick"
-tick_parts
-now_doing "regions of stability"
-eigenvalues
-now_doing "prices of effects"
-prices
+# The parts of the page that are made, if the environment names no others.
+: "${REPORT_PARTS=grow account tick_parts eigenvalues prices motion}"
+(cd "$dir" && rm -f growth.tsv account.tsv tick.tsv regions.tsv effects.tsv)
+for making in $REPORT_PARTS; do
+    [ "$making" = motion ] || { now_doing "the page: $making" && $making; }
+done
 now_doing "the page"
 page >"$dir/report.html.new" && mv "$dir/report.html.new" "$dir/report.html"
