@@ -121,13 +121,13 @@ static job job_of(const int argc, char **const argv)
     return j;
 }
 
-/* A neighbour of the start: as far off as rounding to float may put it. */
+/* A neighbour of the start: as far off as rounding to float may put it, and a start of 0 a little. */
 static void move_start(const long seed)
 {
     uint64_t state = (uint64_t)seed;
     for (size_t i = 0; i < plant->model->states; i++) {
         const double size = fabs((double)plant->x[i]);
-        plant->x[i] += (real)((signals_random(&state) < 0.5 ? -0x1p-24 : 0x1p-24) * (size > 1 ? size : 1));
+        plant->x[i] += (real)((signals_random(&state) < 0.5 ? -0x1p-24 : 0x1p-24) * (size > 0x1p-10 ? size : 0x1p-10));
     }
 }
 
