@@ -34,6 +34,12 @@ for seed in $(seq "$first" "$last"); do
 done
 result $((written != seeds)) "$written of $seeds scenes are compiled"
 
+# With an implicit method what puts the states onto the closures meets the effects as they are, and so the inputs.
+python3 tests/random/write_scene.py 1271 >"$out/inputs.scene" && build/isoc "$out/inputs.scene" -o "$out/inputs" >"$out/output" &&
+    grep -q '^static void settle(real \*const x, const real \*const u,' "$out/inputs/plant.c" &&
+    $CC $FLAGS -fsyntax-only "$out/inputs/plant.c"
+result $? "closures with an implicit method, and an effect of inputs"
+
 for compiler in gcc clang; do
     batch $compiler float $compiler
     generated tests/random/selections.scene rk4 2>"$out/errors"

@@ -61,9 +61,9 @@ const char *recipe_symbol(arena *memory, unsigned recipe)
     return arena_format(memory, "ISO_%s%s", capitals_of(memory, method_names[ISO_METHOD_OF(recipe)]), options);
 }
 
-bool settles_by_parameters(const plant *p, const graph *g)
+bool settles_by(const plant *p, const graph *g, operation array)
 {
-    return uses_operation(g, p->after.values, (size_t)p->after.count, OP_PARAMETER);
+    return uses_operation(g, p->after.values, (size_t)p->after.count, array);
 }
 
 bool keeps_rows(const plant *p)

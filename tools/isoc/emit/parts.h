@@ -78,8 +78,9 @@ bool has_limits(const variable *all, int count);
 bool is_limited(const state *s);
 bool has_range(const emission *e);
 
-/* Whether what follows a step depends on tunables: masses, or lengths of closures. */
-bool settles_by_parameters(const plant *p, const graph *g);
+/* Whether what follows a step depends on tunables, as masses or lengths of closures (OP_PARAMETER); or, in what a push meets with an
+ * implicit method, on inputs and memories (OP_INPUT). */
+bool settles_by(const plant *p, const graph *g, operation array);
 
 /* memory.c: the reals of x that the method has, as C. */
 const char *method_state_size(const emission *e);

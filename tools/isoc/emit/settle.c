@@ -53,8 +53,9 @@ void emit_settle(emission *e)
         emit_states(e, "settled_states", after->states, after->count);
         put(e, "\n");
     }
-    put(e, "static void settle(real *const x%s%s)\n{\n",
-        settles_by_parameters(e->p, e->g) ? ", const real *const p" : "",
+    put(e, "static void settle(real *const x%s%s%s)\n{\n",
+        settles_by(e->p, e->g, OP_INPUT) ? ", const real *const u" : "",
+        settles_by(e->p, e->g, OP_PARAMETER) ? ", const real *const p" : "",
         after->pivot_count > 0 ? ", real *const pivots" : "");
     put_if(e, after->adds, "    real moved[%d];\n", after->count);
     emit_code(e, &result);

@@ -227,8 +227,8 @@ static void emit_settling(emission *e)
 {
     const mechanism *m = e->p->m;
     const int pivots = e->p->after.pivot_count;
-    const char *more =
-        form(e, "%s%s", settles_by_parameters(e->p, e->g) ? ", memory->p" : "", pivots > 0 ? ", pivots" : "");
+    const char *more = form(e, "%s%s%s", settles_by(e->p, e->g, OP_INPUT) ? ", memory->u" : "",
+                            settles_by(e->p, e->g, OP_PARAMETER) ? ", memory->p" : "", pivots > 0 ? ", pivots" : "");
     const char *recipe = recipe_symbol(e->out->memory, step_recipe(e));
     put_if(e, ISO_IS_SETTLED(step_recipe(e)), "    iso_method_settles(%s, $C_STATES, &equations, memory->x, work);\n",
            recipe);
