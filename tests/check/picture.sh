@@ -51,6 +51,12 @@ for least in 300 1.9e4 48250; do
     draws report
     result $? "a report's picture shows the points of its table and their Pareto fronts, from $least on"
 done
+stands_out "$out/report.svg" "$out/points"
+result $? "points off the Pareto fronts are pale"
+sed 's/^    PALENESS = .*/    PALENESS = 0/' tools/plot/work_precision.awk >"$out/work_precision.awk"
+build/isoc --methods | awk -F '\t' -f tools/plot/gnuplot.awk -f "$out/work_precision.awk" NAME 5 "$out/report.tsv" >"$out/wrong.gnuplot" && draw wrong
+! stands_out "$out/wrong.svg" "$out/points"
+result $? "found: points off the front that are as dark"
 for text in 'euler, 4 ms' 'Pareto front' 'unheard_of'; do
     grep -qF ">$text<" "$out/report.svg"
     result $? "it says: $text"

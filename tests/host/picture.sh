@@ -35,3 +35,21 @@ report_points()
     sed 1d "$1" | sort -t "$(printf '\t')" -k 1,1 -k 8,8g -k 5,5g | awk "$report_panels"'
         $1 != kind || $5 + 0 < least { print over(cost()), "Pareto front", $8, $5; kind = $1; least = $5 + 0 }'
 }
+
+# stands_out SVG POINTS: whether in the panels over the cost the points of the Pareto fronts have the looks of the legend and of the
+# panels over the step, and all others do not.
+stands_out()
+{
+    awk -F '\t' '
+        FNR == NR { if ($1 ~ /instructions/) { if ($2 == "Pareto front") fronts++; else points++ } next }
+        /^use / && match($0, /translate\([^)]*/) {
+            split(substr($0, RSTART + 10, RLENGTH - 10), at, ",")
+            match($0, / color=.#[0-9a-f]*/)
+            looks = substr($0, RSTART, RLENGTH)
+            if (at[2] < 320) { upper[++n] = looks } else if (at[2] < 610) lower[looks]
+        }
+        END {
+            for (i = 1; i <= n; i++) if (upper[i] in lower) best++; else pale++
+            exit !(fronts > 0 && best == fronts && pale == points)
+        }' "$2" RS='<' "$1"
+}

@@ -1,6 +1,6 @@
 # Error over cost and over the step for every method, from a report's table (tools/measure/report.sh), with the methods of isoc
 # (build/isoc --methods) before it: a pair of panels for each kind, and a legend. An error above 100 means nothing, and is not
-# drawn.
+# drawn. Over the cost the points off the Pareto front are pale.
 #
 #     work_precision SCENE TIME report.tsv
 BEGIN {
@@ -11,6 +11,7 @@ BEGIN {
     # In pixels. The legend has room for so many rows of methods; a picture with more of them is as much higher.
     WIDTH = 960; HEIGHT = 760; LEGEND = 100; LEGEND_ROWS = 4; LEGEND_COLUMNS = 5; ROW = 16; COLUMN = 150
     FRONT = "with lines linewidth 6 linecolor rgb '#f0d060'"
+    PALENESS = 0.65 # the part of the way to white
     families = split("one step:multistep:stiff:varying step:others", family_name, ":")
     # Colours and marks that are chosen; variants of a method share a colour. The others have one of the palette: for every
     # colour each of the marks.
@@ -55,7 +56,10 @@ FNR == 1 { next }
     place = $2 in known ? known[$2] : known_methods + methods - 1
     if (place >= colours * marks) fail("plot: two methods would look alike")
     split($2 in chosen ? chosen[$2] : palette[place % colours + 1] " " mark[int(place / colours) % marks + 1], cell, " ")
-    look[methods] = "with linespoints linewidth 1.1 pointsize 0.55 pointtype " cell[2] " linecolor rgb '" cell[1] "'"
+    mark_of[methods] = "pointtype " cell[2] " linecolor rgb '" cell[1] "'"
+    look[methods] = "with linespoints linewidth 1.1 pointsize 0.55 " mark_of[methods]
+    pale[methods] = "with linespoints linewidth 1.1 pointsize 0.55 pointtype " cell[2] " linecolor rgb '" pale_of(cell[1]) "'"
+    best[methods] = "with points pointsize 0.7 " mark_of[methods]
 }
 
 $5 > 0 && $5 <= 100 && $5 !~ /inf|nan/ {
@@ -72,6 +76,18 @@ $5 > 0 && $5 <= 100 && $5 !~ /inf|nan/ {
     extend("cost", $8 + 0)
     if ($9 == "-") longest = larger(longest, step[rows])
 }
+
+# A colour #rrggbb nearer to white.
+function pale_of(colour, i, value, made)
+{
+    for (i = 2; i <= 6; i += 2) {
+        value = 16 * digit(substr(colour, i, 1)) + digit(substr(colour, i + 1, 1))
+        made = made sprintf("%02x", value + PALENESS * (255 - value))
+    }
+    return "#" made
+}
+
+function digit(letter) { return index("0123456789abcdef", letter) - 1 }
 
 function extend(what, value)
 {
@@ -108,27 +124,40 @@ function put_end(row, label, where, left)
         where, left ? "left" : "right"
 }
 
-# The front as a block of data, and labels 2 and 3 at its ends.
-function put_front(kind, row, following, lines)
+# The front as a block of data, one of the points of each method on it, and labels 2 and 3 at its ends.
+function put_front(kind, row, following, lines, its, i)
 {
     row = next_on_front(kind, 0)
     put_end(row, 2, "graph 0.955")
     for (following = row; following; following = next_on_front(kind, cost[row])) {
         row = following
         lines = lines cost[row] " " error[row] "\n"
+        its[row_method[row]] = its[row_method[row]] cost[row] " " error[row] "\n"
     }
     put_block("front_" kind, lines)
+    for (i = 1; i <= methods; i++) {
+        has_best[kind, i] = method[i] in its
+        if (method[i] in its) put_block("best_" kind "_" method[i], its[method[i]])
+    }
     put_end(row, 3, "first " error[row] " offset 0, -0.9")
 }
 
 # --- Panels ---
 
-# A panel of a kind whose abscissa is a column of the points; after what is drawn already.
-function put_curves(kind, column, drawn, i)
+# The panel of a kind over the cost: the front, every point in pale, and those on the front.
+function put_costs(kind, i, drawn)
+{
+    drawn = "plot $front_" kind " " FRONT
+    for (i = 1; i <= methods; i++) if ((kind, method[i]) in points) drawn = drawn ", $" kind "_" method[i] " using 1:2 " pale[i]
+    for (i = 1; i <= methods; i++) if (has_best[kind, i]) drawn = drawn ", $best_" kind "_" method[i] " " best[i]
+    print drawn
+}
+
+# The panel over the step.
+function put_steps(kind, i, drawn)
 {
     for (i = 1; i <= methods; i++)
-        if ((kind, method[i]) in points)
-            drawn = drawn (drawn == "" ? "plot" : ",") " $" kind "_" method[i] " using " column ":2 " look[i]
+        if ((kind, method[i]) in points) drawn = drawn (drawn == "" ? "plot" : ",") " $" kind "_" method[i] " using 3:2 " look[i]
     print drawn
 }
 
@@ -156,11 +185,11 @@ function put_kind(k, place, places, width, left, right, i, kind)
     put_decades("y", least["error"] / 30, most["error"] * 30, !place)
     put_decades("x", least["cost"] / 1.5, most["cost"] * 1.5, 1)
     put_place(left, right, 1 - 80 / height, 1 - 310 / height)
-    put_curves(kind, 1, "plot $front_" kind " " FRONT)
+    put_costs(kind)
     print "unset label 2\nunset label 3\nunset label 4"
     put_step_axis()
     put_place(left, right, 1 - 395 / height, 1 - 600 / height)
-    put_curves(kind, 3)
+    put_steps(kind)
 }
 
 # The names of the methods in a panel of its own below the others: each family begins a row.
@@ -171,7 +200,7 @@ function put_legend(rows_more, f, i, n, x, y, row, label, drawn)
     put_place(0, 1, (LEGEND + rows_more) / height, 0)
     put_block("legend_front", "85 12\n115 12\n")
     print "set label 10 'Pareto front' at 122, 12 left"
-    print "set label 11 'no other point has a smaller error and fewer instructions' at 232, 12 left"
+    print "set label 11 'no other point has a smaller error and fewer instructions; what is off it is pale' at 232, 12 left"
     label = 12
     for (f = 1; f <= families; f++) {
         n = 0
@@ -181,11 +210,12 @@ function put_legend(rows_more, f, i, n, x, y, row, label, drawn)
             y = 30 + ROW * (row + int(n / LEGEND_COLUMNS))
             if (n++ == 0) print "set label " label++ " '" family_name[f] ":' at 85, " y " left"
             print "set label " label++ " '" method[i] "' noenhanced at " x + 12 ", " y " left"
-            put_block("legend_" method[i], x - 20 " " y "\n" x - 7 " " y "\n" x + 6 " " y "\n")
+            put_block("legend_pale_" method[i], x - 20 " " y "\n" x - 7 " " y "\n")
+            put_block("legend_" method[i], x - 7 " " y "\n" x + 6 " " y "\n")
         }
         row += legend_rows(f)
     }
-    for (i = 1; i <= methods; i++) drawn = drawn ", $legend_" method[i] " " look[i]
+    for (i = 1; i <= methods; i++) drawn = drawn ", $legend_pale_" method[i] " " pale[i] ", $legend_" method[i] " " look[i]
     print "plot $legend_front " FRONT drawn
 }
 
