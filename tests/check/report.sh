@@ -110,12 +110,12 @@ python3 tests/check/cells.py "$folder/report.html" "$folder" >"$out/cells"
 status=$?
 sed 's/^/# /' "$out/cells"
 result $status "every number of the page is a cell of a table that it shows: $(tail -n 1 "$out/cells")"
-for part in report growth account tick regions; do
+for part in report growth local_error account tick regions; do
     grep -q "<table data-file='$part.tsv'>" "$folder/report.html" && grep -q "data-cell='$part.tsv:" "$folder/report.html"
     result $? "the page has $part.tsv, and numbers of it"
 done
-[ "$(grep -c 'srcdoc="<!doctype html>' "$folder/report.html")" -eq 1 ] && [ "$(grep -c 'img alt=.* src="data:image/svg+xml;base64' "$folder/report.html")" -eq 4 ]
-result $? "it has the mechanism and four pictures in it"
+[ "$(grep -c 'srcdoc="<!doctype html>' "$folder/report.html")" -eq 1 ] && [ "$(grep -c 'img alt=.* src="data:image/svg+xml;base64' "$folder/report.html")" -eq 5 ]
+result $? "it has the mechanism and five pictures in it"
 [ "$(find "$out/project/build/report/references" -type f | wc -l)" -ge 2 ]
 result $? "references are kept"
 mkdir -p "$out/wrong" && cp "$folder"/*.tsv "$out/wrong"
@@ -135,6 +135,42 @@ result $? "the picture of the growth has the points of its table"
 awk -F '\t' -v OFS='\t' 'FNR > 1 { print "|real part of the eigenvalue times the step", $1, $2, $3 }' "$folder/regions.tsv" >"$out/points"
 shows "$folder/regions.svg" "$out/points" drawn
 result $? "the picture of the regions shows what its table has"
+# estimated TSV: the error of a step of rk4 is told within the factor of tests/estimate/local_error.c.
+estimated()
+{
+    awk -F '\t' 'FNR > 1 { n++; if (!($3 > 0 && $2 >= 0.2 * $3 && $2 <= 5 * $3)) exit n = 0 } END { exit n < 60 }' "$1"
+}
+awk -F '\t' -v OFS='\t' 'FNR > 1 { print "|t, s", "told", $1, $2; print "|t, s", "true", $1, $3 }' "$folder/local_error.tsv" >"$out/points"
+estimated "$folder/local_error.tsv" && shows "$folder/local_error.svg" "$out/points" all
+result $? "the error of a step is what the method tells of it within a factor of five; its picture has the points"
+awk -F '\t' -v OFS='\t' 'FNR == 30 { $2 *= 30 } { print }' "$folder/local_error.tsv" >"$out/wrong.tsv"
+! estimated "$out/wrong.tsv"
+result $? "found: an error that is told wrong"
+
+# near TEXT...: the page has these texts of the ticks near singular positions that a summary of 5000 ticks tells, or of none.
+near()
+{
+    (
+        SCENE=models/four_bar.scene NAME=four_bar WHAT=near dir=$out/near REPORT_PARTS=nearness
+        . tools/measure/common.sh
+        . tools/measure/page.sh
+    ) 2>/dev/null
+    for text in "$@"; do
+        grep -q "$text" "$out/near/report.html" || return 1
+    done
+    python3 tests/check/cells.py "$out/near/report.html" "$out/near" >/dev/null
+}
+mkdir -p "$out/near/account" && echo iso_watch_pivots >"$out/near/account/plant.c"
+echo 'ticks 5000' >"$out/near/account/summary.txt"
+near "Of <data value='5000'" "<data value='0'"
+result $? "no tick near a singular position"
+echo 'near_singular 12 from 0.5 s in follower_pin' >>"$out/near/account/summary.txt"
+near "<data value='12' .*<data value='5000' .*<data value='0.5' .*<b>follower_pin</b>"
+result $? "ticks near a singular position, the first and its closure"
+echo >"$out/near/account/plant.c"
+! near 'singular position'
+result $? "where nothing is watched the page says nothing of them"
+
 # What growth.tsv says of the end is what report.tsv says of the scene's step.
 awk -F '\t' '
     FNR == NR { if ($2 == "rk4" && $3 > 0.00099 && $3 < 0.00101) error[$1] = $5; next }
@@ -261,7 +297,7 @@ expect $? "found: adams of a plant in C"
 
 # A plant in C, another step, and inputs; the tables alone.
 export REPORT_PARTS=
-call report SCENE=models/oscillator.c METHODS="ab4 bdf4" STEP=2ms SECONDS=2
+call report SCENE=models/oscillator.c METHODS=bdf4 STEP=2ms SECONDS=2
 expect $? "make report of a plant in C"
 
 if [ "$turn" != 1 ]; then

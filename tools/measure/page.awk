@@ -1,7 +1,7 @@
 # Parts of the page of a report, as HTML. Each number in a text is made of a cell of a table, and says which: data-cell has the file,
 # the line and the column; tests/check/report.sh looks them up.
 #
-#     awk -v part=table|errors|growth|account|tick|regions -v file=NAME.tsv -f page.awk FILE
+#     awk -v part=table|errors|growth|local_error|account|nearness|tick|regions -v file=NAME.tsv -f page.awk FILE
 BEGIN { FS = "\t" }
 
 function escaped(text)
@@ -73,6 +73,35 @@ function put_growth(r, said)
     printf "<p>%s with a step of %s s; the error after %s s is %s.</p>\n", cell[2, 2], number(2, 3), number(NR, 4), said
 }
 
+# The line with the largest error, and that with the middle one of the ratios.
+function put_local_error(r, other, most, below, ratios, middle)
+{
+    for (r = 2; r <= NR; r++) {
+        if (!most || cell[r, 3] + 0 > cell[most, 3] + 0) most = r
+        if (cell[r, 4] != "-") ratios++
+    }
+    for (r = 2; r <= NR && !middle; r++) {
+        if (cell[r, 4] == "-") continue
+        below = 0
+        for (other = 2; other <= NR; other++)
+            if (cell[other, 4] != "-" && (cell[other, 4] + 0 < cell[r, 4] + 0 || (cell[other, 4] == cell[r, 4] && other < r))) below++
+        if (below == int(ratios / 2)) middle = r
+    }
+    printf "<p>%s with a step of %s s: the largest error of a step is %s, after %s s, and the method tells %s there.", cell[2, 6],
+        number(2, 5), number(most, 3), number(most, 1), number(most, 2)
+    if (middle) printf " In half of the steps it tells less than %s times the error.", number(middle, 4)
+    print "</p>"
+}
+
+function put_nearness()
+{
+    if (cell[2, 2] + 0 > 0)
+        printf "<p>%s of %s ticks are near a singular position of the closures, from %s s in <b>%s</b>: there the step is too long for the " \
+            "motion, and energy can be lost or gained.</p>\n", number(2, 2), number(2, 1), number(2, 3), escaped(cell[2, 4])
+    else
+        printf "<p>Of %s ticks %s are near a singular position of the closures.</p>\n", number(2, 1), number(2, 2)
+}
+
 function put_account(r)
 {
     print "<ul>"
@@ -119,6 +148,8 @@ END {
     if (part == "table") put_table()
     if (part == "errors") put_errors()
     if (part == "growth") put_growth()
+    if (part == "local_error") put_local_error()
+    if (part == "nearness") put_nearness()
     if (part == "account") put_account()
     if (part == "tick") put_tick()
     if (part == "regions") put_regions()

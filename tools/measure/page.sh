@@ -53,6 +53,30 @@ grow()
     sh tools/plot/picture.sh growth "$NAME" "$dir/growth.tsv" >"$dir/growth.gnuplot" && sh tools/plot/draw.sh "$dir/growth.gnuplot" >/dev/null
 }
 
+# local_errors: local_error.tsv and local_error.svg, what the scene's method tells of the error of a step, in double, and the error. With
+# substeps it tells that of one of them: such a scene has none.
+local_errors()
+{
+    case $SCENE in
+    *.c) return 0 ;;
+    esac
+    method=$(own_method)
+    [ -n "$method" ] && ! grep -q '^ *substeps ' "$SCENE" || return 0
+    mkdir -p "$dir/checked"
+    { elsewhere "$SCENE" | sed '/^ *checked /d' && printf '\nchecked yes\n'; } >"$dir/checked/$NAME.scene"
+    (variable checked "$method") >"$dir/checked/said" 2>&1 || return 0
+    for of in checked-$method reference-rk4; do
+        $COMPILE -DISO_REAL_DOUBLE tools/measure/local.c "$dir/$of/plant.o" -o "$dir/$of/local" -lm || exit 1
+    done
+    "$dir/checked-$method/local" told "$time" $((4 * coarsest)) >"$dir/local.txt" && {
+        printf 'time_s\ttold\terror\tratio\tstep_s\tmethod\n'
+        "$dir/reference-rk4/local" true <"$dir/local.txt" | awk -F '\t' -v OFS='\t' -v step="$step" -v method="$method" '
+            { print $0, ($3 > 0 ? sprintf("%.3g", $2 / $3) : "-"), step, method }'
+    } >"$dir/local_error.tsv"
+    sh tools/plot/picture.sh local_error "$NAME" "$dir/local_error.tsv" >"$dir/local_error.gnuplot" &&
+        sh tools/plot/draw.sh "$dir/local_error.gnuplot" >/dev/null
+}
+
 # account: account.tsv and account.svg, of a run: the energy, what its balance leaves, and of closed loops the violation.
 account()
 {
@@ -86,6 +110,19 @@ account()
             for (c = 1; c <= columns; c++)
                 if (sub(/^report_/, "", name[c])) print name[c], unit[c], first[c], last[c], least[c], most[c]
         }' "$dir/account/units.csv" "$dir/account/trace.csv" >"$dir/account.tsv"
+}
+
+# nearness: nearness.tsv, where closures are watched: the ticks of the account's run, and those near a singular position.
+nearness()
+{
+    grep -qs iso_watch_pivots "$dir/account/plant.c" || return 0
+    awk -v OFS='\t' '
+        $1 == "ticks" { ticks = $2 }
+        $1 == "near_singular" { near = $2; first = $4; closure = $7 }
+        END {
+            print "ticks", "near", "first_s", "closure"
+            print ticks, near + 0, near ? first : "-", near ? closure : "-"
+        }' "$dir/account/summary.txt" >"$dir/nearness.tsv"
 }
 
 # tick: tick.tsv, the parts of the dearest tick on each target.
@@ -189,8 +226,11 @@ END
     [ ! -s "$dir/unlooped" ] || echo "<p>In a loop nothing is measured: two methods do not agree on what is right.</p>"
     section "In a loop" table loop loop "Inputs change at every tick, as a held staircase or as samples of a smooth signal."
     section "How the error grows" growth growth growth ""
+    section "The error of a step" local_error local_error local_error \
+        "What the method tells of it with <code>checked yes</code>, in double, and what it is against a reference that begins at the same state."
     section "Energy and balance" account account account \
         "Of a run in float. The balance is the power that the energy does not explain."
+    section "Singular positions" nearness nearness "" ""
     section "Stability" regions regions regions \
         "Inside of its curve a method damps what the scene damps; the points are the step times the eigenvalues at the start and at the end."
     section "The dearest tick" tick tick "" "Its parts by published timings of the core."
@@ -199,8 +239,8 @@ END
 }
 
 # The parts of the page that are made, if the environment names no others.
-: "${REPORT_PARTS=grow account tick_parts eigenvalues prices motion}"
-(cd "$dir" && rm -f growth.tsv account.tsv tick.tsv regions.tsv effects.tsv)
+: "${REPORT_PARTS=grow local_errors account nearness tick_parts eigenvalues prices motion}"
+(cd "$dir" && rm -f growth.tsv local_error.tsv account.tsv nearness.tsv tick.tsv regions.tsv effects.tsv)
 for making in $REPORT_PARTS; do
     [ "$making" = motion ] || { now_doing "the page: $making" && $making; }
 done

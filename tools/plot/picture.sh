@@ -9,6 +9,7 @@
 #     picture.sh violation SCENE measured
 #     picture.sh effects SCENE TARGET effects.tsv
 #     picture.sh growth SCENE growth.tsv
+#     picture.sh local_error SCENE local_error.tsv
 #     picture.sh regions SCENE regions.tsv
 #     picture.sh compare DIRECTORY DIRECTORY
 #     picture.sh differences DIRECTORY DIRECTORY      as a table
