@@ -17,7 +17,7 @@ TEST_REALS := float double
 TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
 
 # Seconds of processor time, by tests/times: what took longer `make check` leaves to `make test`.
-TEST_QUICK := 3
+TEST_QUICK := 1.5
 
 # One more than processors: some tests wait for a peer or for a clock.
 TEST_JOBS ?= $(shell echo $$(($$(nproc 2>/dev/null || echo 1) + 1)))
