@@ -1,19 +1,14 @@
 # Commands from Python: a rest, steps, a snapshot and the way back to it, what is refused, a reset.
 import cart_pole_link as plant
+from refused import is_refused_by
+
+is_refused = is_refused_by(plant.LinkError)
 
 
 def balance(link, y, tick):
     while link.tick < tick:
         y = link.exchange(force=30 * y.pole + 6 * y.pole_speed + 2 * y.cart_position + 4 * y.cart_speed)
     return y
-
-
-def is_refused(why, call, *arguments):
-    try:
-        call(*arguments)
-    except plant.LinkError as error:
-        return why in str(error)
-    return False
 
 
 with plant.Link() as link:

@@ -3,16 +3,9 @@
 import sys
 
 import script_link as plant
+from refused import is_refused_by
 
-
-def is_refused(why, call, *arguments):
-    try:
-        call(*arguments)
-    except plant.LinkError as error:
-        return why in str(error)
-    return False
-
-
+is_refused = is_refused_by(plant.LinkError)
 schedule = {}
 with open(sys.argv[1]) as file:
     for line in file:
