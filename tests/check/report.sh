@@ -110,12 +110,12 @@ python3 tests/check/cells.py "$folder/report.html" "$folder" >"$out/cells"
 status=$?
 sed 's/^/# /' "$out/cells"
 result $status "every number of the page is a cell of a table that it shows: $(tail -n 1 "$out/cells")"
-for part in report growth local_error account tick regions; do
+for part in report cycles growth local_error account tick regions; do
     grep -q "<table data-file='$part.tsv'>" "$folder/report.html" && grep -q "data-cell='$part.tsv:" "$folder/report.html"
     result $? "the page has $part.tsv, and numbers of it"
 done
-[ "$(grep -c 'srcdoc="<!doctype html>' "$folder/report.html")" -eq 1 ] && [ "$(grep -c 'img alt=.* src="data:image/svg+xml;base64' "$folder/report.html")" -eq 5 ]
-result $? "it has the mechanism and five pictures in it"
+[ "$(grep -c 'srcdoc="<!doctype html>' "$folder/report.html")" -eq 1 ] && [ "$(grep -c 'img alt=.* src="data:image/svg+xml;base64' "$folder/report.html")" -eq 6 ]
+result $? "it has the mechanism and six pictures in it"
 [ "$(find "$out/project/build/report/references" -type f | wc -l)" -ge 2 ]
 result $? "references are kept"
 mkdir -p "$out/wrong" && cp "$folder"/*.tsv "$out/wrong"
@@ -195,6 +195,15 @@ result $? "the picture is smaller than 100 kB"
 report_points "$tsv" >"$out/points"
 shows "$folder/work_precision.svg" "$out/points" all
 result $? "the picture, read back through its labels, has the points of the table, and those of the Pareto fronts"
+# Cycles of each step and kind, once to four times its instructions.
+awk -F '\t' '
+    FNR == NR { if ($2 != "adams") instructions["cycles_" $1, $2, $3] = $7; next }
+    FNR > 1 { n++; took = instructions[$1, $2, $3]; if (!(took > 0 && $7 >= took && $7 < 4 * took)) exit n = 0 }
+    END { exit n != 48 }' "$tsv" "$folder/cycles.tsv"
+result $? "each step has its cycles"
+report_points "$folder/cycles.tsv" >"$out/points"
+shows "$folder/cycles.svg" "$out/points" all
+result $? "the picture over the cycles has the points of its table"
 for text in $methods 'double_pendulum: error over cost' 'float, compensated sums' 'step, ms'; do
     grep -qF "$text" "$folder/work_precision.svg"
     result $? "the picture says: $text"

@@ -23,11 +23,13 @@ report_points()
 {
     report_panels='
         function over(what) { return title[$1] "|" what }
-        function cost() { return "instructions per second, " ($1 == "double" ? "host" : "Cortex-M4F") }
+        function cost() { return ($1 ~ /^cycles/ ? "cycles" : "instructions") " per second, " ($1 == "double" ? "host" : "Cortex-M4F") }
         BEGIN {
             FS = OFS = "\t"
             title["float"] = "float"
             title["compensated"] = "float, compensated sums"
+            title["cycles_float"] = title["float"]
+            title["cycles_compensated"] = title["compensated"]
             title["double"] = "double"
         }
         $5 == "inf" || $5 + 0 <= 0 || $5 + 0 > 100 { next }'

@@ -38,7 +38,7 @@ function put_table(r, c, tag)
 }
 
 # Of each kind the least error and its place, and the cheapest that has at most a thousand times it.
-function put_errors(r, kinds, k, kind, best, cheap)
+function put_errors(unit, r, kinds, k, kind, best, cheap)
 {
     for (r = 2; r <= NR; r++) {
         if (cell[r, 5] == "inf" || cell[r, 5] + 0 <= 0) continue
@@ -55,10 +55,10 @@ function put_errors(r, kinds, k, kind, best, cheap)
     print "<ul>"
     for (k = 1; k <= kinds; k++) {
         r = best[kind[k]]
-        printf "<li><b>%s</b>: no error is below %s: %s, steps of %s s, %s instructions per second. ", kind[k], number(r, 5),
-            cell[r, 2], number(r, 3), number(r, 8)
+        printf "<li><b>%s</b>: no error is below %s: %s, steps of %s s, %s %s per second. ", kind[k], number(r, 5),
+            cell[r, 2], number(r, 3), number(r, 8), unit
         r = cheap[kind[k]]
-        printf "Of those within a factor of a thousand the cheapest is %s with steps of %s s: error %s, %s instructions per second.</li>\n",
+        printf "Of those within a factor of a thousand the cheapest is %s with steps of %s s: error %s, %s %s per second.</li>\n",
             cell[r, 2], number(r, 3), number(r, 5), number(r, 8)
     }
     print "</ul>"
@@ -146,7 +146,7 @@ function put_tick(r, share, total, last)
 
 END {
     if (part == "table") put_table()
-    if (part == "errors") put_errors()
+    if (part == "errors") put_errors(file ~ /cycles/ ? "cycles" : "instructions")
     if (part == "growth") put_growth()
     if (part == "local_error") put_local_error()
     if (part == "nearness") put_nearness()

@@ -125,6 +125,32 @@ nearness()
         }' "$dir/account/summary.txt" >"$dir/nearness.tsv"
 }
 
+# cycle_costs: cycles.tsv, in the columns of report.tsv, and cycles.svg: the errors in float over the cycles of steps without a
+# restart on the Cortex-M4F, by published timings, the most of them. Of adams, whose steps vary, there are none.
+cycle_costs()
+{
+    case $SCENE in
+    *.c) return 0 ;;
+    esac
+    : >"$dir/cycles.txt"
+    for kind in float compensated; do
+        for method in $METHODS; do
+            of=$dir/$kind-$method/m4f
+            [ "$method" != adams ] && own_make cycles SCENE="$dir/$kind/$NAME.scene" OUT="$of" TARGET=cortex-m4f METHOD="$method" \
+                STEP="$STEP" INPUTS="$([ "${inputs:-0}" -eq 0 ] || echo held)" REAL=float >"$of/counted" 2>&1 </dev/null
+            [ ! -s "$of/cycles/run.tsv" ] ||
+                sed -n "s/^part	step	[0-9]*	[0-9]*	\([0-9]*\)	.*/$kind	$method	\1/p" "$of/cycles/run.tsv" >>"$dir/cycles.txt"
+        done
+    done
+    [ -s "$dir/cycles.txt" ] || return 0
+    awk -F '\t' -v OFS='\t' '
+        FNR == NR { cycles[$1, $2] = $3; next }
+        FNR == 1 { gsub(/instructions/, "cycles"); print; next }
+        ($1, $2) in cycles { print "cycles_" $1, $2, $3, $4, $5, $6, cycles[$1, $2], sprintf("%.6g", cycles[$1, $2] / $3), $9 }' \
+        "$dir/cycles.txt" "$dir/report.tsv" >"$dir/cycles.tsv"
+    sh tools/plot/picture.sh work_precision "$NAME" "$time" "$dir/cycles.tsv" >"$dir/cycles.gnuplot" && sh tools/plot/draw.sh "$dir/cycles.gnuplot" >/dev/null
+}
+
 # tick: tick.tsv, the parts of the dearest tick on each target.
 tick_parts()
 {
@@ -223,6 +249,8 @@ END
     motion
     section "Error over cost and step" errors report work_precision \
         "The error of the state at the end, as a 2-norm over all states in SI units, for every method, step and number type."
+    section "Error over cycles" errors cycles cycles \
+        "The same over the cycles of a step on <code>cortex-m4f</code>: the most by its published timings. For this machine there are none: above, all costs are instructions."
     [ ! -s "$dir/unlooped" ] || echo "<p>In a loop nothing is measured: two methods do not agree on what is right.</p>"
     section "In a loop" table loop loop "Inputs change at every tick, as a held staircase or as samples of a smooth signal."
     section "How the error grows" growth growth growth ""
@@ -239,8 +267,8 @@ END
 }
 
 # The parts of the page that are made, if the environment names no others.
-: "${REPORT_PARTS=grow local_errors account nearness tick_parts eigenvalues prices motion}"
-(cd "$dir" && rm -f growth.tsv local_error.tsv account.tsv nearness.tsv tick.tsv regions.tsv effects.tsv)
+: "${REPORT_PARTS=cycle_costs grow local_errors account nearness tick_parts eigenvalues prices motion}"
+(cd "$dir" && rm -f cycles.tsv growth.tsv local_error.tsv account.tsv nearness.tsv tick.tsv regions.tsv effects.tsv)
 for making in $REPORT_PARTS; do
     [ "$making" = motion ] || { now_doing "the page: $making" && $making; }
 done

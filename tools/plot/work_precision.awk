@@ -23,6 +23,8 @@ BEGIN {
     add_kind("float", "float", "Cortex-M4F")
     add_kind("compensated", "float, compensated sums", "Cortex-M4F")
     add_kind("double", "double", "host")
+    add_kind("cycles_float", "float", "Cortex-M4F")
+    add_kind("cycles_compensated", "float, compensated sums", "Cortex-M4F")
     add_kind("held", "held inputs, double", "host")
     add_kind("smooth", "smooth inputs, double", "host")
 }
@@ -180,7 +182,7 @@ function put_kind(k, place, places, width, left, right, i, kind)
     for (i = 1; i <= methods; i++) if ((kind, method[i]) in points) put_block(kind "_" method[i], points[kind, method[i]])
     put_front(kind)
     print "set label 1 '" kind_title[k] "' at graph 0, 1 offset 0, 0.8 left font ',12'"
-    print "set xlabel 'instructions per second, " kind_machine[k] "'"
+    print "set xlabel '" (kind ~ /^cycles/ ? "cycles" : "instructions") " per second, " kind_machine[k] "'"
     print "set ylabel '" (place ? "" : "error after " time " s") "' offset 1, 0"
     put_decades("y", least["error"] / 30, most["error"] * 30, !place)
     put_decades("x", least["cost"] / 1.5, most["cost"] * 1.5, 1)
@@ -200,7 +202,7 @@ function put_legend(rows_more, f, i, n, x, y, row, label, drawn)
     put_place(0, 1, (LEGEND + rows_more) / height, 0)
     put_block("legend_front", "85 12\n115 12\n")
     print "set label 10 'Pareto front' at 122, 12 left"
-    print "set label 11 'no other point has a smaller error and fewer instructions; what is off it is pale' at 232, 12 left"
+    print "set label 11 'no other point has a smaller error and a smaller cost; what is off it is pale' at 232, 12 left"
     label = 12
     for (f = 1; f <= families; f++) {
         n = 0
