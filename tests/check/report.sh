@@ -116,6 +116,9 @@ for part in report cycles growth local_error account tick regions; do
 done
 [ "$(grep -c 'srcdoc="<!doctype html>' "$folder/report.html")" -eq 1 ] && [ "$(grep -c 'img alt=.* src="data:image/svg+xml;base64' "$folder/report.html")" -eq 6 ]
 result $? "it has the mechanism and six pictures in it"
+[ "$(grep -c 'no error is below .*[0-9]</data> instructions per second' "$folder/report.html")" -eq 3 ] &&
+    [ "$(grep -c 'the cheapest is .*[0-9]</data> cycles per second' "$folder/report.html")" -eq 2 ]
+result $? "it says of each kind what is most exact and what is cheapest, over instructions and over cycles"
 [ "$(find "$out/project/build/report/references" -type f | wc -l)" -ge 2 ]
 result $? "references are kept"
 mkdir -p "$out/wrong" && cp "$folder"/*.tsv "$out/wrong"

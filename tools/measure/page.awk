@@ -59,7 +59,7 @@ function put_errors(unit, r, kinds, k, kind, best, cheap)
             cell[r, 2], number(r, 3), number(r, 8), unit
         r = cheap[kind[k]]
         printf "Of those within a factor of a thousand the cheapest is %s with steps of %s s: error %s, %s %s per second.</li>\n",
-            cell[r, 2], number(r, 3), number(r, 5), number(r, 8)
+            cell[r, 2], number(r, 3), number(r, 5), number(r, 8), unit
     }
     print "</ul>"
 }
