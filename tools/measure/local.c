@@ -1,8 +1,8 @@
-/* The local error of single steps: what a method tells of it, and what it is. Compiled in double, as drive.c is, with two plants:
- * one whose method is under test, with `checked yes`, and that of a reference.
+/* The local error of single steps: what a method tells of it, and what it is. Compiled in double, as drive.c is, with
+ * two plants: one whose method is under test, with `checked yes`, and that of a reference.
  *
- *     local told TIME STEPS    makes these steps; of some, evenly spread, a line: the time before it, the step, what the
- *                              method tells behind it, and the states before and behind it
+ *     local told TIME STEPS    makes these steps; of some, evenly spread, a line: the time before it, the step, what
+ *                              the method tells behind it, and the states before and behind it
  *     local true               reads these lines; for each one with the time, what the method tells, and the error: the
  *                              largest difference of any state to that behind PARTS steps of this plant in place of one
  */
@@ -55,7 +55,7 @@ static bool read_number(double *const number)
     return scanf("%lf", number) == 1;
 }
 
-/* The largest difference of the states to those on the input; angles that were counted down to a turn may be a turn apart. */
+/* The largest difference of the states to those on the input; angles counted down to a turn may be a turn apart. */
 static bool read_error(double *const error)
 {
     *error = 0.0;
