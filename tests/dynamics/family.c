@@ -315,32 +315,39 @@ static void test_member(subject *const s)
               order[1], order[2], ORDER_TOLERANCE);
 }
 
-static void test_controls(subject *const s)
+/* Errors that were planted, and are found in one member at least: not in each, as a body may move alone, which no joint feels. */
+typedef struct controls {
+    bool mass, jacobian, order;
+} controls;
+
+static void try_controls(subject *const s, controls *const found)
 {
     const real *const start = s->plant.model->start;
-    const solved off = solved_at(s, start, 0.0L, 1.0L + 1e-6L);
-    report_ok(fmin(off.power, fmin(off.accelerations, off.reactions)) > SOLVED_TOLERANCE,
-              "control: %s with a mass off by 1e-6: accelerations %.1e, reactions %.1e, power %.1e", s->of->name,
-              off.accelerations, off.reactions, off.power);
-    report_ok(jacobian_off(s, start, R(1.0001)) > JACOBIAN_TOLERANCE,
-              "control: %s with a Jacobian off by 1e-4 solves %.1e", s->of->name, jacobian_off(s, start, R(1.0001)));
-    const states end = reference(s);
-    jacobian_scale = R(1.02);
-    const double order = order_of(s, &end, ISO_ROSENBROCK);
-    jacobian_scale = R(1.0);
-    report_ok(order < 0.0, "control: %s with a Jacobian off by 2 %%: rosenbrock has order %.2f", s->of->name, -order);
+    if (!found->mass) {
+        const solved off = solved_at(s, start, 0.0L, 1.0L + 1e-6L);
+        found->mass = fmin(off.power, fmin(off.accelerations, off.reactions)) > SOLVED_TOLERANCE;
+    }
+    found->jacobian = found->jacobian || jacobian_off(s, start, R(1.0001)) > JACOBIAN_TOLERANCE;
+    if (!found->order) {
+        const states end = reference(s);
+        jacobian_scale = R(1.02);
+        found->order = order_of(s, &end, ISO_ROSENBROCK) < 0.0;
+        jacobian_scale = R(1.0);
+    }
 }
 
 int main(void)
 {
     static subject s;
+    controls found = {0};
     for (int i = 0; family[i] != NULL; i++) {
         if (begin(family[i], &s)) {
             test_member(&s);
-            if (i == 0) {
-                test_controls(&s);
-            }
+            try_controls(&s, &found);
         }
     }
+    report_ok(found.mass, "control: a mass off by 1e-6 is off in accelerations, reactions and power");
+    report_ok(found.jacobian, "control: a Jacobian off by 1e-4 solves another equation");
+    report_ok(found.order, "control: a Jacobian off by 2 %% takes rosenbrock its order");
     return report_done();
 }

@@ -58,7 +58,7 @@ member()
     settle=
     if grep -q '^static void settle' "$out/$name.c"; then
         pivots=$(pivots_in "$out/$name.c")
-        settle="settle(x$(grep -q '^static void settle.*\bp[,)]' "$out/$name.c" && echo ', p')${pivots:+, pivots});"
+        settle="settle(x$(grep -q '^static void settle.*\bu[,)]' "$out/$name.c" && echo ', memory.u')$(grep -q '^static void settle.*\bp[,)]' "$out/$name.c" && echo ', p')${pivots:+, pivots});"
         ! grep -q 'iterations 2' "$out/$name.scene" || settle="$settle $settle"
         settle="${pivots:+real pivots[$pivots];} $settle"
     fi

@@ -8,9 +8,12 @@
 enum { PERIOD = 1600, SOON = PERIOD >> ISO_LATE_SHIFT };
 
 static uint64_t now, passed;
+static int readings;
 
+/* It stands still for the two readings of a tick, and then goes on. */
 uint64_t fake_clock(void)
 {
+    now += readings++ >= 2;
     return now;
 }
 
@@ -26,9 +29,11 @@ static void run(iso_times *const times, iso_loop *const loop, const uint64_t due
 {
     loop->due = due;
     now = due + took;
+    readings = 0;
     iso_times_done(times, loop);
     now += beside;
     passed = 0;
+    readings = 1;
     iso_times_go_on(times, loop);
 }
 
@@ -52,8 +57,11 @@ int main(void)
     tap_count((uint32_t)passed, 0, "done before the next tick is near: none passes");
     run(&times, &loop, 6 * PERIOD, 100, PERIOD - 100 - SOON);
     tap_count((uint32_t)passed, 1, "a tick that comes within a sixteenth of a period passes");
+    tap_count((uint32_t)now, 7 * PERIOD,
+              "when it has come: the port, asked before, would report one fewer than have passed");
     run(&times, &loop, 8 * PERIOD, 100, 3 * PERIOD);
     tap_count((uint32_t)passed, 3, "three periods beside it: three ticks pass");
+    tap_count((uint32_t)now, 11 * PERIOD + 100, "all of them have come");
     run(&times, &loop, 12 * PERIOD, PERIOD + 100, 0);
     tap_count((uint32_t)passed, 0, "a tick that lasts into the next one lets none pass: that one is late");
     tap_ok(times.next == 14 * PERIOD, "the first tick behind it is due");
