@@ -61,7 +61,7 @@ int main(void)
               "when it has come: the port, asked before, would report one fewer than have passed");
     run(&times, &loop, 8 * PERIOD, 100, 3 * PERIOD);
     tap_count((uint32_t)passed, 3, "three periods beside it: three ticks pass");
-    tap_count((uint32_t)now, 11 * PERIOD + 100, "all of them have come");
+    tap_count((uint32_t)now, 11 * PERIOD + 101, "all of them have come: one look at the clock");
     run(&times, &loop, 12 * PERIOD, PERIOD + 100, 0);
     tap_count((uint32_t)passed, 0, "a tick that lasts into the next one lets none pass: that one is late");
     tap_ok(times.next == 14 * PERIOD, "the first tick behind it is due");
