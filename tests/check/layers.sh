@@ -1,5 +1,5 @@
 #!/bin/sh
-# Includes go only downward: generated and hand-written plants -> core -> port's header; ports know the number type only;
+# The top of the project has its rooms alone. Includes go only downward: generated and hand-written plants -> core -> port's header; ports know the number type only;
 # the target's code uses no header of a hosted C library; nothing includes tools or tests but themselves. The folders of
 # core and of isoc stand in an order of their own: a file includes its own folder and those before it.
 . tests/host/test.sh
@@ -66,6 +66,17 @@ unlisted()
         esac
     done
 }
+
+# strange FOLDER: what stands at the top of the project and is none of its rooms. Hidden files, and what is built, aside.
+strange()
+{
+    (cd "$1" && ls) | grep -vx 'core\|port\|models\|tests\|tools\|build\|Makefile\|README.md'
+}
+! strange . | sed 's/^/# /' | grep .
+result $? "the top of the project has its rooms, the Makefile and README.md alone"
+mkdir -p "$out/top/core" && : >"$out/top/step"
+[ "$(strange "$out/top")" = step ]
+result $? "found: a file at the top"
 
 violations . >"$out/found"
 sed 's/^/# /' "$out/found"
