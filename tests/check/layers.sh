@@ -1,7 +1,8 @@
 #!/bin/sh
-# The top of the project has its rooms alone. Includes go only downward: generated and hand-written plants -> core -> port's header; ports know the number type only;
-# the target's code uses no header of a hosted C library; nothing includes tools or tests but themselves. The folders of
-# core and of isoc stand in an order of their own: a file includes its own folder and those before it.
+# The top of the project has its rooms alone. Includes go only downward: generated and hand-written plants -> core -> port's
+# header; ports know the number type only; the target's code uses no header of a hosted C library; nothing includes tools or
+# tests but themselves. The folders of core and of isoc stand in an order of their own: a file includes its own folder and
+# those before it.
 . tests/host/test.sh
 begin check/layers
 
