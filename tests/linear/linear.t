@@ -70,13 +70,13 @@ planted "$bar" 'in a closed loop, no rate by the position' '$1 == "A" && $2 == "
 planted "$bar" 'a row that is missing' '!($1 == "D" && !left_out++)'
 
 # Sines. A model at a point, an input and an output.
-for source in model sine main; do
-    object tools/linear/$source.c
+for source in linear/model linear/sine linear/main table/table; do
+    object tools/$source.c
 done
 while IFS='|' read -r name wishes pair words; do
     linear "$name" "models/$name.scene" --trim "$wishes" && grep -q "$words" "$out/said"
     result $? "$name with '$wishes': $words"
-    on "$name" linear "$out/model.o" "$out/sine.o" "$out/main.o" &&
+    on "$name" linear "$out/model.o" "$out/sine.o" "$out/main.o" "$out/table.o" &&
         "$out/$name/linear" bode "$out/$name/point.txt" "$pair" >"$out/$name/bode.tsv" 2>"$out/found" &&
         grep -q '^measured 5 of 5 ' "$out/found" &&
         sed 's/.* within \(.*\) % of .*/\1/' "$out/found" | awk '$1 >= 0 && $1 < 1 { good = 1 } END { exit !good }'
@@ -103,7 +103,7 @@ awk -F '\t' -v OFS='\t' '$1 == "model" { $3 *= 1.02 } 1' "$out/dc_motor_bench/bo
 result $? "found: a gain that is off by 2 %, $(tail -n 1 "$out/found")"
 
 # A state that a run reaches, with its tunables; and the same numbers for Python and Octave.
-linear drive models/cart_pole_drive.scene && on drive linear "$out/model.o" "$out/sine.o" "$out/main.o" &&
+linear drive models/cart_pole_drive.scene && on drive linear "$out/model.o" "$out/sine.o" "$out/main.o" "$out/table.o" &&
     "$out/drive/linear" reach 8100000000 >"$out/state.txt" &&
     grep -qx 'p 2 1 0' "$out/state.txt" && build/isoc models/cart_pole_drive.scene -o "$out/drive" --linear --state "$out/state.txt" >"$out/said" &&
     grep -q '^point a state of the run$' "$out/said" && grep -q '^left_out disc_count' "$out/said" &&

@@ -27,9 +27,6 @@ typedef struct model {
 /* Ends the program where the file is none. */
 model model_read(const char *path);
 
-/* Zeroed numbers; ends the program where there is no memory. */
-void *numbers(size_t count, size_t size);
-
 /* b := m^-1 b by Gauss with the largest pivot of all; where m is singular, a solution of what is left, with zeros. */
 void solve_complex(double complex *m, int n, double complex *b);
 
