@@ -163,7 +163,7 @@ enum { ISO_COMMAND_PIECE = 128 };
     X(tunable, U16, 1)                                                                                                 \
     X(value, REAL, MANY)
 
-/* The answer to COUNTS has the words of an end frame. Any other answer is how the plant is. */
+/* The answer to COUNTS has the words of an end frame, that to READ a piece, and that to GET a value; any other is how the plant is. */
 #define ISO_COMMAND_STATE_FIELDS(X)                                                                                    \
     X(state, U8, 1)                                                                                                    \
     X(tick, U64, 1)                                                                                                    \
