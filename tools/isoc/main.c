@@ -38,7 +38,7 @@ typedef enum option {
 static const char *const real_names[] = {"float", "double"};
 static const char *const reading_names[] = {"held", "smooth"};
 
-/* Whether a value follows; the values that there are, where these are words, and what else is refused with. */
+/* Whether a value follows; the possible values, where these are words; and the message for any other. */
 static const struct {
     const char *word;
     bool has_value;

@@ -41,7 +41,7 @@ static bool refuse(source *s)
     return false;
 }
 
-/* What a picture of the mechanism needs besides the poses of its bodies. */
+/* The data of a picture of the mechanism besides the poses of its bodies. */
 static bool write_scene_shape(arena *memory, source *s, const scene *written)
 {
     text shape = {.memory = memory};
@@ -79,15 +79,15 @@ static void check(source *s, const graph *g, const plant *p)
     }
 }
 
-/* Header and source of the plant, with what stands beside them; and on standard output what it costs. */
+/* Header and source of the plant, with the files beside them; and its cost on standard output. */
 static bool write_plant(arena *memory, const request *r, const plant *p, graph *g)
 {
     text header = {.memory = memory}, source_text = {.memory = memory}, summary = {.memory = memory};
     file_list files = {.memory = memory, .folder = r->directory};
     double out_of_range_value = 0.0;
-    naming names = naming_of(p, memory, r->name); /* what states, arrays and functions are called in C */
+    naming names = naming_of(p, memory, r->name); /* of states, arrays and functions in C */
     names.is_checked = r->name != NULL || r->is_standalone;
-    names.cut = cut_of(p, g, &names); /* what a step prepares for the next one */
+    names.cut = cut_of(p, g, &names); /* the values that a step prepares for the next one */
     emit_header(p, &names, &header);  /* places, units and limits; the struct of the memory */
     if (!emit_source(p, g, &names, &source_text,
                      &out_of_range_value)) { /* straight-line C of the equations; the step */
@@ -104,13 +104,13 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
         emit_link(p, &names, r->lock, &files); /* the controller's end of a wire */
     }
     if (r->is_standalone) {
-        standalone_files(&files, &names, r->is_double); /* what the files so far include of core */
+        standalone_files(&files, &names, r->is_double); /* the files of core that these include */
     }
     write_summary(p, g, &summary); /* operations of a derivative and of a step, bytes of state */
     return write_files(&files) && write_out(summary.bytes, summary.length);
 }
 
-/* The whole compiler. A pass notes what is wrong in the source, and goes on with the rest; a group of passes ends at problems. */
+/* The whole compiler. A pass notes the problems of the source, and goes on with the rest; a group of passes ends at problems. */
 bool compile(arena *memory, const request *r)
 {
     source s;
@@ -123,7 +123,7 @@ bool compile(arena *memory, const request *r)
     if (r->lists_files) {
         return write_paths(&s);
     }
-    if (!override_scene(memory, r, &s, &written)) { /* what the command line says instead */
+    if (!override_scene(memory, r, &s, &written)) { /* the command line's values replace the scene's */
         return false;
     }
     if (r->lists_effects) {
@@ -137,7 +137,7 @@ bool compile(arena *memory, const request *r)
     graph_section(&g, "Constants of the scene");
     mechanism m = mechanism_build(&s, &g, &written, r->is_double, NULL); /* by passes of its own */
     if (r->name != NULL || r->is_standalone) {
-        mechanism_without_loop(&s, &written); /* notes what only the loop of core does */
+        mechanism_without_loop(&s, &written); /* notes statements that only the loop of core carries out */
     }
     if (s.problem_count > 0 || !request_fits(r, &m)) {
         return refuse(&s);
@@ -146,13 +146,13 @@ bool compile(arena *memory, const request *r)
         return write_graph(memory, &written, &m);
     }
     assemble(&s, &g, &m);          /* the start: numbers that satisfy the closures, of which constants may follow */
-    point_queries_resolve(&g, &m); /* what formulas ask of points: nodes of the states instead of leaves */
+    point_queries_resolve(&g, &m); /* quantities of points in formulas: nodes of the states instead of leaves */
     if (s.problem_count > 0) {
         return refuse(&s);
     }
     /* The plant: all that a tick computes, as nodes of states, inputs and tunables. */
     plant p = plant_build(&g, &m, r->is_double, r->wanted); /* derivative, outputs, factors of an implicit method */
-    rows_build(&s, &g, &p, NULL);                           /* what a row sets, in its order; starts of effects */
+    rows_build(&s, &g, &p, NULL);                           /* the assignments of a row, in order; starts of effects */
     if (r->is_linear && s.problem_count == 0) {
         const linear_request of = {r->state, r->trim, r->directory};
         return linear_run(&s, &g, &written, &p, &of); /* its linear model, and no plant */

@@ -4,7 +4,7 @@
 
 #include "tools/isoc/request.h"
 
-/* Compiles a scene, or prints what is asked of it. Returns false after saying on stderr what is wrong. */
+/* Compiles a scene, or prints the answer to a request about it. Returns false after an error on stderr. */
 bool compile(arena *memory, const request *r);
 
 #endif

@@ -4,10 +4,10 @@
 
 #include "tools/isoc/plant/plant.h"
 
-/* NULL is what is not given. */
+/* An option that is not given is NULL. */
 typedef struct request {
     const char *scene, *directory, *name;
-    const char *method, *step, *tolerance, *set, *without, *inputs; /* instead of what the scene says */
+    const char *method, *step, *tolerance, *set, *without, *inputs; /* in place of the scene's */
     const char *lock;                                               /* of --xcp */
     const char *trim, *state;                                       /* of a linear model */
     bool draws, lists_files, lists_effects, lists_shape;            /* nothing else is asked for */
@@ -15,10 +15,10 @@ typedef struct request {
     build_options wanted;
 } request;
 
-/* Says on stderr what is wrong with an option, or with its argument where there is one. Returns false. */
+/* Prints an error about an option, or about its argument where there is one. Returns false. */
 bool complain(const char *message, const char *argument);
 
-/* Whether the mechanism can be what is asked for; else complains. */
+/* Whether the mechanism fits the request; else complains. */
 bool request_fits(const request *r, const mechanism *m);
 
 /* Replaces parts of the scene by --step, --method, --tolerance, --set, --without and --inputs. Returns false after

@@ -15,7 +15,7 @@ typedef struct block {
 
 struct arena {
     block *blocks;
-    char *free; /* what is left of the block that small pieces come from */
+    char *free; /* the free end of the block that small pieces come from */
     size_t left;
 };
 

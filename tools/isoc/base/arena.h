@@ -14,8 +14,8 @@ void arena_free(arena *a);
 /* Zeroed memory for `count` things of `size` bytes. Ends the program when there is none left. */
 void *arena_take(arena *a, size_t count, size_t size);
 
-/* Gives back before the end what was taken for `count` things of `size` bytes: as far as it is large, for small pieces
- * share their block with others. */
+/* Frees the memory of `count` items of `size` bytes before the arena ends. Only a large piece is freed: small pieces
+ * share a block with others. */
 void arena_return(arena *a, void *items, size_t count, size_t size);
 
 /* A copy of the `length` bytes at `text`, ended by a zero. */

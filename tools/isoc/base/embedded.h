@@ -21,7 +21,7 @@ static inline const char *embedded_text(const embedded_file *const files, const 
 
 extern const embedded_file core_files[];   /* for plants that stand alone */
 extern const embedded_file effect_files[]; /* models/effects: an effect each, called as its file */
-extern const embedded_file client_files[]; /* tools/client: what stands at the other end of a link; tools/package */
-extern const embedded_file help_files[];   /* what --help says */
+extern const embedded_file client_files[]; /* tools/client: the controller's end of a link; and tools/package */
+extern const embedded_file help_files[];   /* the text of --help */
 
 #endif

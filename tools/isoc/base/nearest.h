@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-/* The one of names[count] that is nearest to what was typed, upper and lower case alike; NULL if none is near: within two
- * characters, of a short word one. */
+/* The name of names[count] that is nearest to the typed word; upper and lower case are alike. NULL if none is near: the
+ * distance is at most two characters, for a short word one. */
 const char *nearest(const char *typed, const char *const *names, size_t count);
 
 #endif

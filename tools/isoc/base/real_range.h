@@ -1,4 +1,4 @@
-/* Which numbers the plant's type holds: zero, and what is no smaller than the least normal number and finite. */
+/* The numbers that the plant's type holds: zero, and the normal finite numbers. */
 #ifndef ISOC_BASE_REAL_RANGE_H
 #define ISOC_BASE_REAL_RANGE_H
 

@@ -10,7 +10,7 @@ typedef struct text {
     size_t length, room;
 } text;
 
-/* Adds what printf would write. */
+/* Adds formatted text, as printf. */
 void text_add(text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* The text for a hole of a template, @name@; the last of an array has none. */
@@ -18,7 +18,7 @@ typedef struct filling {
     const char *hole, *words;
 } filling;
 
-/* Adds a template with its holes filled. What is none of them stays as it is. */
+/* Adds a template with its named places filled. All other text of the template is copied. */
 void text_fill(text *t, const char *template, const filling *fillings);
 
 /* Where a word stands among others, or their number. */

@@ -157,7 +157,7 @@ static void hold_distance(const pair *p, constraints *to, const char *called)
     put(k, to, result, called);
 }
 
-/* Where what rolls touches the resting plane across n: the way there from its centre, and the rate of that way. */
+/* The point where a rolling body touches the plane across n: the vector to it from the body's centre, and its rate. */
 typedef struct contact {
     vector way, rate;
 } contact;
@@ -238,8 +238,8 @@ static void hold_rolling(const pair *p, constraints *to, vector t, contact at, c
     put(k, to, result, called);
 }
 
-/* Phi = q_first - ratio q_second - offset, or q_first - motion(t); without what whole turns of continuous joints make
- * of it; of what holds in speeds alone only Phi'. */
+/* Phi = q_first - ratio q_second - offset, or q_first - motion(t), less whole turns of continuous joints. A closure that
+ * holds in speeds alone has only Phi'. */
 static void hold_joints(const kinematics *k, constraints *to, int index)
 {
     graph *g = k->g;

@@ -1,5 +1,5 @@
 /* The constraints of the loop closures, as nodes: of each constraint its position Phi(q),
- * its rate Phi', its row Phi_q of the Jacobian, and its bias, what Phi'' is at q'' = 0.
+ * its rate Phi', its row Phi_q of the Jacobian, and its bias, the value of Phi'' at q'' = 0.
  *
  * Nikravesh (1988), Computer-Aided Analysis of Mechanical Systems, ch. 7. Rows are made from the velocities of points
  * and axes, joint by joint, in axes of choice (tools/isoc/closure/constraints.h). A row without an entry is dropped: no joint
@@ -12,7 +12,7 @@
 
 /* side.c: how the two sides of a loop closure move, as nodes, in the axes of one segment of the loop.
  *
- * The choice of axes changes the cost of the equations, not the motion. What is fixed in that segment is constant
+ * The choice of axes changes the cost of the equations, not the motion. Vectors that are fixed in that segment are constant
  * there; so where a platform is closed by six legs, or a rod by one pin, most entries of the Jacobian are constants in
  * its axes.
  */

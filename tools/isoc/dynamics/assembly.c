@@ -5,7 +5,7 @@
 
 static const double closed_as_given =
     1e-6;                          /* m, rad, and per second: the gap that the digits of given values may leave */
-static const double exact = 1e-10; /* what rounding leaves */
+static const double exact = 1e-10; /* the bound of rounding */
 
 typedef struct assembly {
     source *s;
@@ -164,7 +164,7 @@ static bool check_dropped(const assembly *a)
     return true;
 }
 
-/* A distance that is what the start gives must be one. */
+/* A distance without a length has that of the start, which must not be zero. */
 static bool check_distances(const assembly *a)
 {
     FOR_ALL (const constraint, c, a->phi->all, a->phi->count) {

@@ -51,7 +51,7 @@ gap closing_search(const closing *c, const bool *is_free, double enough);
 /* branches.c: where a loop can be assembled in several ways that meet: the constraints lose rank there. At compile
  * time. */
 
-/* Returns how many coordinates are undetermined at the solution c->x: the freedoms of what is_free moves. If none is, but
+/* Returns how many coordinates are undetermined at the solution c->x: the freedoms of all that is_free. If none is, but
  * the constraints have lost rank, it is a multiple root: two ways to close the loops meet. Such a root was found to the
  * root of the rounding only; it is moved to where the constraints lose rank. `meets` [degrees of freedom] becomes true
  * for those that take part in that. */

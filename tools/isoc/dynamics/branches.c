@@ -200,7 +200,7 @@ static void reach_regular(const split *s, double *b, double *by)
     }
 }
 
-/* to[rows]: `sign` times m times the j-th direction, without what the regular ones reach. */
+/* to[rows]: `sign` times m times the j-th direction, less its part in the range of the regular directions. */
 static void take_image(const linear *l, const split *s, const double *m, int j, double sign, double *to)
 {
     double *by = arena_take(l->c->memory, (size_t)l->columns + 1, sizeof *by);

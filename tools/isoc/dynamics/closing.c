@@ -41,7 +41,7 @@ static double square_gaps(const closing *c, bool rates)
     return sum;
 }
 
-/* Moves the positions of a segment by what its degrees of freedom move. */
+/* Moves the positions of a segment by a change of its degrees of freedom. */
 static void move_segment(const closing *c, const segment *l, const double *by)
 {
     double *q = c->x + l->position;

@@ -76,8 +76,8 @@ void efforts_less(const dynamics *d, const node *bias, node *effort);
 /* reaction.c: reactions of joints and closures on their children, as nodes: force and moment in the ground's axes, the
  * moment about the origin of the joint's frame on the child.
  *
- * Of a joint it is all that passes through it: what it constrains, and what drive, damping and spring, gear and
- * motion put on it. It is the wrench that the child needs for its motion, less all others on it: recursive
+ * Of a joint it is all that passes through it: its constraint force, and the efforts of drive, damping and spring, gear
+ * and motion. It is the wrench that the child needs for its motion, less all others on it: recursive
  * Newton-Euler with the accelerations that the mechanism has, over bodies, since the parameters of segments are
  * regrouped. Of a closure it is the sum of the wrenches of its constraints; a constraint that no joint changes has
  * none.
@@ -109,15 +109,14 @@ int balance_rows(const dynamics *d);
 typedef struct balance {
     int rows;
     node *left;                        /* [rows] by leaves OP_DERIVATIVE of the accelerations and OP_MULTIPLIER */
-    node *weights;                     /* [rows rows] what it has of them: [M Phi_q'; Phi_q -1/penalty] */
-    const acceleration *accelerations; /* [segments] what Newton-Euler hands on from segment to segment, outward */
+    node *weights;                     /* [rows rows] their coefficients: [M Phi_q'; Phi_q -1/penalty] */
+    const acceleration *accelerations; /* [segments] accelerations of Newton-Euler, from segment to segment, outward */
     wrench *wrenches;                  /* [segments] and inward: of a segment with its descendants */
 } balance;
 
 balance balance_build(const dynamics *d);
 
-/* resistance.c: the resistance to a push within a step, as nodes: the mass matrix; with an implicit method, what the
- * method solves with,
+/* resistance.c: the resistance to a push within a step, as nodes: the mass matrix; with an implicit method, its matrix
  *
  *     M - h b dQ/dq' - (h b)^2 dQ/dq,
  *
@@ -137,21 +136,21 @@ typedef struct settled {
     int *states; /* which */
     node *values;
     bool adds;           /* the values are added to the states */
-    node *pivots;        /* of the closures, those that vary: what a step is watched by (core/methods/pivots.h) */
+    node *pivots;        /* the varying pivots of the closures, which each step compares (core/methods/pivots.h) */
     int *pivot_closures; /* whose */
     int pivot_count;
 } settled;
 
 settled settled_build(graph *g, const dynamics *d);
 
-/* account.c: the account of energy, as nodes: what the mechanism has, and the power of all that changes it.
+/* account.c: the account of energy, as nodes: the energy of the mechanism, and the power of all that changes it.
  *
- *     E = T + V + what springs and effects store
+ *     E = T + V + energy of springs and effects
  *     P = inputs - dampers + closures + effects
  *
- * In the motion E' = P. An effect counts with its work less its loss where it tells them, so that these, what it
- * stores and what it gives to the mechanism must fit; else with what it gives and what it stores. A closure has
- * -lambda Phi_q q': the power of a motion, and of any other that of a rate which is violated.
+ * In the motion E' = P. An effect that declares work and loss counts with work less loss, so that these must fit its stored
+ * energy and its power on the mechanism. Another effect counts with its power on the mechanism and its stored energy. A
+ * closure has -lambda Phi_q q': the power of a motion, and for other closures the power of a violated rate.
  *
  * All need kinematics_velocities.
  */

@@ -29,7 +29,7 @@ static quantity_kind late_quantity(effect_scope *w, const node *roots, size_t co
     return found;
 }
 
-/* Notes an effort or a rate that needs what is known later. */
+/* Notes an effort or a rate that needs a quantity which is known later. */
 static bool refuse_late(effect_scope *w, const effect_line *line, const node *roots, size_t count)
 {
     const quantity_kind late = line->kind == EFFECT_NEXT ? QUANTITY_ROWS : late_quantity(w, roots, count);

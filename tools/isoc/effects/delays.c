@@ -1,6 +1,6 @@
-/* Delays that the equations read. One of what moves is a sample of a continuous signal: within a step the method has the
- * polynomial through its samples, as of a smooth input (core/methods/inputs.h), so that it stands for x(t - tau) at the time
- * of each stage. One of what is constant within a step is constant too. */
+/* Delays that the equations read. A delay of a moving quantity has samples of a continuous signal: within a step the method
+ * evaluates the polynomial through its samples, as for a smooth input (core/methods/inputs.h), so that each stage reads
+ * x(t - tau) at its own time. A delay of a quantity that is constant within a step is constant too. */
 #include "tools/isoc/mechanism/builder.h"
 
 /* The operands of a formula besides parameters. */
@@ -19,7 +19,7 @@ static bool jumps(quantity_kind kind)
     return kind == QUANTITY_TURNS || quantity_rows[kind].of == OF_STEP;
 }
 
-/* A delay is as what it is of: of delays one after the other, at most all of them. */
+/* A delay reads the same kinds as its formula; delays of delays are followed to the depth of their number. */
 static kinds_read reads(const builder *b, node root, int depth)
 {
     const mechanism *m = &b->mechanism;

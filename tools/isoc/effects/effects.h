@@ -1,7 +1,7 @@
-/* Shared by the files of effects: the uses of effects, and what the formulas in them mean.
+/* Shared by the files of effects: the uses of effects, and the values of the formulas in them.
  *
- * A formula is evaluated when something asks for it; so the lines of a definition may stand in any order, and what would
- * need its own value is found.
+ * A formula is evaluated when its value is needed; so the lines of a definition may stand in any order, and a formula that
+ * needs its own value is found.
  */
 #ifndef ISOC_EFFECTS_EFFECTS_H
 #define ISOC_EFFECTS_EFFECTS_H
@@ -36,9 +36,9 @@ typedef struct effect_scope {
     value *signals;
     progress *signal_progress;
     const instance *within;
-    const char *path[DEEPEST_EFFECT]; /* what is being evaluated, each for the one before */
+    const char *path[DEEPEST_EFFECT]; /* the names that are being evaluated, each for the one before */
     int depth;
-    bool is_done;            /* all lines: what is built next are outputs */
+    bool is_done;            /* with all lines; outputs are built next */
     stability_limits limits; /* of the method; a rate of 0 before a formula names one */
 } effect_scope;
 
@@ -60,8 +60,8 @@ const char *suggestion(source *s, const effect_kind *kind, const char *typed, ef
 /* The use's text for an operand, or NULL. */
 const quantity *operand_called(const instance *in, const char *called);
 
-/* From here on names are those of an instance, or of the scene where it is NULL, and problems are of it. Returns what it
- * was before. */
+/* From here on names are those of an instance, or of the scene where it is NULL, and problems are of it. Returns the scope
+ * before. */
 const instance *enter(effect_scope *w, const instance *in);
 
 /* The value of a formula that is called so. */
@@ -94,10 +94,10 @@ bool find_quantity(effect_scope *w, const formula *f, value *found);
 /* lines.c: the value of an operand, a let, a state, a memory or an output. */
 value line_value(effect_scope *w, const instance *in, const effect_line *line);
 
-/* actions.c: does what a line says: a rate, an effort, a force. */
+/* actions.c: carries out a line: a rate, an effort, a force. */
 void do_line(effect_scope *w, const instance *in, const effect_line *line);
 
-/* Notes what a definition lacks: each state has a rate, each memory a next. */
+/* Notes a state of a definition without a rate, and a memory without a next. */
 void check_subjects(effect_scope *w, const instance *in);
 
 #endif

@@ -1,5 +1,5 @@
 /* The past of formulas: previous(x), sample(x, every 5 ms), delay(x, 5 ms). Each is a memory that
- * no effect declares; what it is of is evaluated when all lines are, so that a formula may need its own past. */
+ * no effect declares; its formula is evaluated after all lines, so that a formula may need its own past. */
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/formula/ticks.h"
 #include <math.h>
@@ -38,7 +38,7 @@ static bool is_number(effect_scope *w, const formula *f, const value *found)
     return found->count == 1;
 }
 
-/* A new memory; `start` is its start, or -1 where that is what the formula is at the start. */
+/* A new memory; `start` is its start, or -1 for the value of the formula at the start. */
 static int add_history_memory(effect_scope *w, const formula *f, node start, dimension expected, double ticks)
 {
     builder *b = w->b;

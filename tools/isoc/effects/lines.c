@@ -13,7 +13,7 @@ static dimension like_dimension(const char *word, const segment *l)
     return quantity_dimension(kind < QUANTITY_ROWS ? kind : quantity_called(word, OF_TRANSMISSION), l);
 }
 
-/* The dimension that a line declares, by its unit, by what it is like, or by its default; or false. */
+/* The dimension that a line declares, by its unit, by `like`, or by its default; or false. */
 static bool declared_dimension(effect_scope *w, const instance *in, const effect_line *line, const formula *f,
                                dimension *expected)
 {
@@ -55,7 +55,7 @@ static value checked(effect_scope *w, const instance *in, const effect_line *lin
     return found;
 }
 
-/* Whether a formula has a word of what step and method allow. */
+/* Whether a formula has a word for a limit of step and method: stable_rate, stable_frequency. */
 static bool names_limit(const formula *f)
 {
     bool is = f->kind == FORMULA_NAME && strncmp(f->name, "stable_", strlen("stable_")) == 0;
@@ -78,7 +78,7 @@ static void note_derived(effect_scope *w, const instance *in, const effect_line 
     next->about.unit = dimension_unit(memory, found.of);
 }
 
-/* A signal or a value: what the use gives, in the words of the scene, or the default, in those of the effect. */
+/* A signal or a value: the formula of the use, with the names of the scene, or the default, with those of the effect. */
 static value operand_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     const quantity *given = operand_called(in, line->name.text);
@@ -129,7 +129,7 @@ static value begun(effect_scope *w, const instance *in, const effect_line *line,
 }
 
 /* A state, a memory or a fault of an effect that is left out: zero, of its dimension. Its start, where that alone tells
- * the dimension, may name what else comes later, and so change the order of the graph; but no operation of it stays. */
+ * the dimension, may name later lines, and so change the order of the graph; but no operation of it stays. */
 static value absent_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     const bool is_known = line->kind == EFFECT_FAULT || line->has_unit;

@@ -9,7 +9,7 @@
 static bool find_limit(effect_scope *w, const char *called, value *found)
 {
     static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
-    static const double margin = 0.5; /* of the limit: what is linear here turns over elsewhere */
+    static const double margin = 0.5; /* of the limit: an effect that is linear here may be steeper elsewhere */
     const mechanism *m = &w->b->mechanism;
     const bool is_step = strcmp(called, "step") == 0, is_rate = strcmp(called, "stable_rate") == 0;
     if (!is_step && !is_rate && strcmp(called, "stable_frequency") != 0) {

@@ -1,5 +1,5 @@
-/* QUANTITY of NAME: what a formula of an effect, a signal or an output asks of a joint, a body or an effect; and what it asks of
- * the mechanism itself, as energy. */
+/* QUANTITY of NAME: a quantity of a joint, a body or an effect in a formula of an effect, a signal or an output; and
+ * quantities of the whole mechanism, as energy. */
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"
@@ -64,7 +64,7 @@ static bool find_beside(effect_scope *w, const formula *f, bool of_inertia, vect
     return true;
 }
 
-/* inertia of BODY: what a force along each axis alone moves at the start, as three masses. */
+/* inertia of BODY: the mass that a force along each axis alone accelerates at the start; three masses. */
 static value inertia_of_point(effect_scope *w, const formula *f, int which, vector point)
 {
     mechanism *m = &w->b->mechanism;
@@ -85,7 +85,7 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
     return found;
 }
 
-/* --- what a quantity is of: false after noting a problem --- */
+/* --- the operand of a quantity: false after noting a problem --- */
 
 /* `at`, `in` and `along`, where it has a point, axes or components. */
 static bool check_parts(effect_scope *w, const formula *f, const quantity_row *row)

@@ -1,4 +1,4 @@
-/* The scope of a formula: the names of one effect, or those of the scene, and what is being evaluated. */
+/* The scope of a formula: the names of one effect, or those of the scene, and the path of the evaluation. */
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"

@@ -47,7 +47,7 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
     }
 }
 
-/* Whether the use gives what a line would have as its default. */
+/* Whether the use gives a value in place of a line's default. */
 static bool is_given(const effect_use *use, const effect_line *line)
 {
     return line->kind < EFFECT_FAULT &&

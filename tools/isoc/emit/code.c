@@ -26,7 +26,7 @@ typedef struct emitter {
     bool *needed;
     int *uses;
     rendering *shown;
-    const char **turned; /* of an angle: what holds its sine and cosine */
+    const char **turned; /* of an angle: the variable with its sine and cosine */
     dictionary taken;    /* the names given so far, each with the number to try next behind it */
     int temporaries, section;
     size_t body;        /* where in the text the last heading ends */
@@ -117,7 +117,7 @@ static const char *operand_text(const emitter *e, node n, binding least)
     return r->binds >= least ? r->text : arena_format(e->g->memory, "(%s)", r->text);
 }
 
-/* The parts of an expression that stand inside it, down to declared quantities and leaves: what a piece reads. */
+/* Notes the declared quantities and leaves that a piece reads: the ends of the expressions within it. */
 static void note_reads(emitter *e, code_piece *result, const node *open, size_t count)
 {
     graph *g = e->g;
@@ -369,7 +369,7 @@ static void emit_node(emitter *e, node i)
     e->piece_of[i] = e->pieces == NULL ? 0 : e->pieces->count;
 }
 
-/* const real q_shoulder = x[PLANT_X_SHOULDER]; or NULL for what stands in no array. */
+/* const real q_shoulder = x[PLANT_X_SHOULDER]; or NULL for a node that stands in no array. */
 static const char *declaration(emitter *e, node i)
 {
     const graph_node *n = &e->g->nodes[i];
@@ -383,7 +383,7 @@ static const char *declaration(emitter *e, node i)
     return arena_format(e->g->memory, "    const real %s = %s[%s];\n", name, array, place);
 }
 
-/* The scene's line of what stands in an array, where the function quotes them. */
+/* The scene's line of a leaf that stands in an array, where the function quotes them. */
 static const char *quote_of_leaf(const emitter *e, node i)
 {
     const graph_node *n = &e->g->nodes[i];

@@ -31,7 +31,7 @@ typedef struct code {
     const node *roots;
     size_t count;
     const char *const *quotes; /* the scene's lines, above the targets that they make; or NULL */
-    bool quotes_leaves;        /* and above what the function reads */
+    bool quotes_leaves;        /* and above the leaves that the function reads */
     const mark *marks;
     size_t mark_count;
     const char *const
@@ -56,8 +56,8 @@ typedef struct code_piece {
     size_t leaf_count;
 } code_piece;
 
-/* The same statements piece by piece, without the declarations of what is read from arrays; each target is set as soon as
- * it is known, so that it must be none of these. */
+/* The same statements piece by piece, without the declarations of values that arrays hold; each target is set as soon as
+ * it is known, so that no target may be a place that the statements read. */
 typedef struct code_pieces {
     const graph *g;
     text text;
@@ -69,7 +69,7 @@ typedef struct code_pieces {
 
 code_pieces code_in_pieces(const code *c, double *out_of_range_value);
 
-/* The shortest decimal that reads back as the same real, e.g. R(0.1); of what is below the normal numbers, zero. */
+/* The shortest decimal that reads back as the same real, e.g. R(0.1); zero for a number below the normal ones. */
 const char *code_literal(arena *memory, double value, bool is_double);
 
 /* A fraction of a turn as C; 2^64 is one. */
@@ -91,10 +91,10 @@ typedef struct code_parts {
     int carried; /* reals of v[] */
 } code_parts;
 
-/* Parts of at most so many statements. What one declares and a later one reads stands in v[]. */
+/* Parts of at most so many statements. A value that one part declares and a later one reads stands in v[]. */
 code_parts code_split(const code_pieces *pieces, int most);
 
-/* cut.c: a body in two: what follows from the states alone, and the rest, which reads that from s[]. */
+/* cut.c: a body in two: the part that follows from the states alone, and the rest, which reads its values from s[]. */
 
 typedef struct code_cut {
     const char *of_states, *rest;

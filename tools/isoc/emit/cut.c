@@ -12,7 +12,7 @@ typedef struct cutter {
     int count;
 } cutter;
 
-/* Whether a piece declares what follows from the states and from such pieces alone. */
+/* Whether a piece declares a value that follows from the states and from such pieces alone. */
 static bool follows_from_states(const cutter *s, const code_piece *c)
 {
     bool result = c->declares != NULL;
@@ -33,7 +33,7 @@ static int turned_state(const cutter *s, const code_piece *c)
     return c->is_turn && angle->op == OP_STATE && s->turned[angle->index] ? angle->index : -1;
 }
 
-/* What the rest reads of the states' pieces stands in s[]. */
+/* The values of the states' pieces that the rest reads stand in s[]. */
 static void find_slots(cutter *s)
 {
     const code_pieces *p = s->from;
@@ -54,7 +54,7 @@ static void find_slots(cutter *s)
     }
 }
 
-/* The declarations of what one of the bodies reads of arrays. */
+/* The declarations of the leaves that one of the bodies reads from arrays. */
 static void declare_read(const cutter *s, bool of_states, bool *reads, text *out)
 {
     const code_pieces *p = s->from;
@@ -101,7 +101,7 @@ static void add_statements(const cutter *s, bool of_states, text *out)
     }
 }
 
-/* Fills s[], or declares what stands there. */
+/* Fills s[], or declares the values in it. */
 static void add_slots(const cutter *s, bool fills, text *out)
 {
     for (size_t i = 0; i < s->from->count; i++) {

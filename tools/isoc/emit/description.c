@@ -39,7 +39,7 @@ static void emit_list(emission *e, const char *field, const char *const *words, 
     put(e, "%s,\n", is_array ? field : "");
 }
 
-/* The names of the states: what the guard calls them. */
+/* The names of the states in messages of the guard. */
 static const char *const *state_names(emission *e)
 {
     const char **names = arena_take(e->out->memory, (size_t)state_count(e->p->m), sizeof *names);
@@ -49,7 +49,7 @@ static const char *const *state_names(emission *e)
     return names;
 }
 
-/* The names of the closures: what a singular position is near. */
+/* The names of the closures in messages on singular positions. */
 static const char *const *closure_names(emission *e)
 {
     const mechanism *m = e->p->m;

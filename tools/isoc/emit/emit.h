@@ -1,4 +1,4 @@
-/* The generated plant: a header that names what is in its arrays, and a source that computes it. */
+/* The generated plant: a header that names the elements of its arrays, and a source that computes them. */
 #ifndef ISOC_EMIT_EMIT_H
 #define ISOC_EMIT_EMIT_H
 
@@ -24,8 +24,8 @@ typedef struct naming {
 naming naming_of(const plant *p, arena *memory, const char *prefix);
 
 /* prepared.c: where outputs ask for accelerations, they and the first evaluation of the next step have the states in common.
- * What follows from these alone is then computed once, at the end of a step, and stands behind them in the memory. The
- * derivative in two for that; NULL where it is not worth it. */
+ * Values that follow from these alone are then computed once, at the end of a step, and stand behind them in the memory.
+ * Returns the derivative in two parts for that; NULL where it is not worth it. */
 const code_cut *cut_of(const plant *p, graph *g, const naming *names);
 
 /* A word in capitals. */
@@ -47,7 +47,7 @@ void standalone_files(file_list *files, const naming *names, bool is_double);
 
 /* link.c: the link of a plant, and the controller's end of it in C and in Python. */
 
-/* Whether its frames are no longer than what a channel of a port takes at once (port/channel.h); if not, says so. */
+/* Whether its frames fit a channel of a port (port/channel.h); if not, prints an error. */
 bool link_fits(const plant *p, const char *path);
 
 /* Adds interface.c, SCENE_link.h and SCENE_link.py to the plant's header and source, the first two of the files. Where a lock is

@@ -14,8 +14,8 @@ emission emission_of(const emission *e, const reduced_plant *left)
     return other;
 }
 
-/* The arrays that the equations read. The functions of a step read what is held (tools/isoc/plant/plant.h) in the place of
- * the tunables, where something is. */
+/* The arrays that the equations read. Where values are held (tools/isoc/plant/plant.h), the functions of a step read these
+ * in the place of the tunables. */
 typedef struct argument {
     operation op;
     const char *name;

@@ -25,8 +25,8 @@ static void emit_hold(emission *e)
     }
 }
 
-/* Whether something asks for the derivative beside the step: the model does, and of what is left of a plant outputs and
- * memories that show accelerations. */
+/* Whether something calls the derivative beside the step: the model of the whole plant does; of a reduced plant, outputs and
+ * memories that read accelerations do. */
 static bool asks_for_derivative(const emission *e)
 {
     const plant *p = e->p;
@@ -238,7 +238,7 @@ static void emit_finish(emission *e)
     put(e, ", $C_OUTPUTS);\n}\n\n");
 }
 
-/* The equations without the effects that a ladder drops; what is not of an effect is that of the whole. */
+/* The equations without the effects that a ladder drops; functions that no effect changes are those of the whole plant. */
 static void emit_reduced_functions(emission *e, const reduced_plant *left)
 {
     emission other = emission_of(e, left);

@@ -38,7 +38,7 @@ static const char *literal_of_plant(arena *memory, const plant *p, double number
 
 /* --- interface.c ------------------------------------------------------------------------------------------------- */
 
-/* Which inputs come in, and what becomes of them when they do not. */
+/* The inputs that come over the link, with their safe values. */
 static void emit_wires(const plant *p, const naming *names, text *out)
 {
     const mechanism *m = p->m;
@@ -116,7 +116,7 @@ static const char *bound(arena *memory, double number, const char *infinity)
                          : arena_format(memory, "%.17g", number);
 }
 
-/* The places in a frame, and what is known of each: enum {CART_POLE_U_FORCE, ...}. */
+/* The places in a frame, with name, unit and comment of each: enum {CART_POLE_U_FORCE, ...}. */
 static void emit_terminals(const terminals *t, char array, const char *what, const variable *all, int count, text *out)
 {
     text_add(out, "enum {\n");
@@ -200,7 +200,7 @@ static void emit_client_module(const terminals *t, text *out)
                                 {NULL, NULL}});
 }
 
-/* What pip makes a package of the module by. */
+/* The files by which pip installs the module. */
 static void add_package(const terminals *t, file_list *files)
 {
     arena *memory = files->memory;

@@ -48,7 +48,7 @@ const char *method_state_size(const emission *e)
     return vectors_of(e) > 1 ? form(e, "$C_STATES * %zu", vectors_of(e)) : form(e, "$C_STATES");
 }
 
-/* What stands behind the states. */
+/* The comment of the state array: the values behind the states. */
 static const char *about_state_array(const emission *e)
 {
     const char *kept =
@@ -60,7 +60,7 @@ static const char *about_state_array(const emission *e)
                       kept != NULL && prepared != NULL ? ", and " : "", prepared == NULL ? "" : prepared);
 }
 
-/* The states with what the method keeps, and the inputs with their samples. */
+/* The states with the method's history, and the inputs with their samples. */
 static void add_moving(memory_layout *to)
 {
     const emission *e = to->e;

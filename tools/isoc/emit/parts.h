@@ -11,15 +11,14 @@ typedef struct emission {
     graph *g;
     const naming *names;
     text *out;
-    const char
-        *suffix;  /* of what is not of the whole plant, but of the rungs of a ladder that drop effects; else empty */
-    bool in_step; /* the function is one of those that a step calls */
+    const char *suffix;        /* of functions of a rung that drops effects; empty for those of the whole plant */
+    bool in_step;              /* the function is one of those that a step calls */
     bool is_prepared;          /* or is called behind a step */
     double out_of_range_value; /* a constant that leaves the range of real; else 0 */
 } emission;
 
-/* put.c: adds to the source what printf would write; the same if it is wanted; and that as a text. In the format stand $p for the prefix of names, $C for it
- * in capitals, $s for the suffix. */
+/* put.c: adds formatted text to the source, as printf; the same under a condition; and the formatted text alone. In the
+ * format stand $p for the prefix of names, $C for it in capitals, $s for the suffix. */
 void put(const emission *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void put_if(const emission *e, bool wanted, const char *format, ...) __attribute__((format(printf, 3, 4)));
 const char *form(const emission *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
@@ -28,8 +27,8 @@ const char *form(const emission *e, const char *format, ...) __attribute__((form
 const char *literal(const emission *e, double number);
 const char *limit(const emission *e, double number);
 
-/* features.c: whether the plant keeps something that a start or a restart sets: the method's history, samples of
- * smooth inputs, what follows from tunables. */
+/* features.c: whether the plant keeps values that a start or a restart sets: the method's history, samples of smooth
+ * inputs, values that follow from tunables. */
 bool is_primed(const plant *p);
 
 /* Whether a discontinuity, of an input or of a parameter, makes that useless; and whether the latter can. */
@@ -46,8 +45,8 @@ const char *progress_of(const mechanism *m);
 /* The recipe as C: ISO_RK4 | ISO_CHECKED. */
 const char *recipe_symbol(arena *memory, unsigned recipe);
 
-/* Whether the number of the row counts: for what a memory is, for an output that is due, or for a function of time that a
- * memory or an output reads. */
+/* Whether the plant needs the number of the row: for a memory, for an output that is due, or for a function of time that
+ * a memory or an output reads. */
 bool keeps_rows(const plant *p);
 
 /* Whether a row sets something besides the outputs. */
@@ -78,17 +77,17 @@ bool has_limits(const variable *all, int count);
 bool is_limited(const state *s);
 bool has_range(const emission *e);
 
-/* Whether what follows a step depends on tunables, as masses or lengths of closures (OP_PARAMETER); or, in what a push meets with an
- * implicit method, on inputs and memories (OP_INPUT). */
+/* Whether the corrections after a step depend on tunables, as masses or lengths of closures (OP_PARAMETER); or, in the
+ * resistance with an implicit method, on inputs and memories (OP_INPUT). */
 bool settles_by(const plant *p, const graph *g, operation array);
 
 /* memory.c: the reals of x that the method has, as C. */
 const char *method_state_size(const emission *e);
 
-/* function.c: the emission of what is left of the plant by a drop of its ladder; or of the whole where it is NULL. */
+/* function.c: the emission of a reduced plant of its ladder; or of the whole plant where it is NULL. */
 emission emission_of(const emission *e, const reduced_plant *left);
 
-/* Targets: the places in an array of what these leaves stand for, or its first so many. */
+/* Targets: the places in an array of the values of these leaves, or its first `count` places. */
 const char *const *places_in(const emission *e, const char *array, const leaf_name *leaves, int count);
 const char *const *numbered(const emission *e, const char *array, int count);
 
@@ -99,7 +98,7 @@ bool code_uses(const emission *e, const code *result, operation op);
 void emit_arrays(const emission *e, const code *result);
 void emit_code(emission *e, const code *result);
 
-/* The derivatives of all states, with the scene's lines of what they read, and of the closures. */
+/* The derivatives of all states, with the scene's lines of their leaves and of the closures. */
 code derivative_code(const emission *e);
 
 /* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. And the whole of it. */
@@ -122,26 +121,26 @@ void emit_memory_check(const emission *e);
 /* Where in it an array of reals begins that it has: x, u, p or y; in bytes. */
 size_t memory_place(const emission *e, char array);
 
-/* data.c: what is constant. */
+/* data.c: the constant tables. */
 void emit_data(emission *e);
 
 /* static const iso_limits ARRAY[CART_WHAT] = {[PLACE] = {LEAST, MOST}, ...}; nothing where none has any. */
 void emit_limits(emission *e, const char *array, const char *what, const leaf_name *leaves, const variable *all,
                  int count);
 
-/* data.c: what functions of the tick read, of those that these roots need. */
+/* data.c: the tables of the functions of the tick that these roots need. */
 void emit_tick_tables(emission *e, const node *roots, size_t count);
 
 /* functions.c: the equations. */
 void emit_functions(emission *e);
 
-/* rows.c: what a row sets: functions of time, at the begin of a tick and for what its end shows; memories; and the
- * starts. */
+/* rows.c: the assignments of a row: functions of time, at the begin of a tick and for the outputs of its end; memories; and
+ * the starts. */
 void emit_drive(emission *e);
 void emit_advance(emission *e);
 void emit_begin(emission *e);
 
-/* settle.c: what follows the method in a step. */
+/* settle.c: the corrections after the method in a step. */
 void emit_settle(emission *e);
 
 /* outputs.c: the outputs. */
@@ -164,14 +163,14 @@ void emit_policies(emission *e);
 void emit_model(emission *e);
 void emit_plant(emission *e);
 
-/* a2l.c: measurement and calibration: what core/xcp is told of the plant, and what its tools are told, the A2L. */
+/* a2l.c: measurement and calibration: the tables of core/xcp for the plant, and the description for its tools, the A2L. */
 
 /* The interface of a plant for core/xcp: iso_xcp_the_description, and `services`. The lock is the name of an
  * iso_xcp_lock, or "open". */
 void emit_calibration(const plant *p, const naming *names, const char *lock, uint64_t identity, text *out);
 
 /* The A2L without the addresses, which a linker gives: where it has @SYMBOL+OFFSET@, tools/a2l/a2l.sh puts a number, and
- * for lines of `@statistics@` and `@names of statistics@` what tools/a2l/places.c has. ASAP2, version 1.61. */
+ * for lines of `@statistics@` and `@names of statistics@` the rows of tools/a2l/places.c. ASAP2, version 1.61. */
 void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out);
 
 /* protocol.c: the tables of core/application/protocol.h, as the other end of a wire has them. */

@@ -7,7 +7,7 @@
 
 enum { LONGEST_PREFIX = 40 };
 
-/* C11 (6.4.1), C23, and what C++23 (lex.key) has more; of those that begin with a letter and have no capitals. */
+/* Keywords of C11 (6.4.1), C23 and C++23 (lex.key) that begin with a letter and have no capitals. */
 static const char keywords[] =
     " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class "
     "compl "
@@ -18,7 +18,7 @@ static const char keywords[] =
     "template this thread_local throw true try typedef typeid typename typeof typeof_unqual union unsigned using "
     "virtual void volatile wchar_t while xor xor_eq ";
 
-/* Headers: of C (7.1.2), of POSIX.1 (2017, XBD 13), and what glibc, newlib, picolibc and compilers have beside them. */
+/* Headers: of C (7.1.2), of POSIX.1 (2017, XBD 13), and further ones of glibc, newlib, picolibc and compilers. */
 static const char headers[] =
     " assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg stdatomic "
     "stdbit stdbool stdckdint stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype "

@@ -42,7 +42,7 @@ static const char *memory_target(const emission *e, int i)
     return input_place(e, e->p->m->inputs.count + i);
 }
 
-/* Where a ring has what is of so many rows ago, once the row has begun. */
+/* The place in a ring of the value of so many rows ago, once the row has begun. */
 static const char *ring_place(const emission *e, int i, double ago)
 {
     const unsigned long last = last_of_ring(&e->p->m->effects.memories[i]);
@@ -159,7 +159,7 @@ void emit_drive(emission *e)
 
 /* --- memories --- */
 
-/* A part of what a row sets, as a function of its own below a comment. */
+/* A part of a row's assignments, as a function of its own below a comment. */
 static void emit_part(emission *e, const char *about, const char *function, const assignments *all)
 {
     const code result = code_of_assignments(e, all);
@@ -211,8 +211,8 @@ static void call_samples(emission *e, const row_order *order, const char *functi
     }
 }
 
-/* Of effects' memories the next values; of the formulas of which the past is kept what they are in the row; constant starts
- * that are not zero. */
+/* The next values of effects' memories; the values in the row of formulas whose past is kept; constant starts that are not
+ * zero. */
 typedef enum memory_values { NEXT_VALUES, KEPT_VALUES, CONSTANT_STARTS } memory_values;
 
 static assignments memories_to(const emission *e, memory_values which)

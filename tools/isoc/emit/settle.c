@@ -1,6 +1,6 @@
 #include "tools/isoc/emit/parts.h"
 
-/* The targets of what is put right, then those of the pivots. */
+/* The targets of the corrected states, then those of the pivots. */
 static const char *const *settled_targets(const emission *e)
 {
     const settled *after = &e->p->after;
@@ -16,7 +16,7 @@ static const char *const *settled_targets(const emission *e)
     return targets;
 }
 
-/* The energy, of any states; and what holds it in a step. */
+/* The energy as a function of the states; and the function that holds it in a step. */
 static void emit_hold_energy(emission *e)
 {
     static const char *const target = "energy";

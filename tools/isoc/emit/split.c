@@ -27,8 +27,8 @@ static int take_slot(splitter *s, bool is_turn)
     return s->carried - (is_turn ? 2 : 1);
 }
 
-/* The declarations of what a part reads: from arrays, and from parts before, whose slots are then free if no later part
- * reads them. */
+/* The declarations of the values that a part reads: from arrays, and from parts before, whose slots are then free if no
+ * later part reads them. */
 static void declare(splitter *s, size_t begin, size_t end, code_part *part, text *out)
 {
     const code_pieces *p = s->from;

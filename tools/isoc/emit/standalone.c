@@ -25,7 +25,7 @@ static const embedded_file *find(const char *path, size_t length)
     return NULL;
 }
 
-/* Whether this text, or what it includes, includes something beyond core: a port. */
+/* Whether this text, or a text that it includes, includes something beyond core: a port. */
 static bool needs_more(const char *file)
 {
     const char *at = file;
@@ -38,7 +38,7 @@ static bool needs_more(const char *file)
     return false;
 }
 
-/* Whether firmware may call what is in it, beside what the plant does: a source, or a header that runs plants. */
+/* Whether firmware may call functions of this file beside those of the plant: a source, or a header that runs plants. */
 static bool is_for_callers(const embedded_file *f)
 {
     static const char runtime[] = "core/runtime/";
@@ -61,7 +61,7 @@ static void add_file(file_list *files, const embedded_file *f, bool is_double)
     file_list_add(files, f->path, &copy);
 }
 
-/* Adds what this text includes, each file once. */
+/* Adds the files that this text includes, each once. */
 static void add_includes(file_list *files, const char *file, bool is_double)
 {
     const char *at = file;

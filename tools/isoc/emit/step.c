@@ -121,7 +121,7 @@ static const char *emit_held(emission *e)
     return h->count > 0 ? kept : array_or_null(e->p->m->parameters.count, "memory->p");
 }
 
-/* The call of iso_method_step or iso_method_prime, with what it works on. */
+/* The call of iso_method_step or iso_method_prime, with its arguments. */
 static void emit_call(emission *e, const char *function, const char *size)
 {
     const mechanism *m = e->p->m;
@@ -222,7 +222,7 @@ static void emit_take_turns(emission *e, const segment *l, int number)
         number, number, state_place(e, l->position), number);
 }
 
-/* The plant's states are put right; a local error that is told is that of what they are then. */
+/* The plant's states are corrected; a local error is that of the corrected states. */
 static void emit_settling(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -264,7 +264,7 @@ static void emit_after(emission *e)
     emit_preparing(e);
 }
 
-/* That the header, which is without the methods, has room for what the method keeps. */
+/* An assertion that the header, which does not include the methods, has room for the method's history. */
 static void emit_check_of_room(emission *e)
 {
     const code_cut *cut = e->names->cut;
@@ -302,7 +302,7 @@ static void emit_step_function(emission *e, const char *suffix)
     }
 }
 
-/* The step on a rung, by its method and with what is left of the plant; and what its name ends with. */
+/* The step on a rung, by its method and of its reduced plant. Returns the suffix of its name. */
 static const char *emit_step_of_rung(emission *e, int rung)
 {
     const char *suffix = rung_suffix(e->p, rung, e->out->memory);

@@ -57,7 +57,7 @@ static const char *old_name(arena *memory, const char *path)
     return arena_format(memory, "%s.%ld.old", path, (long)getpid());
 }
 
-/* Writes a file to the disk. What it will replace must be no folder. */
+/* Writes a file to the disk beside the one that it will replace, which must be no folder. */
 static bool write_beside(arena *memory, const file_text *f)
 {
     struct stat there;
@@ -80,7 +80,7 @@ static bool write_beside(arena *memory, const file_text *f)
     return (whole && closed) || complain(f->path);
 }
 
-/* Gives a new file its name; what had the name is kept by another one. */
+/* Gives a new file its name; the old file keeps another name. */
 static bool replace(arena *memory, const char *path)
 {
     const char *old = old_name(memory, path);
@@ -88,7 +88,7 @@ static bool replace(arena *memory, const char *path)
     return (kept && rename(new_name(memory, path), path) == 0) || complain(path);
 }
 
-/* Takes back what replace has done of a file, or has begun. */
+/* Undoes the replacement of a file, whole or begun. */
 static void take_back(arena *memory, const char *path, bool was_replaced)
 {
     if (rename(old_name(memory, path), path) != 0 && was_replaced) {

@@ -242,7 +242,8 @@ static value evaluate_scale(values *v, const formula *f)
     return r;
 }
 
-/* 2 * 20 degC, 20 degC + 5 degC: what they mean depends on where the scale begins. False after noting it. */
+/* The meaning of 2 * 20 degC and 20 degC + 5 degC depends on the zero of the scale. Returns false after noting such a
+ * problem. */
 static bool is_free_of_scale(values *v, const formula *f, bool on_scale)
 {
     if (on_scale) {

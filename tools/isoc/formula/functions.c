@@ -130,7 +130,7 @@ static value call_tangent(values *v, const formula *f, const value *arguments)
     return scalar(divide(v->g, s, c), plain);
 }
 
-/* asin and acos: beyond 1 only by the rounding of what gave the argument. asin x is the angle of (sqrt(1 - x^2), x). */
+/* asin and acos: only rounding brings an argument beyond 1. asin x is the angle of (sqrt(1 - x^2), x). */
 static value call_inverse(values *v, const formula *f, const value *arguments)
 {
     const bool is_sine = is_called(f, "asin");
@@ -324,7 +324,7 @@ static value call_cross(values *v, const formula *f, const value *arguments)
     return result;
 }
 
-/* A number far below what the unit can mean keeps the derivative finite at zero. */
+/* A number far below any useful value in the unit keeps the derivative finite at zero. */
 static value call_norm(values *v, const formula *f, const value *arguments)
 {
     static const double least = 1e-30;

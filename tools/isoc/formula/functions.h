@@ -15,11 +15,11 @@ typedef enum function_kind {
     OF_PAST,   /* of its first argument in rows before */
 } function_kind;
 
-/* How a memory follows its `next`: one of an effect is its next, of what was before; what is kept of a formula is that in
- * rows whose number is a multiple of some ticks, or that of so many ticks before. */
+/* How a memory follows its formula `next`. A memory of an effect takes the value of `next`. A memory of a formula takes its
+ * value in every row whose number is a multiple of some ticks (sample), or the value of so many ticks ago. */
 typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_PREVIOUS, KEPT_DELAY } keeping;
 
-/* A function: what it takes, and its value for arguments that are numbers. A problem of its own is noted at the call. */
+/* A function: its arguments, and its value for arguments that are numbers. A problem of its own is noted at the call. */
 typedef struct function_row {
     const char *name, *example;                                     /* NULL: points have no number of arguments */
     size_t least, most;                                             /* arguments */

@@ -44,7 +44,7 @@ static node first_guess(graph *g, node y)
 
 node impact_damping(graph *g, node e)
 {
-    enum { STEPS = 3 }; /* of Newton: 1e-5, 1e-10, and what rounding leaves */
+    enum { STEPS = 3 }; /* of Newton: errors of 1e-5, 1e-10, and rounding */
     const node one = constant(g, 1.0);
     const node more = add(g, one, e);
     const node y = divide(g, sub(g, one, e), more);

@@ -9,7 +9,7 @@
 
 enum { MOST_POINTS = 65535, SHOWN = 40 };
 
-static const char digits[] = "0123456789+-."; /* what a number begins with */
+static const char digits[] = "0123456789+-."; /* the first character of a number */
 
 /* The points of a file, in ticks and values. */
 typedef struct points {

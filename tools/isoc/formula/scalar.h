@@ -1,4 +1,4 @@
-/* Scalars of formulas, and what their dimensions are. */
+/* Scalars of formulas, and their dimensions. */
 #ifndef ISOC_FORMULA_SCALAR_H
 #define ISOC_FORMULA_SCALAR_H
 

@@ -79,11 +79,11 @@ typedef struct values {
 } values;
 
 /* value.c: whether two dimensions are the same, in these surroundings: in formulas of effects, signals and outputs a
- * radian is the number one, and never decides what is accepted. It is carried along for the units that are shown. */
+ * radian is the number one, and is never a reason to refuse a formula. It is kept for the units that are shown. */
 bool agree(const values *v, dimension a, dimension b);
 
-/* Gives `all` the dimension of what is either of two that agree: without radians where these differ in them. A plain zero
- * has that of the other. */
+/* Gives `all` the common dimension of two values that agree: without radians where the two differ in them. A plain zero
+ * takes the dimension of the other value. */
 void gather(value *all, const value *next);
 
 /* a times b to the power n, of the formula f. False after noting that a power is beyond 9. */
@@ -103,8 +103,8 @@ double value_now(values *v, node n);
 /* Whether a number follows from constants and tunables alone. */
 bool is_parametric(values *v, node n);
 
-/* Whether a condition on such numbers holds with the tunables at their defaults; one of others may hold. What a tunable could
- * break is kept: a plant refuses a change that breaks it. */
+/* Whether a condition holds with the tunables at their defaults; true if it depends on more than tunables. A condition that
+ * a tunable could break is kept: a plant refuses a change that breaks it. */
 bool keeps(values *v, condition c);
 
 /* The same of a number that is above zero, or not below it. */
@@ -116,7 +116,7 @@ bool keeps_not_below_zero(values *v, node n);
 /* With room for so many tunables besides those that are written. */
 void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double);
 
-/* All parameters, in the order of the scene; notes what is wrong with them. */
+/* All parameters, in the order of the scene; notes their problems. */
 void values_resolve(values *v);
 
 /* The value of f, whatever it is. Count 0 after noting a problem. */
@@ -130,7 +130,7 @@ value value_of(values *v, const formula *f, dimension expected, int parts, const
 /* A constant scalar; `fallback` where f is NULL or wrong. */
 double value_constant(values *v, const formula *f, dimension expected, const char *what, double fallback);
 
-/* The same for what is in metres or in radians. */
+/* The same for a displacement in metres or radians. */
 double value_displacement(values *v, const formula *f, const char *what, double fallback);
 
 #endif

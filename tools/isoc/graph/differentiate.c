@@ -4,7 +4,7 @@
 
 #include "tools/isoc/graph/rules.h"
 
-/* The chain rule from the leaves to the roots: d[g->count] has what the leaves change by. */
+/* The chain rule from the leaves to the roots: d[g->count] has the derivatives of the leaves. */
 static void follow(graph *g, const node *roots, size_t count, node *d, node *derivatives)
 {
     for (reached r = reach(g, roots, count); reach_next(&r);) {
@@ -65,7 +65,7 @@ static int in_order(const void *a, const void *b)
     return (first > second) - (first < second);
 }
 
-/* The nodes below the root, down to stops and leaves, each after what it is made of itself. */
+/* The nodes below the root, down to stops and leaves, each after its operands. */
 static size_t list_parts(partials *p, node root)
 {
     size_t count = 0;

@@ -97,7 +97,7 @@ static bool is_same(double a, double b)
     return fabs(a - b) <= 4 * DBL_EPSILON * fabs(b);
 }
 
-/* A term of a sum as a constant times the rest: c x, or (c x) y, where nothing else uses what they are made of. */
+/* A term of a sum as a constant times the rest: c x, or (c x) y, where no other node uses the operands. */
 typedef struct scaled {
     double constant; /* 0: there is none */
     node x, y;       /* y is -1 where there is none */
@@ -228,7 +228,7 @@ static bool share_scaled_factor(economy *e, graph_node *n)
     return false;
 }
 
-/* Whether a node has a simpler form for who else uses what it is made of; n is then that. */
+/* Whether a node has a simpler form, as far as other uses of its operands allow it; n is then that form. */
 static bool simplify(economy *e, graph_node *n)
 {
     switch (n->op) {

@@ -238,7 +238,7 @@ static double addend(graph *g, node n, node *rest)
     return c;
 }
 
-/* a + b, or zero where only what rounding made of equal ones is left. */
+/* a + b, or zero where a and -b are equal but for rounding. */
 static double sum_of_constants(double a, double b)
 {
     const double sum = a + b;

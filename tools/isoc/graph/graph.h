@@ -40,10 +40,10 @@ void graph_start(graph *g, arena *memory);
 /* An empty graph with the headings of another. */
 void graph_start_like(graph *g, const graph *other);
 
-/* A graph to try on: what is made in it is not in the other. */
+/* A copy for trials: new nodes of the copy are not in the original. */
 graph graph_copy(const graph *g);
 
-/* Gives back what holds the nodes. */
+/* Frees the memory of the nodes. */
 void graph_free(graph *g);
 
 /* Nodes made from here on stand under this heading. */
@@ -96,7 +96,7 @@ void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
 void graph_uses(const graph *g, const node *roots, size_t count, bool *needed, int *uses);
 
 /* That node by node, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the node r.at.
- * What is made on the way is not among them. */
+ * Nodes that the loop itself makes are not among them. */
 typedef struct reached {
     const graph *g;
     bool *needed;
@@ -139,7 +139,7 @@ bool uses_time(const graph *g, const node *roots, size_t count);
  * there. */
 graph economise(const graph *g, const node *roots, size_t count, node *result);
 
-/* negation.c: the same nodes without the negations that what they negate can take in; the roots become those there. */
+/* negation.c: a new graph without the negations that their operands can take in; the roots become nodes of it. */
 graph negate_free(const graph *g, node *roots, size_t count);
 
 /* differentiate.c: symbolic differentiation, and putting nodes in the place of leaves. */
@@ -150,7 +150,7 @@ void differentiate(graph *g, const node *roots, size_t count, node by, node *der
 /* Their change, to first order, where every state of the graph changes by along[state]. */
 void differentiate_along(graph *g, const node *roots, size_t count, const node *along, node *changes);
 
-/* Derivatives by some nodes as if they were leaves: what they are made of is not looked at. */
+/* Derivatives by some nodes as if these were leaves: their operands are not visited. */
 typedef struct partials {
     graph *g;
     size_t count;      /* of nodes: those made later are not differentiated */
@@ -172,7 +172,7 @@ void replace_leaves(graph *g, node *roots, size_t count, operation op, const nod
 /* The root with another node in the place of one leaf. */
 node replace_leaf(graph *g, node root, node leaf, node by);
 
-/* Makes the roots anew of what stands in the place of each node that there was: to[before], itself where it stays. */
+/* Builds the roots again with to[before] in place of each old node; to[n] is n where a node stays. */
 void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to);
 
 #endif

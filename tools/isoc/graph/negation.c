@@ -1,4 +1,4 @@
-/* Negations that cost nothing: the negative of what is made of a constant or a difference alone. */
+/* Negations that cost nothing: of a difference, or of a product with a constant. */
 #include "tools/isoc/graph/graph.h"
 
 #include <string.h>
@@ -28,7 +28,7 @@ static node free_part(const negation *e, const graph_node *n)
     return is_free(e, n->a) ? n->a : is_free(e, n->b) ? n->b : -1;
 }
 
-/* What is called minus_x is x, and the reverse. */
+/* The negative of the node minus_x has the name x, and the reverse. */
 static const char *negative_name(const negation *e, const char *name)
 {
     static const char minus[] = "minus_";

@@ -1,10 +1,10 @@
 /* Everything that a node can be: one row for each operator. A new one is a row here and a function in
- * tools/isoc/graph/graph.h that makes its nodes; what lacks a cell, a derivative say, does not compile.
+ * tools/isoc/graph/graph.h that makes its nodes; a row without one of its cells, as the derivative, does not compile.
  *
  * The C text of an operator has @a and @b where its operands stand, @t for the pair of sine and cosine of its operand,
- * @x, @u, @p for the name of a state, input, parameter, @X for a state's place in its array, and @i for its index. Of
- * what has numbers of its own, @1 and @2 are these numbers, @w and @f the whole part of the first and the rest, @W the
- * whole part of the second, @v and @s both as phases: 2^64 is a turn.
+ * @x, @u, @p for the name of a state, input, parameter, @X for a state's place in its array, and @i for its index. Of an
+ * operator with numbers of its own, @1 and @2 are these numbers, @w and @f the whole part and the fraction of the first,
+ * @W the whole part of the second, @v and @s both as phases: 2^64 is a turn.
  */
 #ifndef ISOC_GRAPH_OPERATORS_H
 #define ISOC_GRAPH_OPERATORS_H
@@ -20,7 +20,7 @@ struct graph_node;
 /* How tightly an expression binds, for parentheses. */
 typedef enum binding { BINDS_SUM, BINDS_PRODUCT, BINDS_WHOLE } binding;
 
-/* Whether the code declares a variable for what has a name or several uses, or always writes the text itself. */
+/* Whether the code declares a variable for a node with a name or several uses, or always writes its text in place. */
 typedef enum writing_form { DECLARED, INLINE } writing_form;
 
 /* Its operations; comparisons and signs count as additions. */
@@ -35,7 +35,7 @@ typedef struct evaluation {
 } evaluation;
 
 /* clang-format off */
-/* Leaves. The array is what they are read from at the head of a function, or NULL.
+/* Leaves. The array is the one that they are read from at the head of a function, or NULL.
  * LEAF(name, array, C text, value at the evaluation `at` of the node `n`) */
 #define ISOC_LEAVES(LEAF)                                                                                              \
     LEAF(CONSTANT, NULL, "@1", n->value)                       /* value */                                            \
@@ -48,8 +48,8 @@ typedef struct evaluation {
     LEAF(STEP, NULL, "hb", 0.0)                                 /* the step times a coefficient of the method */       \
     LEAF(LOCAL_ERROR, NULL, "progress->local_error", 0.0)        /* of the step, where it is checked */                 \
     LEAF(RESIDUAL, NULL, "progress->residual", 0.0)              /* of the last Newton iteration */                     \
-    LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until what computes it takes its place */   \
-    LEAF(HELD, NULL, "h[@i]", 0.0)                              /* what does not change within a step */               \
+    LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until its solution takes its place */       \
+    LEAF(HELD, NULL, "h[@i]", 0.0)                              /* a value that is constant within a step */           \
     LEAF(INERTIA, NULL, "", 0.0)                                /* of a degree of freedom at the start, likewise */    \
     LEAF(QUERY, NULL, "", 0.0)                                        /* a number that a formula asks for */       \
     LEAF(DERIVATIVE, NULL, "dx[@X]", 0.0)                       /* where a derivative has been evaluated before */
@@ -78,7 +78,7 @@ typedef struct evaluation {
  *           value,
  *           derivative,
  *           the same on other operands,
- *           C text, how tightly it binds, what a must bind at least and b, its form,
+ *           C text, its precedence, the least precedence of a and of b, its form,
  *           operations: add, mul, div, sincos) */
 #define ISOC_OPERATIONS(OPERATION)                                                                                     \
     OPERATION(ADD, 2,                                                                                                  \
@@ -223,7 +223,7 @@ typedef enum operation {
 
 typedef enum operator_kind { KIND_LEAF, KIND_TIMED, KIND_OPERATION } operator_kind;
 
-/* A row. What only operations have is zero for others. */
+/* A row. Members that only operations have are zero for leaves. */
 typedef struct operator_row {
     operator_kind kind;
     int operands;

@@ -60,7 +60,7 @@ static void add_vector(extended_unknowns *z, vector a, int owner)
 }
 
 /* A force that several segments hand on unchanged belongs to the last of them: the balance of each of their speeds depends
- * on it. What depends on the rate of a speed then belongs to the speed's segment or to one behind it. */
+ * on it. A quantity that depends on the rate of a speed then belongs to the speed's segment or to one behind it. */
 static void add_quantities(extended_unknowns *z, const balance *b)
 {
     const int segments = z->d->m->segment_count;

@@ -4,7 +4,7 @@
  * tables (core/methods/sparse.h) where the code would be too large.
  *
  * The full one is either of the solved equations z' = f, or of those before (tools/isoc/dynamics/dynamics.h): W z' =
- * left(z') where only what does not depend on z' is differentiated, so that W (d - r) = hb (d left / dx) d. The cheaper
+ * left(z') where only the part independent of z' is differentiated, so that W (d - r) = hb (d left / dx) d. The cheaper
  * is kept, if both are exact.
  */
 #ifndef ISOC_IMPLICIT_JACOBIAN_H
@@ -33,7 +33,7 @@ typedef struct elimination {
     int *order;   /* [count] the unknowns as they are eliminated */
     int *turn;    /* [count] when an unknown is eliminated */
     int *row;     /* [count + 1] where the rows begin, in the order of the elimination */
-    int *beyond;  /* [count] where what is right of the diagonal begins */
+    int *beyond;  /* [count] the begin of the entries right of the diagonal */
     int *column;  /* [nonzeros] the columns, in the order of the elimination */
     int products; /* of a factorisation, without those by the inverse of the diagonal */
     int *target;  /* [products] where in its row each goes */
@@ -50,9 +50,9 @@ elimination elimination_of(pattern *p, const int *groups);
 int elimination_index(const elimination *e, int row, int column);
 
 /* extended.c: 1 - hb J of a tree as a sparse matrix: its unknowns are, beside the changes of the states, those of all
- * that recursive Newton-Euler hands on from segment to segment. Each row then has what a segment and its neighbours
- * have, so that a chain has a number of entries, and of products of their factorisation, in proportion to its
- * length; J itself is full. */
+ * quantities that recursive Newton-Euler hands from segment to segment. Each row then has entries of one segment and its
+ * neighbours, so that the number of entries, and of products of their factorisation, grows in proportion to the length of
+ * a chain; J itself is full. */
 
 typedef struct extended {
     elimination e;
@@ -75,7 +75,8 @@ extern const char *const factoring_names[FACTORINGS];
 
 typedef struct jacobian {
     factoring kind;
-    node *factors; /* what factor() leaves in lu[] for solve(); looped, the matrix that it factorises there */
+    node *
+        factors; /* the factors that factor() leaves in lu[] for solve(); looped, the matrix that it factorises there */
     int factor_count;
     node *solution;         /* d[], from the right side and the factors; looped, NULL */
     const extended *looped; /* NULL: unrolled */

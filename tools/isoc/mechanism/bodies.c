@@ -17,7 +17,7 @@ static bool semidefinite(const double t[6], double scale)
            yy * zz - yz * yz >= low2 && determinant >= low3;
 }
 
-/* NULL if a body can have this tensor (xx, yy, zz, xy, xz, yz) about its centre of mass, else what is wrong with it. */
+/* NULL if a body can have this tensor (xx, yy, zz, xy, xz, yz) about its centre of mass, else the problem. */
 static const char *inertia_fault(const double t[6])
 {
     const double scale = fabs(t[0]) + fabs(t[1]) + fabs(t[2]);

@@ -61,7 +61,7 @@ typedef struct builder {
     int time_input_count;
     size_t time_input_room;
     bool is_effect_broken;      /* one of them: its inputs seem to have no use */
-    const surroundings *around; /* what effects, signals and outputs can name */
+    const surroundings *around; /* the names for effects, signals and outputs */
     const mechanism *whole;     /* with all effects, whose memory this one has; NULL: it is that */
     mechanism mechanism;        /* so far */
 } builder;
@@ -85,8 +85,8 @@ bool find_transmission(builder *b, name n, int *loop, int *spring);
 dimension coordinate_dimension(const segment *l);
 dimension quantity_dimension(quantity_kind kind, const segment *l);
 
-/* Whether a joint counts its turns, if it is these that are asked for; whether a plant has what is of nothing in it: false after
- * noting a problem. */
+/* For turns: whether the joint counts them; for a quantity of the whole plant: whether the plant has it. False after noting
+ * a problem. */
 bool counts_turns(builder *b, const query *q, place at);
 bool is_of_plant(builder *b, quantity_kind kind, place at);
 
@@ -105,7 +105,7 @@ void build_springs(builder *b);
 bool build_motion(builder *b, const closure_statement *written, closure *result);
 void build_applied_forces(builder *b);
 
-/* bodies.c: what the bodies weigh. */
+/* bodies.c: masses and inertias of the bodies. */
 void build_bodies(builder *b);
 
 /* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame in which the
@@ -128,13 +128,13 @@ matrix align(graph *g, const double a[3], int *k, double *sign);
 bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end);
 int common_segment(const mechanism *m, int a, int b);
 
-/* shape.c: what a picture needs. */
+/* shape.c: the data of a picture. */
 void write_shape(builder *b, text *out);
 
-/* regroup.c: moves to the parents what the joints' motion does not change. */
+/* regroup.c: moves to the parents the mass parameters that the joints' motion does not change. */
 void regroup(builder *b);
 
-/* lookup.c: what jumps by itself at ticks that are known, in a function of time. */
+/* lookup.c: the jumps at known ticks in a function of time. */
 void find_edges(builder *b, node drive);
 
 /* inputs.c: inputs and tunable parameters. The inputs are checked when all that can use them is built. */
@@ -158,10 +158,10 @@ void build_substeps(builder *b);
 void find_time_inputs(builder *b);
 void build_time_inputs(builder *b);
 
-/* effects/history_memory.c: what the memories of formulas are of, when all formulas are known. */
+/* effects/history_memory.c: the formulas of history memories, when all formulas are known. */
 void finish_history_memories(builder *b);
 
-/* effects/unread.c: leaves out what nothing reads. */
+/* effects/unread.c: leaves out memories and functions of time that nothing reads. */
 void drop_unread(builder *b);
 
 /* effects/delays.c: which delays are samples of continuous signals, when all equations are known. */
@@ -174,7 +174,7 @@ bool find_shown(builder *b, const formula *f, query *q);
 /* The value of a formula over all that the scene has; a signal, say. */
 value value_in_scene(builder *b, const formula *f);
 
-/* outputs.c: what the outputs show. */
+/* outputs.c: the formulas of the outputs. */
 void build_outputs(builder *b);
 
 /* method.c: the method with its options, and the step. A method by its name; rk4 after noting a problem. */

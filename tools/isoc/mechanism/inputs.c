@@ -38,7 +38,7 @@ static void find_uses(const builder *b, name input, bool *force, bool *torque)
     }
 }
 
-/* The dimension of an input: that of what it drives, or its unit, or that of its value. */
+/* The dimension of an input: that of the property that it drives, or its unit, or that of its value. */
 static dimension input_dimension(builder *b, const quantity *q, bool *is_known)
 {
     bool force, torque;

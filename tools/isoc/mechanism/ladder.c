@@ -131,7 +131,7 @@ static void drop(builder *b, name rung)
     to->drops[to->drop_count++] = effect;
 }
 
-/* The rungs of a ladder, from the method of the scene downwards: what a rung changes holds on those below it. */
+/* The rungs of a ladder, from the method of the scene downwards: a change of a rung holds on those below it. */
 static void build_ladder(builder *b)
 {
     const policy_statement *written = &b->written->policies;

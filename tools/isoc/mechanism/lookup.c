@@ -36,7 +36,7 @@ int segment_called(const mechanism *m, name n)
     return -1;
 }
 
-/* The parts of a joint that have one coordinate, as a list; or what to write instead. */
+/* The parts of a joint that have one coordinate, as a list; or advice on the right words. */
 static const char *parts_of(builder *b, const joint *j)
 {
     const char *list = "";

@@ -181,7 +181,7 @@ static void check_whole(source *s, const scene *written)
     }
 }
 
-/* A mechanism of which nothing is known, with room for what the scene has. */
+/* A mechanism without values, with room for all items of the scene. */
 static builder builder_of(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
 {
     builder b = {.s = s, .g = g, .written = written, .whole = whole};
@@ -206,10 +206,10 @@ static void build_bodies_and_joints(builder *b)
     names_check(b->s, b->written); /* no two things with one name */
     build_step(b);                 /* of a tick, in whole nanoseconds */
     build_method(b);               /* the recipe */
-    build_policies(b);             /* what the loop does about late ticks */
+    build_policies(b);             /* of the loop, about late ticks */
     values_resolve(&b->values);    /* constants and tunables, each after those that it names */
     b->mechanism.forces.gravity = vector_value(b, b->written->gravity, acceleration, "gravity");
-    build_bodies(b);   /* what they weigh, in parts, each in the axes of its body */
+    build_bodies(b);   /* masses and inertias, in parts, each in the axes of its body */
     connect_joints(b); /* which body is the child of which */
     build_tree(b);     /* segments from the ground on, with the bodies that they carry */
     build_frames(b);   /* on their bodies, which are placed */
@@ -245,13 +245,13 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_inputs(&b);              /* those of the scene, then one for each function of time in a formula */
     build_effects(&b);             /* operands are bound, lines evaluated: rates, nexts, efforts, forces */
     build_substeps(&b);            /* of effects with sub-steps of their own */
-    build_outputs(&b);             /* what each shows */
-    finish_history_memories(&b);   /* what is kept of formulas, which are all known now */
+    build_outputs(&b);             /* the formula of each */
+    finish_history_memories(&b);   /* their formulas, which are all known now */
     drop_unread(&b);               /* memories and functions of time that nothing reads */
     build_delays(&b);              /* which of them are samples of continuous signals */
     check_inputs(&b);              /* whether each has a use */
     build_parameters(&b);          /* tunables with their limits, then faults */
-    build_changes(&b);             /* what is set at times */
+    build_changes(&b);             /* of tunables and faults, at times */
     states_check(s, &b.mechanism); /* no two states with one name */
     b.mechanism.inputs.tables = b.values.tables;
     b.mechanism.inputs.table_count = (int)b.values.table_count;

@@ -3,8 +3,8 @@
  * A segment is a body, or nothing, that moves by one elementary joint, with all that is welded to it. Its frame stands on
  * the joint: the joint turns it about, or moves it along, one of its own coordinate axes, so that it needs no more than
  * a plane rotation; or it turns freely, by a unit quaternion. Every other joint is a chain of these: a free one slides
- * along x, y and z, and then turns freely. What a user wrote about bodies is carried into segment frames here, at compile
- * time.
+ * along x, y and z, and then turns freely. The user's vectors in body frames are transformed into segment frames here, at
+ * compile time.
  *
  * States are the positions of all segments, then their speeds. The speeds of a freely turning segment are its angular
  * velocity relative to its parent, in its own axes.
@@ -71,12 +71,12 @@ typedef struct applied_force {
     bool in_ground;       /* until then in those of the ground */
 } applied_force;
 
-/* A quantity, and what of. In formulas a leaf OP_QUERY stands for each of its numbers, until tools/isoc/tree/point_query.h
- * or, where it is known later, tools/isoc/plant/plant.h puts what it is in its place. */
+/* A quantity and its operand. In formulas a leaf OP_QUERY stands for each of its numbers, until tools/isoc/tree/point_query.h
+ * or, where it is known later, tools/isoc/plant/plant.h puts its value in its place. */
 typedef struct query {
     quantity_kind kind;
     int segment;  /* of a coordinate */
-    int body;     /* of a body; of what a joint gives to it */
+    int body;     /* of a body; of the child that a joint loads */
     int closure;  /* of a closure; -1: of none */
     int spring;   /* of a spring between points; -1: of none */
     int effect;   /* of an effect; -1: of none */
@@ -93,8 +93,8 @@ static inline bool is_known_late(quantity_kind kind)
 }
 
 /* A point whose inertia formulas ask for: that of a body, moved by a vector in the same axes as the answer. A leaf OP_INERTIA
- * stands for each of three components, behind those of the degrees of freedom, until tools/isoc/tree/point_query.h puts what it
- * is in its place. */
+ * stands for each of three components, behind those of the degrees of freedom, until tools/isoc/tree/point_query.h puts its
+ * value in its place. */
 typedef struct inertia_query {
     int body;
     vector point, beside;
@@ -143,8 +143,8 @@ typedef struct closure {
     int base;                  /* the last common ancestor of both sides, or GROUND */
     int axis;                  /* 0, 1, 2: of the frames */
     double sign;               /* the closure's axis is sign * e_axis */
-    node length;               /* distance; radius; what a gear or a motion starts at */
-    bool is_disc;              /* of what rolls: a thin disc, not a ball; */
+    node length;               /* distance; radius; offset of a gear or a motion at the start */
+    bool is_disc;              /* of a rolling body: a thin disc, not a ball; */
     vector wheel;              /* its axle, a unit vector in the child's segment */
     node ratio;
     node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
@@ -206,18 +206,18 @@ static inline variable unlimited(const char *called, const char *in, const char 
     return (variable){.name = called, .unit = in, .quote = quote, .least = -HUGE_VAL, .most = HUGE_VAL};
 }
 
-/* A state of an effect, or a memory of one: what it is called, its start, and its rate, or its next. */
+/* A state of an effect, or a memory of one: its name, its start, and its rate, or its next. */
 typedef struct effect_quantity {
     variable about; /* its start as a number: plant/rows.c */
     place at;       /* of the effect, or of the formula that it keeps, */
     int effect;     /* and which effect */
     node begin, next;
     keeping kept; /* of a memory; */
-    double ticks; /* and of what is kept of a formula: 1 of previous */
-    bool lags;    /* of a delay of what moves, in the equations: it is constant within a step all the same */
+    double ticks; /* and the age of a value of a formula: 1 for previous */
+    bool lags; /* of a delay of a moving quantity in the equations: the memory is constant within a step all the same */
 } effect_quantity;
 
-/* Whether it is what a formula was in an earlier row. */
+/* Whether it is the value of a formula in an earlier row. */
 static inline bool is_late(const effect_quantity *e)
 {
     return e->kept >= KEPT_PREVIOUS;
@@ -262,7 +262,7 @@ typedef struct time_input_origin {
 /* An input that comes in over a segment. */
 typedef struct wire {
     int input;
-    double safe, after; /* what it becomes so many ticks after the last that came; 0 ticks: never */
+    double safe, after; /* its value when so many ticks passed without one from the link; 0 ticks: never */
 } wire;
 
 /* How the loop runs the plant: core/runtime/policy.h. */
@@ -311,7 +311,7 @@ typedef struct drift_control {
 
 /* Effects, and the memories of effects and of formulas. */
 typedef struct effect_set {
-    name *names; /* what they are called */
+    name *names;
     int count;
     effect_account *accounts; /* [effects] */
     effect_quantity *states;  /* behind the clocks */
@@ -460,8 +460,8 @@ void mechanism_method_and_step(source *s, graph *g, const scene *written, bool i
 /* Notes each policy of the scene as a problem: of a plant in firmware that has no loop of core. */
 void mechanism_without_loop(source *s, const scene *written);
 
-/* states.c: the states of a plant, in their order: what the equations, the header, the guard and the stream know of
- * each. */
+/* states.c: the states of a plant, in their order, with the facts that the equations, the header, the guard and the stream
+ * use. */
 
 typedef enum state_kind {
     STATE_COORDINATE, /* of a joint: an angle or a distance */
@@ -485,8 +485,8 @@ const state *mechanism_states(const mechanism *m, arena *memory);
 /* Notes names that two states have, or that differ only in case. */
 void states_check(source *s, const mechanism *m);
 
-/* The states at the start; the numbers of all nodes there, functions of time counting as zero; and what inputs and memories
- * are there, those of the port zero. */
+/* The states at the start; the numbers of all nodes there, with functions of time as zero; and the values of inputs and
+ * memories there, with zero for inputs of the port. */
 double *mechanism_start(const mechanism *m, arena *memory);
 double *numbers_at_start(const graph *g, const mechanism *m);
 double *inputs_at_start(const graph *g, const mechanism *m);

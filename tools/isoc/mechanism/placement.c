@@ -63,7 +63,7 @@ void place_joint(builder *b, const placement *p, matrix *turn_made, vector *orig
     }
 }
 
-/* Frames that stand on one another, from the last to the first: p on its frame is o + R p on what that stands on. */
+/* Frames that stand on one another, from the last to the first: p in a frame is o + R p in its parent. */
 int stand_on(builder *b, const placement *p, matrix *turn_made, vector *origin)
 {
     const scene *written = b->written;

@@ -1,4 +1,4 @@
-/* The shape of a mechanism as lines of cells: what a picture of it needs besides the poses of its bodies. */
+/* The shape of a mechanism as lines of cells: the data of a picture besides the poses of its bodies. */
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"

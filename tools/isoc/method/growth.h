@@ -20,13 +20,13 @@ double growth_of_map(arena *memory, const double *map, int n);
 /* limits.c: how fast something may be that a method holds with a step. */
 
 typedef struct stability_limits {
-    double rate;      /* h |lambda| of what decays without oscillation */
+    double rate;      /* h |lambda| of a decay without oscillation */
     double frequency; /* h omega of an oscillation with a tenth of critical damping */
 } stability_limits;
 
-/* Of a recipe: where growth.h first finds growth, to four decimals. An implicit method holds what its Jacobian at the start of
- * a step knows, but not what begins within it: there a rate counts to 4 at most, after which 2 % are left of it, and a
- * frequency to 2, a third of a turn. adams has the limits of a sub-step; these follow the error. */
+/* Of a recipe: where growth.h first finds growth, to four decimals. An implicit method damps the motions in its Jacobian at
+ * the start of a step, but not those that begin within the step: for these a rate counts to 4 at most, which leaves 2 % of
+ * the motion, and a frequency to 2, a third of a turn. adams has the limits of a sub-step; its sub-steps follow the error. */
 stability_limits limits_of(unsigned recipe);
 
 #endif

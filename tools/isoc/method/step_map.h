@@ -12,8 +12,8 @@ typedef struct linear_plant {
     int n, positions;       /* the first rows are of positions, the others of speeds */
 } linear_plant;
 
-/* Of the states and of what the recipe keeps of the steps before: [*size *size] row by row, the states first. adams makes one
- * sub-step a step, at its highest order. */
+/* The map of the states and the recipe's history over a step: [*size *size] row by row, the states first. For adams it is one
+ * sub-step, at its highest order. */
 double *step_map(arena *memory, unsigned recipe, const linear_plant *l, double step, int *size);
 
 /* b of the 1 - h b J that a step of the kernel solves with; 0 where it solves nothing. */

@@ -5,7 +5,7 @@
 
 #include "tools/isoc/base/real_range.h"
 
-/* Marks what the functions of the plant depend on. */
+/* Marks the nodes that the functions of the plant depend on. */
 static void mark_all(const graph *g, const plant *p, bool *needed)
 {
     const struct {

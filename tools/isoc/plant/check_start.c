@@ -119,7 +119,7 @@ static int tunable_of(const graph *g, const plant *p, node divisor)
     return found;
 }
 
-/* Why a root is not finite, and what helps: a division by zero, or a float that is too small for it. */
+/* Why a root is not finite, with advice: a division by zero, or a number beyond the range of a float. */
 static const char *reason(const graph *g, const plant *p, const evaluation *at, node root, double *numbers)
 {
     const graph_node *n = &g->nodes[first_fault(g, root, numbers)];

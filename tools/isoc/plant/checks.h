@@ -14,8 +14,8 @@ void start_check(source *s, const graph *g, const plant *p);
  * as a mass and a square of a length. */
 void range_check(source *s, const graph *g, const plant *p);
 
-/* input_check.c: warns where held inputs lower the order of a method, as one with a history takes what it is given for samples
- * of a smooth curve: of the first input that is held there, or whose extrapolation the local error does not see; and of the
+/* input_check.c: warns where held inputs lower the order of a method, as one with a history takes its inputs for samples of
+ * a smooth curve: of the first input that is held there, or whose extrapolation the local error does not see; and of the
  * first function of time in a formula that the derivative depends on, by itself or through memories: noise, say. */
 void samples_check(const source *s, const graph *g, const scene *written, const plant *p);
 

@@ -19,7 +19,7 @@ static operations smooth_operations(const mechanism *m)
     return all;
 }
 
-/* x += dx, or with what rounding took away. */
+/* x += dx, plain or compensated. */
 static int sums_of_addition(unsigned recipe)
 {
     return ISO_IS_COMPENSATED(recipe) ? 7 : 1;

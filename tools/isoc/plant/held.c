@@ -22,7 +22,7 @@ static bool is_tuned(tuned *t, node n)
     return t->is[n];
 }
 
-/* A node as what follows from tunables, times the rest. */
+/* A node as a factor of tunables alone, times the rest. */
 typedef struct product {
     node tuned, rest;
 } product;
@@ -78,7 +78,7 @@ static node again(tuned *t, const graph_node *n, node a, node b)
 }
 
 /* In all that the roots are made of, c (p x) becomes (c p) x, (p x) (q y) becomes (p q) (x y), and x / p becomes (1 / p) x, for
- * p and q of tunables: a product with what follows from tunables alone is then one number, which is computed when one
+ * p and q of tunables: a product of factors of tunables alone is then one number, which is computed when a tunable
  * changes. */
 static void gather_coefficients(graph *g, node *roots, size_t count)
 {
@@ -105,7 +105,7 @@ static void gather_coefficients(graph *g, node *roots, size_t count)
     }
 }
 
-/* Whether each node follows from what does not change alone: from tunables, or from what is held of them and inputs.
+/* Whether each node follows from constant leaves alone: from tunables, or from held values and inputs.
  * Constants do not count. A sign stays where it is used: it costs nothing there. */
 static void find_held(const graph *g, const mechanism *m, bool of_inputs, bool *is_held)
 {
@@ -130,7 +130,7 @@ static void take(const graph *g, held *result, node *to, const bool *is_held, no
     }
 }
 
-/* The largest nodes that are held, below the roots: those that what is not held reads. */
+/* The largest held nodes below the roots: those that a node which is not held reads. */
 static void list_held(const graph *g, const bool *is_held, const node *roots, size_t count, held *result, node *to)
 {
     for (reached r = reach(g, roots, count); reach_next(&r);) {
@@ -146,7 +146,7 @@ static void list_held(const graph *g, const bool *is_held, const node *roots, si
     }
 }
 
-/* The roots with leaves OP_HELD for what is held besides `made`, which has it then. */
+/* The roots with leaves OP_HELD for further held nodes, which are added to `result`. */
 static held hold_more(graph *g, const mechanism *m, bool of_inputs, held result, node *roots, size_t count)
 {
     const size_t before = g->count;

@@ -33,7 +33,7 @@ static bool is_restarting(const char *word)
     return row != NULL && row->kind == OF_JUMPS;
 }
 
-/* The first function of time that these depend on, by what is known of the inputs and memories; -1: none. */
+/* The first function of time that these depend on, given that of each input and memory in `known`; -1: none. */
 static int time_input_called(const graph *g, const node *roots, size_t count, const int *known)
 {
     int first = -1;
@@ -76,7 +76,7 @@ static void check_time_inputs(const source *s, const graph *g, const plant *p)
     }
 }
 
-/* A delay of what moves that the steps have no samples of. */
+/* A delay of a moving quantity of which the steps have no samples. */
 static void check_delays(const source *s, const mechanism *m)
 {
     for (int i = 0; i < m->effects.memory_count; i++) {

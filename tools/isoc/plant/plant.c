@@ -21,7 +21,7 @@ const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chos
     return d;
 }
 
-/* The derivative of the states, and what an implicit method solves with. */
+/* The derivative of the states, and the matrix of an implicit method. */
 static void build_derivatives(plant *p, graph *g, formulation chosen)
 {
     const mechanism *m = p->m;
@@ -63,8 +63,8 @@ static bool is_flat(const plant *p, const graph *g)
            most;
 }
 
-/* The derivatives, and the factors of an implicit method, as functions of what is held. Where all calls are inlined, the
- * compiler sees by itself what the evaluations share, as if there were one. */
+/* The derivatives, and the factors of an implicit method, as functions of held values. Where all calls are inlined, the
+ * compiler itself shares equal values of the evaluations, as if there were one. */
 static void hold(plant *p, graph *g)
 {
     const mechanism *m = p->m;
@@ -85,7 +85,7 @@ static void hold(plant *p, graph *g)
     }
 }
 
-/* Cycles of a step, without what follows from tunables alone. */
+/* Cycles of a step, without values that follow from tunables alone. */
 static int cost_of_tried(const plant *tried, const graph *g)
 {
     if (tried->m->parameters.count == 0) {

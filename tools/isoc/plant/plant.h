@@ -1,12 +1,12 @@
-/* The plant as nodes: derivative, outputs, what an implicit method solves with, and what follows a step. */
+/* The plant as nodes: derivative, outputs, the matrix of an implicit method, and the corrections after a step. */
 #ifndef ISOC_PLANT_PLANT_H
 #define ISOC_PLANT_PLANT_H
 
 #include "tools/isoc/base/text.h"
 #include "tools/isoc/implicit/jacobian.h"
 
-/* fast.c: the states that take sub-steps of their own in a step, and the others that their derivatives read: what
- * core/methods/multirate.h is told of a plant. */
+/* fast.c: the states that take sub-steps of their own in a step, and the other states that their derivatives read, for
+ * core/methods/multirate.h. */
 
 typedef struct fast_part {
     int *states;
@@ -19,9 +19,9 @@ typedef struct fast_part {
 /* From the derivatives of all states. */
 fast_part fast_build(const graph *g, const mechanism *m, const node *derivatives);
 
-/* held.c: values that do not change within a step stand in an array h for all evaluations of the derivative. What
- * follows from tunables alone is computed when one changes; behind it is what a step computes once, from that, held
- * inputs and memories. */
+/* held.c: values that do not change within a step stand in an array h for all evaluations of the derivative. Those that
+ * follow from tunables alone are computed when a tunable changes; behind them are those that a step computes once, from
+ * these, held inputs and memories. */
 
 typedef struct held {
     node *values; /* h: of tunables, then of h, inputs and memories */
@@ -51,11 +51,11 @@ typedef struct row_order {
 
 /* The assignments of a row besides the memories of effects (tools/isoc/plant/plant.h). */
 typedef struct row_plan {
-    node *sees; /* [inputs] what an input that is a function of time is in the row, within its limits, where a memory or
-                         an output reads it; else -1 */
-    bool *
-        sees_again; /* [inputs] one of these that is not what the step gets: that checks its limits or reads tunables */
-    bool any;       /* there is one, or something is set at a time */
+    node *
+        sees; /* [inputs] the value in the row of an input that is a function of time, within its limits, where a memory
+                         or an output reads it; else -1 */
+    bool *sees_again;      /* [inputs] such a value that differs from that of the step: by its limits, or by tunables */
+    bool any;              /* there is one, or something is set at a time */
     row_order early, late; /* samples, before the memories of effects and after */
     row_order starts;
 } row_plan;
@@ -67,7 +67,7 @@ typedef struct reduced_plant {
     const char *suffix; /* of the names of its functions: _without_rub */
 } reduced_plant;
 
-/* Its outputs, one for each component of what the scene shows. */
+/* Its outputs, one for each component of the scene's outputs. */
 typedef struct output_set {
     int count;
     const char **names, **units;
@@ -90,10 +90,10 @@ typedef struct plant {
     jacobian j;                  /* only for implicit methods */
     bool is_curved;              /* for rosenbrock: the derivatives are not affine in the smooth inputs */
     bool is_flat;                /* a step is small: its calls are inlined */
-    held held;                   /* what the step computes once */
+    held held;                   /* values that the step computes once */
     node *held_derivatives;      /* the derivatives by that; where nothing is held, themselves */
     fast_part fast;              /* of these derivatives: the states with sub-steps of their own */
-    row_plan rows;               /* what each row sets */
+    row_plan rows;               /* the assignments of each row */
     node energy;                 /* -1 until something asks for it */
     node violation;              /* of the closures, where the loop counts it; else -1 */
     node broken;                 /* how many conditions the tunables break; -1: there are none */
@@ -138,18 +138,18 @@ bool has_slow_outputs(const mechanism *m);
  * is the time k h.
  *
  *     functions of time that a memory or an output reads, at the row
- *     what previous and delay show: what was kept in an earlier row
+ *     values of previous and delay, from an earlier row
  *     samples that a next reads
  *     all memories of effects, by their next
  *     all other samples, of the memories as they are now
- *     what previous and delay will show: what their formulas are in this row
+ *     values of the formulas in this row, which previous and delay will show
  *
  * At the start states and memories of effects get their starts, each after what it reads, and so do the samples and
  * the pasts.
  */
 
-/* Sets p->rows, and the starts as numbers, functions of time counting as zero. Of what is left of a plant `whole` is the
- * plant with all effects, whose functions of time it sees; else NULL. Notes a start or a sample that needs itself. */
+/* Sets p->rows, and the starts as numbers, with functions of time as zero. Of a reduced plant `whole` is the plant with all
+ * effects, whose functions of time it reads; else NULL. Notes a start or a sample that needs itself. */
 void rows_build(source *s, graph *g, plant *p, const plant *whole);
 
 /* quantities.c: the nodes of quantities: of those that outputs show, and of those that formulas ask for and that are
@@ -171,15 +171,15 @@ void outputs_build(plant *p, graph *g);
  * they were left out, but with their states, inputs, memories and tunables in their places. */
 void reduced_plants_build(source *s, const scene *written, plant *p, build_options wanted);
 
-/* The plant on a rung, counted from 0; NULL where nothing is dropped. The recipe of its step, and what
- * that is called behind `step`: _heun_without_rub. */
+/* The plant on a rung, counted from 0; NULL where nothing is dropped. The recipe of its step, and the suffix of the step's
+ * name: _heun_without_rub. */
 const reduced_plant *reduced_plant_on_rung(const plant *p, int rung);
 unsigned rung_recipe(const plant *p, int rung);
 const char *rung_suffix(const plant *p, int rung, arena *memory);
 
-/* cost.c: the cost of a step: operations of the equations, of the method, and of what follows it. */
+/* cost.c: the cost of a step: operations of the equations, of the method, and of the corrections after it. */
 
-/* Of a step, but for what follows the method in it (tools/isoc/dynamics/dynamics.h); and of that. */
+/* Of a step without the corrections after the method (tools/isoc/dynamics/dynamics.h); and of these. */
 operations cost_of_step(const plant *p, const graph *g);
 operations cost_of_settling(const plant *p, const graph *g);
 

@@ -4,7 +4,7 @@
 
 #include "tools/isoc/tree/point_query.h"
 
-/* --- what takes more than a line --- */
+/* --- quantities that take more than a line --- */
 
 static void find_accelerations(plant *p)
 {
@@ -139,10 +139,10 @@ void quantity_nodes(plant *p, graph *g, const query *q, node parts[QUERY_PARTS])
     }
 }
 
-/* --- what formulas ask for --- */
+/* --- quantities in formulas --- */
 
-/* Accounts and violations are of velocities. The accelerations have a heading of their own, and what follows from them
- * another. */
+/* Accounts and violations are of velocities. The accelerations have a heading of their own, and quantities that follow from
+ * them another. */
 static void begin_answer(plant *p, graph *g, quantity_kind kind, quantity_kind before)
 {
     const operand of = quantity_rows[kind].of;

@@ -22,7 +22,7 @@ static readings no_readings(const rows_builder *b)
                       arena_take(b->g->memory, (size_t)held_count(m) + 1, sizeof(bool))};
 }
 
-/* Adds what these roots read, an acceleration with all that it follows from. */
+/* Adds the leaves that these roots read; an acceleration adds all leaves of the derivative. */
 static void add_readings(const rows_builder *b, const node *roots, size_t count, readings *to)
 {
     const graph *g = b->g;
@@ -53,7 +53,7 @@ static effect_quantity *quantity_of(const mechanism *m, int which)
                                   : &m->effects.memories[which - state_count(m)];
 }
 
-/* Whether something that waits still is among what is read. */
+/* Whether a memory that still waits is among the readings. */
 static bool reads_any(const mechanism *m, const readings *r, const bool *waits)
 {
     bool any = false;
@@ -124,7 +124,7 @@ static void find_early(const rows_builder *b, bool *is_early)
     }
 }
 
-/* Whether what a formula reads is set after the early samples. */
+/* Whether a reading of a formula is set after the early samples. */
 static bool reads_new(const mechanism *m, const readings *r, const bool *is_late_sample)
 {
     bool any = false;
@@ -203,7 +203,7 @@ static void find_start_numbers(rows_builder *b, const row_order *order)
     }
 }
 
-/* A constant is known; of the rest each follows what it reads. */
+/* Constant starts are known; of the rest each start comes after its readings. */
 static void order_starts(rows_builder *b)
 {
     const mechanism *m = b->p->m;

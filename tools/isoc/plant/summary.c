@@ -16,7 +16,7 @@ static void formulation_lines(const plant *p, text *out)
     }
 }
 
-/* Where the closures put what the scene gives no start, and what could go on in two ways from there. */
+/* The assembled starts of coordinates without one in the scene, and those that could move on in two ways from there. */
 static void assembled_lines(const mechanism *m, text *out)
 {
     const char *meeting = "";
@@ -52,7 +52,7 @@ static void derived_lines(const mechanism *m, const graph *g, text *out)
     }
 }
 
-/* The outputs of each rate; what shows an acceleration evaluates the derivative. */
+/* The outputs of each rate; an output that reads an acceleration evaluates the derivative. */
 static void rate_lines(const plant *p, const graph *g, text *out)
 {
     const output_rates rates = output_rates_of(p, out->memory);

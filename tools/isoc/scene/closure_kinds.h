@@ -1,4 +1,4 @@
-/* The kinds of closures: one row for each, with its properties and what it constrains
+/* The kinds of closures: one row for each, with its properties and its constraints
  * (tools/isoc/closure/constraints.c). */
 #ifndef ISOC_SCENE_CLOSURE_KINDS_H
 #define ISOC_SCENE_CLOSURE_KINDS_H
@@ -29,7 +29,7 @@ enum {
     HOLDS_TURN = 32,    /* no relative rotation */
 };
 
-/* kind, word, properties, what is held */
+/* kind, word, properties, constraints */
 #define CLOSURE_KINDS(ROW)                                                                                             \
     ROW(CLOSE_FIXED, "fixed", BETWEEN_BODIES, HOLDS_ORIGIN | HOLDS_TURN)                                               \
     ROW(CLOSE_REVOLUTE, "revolute", BETWEEN_BODIES | WITH_AXIS, HOLDS_ORIGIN | HOLDS_AXIS)                             \

@@ -19,7 +19,7 @@ static void draw_node(const scene *written, name called, const char *shape, text
     text_add(out, "\"];\n");
 }
 
-/* The ground, bodies, and frames on what they stand on. */
+/* The ground, bodies, and frames on their parents. */
 static void draw_bodies(const scene *written, text *out)
 {
     text_add(out, "    \"ground\" [shape=plain];\n");
@@ -32,7 +32,7 @@ static void draw_bodies(const scene *written, text *out)
     }
 }
 
-/* The states of what is declared there, three in a line. */
+/* The states of the joint, closure or effect that is declared there, three in a line. */
 static void draw_states(const drawn_states *states, place at, text *out)
 {
     int drawn = 0;

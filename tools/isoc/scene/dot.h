@@ -6,7 +6,7 @@
 #include "tools/isoc/base/text.h"
 #include "tools/isoc/scene/scene.h"
 
-/* The states' names, each with the place of what has it. */
+/* The states' names, each with the place in the scene where its owner is declared. */
 typedef struct drawn_states {
     const name *names;
     size_t count;

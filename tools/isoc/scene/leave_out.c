@@ -118,7 +118,7 @@ static void mark(source *s, scene *written, const script *of)
     }
 }
 
-/* As a scene has an output, one stays where all would go, and shows what it does without the effects. */
+/* A scene has at least one output: where all would go, one stays, with its value without the effects. */
 static void leave_outputs(scene *written)
 {
     const output first = written->outputs.count > 0 ? written->outputs.all[0] : (output){0};
@@ -134,7 +134,7 @@ static void leave_outputs(scene *written)
     written->outputs.count = kept;
 }
 
-/* Signals that read what is not there and that nothing reads; and then those that only these read. */
+/* Leaves out signals that read an absent effect and that nothing reads; then those that only these read. */
 static void leave_signals(scene *written)
 {
     bool found = true;

@@ -99,7 +99,7 @@ static void lex_number(lexer *l)
     }
 }
 
-/* A dot joins the name of an effect and what it has: drive.current, drive[2].current. */
+/* A dot joins the name of an effect and that of its member: drive.current, drive[2].current. */
 static void lex_name(lexer *l)
 {
     const size_t from = l->at;
@@ -146,7 +146,7 @@ static void skip_comment(lexer *l)
     }
 }
 
-/* "legs.scene": what stands between the quotation marks. */
+/* "legs.scene": the text between the quotation marks. */
 static void lex_text(lexer *l)
 {
     const size_t from = l->at++;

@@ -168,7 +168,8 @@ const char *output_components(const scene *written, const output *o)
     return kind < QUANTITY_ROWS ? quantity_rows[kind].components : "";
 }
 
-/* output NAME = power, where an input is called so: it is the power of the mechanism, and perhaps not what is meant. */
+/* output NAME = power, where an input has the name `power`: the word means the power of the mechanism, and the user may mean
+ * the input. */
 static void refuse_doubtful(source *s, const scene *written, const output *o)
 {
     const group numbers[] = {GROUP(written->parameters), GROUP(written->inputs), GROUP(written->signals)};
@@ -184,7 +185,7 @@ static void refuse_doubtful(source *s, const scene *written, const output *o)
     }
 }
 
-/* Outputs have a name space of their own: an output may have the name of what it shows. */
+/* Outputs have a name space of their own: an output may have the name of the quantity that it shows. */
 void names_check(source *s, const scene *written)
 {
     listing things = {0}, kinds = {0}, held = {0}, parameters = {0};

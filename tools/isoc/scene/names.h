@@ -21,15 +21,15 @@ void names_check(source *s, const scene *written);
 /* The letters of an output's components; none where it has but one. */
 const char *output_components(const scene *written, const output *o);
 
-/* The index of what is called so in a list of things that begin with their name; -1 if there is none. */
+/* The index of the item with this name in a list of structs that begin with their name; -1 if there is none. */
 #define INDEX_OF(list, called) index_called((list).all, (list).count, sizeof *(list).all, called)
 int index_called(const void *things, size_t count, size_t size, const char *called);
 
 /* The definition of a kind of effect; NULL if there is none. */
 const effect_kind *find_effect_kind(const scene *written, name n);
 
-/* The nearest name to a mistyped one, as source_suggestion has it: of a kind of effect, in the scene or the library; of an
- * effect; of what --set can name, a fault as EFFECT.FAULT; of what a formula can name. */
+/* The nearest name to a mistyped one, as a source_suggestion: of a kind of effect, in the scene or the library; of an
+ * effect; of a tunable or a fault EFFECT.FAULT, which --set can name; of a name in formulas. */
 const char *suggest_kind(source *s, const scene *written, const char *typed);
 const char *suggest_effect(source *s, const scene *written, const char *typed);
 const char *suggest_setting(source *s, const scene *written, const char *typed);

@@ -1,5 +1,5 @@
-/* effect KIND { line ... }: what an effect is. effect NAME KIND { operand value ... }: one in the scene. And what effects
- * read, and who switches them: signal NAME = FORMULA, at TIME set NAME = VALUE. */
+/* The definition of a kind of effect, effect KIND { line ... }; its use in a scene, effect NAME KIND { operand value ... };
+ * the signals that effects read, signal NAME = FORMULA; and changes at times, at TIME set NAME = VALUE. */
 #include <string.h>
 
 #include "tools/isoc/scene/take.h"
@@ -81,7 +81,7 @@ static void add_line(parser *p, effect_kind *result, effect_line line)
     ADD_TO(p->s->memory, result->lines, result->line_count, result->line_room, line);
 }
 
-/* A line that begins with its word and a name: what is called so, or what the line is about. */
+/* A line that begins with its word and a name: a new name, or the name of an operand of the definition. */
 static void read_line(parser *p, effect_kind *result, effect_line_kind kind, bool is_new)
 {
     effect_line line = {.kind = kind, .at = p->next->at, .parts = 1};
@@ -171,7 +171,7 @@ static const property lines[] = {
 
 static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};
 
-/* --- what starts with a vector --- */
+/* --- values that start with a vector --- */
 
 static bool is_vector(const effect_kind *e, const formula *f, size_t depth);
 

@@ -3,7 +3,7 @@
 
 #include "tools/isoc/scene/take.h"
 
-/* Of what no quantity is called: place of hinge; or of nothing. */
+/* A word that is no quantity, as in `place of hinge`, or that stands alone. */
 static void refuse_quantity(parser *p)
 {
     const char *words[QUANTITY_ROWS] = {NULL};

@@ -9,7 +9,7 @@ enum { BAUMGARTE = 1, PROJECTION = 2, LAGRANGIAN = 4 };
 
 static const char *const near_names[] = {"count", "stop", "hold"};
 
-/* near count, near stop, near hold: what is done about a tick near a singular position. */
+/* near count, near stop, near hold: the reaction to a tick near a singular position. */
 static void read_near(parser *p, const token *word, void *slot)
 {
     name *to = slot;

@@ -42,7 +42,7 @@ static void read_safe(parser *p, quantity *q)
     }
 }
 
-/* Behind what an input has: a word that it does not have, or not there. */
+/* A word behind the properties of an input that is none of them, or that is out of order. */
 static void refuse_input_word(parser *p)
 {
     static const char *const words[] = {"held", "smooth", "jump", "in", "safe"};

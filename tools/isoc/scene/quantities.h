@@ -14,8 +14,8 @@ typedef enum operand {
     OF_STEP,
     OF_COORDINATE,   /* of a joint that has one, or of a part of a joint that has more */
     OF_BODY,         /* a point of it, its origin where no other is given */
-    OF_CONNECTION,   /* a joint or a closure: what it gives to its child */
-    OF_TRANSMISSION, /* a gear or a motion: what it gives to its first joint */
+    OF_CONNECTION,   /* a joint or a closure: its load on its child */
+    OF_TRANSMISSION, /* a gear or a motion: its effort on its first joint */
     OF_EFFECT,
     OPERANDS
 } operand;
@@ -39,9 +39,9 @@ typedef enum known_when {
     KNOWN_AFTER_STEP,   /* likewise */
 } known_when;
 
-/* kind, word, operand, what it asks for, components, unit, unit of a coordinate that turns, when it is known. A word may
- * stand in several rows, which differ in the operand. What has no unit, but is the largest of numbers of several, is a
- * plain number in formulas. */
+/* kind, word, operand, points and axes, components, unit, unit of a coordinate that turns, when it is known. A word may
+ * stand in several rows, which differ in the operand. A quantity that is the largest of numbers of several units has no
+ * unit, and is a plain number in formulas. */
 #define QUANTITIES(ROW)                                                                                                \
     ROW(QUANTITY_POSITION, "position", OF_COORDINATE, ASKS_NOTHING, "", "m", "rad", KNOWN_ALWAYS)                      \
     ROW(QUANTITY_POINT, "position", OF_BODY, AT_POINT, "xyz", "m", "m", KNOWN_ALWAYS)                                  \
@@ -93,7 +93,7 @@ typedef struct quantity_row {
 
 extern const quantity_row quantity_rows[QUANTITY_ROWS];
 
-/* A joint, a body, ...: what the scene names. */
+/* The phrase for each operand: a joint, a body, ... */
 extern const char *const operand_phrases[OPERANDS];
 
 /* The row of a word that is of this operand; QUANTITY_ROWS if there is none. */
@@ -113,7 +113,7 @@ int quantity_parts(const quantity_row *row);
 /* Those that are such, as a list: position or velocity of a body; force of a joint or a closure. */
 const char *quantity_list(arena *memory, bool (*is_listed)(const quantity_row *row));
 
-/* The words of what is of this operand, or one of these two: its position, speed or acceleration. */
+/* The words of the quantities of this operand, or of one of these two: its position, speed or acceleration. */
 const char *quantity_words(arena *memory, operand of, operand or_of);
 
 /* The owners of a quantity that have a name: a joint or a body; NULL where no quantity is called so. */

@@ -84,7 +84,7 @@ static void report_one(const located *p, const char *kind)
             p->message);
     print_note(p);
 
-    /* Of a very long line, only what stands near the caret; both cuts at the start of a character. */
+    /* Of a very long line, only the part near the caret; both cuts are at the start of a character. */
     size_t from = p->offset - start > COLUMNS_SHOWN ? p->offset - COLUMNS_SHOWN : start;
     while (from < p->offset && !starts_character(text[from])) {
         from++;

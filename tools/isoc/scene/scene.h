@@ -100,7 +100,7 @@ typedef struct joint {
     placement parent, child;
     formula *axis, *second, *pitch;
     pose start;
-    formula *speed, *spin; /* spin: of what turns in a joint of several coordinates; speed: of all others */
+    formula *speed, *spin; /* spin: angular velocity of a joint of several coordinates; speed: of all others */
     bool spin_in_ground;   /* in the axes of the ground, not of the child */
     place spin_axes_at;
     formula *damping, *spin_damping, *spring, *rest;
@@ -157,7 +157,7 @@ typedef struct quantity {
     bool has_unit;
     formula *least, *most; /* of a tunable or an input: in LEAST to MOST, or NULL */
     formula *safe,
-        *after; /* of an input: what it becomes, so many ticks after the last that came over a link; or NULL */
+        *after; /* of an input: its safe value, and the number of ticks without a value from the link; or NULL */
     bool tunable;
     formula *point; /* of an operand that is a body: NAME at POINT */
     bool smooth;    /* an input that is a sample of a continuous signal; otherwise it is held over a step */
@@ -181,7 +181,7 @@ typedef enum effect_line_kind {
     EFFECT_MOMENT,
     EFFECT_ENERGY, /* that it stores */
     EFFECT_LOSS,   /* the power that it turns into heat */
-    EFFECT_WORK,   /* the power that it takes from what the mechanism does not know */
+    EFFECT_WORK,   /* the power that it takes from outside the mechanism */
     EFFECT_OUTPUT,
     EFFECT_REQUIRE, /* value and most: the second is not less than the first */
     EFFECT_LINE_KINDS
@@ -218,11 +218,11 @@ typedef struct effect_use {
     size_t operand_count, operand_room;
     formula *substeps; /* of its states in a step; NULL: none of its own */
     bool broken;
-    bool left_out; /* it does nothing, and what it shows is zero */
+    bool left_out; /* it does nothing, and its quantities are zero */
     bool dropped;  /* the same for some rungs of a ladder: its states and memories stay where they are */
 } effect_use;
 
-/* at TIME set NAME = VALUE: what a tunable, or a fault, is from then on. */
+/* at TIME set NAME = VALUE: the value of a tunable, or a fault, from then on. */
 typedef struct setting {
     name what; /* begins a struct with a name: EFFECT.FAULT, or a tunable */
     formula *time, *value;
@@ -261,7 +261,7 @@ typedef struct method_options {
 
 typedef struct scene {
     const char *name;
-    bool broken; /* a statement could not be read: what is missing may have been in it */
+    bool broken; /* a statement could not be read: a missing name may have been in it */
     formula *gravity, *step;
     name method;
     method_options options;
@@ -279,7 +279,7 @@ typedef struct scene {
     LIST_OF(effect_kind) effect_kinds;
     LIST_OF(effect_use) effects;
     LIST_OF(setting) settings;
-    LIST_OF(setting) fault_starts; /* without a time: what --set makes of faults */
+    LIST_OF(setting) fault_starts; /* without a time: faults that --set sets */
     LIST_OF(output) outputs;
     size_t left_input_count; /* behind the inputs: those that only effects read that are left out */
 } scene;

@@ -30,7 +30,7 @@ static const char *file_fault(const struct stat *status)
                                             : NULL;
 }
 
-/* All bytes of an open file, or what is wrong with it. */
+/* Reads all bytes of an open file into `result`, or returns the problem as text. */
 static const char *read_all(arena *memory, int file, script *result)
 {
     struct stat status;

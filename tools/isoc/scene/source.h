@@ -1,4 +1,4 @@
-/* The text of a scene, and what is wrong with it.
+/* The text of a scene, and its problems.
  *
  * A scene is read from its file and those that it includes, and a repeated part of it several times. Each reading is a
  * passage of places of its own, so that one number says which line of which file it is, and in which repetition.
@@ -45,7 +45,7 @@ typedef struct source {
     size_t script_count, script_room, passage_count, passage_room, problem_count, problem_room, path_count, path_room;
     place end; /* of the last passage */
     place main_end;
-    const char *used_by; /* what problems are of, besides their place: the use of an effect; or NULL */
+    const char *used_by; /* the use of an effect that problems are noted for, besides their place; or NULL */
 } source;
 
 /* A source with this text instead of a file. */
@@ -72,7 +72,7 @@ const char *source_name(const source *s);
 /* "line 3", "line 3 of legs.scene", "line 3 (i = 2)". */
 const char *source_line(const source *s, place at);
 
-/* Prints what works, but hardly as it is meant, in the form of a problem: path:line:column: warning: message. */
+/* Prints a warning: the scene compiles, but hardly as its author means. In the form path:line:column: warning: message. */
 void source_warn(const source *s, place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* The line of a place, without indentation, comment and opening brace, as words for a comment in C. */
@@ -82,7 +82,7 @@ const char *source_quote(const source *s, place at);
 bool source_problem(source *s, place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Prints the problems on stderr in the order of files and lines as path:line:column: error: message, each with its line
- * and a caret; what is wrong in every repetition only once. */
+ * and a caret; a problem of every repetition only once. */
 void source_report(source *s);
 
 /* The nearest of `count` names to a mistyped one, as " (did you mean 'x'?)", or "" when none is near. */

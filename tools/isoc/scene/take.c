@@ -82,7 +82,7 @@ name take_name(parser *p, const char *expected)
 /* Words that are names already: the ground where a body can stand, and the numbers that a formula can name. */
 static const char *const own_words[] = {"ground", "pi", "time"};
 
-/* Words that would be read as what they begin: start about 60 deg, start at (1, 2, 0) m. */
+/* Words that begin a clause, and so cannot be names in its place: start about 60 deg, start at (1, 2, 0) m. */
 static const char *const beginning_words[] = {"at", "about", "rotate", "quaternion"};
 
 static void refuse_word(parser *p, name n, const char *const *words, size_t count)

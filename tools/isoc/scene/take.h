@@ -59,7 +59,7 @@ bool next_is_word(const parser *p, const char *word);
 bool take_sign(parser *p, char sign);
 bool take_word(parser *p, const char *word);
 
-/* The same of one that must be there; else notes what is expected. */
+/* The same of a sign that must be there; else notes `expected`. */
 void expect_sign(parser *p, char sign, const char *expected);
 void expect_word(parser *p, const char *word, const char *expected);
 
@@ -79,8 +79,8 @@ name take_parameter_name(parser *p, const char *expected);
 name take_inner_name(parser *p, const char *expected);
 
 /* block.c: blocks: words, each with its value, in any order, each at most once; { mass 1 kg; com (0, 0, 1) m }. A
- * scene is one too, without braces. What words there are, and for which kind of joint or closure, stands in one
- * table each. */
+ * scene is one too, without braces. One table for each has its words, and the kinds of joints or closures that have
+ * them. */
 
 /* Reads the value that follows `word` into its slot. */
 typedef void property_reader(parser *p, const token *word, void *slot);
@@ -121,7 +121,7 @@ bool parse_statements(parser *p, const block *statements, void *to);
 /* Whether b has this word, for any kind. */
 bool block_has_word(const block *b, const token *t);
 
-/* Readers of what is the same in many blocks; their slots are a formula *, or a name. */
+/* Readers of properties that many blocks have; their slots are a formula *, or a name. */
 property_reader read_formula, read_axis, read_input, read_joint, read_method, read_switch;
 
 /* parse_formula.c: tokens to formulas. */
@@ -145,7 +145,7 @@ bool take_unit(parser *p, unit *taken);
 /* 2 N * ks: a unit, though something is called so too. Notes it for all such factors from this one on. */
 void refuse_factor(parser *p, size_t from, const char *called);
 
-/* repeat.c: indices of repeats, and what they are made of. */
+/* repeat.c: indices of repeats, and their names. */
 
 /* The index of a repeat that is being read; NULL if none has this name. */
 const int *find_index(const parser *p, const char *called);
@@ -175,7 +175,7 @@ pose parse_pose(parser *p, bool axis_needed, bool part_needed);
 property_reader read_placement;
 
 /* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` and of how the loop runs that of a scene.
- * `repeat` and `include` add what the statements in them are. */
+ * `repeat` and `include` add the statements in them. */
 
 property_reader read_body, read_frame, read_joint_statement, read_closure, read_force, read_spring_statement,
     read_stabilisation, read_output, read_effect, read_signal, read_setting, read_repeat, read_include, read_overrun,

@@ -1,4 +1,4 @@
-/* Units: what a name like mm, kg, rpm or V means in m, kg, s, rad, A and K. */
+/* Units: the factor and dimension of a name like mm, kg, rpm or V in m, kg, s, rad, A and K. */
 #ifndef ISOC_SCENE_UNIT_H
 #define ISOC_SCENE_UNIT_H
 

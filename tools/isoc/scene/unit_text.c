@@ -28,7 +28,7 @@ static const struct {
     {"H", {1, 2, -2, 0, -2, 0, 0}, 0},  {"F", {-1, -2, 4, 0, 2, 0, 0}, 0},
 };
 
-/* A derived unit and its power, 0 where there is none, with what is left in base units. */
+/* A derived unit and its power, 0 where there is none, with the remaining base units. */
 typedef struct product {
     const char *derived;
     int power, powers[BASES];

@@ -42,7 +42,7 @@ static bool grows_on_axis(arena *memory, unsigned recipe)
     return growth_of(memory, recipe, 0.0, 0.05) > 1.0 + 1e-12;
 }
 
-/* The growth per step of what grows fastest by itself, at least 1: a method is blamed for no less. */
+/* The growth per step of the fastest growing mode of the plant itself, at least 1: growth below it is not the method's. */
 static double own_growth_of(const modes *m, double step)
 {
     double rate = 0.0;
@@ -52,7 +52,7 @@ static double own_growth_of(const modes *m, double step)
     return exponential(step * rate);
 }
 
-/* The standard for a method: growth per step of what grows by itself, and whether undamped oscillations all grow. */
+/* The standard for a method: growth per step of the plant's own modes, and whether all undamped oscillations grow. */
 typedef struct scale {
     unsigned recipe;
     double own;
@@ -99,7 +99,7 @@ static int count_growing_maps(arena *memory, const modes *m, unsigned recipe, do
     const bool is_lenient = grows_on_axis(memory, recipe) || ISO_IS(recipe, ISO_SEMI_IMPLICIT);
     const modes map = modes_of_map(memory, m, recipe, step);
     const double own = own_growth_of(m, step);
-    int count = map.found ? 0 : 1; /* as in growth_of_map: what is not found grows */
+    int count = map.found ? 0 : 1; /* as in growth_of_map: eigenvalues that are not found count as growing */
     for (int i = 0; map.found && i < map.of.n; i++) {
         /* Forces that follow the speeds across, as of a gyroscope, are those of euler. */
         const double turned =
@@ -173,7 +173,7 @@ int count_growing(const modes *m, unsigned recipe, double step, int *fastest)
     return count;
 }
 
-/* Of a growth per step, beyond what grows by itself: the faster one. */
+/* The faster of two growths per step beyond the plant's own growth. */
 static drift faster(drift than, double growth, double frequency, double own, double step)
 {
     const double rate = growth > own ? elementary_log(growth / own) / step : 0.0;

@@ -16,7 +16,7 @@ typedef struct linearised {
 linearised linearise(const graph *g, const mechanism *m, const node *roots, size_t count);
 
 /* J[n n] row by row. A quaternion q counts as three: the rotation about the axes of its parent that moves it, dq = phi q / 2,
- * of which none lets a change of q itself grow; what changes its length is no part of the motion. */
+ * of which none lets a change of q itself grow; a change of its length is no part of the motion. */
 typedef struct slopes {
     int n, positions; /* the first rows are of positions, the others of speeds */
     double *at;

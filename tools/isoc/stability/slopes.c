@@ -57,8 +57,8 @@ static int reduced_count(const mechanism *m)
     return count;
 }
 
-/* All changes of a quaternion by its own rotations: its rate is q omega / 2, and (phi q) omega / 2 is what the rotation
- * makes of it, no change of phi. */
+/* Clears the slopes of quaternions by their own rotations: the rate is q omega / 2; a rotation phi turns it into
+ * (phi q) omega / 2, which does not change phi. */
 static void clear_quaternions(const mechanism *m, slopes *s)
 {
     for (int i = 0, at = 0; i < m->segment_count; i++) {

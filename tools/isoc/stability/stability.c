@@ -88,7 +88,7 @@ static void warn_of_growth(const source *s, arena *memory, const plant *p, const
         m->re[fastest], oscillation, steps_text(memory, m));
 }
 
-/* Warns of each cause, until what is left is held. Returns whether there was one. */
+/* Warns of each cause, until the rest is stable. Returns whether there was one. */
 static bool check_point(const source *s, const graph *g, const plant *p, slopes of, const point *at)
 {
     bool *gone = arena_take(g->memory, (size_t)cause_count(p->m) + 1, sizeof *gone);

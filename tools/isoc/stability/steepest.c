@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The formulas of one effect, with what they change by. */
+/* The formulas of one effect, with their derivatives. */
 typedef struct formulas {
     const mechanism *m;
     linearised l;

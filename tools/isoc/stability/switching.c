@@ -29,7 +29,7 @@ static double value_of_lines(const tick_table *t, uint64_t tick)
     return iso_on_lines(tick, &(iso_lines){t->words, t->values, t->slopes, (uint32_t)t->count});
 }
 
-/* The value of a node for which is_timed holds, in a tick: what the code of a plant computes, to the rounding of a double. */
+/* The value in a tick of a node for which is_timed holds: as the plant's code computes it, to the rounding of a double. */
 static double tick_function(const mechanism *m, const graph_node *n, uint64_t tick)
 {
     const double now = (double)tick, first = n->value, second = n->second;
@@ -68,7 +68,7 @@ enum { WINDOW = 2000, FEWEST_JUMPS = 4 };
 /* Nodes evaluated: some 50 ms of isoc. */
 static const double most_evaluated = 1e7;
 
-/* Of what is switched, half a step at each jump may be so much. */
+/* The largest share of a switched value that half a step at each jump may be. */
 static const double most_share = 0.01;
 
 /* Some functions of a graph, with their values in this step and in the one before. */
@@ -234,7 +234,7 @@ static double size_of_gift(const look *l, const gift *g)
     return sum;
 }
 
-/* A rate falls between two jumps, as the state follows what is switched: that counts as half of the jump, at least. */
+/* A rate falls between two jumps, as the state follows the switched value: the fall counts as half of the jump, at least. */
 static void add_step(look *l, bool jumps, const double *after, const double *before)
 {
     static const double rounding = 1e-9;
@@ -319,7 +319,7 @@ static void follow(look *l, arena *memory, size_t roots)
     }
 }
 
-/* The derivatives, and behind them what each effect gives. */
+/* The derivatives, and behind them the efforts and rates of each effect. */
 static size_t list_roots(look *l, const plant *p, node *roots)
 {
     const mechanism *m = l->m;

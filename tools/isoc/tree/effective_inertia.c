@@ -48,7 +48,7 @@ static double *inverse_of_mass(const graph *g, const mechanism *m, const mass_ma
     return inverse;
 }
 
-/* The velocity of what moves with the body at a point beside its own. */
+/* The velocity of a point that moves with the body, beside its origin. */
 static vector velocity_beside(const kinematics *k, const inertia_query *i)
 {
     graph *g = k->g;
@@ -61,8 +61,8 @@ static vector velocity_beside(const kinematics *k, const inertia_query *i)
     return vector_add(g, moves, vector_cross(g, turns, i->beside));
 }
 
-/* The rows of the Jacobian of these velocities at the start, [count n]: what each is where one speed is 1 and all others
- * are 0, as they are linear. */
+/* The rows of the Jacobian of these velocities at the start, [count n]: as velocities are linear, the value of each where one
+ * speed is 1 and all others are 0. */
 static double *jacobian(const graph *g, const mechanism *m, const node *velocities, size_t count)
 {
     const size_t n = (size_t)m->dof_count;
@@ -95,7 +95,7 @@ static double mass_along(const double *row, const double *inverse, size_t n)
 
 const node *effective_inertias(graph *g, const mechanism *m)
 {
-    graph scratch = graph_copy(g); /* so that nothing of this is in the way of what a plant computes */
+    graph scratch = graph_copy(g); /* so that none of these nodes is in the graph of the plant */
     const kinematics k = kinematics_build(&scratch, m);
     kinematics_velocities(&k);
     const size_t n = (size_t)m->dof_count, points = 3 * (size_t)m->queries.inertia_count;

@@ -66,7 +66,7 @@ tensor unturn_tensor(const kinematics *k, int i, tensor j)
     return matrix_tensor(unturn_matrix(k, i, tensor_matrix(j)));
 }
 
-/* R = turn * (what the joint turns). One full matrix where both are needed at once, else two sparse ones. */
+/* R = turn * (rotation of the joint). One full matrix where both are needed at once, else two sparse ones. */
 vector to_parent(const kinematics *k, int i, vector a)
 {
     return matrix_apply(k->g, k->m->segments[i].turn, unturn(k, i, a));
@@ -220,7 +220,7 @@ void position_rates(const kinematics *k, int i, node *rates)
     quaternion_rates(g, now->q, now->qd, rates);
 }
 
-/* The quaternion of what a segment's joint turns. */
+/* The quaternion of the rotation of a segment's joint. */
 static void joint_quaternion(const kinematics *k, int i, node q[4])
 {
     graph *g = k->g;

@@ -9,7 +9,7 @@ typedef struct motion {
     node q[4], qd[3]; /* positions and speeds: states */
     node s, c;        /* sine and cosine of the turn about the segment's axis; 0 and 1 where it slides */
     matrix free_turn; /* of a spherical joint: from the segment's axes to those that it had unturned */
-    vector rate;      /* what the joint adds to the angular velocity, or to the velocity: in the segment's axes */
+    vector rate;      /* the joint's share of the angular velocity, or of the velocity: in the segment's axes */
     vector p;         /* the segment's origin in the parent's frame */
     vector carried;   /* the parent's angular velocity, in the segment's axes */
     vector omega;     /* angular velocity, in the segment's axes */
@@ -38,11 +38,11 @@ int shared_axis(const kinematics *k, int segment);
 /* The axis of a degree of freedom in its segment's axes. */
 vector axis_of(const kinematics *k, int f);
 
-/* What a joint's motion along its axes, such as its rate, is of a slide and of a turn. */
+/* The parts of a joint's motion along its axes, such as its rate, that slide and that turn. */
 vector slide_of(const kinematics *k, int segment, vector moved);
 vector turn_of(const kinematics *k, int segment, vector moved);
 
-/* What of a force and a moment is along a degree of freedom. */
+/* The component of a force and a moment along a degree of freedom. */
 node component_along(const kinematics *k, int f, vector linear, vector angular);
 
 /* A vector from segment axes to the parent's axes and back. */
