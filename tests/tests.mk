@@ -150,6 +150,9 @@ check-run: $(TEST_FAST) $(TOOLS) build/simavr_trace
 test-times: ## print the processor time of each test of the last make test
 	@awk '{ printf "%7.1f %s\n", $$1, $$3 }' build/tests/takes.txt
 
-# `make test-starts >tests/starts` keeps them as budgets; what starts fewer has a small one, which Tally.pm says.
+# `make test-starts >tests/starts` keeps them as budgets; what starts fewer has a small one, which Tally.pm says. Of a test with turns
+# it keeps what turns.sh printed.
 test-starts: ## print the processes that each test of the last make test started, if many, and all together
-	@awk '{ all += $$2 } $$2 > 100 { printf "%7d %s\n", $$2, $$3 | "LC_ALL=C sort -k 2" } END { printf "%7d all\n", all }' build/tests/takes.txt
+	@awk 'FNR == NR { if (NF == 3) { turns[$$2] = $$3; most[$$2] = $$1 } next } { all += $$2 } \
+	    turns[$$3] { printf "%7d %s %s\n", most[$$3], $$3, turns[$$3] | "LC_ALL=C sort -k 2"; next } \
+	    $$2 > 100 { printf "%7d %s\n", $$2, $$3 | "LC_ALL=C sort -k 2" } END { printf "%7d all\n", all }' tests/starts build/tests/takes.txt

@@ -3,13 +3,14 @@
 # and with compensated sums, at every tick and with every number of steps in it, whose cost can be up to that of what it
 # took; prints `kept METHOD COMPENSATED K N CYCLES LOAD RATIO SHARE` for each that keeps the bounds and costs so little,
 # SHARE of what it took, and `tried N`. The cost of a method at one step in the scene's tick is counted; compensated
-# sums only add to it, and each further step has at least the operations of its evaluations. With PARTS one place of so
+# sums only add to it, and each further step has at least the operations of its evaluations; of a step of another length some
+# cycles in a thousand are other ones, for which a hundredth is added. With PARTS one place of so
 # many is tried, and that which it took.
 . "$1/settings"
 . tools/measure/choose/parts.sh
 parts=${2:-1}
 took=$(awk '{ print $3, $4 }' "$dir/best")
-most=$(awk '{ print 1.001 * $6 }' "$dir/best")
+most=$(awk '{ print 1.01 * $6 }' "$dir/best")
 ticks=$(sed -n 's/^ *n = split("\([0-9 ]*\)", part.*/\1/p' tools/measure/choose/search.awk)
 
 # cheaper CYCLES EVALUATIONS: `K N` of every place that can cost less, where one step in the scene's tick takes so many
@@ -52,7 +53,7 @@ of()
         inf | [2-9]* | [1-9][0-9]* | *e+*) continue ;;
         esac
         counted "$1" "$2" "$k" "$n" | awk -v most="$most" -v ratio="$ratio" -v what="kept $1 $2 $k $n" \
-            '$2 < most && ratio <= 1 { print what, $0, ratio, 1.001 * $2 / most }'
+            '$2 < most && ratio <= 1 { print what, $0, ratio, 1.01 * $2 / most }'
     done <"$dir/places"
     echo "tried $(wc -l <"$dir/places")"
 }

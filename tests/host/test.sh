@@ -130,8 +130,9 @@ due()
     [ $(((place + due_place) % due_of)) -eq $((turn % due_of)) ]
 }
 
-# turn_of PARTS ALL FOLDER...: which of so many parts is tried this time, from 0: a checksum of these folders, so that over
-# commits each has its turn. `all` if ALL is that, or $TEST_WHOLE is not empty; ALL may be an empty word.
+# turn_of PARTS ALL FOLDER...: which of so many parts is tried this time, from 0: a checksum of the sources in these folders, so
+# that over commits each has its turn, and a commit that changes none of them has the same. `all` if ALL is that, or $TEST_WHOLE
+# is not empty; ALL may be an empty word. $TEST_TURN names the turn (tests/turns.sh).
 turn_of()
 {
     turn_parts=$1
@@ -139,9 +140,13 @@ turn_of()
     shift 2
     if [ "$turn_all" = all ] || [ -n "${TEST_WHOLE-}" ]; then
         echo all
-        return
+    elif [ -n "${TEST_TURN-}" ]; then
+        echo $((TEST_TURN % turn_parts))
+    else
+        find "$@" -type f \( -name '*.[chSt]' -o -name '*.sh' -o -name '*.scene' -o -name '*.awk' -o -name '*.py' -o -name '*.mk' \
+            -o -name '*.txt' -o -name '*.in' -o -name '*.ld' \) |
+            LC_ALL=C sort | tr '\n' '\0' | xargs -0 cat | cksum | awk -v parts="$turn_parts" '{ print $1 % parts }'
     fi
-    find "$@" -type f | LC_ALL=C sort | tr '\n' '\0' | xargs -0 cat | cksum | awk -v parts="$turn_parts" '{ print $1 % parts }'
 }
 
 # next_turn PARTS: whether the next thing of a list is tried this time, by $turn of a turn_of as many parts, or a multiple.
