@@ -159,9 +159,10 @@ sub compare_variants {
     return ($passed, $failed);
 }
 
-# The budgets of processes in tests/starts, by the test; that of all together under `all`.
+# The budgets of processes in tests/starts, by the test; that of all together under `all`. Of a test with turns a third column has the
+# number of those that the budget was measured over (tests/turns.sh).
 sub read_budgets {
-    return map { /^\s*([0-9]+) (\S+)$/ ? ($2 => $1) : () } split /\n/, read_file($ENV{TALLY_STARTS} || 'tests/starts');
+    return map { /^\s*([0-9]+) (\S+)( [0-9]+)?$/ ? ($2 => $1) : () } split /\n/, read_file($ENV{TALLY_STARTS} || 'tests/starts');
 }
 
 # A test that starts more processes than its budget and a margin fails, and all together likewise, if all were run. What has no

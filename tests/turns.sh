@@ -1,11 +1,11 @@
 #!/bin/sh
-# Runs each turn of a test as `make test` runs one, and prints for each the seconds of processor time, the processes, and `ok` or
-# what failed. The last line is a row for tests/starts: the most processes that a turn started, the test, how many turns were run.
+# Runs each turn of a test as `make test` runs one that begins with no object compiled, and prints for each the seconds of processor
+# time, the processes, and `ok` or what failed; all that it printed is in build/tests/turns/TEST/TURN. The last line is a row for
+# tests/starts: the most processes that a turn started, the test, how many turns were run.
 #
 #     turns.sh TEST [TURN...]
 #
-# The status is 0 if each passed, and none started more than the row in tests/starts allows. A test that prints the last lines
-# of a turn that failed writes all of it to build/tests/turns/TEST/TURN.
+# The status is 0 if each passed, and none started more than the row in tests/starts allows.
 test=$1
 shift
 parts=$(sed -n 's/.*turn_of \([0-9]\{1,2\}\) .*/\1/p' "$test" | sort -n | tail -n 1)
@@ -17,11 +17,14 @@ parts=$(sed -n 's/.*turn_of \([0-9]\{1,2\}\) .*/\1/p' "$test" | sort -n | tail -
 mkdir -p build
 (unset MAKEFLAGS MAKELEVEL && flock build/lock make -s tools build/simavr_trace build/tests/once/once build/tests/measured >&2) || exit 1
 out=build/tests/turns/$test
-mkdir -p "$out"
-export TEST_BUILT=yes PATH="$PWD/build/tests/once:$PATH"
+rm -rf "$out"
+mkdir -p "$out/once"
+cp -RP build/tests/once/[!s]* "$out/once" && export TEST_BUILT=yes PATH="$PWD/$out/once:$PATH" || exit 1
 failures=0 most=0
 for TEST_TURN; do
     export TEST_TURN
+    rm -rf "$out/once/store"
+    mkdir "$out/once/store"
     said=ok
     build/tests/measured 1800 "$out/takes" sh "$test" >"$out/$TEST_TURN" 2>&1 || said="failed, see $out/$TEST_TURN"
     [ "$said" = ok ] || failures=$((failures + 1))
@@ -30,6 +33,7 @@ for TEST_TURN; do
     printf 'turn %3d %7.1f s %6s processes: %s\n' "$TEST_TURN" "$seconds" "$started" "$said"
     grep '^not ok' "$out/$TEST_TURN"
 done
+rm -rf "$out/once"
 budget=$(awk -v test="$test" '$2 == test { print $1 }' tests/starts)
 printf '%7d %s %d\n' "$most" "$test" $#
 [ "$most" -le "$((${budget:-100} * 11 / 10 + 20))" ] || {

@@ -163,6 +163,22 @@ TEST_MEASURED=$PWD/$out/unmeasured tally many && grep -q '^processes are not cou
 result $? "where they cannot be counted that is told, and skipped"
 unset TALLY_STARTS TEST_MEASURED TEST_TAKES TEST_KEPT TEST_STATE
 
+# What a turn is told by, and which a commit has.
+turn()
+{
+    (cd "$out/turns" && turn_of 97 "" core)
+}
+mkdir -p "$out/turns/core/__pycache__"
+echo a >"$out/turns/core/a.c"
+unset TEST_TURN TEST_WHOLE
+first=$(turn)
+echo b >"$out/turns/core/__pycache__/a.pyc"
+echo b >"$out/turns/core/README.md"
+[ "$(turn)" = "$first" ] && echo b >"$out/turns/core/a.c" && [ "$(turn)" != "$first" ]
+result $? "a turn follows from sources, not from texts and from what is left beside them"
+[ "$(TEST_TURN=100 turn)" = 3 ] && [ "$(TEST_WHOLE=yes turn)" = all ] && [ "$(cd "$out/turns" && turn_of 97 all core)" = all ]
+result $? "a turn can be told, and all"
+
 # state: the hash of a small folder, with a compiler of its own.
 mkdir -p "$out/state/core" "$out/state/build" "$out/compiler"
 printf '#!/bin/sh\n' >"$out/compiler/gcc" && chmod +x "$out/compiler/gcc"

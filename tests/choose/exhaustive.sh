@@ -3,9 +3,9 @@
 # and with compensated sums, at every tick and with every number of steps in it, whose cost can be up to that of what it
 # took; prints `kept METHOD COMPENSATED K N CYCLES LOAD RATIO SHARE` for each that keeps the bounds and costs so little,
 # SHARE of what it took, and `tried N`. The cost of a method at one step in the scene's tick is counted; compensated
-# sums only add to it, and each further step has at least the operations of its evaluations; of a step of another length some
-# cycles in a thousand are other ones, for which a hundredth is added. With PARTS one place of so
-# many is tried, and that which it took.
+# sums only add to it, and each further step has at least the operations of its evaluations. A step of another length
+# takes a cycle or two more or less, for which a hundredth is added. With PARTS one place of so many is tried, and that
+# which it took.
 . "$1/settings"
 . tools/measure/choose/parts.sh
 parts=${2:-1}
