@@ -4,27 +4,33 @@
 # took; prints `kept METHOD COMPENSATED K N CYCLES LOAD RATIO SHARE` for each that keeps the bounds and costs so little,
 # SHARE of what it took, and `tried N`. The cost of a method at one step in the scene's tick is counted; compensated
 # sums only add to it, and each further step has at least the operations of its evaluations. A step of another length
-# takes a cycle or two more or less, for which a hundredth is added. With PARTS one place of so many is tried, and that
-# which it took.
+# takes a cycle or two more or less, for which a hundredth is added. Of adams every number of sub-steps is tried at every
+# tick, with each of three tolerances. With PARTS one place of so many is tried, and that which it took.
 . "$1/settings"
 . tools/measure/choose/parts.sh
 parts=${2:-1}
 took=$(awk '{ print $3, $4 }' "$dir/best")
 most=$(awk '{ print 1.01 * $6 }' "$dir/best")
-ticks=$(sed -n 's/^ *n = split("\([0-9 ]*\)", part.*/\1/p' tools/measure/choose/search.awk)
+ticks=$(long_ticks)
 
-# cheaper CYCLES EVALUATIONS: `K N` of every place that can cost less, where one step in the scene's tick takes so many
-# cycles.
+# cheaper CYCLES EVALUATIONS METHOD: `K N` of every place that can cost less, where one step in the scene's tick takes so
+# many cycles.
 cheaper()
 {
     echo "$ticks" | awk -v period="$period" -v rows="$rows" -v every="$every" -v cycles="$1" -v evaluations="$2" -v each="$each" -v hz="$hz" \
-        -v most="$most" -v parts="$parts" -v took="$took" '
+        -v most="$most" -v parts="$parts" -v took="$took" -v method="$3" -v longest="$longest" '
         function load(k, n) { return (cycles + (n - 1) * evaluations * each) / hz / (period * k) * 1e11 }
         function place(k, n) { if (load(k, n) < most && (tried++ % parts == 0 || k " " n == took)) print k, n }
         {
+            if (method == "adams") {
+                for (n = 1; n <= 1024; n *= 2) place(1, n)
+                for (i = 1; i <= NF; i++)
+                    for (n = 1; n <= 64 && $i <= longest && $i * period <= 1e9 && $i * every * 8 <= rows; n *= 2) place($i, n)
+                exit
+            }
             place(1, 1)
             for (i = 1; i <= NF; i++) {
-                if ($i * period <= 1e9 && $i * every * 8 <= rows) place($i, 1)
+                if ($i <= longest && $i * period <= 1e9 && $i * every * 8 <= rows) place($i, 1)
                 if (period % $i == 0 && period / $i >= 1000) place(1, $i)
             }
         }'
@@ -35,7 +41,7 @@ counted()
 {
     of=$dir/exhaustive-$1-$2
     mkdir -p "$of"
-    compute choose/edit -v statements="$(statements "$4" "$2")" "$dir/base.scene" >"$of/$NAME.scene"
+    compute choose/edit -v statements="$(statements "$4" "$2" "$1")" "$dir/base.scene" >"$of/$NAME.scene"
     cycles "$of" "$of/$NAME.scene" "$1" $((period * $3))
 }
 
@@ -43,14 +49,17 @@ counted()
 of()
 {
     [ "$2" = yes ] || once=$(counted "$1" no 1 1) || return
-    evaluations=$(awk -v method="$1" '$2 == method { print $6 }' "$dir/methods")
-    cheaper "${once% *}" "$evaluations" >"$dir/places"
+    case $1 in
+    adams-*) evaluations=2 ;;
+    *) evaluations=$(awk -v method="$1" '$2 == method { print $6 }' "$dir/methods") ;;
+    esac
+    cheaper "${once% *}" "$evaluations" "${1%%-*}" >"$dir/places"
     while read -r k n; do
         sh tools/measure/choose/try.sh "$1" "$2" "$k" "$n" >"$dir/tried"
         read -r ratio rest <"$dir/tried"
         case $ratio in
         *e-*) ;;
-        inf | [2-9]* | [1-9][0-9]* | *e+*) continue ;;
+        inf | 1.* | [2-9]* | [1-9][0-9]* | *e+*) continue ;;
         esac
         counted "$1" "$2" "$k" "$n" | awk -v most="$most" -v ratio="$ratio" -v what="kept $1 $2 $k $n" \
             '$2 < most && ratio <= 1 { print what, $0, ratio, 1.01 * $2 / most }'
@@ -59,6 +68,15 @@ of()
 }
 
 for method in $METHODS; do
-    of "$method" no
-    of "$method" yes
+    case $method in
+    adams)
+        for tolerance in 1e-04 1e-06 1e-08; do
+            of adams-$tolerance no
+        done
+        ;;
+    *)
+        of "$method" no
+        of "$method" yes
+        ;;
+    esac
 done | awk '/^tried/ { tried += $2 } /^kept/ { print } END { print "tried", tried + 0 }'

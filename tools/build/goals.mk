@@ -299,7 +299,7 @@ choose: build/isoc build/trace build/cycles $(PORT_TRACER)
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	@$(REPORT) ASKED='$(ASKED)' TARGET=$(TARGET) CORE=$(call quote,$(CORE)) CLOCK=$(call quote,$(CLOCK)) BOARD=$(call quote,$(BOARD)) \
 	    ERROR=$(call quote,$(ERROR)) LOAD=$(call quote,$(LOAD)) INPUTS=$(call quote,$(INPUTS)) SET=$(call quote,$(SET)) \
-	    WITHOUT=$(call quote,$(WITHOUT)) KEEP=$(call quote,$(KEEP)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) \
+	    WITHOUT=$(call quote,$(WITHOUT)) KEEP=$(call quote,$(KEEP)) METHODS=$(call quote,$(METHODS)) \
 	    sh tools/measure/choose/choose.sh
 
 drift: build/isoc build/trace

@@ -210,13 +210,13 @@ advise()
     # shellcheck disable=SC2086
     set -- $1
     method=$1 compensated=$2 k=$3 n=$4 ratio=$8
-    text="step $(step_of $((period * k))); method $method; $(statements "$n" "$compensated")"
+    text="step $(step_of $((period * k))); method ${method%%-*}; $(statements "$n" "$compensated" "$method" | sed 's|^method adams; ||')"
     [ "$compensated" = yes ] || text=$(echo "$text" | sed 's/compensated no/compensated -/')
     if compute choose/edit -v statements="$text" -v must=step "$dir/base.scene" >"$dir/advised.scene"; then
         set --
     else
-        compute choose/edit -v statements="$(statements "$n" "$compensated")" "$dir/base.scene" >"$dir/advised.scene"
-        set -- METHOD="$method" STEP="$((period * k))ns"
+        compute choose/edit -v statements="$(statements "$n" "$compensated" "$method")" "$dir/base.scene" >"$dir/advised.scene"
+        set -- METHOD="${method%%-*}" STEP="$((period * k))ns"
     fi
     shown=
     if [ -n "$RECORDED" ]; then
@@ -274,10 +274,11 @@ build/isoc --methods >"$dir/methods"
 
 echo "$SCENE on the $board at $(awk -v hz="$hz" 'BEGIN { print hz / 1e6 }') MHz: $ERROR over $(seconds "$rows") s, load at most $load %"
 judge
-# The dearest that can be told beforehand come last: then they need not be tried in short steps.
+# The dearest that can be told beforehand come last: then they need not be tried in short steps. Of adams is tried what
+# is cheaper than all others.
 METHODS=$(echo "$METHODS" | tr -s ' ' '\n' | awk '
-    { rank = $1 == "rk4" ? 1 : $1 ~ /^(euler|semi_implicit)$/ ? 3 : 2; of[rank] = of[rank] " " $1 }
-    END { print of[1] of[2] of[3] }')
+    { rank = $1 == "rk4" ? 1 : $1 ~ /^(euler|semi_implicit)$/ ? 3 : $1 == "adams" ? 4 : 2; of[rank] = of[rank] " " $1 }
+    END { print of[1] of[2] of[3] of[4] }')
 # shellcheck disable=SC2086
 candidates $METHODS
 told table "$dir/candidates" | tee "$dir/table.txt"

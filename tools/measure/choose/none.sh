@@ -14,7 +14,7 @@ larger_error()
         left=$((left - 1))
         of=$dir/least-$method-$compensated
         mkdir -p "$of"
-        compute choose/edit -v statements="$(statements "$n" "$compensated")" "$dir/base.scene" >"$of/$NAME.scene"
+        compute choose/edit -v statements="$(statements "$n" "$compensated" "$method")" "$dir/base.scene" >"$of/$NAME.scene"
         counted=$(cycles "$of" "$of/$NAME.scene" "$method" $((period * k))) || continue
         echo "$counted" | awk -v load="$load" '{ exit !($2 <= load) }' || {
             dear=$(awk -v n="$n" -v k="$k" 'BEGIN { print n / k }')
@@ -50,7 +50,7 @@ another_chip()
     set -- $best
     of=$dir/chip
     mkdir -p "$of"
-    compute choose/edit -v statements="$(statements "$4" "$2")" "$dir/base.scene" >"$of/$NAME.scene"
+    compute choose/edit -v statements="$(statements "$4" "$2" "$1")" "$dir/base.scene" >"$of/$NAME.scene"
     grep -v '^#' tools/measure/cycles/boards.txt | tr -d ' ' | while IFS='|' read -r name target _ clock _; do
         case $target-$name in
         *-"$board" | *-mps2-*) continue ;;

@@ -22,11 +22,19 @@ step_of()
     }'
 }
 
+# The ticks that are tried, in steps of the scene.
+long_ticks()
+{
+    sed -n 's/^ *n = split("\([0-9 ]*\)", part.*/\1/p' tools/measure/choose/search.awk
+}
+
+# A METHOD is a word of isoc; that of adams has its tolerance behind it: adams-1e-06.
+#
 # built FOLDER REAL STATEMENTS METHOD NS [OPTION...]: the program FOLDER/run of the scene with these statements at its
 # top and these options of isoc. What isoc or the compiler says is in FOLDER/said.
 built()
 {
-    built_folder=$1 built_real=$2 built_statements=$3 built_method=$4 built_ns=$5
+    built_folder=$1 built_real=$2 built_statements=$3 built_method=${4%%-*} built_ns=$5
     shift 5
     mkdir -p "$built_folder" &&
         compute choose/edit -v statements="$built_statements" "$dir/base.scene" >"$built_folder/$NAME.scene" &&
@@ -38,18 +46,20 @@ built()
     $COMPILE -O1 $built_flag "$built_folder/plant.c" "$dir/run_$built_real.o" -lm -o "$built_folder/run" 2>"$built_folder/said"
 }
 
-# statements N COMPENSATED: of a plant with so many steps in a tick.
+# statements N COMPENSATED METHOD: of a plant with so many steps in a tick.
 statements()
 {
-    [ "$1" -eq 1 ] && set -- - "$2"
-    echo "substeps $1; compensated $2"
+    case $3 in
+    adams-*) echo "method adams; substeps $1; compensated $2; tolerance ${3#adams-}" ;;
+    *) echo "substeps $([ "$1" -eq 1 ] && echo - || echo "$1"); compensated $2; tolerance -" ;;
+    esac
 }
 
 # cycles FOLDER SCENE METHOD NS [VARIABLE=VALUE...]: those of the dearest tick on the target, and what share of the step
 # it is, in percent, and whether all fits in memory; by make cycles, whose messages are in FOLDER/said.
 cycles()
 {
-    cycles_folder=$1 cycles_scene=$2 cycles_method=$3 cycles_ns=$4
+    cycles_folder=$1 cycles_scene=$2 cycles_method=${3%%-*} cycles_ns=$4
     shift 4
     mkdir -p "$cycles_folder"
     rm -f "$cycles_folder/cycles.tsv"

@@ -35,6 +35,8 @@ function time_of(ns) {
 # As `rk4 at 4 ms`, from a line.
 function named(line, w) {
     split(line, w, " ")
+    if (w[1] ~ /^adams-/)
+        return "adams at " step_of(period * w[3]) " in up to " w[4] " sub-step" (w[4] > 1 ? "s" : "") ", tolerance " substr(w[1], 7)
     return w[1] " at " step_of(period * w[3]) (w[4] > 1 ? " in " w[4] " sub-steps" : "") (w[2] == "yes" ? ", compensated" : "")
 }
 

@@ -7,7 +7,7 @@ method=$1 compensated=$2 k=$3 n=$4
 of=$dir/$method-$compensated
 ns=$((period * k))
 # shellcheck disable=SC2046
-if ! built "$of" float "$(statements "$n" "$compensated")" "$method" $ns ${INPUTS:+--inputs $INPUTS}; then
+if ! built "$of" float "$(statements "$n" "$compensated" "$method")" "$method" $ns ${INPUTS:+--inputs $INPUTS}; then
     text="inf refused: $(sed -n 's/.*error: //p' "$of/said" | head -n 1)"
 else
     # shellcheck disable=SC2086

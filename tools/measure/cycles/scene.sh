@@ -1,7 +1,7 @@
 #!/bin/sh
 # What the dearest tick of a plant costs: `make cycles SCENE=...`. Ticks of a run are counted; where a tunable changes or a
 # method has a history, also those of a run in which every second tick has such a change, and where the method watches for
-# discontinuities, one in which every second step is made again.
+# discontinuities, one in which every second step is made again. Of adams ticks are counted that take all of their sub-steps.
 #
 # Called by `make cycles`, with the scene in $SCENE, its folder in $OUT, the program in $PROGRAM, the core's table, the clock in
 # Hz, the board, its flash and its RAM in $ASKED; the compiler with all flags in $COMPILE, the link of $OUT/cycles/plant.o in
@@ -35,8 +35,16 @@ changed()
 set -- $ASKED
 core=$1 hz=$2 board=$3 flash=$4 ram=$5
 mkdir -p "$dir"
-! grep -q '^method adams$' "$OUT/plant.txt" ||
-    fail "adams has no fixed step: make cost PARTS=restarts counts its longest tick in instructions"
+# Of adams a tick that takes all of its sub-steps: of another, whose tolerance no sub-step can meet. The budget is the
+# next power of two, since so many have one length.
+if grep -q '^method adams$' "$OUT/plant.txt"; then
+    awk '/^    [.]tolerance_(absolute|relative) = / { sub(/= .*/, "= R(1e-30),") }
+        /^    [.]budget = / { for (n = 1; n < $3 + 0; n *= 2) continue; sub(/= .*/, "= " n ",") }
+        { print }' "$plant" >"$OUT/dearest.c"
+    plant=$OUT/dearest.c
+    { $COMPILE -c "$plant" -o "$dir/plant.o" && eval "$LINK"; } || fail "no plant with ticks of all sub-steps"
+    PROGRAM=$dir/program
+fi
 period=$(sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\1/p' "$plant")
 
 # So many ticks that all outputs of only some ticks meet, and not less than two: the first books all that is new, the second is
