@@ -286,7 +286,7 @@ REPORT = $(CALLS_MAKE) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER
 REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
 REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 
-report: build/isoc build/trace
+report: build/isoc build/trace build/regions.tsv
 	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
 	@$(REPORT) sh tools/measure/report.sh

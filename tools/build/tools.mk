@@ -78,6 +78,11 @@ TOOLS := build/isoc build/trace build/link build/duties build/monitor build/show
 tools: $(TOOLS)
 	@:
 
-$(TOOLS):
+# Where each method is stable: a table of pictures.
+build/regions: build/obj/tools/measure/regions.o build/obj/tools/isoc/method.o build/obj/tools/isoc/base.o build/obj/tools/flags
+build/regions.tsv: build/regions
+	$(Q)$< >$@.new && mv $@.new $@
+
+$(TOOLS) build/regions:
 	$(call say,LINK,$@)
 	$(call link,$(CC) $(TOOL_CFLAGS) $(filter %.o,$^) -lm)

@@ -176,24 +176,26 @@ prices()
     cp "build/cost/$FOLDER/effects.tsv" "build/cost/$FOLDER/effects.svg" "$dir"
 }
 
-# eigenvalues: regions.tsv and regions.svg, the regions of stability and the step times the eigenvalues of the scene, at its start and
-# at the end of the time.
+# eigenvalues: regions.tsv and regions.svg, the regions of stability of all methods (regions.c) and the step times the eigenvalues of the
+# scene: at its start, piece 1, and at the end of the time, piece 2.
 eigenvalues()
 {
     case $SCENE in
     *.c) return 0 ;;
     esac
-    compute regions >"$dir/regions.new" </dev/null
+    cp build/regions.tsv "$dir/regions.new"
+    piece=0
     for at in 0 "$time"; do
         at_option=
+        piece=$((piece + 1))
         [ "$at" = 0 ] || at_option=AT=${at}s
         own_make linear SCENE="$SCENE" $at_option METHOD= INPUTS= STEP="$STEP" TRIM= BODE= \
             >"$dir/linear.txt" 2>&1 </dev/null || continue
-        awk -F '\t' -v step="$step" 'FNR > 1 { printf "eigenvalue\t%.6g\t%.6g\n", step * $1, step * $2 }' "build/linear/$FOLDER/modes.tsv" >>"$dir/regions.new"
+        awk -F '\t' -v step="$step" -v piece=$piece 'FNR > 1 { printf "eigenvalue\t%.6g\t%.6g\t%d\n", step * $1, step * $2, piece }' "build/linear/$FOLDER/modes.tsv" >>"$dir/regions.new"
     done
     ! grep -q '^eigenvalue' "$dir/regions.new" || {
         mv "$dir/regions.new" "$dir/regions.tsv"
-        sh tools/plot/picture.sh regions "$NAME" "$dir/regions.tsv" >"$dir/regions.gnuplot" && sh tools/plot/draw.sh "$dir/regions.gnuplot" >/dev/null
+        sh tools/plot/picture.sh regions "$NAME" "$(own_method)" "$dir/regions.tsv" >"$dir/regions.gnuplot" && sh tools/plot/draw.sh "$dir/regions.gnuplot" >/dev/null
     }
 }
 
@@ -260,7 +262,7 @@ END
         "Of a run in float. The balance is the power that the energy does not explain."
     section "Singular positions" nearness nearness "" ""
     section "Stability" regions regions regions \
-        "Inside of its curve a method damps what the scene damps; the points are the step times the eigenvalues at the start and at the end."
+        "A method keeps stable what lies to the left of its curve, or within it: the growth of its own step is one there. The points are the step times the eigenvalues at the start and at the end; some may lie outside of the picture. Of <code>adams</code> the step is that of a sub-step; <code>bdf4</code> and <code>rosenbrock</code> know fast decays only as the Jacobian at the start of a step has them."
     section "The dearest tick" tick tick "" "Its parts by published timings of the core."
     section "What each effect costs and changes" table effects effects ""
     echo '</main></body></html>'

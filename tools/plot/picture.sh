@@ -10,7 +10,7 @@
 #     picture.sh effects SCENE TARGET effects.tsv
 #     picture.sh growth SCENE growth.tsv
 #     picture.sh local_error SCENE local_error.tsv
-#     picture.sh regions SCENE regions.tsv
+#     picture.sh regions SCENE METHOD regions.tsv
 #     picture.sh compare DIRECTORY DIRECTORY
 #     picture.sh differences DIRECTORY DIRECTORY      as a table
 set -eu
@@ -19,6 +19,7 @@ name=$1
 shift
 case $name in
 trace | path | histogram) of="signals" ;;
+work_precision | regions) of="looks" ;;
 compare | differences) of="signals compared" ;;
 *) of= ;;
 esac

@@ -1,11 +1,12 @@
-# Regions of stability, and in them the step times the eigenvalues of the scene: the table regions.tsv of a report.
+# Regions of stability of all methods, and in them the step times the eigenvalues of the scene: the table regions.tsv of a
+# report. The curve of the scene's own method is the widest.
 #
-#     regions SCENE regions.tsv
+#     regions SCENE METHOD regions.tsv
 BEGIN {
     FS = "\t"
     scene = ARGV[1]
-    ARGV[1] = ""
-    split("#8c8c8c #b8860b #0067a5 #d1590a", palette, " ")
+    own = ARGV[2]
+    ARGV[1] = ARGV[2] = ""
 }
 
 FNR == 1 { next }
@@ -16,19 +17,24 @@ $1 == "eigenvalue" {
 }
 
 !($1 in curve) { order[++methods] = $1 }
-{ curve[$1] = curve[$1] $2 " " $3 "\n" }
+$1 in curve && $4 != piece[$1] { curve[$1] = curve[$1] "\n" }
+{
+    curve[$1] = curve[$1] $2 " " $3 "\n"
+    piece[$1] = $4
+}
 
 END {
     if (points == "") exit
-    print "# size 900 520"
+    print "# size 760 560"
     put_style()
     for (i = 1; i <= methods; i++) put_block("edge_" order[i], curve[order[i]])
     put_block("eigenvalues", points)
-    print "set xrange [-4.2:1.4]\nset yrange [-3.2:3.2]\nset size ratio -1"
+    print "set xrange [-4.2:2]\nset yrange [-3.6:3.6]\nset size ratio -1"
     print "set xlabel 'real part of the eigenvalue times the step'\nset ylabel 'imaginary part'"
     print "set title '" scene ": what each method keeps stable, and the eigenvalues at its step' noenhanced"
-    print "set key on outside right center noenhanced samplen 2"
+    print "set key on outside right center noenhanced samplen 3"
     for (i = 1; i <= methods; i++)
-        curves = curves (i == 1 ? "plot" : ",") " $edge_" order[i] " with lines linewidth 1.5 linecolor rgb '" palette[i] "' title '" order[i] "'"
-    print curves ", $eigenvalues with points pointtype 7 pointsize 0.8 linecolor rgb '#c2185b' title 'eigenvalue'"
+        curves = curves (i == 1 ? "plot" : ",") " $edge_" order[i] " with lines linewidth " (order[i] == own ? 3 : 1.4) " dashtype " \
+            dashes_of(order[i]) " linecolor rgb '" colour_of(order[i], i) "' title '" order[i] "'"
+    print curves ", $eigenvalues with points pointtype 7 pointsize 0.8 linecolor rgb '#000000' title 'eigenvalue'"
 }
