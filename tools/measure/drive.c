@@ -9,11 +9,14 @@
  *     drive restarted ...        likewise; a method with a history begins anew at every tick
  *     drive smooth TIME STEPS... inputs are sampled at every step
  *     drive count STEPS          only runs: once it is under way, the STEPS in the function `steps` are to be counted
+ *     drive rests TIME STEPS     `yes` if no state moves by a millionth of what it may be, 1 + |x|; else `no`
  *
  * In a loop the inputs are those of tools/measure/signals.h, recorded in the file that is named in RECORDED if there is
- * one; else they keep the values that they have at the start. Memories of effects keep theirs. Compiled with the plant under test, in its real; tools/measure/step.h has told the plant of
- * `report_step` and `report_tolerance`, but not where instructions are counted.
+ * one; else they keep the values that they have at the start, or with STEADY=yes those of signals_start. Memories of effects keep
+ * theirs. Compiled with the plant under test, in its real; tools/measure/step.h has told the plant of `report_step` and
+ * `report_tolerance`, but not where instructions are counted.
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -124,9 +127,31 @@ static void run(const double time, const char *const text)
         report_step = plant->model->step_size;
         count = (long)(time / (double)report_step + 0.5);
     }
-    iso_plant_start(plant);
+    signals_start(plant, time);
     counted(count);
     put_state(plant->adams == NULL ? count : (long)plant->adams->substeps, (double)count * (double)report_step);
+}
+
+/* Whether the plant rests for so long. */
+static bool rests(const double time, const long count)
+{
+    enum { STATES_MOST = 512 };
+    static double first[STATES_MOST];
+    const size_t states = plant->model->states < STATES_MOST ? plant->model->states : STATES_MOST;
+    report_step = (real)(time / (double)count);
+    signals_start(plant, time);
+    for (size_t i = 0; i < states; i++) {
+        first[i] = (double)plant->x[i];
+    }
+    for (long k = 0; k < count; k++) {
+        plant->model->step(plant->memory);
+        for (size_t i = 0; i < states; i++) {
+            if (!(fabs((double)plant->x[i] - first[i]) <= 1e-6 * (1 + fabs(first[i])))) {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 /* The reading that a word names; FROZEN if it names none. */
@@ -150,6 +175,8 @@ int main(const int argc, char **const argv)
         }
         counted(number(argv[2]));
         printf("%s\n", argv[2]);
+    } else if (argc == 4 && strcmp(argv[1], "rests") == 0) {
+        puts(rests(strtod(argv[2], NULL), number(argv[3])) ? "yes" : "no");
     } else if (argc >= 4 && reading_of(argv[1]) != FROZEN) {
         run_loops(reading_of(argv[1]), argc - 2, argv + 2);
     } else if (argc >= 3) {
@@ -158,7 +185,7 @@ int main(const int argc, char **const argv)
         }
     } else {
         fputs("usage: drive about | drive TIME STEPS_OR_TOLERANCE... | drive held|restarted|smooth TIME STEPS... | "
-              "drive count STEPS\n",
+              "drive count STEPS | drive rests TIME STEPS\n",
               stderr);
         return EXIT_FAILURE;
     }

@@ -3,8 +3,10 @@
  *
  *     local told TIME STEPS    makes these steps; of some, evenly spread, a line: the time before it, the step, what
  *                              the method tells behind it, and the states before and behind it
- *     local true               reads these lines; for each one with the time, what the method tells, and the error: the
+ *     local true TIME          reads these lines; for each one with the time, what the method tells, and the error: the
  *                              largest difference of any state to that behind PARTS steps of this plant in place of one
+ *
+ * Inputs are those of drive.c.
  */
 #include <math.h>
 #include <stdio.h>
@@ -12,6 +14,7 @@
 #include <string.h>
 
 #include "core/runtime/plant.h"
+#include "tools/measure/signals.h"
 #include "tools/measure/step.h"
 
 /* Steps with a line at most, and steps of the reference in place of one: of order four it errs 64^4 times less. */
@@ -33,7 +36,7 @@ static void tell(const double time, const long steps)
 {
     const long apart = steps / SAMPLES > 1 ? steps / SAMPLES : 1;
     report_step = (real)(time / (double)steps);
-    iso_plant_start(plant);
+    signals_start(plant, time);
     for (long i = 1; i <= steps; i++) {
         if (i % apart != 0) {
             plant->model->step(plant->memory);
@@ -70,14 +73,14 @@ static bool read_error(double *const error)
     return true;
 }
 
-static bool compare(void)
+static bool compare(const double whole)
 {
     double time, step, told, error;
     while (read_number(&time)) {
         if (!read_number(&step) || !read_number(&told)) {
             return false;
         }
-        iso_plant_start(plant);
+        signals_start(plant, whole);
         for (size_t i = 0; i < plant->model->states; i++) {
             double value;
             if (!read_number(&value)) {
@@ -106,13 +109,13 @@ int main(const int argc, char **const argv)
             return EXIT_FAILURE;
         }
         tell(strtod(argv[2], NULL), steps);
-    } else if (argc == 2 && strcmp(argv[1], "true") == 0) {
-        if (!compare()) {
+    } else if (argc == 3 && strcmp(argv[1], "true") == 0) {
+        if (!compare(strtod(argv[2], NULL))) {
             fputs("local: a line that is cut off\n", stderr);
             return EXIT_FAILURE;
         }
     } else {
-        fputs("usage: local told TIME STEPS | local true\n", stderr);
+        fputs("usage: local told TIME STEPS | local true TIME\n", stderr);
         return EXIT_FAILURE;
     }
     return EXIT_SUCCESS;

@@ -138,6 +138,31 @@ start()
     time=$2
     tick=$3
     : >"$dir/reference.txt"
+    rest
+}
+
+# rest: sets and exports STEADY, of signals_start: `yes` where the scene rests with the inputs that it has at its start, and
+# with others has a motion that the reference can follow; and `resting`, why it is as it is, for whoever reads the result.
+rest()
+{
+    export STEADY=
+    resting=
+    [ "$("$dir/reference-rk4/drive" rests "$time" $((4 * coarsest)))" = yes ] || return 0
+    resting="The scene rests, and no method errs."
+    [ "$inputs" -gt 0 ] || return 0
+    STEADY=yes
+    if [ "$("$dir/reference-rk4/drive" rests "$time" $((4 * coarsest)))" = yes ]; then
+        STEADY=
+        resting="The scene rests with the inputs that it has at its start, and with the largest of their functions: no method errs."
+    elif (reference "$time") 2>"$dir/unsteady"; then
+        resting="With the inputs that it has at its start the scene rests: each keeps the largest value of its function of time, or 1 in SI units."
+    else
+        STEADY=
+        resting="The scene rests with the inputs that it has at its start, and no method errs; with the largest of their functions $(sed -n \
+            '1s/^[^:]*: //p' "$dir/unsteady")"
+    fi
+    : >"$dir/reference.txt"
+    echo "$WHAT: $resting" >&2
 }
 
 # reference TIME [KIND MODE]: adds to $dir/reference.txt a line: the time, how much the two methods differ there, and the
@@ -159,7 +184,7 @@ reference()
 kept_name()
 {
     {
-        echo "$* $coarsest $REFERENCE_METHODS"
+        echo "$* $coarsest $REFERENCE_METHODS $STEADY"
         for method in $REFERENCE_METHODS; do
             cat "$dir/${2:-reference}-$method/drive"
         done

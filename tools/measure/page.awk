@@ -51,7 +51,6 @@ function put_errors(unit, r, kinds, k, kind, best, cheap)
         if (cell[r, 5] == "inf" || !(k in best) || cell[r, 5] + 0 > 1000 * cell[best[k], 5]) continue
         if (!(k in cheap) || cell[r, 8] + 0 < cell[cheap[k], 8] + 0) cheap[k] = r
     }
-    if (!kinds) print "<p>While its inputs keep their values at the start the scene is at rest, and no method errs.</p>"
     print "<ul>"
     for (k = 1; k <= kinds; k++) {
         r = best[kind[k]]

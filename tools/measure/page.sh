@@ -70,7 +70,7 @@ local_errors()
     done
     "$dir/checked-$method/local" told "$time" $((4 * coarsest)) >"$dir/local.txt" && {
         printf 'time_s\ttold\terror\tratio\tstep_s\tmethod\n'
-        "$dir/reference-rk4/local" true <"$dir/local.txt" | awk -F '\t' -v OFS='\t' -v step="$step" -v method="$method" '
+        "$dir/reference-rk4/local" true "$time" <"$dir/local.txt" | awk -F '\t' -v OFS='\t' -v step="$step" -v method="$method" '
             { print $0, ($3 > 0 ? sprintf("%.3g", $2 / $3) : "-"), step, method }'
     } >"$dir/local_error.tsv"
     sh tools/plot/picture.sh local_error "$NAME" "$dir/local_error.tsv" >"$dir/local_error.gnuplot" &&
@@ -250,7 +250,7 @@ END
 END
     motion
     section "Error over cost and step" errors report work_precision \
-        "The error of the state at the end, as a 2-norm over all states in SI units, for every method, step and number type."
+        "The error of the state at the end, as a 2-norm over all states in SI units, for every method, step and number type. ${resting:-Inputs keep their values at the start.}"
     section "Error over cycles" errors cycles cycles \
         "The same over the cycles of a step on <code>cortex-m4f</code>: the most by its published timings. For this machine there are none: above, all costs are instructions."
     [ ! -s "$dir/unlooped" ] || echo "<p>In a loop nothing is measured: two methods do not agree on what is right.</p>"

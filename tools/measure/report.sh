@@ -29,7 +29,7 @@ compute reference -f tools/measure/errors.awk "$dir/reference.txt" "$dir/measure
     mv "$dir/report.tsv.new" "$dir/report.tsv" || exit 1
 {
     echo "$NAME after $time s: error of the state, 2-norm over all states in SI units (m, rad, s)"
-    echo "Inputs keep their values at the start. The time of a float is the sum of its steps as float has them."
+    echo "${resting:-Inputs keep their values at the start.} The time of a float is the sum of its steps as float has them."
     awk '{ print "Reference after " $1 " s: rk4 and abm4_pecece in double with compensated sums; they differ by " $2 }' \
         "$dir/reference.txt"
     echo

@@ -62,6 +62,32 @@ static inline void signals_waves(signals *const s, const iso_plant *const plant,
     iso_plant_start(plant);
 }
 
+/* Starts a plant whose inputs keep their values for so long: those at its start. If the environment has STEADY, which it
+ * has for all plants of a measurement alike, each keeps the value with which its function of time is largest until then;
+ * without a function, or where that is 0, 1 in SI units. */
+static inline void signals_start(const iso_plant *const plant, const double time)
+{
+    const char *const steady = getenv("STEADY");
+    const uint32_t ticks = (uint32_t)(time / (double)plant->model->step_size + 0.5);
+    real largest[SIGNALS_MOST] = {R(0.0)};
+    iso_plant_start(plant);
+    if (steady == NULL || *steady == '\0') {
+        return;
+    }
+    for (uint32_t k = 0; plant->model->drive != NULL && k < ticks; k++) {
+        plant->model->drive(plant->memory, k);
+        for (size_t i = 0; i < plant->model->inputs && i < SIGNALS_MOST; i++) {
+            largest[i] = iso_abs(plant->u[i]) > iso_abs(largest[i]) ? plant->u[i] : largest[i];
+        }
+    }
+    for (size_t i = 0; i < plant->model->inputs && i < SIGNALS_MOST; i++) {
+        plant->u[i] = iso_abs(largest[i]) > R(0.0) ? largest[i] : R(1.0);
+    }
+    if (plant->model->prime != NULL) {
+        plant->model->prime(plant->memory);
+    }
+}
+
 /* A line for each tick, with a number for each input, and blanks or commas between them. */
 static inline void signals_recorded(signals *const s, const char *const path)
 {
