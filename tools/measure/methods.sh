@@ -15,10 +15,14 @@
 TOLERANCE= # of adams; empty for the methods of a fixed step
 
 # prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C takes its method from core/runtime/choice.h.
+# Values of effects that follow from the method and its step are in all those of the scene's own: else each method would
+# have other equations, and none of them a reference.
 prepare()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"
-    rm -rf "$dir/told" && mkdir -p "$dir/told" || exit 1
+    rm -rf "$dir/told" && mkdir -p "$dir/told" "$dir/own" || exit 1
+    : >"$dir/own/plant.txt"
+    [ "${SCENE%.c}" != "$SCENE" ] || build/isoc "$SCENE" -o "$dir/own" ${STEP:+--step "$STEP"} >"$dir/own/plant.txt" 2>/dev/null
     for kind in float compensated double reference smooth_float smooth smooth_reference; do
         mkdir -p "$dir/$kind" || exit 1
         case $kind in
@@ -30,7 +34,8 @@ prepare()
             cp "$SCENE" "$dir/$kind/$NAME.c"
             ;;
         *)
-            { elsewhere "$SCENE" | sed '/^ *compensated /d' && echo && echo "compensated $compensated"; } >"$dir/$kind/$NAME.scene"
+            { elsewhere "$SCENE" | sed '/^ *compensated /d' | compute same "$dir/own/plant.txt" - && echo && echo "compensated $compensated"; } \
+                >"$dir/$kind/$NAME.scene"
             ;;
         esac || exit 1
     done

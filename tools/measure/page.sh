@@ -63,7 +63,7 @@ local_errors()
     method=$(own_method)
     [ -n "$method" ] && ! grep -q '^ *substeps ' "$SCENE" || return 0
     mkdir -p "$dir/checked"
-    { elsewhere "$SCENE" | sed '/^ *checked /d' && printf '\nchecked yes\n'; } >"$dir/checked/$NAME.scene"
+    { elsewhere "$SCENE" | sed '/^ *checked /d' | compute same "$dir/own/plant.txt" - && printf '\nchecked yes\n'; } >"$dir/checked/$NAME.scene"
     (variable checked "$method") >"$dir/checked/said" 2>&1 || return 0
     for of in checked-$method reference-rk4; do
         $COMPILE -DISO_REAL_DOUBLE tools/measure/local.c "$dir/$of/plant.o" -o "$dir/$of/local" -lm || exit 1
