@@ -1,7 +1,7 @@
 # Parts of the page of a report, as HTML. Each number in a text is made of a cell of a table, and says which: data-cell has the file,
 # the line and the column; tests/check/report.sh looks them up.
 #
-#     awk -v part=table|errors|growth|local_error|account|nearness|tick|regions -v file=NAME.tsv -f page.awk FILE
+#     awk -v part=table|errors|growth|local_error|account|nearness|singular|tick|regions -v file=NAME.tsv -f page.awk FILE
 BEGIN { FS = "\t" }
 
 function escaped(text)
@@ -101,6 +101,19 @@ function put_nearness()
         printf "<p>Of %s ticks %s are near a singular position of the closures.</p>\n", number(2, 1), number(2, 2)
 }
 
+# Where the least pivot is, and the largest change and violation.
+function put_singular(r, least, change, apart)
+{
+    least = change = apart = 2
+    for (r = 3; r <= NR; r++) {
+        if (cell[r, 2] + 0 < cell[least, 2] + 0) least = r
+        if (cell[r, 3] + 0 > cell[change, 3] + 0) change = r
+        if (cell[r, 4] + 0 > cell[apart, 4] + 0) apart = r
+    }
+    printf "<p>The least pivot is %s of its largest, at %s s; the largest change in a step is by a factor of %s, at %s s; the largest " \
+        "violation is %s, at %s s.</p>\n", number(least, 2), number(least, 1), number(change, 3), number(change, 1), number(apart, 4), number(apart, 1)
+}
+
 function put_account(r)
 {
     print "<ul>"
@@ -149,6 +162,7 @@ END {
     if (part == "growth") put_growth()
     if (part == "local_error") put_local_error()
     if (part == "nearness") put_nearness()
+    if (part == "singular") put_singular()
     if (part == "account") put_account()
     if (part == "tick") put_tick()
     if (part == "regions") put_regions()

@@ -123,6 +123,36 @@ nearness()
             print "ticks", "near", "first_s", "closure"
             print ticks, near + 0, near ? first : "-", near ? closure : "-"
         }' "$dir/account/summary.txt" >"$dir/nearness.tsv"
+    curves_of_nearness
+}
+
+# curves_of_nearness: singular.tsv and singular.svg, over the time: what nearness.c tells of the pivots in the account's run, and the
+# largest violation in the same ticks.
+curves_of_nearness()
+{
+    [ -s "$dir/account/trace.csv" ] || return 0
+    $COMPILE -include tools/measure/pivots.h -c "$dir/account/plant.c" -o "$dir/account/watched.o" &&
+        $COMPILE tools/measure/nearness.c "$dir/account/watched.o" -o "$dir/account/nearness" || exit 1
+    "$dir/account/nearness" "$(awk '$1 == "ticks" { print $2 }' "$dir/account/summary.txt")" 400 >"$dir/account/near.txt" || exit 1
+    awk -v OFS='\t' '
+        FNR == 1 { file++ }
+        file == 1 { end[FNR] = $1; least[FNR] = $2; change[FNR] = $3; rows = FNR; next }
+        FNR == 1 {
+            n = split($0, name, ",")
+            for (c = 1; c <= n; c++) if (name[c] == "report_violation") column = c
+            row = 1
+            FS = ","
+            next
+        }
+        row <= rows {
+            if ($column + 0 > most[row] + 0) most[row] = $column
+            if (FNR - 2 == end[row]) time[row++] = $1
+        }
+        END {
+            print "time_s", "least_pivot", "largest_change", "violation"
+            for (i = 1; i < row; i++) print time[i], least[i], change[i], most[i] + 0
+        }' "$dir/account/near.txt" "$dir/account/trace.csv" >"$dir/singular.tsv"
+    sh tools/plot/picture.sh singular "$NAME" "$dir/singular.tsv" >"$dir/singular.gnuplot" && sh tools/plot/draw.sh "$dir/singular.gnuplot" >/dev/null
 }
 
 # cycle_costs: cycles.tsv, in the columns of report.tsv, and cycles.svg: the errors in float over the cycles of steps without a
@@ -261,6 +291,8 @@ END
     section "Energy and balance" account account account \
         "Of a run in float. The balance is the power that the energy does not explain."
     section "Singular positions" nearness nearness "" ""
+    section "Nearness and violation" singular singular singular \
+        "A pivot of the closures falls to nearly nothing at a singular position: the least of all, over the largest that the same has in this run; how much one changes in a step, which says whether the step is short enough to see it; and how far the loops come apart."
     section "Stability" regions regions regions \
         "A method keeps stable what lies to the left of its curve, or within it: the growth of its own step is one there. The points are the step times the eigenvalues at the start and at the end; some may lie outside of the picture. Of <code>adams</code> the step is that of a sub-step; <code>bdf4</code> and <code>rosenbrock</code> know fast decays only as the Jacobian at the start of a step has them."
     section "The dearest tick" tick tick "" "Its parts by published timings of the core."
@@ -270,7 +302,7 @@ END
 
 # The parts of the page that are made, if the environment names no others.
 : "${REPORT_PARTS=cycle_costs grow local_errors account nearness tick_parts eigenvalues prices motion}"
-(cd "$dir" && rm -f cycles.tsv growth.tsv local_error.tsv account.tsv nearness.tsv tick.tsv regions.tsv effects.tsv)
+(cd "$dir" && rm -f cycles.tsv growth.tsv local_error.tsv account.tsv nearness.tsv tick.tsv regions.tsv effects.tsv singular.tsv)
 for making in $REPORT_PARTS; do
     [ "$making" = motion ] || { now_doing "the page: $making" && $making; }
 done

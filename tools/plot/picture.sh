@@ -10,6 +10,7 @@
 #     picture.sh effects SCENE TARGET effects.tsv
 #     picture.sh growth SCENE growth.tsv
 #     picture.sh local_error SCENE local_error.tsv
+#     picture.sh singular SCENE singular.tsv
 #     picture.sh regions SCENE METHOD regions.tsv
 #     picture.sh compare DIRECTORY DIRECTORY
 #     picture.sh differences DIRECTORY DIRECTORY      as a table

@@ -1,0 +1,107 @@
+/* How near a run comes to singular positions of closed loops. Compiled with a plant that tools/measure/pivots.h was read
+ * before, in its real.
+ *
+ *     nearness TICKS ROWS    runs as make run does, and prints at most so many rows, each of as many ticks: the ticks
+ *                            until its end; the least pivot, over the largest that the same pivot has in the run; and
+ *                            the largest factor by which one changed in a step
+ */
+#include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "core/runtime/tick.h"
+#include "tools/measure/pivots.h"
+
+real report_pivots[REPORT_PIVOTS_MOST];
+size_t report_pivot_count;
+
+static const iso_plant *const plant = &iso_the_plant;
+
+typedef struct run {
+    real *pivots; /* [ticks count] */
+    size_t ticks, count;
+    real largest[REPORT_PIVOTS_MOST];
+} run;
+
+static void fail(const char *const what)
+{
+    fprintf(stderr, "nearness: %s\n", what);
+    exit(EXIT_FAILURE);
+}
+
+static void note(run *const r)
+{
+    const size_t count = report_pivot_count;
+    if (r->pivots == NULL) {
+        r->pivots = malloc(r->ticks * count * sizeof *r->pivots);
+        r->count = count;
+        r->ticks = 0;
+    }
+    if (r->pivots == NULL || count == 0) {
+        fail("no pivots are watched, or there is no memory for them");
+    }
+    memcpy(r->pivots + r->ticks * count, report_pivots, count * sizeof *report_pivots);
+    for (size_t k = 0; k < count; k++) {
+        r->largest[k] = report_pivots[k] > r->largest[k] ? report_pivots[k] : r->largest[k];
+    }
+    r->ticks++;
+}
+
+static run run_for(const size_t ticks)
+{
+    run r = {.ticks = ticks};
+    iso_plant_start(plant);
+    for (uint64_t tick = 0; tick < ticks; tick++) {
+        iso_plant_drive(plant, tick);
+        (void)iso_plant_admit(plant);
+        (void)iso_plant_step(plant);
+        note(&r);
+        const uint32_t finished = plant->model->finish(plant->memory);
+        if (finished != ISO_WELL && finished != ISO_HELD) {
+            break;
+        }
+    }
+    return r;
+}
+
+/* How many times as large the larger of two pivots is; infinite where one is not above zero. */
+static double change(const real a, const real b)
+{
+    if (!(a > R(0.0) && b > R(0.0))) {
+        return DBL_MAX;
+    }
+    return a > b ? (double)a / (double)b : (double)b / (double)a;
+}
+
+static void put_row(const run *const r, const size_t first, const size_t end)
+{
+    double least = 1.0, most = 1.0;
+    for (size_t tick = first; tick < end; tick++) {
+        const real *const now = r->pivots + tick * r->count;
+        for (size_t k = 0; k < r->count; k++) {
+            const double part = (double)now[k] / (double)r->largest[k];
+            const double changed = tick == 0 ? 1.0 : change(now[k], (now - r->count)[k]);
+            least = part < least ? part : least;
+            most = changed > most ? changed : most;
+        }
+    }
+    printf("%zu %.6g %.6g\n", end, least, most);
+}
+
+int main(const int argc, char **const argv)
+{
+    if (argc != 3) {
+        fail("usage: nearness TICKS ROWS");
+    }
+    const size_t ticks = strtoul(argv[1], NULL, 10), rows = strtoul(argv[2], NULL, 10);
+    if (ticks == 0 || rows == 0) {
+        fail("no ticks, or no rows");
+    }
+    const run r = run_for(ticks);
+    const size_t each = (ticks + rows - 1) / rows;
+    for (size_t first = 0; first < r.ticks; first += each) {
+        put_row(&r, first, first + each < r.ticks ? first + each : r.ticks);
+    }
+    free(r.pivots);
+    return EXIT_SUCCESS;
+}

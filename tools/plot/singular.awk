@@ -1,0 +1,41 @@
+# How near a run comes to singular positions of its closed loops, and how far these come apart: the table singular.tsv of a
+# report.
+#
+#     singular SCENE singular.tsv
+BEGIN {
+    FS = "\t"
+    scene = ARGV[1]
+    ARGV[1] = ""
+    split("least pivot:largest change of a pivot in a step:violation", title, ":")
+    split("#0067a5 #c2185b #d1590a", its_colour, " ")
+}
+
+FNR > 1 {
+    last = $1 + 0
+    for (i = 1; i <= 3; i++) {
+        if (!($(i + 1) + 0 > 0)) continue
+        points[i] = points[i] $1 " " $(i + 1) "\n"
+        low[i] = low[i] == "" ? $(i + 1) + 0 : smaller(low[i], $(i + 1) + 0)
+        high[i] = larger(high[i], $(i + 1) + 0)
+    }
+}
+
+END {
+    if (!last) exit
+    for (i = 1; i <= 3; i++) if (i in points) put_block("points_" i, points[i])
+    print "# size 900 560\nset multiplot"
+    put_style()
+    print "set logscale y\nset mytics 1"
+    printf "set xrange [0:%.9g]\n", last
+    print "set label 2 " quoted(scene ": nearness to singular positions, and how far loops come apart") " noenhanced at screen 0.11, 0.965 left font ',14'"
+    for (i = 1; i <= 3; i++) {
+        if (!(i in points)) continue
+        put_place(0.11, 0.975, 1.19 - 0.3 * i - 0.02, 1.19 - 0.3 * i - 0.22)
+        put_decades("y", power_of_ten(decade_below(low[i])), power_of_ten(decade_above(high[i] * 1.0001)), 1)
+        print "set label 1 " quoted(title[i]) " noenhanced at graph 0, 1 offset 0, 0.6 left font ',11'"
+        print i == 3 ? "set xlabel 't, s'\nset format x '%g'" : "unset xlabel\nset format x ''"
+        print "plot $points_" i " with lines linewidth 1.3 linecolor rgb '" its_colour[i] "' title '" title[i] "'"
+        print "unset label 2"
+    }
+    print "unset multiplot"
+}
