@@ -174,6 +174,28 @@ echo >"$out/near/account/plant.c"
 ! near 'singular position'
 result $? "where nothing is watched the page says nothing of them"
 
+# Where loops come near singular positions: a parallelogram that is stretched, and folded, within a second.
+(
+    SCENE=models/parallelogram.scene NAME=parallelogram WHAT=near dir=$out/stretched REPORT_PARTS="account nearness" STEP='' NANOSECONDS=1000000000
+    COMPILE="$CC $FLAGS -O1" && mkdir -p "$dir"
+    . tools/measure/common.sh
+    . tools/measure/page.sh
+) 2>"$out/errors"
+awk -F '\t' '
+    FNR == 1 { file++ }
+    file == 1 && $1 == "violation" { most = $6 }
+    file == 2 && FNR > 1 {
+        if ($2 < least || least == "") { least = $2; at = $1 }
+        change = $3 > change ? $3 : change
+        apart = $4 > apart ? $4 : apart
+    }
+    END { exit !(FNR > 300 && least < 1e-4 && at > 0.55 && at < 0.65 && change > 10 && apart == most && most > 0) }' \
+    "$out/stretched/account.tsv" "$out/stretched/singular.tsv"
+expect $? "a parallelogram that is stretched: the least pivot there, and the violation that its account has"
+awk -F '\t' -v OFS='\t' 'FNR > 1 { print "|t, s", "violation, m or rad", $1, $4 }' "$out/stretched/singular.tsv" >"$out/points"
+shows "$out/stretched/singular.svg" && python3 tests/check/cells.py "$out/stretched/report.html" "$out/stretched" >/dev/null
+result $? "it has a picture, and each number of it is a cell"
+
 # What growth.tsv says of the end is what report.tsv says of the scene's step.
 awk -F '\t' '
     FNR == NR { if ($2 == "rk4" && $3 > 0.00099 && $3 < 0.00101) error[$1] = $5; next }
@@ -186,6 +208,9 @@ awk -F '\t' '
     $1 == "ab4" && ($3 < 0 ? -$3 : $3) < 1e-3 && $2 < ab4 { ab4 = $2 }
     END { exit !(rk4 < -2.784 && rk4 > -2.786 && ab4 < -0.2999 && ab4 > -0.3001) }' "$folder/regions.tsv"
 result $? "the regions of rk4 and ab4 end at -2.785 and -0.3"
+build/isoc --methods | awk -F ' *[|] *' 'NR > 2 { print $2 }' | sort >"$out/wanted"
+cut -f 1 "$folder/regions.tsv" | sort -u | grep -vx 'what\|eigenvalue' | diff - "$out/wanted" >"$out/diff"
+expect $? "every method has one"
 build/isoc --methods >"$out/methods.md"
 ordered "$tsv" "$out/methods.md"
 result $? "errors fall with the order of the method"

@@ -147,11 +147,13 @@ start()
 }
 
 # rest: sets and exports STEADY, of signals_start: `yes` where the scene rests with the inputs that it has at its start, and
-# with others has a motion that the reference can follow; and `resting`, why it is as it is, for whoever reads the result.
+# with others has a motion that the reference can follow; and `resting`, why it is as it is, for whoever reads the result,
+# without a number.
 rest()
 {
     export STEADY=
     resting=
+    : >"$dir/unsteady"
     [ "$("$dir/reference-rk4/drive" rests "$time" $((4 * coarsest)))" = yes ] || return 0
     resting="The scene rests, and no method errs."
     [ "$inputs" -gt 0 ] || return 0
@@ -160,14 +162,14 @@ rest()
         STEADY=
         resting="The scene rests with the inputs that it has at its start, and with the largest of their functions: no method errs."
     elif (reference "$time") 2>"$dir/unsteady"; then
-        resting="With the inputs that it has at its start the scene rests: each keeps the largest value of its function of time, or 1 in SI units."
+        resting="With the inputs that it has at its start the scene rests: each keeps the largest value of its function of time, or one SI unit."
     else
         STEADY=
-        resting="The scene rests with the inputs that it has at its start, and no method errs; with the largest of their functions $(sed -n \
-            '1s/^[^:]*: //p' "$dir/unsteady")"
+        resting="The scene rests with the inputs that it has at its start, and no method errs; with the largest of their functions two methods do not agree on what is right."
     fi
     : >"$dir/reference.txt"
     echo "$WHAT: $resting" >&2
+    [ ! -s "$dir/unsteady" ] || cat "$dir/unsteady" >&2
 }
 
 # reference TIME [KIND MODE]: adds to $dir/reference.txt a line: the time, how much the two methods differ there, and the

@@ -6,7 +6,7 @@ BEGIN {
     FS = "\t"
     scene = ARGV[1]
     ARGV[1] = ""
-    split("least pivot:largest change of a pivot in a step:violation", title, ":")
+    split("least pivot:largest change of a pivot in a step:violation, m or rad", title, ":")
     split("#0067a5 #c2185b #d1590a", its_colour, " ")
 }
 
@@ -30,7 +30,7 @@ END {
     print "set label 2 " quoted(scene ": nearness to singular positions, and how far loops come apart") " noenhanced at screen 0.11, 0.965 left font ',14'"
     for (i = 1; i <= 3; i++) {
         if (!(i in points)) continue
-        put_place(0.11, 0.975, 1.19 - 0.3 * i - 0.02, 1.19 - 0.3 * i - 0.22)
+        put_place(0.11, 0.975, 1.19 - 0.3 * i, 1.19 - 0.3 * i - 0.2)
         put_decades("y", power_of_ten(decade_below(low[i])), power_of_ten(decade_above(high[i] * 1.0001)), 1)
         print "set label 1 " quoted(title[i]) " noenhanced at graph 0, 1 offset 0, 0.6 left font ',11'"
         print i == 3 ? "set xlabel 't, s'\nset format x '%g'" : "unset xlabel\nset format x ''"
