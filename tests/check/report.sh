@@ -338,6 +338,23 @@ call report SCENE=models/oscillator.c METHODS=bdf4 STEP=2ms SECONDS=2
 expect $? "make report of a plant in C"
 
 if [ "$turn" != 1 ]; then
+    # At rest while its input is 0, and with dry friction, whose creep would be another for each method.
+    sed '/^method/d; s/^step .*/step 1 ms; method heun/' <<'END' >"$out/project/resting.scene"
+step 1 ms
+input push = table(0 s: 0 N, 0.1 s: 3 N, 1 s: 2 N)
+body cart { mass 1 kg; com (0, 0, 0) m }
+joint rail prismatic { parent ground; child cart; axis x; drive push; spring 40 N/m }
+effect rub friction { along rail; sliding 0.5 N; static 1 N }
+output place = position of rail
+END
+    call report SCENE=resting.scene METHODS=rk4 SECONDS=0.2
+    rested=$out/project/build/report/resting-*
+    # shellcheck disable=SC2086
+    grep -q 'each keeps the largest value of its function' $rested/report.txt && grep -q 'largest value of its function' $rested/report.html &&
+        awk -F '\t' 'FNR > 1 { n++; if (!($5 > 0)) bad = 1 } END { exit bad || n != 18 }' $rested/report.tsv &&
+        [ "$(sed -n 's/.*stable rub.creep//p' $rested/own/plant.txt | wc -l)" -eq 1 ] && ! grep -q stable $rested/double-rk4/plant.txt
+    expect $? "a scene that rests with the inputs of its start: with others every step has an error, of the same equations"
+
     call report SCENE=models/cart_pole.scene METHODS="rk4 ab4" SECONDS=1
     expect $? "make report of a scene with an input"
 

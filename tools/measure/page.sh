@@ -150,7 +150,7 @@ curves_of_nearness()
         }
         END {
             print "time_s", "least_pivot", "largest_change", "violation"
-            for (i = 1; i < row; i++) print time[i], least[i], change[i], most[i] + 0
+            for (i = 1; i < row; i++) print time[i], least[i], change[i], (i in most ? most[i] : 0)
         }' "$dir/account/near.txt" "$dir/account/trace.csv" >"$dir/singular.tsv"
     sh tools/plot/picture.sh singular "$NAME" "$dir/singular.tsv" >"$dir/singular.gnuplot" && sh tools/plot/draw.sh "$dir/singular.gnuplot" >/dev/null
 }

@@ -30,7 +30,7 @@ END {
     print "set label 2 " quoted(scene ": nearness to singular positions, and how far loops come apart") " noenhanced at screen 0.11, 0.965 left font ',14'"
     for (i = 1; i <= 3; i++) {
         if (!(i in points)) continue
-        put_place(0.11, 0.975, 1.19 - 0.3 * i, 1.19 - 0.3 * i - 0.2)
+        put_place(0.11, 0.975, 1.185 - 0.29 * i, 1.185 - 0.29 * i - 0.19)
         put_decades("y", power_of_ten(decade_below(low[i])), power_of_ten(decade_above(high[i] * 1.0001)), 1)
         print "set label 1 " quoted(title[i]) " noenhanced at graph 0, 1 offset 0, 0.6 left font ',11'"
         print i == 3 ? "set xlabel 't, s'\nset format x '%g'" : "unset xlabel\nset format x ''"
