@@ -25,7 +25,7 @@
 ##     ERROR='1 mm of tip; 1 deg of theta' for choose: how far outputs may be from the exact motion; LOAD=50%: what it may take of the chip
 ##     RECORDED=FILE                       for report, bench and choose: inputs of a controller, a line for each tick
 ##     OUTPUTS=speed,current               for plot: what to draw over time, instead of all
-##     AGAINST='REAL=double | WITHOUT=rub' for show: further runs beside the first; what is other in each
+##     AGAINST='REAL=double | WITHOUT=rub' for show: further runs beside the first; what is other in each, or the name of a kept run
 ##     STILL=1.5                           for show: a picture of this time, show.svg, instead of the page
 ##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600, of hil: 60, of conform: 0.02
 ##     TARGET=host|posix|cortex-m4f|...    where to run: on this machine in virtual time or in real time, or on a board in QEMU: port/README.md

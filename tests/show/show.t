@@ -24,6 +24,8 @@ result $? "a page needs nothing but itself"
 call show SCENE=models/double_pendulum.scene SECONDS=2 STILL=0.3 &&
     cp "$out/project/build/host/float/double_pendulum/show.svg" "$out/single.svg"
 expect $? "a still"
+call run SCENE=models/double_pendulum.scene STEP=4ms SECONDS=1 KEEP=before && page kept SCENE=models/double_pendulum.scene SECONDS=2 AGAINST='before | REAL=double'
+expect $? "a run that was kept"
 ! call show SCENE=models/double_pendulum.scene AGAINST='rub' && grep -q "'rub' is no variable of a run" "$out/errors"
 expect $? "told: what is no variable"
 ! call show SCENE=models/oscillator.c && grep -q 'make show is of scenes' "$out/errors"

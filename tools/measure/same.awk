@@ -1,10 +1,26 @@
 # A scene in which values of effects that follow from step and method are written, so that they are the same for all
-# methods: reads what isoc says of them, lines `stable EFFECT.VALUE NUMBER UNIT`, then the scene as `-`.
+# methods: reads what isoc says of them, lines `stable EFFECT.VALUE NUMBER UNIT`, then the scene as `-`. What it includes
+# stands in the place of the statement where that has a line of its own.
 FILENAME != "-" {
     if ($1 == "stable" && split($2, name, ".") == 2) written[name[1]] = written[name[1]] " " name[2] " " $3 " " $4 ";"
     next
 }
-$1 == "effect" && ($2 in written) && (brace = index($0, "{")) {
-    $0 = substr($0, 1, brace) written[$2] substr($0, brace + 1)
+{ put($0, "") }
+
+# A line of a file in this folder, which ends with a slash.
+function put(text, folder, word, brace, path, inner, line)
+{
+    split(text, word, " ")
+    if (text ~ /^ *include *"[^"]*" *(#.*)?$/) {
+        split(text, word, "\"")
+        path = word[2] ~ /^\// ? word[2] : folder word[2]
+        inner = path
+        sub(/[^\/]*$/, "", inner)
+        while ((getline line < path) > 0) put(line, inner)
+        close(path)
+        return
+    }
+    if (word[1] == "effect" && (word[2] in written) && (brace = index(text, "{")))
+        text = substr(text, 1, brace) written[word[2]] substr(text, brace + 1)
+    print text
 }
-{ print }

@@ -4,8 +4,8 @@
  *     show page FOLDER { LABEL SHAPE COMMAND }            the page, by the template in the folder
  *     show still SECONDS SHAPE COMMAND                    a picture of that time, as SVG
  *
- * SHAPE is what `isoc SCENE --shape` prints. COMMAND runs the plant of the former scene, and writes its stream. All goes to the
- * standard output.
+ * SHAPE is what `isoc SCENE --shape` prints. COMMAND runs the plant of the former scene, and writes its stream. With `-` as
+ * SHAPE it is the folder of a run that was kept, which has outputs alone. All goes to the standard output.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,6 +44,9 @@ static int write_scene(const char *path, const char *shape_path)
 
 static run run_of(const char *label, const char *shape_path, const char *command)
 {
+    if (strcmp(shape_path, "-") == 0) {
+        return (run){.label = label, .record = record_kept(command)};
+    }
     run r = {.label = label, .shape = shape_read(shape_path)};
     r.record = record_run(command, r.shape.bodies);
     r.figure = figure_of(&r.shape, &r.record);

@@ -4,6 +4,8 @@ const data = JSON.parse(document.getElementById("data").textContent);
 const runs = data.runs.map((one) => new Run(one));
 const cameras = runs.map(() => new Camera(data.view));
 const element = (id) => document.getElementById(id);
+// Those with a mechanism: a run that was kept has outputs alone.
+const moving = runs.map((run, r) => r).filter((r) => runs[r].bodies > 0);
 const canvas = element("scene"), end = Math.max(...runs.map((run) => run.end));
 const state = {time: 0, playing: false, speed: 1, sideBySide: false, before: 0};
 
@@ -71,14 +73,14 @@ function draw() {
     }
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
-    const places = state.sideBySide ? runs.length : 1;
-    runs.forEach((run, r) => {
-        const left = state.sideBySide ? r * width / places : 0;
+    const places = state.sideBySide ? moving.length : 1;
+    moving.forEach((r, place) => {
+        const left = state.sideBySide ? place * width / places : 0;
         drawRun(context, r, left, width / places, height, style, !state.sideBySide && r > 0);
         if (state.sideBySide) {
             context.fillStyle = style.run[r % style.run.length];
             context.font = "13px system-ui, sans-serif";
-            context.fillText(run.label, left + 8, 18);
+            context.fillText(runs[r].label, left + 8, 18);
         }
     });
     plots.forEach((plot) => plot.draw(state.time, style));
@@ -183,12 +185,12 @@ canvas.addEventListener("wheel", (e) => {
 
 function about(run) {
     const step = run.tick < 1e-3 ? `${Number((run.tick * 1e6).toPrecision(6))} us` : `${Number((run.tick * 1e3).toPrecision(6))} ms`;
-    return `${run.method}, step ${step}, ${run.real}` + (run.stopped ? `; ends at ${run.end.toPrecision(4)} s: ${run.stopped}` : "");
+    return [run.method, `step ${step}`, run.real, run.bodies > 0 ? "" : "kept: its outputs alone"].filter(Boolean).join(", ") + (run.stopped ? `; ends at ${run.end.toPrecision(4)} s: ${run.stopped}` : "");
 }
 
 element("about").textContent = runs.length === 1 ? about(runs[0]) : "";
 if (runs.length > 1) {
-    element("layout").hidden = false;
+    element("layout").hidden = moving.length < 2;
     element("legend").append(...runs.map((run, r) => {
         const item = document.createElement("li"), mark = document.createElement("i");
         mark.style.background = `var(--run${r % 6})`;

@@ -127,6 +127,71 @@ record record_run(const char *command, size_t bodies)
     return r;
 }
 
+/* A table of the folder. */
+static table table_in(const char *folder, const char *name, char separator)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return table_read(path, separator);
+}
+
+/* What the summary says of a key; "" if nothing. */
+static const char *said(const table *summary, const char *key)
+{
+    for (size_t i = 0; i < summary->rows; i++) {
+        if (strcmp(table_text(summary, i, 0), key) == 0) {
+            return table_text(summary, i, 1);
+        }
+    }
+    return "";
+}
+
+/* Column 0 of the trace is the time, and row 0 has the names. */
+static void take_trace(record *r, const table *trace, size_t stride)
+{
+    const size_t rows = trace->rows - 1;
+    for (size_t row = 0; row < rows; row++) {
+        const size_t frame = (row + stride - 1) / stride;
+        const bool is_first = row == 0 || (row - 1) % stride == 0;
+        for (size_t i = 0; i < r->columns; i++) {
+            const size_t at = frame * r->columns + i;
+            const float x = (float)table_number(trace, row + 1, i + 1);
+            r->least[at] = is_first || x < r->least[at] ? x : r->least[at];
+            r->most[at] = is_first || x > r->most[at] ? x : r->most[at];
+            r->value[at] = x;
+        }
+        r->frames = row % stride == 0 ? frame + 1 : r->frames;
+    }
+}
+
+record record_kept(const char *folder)
+{
+    static table trace, units, summary;
+    record r = {.frames = 0};
+    trace = table_in(folder, "trace.csv", ',');
+    units = table_in(folder, "units.csv", ',');
+    summary = table_in(folder, "summary.txt", ' ');
+    if (trace.rows < 3 || table_cells(&trace, 0) < 2 || units.rows < 2) {
+        fail("a run that is kept has no rows");
+    }
+    r.columns = table_cells(&trace, 0) - 1;
+    const size_t rows = trace.rows - 1, wanted = frames_wanted(3 * r.columns), stride = (rows + wanted - 1) / wanted;
+    snprintf(r.method, sizeof r.method, "%s", said(&summary, "method"));
+    snprintf(r.real, sizeof r.real, "%s", said(&summary, "real"));
+    r.tick = table_number(&trace, 2, 0) - table_number(&trace, 1, 0);
+    r.interval = r.tick * (double)stride;
+    r.end = table_number(&trace, rows, 0);
+    r.name = trace.cell + 1;
+    r.unit = units.cell + units.first[1] + 1;
+    r.value = table_memory((rows / stride + 2) * r.columns, sizeof *r.value);
+    r.least = table_memory((rows / stride + 2) * r.columns, sizeof *r.least);
+    r.most = table_memory((rows / stride + 2) * r.columns, sizeof *r.most);
+    r.place = table_memory(1, sizeof *r.place);
+    r.place[0] = -1;
+    take_trace(&r, &trace, stride);
+    return r;
+}
+
 int record_column(const record *r, const char *name)
 {
     for (size_t i = 0; i < r->columns; i++) {

@@ -22,6 +22,9 @@ typedef struct record {
 /* Runs the command, which writes a stream (core/application/stream.h). Exits with a message where there is none. */
 record record_run(const char *command, size_t bodies);
 
+/* A run that make keeps in a folder: trace.csv, units.csv and summary.txt. It has no bodies. */
+record record_kept(const char *folder);
+
 /* The column of this name; -1 if there is none. */
 int record_column(const record *r, const char *name);
 

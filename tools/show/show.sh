@@ -3,7 +3,8 @@
 #
 #     SCENE NAME FOLDER NANOSECONDS         the scene, and where all stands; FOLDER.html is the page
 #     METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL
-#     AGAINST                               further runs, with | between: of each what is other, as 'REAL=double | WITHOUT=rub'
+#     AGAINST                               further runs, with | between: of each what is other, as 'REAL=double | WITHOUT=rub'; or
+#                                           a word, the name of a run that make keeps
 #     STILL                                 a time in seconds: FOLDER.svg is a picture of it, in place of the page
 #     COMPILE LINK OBJECTS                  how a plant becomes a program, in the number type REAL
 set -eu
@@ -64,7 +65,8 @@ changed()
             ;;
         *)
             [ -n "$name" ] || {
-                echo "AGAINST: '$word' is no variable of a run; it could be AGAINST='REAL=double | WITHOUT=rub'" >&2
+                echo "AGAINST: '$word' is no variable of a run, and no run is kept as that; it could be AGAINST='REAL=double | WITHOUT=rub', or" \
+                "AGAINST=$word after make run KEEP=$word" >&2
                 exit 1
             }
             value="$value $word"
@@ -92,8 +94,12 @@ while [ -n "$rest" ]; do
     *'|'*) rest=${rest#*|} ;;
     *) rest= ;;
     esac
-    number=$((number + 1))
     one=$(echo "$one" | sed 's/^ *//; s/ *$//')
+    if [ -n "$one" ] && [ -e "build/runs/$one/trace.csv" ]; then
+        set -- "$@" "$one" - "build/runs/$one"
+        continue
+    fi
+    number=$((number + 1))
     say ISOC "$SCENE $one"
     # shellcheck disable=SC2086
     (set -f && changed $one && made $number)
