@@ -344,9 +344,10 @@ step 1 ms
 input push = table(0 s: 0 N, 0.1 s: 3 N, 1 s: 2 N)
 body cart { mass 1 kg; com (0, 0, 0) m }
 joint rail prismatic { parent ground; child cart; axis x; drive push; spring 40 N/m }
-effect rub friction { along rail; sliding 0.5 N; static 1 N }
+include "rub.scene"
 output place = position of rail
 END
+    echo 'effect rub friction { along rail; sliding 0.5 N; static 1 N }' >"$out/project/rub.scene"
     call report SCENE=resting.scene METHODS=rk4 SECONDS=0.2
     rested=$out/project/build/report/resting-*
     # shellcheck disable=SC2086

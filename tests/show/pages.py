@@ -147,6 +147,20 @@ try:
         return most;
     })()""")
     result(0 <= apart < 2e-6, f"the pose of the lower arm has the tip where the output has it: {apart:.1e} m apart")
+    # A run that was kept has no bodies; its curve is drawn, and read at the cursor.
+    browser.open(folder + "/kept.html")
+    kept = browser.run("""(() => {
+        seek(0.5);
+        const one = runs[1], first = runs[0], column = first.names.indexOf("tip_x");
+        return [one.label, one.bodies, one.names.join() === first.names.join(), one.frames, one.end, moving.join(),
+            Math.abs(one.column(0.5, column) - first.column(0.5, column)),
+            document.querySelector("#plots figcaption").textContent, document.querySelectorAll("#legend li")[1].textContent];
+    })()""")
+    result(kept[:6] == ["before", 0, True, 251, 1, "0,2"] and kept[6] < 1e-3 and "kept: its outputs alone" in kept[8],
+           f"a run that was kept is in the plots: {kept}")
+    before = picture("#scene")
+    browser.click("#layout")
+    result(picture("#scene")[1] != before[1] and not browser.said, f"side by side stand those that move: {browser.said}")
     browser.said.clear()
     browser.open(folder + "/fault.html")
     result(len(browser.said) > 0, "found: a page with a fault")
