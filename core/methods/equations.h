@@ -12,6 +12,9 @@
  * (these types do not: this header is C++ as well); an empty one may be NULL. */
 typedef void iso_derivative(real *dx, const real *x, const real *u, const real *p);
 
+/* The same where sines[2 angle_count] has sine and cosine of each of some states. */
+typedef void iso_derivative_by_sines(real *dx, const real *x, const real *u, const real *p, const real *sines);
+
 /* lu[factors] = the factors of 1 - hb J, J[i][j] = df_i/dx_j at x, u, p. */
 typedef void iso_factor(real *lu, const real *x, const real *u, const real *p, real hb);
 
@@ -21,12 +24,15 @@ typedef void iso_solve(real *d, const real *lu);
 /* The equations of motion as a method needs them. */
 typedef struct iso_equations {
     iso_derivative *derivative;
+    iso_derivative_by_sines *by_sines; /* the same, for methods that take the sines of a stage from those of the start; */
+    const uint16_t *angles;            /* [angle_count] and of which states */
+    size_t angle_count;                /* 0: there is none */
     iso_factor *factor; /* these three for implicit methods only */
     iso_solve *solve;
     size_t factors;
     iso_derivative
         *prepared;         /* the derivative at the states of the memory, behind whose history stands what it needs of
-                                 them; NULL: `derivative` */
+                              them, sines first; NULL: `derivative` */
     iso_derivative *rates; /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
     size_t positions;      /* how many of the states are positions, which come first, where `rates` is given */
     const struct iso_adams_options *adams; /* for adams only; NULL for the defaults */

@@ -48,6 +48,21 @@ ISO_INLINE real iso_stage_at(const iso_tableau *const table, const uint8_t i)
     return (real)(a[0] + a[1] + a[2]) / (real)table->a_over[i];
 }
 
+/* Sine and cosine of the angles of a stage, each by what its combination of the derivatives adds to that at the start. The
+ * series of this lose less than the method does: their error is of the seventh order at least, and with a weight below 1e-4. */
+ISO_INLINE void iso_stage_sines(const iso_step *const step, const real h_over, const int8_t *const c, const uint8_t terms)
+{
+    const iso_equations *const eq = step->equations;
+    ISO_UNROLL
+    for (size_t i = 0; i < eq->angle_count; i++) {
+        const iso_sine_cosine start = {step->sines[2 * i], step->sines[2 * i + 1]};
+        const real d = iso_combine(h_over, c, terms, step->work + eq->angles[i], step->history->n);
+        const iso_sine_cosine here = iso_sincos_beyond(start, d);
+        step->sines_here[2 * i] = here.sin;
+        step->sines_here[2 * i + 1] = here.cos;
+    }
+}
+
 /* k_i = f(t + c_i h, x + h sum_j a_ij k_j), x += h sum_i b_i k_i, from k_0 = f(x) on. work[(stages + 1) n], without the last for one
  * stage. Local error of order h^(order + 1). Butcher (2016), Numerical Methods for Ordinary Differential Equations, eqs.
  * 221a-d. */
@@ -65,7 +80,12 @@ ISO_INLINE void iso_explicit_step(const iso_tableau *const table, iso_step *cons
         for (size_t s = 0; s < n; s++) {
             at[s] = history->x[s] + iso_combine(h_over, table->a[i], i, k + s, n);
         }
-        iso_evaluate_at(step, iso_stage_at(table, i), k + i * n, at);
+        if (step->sines != NULL) {
+            iso_stage_sines(step, h_over, table->a[i], i);
+            step->by_sines(k + i * n, at, iso_inputs_at(step, iso_stage_at(table, i)), step->p, step->sines_here);
+        } else {
+            iso_evaluate_at(step, iso_stage_at(table, i), k + i * n, at);
+        }
     }
 
     const real h_over = step->h / (real)table->b_over;

@@ -34,10 +34,33 @@ static inline iso_history iso_history_of(const unsigned recipe, const size_t n, 
     return history;
 }
 
-/* The work space of the method, behind the room for inputs. */
+/* The work space of the method, behind the room for sines and for inputs. */
 ISO_INLINE real *iso_method_room(const unsigned recipe, const iso_equations *const eq, real *const work)
 {
-    return iso_degree_of(recipe) > 0 ? work + eq->held : work;
+    real *const behind_sines = work + ISO_METHOD_SINES(recipe, eq->angle_count);
+    return iso_degree_of(recipe) > 0 ? behind_sines + eq->held : behind_sines;
+}
+
+/* The first evaluation of a step. The sines that stages take theirs from stand in the memory where it was prepared, else
+ * they are found. */
+ISO_INLINE void iso_evaluate_start(const unsigned recipe, iso_step *const step, real *const work)
+{
+    const iso_equations *const eq = step->equations;
+    real *const x = step->history->x;
+    const bool by_sines = ISO_METHOD_SINES(recipe, eq->angle_count) > 0;
+    step->sines = NULL;
+    if (by_sines) {
+        step->sines = eq->prepared != NULL ? x + ISO_METHOD_STATE(recipe, step->history->n) : work;
+        step->sines_here = work + 2 * eq->angle_count;
+    }
+    if (eq->prepared != NULL) {
+        eq->prepared(step->work, x, step->u, step->p);
+    } else if (by_sines) {
+        iso_find_sines(eq->angles, eq->angle_count, x, work);
+        step->by_sines(step->work, x, step->u, step->p, work);
+    } else {
+        iso_evaluate(step, step->work, x);
+    }
 }
 
 /* A step or its priming, as a kernel takes it. */
@@ -48,6 +71,7 @@ ISO_INLINE iso_step iso_step_of(const unsigned recipe, const iso_history *const 
     return (iso_step){.history = history,
                       .equations = eq,
                       .f = eq->derivative,
+                      .by_sines = eq->by_sines,
                       .h = h,
                       .u = u,
                       .p = p,
@@ -91,7 +115,8 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
             __builtin_trap();                                                                                          \
         }                                                                                                              \
         if (ISO_IS_SEEN(m) && (kind) == ISO_FROM_START) {                                                              \
-            iso_step_begin_by(&step, eq->prepared != NULL ? eq->prepared : eq->derivative, gamma);                     \
+            iso_evaluate_start(recipe, &step, work);                                                                   \
+            iso_step_begun(&step, gamma);                                                                              \
         }                                                                                                              \
         if (ISO_IS_SEEN(m)) {                                                                                          \
             kernel(&step);                                                                                             \

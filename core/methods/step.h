@@ -7,15 +7,19 @@
 #include "core/methods/history.h"
 #include "core/methods/inputs.h"
 #include "core/methods/progress.h"
+#include "core/numbers/sincos.h"
 
 /* The arguments and results of a step, or of the priming of a method. */
 typedef struct iso_step {
     const iso_history *history; /* the states, and what the method keeps */
     const iso_equations *equations;
-    iso_derivative *f; /* of the equations */
+    iso_derivative *f; /* of the equations, and */
+    iso_derivative_by_sines *by_sines;
     real h;
     const real *u; /* inputs and parameters, held over the step but for smooth inputs, */
     const real *p;
+    const real *sines; /* [2 angle_count] sine and cosine of the angles at the start; NULL: the method does not ask for them */
+    real *sines_here;  /* [2 angle_count] those of a stage */
     real *lu;   /* [factors] of an implicit method; on entry those of 1 - h gamma J at the start, if it needs them */
     real *work; /* work space; on entry the first [n] are the derivative at the start, if the method needs it */
     uint8_t iterations; /* of Newton */
@@ -56,16 +60,26 @@ ISO_INLINE void iso_evaluate_at(const iso_step *const step, const real c, real *
     step->f(derivative, x, iso_inputs_at(step, c), step->p);
 }
 
-/* Computes the derivative at the start of a step, by `first`, and, if gamma is not zero, the factors of 1 - h gamma J
- * there. If steps are checked, it also computes the local error of the step before; the factors remove the stiff part of
- * that error (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is [n], with
- * factors [2 n]. */
-ISO_INLINE void iso_step_begin_by(iso_step *const step, iso_derivative *const first, const real gamma)
+/* sines[2 count] = sine and cosine of these states. */
+ISO_INLINE void iso_find_sines(const uint16_t *const angles, const size_t count, const real *const x, real *const sines)
+{
+    ISO_UNROLL
+    for (size_t i = 0; i < count; i++) {
+        const iso_sine_cosine turn = iso_sincos(x[angles[i]]);
+        sines[2 * i] = turn.sin;
+        sines[2 * i + 1] = turn.cos;
+    }
+}
+
+/* Behind the derivative at the start of a step, which is work[n]: computes, if gamma is not zero, the factors of
+ * 1 - h gamma J there. If steps are checked, it also computes the local error of the step before; the factors remove the
+ * stiff part of that error (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is
+ * [n], with factors [2 n]. */
+ISO_INLINE void iso_step_begun(iso_step *const step, const real gamma)
 {
     const iso_history *const history = step->history;
     const iso_equations *const eq = step->equations;
     real *const derivative = step->work;
-    first(derivative, history->x, step->u, step->p);
     if (gamma != R(0.0)) {
         real *const error = step->work + history->n;
         eq->factor(step->lu, history->x, step->u, step->p, step->h * gamma);
@@ -85,9 +99,11 @@ ISO_INLINE void iso_step_begin_by(iso_step *const step, iso_derivative *const fi
     iso_keep_derivative(history, step->h, derivative);
 }
 
+/* With the derivative at the states, and without sines. */
 ISO_INLINE void iso_step_begin(iso_step *const step, const real gamma)
 {
-    iso_step_begin_by(step, step->f, gamma);
+    iso_evaluate(step, step->work, step->history->x);
+    iso_step_begun(step, gamma);
 }
 
 /* A local error of more than ISO_DISCONTINUITY_RATIO times its usual size is a discontinuity: a kink makes the error

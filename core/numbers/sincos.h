@@ -22,6 +22,9 @@ typedef struct iso_sine_cosine {
  * (cos(r) - 1 + z / 2) / z^2. Their terms alternate in the code, because a product waits for the sum before it. */
 static inline iso_sine_cosine iso_sincos_tails(real z);
 
+/* The beginnings of the power series of (sin(d) - d) / d^3 in .sin and of (cos(d) - 1 + z / 2) / z^2 in .cos, of z = d^2. */
+static inline iso_sine_cosine iso_sincos_beginnings(real z);
+
 #ifdef ISO_REAL_DOUBLE
 
 /* The parts of pi. */
@@ -48,6 +51,16 @@ static inline iso_sine_cosine iso_sincos_tails(const real z)
     return (iso_sine_cosine){s, c};
 }
 
+static inline iso_sine_cosine iso_sincos_beginnings(const real z)
+{
+    real s = R(-1.984126984126984e-04), c = R(2.48015873015873e-05);
+    s = s * z + R(8.333333333333333e-03);
+    c = c * z - R(1.388888888888889e-03);
+    s = s * z - R(1.6666666666666666e-01);
+    c = c * z + R(4.1666666666666664e-02);
+    return (iso_sine_cosine){s, c};
+}
+
 #else
 
 #define ISO_PI_1 R(3.1416015625)
@@ -64,6 +77,11 @@ static inline iso_sine_cosine iso_sincos_tails(const real z)
     s = s * z - R(1.666665673e-1);
     c = c * z + R(4.166665673e-2);
     return (iso_sine_cosine){s, c};
+}
+
+static inline iso_sine_cosine iso_sincos_beginnings(const real z)
+{
+    return (iso_sine_cosine){R(8.333333333e-3) * z - R(1.666666667e-1), R(4.166666667e-2) - R(1.388888889e-3) * z};
 }
 
 #endif
@@ -88,6 +106,18 @@ static inline iso_sine_cosine iso_sincos(const real x)
     const real first = iso_real_of(iso_bits_of(r) ^ sign);
     const iso_sine_cosine result = {first + first * cubic, iso_real_of(iso_bits_of(R(1.0) + z * half) ^ sign)};
     return result;
+}
+
+/* Sine and cosine of an angle that is d beyond that of `from`, by the theorem of addition. The series end with the seventh
+ * power in the sine and the eighth in the cosine, in float with the fifth and the sixth. Within |d| <= 0.07, in float 0.25,
+ * the error is at most 1 ulp of 1.0 more than that of `from`; beyond it grows as |d|^9 / 9!, in float |d|^7 / 7!. */
+static inline iso_sine_cosine iso_sincos_beyond(const iso_sine_cosine from, const real d)
+{
+    const real z = d * d;
+    const iso_sine_cosine series = iso_sincos_beginnings(z);
+    const real sine = d + d * (z * series.sin);
+    const real less = z * (z * series.cos - R(0.5));
+    return (iso_sine_cosine){from.sin + (from.sin * less + from.cos * sine), from.cos + (from.cos * less - from.sin * sine)};
 }
 
 #endif

@@ -207,7 +207,7 @@ static const char *turned(emitter *e, const graph_node *n)
         } else {
             text_add(e->out, "    const iso_sine_cosine %s = iso_sincos(%s);\n", e->turned[n->a], e->shown[n->a].text);
         }
-        note_piece(e, e->turned[n->a], true, &n->a, 1);
+        note_piece(e, e->turned[n->a], true, &n->a, kept == NULL ? 1 : 0);
         e->turn_piece_of[n->a] = e->pieces == NULL ? 0 : e->pieces->count;
     }
     return e->turned[n->a];

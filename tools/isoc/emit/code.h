@@ -49,7 +49,7 @@ typedef struct code_piece {
     int section;
     const char *declares; /* a quantity, or NULL: the piece sets a target */
     bool is_turn;         /* the quantity is a sine and a cosine, */
-    node angle;           /* of this */
+    node angle;           /* of this; one that stands somewhere reads nothing */
     size_t *reads;        /* [read_count] pieces whose quantities it reads */
     size_t read_count;
     node *leaves; /* [leaf_count] */

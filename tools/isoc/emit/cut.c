@@ -6,7 +6,8 @@ typedef struct cutter {
     const code_pieces *from;
     arena *memory;
     bool *is_of_states; /* [pieces] */
-    bool *is_read;      /* [pieces] of these by the rest */
+    bool *is_read;      /* [pieces] of these by the rest, */
+    bool *is_read_too;  /* [pieces] and by others of these */
     const bool *turned; /* [states] */
     int *slots;         /* [pieces] of it in s[], or -1; a sine has its cosine behind it */
     int count;
@@ -26,11 +27,18 @@ static bool follows_from_states(const cutter *s, const code_piece *c)
     return result;
 }
 
+/* Whether a piece is a sine and cosine that both bodies are given. */
+static bool is_given(const code_piece *c)
+{
+    return c->is_turn && c->read_count + c->leaf_count == 0;
+}
+
 /* The state of which a piece has sine and cosine, where they are asked for; else -1. */
 static int turned_state(const cutter *s, const code_piece *c)
 {
     const graph_node *angle = &s->from->g->nodes[c->angle];
-    return c->is_turn && angle->op == OP_STATE && s->turned[angle->index] ? angle->index : -1;
+    const bool keeps = c->is_turn && !is_given(c) && angle->op == OP_STATE && s->turned[angle->index];
+    return keeps ? angle->index : -1;
 }
 
 /* The values of the states' pieces that the rest reads stand in s[]. */
@@ -40,10 +48,14 @@ static void find_slots(cutter *s)
     for (size_t i = 0; i < p->count; i++) {
         s->is_of_states[i] = follows_from_states(s, &p->all[i]);
         s->slots[i] = turned_state(s, &p->all[i]) >= 0 ? 0 : -1;
-        for (size_t n = 0; n < p->all[i].read_count && !s->is_of_states[i]; n++) {
+        for (size_t n = 0; n < p->all[i].read_count; n++) {
             const size_t read = p->all[i].reads[n];
-            s->is_read[read] = s->is_of_states[read];
-            s->slots[read] = s->is_of_states[read] ? 0 : -1;
+            if (s->is_of_states[i]) {
+                s->is_read_too[read] = true;
+            } else {
+                s->is_read[read] = s->is_of_states[read];
+                s->slots[read] = s->is_of_states[read] && !is_given(&p->all[read]) ? 0 : -1;
+            }
         }
     }
     for (size_t i = 0; i < p->count; i++) {
@@ -89,7 +101,8 @@ static void add_statements(const cutter *s, bool of_states, text *out)
         text_add(out, "%s", sets && !of_states ? "\n" : "");
         for (size_t i = 0; i < p->count; i++) {
             const code_piece *c = &p->all[i];
-            if (s->is_of_states[i] != of_states || (c->declares == NULL) != sets) {
+            const bool is_here = is_given(c) ? (of_states ? s->is_read_too : s->is_read)[i] : s->is_of_states[i] == of_states;
+            if (!is_here || (c->declares == NULL) != sets) {
                 continue;
             }
             if (!sets && c->section != section) {
@@ -146,6 +159,7 @@ code_cut code_cut_by_states(const code_pieces *pieces, const bool *turned, int s
     text of_states = {.memory = memory}, rest = {.memory = memory};
     s.is_of_states = arena_take(memory, pieces->count, sizeof *s.is_of_states);
     s.is_read = arena_take(memory, pieces->count, sizeof *s.is_read);
+    s.is_read_too = arena_take(memory, pieces->count, sizeof *s.is_read_too);
     s.slots = arena_take(memory, pieces->count, sizeof *s.slots);
     find_slots(&s);
     declare_read(&s, true, reads_of_states, &of_states);

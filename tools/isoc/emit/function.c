@@ -30,6 +30,11 @@ static argument argument_of(const emission *e, int i)
     return i == 2 && e->in_step && e->p->held.count > 0 ? held_argument : arguments[i];
 }
 
+const char *held_or_tunables(const emission *e)
+{
+    return argument_of(e, 2).name;
+}
+
 bool code_uses(const emission *e, const code *result, operation op)
 {
     return uses_operation(e->g, result->roots, result->count, op);
@@ -98,14 +103,16 @@ static void emit_parts(emission *e, const char *function, const char *array, con
         emit_head(e, "ISO_APART ", form(e, "%s_%d", function, i + 1), array, " real *restrict const v,", more);
         put_if(e, !part->sets, "    (void)%s;\n", array);
         put_if(e, !part->carries, "    (void)v;\n");
+        put_if(e, strstr(more, "sines") != NULL && strstr(part->body, "sines[") == NULL, "    (void)sines;\n");
         emit_unread(e, part->reads, more);
         put(e, "%s}\n\n", part->body);
     }
     emit_head(e, "", function, array, "", more);
     put(e, "    real v[%d];\n", parts.carried + 1);
     for (int i = 0; i < parts.count; i++) {
-        put(e, "    %s_%d(%s, v, x, u, %s%s%s);\n", function, i + 1, array, argument_of(e, 2).name,
-            strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "");
+        put(e, "    %s_%d(%s, v, x, u, %s%s%s%s);\n", function, i + 1, array, argument_of(e, 2).name,
+            strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "",
+            strstr(more, "sines") != NULL ? ", sines" : "");
     }
     put(e, "}\n\n");
 }

@@ -46,12 +46,12 @@ static void emit_derivative(emission *e)
     const code result = derivative_code(e);
     const char *function = form(e, "derivative$s");
     if (e->p->held.count == 0) {
-        emit_function(e, function, "dx", "", &result);
+        emit_derivative_function(e, function, result);
         return;
     }
     emit_hold(e);
     e->in_step = true;
-    emit_function(e, form(e, "held_%s", function), "dx", "", &result);
+    emit_derivative_function(e, form(e, "held_%s", function), result);
     e->in_step = false;
     if (!asks_for_derivative(e)) {
         return;

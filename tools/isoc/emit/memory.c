@@ -67,7 +67,7 @@ static void add_moving(memory_layout *to)
     const mechanism *m = e->p->m;
     const unsigned recipe = m->method.recipe;
     const size_t states = (size_t)state_count(m) * vectors_of(e);
-    const size_t prepared = e->names->cut != NULL ? (size_t)e->names->cut->count : 0;
+    const size_t prepared = (size_t)prepared_count(e);
     const size_t samples = ISO_METHOD_SAMPLES(recipe, (size_t)m->inputs.sampled_count);
     const bool smooth = ISO_IS_SMOOTH(recipe);
     add_reals(to, "x", form(e, prepared > 0 ? "%s + %zu" : "%s", method_state_size(e), prepared), states + prepared,

@@ -101,6 +101,9 @@ void emit_code(emission *e, const code *result);
 /* The derivatives of all states, with the scene's lines of their leaves and of the closures. */
 code derivative_code(const emission *e);
 
+/* What a function reads in the place of the tunables: its name. */
+const char *held_or_tunables(const emission *e);
+
 /* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. And the whole of it. */
 void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
                const char *more);
@@ -146,8 +149,17 @@ void emit_settle(emission *e);
 /* outputs.c: the outputs. */
 void emit_output(emission *e);
 
-/* prepared.c: the derivative in two functions; where the outputs find sines and cosines, NULL where nowhere; the call by which
+/* sines.c: the derivative, of what is held or not, in a step of several stages as a function of sines that it is given too; how
+ * it reads them, of each state; the arguments by which it gets them; and their table in the equations. */
+void emit_derivative_function(emission *e, const char *function, code result);
+const char *const *given_sines(const emission *e, const char *from);
+const char *sines_parameter(const emission *e);
+void emit_angles(emission *e);
+void emit_found_sines(const emission *e, const char *x, const char *sines);
+
+/* prepared.c: reals behind the states for what a step prepares; the derivative in two functions; where the outputs find sines and cosines, NULL where nowhere; the call by which
  * the end of a step, or a start, prepares the next one; and the outputs with that. */
+int prepared_count(const emission *e);
 void emit_cut_derivative(emission *e);
 const char *const *prepared_turns(const emission *e);
 void emit_preparing(const emission *e);

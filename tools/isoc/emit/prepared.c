@@ -1,3 +1,5 @@
+#include <string.h>
+
 #include "tools/isoc/emit/parts.h"
 
 /* Whether the outputs of each tick have the states of the next step's first evaluation, in which all but little follows from
@@ -30,7 +32,8 @@ const code_cut *cut_of(const plant *p, graph *g, const naming *names)
     if (!can_prepare(p, g)) {
         return NULL;
     }
-    const code whole = derivative_code(&e);
+    code whole = derivative_code(&e);
+    whole.turns = given_sines(&e, "sines[");
     code_cut *result = arena_take(g->memory, 1, sizeof *result);
     double out_of_range_value;
     const code_pieces pieces = code_in_pieces(&whole, &out_of_range_value);
@@ -39,32 +42,60 @@ const code_cut *cut_of(const plant *p, graph *g, const naming *names)
     return pieces.count <= MOST && result->statements >= STATEMENTS_OF_ONE * result->count ? result : NULL;
 }
 
+int prepared_count(const emission *e)
+{
+    return e->names->cut == NULL ? 0 : 2 * e->p->angle_count + e->names->cut->count;
+}
+
+/* Where it stands: an array of which what is given stands first. */
+static const char *prepared_place(const emission *e, const char *x, bool behind_sines)
+{
+    const int sines = behind_sines ? 2 * e->p->angle_count : 0;
+    return form(e, sines > 0 ? "%s + %s + %d" : "%s + %s", x, method_state_size(e), sines);
+}
+
 void emit_cut_derivative(emission *e)
 {
     const code_cut *cut = e->names->cut;
+    const bool by_sines = e->p->angle_count > 0;
+    const char *sines = sines_parameter(e), *given = by_sines ? ", sines" : "";
+    const char *both = form(e, "    real s[%d];\n    prepare(s, x%s);\n    complete(dx, x, u, p, s%s);\n", cut->count,
+                            given, given);
     e->out_of_range_value = cut->out_of_range_value != 0.0 ? cut->out_of_range_value : e->out_of_range_value;
+    emit_angles(e);
     put(e, "/* What follows from the states alone. */\n");
-    put(e, "static void prepare(real *restrict const s, const real *restrict const x)\n{\n%s}\n\n", cut->of_states);
+    put(e, "static void prepare(real *restrict const s, const real *restrict const x%s)\n{\n%s}\n\n", sines,
+        cut->of_states);
     put(e, "/* The rest of the derivative. */\n");
-    emit_head(e, "", "complete", "dx", "", ", const real *restrict const s");
+    emit_head(e, "", "complete", "dx", "", form(e, ", const real *restrict const s%s", sines));
     emit_unread(e, cut->reads, "");
+    put_if(e, by_sines && strstr(cut->rest, "sines[") == NULL, "    (void)sines;\n");
     put(e, "%s}\n\n", cut->rest);
+    if (by_sines) {
+        emit_head(e, "", "derivative_by_sines", "dx", "", sines);
+        put(e, "%s}\n\n", both);
+    }
     emit_head(e, "", "derivative", "dx", "", "");
-    put(e, "    real s[%d];\n    prepare(s, x);\n    complete(dx, x, u, p, s);\n}\n\n", cut->count);
+    put_if(e, by_sines, "    real sines[%d];\n", 2 * e->p->angle_count);
+    emit_found_sines(e, "x", "sines");
+    put(e, "%s}\n\n", by_sines ? "    derivative_by_sines(dx, x, u, p, sines);\n" : both);
     put(e, "/* At the states of the memory, for which a step has prepared it. */\n");
     emit_head(e, "", "prepared_derivative", "dx", "", "");
-    put(e, "    complete(dx, x, u, p, x + %s);\n}\n\n", method_state_size(e));
+    put(e, "    complete(dx, x, u, p, %s", prepared_place(e, "x", true));
+    put_if(e, by_sines, ", %s", prepared_place(e, "x", false));
+    put(e, ");\n}\n\n");
 }
 
 const char *const *prepared_turns(const emission *e)
 {
     const code_cut *cut = e->names->cut;
     const int states = state_count(e->p->m);
+    const char *const *given = given_sines(e, form(e, "x[%s + ", method_state_size(e)));
     const char **result = arena_take(e->out->memory, (size_t)states, sizeof *result);
     for (int i = 0; cut != NULL && i < states; i++) {
-        const int at = cut->turns[i];
-        result[i] =
-            at < 0 ? NULL : form(e, "x[%s + %d], x[%s + %d]", method_state_size(e), at, method_state_size(e), at + 1);
+        const int at = cut->turns[i] + 2 * e->p->angle_count;
+        const char *kept = form(e, "x[%s + %d], x[%s + %d]", method_state_size(e), at, method_state_size(e), at + 1);
+        result[i] = cut->turns[i] >= 0 ? kept : given[i];
     }
     return cut == NULL ? NULL : result;
 }
@@ -81,5 +112,10 @@ void emit_preparing_output(const emission *e)
 
 void emit_preparing(const emission *e)
 {
-    put_if(e, e->names->cut != NULL, "    prepare(memory->x + %s, memory->x);\n", method_state_size(e));
+    if (e->names->cut != NULL) {
+        const char *sines = prepared_place(e, "memory->x", false);
+        emit_found_sines(e, "memory->x", sines);
+        put(e, "    prepare(%s, memory->x%s);\n", prepared_place(e, "memory->x", true),
+            e->p->angle_count > 0 ? form(e, ", %s", sines) : "");
+    }
 }

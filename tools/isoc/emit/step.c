@@ -34,8 +34,10 @@ static void emit_smooth(emission *e)
 static void emit_equations(emission *e)
 {
     const plant *p = e->p;
-    put(e, "static const iso_equations equations$s = {\n    .derivative = %sderivative$s,\n",
-        p->held.count > 0 ? "held_" : "");
+    const char *derivative = form(e, "%sderivative$s", p->held.count > 0 ? "held_" : "");
+    put(e, "static const iso_equations equations$s = {\n    .derivative = %s,\n", derivative);
+    put_if(e, p->angle_count > 0, "    .by_sines = %s_by_sines,\n    .angles = angles$s,\n    .angle_count = %d,\n",
+           derivative, p->angle_count);
     put_if(e, ISO_IS_IMPLICIT(p->m->method.recipe), "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n",
            p->j.factor_count);
     put_if(e, p->rate_count > 0, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
@@ -126,8 +128,10 @@ static void emit_call(emission *e, const char *function, const char *size)
 {
     const mechanism *m = e->p->m;
     const char *recipe = recipe_symbol(e->out->memory, step_recipe(e));
-    put(e, "    real work[%s(%s, $C_STATES)%s];\n", size, recipe,
-        ISO_IS_SMOOTH(m->method.recipe) ? form(e, " + %s", held_size(e)) : "");
+    const bool by_sines = ISO_METHOD_SINES(m->method.recipe, e->p->angle_count) > 0;
+    put(e, "    real work[%s(%s, $C_STATES)%s%s];\n", size, recipe,
+        ISO_IS_SMOOTH(m->method.recipe) ? form(e, " + %s", held_size(e)) : "",
+        by_sines ? form(e, " + ISO_METHOD_SINES(%s, %d)", recipe, e->p->angle_count) : "");
     put_if(e, ISO_IS_IMPLICIT(m->method.recipe), "    real lu[%d];\n", e->p->j.factor_count);
     const char *parameters = emit_held(e);
     put(e, "    %s(%s, $C_STATES, &equations$s, %s, memory->x, %s, %s, %s, work,\n", function, recipe,
@@ -270,7 +274,7 @@ static void emit_check_of_room(emission *e)
     const code_cut *cut = e->names->cut;
     put(e, "_Static_assert(sizeof(($p_memory *)0)->x == %sISO_METHOD_STATE(%s, $C_STATES)%s * sizeof(real),\n",
         cut != NULL ? "(" : "", recipe_symbol(e->out->memory, e->p->m->method.recipe),
-        cut != NULL ? form(e, " + %d)", cut->count) : "");
+        cut != NULL ? form(e, " + %d)", prepared_count(e)) : "");
     put(e, "    \"made for another version of core/methods/method.h\");\n\n");
     if (ISO_IS_SMOOTH(e->p->m->method.recipe)) {
         put(e, "_Static_assert(sizeof(($p_memory *)0)->u == (%s + ISO_METHOD_SAMPLES(%s, %s)) * sizeof(real),\n",

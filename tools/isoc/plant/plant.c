@@ -163,6 +163,28 @@ static bool is_curved(const graph *of, const plant *p)
     return curved;
 }
 
+/* The angles of turning joints of which the derivative has sine or cosine, where the method has several stages. In a step
+ * they turn little, but for a joint that spins, which is continuous. */
+static void find_angles(plant *p, const graph *g)
+{
+    const mechanism *m = p->m;
+    const size_t states = (size_t)state_count(m);
+    bool *is_turned = arena_take(g->memory, states, sizeof *is_turned);
+    for (reached r = reach(g, p->held_derivatives, states); reach_next(&r);) {
+        const graph_node *angle = r.n->op == OP_SIN || r.n->op == OP_COS ? &g->nodes[r.n->a] : NULL;
+        if (angle != NULL && angle->op == OP_STATE) {
+            is_turned[angle->index] = true;
+        }
+    }
+    p->angles = arena_take(g->memory, states, sizeof *p->angles);
+    for (int i = 0; i < m->segment_count && ISO_BY_SINES(m->method.recipe) && p->fast.count == 0; i++) {
+        const segment *l = &m->segments[i];
+        if (l->kind == JOINT_REVOLUTE && !l->continuous && is_turned[l->position]) {
+            p->angles[p->angle_count++] = l->position;
+        }
+    }
+}
+
 /* How many conditions the tunables break; -1 where there are none. */
 static node count_broken(graph *g, const mechanism *m)
 {
@@ -188,6 +210,7 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wa
     outputs_build(&p, g);
     hold(&p, g);
     p.fast = fast_build(g, m, p.held_derivatives);
+    find_angles(&p, g);
     p.violation = m->drift.violation_limit > 0.0 && p.d->loops.phi.count > 0
                       ? largest_violation(&p.d->k, &p.d->loops.phi, false)
                       : -1;

@@ -92,6 +92,7 @@ typedef struct plant {
     bool is_flat;                /* a step is small: its calls are inlined */
     held held;                   /* values that the step computes once */
     node *held_derivatives;      /* the derivatives by that; where nothing is held, themselves */
+    int *angles, angle_count;    /* states whose sines a stage takes from those of the start of the step */
     fast_part fast;              /* of these derivatives: the states with sub-steps of their own */
     row_plan rows;               /* the assignments of each row */
     node energy;                 /* -1 until something asks for it */

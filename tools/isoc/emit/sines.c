@@ -1,0 +1,49 @@
+/* The derivative in a step of several stages: those after the first take sines and cosines of angles from those of the start
+ * (core/methods/explicit.h), so that the derivative is given them. */
+#include "tools/isoc/emit/parts.h"
+
+const char *const *given_sines(const emission *e, const char *from)
+{
+    const plant *p = e->p;
+    const char **result = arena_take(e->out->memory, (size_t)state_count(p->m), sizeof *result);
+    for (int i = 0; i < p->angle_count; i++) {
+        result[p->angles[i]] = form(e, "%s%d], %s%d]", from, 2 * i, from, 2 * i + 1);
+    }
+    return result;
+}
+
+const char *sines_parameter(const emission *e)
+{
+    return e->p->angle_count > 0 ? ", const real *restrict const sines" : "";
+}
+
+void emit_angles(emission *e)
+{
+    if (e->p->angle_count > 0) {
+        put(e, "/* The angles among the states. */\n");
+        emit_states(e, form(e, "angles$s"), e->p->angles, e->p->angle_count);
+        put(e, "\n");
+    }
+}
+
+void emit_found_sines(const emission *e, const char *x, const char *sines)
+{
+    put_if(e, e->p->angle_count > 0, "    iso_find_sines(angles$s, %d, %s, %s);\n", e->p->angle_count, x, sines);
+}
+
+/* In a small step gcc inlines it only where it is told so of the function too. */
+void emit_derivative_function(emission *e, const char *function, code result)
+{
+    if (e->p->angle_count == 0) {
+        emit_function(e, function, "dx", "", &result);
+        return;
+    }
+    result.turns = given_sines(e, "sines[");
+    emit_angles(e);
+    put_if(e, e->p->is_flat, "static inline iso_derivative_by_sines %s_by_sines;\n", function);
+    emit_function(e, form(e, "%s_by_sines", function), "dx", sines_parameter(e), &result);
+    emit_head(e, "", function, "dx", "", "");
+    put(e, "    real sines[%d];\n", 2 * e->p->angle_count);
+    emit_found_sines(e, "x", "sines");
+    put(e, "    %s_by_sines(dx, x, u, %s, sines);\n}\n\n", function, held_or_tunables(e));
+}
