@@ -24,10 +24,10 @@ typedef void iso_solve(real *d, const real *lu);
 /* The equations of motion as a method needs them. */
 typedef struct iso_equations {
     iso_derivative *derivative;
-    iso_derivative_by_sines *by_sines; /* the same, for methods that take the sines of a stage from those of the start; */
-    const uint16_t *angles;            /* [angle_count] and of which states */
+    iso_derivative_by_sines *by_sines; /* the same, for methods whose stages take sines from those of the start; and */
+    const uint16_t *angles;            /* [angle_count] of which states */
     size_t angle_count;                /* 0: there is none */
-    iso_factor *factor; /* these three for implicit methods only */
+    iso_factor *factor;                /* these three for implicit methods only */
     iso_solve *solve;
     size_t factors;
     iso_derivative

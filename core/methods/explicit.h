@@ -50,7 +50,8 @@ ISO_INLINE real iso_stage_at(const iso_tableau *const table, const uint8_t i)
 
 /* Sine and cosine of the angles of a stage, each by what its combination of the derivatives adds to that at the start. The
  * series of this lose less than the method does: their error is of the seventh order at least, and with a weight below 1e-4. */
-ISO_INLINE void iso_stage_sines(const iso_step *const step, const real h_over, const int8_t *const c, const uint8_t terms)
+ISO_INLINE void iso_stage_sines(const iso_step *const step, const real h_over, const int8_t *const c,
+                                const uint8_t terms)
 {
     const iso_equations *const eq = step->equations;
     ISO_UNROLL

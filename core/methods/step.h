@@ -18,7 +18,7 @@ typedef struct iso_step {
     real h;
     const real *u; /* inputs and parameters, held over the step but for smooth inputs, */
     const real *p;
-    const real *sines; /* [2 angle_count] sine and cosine of the angles at the start; NULL: the method does not ask for them */
+    const real *sines; /* [2 angle_count] sines and cosines at the start, for `by_sines`; NULL: it is not called */
     real *sines_here;  /* [2 angle_count] those of a stage */
     real *lu;   /* [factors] of an implicit method; on entry those of 1 - h gamma J at the start, if it needs them */
     real *work; /* work space; on entry the first [n] are the derivative at the start, if the method needs it */

@@ -117,7 +117,8 @@ static inline iso_sine_cosine iso_sincos_beyond(const iso_sine_cosine from, cons
     const iso_sine_cosine series = iso_sincos_beginnings(z);
     const real sine = d + d * (z * series.sin);
     const real less = z * (z * series.cos - R(0.5));
-    return (iso_sine_cosine){from.sin + (from.sin * less + from.cos * sine), from.cos + (from.cos * less - from.sin * sine)};
+    return (iso_sine_cosine){from.sin + (from.sin * less + from.cos * sine),
+                             from.cos + (from.cos * less - from.sin * sine)};
 }
 
 #endif

@@ -52,6 +52,48 @@ static void test_table(void)
     tap_count(inside, ROWS, "sine and cosine stay in [-1, 1]");
 }
 
+/* How far the step may be within which iso_sincos_beyond promises 1 ulp of 1.0 more; a long one, and its error. */
+#ifdef ISO_REAL_DOUBLE
+static const real short_step = R(0.07), long_step = R(0.5), long_error = R(5.4e-9);
+#else
+static const real short_step = R(0.25), long_step = R(1.0), long_error = R(2.0e-4);
+#endif
+
+/* Rows of the table where a value from that of an angle `step` before it is further away than allowed. The difference of two
+ * near angles is exact, so that the rounding of the one before is none of the result. */
+static uint32_t wrong_beyond(const real step, const real allowed)
+{
+    uint32_t wrong = 0;
+    for (unsigned i = 0; i < ROWS; i++) {
+        const real x = iso_real_of(sincos_table[i].x), before = x - step;
+        const iso_sine_cosine got = iso_sincos_beyond(iso_sincos(before), x - before);
+        const bool is_exact = before + (x - before) == x;
+        wrong +=
+            is_exact && !(near(got.sin, sincos_table[i].sin, allowed) && near(got.cos, sincos_table[i].cos, allowed));
+    }
+    return wrong;
+}
+
+static void test_beyond(void)
+{
+    static const real parts[] = {R(1.0), R(0.73), R(0.1), R(1e-3), R(-1e-4), R(-0.3), R(-1.0)};
+    const real promised = tolerance + ISO_REAL_EPSILON;
+    uint32_t wrong = 0, far_off = 0, same = 0;
+    for (unsigned i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        wrong += wrong_beyond(parts[i] * short_step, promised);
+        far_off += wrong_beyond(parts[i] * long_step, long_error);
+    }
+    for (unsigned i = 0; i < ROWS; i++) {
+        const iso_sine_cosine at = iso_sincos(iso_real_of(sincos_table[i].x)), got = iso_sincos_beyond(at, R(0.0));
+        same += got.sin == at.sin && got.cos == at.cos;
+    }
+    tap_count(wrong, 0, "from an angle near by: 1 ulp of 1.0 more");
+    tap_count(far_off, 0, "from one far away: by the first term that is left out");
+    tap_ok(wrong_beyond(long_step, promised) > 0 && wrong_beyond(long_step, long_error * R(0.01)) > 0,
+           "which is found");
+    tap_count(same, ROWS, "from the angle itself: the same");
+}
+
 static void test_symmetry(void)
 {
     uint32_t odd = 0, even = 0;
@@ -113,6 +155,7 @@ static void test_bits(void)
 int main(void)
 {
     test_table();
+    test_beyond();
     test_symmetry();
     test_small();
     test_not_finite();

@@ -101,7 +101,8 @@ static void add_statements(const cutter *s, bool of_states, text *out)
         text_add(out, "%s", sets && !of_states ? "\n" : "");
         for (size_t i = 0; i < p->count; i++) {
             const code_piece *c = &p->all[i];
-            const bool is_here = is_given(c) ? (of_states ? s->is_read_too : s->is_read)[i] : s->is_of_states[i] == of_states;
+            const bool is_here =
+                is_given(c) ? (of_states ? s->is_read_too : s->is_read)[i] : s->is_of_states[i] == of_states;
             if (!is_here || (c->declares == NULL) != sets) {
                 continue;
             }

@@ -59,8 +59,8 @@ void emit_cut_derivative(emission *e)
     const code_cut *cut = e->names->cut;
     const bool by_sines = e->p->angle_count > 0;
     const char *sines = sines_parameter(e), *given = by_sines ? ", sines" : "";
-    const char *both = form(e, "    real s[%d];\n    prepare(s, x%s);\n    complete(dx, x, u, p, s%s);\n", cut->count,
-                            given, given);
+    const char *both =
+        form(e, "    real s[%d];\n    prepare(s, x%s);\n    complete(dx, x, u, p, s%s);\n", cut->count, given, given);
     e->out_of_range_value = cut->out_of_range_value != 0.0 ? cut->out_of_range_value : e->out_of_range_value;
     emit_angles(e);
     put(e, "/* What follows from the states alone. */\n");

@@ -94,6 +94,13 @@ static operations fast_operations(const plant *p, const graph *g)
     return operations_plus((operations){0}, passes, one);
 }
 
+/* What the later stages take for sines from those of the start: the operations of iso_sincos_beyond, for those of each. */
+static operations less_for_sines(const plant *p, operations step)
+{
+    const operations beyond = {.add = p->is_double ? 10 : 8, .mul = p->is_double ? 13 : 11, .sincos = -1};
+    return operations_plus(step, (ISO_EVALUATIONS_OF(p->m->method.recipe) - 1) * p->angle_count, beyond);
+}
+
 operations cost_of_step(const plant *p, const graph *g)
 {
     const int n = state_count(p->m);
@@ -103,7 +110,8 @@ operations cost_of_step(const plant *p, const graph *g)
     const operations once =
         count_operations(g, p->held.values + p->held.tuned, (size_t)(p->held.count - p->held.tuned));
     const operations step = step_operations(p->m->method.recipe, n, derivative, cost_of_solving(p, g));
-    const operations all = operations_plus(operations_plus(step, 1, fast_operations(p, g)), 1, rates);
+    const operations all =
+        operations_plus(operations_plus(less_for_sines(p, step), 1, fast_operations(p, g)), 1, rates);
     return operations_plus(operations_plus(operations_plus(all, 1, once), 1, smooth_operations(p->m)), p->is_curved,
                            derivative);
 }
