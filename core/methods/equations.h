@@ -24,10 +24,7 @@ typedef void iso_solve(real *d, const real *lu);
 /* The equations of motion as a method needs them. */
 typedef struct iso_equations {
     iso_derivative *derivative;
-    iso_derivative_by_sines *by_sines; /* the same, for methods whose stages take sines from those of the start; and */
-    const uint16_t *angles;            /* [angle_count] of which states */
-    size_t angle_count;                /* 0: there is none */
-    iso_factor *factor;                /* these three for implicit methods only */
+    iso_factor *factor; /* these three for implicit methods only */
     iso_solve *solve;
     size_t factors;
     iso_derivative
@@ -40,6 +37,10 @@ typedef struct iso_equations {
     size_t inputs;      /* how many of them are inputs, which come first, */
     const bool *smooth; /* [inputs] which of these are smooth, */
     bool curved;        /* and, for rosenbrock, whether the derivative is not affine in them */
+    iso_derivative_by_sines
+        *by_sines;          /* `derivative`, for methods whose stages take sines from those of the start; and */
+    const uint16_t *angles; /* [angle_count] of which states */
+    size_t angle_count;     /* 0: there is none */
 } iso_equations;
 
 #endif

@@ -7,8 +7,9 @@
  * s, that it must begin at 2^-10 s; its last errors, 2e-14, are seen compensated only. Steps are powers of two, which
  * meet 1 s exactly.
  *
- * With the argument `errors` the errors are printed, compensated unless there is a second argument, in whichever real
- * the program has: tests/order/order.t holds those in float against those in double.
+ * With the argument `sines` the plant has no Jacobian, but the derivative by sines that methods of several stages call:
+ * these are tried alone. With the argument `errors` the errors are printed, compensated unless there is a second argument,
+ * in whichever real the program has: tests/order/order.t holds those in float against those in double.
  */
 #include <math.h>
 #include <stdio.h>
@@ -182,20 +183,10 @@ static void test_order(const method *const m)
               HALVINGS);
 }
 
-int main(const int count, char **const arguments)
+static void test_orders(const bool by_sines)
 {
-    if (count > 1 && strcmp(arguments[1], "errors") == 0) {
-        return print_errors(count > 2 ? 0 : ISO_COMPENSATED);
-    }
-    if (!report_ok(iso_the_plant.model->states == the_problem.states &&
-                       iso_the_plant.model->inputs <= ORDER_INPUTS_MAX &&
-                       iso_the_plant.model->parameters <= PARAMETERS_MAX && the_equations->factors > 0 &&
-                       the_equations->factors <= FACTORS_MAX,
-                   "the plant has the problem's states, and a Jacobian")) {
-        return report_done();
-    }
     for (unsigned i = 0; i < ISO_METHODS; i++) {
-        if (ISO_IS_VARYING(i)) {
+        if (ISO_IS_VARYING(i) || (by_sines && !ISO_BY_SINES(i))) {
             continue;
         }
         const method plain = right(i | trials[i].options);
@@ -205,7 +196,23 @@ int main(const int count, char **const arguments)
         }
         test_order(&compensated);
     }
-    for (size_t i = 0; i < sizeof controls / sizeof *controls; i++) {
+}
+
+int main(const int count, char **const arguments)
+{
+    const bool by_sines = count > 1 && strcmp(arguments[1], "sines") == 0;
+    if (count > 1 && strcmp(arguments[1], "errors") == 0) {
+        return print_errors(count > 2 ? 0 : ISO_COMPENSATED);
+    }
+    if (!report_ok(iso_the_plant.model->states == the_problem.states &&
+                       iso_the_plant.model->inputs <= ORDER_INPUTS_MAX &&
+                       iso_the_plant.model->parameters <= PARAMETERS_MAX && the_equations->factors <= FACTORS_MAX &&
+                       (by_sines ? the_equations->angle_count : the_equations->factors) > 0,
+                   "the plant has the problem's states, and %s", by_sines ? "angles" : "a Jacobian")) {
+        return report_done();
+    }
+    test_orders(by_sines);
+    for (size_t i = 0; i < sizeof controls / sizeof *controls && !by_sines; i++) {
         const bool passed = has_order(&controls[i]);
         report_ok(!passed, "control: %s has not order %d", controls[i].name, ISO_ORDER_OF(controls[i].recipe));
     }

@@ -15,6 +15,12 @@ result $? "double_pendulum builds"
 joined double_pendulum "$out/double_pendulum.run"
 
 # shellcheck disable=SC2086
+build/isoc models/double_pendulum.scene -o "$out/sines" --real double --method rk4 >/dev/null &&
+    EXTRA="-DPLANT=\"$out/sines/plant.c\"" program sines.run $ours tests/order/double_pendulum.c
+result $? "double_pendulum builds with stages that take sines from those of the start"
+joined sines "$out/sines.run" sines
+
+# shellcheck disable=SC2086
 build/isoc tests/order/four_bar.scene -o "$out/four_bar" --real double >/dev/null &&
     EXTRA="-DPLANT=\"$out/four_bar/plant.c\"" program four_bar.run $ours tests/order/four_bar.c
 result $? "four_bar builds"
