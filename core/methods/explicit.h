@@ -24,16 +24,19 @@ typedef struct iso_tableau {
     int8_t b_over;
 } iso_tableau;
 
-/* h / over * (c[0] k[0] + c[1] k[n] + ...) over the terms with c != 0. At least one c is not zero. */
+/* h / over * (c[0] k[0] + c[1] k[n] + ...) over the terms with c != 0; neighbours with the same c are added first. At least
+ * one c is not zero. */
 static inline real iso_combine(const real h_over, const int8_t *const c, const uint8_t terms, const real *const k,
                                const size_t n)
 {
-    real sum = R(0.0);
+    real sum = R(0.0), same = R(0.0);
     bool first = true;
     ISO_UNROLL
     for (uint8_t j = 0; j < terms; j++) {
-        if (c[j] != 0) {
-            const real term = (real)c[j] * k[j * n];
+        const bool ends = j + 1 == terms || c[j + 1] != c[j];
+        same = j > 0 && c[j - 1] == c[j] ? same + k[j * n] : k[j * n];
+        if (c[j] != 0 && ends) {
+            const real term = (real)c[j] * same;
             sum = first ? term : sum + term;
             first = false;
         }

@@ -36,7 +36,7 @@ enum {
       ISO_FROM_START, R(0.0), iso_euler_step, iso_prime_check)                                                         \
     X(r, ISO_HEUN, "heun", 2,  2, 0, 0,  0, 3, ISO_PRIME_VECTORS,  2, 2,                                               \
       ISO_FROM_START, R(0.0), iso_heun_step, iso_prime_check)                                                          \
-    X(r, ISO_RK4, "rk4", 4,  4, 0, 0,  0, 5, ISO_PRIME_VECTORS,  6, 6,                                                 \
+    X(r, ISO_RK4, "rk4", 4,  4, 0, 0,  0, 5, ISO_PRIME_VECTORS,  6, 5,                                                 \
       ISO_FROM_START, R(0.0), iso_rk4_step, iso_prime_check)                                                           \
     X(r, ISO_AB4, "ab4", 4,  1, 0, 0,  ISO_AB4_SUMS, 1, ISO_PRIME_VECTORS,  3, 4,                                      \
       ISO_FROM_START, R(0.0), iso_ab4_step, iso_ab4_prime)                                                             \

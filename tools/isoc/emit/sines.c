@@ -40,7 +40,7 @@ void emit_derivative_function(emission *e, const char *function, code result)
     }
     result.turns = given_sines(e, "sines[");
     emit_angles(e);
-    put_if(e, e->p->is_flat, "static inline iso_derivative_by_sines %s_by_sines;\n", function);
+    put_if(e, e->p->is_flat, "ISO_INLINE iso_derivative_by_sines %s_by_sines;\n", function);
     emit_function(e, form(e, "%s_by_sines", function), "dx", sines_parameter(e), &result);
     emit_head(e, "", function, "dx", "", "");
     put(e, "    real sines[%d];\n", 2 * e->p->angle_count);
