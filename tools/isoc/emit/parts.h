@@ -149,17 +149,19 @@ void emit_settle(emission *e);
 /* outputs.c: the outputs. */
 void emit_output(emission *e);
 
-/* sines.c: the derivative, of what is held or not, in a step of several stages as a function of sines that it is given too; how
- * it reads them, of each state; the arguments by which it gets them; and their table in the equations. */
+/* sines.c: the derivative in a step, which may be given the sines and cosines of angles; how it reads those, of each state;
+ * the parameter by which it gets them, or nothing; the table of the angles; and the call that finds them. */
 void emit_derivative_function(emission *e, const char *function, code result);
 const char *const *given_sines(const emission *e, const char *from);
 const char *sines_parameter(const emission *e);
 void emit_angles(emission *e);
 void emit_found_sines(const emission *e, const char *x, const char *sines);
 
-/* prepared.c: reals behind the states for what a step prepares; the derivative in two functions; where the outputs find sines and cosines, NULL where nowhere; the call by which
- * the end of a step, or a start, prepares the next one; and the outputs with that. */
+/* The reals behind the states for what a step prepares, sines among them. */
 int prepared_count(const emission *e);
+
+/* prepared.c: the derivative in two functions; where the outputs find sines and cosines, NULL where nowhere; the call by which
+ * the end of a step, or a start, prepares the next one; and the outputs with that. */
 void emit_cut_derivative(emission *e);
 const char *const *prepared_turns(const emission *e);
 void emit_preparing(const emission *e);

@@ -42,11 +42,6 @@ const code_cut *cut_of(const plant *p, graph *g, const naming *names)
     return pieces.count <= MOST && result->statements >= STATEMENTS_OF_ONE * result->count ? result : NULL;
 }
 
-int prepared_count(const emission *e)
-{
-    return e->names->cut == NULL ? 0 : 2 * e->p->angle_count + e->names->cut->count;
-}
-
 /* Where it stands: an array of which what is given stands first. */
 static const char *prepared_place(const emission *e, const char *x, bool behind_sines)
 {

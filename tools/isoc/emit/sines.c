@@ -17,6 +17,11 @@ const char *sines_parameter(const emission *e)
     return e->p->angle_count > 0 ? ", const real *restrict const sines" : "";
 }
 
+int prepared_count(const emission *e)
+{
+    return e->names->cut == NULL ? 0 : 2 * e->p->angle_count + e->names->cut->count;
+}
+
 void emit_angles(emission *e)
 {
     if (e->p->angle_count > 0) {
