@@ -69,8 +69,8 @@ ISO_INLINE void iso_stage_sines(const iso_step *const step, const real h_over, c
 
 /* k_i = f(t + c_i h, x + h sum_j a_ij k_j), x += h sum_i b_i k_i, from k_0 = f(x) on. work[(stages + 1) n], without the last for one
  * stage. Local error of order h^(order + 1). Butcher (2016), Numerical Methods for Ordinary Differential Equations, eqs.
- * 221a-d. */
-ISO_INLINE void iso_explicit_step(const iso_tableau *const table, iso_step *const step)
+ * 221a-d. By sines, where step->sines are those of the start. */
+ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *const step, const bool by_sines)
 {
     const iso_history *const history = step->history;
     const size_t n = history->n;
@@ -84,7 +84,7 @@ ISO_INLINE void iso_explicit_step(const iso_tableau *const table, iso_step *cons
         for (size_t s = 0; s < n; s++) {
             at[s] = history->x[s] + iso_combine(h_over, table->a[i], i, k + s, n);
         }
-        if (step->sines != NULL) {
+        if (by_sines) {
             iso_stage_sines(step, h_over, table->a[i], i);
             step->by_sines(k + i * n, at, iso_inputs_at(step, iso_stage_at(table, i)), step->p, step->sines_here);
         } else {
@@ -97,6 +97,11 @@ ISO_INLINE void iso_explicit_step(const iso_tableau *const table, iso_step *cons
     for (size_t s = 0; s < n; s++) {
         iso_advance(history, s, iso_combine(h_over, table->b, table->stages, k + s, n));
     }
+}
+
+ISO_INLINE void iso_explicit_step(const iso_tableau *const table, iso_step *const step)
+{
+    iso_explicit_step_by(table, step, false);
 }
 
 #endif

@@ -16,7 +16,7 @@ static const iso_tableau iso_tableau_heun = {
 
 ISO_INLINE void iso_heun_step(iso_step *const step)
 {
-    iso_explicit_step(&iso_tableau_heun, step);
+    iso_explicit_step_by(&iso_tableau_heun, step, step->sines != NULL);
 }
 
 #endif

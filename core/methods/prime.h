@@ -30,7 +30,7 @@ static inline const real *iso_walk_back(const iso_step *const step, const uint8_
     for (size_t past = 0; past < count; past++) {
         if (past > 0 || !from_now) {
             iso_step_begin(&back, R(0.0));
-            iso_rk4_step(&back);
+            iso_explicit_step(&iso_tableau_rk4, &back);
         }
         iso_evaluate(step, derivatives + past * n, at);
         for (size_t s = 0; s < n && past == 0; s++) {
@@ -67,7 +67,7 @@ static inline void iso_prime_centred(iso_step *const step)
         walk.history = back ? &unseen : &seen;
         walk.h = back ? -step->h : step->h;
         iso_step_begin(&walk, R(0.0));
-        iso_rk4_step(&walk);
+        iso_explicit_step(&iso_tableau_rk4, &walk);
     }
 }
 

@@ -16,7 +16,7 @@ static const iso_tableau iso_tableau_rk4 = {
 
 ISO_INLINE void iso_rk4_step(iso_step *const step)
 {
-    iso_explicit_step(&iso_tableau_rk4, step);
+    iso_explicit_step_by(&iso_tableau_rk4, step, step->sines != NULL);
 }
 
 #endif

@@ -103,7 +103,7 @@ while IFS= read -r effect; do
     "output of a point's velocity") holds "$effect" range 80 "$name" ;;
     # What rounding took of two states; three sums of derivatives of two states, and four words of progress.
     "compensated sums") holds "$effect" range 64 "$name" ;;
-    "steps checked") holds "$effect" "iso_plant_tell prime range" 96 "$name" ;;
+    "steps checked") holds "$effect" "derivative_by_sines iso_plant_tell prime range" 96 "$name" ;;
     *) holds "$effect" range 56 "$name" ;;
     esac
 done <"$out/names"
