@@ -7,6 +7,7 @@
 . tests/host/project.sh
 begin check/readme
 project
+unoptimised
 mkdir -p "$out/printed"
 find . -name .git -prune -o -path ./build -prune -o -print >"$out/exists"
 documents=$(find . -name '*.md' ! -path './build/*' ! -path './.*/*' | sed 's|^\./||' | sort)

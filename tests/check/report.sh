@@ -7,6 +7,7 @@
 . tests/host/picture.sh
 begin check/report
 project
+unoptimised
 reads_picture
 
 # By turns, both with the argument `all`: the report of a scene with inputs, and make bench.
