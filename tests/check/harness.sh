@@ -81,7 +81,7 @@ told=$(tail -n 2 "$out/output" | sed -n '1s/^\([0-9]*\) processes were started m
 result $? "the number of processes is told: $told"
 unset TEST_BEGAN
 
-# Times: the longest of the list first, before it what is not in it; none that took longer than is wanted.
+# Times: the longest of the list first, before it what is not in it; of quick ones, none that took longer or is not in it.
 one slow 'echo "ok 1 - a"; i=0; while [ $i -lt 300000 ]; do i=$((i + 1)); done; echo 1..1'
 printf '%s\n' "9.5 $out/tests/skip.t" "20 $out/tests/good.t" "0.5 $out/tests/slow.t" >"$out/known"
 export TALLY_TIMES="$out/known" TALLY_STARTS="$out/budgets" TEST_MEASURED="$PWD/$out/measured" TEST_TAKES="$PWD/$out/takes" TEST_KEPT="$PWD/$out/kept" TEST_STATE=
@@ -93,11 +93,11 @@ order()
 tally slow skip good bad
 [ "$(order)" = "bad good skip slow" ]
 result $? "tests begin in the order of their times, and before them what has none: $(order)"
-TALLY_MOST=9 tally slow skip good bad
-[ "$(order)" = "bad slow" ]
-result $? "what takes longer than it may is left out: $(order)"
-[ "$(awk 'NR == 1 { print ($1 > 0.02), $3 }' "$out/takes.txt")" = "1 $out/tests/slow.t" ] && [ "$(wc -l <"$out/takes.txt")" -eq 2 ]
+[ "$(awk 'NR == 1 { print ($1 > 0.02), $3 }' "$out/takes.txt")" = "1 $out/tests/slow.t" ] && [ "$(wc -l <"$out/takes.txt")" -eq 4 ]
 result $? "what each took is written down, the longest first"
+TALLY_MOST=9 tally slow skip good bad
+[ "$(order)" = slow ] && grep -q '^1 of the tests are not in tests/times, and left out$' "$out/output"
+result $? "what takes longer than it may is left out, and what has no time, which is told: $(order)"
 unset TALLY_TIMES
 
 # What passed is not run again as long as nothing has changed; what failed is.
@@ -178,6 +178,35 @@ echo b >"$out/turns/core/README.md"
 result $? "a turn follows from sources, not from texts and from what is left beside them"
 [ "$(TEST_TURN=100 turn)" = 3 ] && [ "$(TEST_WHOLE=yes turn)" = all ] && [ "$(cd "$out/turns" && turn_of 97 all core)" = all ]
 result $? "a turn can be told, and all"
+
+# unlike TABLE: its rows of tests with turns that are measured over too few of them: fewer than there are, than take a minute by
+# tests/times, and than ten; but two at least.
+unlike()
+{
+    awk '
+        FILENAME == table { rows[++count] = $0; next }
+        FILENAME == "tests/times" { seconds[$2] = $1; next }
+        match($0, /^turns=[0-9]+$|turn=\$\(turn_of [0-9]+ /) {
+            parts = substr($0, RSTART, RLENGTH)
+            gsub(/[^0-9]/, "", parts)
+            most[FILENAME] = parts + 0 > most[FILENAME] ? parts + 0 : most[FILENAME]
+        }
+        function least(a, b) { return a < b ? a : b }
+        END {
+            for (i = 1; i <= count; i++) {
+                split(rows[i], row, " ")
+                affordable = int(60 / (seconds[row[2]] > 6 ? seconds[row[2]] : 6))
+                if (row[3] + 0 < least(most[row[2]], affordable < 2 ? 2 : affordable)) print rows[i]
+            }
+        }' table="$1" "$1" tests/times tests/*/*.t tests/check/*.sh
+}
+unlike tests/starts >"$out/unlike"
+sed 's/^/# /' "$out/unlike"
+[ ! -s "$out/unlike" ]
+result $? "the budget of each test with turns is measured over them"
+sed 's/ [0-9]*$/ 1/' tests/starts >"$out/fewer"
+[ "$(unlike "$out/fewer" | wc -l)" -eq "$(awk 'NF == 3' tests/starts | wc -l)" ] && [ "$(unlike "$out/fewer" | wc -l)" -gt 30 ]
+result $? "found: one that is measured over one turn"
 
 # state: the hash of a small folder, with a compiler of its own.
 mkdir -p "$out/state/core" "$out/state/build" "$out/compiler"
