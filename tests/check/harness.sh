@@ -179,35 +179,6 @@ result $? "a turn follows from sources, not from texts and from what is left bes
 [ "$(TEST_TURN=100 turn)" = 3 ] && [ "$(TEST_WHOLE=yes turn)" = all ] && [ "$(cd "$out/turns" && turn_of 97 all core)" = all ]
 result $? "a turn can be told, and all"
 
-# unlike TABLE: its rows of tests with turns that are measured over too few of them: fewer than there are, than take a minute by
-# tests/times, and than ten; but two at least.
-unlike()
-{
-    awk '
-        FILENAME == table { rows[++count] = $0; next }
-        FILENAME == "tests/times" { seconds[$2] = $1; next }
-        match($0, /^turns=[0-9]+$|turn=\$\(turn_of [0-9]+ /) {
-            parts = substr($0, RSTART, RLENGTH)
-            gsub(/[^0-9]/, "", parts)
-            most[FILENAME] = parts + 0 > most[FILENAME] ? parts + 0 : most[FILENAME]
-        }
-        function least(a, b) { return a < b ? a : b }
-        END {
-            for (i = 1; i <= count; i++) {
-                split(rows[i], row, " ")
-                affordable = int(60 / (seconds[row[2]] > 6 ? seconds[row[2]] : 6))
-                if (row[3] + 0 < least(most[row[2]], affordable < 2 ? 2 : affordable)) print rows[i]
-            }
-        }' table="$1" "$1" tests/times tests/*/*.t tests/check/*.sh
-}
-unlike tests/starts >"$out/unlike"
-sed 's/^/# /' "$out/unlike"
-[ ! -s "$out/unlike" ]
-result $? "the budget of each test with turns is measured over them"
-sed 's/ [0-9]*$/ 1/' tests/starts >"$out/fewer"
-[ "$(unlike "$out/fewer" | wc -l)" -eq "$(awk 'NF == 3' tests/starts | wc -l)" ] && [ "$(unlike "$out/fewer" | wc -l)" -gt 30 ]
-result $? "found: one that is measured over one turn"
-
 # state: the hash of a small folder, with a compiler of its own.
 mkdir -p "$out/state/core" "$out/state/build" "$out/compiler"
 printf '#!/bin/sh\n' >"$out/compiler/gcc" && chmod +x "$out/compiler/gcc"
