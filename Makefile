@@ -91,7 +91,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot show link hil flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear
+GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear
 
 .PHONY: help shared digits functions determinism tables pictures compare monitor clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -179,6 +179,7 @@ EFFECTS_plot := $(filter-out KEEP,$(OF_A_RUN)) OUTPUTS
 EFFECTS_show := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT SECONDS REAL AGAINST STILL
 EFFECTS_link := $(OF_A_RUN) XCP CONTROLLER MODE
 EFFECTS_hil := $(filter-out SCENE SCRIPT XCP CHECKED COMPENSATED OUT,$(EFFECTS_link))
+EFFECTS_python := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL OUT
 EFFECTS_size := $(filter-out SECONDS SCRIPT KEEP,$(OF_A_RUN))
 EFFECTS_stack := $(EFFECTS_size)
 EFFECTS_a2l := $(filter-out CHECKED COMPENSATED,$(EFFECTS_size)) XCP
@@ -395,6 +396,10 @@ CALIBRATION := $(wildcard core/xcp/*.c)
 LINKED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) \
     $(patsubst %.c,$(OBJ)/%.o,$(wildcard core/link/*.c) $(CONTROL) $(PORT_CHANNEL) $(if $(XCP),$(CALIBRATION)))
 
+# What the library of a plant in Python has of core, beside its own source: no link, but what a link is asked.
+LIBRARY_OBJECTS := $(patsubst %.c,$(OBJ)/library/%.o,core/numbers/self_check.c core/runtime/loop.c $(CONTROL) core/link/command.c \
+    core/link/frame.c tools/python/instance.c)
+
 # What the program that tries a port has besides, and its own main.
 CONFORM_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(OBJ)/core/conform/main.o $(patsubst %.c,$(OBJ)/%.o,$(PORT_CHANNEL) \
     core/conform/$(if $(PORT_CHANNEL),,no_)channel.c)
@@ -404,14 +409,18 @@ RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OB
 
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(CONFORM_OBJECTS) $(CALIBRATION:%=$(OBJ)/%) $(OBJ)/tools/a2l/places.o)))
+	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(CONFORM_OBJECTS) $(LIBRARY_OBJECTS) $(CALIBRATION:%=$(OBJ)/%) $(OBJ)/tools/a2l/places.o)))
 	$(call remember,$(COMPILE))
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
 	$(Q)$(COMPILE) -MMD -MP -c $< -o $@
 
--include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d) $(RECORDED_OBJECTS:.o=.d) $(CONFORM_OBJECTS:.o=.d)) \
+$(OBJ)/library/%.o: %.c $(OBJ)/flags
+	$(call say,CC,$<)
+	$(Q)$(COMPILE) -fPIC -fvisibility=hidden -MMD -MP -c $< -o $@
+
+-include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d) $(RECORDED_OBJECTS:.o=.d) $(CONFORM_OBJECTS:.o=.d) $(LIBRARY_OBJECTS:.o=.d)) \
     $(OBJ)/tools/a2l/places.d
 
 # --- Goals -------------------------------------------------------------------------------------------------------
@@ -421,6 +430,7 @@ plot: ## run the scene and draw it with gnuplot: trace.svg, path.svg and histogr
 show: ## run the scene and write show.html beside the trace: a page with the mechanism in motion and its outputs; AGAINST: other runs beside it
 link: ## connect the scene with a CONTROLLER: trace.csv with inputs and outputs, a summary, and how long exchanges took
 hil: ## the worked example: a cart with its pole on the board, balanced by a controller in a process of its own; draw it
+python: ## make a package of Python with the scene's plant in it, build/host/REAL/NAME/python, for pip or PYTHONPATH
 flash: ## write the program into a real board and start it there: TARGET=stm32f407 or stm32f446
 size: ## print the memory of the firmware and of its parts; check the limits of the double pendulum
 a2l: ## build the plant with a link and with measurement and calibration over XCP; write its A2L: addresses, types, units, ranges
@@ -439,14 +449,15 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
-folder_of = $(if $(filter run plot show link hil flash size stack ticks a2l conform $(OF_ONE_SCENE:%=cycles),$(1)),$(OUT),$(if $(filter cost cycles,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
+folder_of = $(if $(filter run plot show link hil python flash size stack ticks a2l conform $(OF_ONE_SCENE:%=cycles),$(1)),$(OUT),$(if $(filter cost cycles,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
-shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS)) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
+shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter python,$(1)),$(LIBRARY_OBJECTS),$(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS))) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
     $(OBJ)/tools/a2l/places.o)) $(if $(filter conform,$(1)),$(CONFORM_OBJECTS)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
 # Of goals that need few of them; the others have all.
 TOOLS_OF_run := $(addprefix build/,isoc trace duration)
 TOOLS_OF_plot := $(TOOLS_OF_run)
 TOOLS_OF_show := $(TOOLS_OF_run) build/show
+TOOLS_OF_python := build/isoc build/duration
 TOOLS_OF_link := $(TOOLS_OF_run) build/link
 TOOLS_OF_linear := build/isoc build/duration
 TOOLS_OF_hil := $(TOOLS_OF_link)

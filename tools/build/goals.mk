@@ -114,7 +114,30 @@ a2l: $(A2L)
 	@echo program $(LINKED_PROGRAM)
 	@echo a2l $(A2L)
 
--include $(OUT)/plant.d $(LINKED)/plant.d $(LINKED)/interface.d
+# The plant in Python: a package with a library in it, of objects that stand anywhere in memory and hide what is theirs.
+PACKAGE := $(OUT)/python
+LIBRARY_COMPILE := $(COMPILE) -fPIC -fvisibility=hidden
+
+$(PACKAGE)/pyproject.toml: $(OUT)/choice build/isoc
+	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C is no package: it is for scenes))
+	$(call say,ISOC,$(SCENE) --python)
+	$(Q)rm -rf $(PACKAGE)
+	$(Q)build/isoc $(call quote,$(SCENE)) -o $(PACKAGE) $(CHOICE) --python >$(PACKAGE).txt
+
+$(PACKAGE)/plant.o: $(PACKAGE)/pyproject.toml $(OBJ)/flags
+	$(call say,CC,$(PACKAGE)/plant.c)
+	$(Q)$(LIBRARY_COMPILE) -MMD -MP -c $(PACKAGE)/plant.c -o $@
+
+# The library is of the scene alone: its folder has it by the name of the scene's module.
+$(PACKAGE)/plant.so: $(PACKAGE)/plant.o $(LIBRARY_OBJECTS)
+	$(call say,LINK,$@)
+	$(call link,$(PORT_CC) $(PORT_FLAGS) $(CFLAGS) -shared $^)
+
+python: $(PACKAGE)/plant.so
+	$(Q)for module in $(PACKAGE)/*_plant; do ln -f $< $$module/plant.so; done
+	@echo package $(PACKAGE)
+
+-include $(PACKAGE)/plant.d $(OUT)/plant.d $(LINKED)/plant.d $(LINKED)/interface.d
 
 RUN = build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
 

@@ -29,6 +29,7 @@ typedef enum option {
     OPTION_SHAPE,
     OPTION_STANDALONE,
     OPTION_LINK,
+    OPTION_PYTHON,
     OPTION_LINEAR,
     OPTION_TRIM,
     OPTION_STATE,
@@ -66,6 +67,7 @@ static const struct {
     [OPTION_SHAPE] = {.word = "--shape"},
     [OPTION_STANDALONE] = {.word = "--standalone"},
     [OPTION_LINK] = {.word = "--link"},
+    [OPTION_PYTHON] = {.word = "--python"},
     [OPTION_LINEAR] = {.word = "--linear"},
     [OPTION_TRIM] = {"--trim", .has_value = true},
     [OPTION_STATE] = {"--state", .has_value = true},
@@ -133,8 +135,12 @@ static bool check_together(arena *memory, const char *const *given)
     if (given[OPTION_DIRECTORY] != NULL && listing != NULL) {
         return complain(arena_format(memory, "%s makes no plant: leave out -o", listing), given[OPTION_DIRECTORY]);
     }
-    if (given[OPTION_LINK] != NULL && unlinked != NULL) {
-        return complain("--link is of a whole program: leave out", unlinked);
+    const char *program = given[OPTION_LINK] != NULL ? given[OPTION_LINK] : given[OPTION_PYTHON];
+    if (program != NULL && unlinked != NULL) {
+        return complain(arena_format(memory, "%s is of a whole program: leave out", program), unlinked);
+    }
+    if (given[OPTION_LINK] != NULL && given[OPTION_PYTHON] != NULL) {
+        return complain("--link and --python make a package each: call isoc for each, with a folder of its own", NULL);
     }
     if ((given[OPTION_TRIM] != NULL || given[OPTION_STATE] != NULL) && given[OPTION_LINEAR] == NULL) {
         return complain("--trim and --state are of a linear model: add --linear", NULL);
@@ -186,6 +192,7 @@ static request request_of(const char *const *given)
         .is_double = index_of_word(given[OPTION_REAL], real_names, 2) == 1,
         .is_standalone = given[OPTION_STANDALONE] != NULL,
         .is_linked = given[OPTION_LINK] != NULL,
+        .is_python = given[OPTION_PYTHON] != NULL,
         .is_linear = given[OPTION_LINEAR] != NULL,
         .wanted = {(formulation)index_of_word(given[OPTION_FORMULATION], formulation_names, FORMULATIONS),
                    (factoring)index_of_word(given[OPTION_FACTORS], factoring_names, FACTORINGS)},

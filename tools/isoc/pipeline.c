@@ -103,6 +103,9 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     if (r->is_linked) {
         emit_link(p, &names, r->lock, &files); /* the controller's end of a wire */
     }
+    if (r->is_python) {
+        emit_python(p, &names, &files); /* the package of a program that has the plant in it */
+    }
     if (r->is_standalone) {
         standalone_files(&files, &names, r->is_double); /* the files of core that these include */
     }

@@ -11,7 +11,7 @@ typedef struct request {
     const char *lock;                                               /* of --xcp */
     const char *trim, *state;                                       /* of a linear model */
     bool draws, lists_files, lists_effects, lists_shape;            /* nothing else is asked for */
-    bool is_double, is_standalone, is_linked, is_linear;
+    bool is_double, is_standalone, is_linked, is_python, is_linear;
     build_options wanted;
 } request;
 

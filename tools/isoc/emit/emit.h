@@ -54,4 +54,8 @@ bool link_fits(const plant *p, const char *path);
  * given, for measurement and calibration, the interface has that, and plant.a2l.in is added (a2l.h). */
 void emit_link(const plant *p, const naming *names, const char *lock, file_list *files);
 
+/* python.c: adds SCENE_plant, the package of Python that has the plant in it; its library is for a compiler to make. Its identity is
+ * that of the link. */
+void emit_python(const plant *p, const naming *names, file_list *files);
+
 #endif

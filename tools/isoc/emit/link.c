@@ -1,59 +1,14 @@
+#include "tools/isoc/emit/terminals.h"
 
-#include <ctype.h>
 #include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "core/application/protocol.h"
 #include "core/link/frame.h"
 #include "port/channel.h"
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/emit/parts.h"
-
-/* The content of the frames of a plant. */
-typedef struct terminals {
-    const char *prefix, *capitals; /* of names in C: cart_pole, CART_POLE */
-    const char *scene;
-    const variable *inputs, *outputs, *tunables;
-    int input_count, output_count, tunable_count;
-    uint64_t identity;
-    long period_ns;
-    bool is_double;
-} terminals;
-
-/* FNV-1a in 64 bits, continued over a text. */
-static uint64_t hash_text(uint64_t hash, const text *t)
-{
-    for (size_t i = 0; i < t->length; i++) {
-        hash = (hash ^ (uint8_t)t->bytes[i]) * UINT64_C(0x00000100000001B3);
-    }
-    return hash;
-}
-
-static const char *literal_of_plant(arena *memory, const plant *p, double number)
-{
-    return code_literal(memory, number, p->is_double);
-}
 
 /* --- interface.c ------------------------------------------------------------------------------------------------- */
-
-/* The inputs that come over the link, with their safe values. */
-static void emit_wires(const plant *p, const naming *names, text *out)
-{
-    const mechanism *m = p->m;
-    text_add(out, "enum { WIRES = %d };\n\n", m->inputs.wire_count);
-    if (m->inputs.wire_count == 0) {
-        return;
-    }
-    text_add(out, "/* The inputs that come in, each with its safe value, and after how many ticks without a frame. */\n"
-                  "static const iso_wire wires[WIRES] = {\n");
-    FOR_ALL (const wire, w, m->inputs.wires, m->inputs.wire_count) {
-        text_add(out, "    {%s, %s, %.0f},\n", names->leaves.inputs[w->input].place,
-                 literal_of_plant(out->memory, p, w->safe), w->after);
-    }
-    text_add(out, "};\nstatic real values[WIRES];\n\n");
-}
 
 static void emit_interface(const plant *p, const naming *names, const text *wires, uint64_t identity, const char *lock,
                            text *out)
@@ -77,44 +32,6 @@ static void emit_interface(const plant *p, const naming *names, const text *wire
 }
 
 /* --- The controller's end ---------------------------------------------------------------------------------------- */
-
-static terminals terminals_of(const plant *p, const naming *names, arena *memory, uint64_t identity)
-{
-    const mechanism *m = p->m;
-    variable *inputs = arena_take(memory, (size_t)m->inputs.wire_count + 1, sizeof *inputs);
-    for (int i = 0; i < m->inputs.wire_count; i++) {
-        inputs[i] = m->inputs.all[m->inputs.wires[i].input];
-    }
-    char *prefix = arena_copy(memory, m->name, strlen(m->name));
-    for (char *c = prefix; *c != '\0'; c++) {
-        *c = (char)tolower((unsigned char)*c);
-    }
-    const char *called = isalpha((unsigned char)prefix[0]) ? prefix : arena_format(memory, "plant_%s", prefix);
-    return (terminals){.prefix = called,
-                       .capitals = capitals_of(memory, called),
-                       .scene = m->name,
-                       .inputs = inputs,
-                       .outputs = names->about_outputs,
-                       .tunables = m->parameters.all,
-                       .input_count = m->inputs.wire_count,
-                       .output_count = p->outputs.count,
-                       .tunable_count = m->parameters.count,
-                       .identity = identity,
-                       .period_ns = lround(m->method.step * 1e9),
-                       .is_double = p->is_double};
-}
-
-static const char *identity_of(const terminals *t, arena *memory)
-{
-    return arena_format(memory, "0x%016" PRIx64, t->identity);
-}
-
-/* A number of a range as C or Python has it; none is `infinity`. */
-static const char *bound(arena *memory, double number, const char *infinity)
-{
-    return isinf(number) ? arena_format(memory, "%s%s", number < 0.0 ? "-" : "", infinity)
-                         : arena_format(memory, "%.17g", number);
-}
 
 /* The places in a frame, with name, unit and comment of each: enum {CART_POLE_U_FORCE, ...}. */
 static void emit_terminals(const terminals *t, char array, const char *what, const variable *all, int count, text *out)
@@ -158,68 +75,6 @@ static void emit_client_header(const terminals *t, text *out)
                                 {NULL, NULL}});
 }
 
-static const char *python_dictionary(arena *memory, const variable *all, int count)
-{
-    text rows = {.memory = memory};
-    text_add(&rows, "{\n");
-    for (int i = 0; i < count; i++) {
-        text_add(&rows, "    \"%s\": (\"%s\", %s, %s),\n", all[i].name, all[i].unit,
-                 bound(memory, all[i].least, "float(\"inf\")"), bound(memory, all[i].most, "float(\"inf\")"));
-    }
-    text_add(&rows, "}");
-    return rows.bytes;
-}
-
-static void emit_client_module(const terminals *t, text *out)
-{
-    static const char assignment[] = "    @name@=@number@,\n", entry[] = "    @number@: @words@,\n",
-                      layout[] = "    @name@=\"@layout@\",\n", quoted[] = "    \"@name@\",\n";
-    arena *memory = out->memory;
-    text_fill(out, embedded_text(client_files, "tools/client/client.py.in"),
-              (const filling[]){{"scene", t->scene},
-                                {"type", t->is_double ? "d" : "f"},
-                                {"identity", identity_of(t, memory)},
-                                {"period_ns", arena_format(memory, "%ld", t->period_ns)},
-                                {"inputs", python_dictionary(memory, t->inputs, t->input_count)},
-                                {"outputs", python_dictionary(memory, t->outputs, t->output_count)},
-                                {"tunables", python_dictionary(memory, t->tunables, t->tunable_count)},
-                                {"frames", protocol_rows(memory, PROTOCOL_FRAMES, "    @name@=b@number@,\n")},
-                                {"modes", protocol_rows(memory, PROTOCOL_MODES, "    @words@: @number@,\n")},
-                                {"reasons", protocol_rows(memory, PROTOCOL_REASONS, entry)},
-                                {"commands", protocol_rows(memory, PROTOCOL_COMMANDS, assignment)},
-                                {"states", protocol_rows(memory, PROTOCOL_STATES, entry)},
-                                {"answers", protocol_rows(memory, PROTOCOL_ANSWERS, entry)},
-                                {"version", protocol_version(memory)},
-                                {"piece", protocol_piece(memory)},
-                                {"start fields", protocol_rows(memory, PROTOCOL_START_FIELDS, quoted)},
-                                {"state fields", protocol_rows(memory, PROTOCOL_STATE_FIELDS, quoted)},
-                                {"state layout", protocol_rows(memory, PROTOCOL_STATE_FIELDS, "@layout@")},
-                                {"layouts", protocol_rows(memory, PROTOCOL_FRAMES, layout)},
-                                {"command layouts", protocol_rows(memory, PROTOCOL_COMMANDS, layout)},
-                                {"words", protocol_rows(memory, PROTOCOL_WORDS, quoted)},
-                                {NULL, NULL}});
-}
-
-/* The files by which pip installs the module. */
-static void add_package(const terminals *t, file_list *files)
-{
-    arena *memory = files->memory;
-    const char *module = arena_format(memory, "%s_link", t->prefix);
-    const char *const parts[][2] = {
-        {"pyproject.toml", "tools/client/pyproject.toml.in"},
-        {arena_format(memory, "%s_wheel.py", module), "tools/client/wheel.py.in"},
-    };
-    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
-        text filled = {.memory = memory};
-        text_fill(&filled, embedded_text(client_files, parts[i][1]),
-                  (const filling[]){{"scene", t->scene},
-                                    {"module", module},
-                                    {"identity", arena_format(memory, "%016" PRIx64, t->identity)},
-                                    {NULL, NULL}});
-        file_list_add(files, parts[i][0], &filled);
-    }
-}
-
 bool link_fits(const plant *p, const char *path)
 {
     enum { TICK_BYTES = 0 ISO_LINK_OUTPUTS_FIELDS(ISO_FIELD_BYTES) };
@@ -239,25 +94,17 @@ bool link_fits(const plant *p, const char *path)
 void emit_link(const plant *p, const naming *names, const char *lock, file_list *files)
 {
     arena *memory = files->memory;
-    text wires = {.memory = memory}, interface = {.memory = memory};
-    text header = {.memory = memory}, module = {.memory = memory};
+    text wires = {.memory = memory}, interface = {.memory = memory}, header = {.memory = memory};
     emit_wires(p, names, &wires);
-    uint64_t identity = UINT64_C(0xCBF29CE484222325);
-    for (size_t i = 0; i < files->count; i++) {
-        identity = hash_text(identity, &files->files[i].text);
-    }
-    identity = hash_text(identity, &wires);
-    const terminals t = terminals_of(p, names, memory, identity);
-    emit_interface(p, names, &wires, identity, lock, &interface);
+    const terminals t = terminals_of(p, names, files);
+    emit_interface(p, names, &wires, t.identity, lock, &interface);
     emit_client_header(&t, &header);
-    emit_client_module(&t, &module);
     file_list_add(files, "interface.c", &interface);
     if (lock != NULL) {
         text a2l = {.memory = memory};
-        emit_a2l(p, names, identity, &a2l);
+        emit_a2l(p, names, t.identity, &a2l);
         file_list_add(files, "plant.a2l.in", &a2l);
     }
     file_list_add(files, arena_format(memory, "%s_link.h", t.prefix), &header);
-    file_list_add(files, arena_format(memory, "%s_link.py", t.prefix), &module);
-    add_package(&t, files);
+    add_python_of_link(&t, files);
 }

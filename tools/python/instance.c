@@ -1,0 +1,284 @@
+#include "tools/python/instance.h"
+
+#include "core/methods/adams.h"
+#include "core/numbers/self_check.h"
+#include "core/runtime/hash.h"
+#include "core/runtime/policy.h"
+#include "port/port.h"
+
+/* --- The platform ------------------------------------------------------------------------------------------------ */
+
+/* The virtual time of the plant that steps: in nanoseconds, and in ticks. */
+static _Thread_local uint64_t reported, period;
+
+uint32_t iso_port_start(const uint32_t period_ns)
+{
+    period = period_ns;
+    reported = 0;
+    return period_ns;
+}
+
+uint64_t iso_port_wait(void)
+{
+    return ++reported;
+}
+
+uint64_t iso_port_clock(void)
+{
+    return reported * period;
+}
+
+void iso_port_read(real *const u, const size_t inputs)
+{
+    (void)u;
+    (void)inputs;
+}
+
+void iso_port_publish(const real *const y, const size_t outputs)
+{
+    (void)y;
+    (void)outputs;
+}
+
+void iso_port_safe(void)
+{
+}
+
+/* --- An instance ------------------------------------------------------------------------------------------------- */
+
+/* Where what stands in the memory of the program's plant is in a block of the same layout. */
+static void *placed(const void *const part, unsigned char *const block)
+{
+    return part == NULL ? NULL : block + ((const unsigned char *)part - (const unsigned char *)iso_the_plant.memory);
+}
+
+/* Bytes of a part of a block, up to where a word of 64 bits may begin. */
+static size_t whole_words(const size_t bytes)
+{
+    return (bytes + sizeof(uint64_t) - 1) / sizeof(uint64_t) * sizeof(uint64_t);
+}
+
+static size_t before_bytes(void)
+{
+    return iso_the_plant.before == NULL ? 0 : whole_words(iso_the_plant.model->memory_bytes);
+}
+
+size_t iso_instance_bytes(void)
+{
+    const size_t memory = iso_the_plant.model->memory_bytes;
+    return whole_words(sizeof(iso_instance)) + whole_words(memory) + before_bytes() + ISO_SNAPSHOT_BYTES(memory);
+}
+
+bool iso_instance_is_alone(void)
+{
+    return iso_the_plant.model->policy != NULL;
+}
+
+/* What the library has once becomes that of an instance. */
+static void enter(const iso_instance *const instance)
+{
+    const iso_policy *const policy = instance->plant.model->policy;
+    period = instance->plant.model->period_ns;
+    reported = instance->reported;
+    if (policy != NULL) {
+        memcpy(policy->counts, &instance->policy, policy->count * sizeof(uint64_t));
+    }
+}
+
+static void leave(iso_instance *const instance)
+{
+    const iso_policy *const policy = instance->plant.model->policy;
+    instance->reported = reported;
+    if (policy != NULL) {
+        memcpy(&instance->policy, policy->counts, policy->count * sizeof(uint64_t));
+    }
+}
+
+const real *iso_instance_open(iso_instance *const instance, const uint64_t identity, const uint16_t *const wires,
+                              const size_t wire_count)
+{
+    const iso_plant *const from = &iso_the_plant;
+    unsigned char *const memory = (unsigned char *)instance + whole_words(sizeof *instance);
+    unsigned char *const before = memory + whole_words(from->model->memory_bytes);
+    *instance = (iso_instance){
+        .plant = {.model = from->model,
+                  .memory = memory,
+                  .x = placed(from->x, memory),
+                  .u = placed(from->u, memory),
+                  .p = placed(from->p, memory),
+                  .y = placed(from->y, memory),
+                  .progress = placed(from->progress, memory),
+                  .nearness = placed(from->nearness, memory),
+                  .adams = placed(from->adams, memory),
+                  .before = from->before == NULL ? NULL : before,
+                  .good = placed(from->good, memory)},
+        .wires = wires,
+        .wire_count = wire_count,
+        .control = {.loop = &instance->loop,
+                    .record = before + before_bytes(),
+                    .record_bytes = ISO_SNAPSHOT_BYTES(from->model->memory_bytes),
+                    .identity = identity,
+                    .hash = ISO_HASH_START},
+    };
+    enter(instance);
+    if (from->model->policy != NULL) {
+        iso_policy_reset(from->model->policy);
+    }
+    iso_loop_start(&instance->loop, &instance->plant);
+    leave(instance);
+    return iso_self_check() ? instance->plant.y : NULL;
+}
+
+/* A run from tick 0, where the plant is. */
+static void set_out(iso_instance *const instance)
+{
+    instance->control.hash = ISO_HASH_START;
+    instance->exchanged = 0;
+    instance->running = true;
+}
+
+void iso_instance_start(iso_instance *const instance, const uint64_t ticks)
+{
+    enter(instance);
+    iso_loop_restart(&instance->loop);
+    iso_control_run(&instance->control, 0);
+    leave(instance);
+    instance->ticks = ticks;
+    set_out(instance);
+}
+
+void iso_instance_stop(iso_instance *const instance)
+{
+    instance->running = false;
+    instance->ended = true;
+}
+
+uint64_t iso_instance_tick(const iso_instance *const instance)
+{
+    return instance->loop.tick;
+}
+
+bool iso_instance_runs(const iso_instance *const instance)
+{
+    return instance->running;
+}
+
+/* --- Steps ------------------------------------------------------------------------------------------------------- */
+
+/* Makes the step from a tick, with the inputs of a row. Returns whether the plant is good behind it. */
+static bool make_step(iso_instance *const instance, const iso_column *const columns, const uint64_t row)
+{
+    const iso_plant *const plant = &instance->plant;
+    iso_loop_begin(&instance->loop);
+    for (size_t i = 0; i < instance->wire_count; i++) {
+        if (columns[i].values != NULL) {
+            plant->u[instance->wires[i]] = columns[i].values[row * columns[i].stride];
+        }
+    }
+    instance->exchanged++;
+    const bool goes_on = iso_loop_end(&instance->loop);
+    const bool is_good = instance->loop.guard == plant->model->states;
+    if (is_good) {
+        iso_control_done(&instance->control, iso_hash_reals(instance->control.hash, plant->x, plant->model->states));
+    }
+    if (!goes_on || (instance->ticks > 0 && instance->loop.tick >= instance->ticks)) {
+        iso_instance_stop(instance);
+    }
+    return is_good;
+}
+
+static iso_outcome step_of(iso_instance *const instance, const iso_column *const columns, const uint64_t row)
+{
+    if (!instance->running) {
+        return instance->ended ? ISO_OVER : ISO_NO_RUN;
+    }
+    if (iso_control_is_resting(&instance->control)) {
+        return ISO_RESTS;
+    }
+    if (!make_step(instance, columns, row)) {
+        return ISO_OVER;
+    }
+    return instance->running ? ISO_STEPPED : ISO_STEPPED_LAST;
+}
+
+iso_outcome iso_instance_step(iso_instance *const instance, const iso_column *const columns)
+{
+    enter(instance);
+    const iso_outcome outcome = step_of(instance, columns, 0);
+    leave(instance);
+    return outcome;
+}
+
+static void take_row(const iso_instance *const instance, real *const rows, const uint64_t room, const uint64_t row)
+{
+    for (size_t i = 0; i < instance->plant.model->outputs; i++) {
+        rows[i * room + row] = instance->plant.y[i];
+    }
+}
+
+uint64_t iso_instance_record(iso_instance *const instance, const uint64_t ticks, const iso_column *const columns,
+                             real *const rows, const uint64_t room, iso_outcome *const outcome)
+{
+    uint64_t done = 0;
+    enter(instance);
+    take_row(instance, rows, room, 0);
+    *outcome = ISO_STEPPED;
+    while (done < ticks && *outcome == ISO_STEPPED) {
+        *outcome = step_of(instance, columns, done);
+        if (*outcome <= ISO_STEPPED_LAST) {
+            done++;
+            take_row(instance, rows, room, done);
+        }
+    }
+    leave(instance);
+    return done;
+}
+
+/* --- Commands ---------------------------------------------------------------------------------------------------- */
+
+void iso_instance_words(const iso_instance *const instance, uint64_t words[ISO_LINK_END_WORDS])
+{
+    static const iso_adams_state none;
+    const iso_loop *const loop = &instance->loop;
+    const iso_statistics *const statistics = &loop->statistics;
+    const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
+    const iso_link_statistics of_link = {.inputs = instance->exchanged};
+    const uint64_t hash = instance->control.hash;
+#define LOOP_COUNT(name, member) (uint64_t) statistics->member,
+#define LOOP_WORD(name, value) value,
+#define LINK_COUNT(name) of_link.name,
+    const uint64_t all[] = {ISO_STREAM_COUNTS(LOOP_COUNT) ISO_STREAM_WORDS(LOOP_WORD) ISO_LINK_COUNTS(LINK_COUNT)};
+    _Static_assert(sizeof all == ISO_LINK_END_BYTES, "the end frame has these words and no others");
+    memcpy(words, all, sizeof all);
+}
+
+const uint8_t *iso_instance_ask(iso_instance *const instance, const uint8_t *const payload, const size_t length,
+                                size_t *const answered)
+{
+    iso_control *const control = &instance->control;
+    enter(instance);
+    const iso_command_outcome outcome =
+        iso_command_do(&instance->commands, control, instance->running, payload, length);
+    leave(instance);
+    if (outcome == ISO_COMMAND_UNKNOWN) {
+        return NULL;
+    }
+    if (outcome == ISO_COMMAND_ANEW) {
+        set_out(instance);
+    } else if (outcome == ISO_COMMAND_WENT_ON) {
+        instance->running = true;
+    }
+    iso_frame_writer w;
+    iso_frame_begin(&w, instance->answer, ISO_LINK_ANSWER);
+    const size_t head = w.used;
+    iso_command_put_answer(&instance->commands, control, instance->running, payload, &w);
+    if (payload[0] == ISO_COMMAND_COUNTS) {
+        uint64_t words[ISO_LINK_END_WORDS];
+        iso_instance_words(instance, words);
+        for (size_t i = 0; i < ISO_LINK_END_WORDS; i++) {
+            iso_frame_put(&w, words[i], sizeof words[i]);
+        }
+    }
+    *answered = w.used - head;
+    return instance->answer + head;
+}
