@@ -297,13 +297,29 @@ static bool has_solids(const shape *s, int body)
     return any;
 }
 
+/* Whether the plate of a body has its ellipsoid in it, which is thinner. */
+static bool lies_in_plate(const figure *f, const shape *s, const shape_lump *l)
+{
+    const point_list points = points_of(s, l->body, 1e-3 * f->size);
+    const vec r = ellipsoid_of(l).radii;
+    const double middle = fmax(fmin(r.x, r.y), fmin(fmax(r.x, r.y), r.z));
+    size_t from, to;
+    bool is_flat, is_straight;
+    find_ends(&points, &from, &to);
+    if (points.count < 3 || middle > plate_thickness * f->size || flies(s, l->body) || has_solids(s, l->body)) {
+        return false;
+    }
+    (void)normal_of(&points, from, to, &is_flat, &is_straight);
+    return is_flat && !is_straight;
+}
+
 void add_bodies(figure *f, const shape *s)
 {
     for (size_t i = 0; i < s->solids; i++) {
         add_solid(f, &s->solid[i], s->solid[i].at.body % INKS_OF_BODIES);
     }
     for (size_t i = 0; i < s->lumps; i++) {
-        if (!rolls(s, s->lump[i].body)) {
+        if (!rolls(s, s->lump[i].body) && !lies_in_plate(f, s, &s->lump[i])) {
             add_lump(f, s, &s->lump[i], s->lump[i].body % INKS_OF_BODIES);
         }
     }

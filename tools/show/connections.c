@@ -15,8 +15,10 @@ static void add_rail(figure *f, const record *r, const shape_joint *j)
         most = fmax(most, way);
     }
     const double beyond = 0.06 * f->size;
-    add_rod(f, INK_GROUND, ON_GROUND, plus(j->parent.frame.at, times(least - beyond, axis)),
-            plus(j->parent.frame.at, times(most + beyond, axis)));
+    const pose at = pose_between(plus(j->parent.frame.at, times(least - beyond, axis)),
+                                 plus(j->parent.frame.at, times(most + beyond, axis)));
+    mesh_bar(&add_part(f, PART_OF_BODY, INK_GROUND, ON_GROUND)->shape, at, 0.8 * link_radius * f->size, 1.0, FEW_SIDES,
+             RAIL_PIECES);
 }
 
 static void add_slide(figure *f, const record *r, const shape_joint *j)

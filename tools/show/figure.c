@@ -44,7 +44,7 @@ void add_rod(figure *f, int ink, int body, vec from, vec to)
 {
     const pose at = pose_between(from, to);
     part *p = add_part(f, PART_OF_BODY, ink, body);
-    mesh_prism(&p->shape, at, link_radius * f->size, 1.0, FEW_SIDES);
+    mesh_bar(&p->shape, at, link_radius * f->size, 1.0, FEW_SIDES, ROD_PIECES);
 }
 
 pose moved_along_z(pose at, double z)

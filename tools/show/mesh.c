@@ -108,13 +108,22 @@ static void add_cap(mesh *to, size_t ring, int sides, int is_top)
     end_face(to);
 }
 
+void mesh_bar(mesh *to, pose at, double radius, double length, int sides, int pieces)
+{
+    const size_t first = add_ring(to, &at, radius, radius, 0.0, sides);
+    size_t low = first;
+    for (int i = 1; i <= pieces; i++) {
+        const size_t high = add_ring(to, &at, radius, radius, length * i / pieces, sides);
+        add_band(to, low, high, sides);
+        low = high;
+    }
+    add_cap(to, first, sides, 0);
+    add_cap(to, low, sides, 1);
+}
+
 void mesh_prism(mesh *to, pose at, double radius, double length, int sides)
 {
-    const size_t low = add_ring(to, &at, radius, radius, 0.0, sides);
-    const size_t high = add_ring(to, &at, radius, radius, length, sides);
-    add_band(to, low, high, sides);
-    add_cap(to, low, sides, 0);
-    add_cap(to, high, sides, 1);
+    mesh_bar(to, at, radius, length, sides, 1);
 }
 
 void mesh_wedge(mesh *to, pose at, vec sizes, int sides, int from, int end)

@@ -16,6 +16,7 @@ typedef struct mesh {
 /* Each adds to the mesh, in the frame `at`. A prism and a cone stand along z from 0 to `length`. */
 void mesh_box(mesh *to, pose at, vec edges);
 void mesh_prism(mesh *to, pose at, double radius, double length, int sides);
+void mesh_bar(mesh *to, pose at, double radius, double length, int sides, int pieces); /* a prism in pieces */
 void mesh_cone(mesh *to, pose at, double radius, double length, int sides);
 void mesh_ellipsoid(mesh *to, pose at, vec radii, int sides);
 

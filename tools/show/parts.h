@@ -7,6 +7,8 @@
 /* The sizes of what has none of its own, over that of the mechanism. */
 static const double link_radius = 0.011, marker_radius = 0.02, point_radius = 0.035, plate_thickness = 0.018,
                     longest_arrow = 0.3, spring_radius = 0.025, rotor_radius = 0.16;
+/* A rod is in pieces, of which some are before what it passes through, and some behind. */
+enum { ROD_PIECES = 3, RAIL_PIECES = 16 };
 enum { SIDES = 12, FEW_SIDES = 7, POINTS_OF_BODY = 48, TURNS = 7 };
 
 /* figure.c: an empty part; one between two places; a rod on a body. */

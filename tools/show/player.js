@@ -247,7 +247,7 @@ function drawWays(context, run, time, camera, colour) {
             last.push(seen(i));
         }
         last.push(camera.sees([0, 1, 2].map((i) => run.column(time, column + i))));
-        for (const [points, strength, width] of [[whole, 0.28, 1], [last, 1, 1.8]]) {
+        for (const [points, strength, width] of [[whole, 0.45, 1], [last, 1, 1.8]]) {
             context.globalAlpha = strength;
             context.lineWidth = width;
             trace(context, points, false);
