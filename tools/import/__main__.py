@@ -1,0 +1,83 @@
+"""A robot of URDF or MJCF as a scene: import ROBOT.urdf -o ROBOT.scene."""
+import argparse
+import os
+import sys
+
+import mjcf
+import scene
+import urdf
+from markup import Document, Stop
+from model import Model
+
+
+def head_of(document, model):
+    """The first comment of the scene: what it is of, and what was not taken."""
+    kind = "MJCF" if document.root.tag == "mujoco" else "URDF"
+    own = os.path.basename(document.path)
+    moving = sum(joint.kind != "fixed" for joint in model.joints.values())
+    lines = [f"{own}, a robot in {kind}: {len(model.bodies)} bodies, {moving} joints, {len(model.inputs)} inputs."]
+    lines += [f"- {note}" for note in model.notes]
+    if model.renamed:
+        lines.append(f"- names: {', '.join(model.renamed)}")
+    left = document.not_taken()
+    lines.append("Not taken:" if left else "All of the file is taken.")
+    for what, why, at in left:
+        count = f"{len(at)} times " if len(at) > 1 else ""
+        first = f"line {at[0]}" if isinstance(at[0], int) else os.path.basename(str(at[0]).rsplit(":", 1)[0])
+        lines.append(f"- {count}{what}, {'first ' if len(at) > 1 else ''}{first}: {why}")
+    return lines
+
+
+def imported(path, options):
+    """The text of the scene, and the lines of its head; or None, and what is wrong."""
+    problems = []
+    model = Model()
+    try:
+        document = Document(path, problems)
+        if document.root.tag == "robot":
+            urdf.Reader(document, model, options).read()
+        elif document.root.tag == "mujoco":
+            mjcf.Reader(document, model, options).read()
+        else:
+            document.root.problem(f"<{document.root.tag}> is neither <robot> of URDF nor <mujoco> of MJCF; a file of xacro is "
+                                  "to be expanded first")
+    except Stop:
+        pass
+    if not problems and not any(joint.kind != "fixed" for joint in model.joints.values()):
+        document.root.problem("nothing moves in this file: a scene has a joint; --floating lets the root link move"
+                              if document.root.tag == "robot" else "nothing moves in this file: a scene has a joint")
+    if problems:
+        return None, problems
+    urdf.outputs(model)
+    head = head_of(document, model)
+    return scene.scene_text(model, head), head
+
+
+def parser():
+    parse = argparse.ArgumentParser(prog="import", description="A robot of URDF or MJCF as a scene.")
+    parse.add_argument("file", help="a .urdf, or a .xml of MuJoCo")
+    parse.add_argument("-o", dest="out", help="the scene; default: standard output")
+    parse.add_argument("--floating", action="store_true", help="of URDF: the root link moves freely")
+    parse.add_argument("--drives", choices=("file", "none"), default="file",
+                       help="of URDF: those of the file, or of all joints where it has none; or none")
+    parse.add_argument("--exact", action="store_true", help="no angle is taken as a quarter turn that is not exactly one")
+    return parse
+
+
+def main():
+    options = parser().parse_args()
+    text, said = imported(options.file, options)
+    if text is None:
+        print("\n".join(said), file=sys.stderr)
+        return 1
+    if options.out is None:
+        sys.stdout.write(text)
+        return 0
+    with open(options.out, "w", encoding="utf-8") as file:
+        file.write(text)
+    print("\n".join(said))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,52 @@
+"""What acts on joints, as effects of the scene."""
+from model import Use
+from scene import number
+
+
+def stop(model, joint, lower, upper, impact=0.0):
+    """The limits of a joint. Half of the range, in a second, is as good a speed of impact as any where none is given."""
+    unit = joint.unit()
+    speed = impact or max((upper - lower) / 2, 1e-3)
+    name = model.name(f"{joint.name}_stop", "effect")
+    model.effects.append(Use(f"effect {name} stop", [
+        f"along {joint.name}", f"lower {number(lower)} {unit}", f"upper {number(upper)} {unit}",
+        f"impact {number(speed)} {unit}/s"]))
+    if joint.continuous:
+        joint.continuous = False
+
+
+def friction(model, joint, size):
+    name = model.name(f"{joint.name}_friction", "effect")
+    model.effects.append(Use(f"effect {name} friction", [f"along {joint.name}", f"sliding {number(size)} {joint.effort()}"]))
+
+
+GEARED = """
+# An input of a motor, behind a gear: the joint has its effort times the ratio.
+effect geared {
+    joint along
+    signal motor like effort of along
+    value ratio
+    effort on along = ratio * motor
+}"""
+
+
+def geared(model, joint, drive, ratio):
+    model.kinds["geared"] = GEARED
+    name = model.name(f"{joint.name}_gear", "effect")
+    model.effects.append(Use(f"effect {name} geared", [f"along {joint.name}", f"motor {drive}", f"ratio {number(ratio)}"]))
+
+
+def hold(model, joint):
+    """Makes a joint a fixed one, and removes what acts on it."""
+    joint.kind = "fixed"
+    drive, joint.drive = joint.drive, ""
+    joint.damping = joint.spring = 0.0
+    joint.start = 0.0
+    joint.start_place = None
+    joint.continuous = False
+    lines = {f"along {joint.name}", f"first {joint.name}", f"second {joint.name}"}
+    gone = [use for use in model.effects if lines & set(use.lines)]
+    motors = {line.partition(" ")[2] for use in gone for line in use.lines if line.startswith(("motor ", "control "))}
+    model.effects = [use for use in model.effects if use not in gone]
+    model.closures = [use for use in model.closures if not lines & set(use.lines)]
+    model.inputs = [found for found in model.inputs if found.name != drive and found.name not in motors]

@@ -1,0 +1,193 @@
+"""What a scene is made of, between a file and its text: bodies, joints, closures, inputs, effects."""
+import re
+from dataclasses import dataclass, field
+
+from place import Place, add, apply, impossible, principal, product, scale
+
+RESERVED = """ground pi time at about rotate quaternion substeps x y z in of on and like step energy power balance violation
+inertia mass com parent child axis start speed position repeat include output input body joint effect frame close spring force
+signal constant tunable gravity method to from every""".split()
+UNITS = "m g s N J W Pa Hz rad A V Ohm H F Wb T K bar L Ah deg rev rpm min h t degC".split()
+PREFIXES = ["", *"numcdkMG"]
+
+
+@dataclass
+class Solid:
+    """A part of a body: where its centre of mass and its axes are, and its inertia there."""
+    mass: float
+    place: Place
+    inertia: tuple          # xx, yy, zz, xy, xz, yz
+    text: str = ""          # a solid of the language with its size: box (1, 2, 3) m
+    of: str = ""            # what it is in the file
+
+
+@dataclass
+class Body:
+    name: str
+    of: str
+    solids: list = field(default_factory=list)
+
+    def mass(self):
+        return sum(solid.mass for solid in self.solids)
+
+    def is_heavy(self):
+        return any(solid.mass > 0 for solid in self.solids)
+
+
+@dataclass
+class Joint:
+    name: str
+    kind: str
+    of: str
+    parent: str
+    parent_place: Place
+    child: str
+    child_place: Place = field(default_factory=Place)
+    axis: tuple = (0.0, 0.0, 1.0)
+    start: float = 0.0
+    start_place: Place = None       # of a free joint
+    damping: float = 0.0
+    spring: float = 0.0
+    rest: float = 0.0
+    armature: float = 0.0
+    drive: str = ""
+    continuous: bool = False
+
+    def turns(self):
+        return self.kind == "revolute"
+
+    def unit(self):
+        return "rad" if self.turns() else "m"
+
+    def effort(self):
+        return "N*m" if self.turns() else "N"
+
+    def has_one_coordinate(self):
+        return self.kind in ("revolute", "prismatic")
+
+
+@dataclass
+class Use:
+    """A statement with braces: an effect, a closure, a spring, a force."""
+    head: str
+    lines: list
+    of: str = ""
+
+
+@dataclass
+class Input:
+    name: str
+    unit: str               # "" for a plain number
+    limits: tuple = None
+    of: str = ""
+
+
+class Model:
+    def __init__(self):
+        self.gravity = (0.0, 0.0, -9.81)
+        self.step = 1e-3
+        self.bodies = {}            # by name, in their order
+        self.joints = {}
+        self.frames = []            # (name, body, Place, of)
+        self.closures = []
+        self.inputs = []
+        self.kinds = {}             # definitions of effects: name, text
+        self.effects = []
+        self.outputs = []           # (name, formula)
+        self.notes = []             # what was done that the file does not say
+        self.used = {}              # names, in lower case: what has them
+        self.renamed = []
+        for word in [*RESERVED, *(prefix + unit for unit in UNITS for prefix in PREFIXES)]:
+            self.used[word.lower()] = None
+
+    def name(self, text, kind):
+        """A name of the language for one of the file, that nothing else has."""
+        plain = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_") or kind
+        plain = plain if not plain[0].isdigit() else f"{kind}_{plain}"
+        chosen, count = plain, 1
+        while self.is_used(chosen, kind):
+            count += 1
+            chosen = f"{plain}_{kind}" if count == 2 else f"{plain}_{kind}{count - 1}"
+        self.used[chosen.lower()] = kind
+        if kind == "joint":
+            self.used[f"{chosen.lower()}_speed"] = kind
+        if chosen != text:
+            self.renamed.append(f"{text} is {chosen}")
+        return chosen
+
+    def is_used(self, name, kind):
+        low = name.lower()
+        return low in self.used or (kind == "joint" and f"{low}_speed" in self.used)
+
+    def unique_note(self, text):
+        if text not in self.notes:
+            self.notes.append(text)
+
+    def body(self, text):
+        body = Body(self.name(text, "body"), text)
+        self.bodies[body.name] = body
+        return body
+
+    def joint(self, **values):
+        joint = Joint(**values)
+        self.joints[joint.name] = joint
+        return joint
+
+
+def balanced(inertia):
+    """The same in all directions, with the same trace, as balanceinertia of MuJoCo makes it."""
+    mean = (inertia[0] + inertia[1] + inertia[2]) / 3
+    return (mean, mean, mean, 0.0, 0.0, 0.0)
+
+
+def is_impossible(inertia):
+    return impossible(inertia)
+
+
+# --- what moves no inertia ---
+
+def outboard(model, name):
+    """The bodies behind a body, and it."""
+    found, left = [], [name]
+    children = {}
+    for joint in model.joints.values():
+        children.setdefault(joint.parent, []).append(joint.child)
+    while left:
+        name = left.pop()
+        found.append(name)
+        left.extend(children.get(name, ()))
+    return found
+
+
+def moves_nothing(model, joint):
+    """Whether a joint of the tree moves no inertia: nothing heavy behind it, or only points on its axis."""
+    if joint.armature > 0:
+        return False
+    bodies = [model.bodies[name] for name in outboard(model, joint.child)]
+    heavy = [body for body in bodies if body.is_heavy()]
+    if not heavy:
+        return True
+    if not joint.turns() or heavy != [model.bodies[joint.child]]:
+        return False
+    place, largest = joint.child_place, 0.0
+    axis = apply(place.turn, joint.axis)
+    axis = scale(1 / sum(x * x for x in axis) ** 0.5, axis)
+    for solid in heavy[0].solids:
+        away = add(solid.place.at, scale(-1.0, place.at))
+        along = sum(x * y for x, y in zip(away, axis))
+        largest += solid.mass * max(sum(x * x for x in away) - along * along, 0.0)
+        moments = rotated(solid)
+        largest += sum(axis[i] * moments[i][j] * axis[j] for i in range(3) for j in range(3))
+    return largest < 1e-30
+
+
+def rotated(solid):
+    """The inertia tensor of a solid in the axes of its body."""
+    xx, yy, zz, xy, xz, yz = solid.inertia
+    m = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    turn = solid.place.turn
+    return product(product(turn, m), tuple(zip(*turn)))
+
+
+__all__ = ["Model", "Solid", "Body", "Joint", "Use", "Input", "balanced", "is_impossible", "moves_nothing", "outboard",
+           "principal"]

@@ -1,0 +1,160 @@
+"""The text of a scene."""
+import math
+import textwrap
+
+from place import QUARTER, UNTURNED
+
+
+def number(x):
+    """The shortest text that is read as this number."""
+    x = float(x) + 0.0
+    text = repr(x)
+    return text[:-2] if text.endswith(".0") else text
+
+
+def vector(v):
+    return f"({', '.join(number(x) for x in v)})"
+
+
+def axis_of(v):
+    for k, name in enumerate("xyz"):
+        if v[k] != 0 and all(v[i] == 0 for i in range(3) if i != k):
+            return name if v[k] > 0 else f"-{name}"
+    return vector(v)
+
+
+def angle(x):
+    quarters = x / QUARTER
+    if abs(quarters - round(quarters)) < 1e-14 * max(1.0, abs(quarters)):
+        return f"{90 * round(quarters)} deg"
+    return f"{number(x)} rad"
+
+
+def turns(place):
+    words = []
+    for size, axis in place.steps():
+        name = axis_of(axis)
+        if name.startswith("-"):
+            size, name = -size, name[1:]
+        words.append(f"rotate {angle(size)} about {name}")
+    return " ".join(words)
+
+
+def where(place):
+    """` at (...) m rotate ...`, or nothing."""
+    words = [f"at {vector(place.at)} m"] if any(place.at) else []
+    if place.turn != UNTURNED:
+        words.append(turns(place))
+    return "".join(f" {word}" for word in words)
+
+
+def inertia(values):
+    diagonal = ", ".join(number(x) for x in values[:3])
+    return f"({diagonal})" if not any(values[3:]) else f"({diagonal}; {', '.join(number(x) for x in values[3:])})"
+
+
+def comment(lines, width=118):
+    result = []
+    for line in lines:
+        line = "".join(c if c.isprintable() else " " for c in line)
+        result.extend(textwrap.wrap(line, width, initial_indent="# ", subsequent_indent="#     ",
+                                    break_long_words=False, break_on_hyphens=False) or ["#"])
+    return result
+
+
+def block(head, lines, of=""):
+    """A statement with braces, on one line where it fits."""
+    of = f"    # {of}" if of else ""
+    short = f"{head} {{ {'; '.join(lines)} }}"
+    if len(short) <= 100 and len(lines) <= 4:
+        return [short + of]
+    return [f"{head} {{{of}", *(f"    {line}" for line in lines), "}"]
+
+
+def solid_lines(solid, several):
+    """A body of one part has a mass, a centre and an inertia; one of several has solids."""
+    of = f"    # {solid.of}" if solid.of and several else ""
+    mass = number(solid.mass)
+    if solid.text:
+        return [f"{solid.text} of {mass} kg{where(solid.place)}{of}"]
+    if several:
+        return [f"lump {inertia(solid.inertia)} kg*m^2 of {mass} kg{where(solid.place)}{of}"]
+    lines = [f"mass {mass} kg"]
+    if any(solid.place.at):
+        lines.append(f"com {vector(solid.place.at)} m")
+    if any(solid.inertia):
+        rotated = turns(solid.place)
+        lines.append(f"inertia {inertia(solid.inertia)} kg*m^2{' ' + rotated if rotated else ''}")
+    return lines
+
+
+def body_text(body):
+    solids = [solid for solid in body.solids if solid.mass > 0]
+    lines = [line for solid in solids for line in solid_lines(solid, len(solids) > 1)]
+    if len(lines) < 2 and not any("#" in line for line in lines):
+        return [f"body {body.name} {{ {(lines or ['mass 0'])[0]} }}"]
+    return [f"body {body.name} {{", *(f"    {line}" for line in lines), "}"]
+
+
+def joint_text(joint):
+    lines = [f"parent {joint.parent}{where(joint.parent_place)}", f"child {joint.child}{where(joint.child_place)}"]
+    unit = joint.unit()
+    if joint.kind in ("revolute", "prismatic", "planar"):
+        lines.append(f"axis {axis_of(joint.axis)}")
+    if joint.has_one_coordinate() and joint.start:
+        lines.append(f"start {angle(joint.start) if joint.turns() else number(joint.start) + ' m'}")
+    if joint.start_place is not None and where(joint.start_place):
+        lines.append(f"start{where(joint.start_place)}")
+    if joint.continuous:
+        lines.append("continuous")
+    per_speed = f"{joint.effort()}*s/{unit}"
+    if joint.damping and joint.kind in ("spherical", "free"):
+        lines.append(f"spin_damping {number(joint.damping)} N*m*s/rad")
+    if joint.damping and joint.kind in ("prismatic", "free", "planar"):
+        lines.append(f"damping {number(joint.damping)} N*s/m")
+    if joint.damping and joint.turns():
+        lines.append(f"damping {number(joint.damping)} {per_speed}")
+    if joint.spring:
+        rest = f" rest {number(joint.rest)} {unit}" if joint.rest else ""
+        lines.append(f"spring {number(joint.spring)} {joint.effort()}/{unit}{rest}")
+    if joint.armature:
+        lines.append(f"armature {number(joint.armature)} {'kg*m^2' if joint.turns() else 'kg'}")
+    if joint.drive:
+        lines.append(f"drive {joint.drive}")
+    return [f"joint {joint.name} {joint.kind} {{", *(f"    {line}" for line in lines), "}"]
+
+
+def input_text(found):
+    of = f"    # {found.of}" if found.of else ""
+    unit = f" {found.unit}" if found.unit else ""
+    limits = f" in {number(found.limits[0])}{unit} to {number(found.limits[1])}{unit}" if found.limits else ""
+    value = "" if found.unit in ("N", "N*m") and found.limits else f" = 0{unit}"
+    return f"input {found.name}{value}{limits}{of}"
+
+
+def scene_text(model, head):
+    """The whole of it: `head` is what its first comment says."""
+    lines = comment(head)
+    step = model.step * 1e9
+    step = f"{number(step / 1e6)} ms" if math.isclose(step, round(step), rel_tol=1e-9) else f"{round(step)} ns"
+    lines += ["", *([f"gravity {vector(model.gravity)} m/s^2"] if any(model.gravity) else []), f"step {step}", "method rk4"]
+    for text in model.kinds.values():
+        lines += ["", *text.strip().splitlines()]
+    if model.inputs:
+        lines += ["", *(input_text(found) for found in model.inputs)]
+    for body in model.bodies.values():
+        lines += ["", *body_text(body)]
+    if model.frames:
+        lines += [""]
+    for name, body, place, of in model.frames:
+        lines.append(f"frame {name} {{ on {body}{where(place)} }}{'    # ' + of if of else ''}")
+    for joint in model.joints.values():
+        lines += ["", *joint_text(joint)]
+    for uses in (model.closures, model.effects):
+        if uses:
+            lines.append("")
+        for use in uses:
+            lines += block(use.head, use.lines, use.of)
+    lines.append("")
+    lines += [f"output {name} = {formula}" for name, formula in model.outputs]
+    return "\n".join(lines) + "\n"
