@@ -1,0 +1,450 @@
+"""MJCF: nested bodies, with defaults, classes and included files.
+
+https://mujoco.readthedocs.io/en/stable/XMLreference.html. A coordinate of the scene is that of the file less its `ref`: it is
+zero where the file draws the body.
+"""
+import math
+import os
+
+import actuators
+import effects
+import equality
+import geoms
+from markup import Document, Stop, numbers_of
+from model import Solid, moves_nothing
+from place import (QUARTER, Place, apply, cross, dot, minus, norm, of_quaternion, principal, product, quarter_of, scale,
+                   tensor, transpose, turned)
+from settings import Settings
+
+AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+SEEN = "only seen"
+
+
+class Found:
+    """An element with the defaults of its class: an attribute is looked for in it, then in them."""
+
+    def __init__(self, element, defaults):
+        self.element = element.take()
+        self.chain = [element, *defaults]
+
+    def holder(self, name):
+        for element in self.chain:
+            if name in element.attributes:
+                return element
+        return self.element
+
+    def get(self, name, default=None):
+        for element in self.chain:
+            element.read.add(name)
+        return self.holder(name).attributes.get(name, default)
+
+    def numbers(self, name, count, default=None):
+        text = self.get(name)
+        return default if text is None else numbers_of(self.holder(name), name, text, count)
+
+    def number(self, name, default=None):
+        found = self.numbers(name, 1)
+        return default if found is None else found[0]
+
+    def has(self, name):
+        return name in self.holder(name).attributes
+
+    def leave(self, why, name=""):
+        for element in self.chain if name else [self.element]:
+            element.leave(why, name)
+
+    def problem(self, text, name=None):
+        self.holder(name).problem(text, name if name and self.has(name) else None)
+
+    def flag(self, name, auto=None):
+        """true, false or auto, which is `auto`."""
+        text = self.get(name, "auto")
+        if text not in ("true", "false", "auto"):
+            self.problem(f"{name} is '{text}': true, false or auto", name)
+        return auto if text == "auto" else text == "true"
+
+
+class Reader:
+    def __init__(self, document, model, options):
+        self.document = document
+        self.model = model
+        self.options = options
+        self.root = document.root
+        self.settings = Settings()
+        self.classes = {}           # by name: (parent's name, {tag: element of the defaults})
+        self.carrier = {"world": ("ground", Place())}   # by the name of a body: a body of the scene, and the place on it
+        self.joints = {}            # by name: the joint of the scene, and its ref
+        self.sites = {}             # by name: the frame of the scene, or (carrier, place)
+        self.anonymous = 0
+        self.rounded = 0
+
+    def read(self):
+        self.include(self.root, [os.path.abspath(self.document.path)])
+        self.root.take()
+        self.root.get("model")
+        for element in self.root.all("compiler"):
+            self.settings.compiler(element.take())
+        for element in self.root.all("option"):
+            self.settings.option(element.take(), self.model)
+        if self.document.problems:
+            return
+        for element in self.root.all("default"):
+            self.defaults(element.take(), "")
+        worlds = self.root.all("worldbody")
+        if not worlds:
+            self.root.problem("there is no <worldbody>")
+        for world in worlds:
+            self.children(world.take(), "ground", Place(), "", [])
+        if self.document.problems:
+            return
+        self.settings.scale_total(self.model)
+        self.hold_what_moves_nothing()
+        equality.read(self)
+        actuators.read(self)
+        self.rest()
+
+    # --- files and classes ---
+
+    def include(self, element, files):
+        """Puts the children of an included file where <include> stands."""
+        children = []
+        for child in element.children:
+            if child.tag != "include":
+                self.include(child, files)
+                children.append(child)
+                continue
+            child.take()
+            path = os.path.join(os.path.dirname(files[0]), child.name("file"))
+            if os.path.abspath(path) in files[1:] or os.path.abspath(path) == files[0]:
+                child.problem(f"'{path}' includes itself", "file")
+                continue
+            if not os.path.isfile(path):
+                child.problem(f"there is no file '{path}'", "file")
+                continue
+            part = Document(path, self.document.problems)
+            self.include(part.root, [*files, os.path.abspath(path)])
+            for other in part.root.children:
+                other.parent = element
+            children.extend(part.root.children)
+        element.children = children
+
+    def defaults(self, element, parent):
+        name = element.get("class", "main" if not parent else None)
+        if name is None:
+            element.problem("a default inside of another has a class: <default class=\"arm\">")
+            return
+        own = self.classes.setdefault(name, (parent, {}))[1]
+        for child in element.children:
+            if child.tag == "default":
+                self.defaults(child.take(), name)
+            else:
+                own.setdefault(child.tag, []).append(child.take())
+
+    def chain(self, element, tags, childclass):
+        """The defaults of an element, from its class to the outermost."""
+        name = element.get("class", childclass) or "main"
+        found = []
+        if name != "main" and name not in self.classes:
+            element.problem(f"there is no class '{name}'", "class" if "class" in element.attributes else None)
+        while name in self.classes:
+            parent, own = self.classes[name]
+            for tag in tags:
+                found += own.get(tag, [])
+            name = parent
+        return found
+
+    def found(self, element, childclass="", tags=None):
+        return Found(element, self.chain(element, tags or [element.tag], childclass))
+
+    # --- places ---
+
+    def angle(self, text):
+        if self.settings.degrees:
+            return math.radians(float(text)) if float(text) % 90 else float(text) / 90 * QUARTER
+        if self.options.exact:
+            return float(text)
+        value, rounded = quarter_of(text)
+        self.rounded += rounded
+        return value
+
+    def place(self, found):
+        """Of pos and any of the ways to write an orientation."""
+        return Place(found.numbers("pos", 3, [0.0, 0.0, 0.0])) * self.turn(found)
+
+    def turn(self, found):
+        ways = [name for name in ("quat", "axisangle", "euler", "xyaxes", "zaxis") if found.has(name)]
+        if not ways:
+            return Place()
+        own = [name for name in ways if name in found.element.attributes]
+        if len(own) > 1:
+            found.problem(f"{' and '.join(own)}: one way to write an orientation is right", own[1])
+        way = (own or ways)[0]
+        before = len(self.document.problems)
+        values = found.numbers(way, {"quat": 4, "axisangle": 4, "euler": 3, "xyaxes": 6, "zaxis": 3}[way])
+        if len(self.document.problems) > before:
+            return Place()
+        words = found.get(way).split()
+        axis = values[:3]
+        if way == "euler":
+            return self.euler(found, words)
+        if norm(values if way == "quat" else axis) == 0:
+            found.problem(f"{way} has no length", way)
+            return Place()
+        if way == "quat":
+            return Place(turn=of_quaternion(values))
+        if way == "axisangle":
+            return turned([(self.angle(words[3]), tuple(axis))])
+        if way == "zaxis":
+            return Place(turn=to_axis(axis))
+        x = scale(1 / norm(axis), axis)
+        y = minus(values[3:], scale(dot(x, values[3:]), x))
+        if norm(y) == 0:
+            found.problem("the axes of xyaxes are parallel", way)
+            return Place()
+        y = scale(1 / norm(y), y)
+        return Place(turn=transpose((x, y, cross(x, y))))
+
+    def euler(self, found, words):
+        """Small letters turn about moving axes, capital ones about fixed axes."""
+        place = Place()
+        for letter, word in zip(self.settings.eulerseq, words):
+            step = turned([(self.angle(word), AXES[letter.lower()])])
+            place = place * step if letter.islower() else step * place
+        return place
+
+    # --- bodies ---
+
+    def name_of(self, element, kind):
+        name = element.get("name")
+        if name:
+            return name
+        self.anonymous += 1
+        return f"{kind}{self.anonymous}"
+
+    def children(self, element, carrier, place, childclass, solids):
+        """What stands in a body or a frame: geoms and sites of it, bodies, frames."""
+        for child in element.children:
+            if child.tag == "body":
+                self.body(child.take(), carrier, place, childclass)
+            elif child.tag == "frame":
+                child.take()
+                child.get("name")
+                inner = place * self.place(self.found(child, childclass))
+                self.children(child, carrier, inner, child.get("childclass", childclass), solids)
+            elif child.tag == "geom":
+                geoms.read(self, child, carrier, place, childclass, solids)
+            elif child.tag == "site":
+                found = self.found(child, childclass)
+                self.sites[self.name_of(child, "site")] = (carrier, place * self.place(found))
+                for name in ("type", "size", "rgba", "material", "group", "fromto"):
+                    found.leave(SEEN, name)
+            elif child.tag in ("joint", "freejoint", "inertial"):
+                if not child.taken and "" not in child.left:
+                    child.problem(f"a <{child.tag}> stands in a body", None)
+            elif child.tag in ("camera", "light"):
+                child.leave(SEEN)
+            elif child.tag in ("composite", "flexcomp", "replicate", "attach", "plugin"):
+                child.leave("made of many, or by a plugin")
+
+    def body(self, element, carrier, place, childclass):
+        childclass = element.get("childclass", childclass)
+        name = self.name_of(element, "body")
+        if name in self.carrier:
+            element.problem(f"a second body '{name}': names differ", "name")
+        found = self.found(element, childclass)
+        element.get("user")
+        if element.get("mocap") == "true":
+            element.leave("a mocap body stands where it is drawn", "mocap")
+        if element.get("gravcomp"):
+            element.leave("compensated gravity", "gravcomp")
+        own = place * self.place(found)
+        joints = element.all("joint", "freejoint")
+        inner = (carrier, own)
+        if joints:
+            inner = (self.chain_of(element, name, joints, carrier, own, childclass), Place())
+        self.carrier[name] = inner
+        solids = []
+        self.inertial(element, name, childclass, solids)
+        explicit = bool(solids)
+        parts = []
+        self.children(element, *inner, childclass, parts)
+        self.weigh(element, name, inner, solids if self.settings.takes_inertial(explicit) else parts)
+
+    def weigh(self, element, name, inner, solids):
+        """Puts the parts of a body onto what carries it, within the bounds of the compiler."""
+        carrier, place = inner
+        if carrier == "ground":
+            return
+        solids = self.settings.bounded(solids, name, self.model)
+        for solid in solids:
+            solid.place = place * solid.place
+            self.model.bodies[carrier].solids.append(solid)
+
+    def inertial(self, element, name, childclass, solids):
+        one = element.one("inertial")
+        if one is None:
+            return
+        if self.settings.inertiafromgeom == "true":
+            one.leave("inertiafromgeom: the geoms count")
+            return
+        found = self.found(one, childclass)
+        mass = found.number("mass", 0.0)
+        place = Place(found.numbers("pos", 3, [0.0, 0.0, 0.0])) * self.turn(found)
+        full, diagonal = found.numbers("fullinertia", 6), found.numbers("diaginertia", 3)
+        if mass < 0:
+            found.problem(f"the mass of '{name}' is below zero", "mass")
+        if full is not None and diagonal is not None:
+            found.problem("diaginertia and fullinertia: one is right", "fullinertia")
+        values = tuple(full or [*(diagonal or [0.0, 0.0, 0.0]), 0.0, 0.0, 0.0])
+        solids.append(Solid(mass, place, values, of=name))
+
+    def chain_of(self, element, name, joints, carrier, place, childclass):
+        """The joints of a body, one after the other, with bodies without mass between them; the last one has the body."""
+        body = None
+        for k, element_of_joint in enumerate(joints):
+            found = self.found(element_of_joint, childclass, ["joint"] if element_of_joint.tag == "joint" else [])
+            last = k + 1 == len(joints)
+            label = element_of_joint.get("name") or (f"{name}_joint" if len(joints) == 1 else f"{name}_joint{k + 1}")
+            body = self.model.body(name if last else f"{name}_by_{label}")
+            kind = "free" if element_of_joint.tag == "freejoint" else found.get("type", "hinge")
+            self.joint(found, label, kind, carrier, place, body.name, len(joints))
+            carrier, place = body.name, Place()
+        return body.name
+
+    def joint(self, found, label, kind, carrier, place, child, count):
+        kinds = {"hinge": "revolute", "slide": "prismatic", "ball": "spherical", "free": "free"}
+        if kind not in kinds:
+            found.problem(f"the type '{kind}' is not known: {', '.join(kinds)}", "type")
+            kind = "hinge"
+        if label in self.joints:
+            found.problem(f"a second joint '{label}': names differ", "name")
+        anchor = found.numbers("pos", 3, [0.0, 0.0, 0.0])
+        if kind == "free":
+            if carrier != "ground" or count > 1:
+                found.problem("a free joint is the only one of a body of the world")
+            made = self.model.joint(name=self.model.name(label, "joint"), kind="free", of=label, parent="ground",
+                                    parent_place=Place(), child=child, start_place=place)
+            made.damping = found.number("damping", 0.0)
+        else:
+            at = Place(anchor)
+            made = self.model.joint(name=self.model.name(label, "joint"), kind=kinds[kind], of=label, parent=carrier,
+                                    parent_place=place * at, child=child, child_place=at)
+        self.joints[label] = (made, 0.0)
+        self.properties(found, label, made)
+
+    def properties(self, found, label, made):
+        """Axis, armature, damping, spring, limits and friction of a joint."""
+        if made.kind == "free" and found.element.tag == "freejoint":
+            found.leave(SEEN, "group")
+            return
+        axis = found.numbers("axis", 3, [0.0, 0.0, 1.0])
+        if made.has_one_coordinate() and norm(axis) == 0:
+            found.problem("the axis has no length: axis=\"0 0 1\"", "axis")
+            axis = [0.0, 0.0, 1.0]
+        made.axis = tuple(axis)
+        made.damping = found.number("damping", 0.0)
+        made.armature = found.number("armature", 0.0)
+        stiffness = found.number("stiffness", 0.0)
+        ref = self.coordinate(found, "ref", made)
+        rest = self.coordinate(found, "springref", made) - ref
+        friction = found.number("frictionloss", 0.0)
+        limits = found.numbers("range", 2)
+        if made.damping < 0 or made.armature < 0 or stiffness < 0 or friction < 0:
+            found.problem("damping, armature, stiffness and frictionloss are not below zero")
+        self.joints[label] = (made, ref)
+        if ref:
+            self.model.notes.append(f"{label} of the file is {made.name} + {ref:.6g} {made.unit()}: ref")
+        for name, why in (("solreflimit", "a stop of its own"), ("solimplimit", "a stop of its own"),
+                          ("solreffriction", "a friction of its own"), ("solimpfriction", "a friction of its own"),
+                          ("margin", "a stop begins at its limit"), ("group", SEEN), ("user", "of the user"),
+                          ("actuatorfrcrange", "the limit of all actuators together"), ("actuatorgravcomp", "not known"),
+                          ("springdamper", "stiffness and damping count")):
+            found.leave(why, name)
+        if not made.has_one_coordinate():
+            self.of_several(found, made, stiffness, friction)
+            return
+        if stiffness > 0:
+            made.spring, made.rest = stiffness, rest
+        if friction > 0:
+            effects.friction(self.model, made, friction)
+        if found.flag("limited", limits is not None and self.settings.autolimits) and limits is not None:
+            before = len(self.document.problems)
+            lower, upper = (self.in_radians(x, made) - ref for x in limits)
+            if lower >= upper:
+                found.problem("the lower end of the range is below the upper one", "range")
+            if len(self.document.problems) == before:
+                effects.stop(self.model, made, lower, upper)
+        elif limits is not None:
+            found.leave("the joint is not limited", "range")
+
+    def of_several(self, found, made, stiffness, friction):
+        """What ball and free joints have not."""
+        for value, name in ((stiffness, "stiffness"), (friction, "frictionloss"), (made.armature, "armature")):
+            if value:
+                found.leave("of joints of one coordinate", name)
+        made.armature = 0.0
+        if found.get("range") is not None:
+            found.leave("of joints of one coordinate", "range")
+        found.get("limited")
+
+    def in_radians(self, value, made):
+        return math.radians(value) if made.turns() and self.settings.degrees else value
+
+    def coordinate(self, found, name, made):
+        return self.in_radians(found.number(name, 0.0), made)
+
+    # --- the rest ---
+
+    def hold_what_moves_nothing(self):
+        for made, _ in self.joints.values():
+            if moves_nothing(self.model, made):
+                effects.hold(self.model, made)
+                self.model.notes.append(f"the joint {made.of} moves no inertia, and is held where it starts: MuJoCo refuses it")
+
+    def frame(self, site):
+        """The frame of a site in the scene; made where it is first asked for."""
+        found = self.sites[site]
+        if isinstance(found, tuple):
+            carrier, place = found
+            name = self.model.name(site, "frame")
+            self.model.frames.append((name, carrier, place, ""))
+            self.sites[site] = found = name
+        return found
+
+    def rest(self):
+        why = {"asset": "pictures; of a mesh the inertia that the file gives a body counts", "visual": SEEN,
+               "statistic": SEEN, "size": "memory of MuJoCo", "custom": "of the user", "contact":
+               "contact is of points and balls with the ground", "keyframe": "starts of a run", "sensor":
+               "outputs of the scene show what is asked for", "extension": "plugins", "deformable": "not rigid"}
+        for element in self.root.children:
+            if element.tag in why:
+                element.leave(why[element.tag])
+        for parent, own in self.classes.values():
+            for elements in own.values():
+                for element in elements:
+                    self.unused_default(element)
+        if self.rounded:
+            self.model.notes.append(f"{self.rounded} angles are quarter turns as far as they are written (1.5708), and are "
+                                    "taken as such; --exact keeps them")
+        for site in list(self.sites):
+            if not site.startswith("site") or not site[4:].isdigit():
+                self.frame(site)
+
+    @staticmethod
+    def unused_default(element):
+        why = SEEN if element.tag in ("material", "camera", "light", "mesh", "texture") else "nothing uses this default"
+        for name in element.attributes:
+            if name not in element.read:
+                element.leave(why, name)
+
+
+def to_axis(axis):
+    """The least turn that takes z to an axis."""
+    z, to = (0.0, 0.0, 1.0), scale(1 / norm(axis), axis)
+    across = cross(z, to)
+    if norm(across) < 1e-15:
+        return Place().turn if to[2] > 0 else turned([(math.pi, (1.0, 0.0, 0.0))]).turn
+    return of_quaternion((1 + dot(z, to), *across))
+
+
+__all__ = ["Reader", "Stop", "apply", "principal", "product", "tensor"]

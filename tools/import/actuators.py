@@ -1,0 +1,371 @@
+"""<actuator> and <tendon> of MJCF: inputs, and effects that turn them into efforts.
+
+force = gain (control or activation) + bias, gain and bias of the length of what it drives and of its rate; the effort of a
+joint is the force times the change of that length by its coordinate.
+"""
+import math
+from dataclasses import dataclass, field
+
+from model import Input, Use
+from place import apply, minus, norm
+from scene import number, vector, where
+
+KINDS = ("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder")
+NOT_KINDS = {"muscle": "muscles", "adhesion": "adhesion", "plugin": "plugins", "dcmotor": "no such motor"}
+
+
+@dataclass
+class Force:
+    """How the force of an actuator or a tendon follows."""
+    gain: tuple = (1.0, 0.0, 0.0)
+    bias: tuple = (0.0, 0.0, 0.0)
+    dynamics: str = "none"          # none, integrator, filter
+    time: float = 1.0
+    limits: tuple = None
+    control: str = ""
+
+
+@dataclass
+class Length:
+    """What an actuator acts on: joints with ratios; or two points of bodies; or a wrench on a body."""
+    joints: list = field(default_factory=list)      # (joint, ratio)
+    zero: float = 0.0                               # the length where all coordinates are zero
+    points: list = None                             # two (carrier, place)
+    scale: float = 1.0
+    wrench: tuple = None                            # carrier, place, six numbers
+
+
+def read(reader):
+    tendons = {}
+    for group in reader.root.all("tendon"):
+        group.take()
+        for element in group.children:
+            tendon(reader, element, tendons)
+    for group in reader.root.all("actuator"):
+        group.take()
+        for element in group.children:
+            if element.tag in NOT_KINDS:
+                element.leave(NOT_KINDS[element.tag])
+            elif element.tag in KINDS:
+                actuator(reader, reader.found(element, "", [*KINDS]), tendons)
+
+
+# --- tendons ---
+
+def tendon(reader, element, tendons):
+    if element.tag not in ("fixed", "spatial"):
+        return
+    found = reader.found(element, "", ["tendon"])
+    name = found.get("name") or f"tendon{len(tendons) + 1}"
+    length = fixed(reader, found) if element.tag == "fixed" else spatial(reader, found)
+    for key in ("width", "material", "rgba", "group", "user"):
+        found.leave("only seen", key)
+    for key in ("range", "limited", "solreflimit", "solimplimit", "margin", "frictionloss", "solreffriction", "solimpfriction",
+                "armature", "actuatorfrcrange", "actuatorfrclimited"):
+        found.leave("limits, friction and armature are of joints", key)
+    tendons[name] = length
+    if length is None:
+        found.leave("a tendon goes straight between two sites, or is a sum of joints")
+        return
+    stiffness, damping = found.number("stiffness", 0.0), found.number("damping", 0.0)
+    if stiffness == 0 and damping == 0:
+        return
+    rest = found.numbers("springlength", (1, 2), [-1.0])
+    now = length.zero if length.points is None else distance(reader, length)
+    low, high = (now, now) if rest == [-1.0] else (rest[0], rest[-1])
+    if length.points is not None and low == high:
+        (one, at_one), (other, at_other) = length.points
+        own = reader.model.name(name, "spring")
+        lines = [f"between {one}{point(at_one)} and {other}{point(at_other)}", f"stiffness {number(stiffness)} N/m",
+                 *([f"damping {number(damping)} N*s/m"] if damping else []), f"length {number(low)} m"]
+        reader.model.effects.append(Use(f"spring {own}", lines))
+        return
+    if low != high:
+        found.leave("the middle of the two counts", "springlength")
+    write(reader, name, length, Force(gain=(0.0, 0.0, 0.0), bias=(stiffness * (low + high) / 2, -stiffness, -damping)))
+
+
+def fixed(reader, found):
+    length = Length()
+    for child in found.element.children:
+        child.take()
+        joint = child.name("joint")
+        if joint not in reader.joints:
+            child.problem(f"there is no joint '{joint}'", "joint")
+            return None
+        made, ref = reader.joints[joint]
+        ratio = child.number("coef", 1.0)
+        if not made.has_one_coordinate():
+            if made.kind != "fixed":
+                return None
+            continue
+        length.joints.append((made, ratio))
+        length.zero += ratio * ref
+    return length
+
+
+def spatial(reader, found):
+    sites = [child for child in found.element.children if child.tag == "site"]
+    if len(found.element.children) != 2 or len(sites) != 2:
+        return None
+    points = []
+    for child in sites:
+        name = child.take().name("site")
+        if name not in reader.sites:
+            child.problem(f"there is no site '{name}'", "site")
+            return None
+        frame = reader.sites[name]
+        points.append(frame if isinstance(frame, tuple) else next((on, at) for own, on, at, _ in reader.model.frames
+                                                                  if own == frame))
+    return Length(points=points)
+
+
+def distance(reader, length):
+    from equality import globals_of
+    places = globals_of(reader.model)
+    (one, at_one), (other, at_other) = length.points
+    return norm(minus(places[one].point(at_one.at), places[other].point(at_other.at)))
+
+
+def point(place):
+    return f" at {vector(place.at)} m" if any(place.at) else ""
+
+
+# --- actuators ---
+
+def actuator(reader, found, tendons):
+    length = target(reader, found, tendons)
+    force = force_of(found)
+    for key in ("group", "user", "lengthrange", "actearly", "actdim", "nsample", "interp", "delay"):
+        found.leave("of MuJoCo's own", key)
+    if length is None or force is None:
+        return
+    name = found.get("name") or (f"{length.joints[0][0].name}_control" if length.joints else "control")
+    limits = found.numbers("ctrlrange", 2)
+    limited = found.flag("ctrllimited", limits is not None and reader.settings.autolimits)
+    if limits is not None and not limited:
+        found.leave("the control is not limited", "ctrlrange")
+        limits = None
+    if limits is not None and limits[0] >= limits[1]:
+        found.problem("the lower end of ctrlrange is below the upper one", "ctrlrange")
+        return
+    input_name = reader.model.name(name, "input")
+    plain = direct(length, force)
+    unit = length.joints[0][0].effort() if plain else ""
+    reader.model.inputs.append(Input(input_name, unit, tuple(limits) if limits is not None else None,
+                                     "" if input_name == name else name))
+    if plain:
+        length.joints[0][0].drive = input_name
+        return
+    force.control = input_name
+    write(reader, name, length, force)
+
+
+def direct(length, force):
+    """A motor whose control is the effort of one joint that has no other drive."""
+    return (len(length.joints) == 1 and length.joints[0][1] * force.gain[0] == 1 and not any(force.gain[1:])
+            and not any(force.bias) and force.dynamics == "none" and force.limits is None and not length.joints[0][0].drive)
+
+
+def target(reader, found, tendons):
+    gear = [*found.numbers("gear", (1, 6), [1.0]), 0.0, 0.0, 0.0, 0.0, 0.0][:6]
+    ways = [key for key in ("joint", "jointinparent", "tendon", "site", "slidersite", "body") if found.has(key)]
+    if len(ways) != 1:
+        found.problem("an actuator drives one joint, tendon or site: joint=\"...\"")
+        return None
+    text = found.get(ways[0])
+    known = {"joint": reader.joints, "jointinparent": reader.joints, "tendon": tendons, "site": reader.sites}
+    if ways[0] not in known:
+        found.leave(f"nothing drives a {ways[0]}")
+        return None
+    if text not in known[ways[0]]:
+        found.problem(f"there is no {ways[0]} '{text}'", ways[0])
+        return None
+    if ways[0] == "tendon":
+        if tendons[text] is None:
+            found.leave("its tendon is not taken")
+            return None
+        length = tendons[text]
+        return Length([(made, gear[0] * ratio) for made, ratio in length.joints], gear[0] * length.zero, length.points, gear[0])
+    if ways[0] == "site":
+        if found.has("refsite"):
+            found.leave("nothing drives one site against another")
+            return None
+        frame = reader.sites[text]
+        carrier, place = frame if isinstance(frame, tuple) else next((on, at) for own, on, at, _ in reader.model.frames
+                                                                     if own == frame)
+        if carrier == "ground":
+            found.leave("its site stands on the ground")
+            return None
+        return Length(wrench=(carrier, place, gear))
+    made, ref = reader.joints[text]
+    if made.kind == "fixed":
+        found.leave("its joint is held")
+        return None
+    if not made.has_one_coordinate():
+        found.leave("a drive is of a joint of one coordinate")
+        return None
+    return Length([(made, gear[0])], gear[0] * ref)
+
+
+def force_of(found):
+    """Gain, bias and dynamics, from the words of each kind."""
+    tag = found.element.tag
+    force = Force()
+    if tag == "general":
+        if not general(found, force):
+            return None
+    elif tag in ("position", "intvelocity"):
+        kp, kv = found.number("kp", 1.0), found.number("kv", 0.0)
+        if found.has("dampratio"):
+            found.leave("the damping is kv", "dampratio")
+        found.leave("the control has its ctrlrange", "inheritrange")
+        force.gain, force.bias = (kp, 0.0, 0.0), (0.0, -kp, -kv)
+        if tag == "intvelocity":
+            force.dynamics = "integrator"
+        elif found.number("timeconst", 0.0) > 0:
+            force.dynamics, force.time = "filter", found.number("timeconst", 0.0)
+    elif tag == "velocity":
+        kv = found.number("kv", 1.0)
+        force.gain, force.bias = (kv, 0.0, 0.0), (0.0, 0.0, -kv)
+    elif tag == "damper":
+        force.gain = (0.0, 0.0, -found.number("kv", 1.0))
+    elif tag == "cylinder":
+        area = found.number("area", 1.0)
+        if found.has("diameter"):
+            area = math.pi / 4 * found.number("diameter", 0.0) ** 2
+        force.gain, force.bias = (area, 0.0, 0.0), tuple(found.numbers("bias", 3, [0.0, 0.0, 0.0]))
+        force.dynamics, force.time = "filter", found.number("timeconst", 1.0)
+    limits = found.numbers("forcerange", 2)
+    if limits is not None and found.flag("forcelimited", True):
+        force.limits = tuple(limits)
+    if force.dynamics != "none":
+        found.leave("an activation has no limits", "actrange")
+        found.leave("an activation has no limits", "actlimited")
+    return force
+
+
+def general(found, force):
+    gain, bias, dynamics = found.get("gaintype", "fixed"), found.get("biastype", "none"), found.get("dyntype", "none")
+    gains = [*found.numbers("gainprm", (1, 10), [1.0]), 0.0, 0.0][:3]
+    biases = [*found.numbers("biasprm", (1, 10), [0.0]), 0.0, 0.0][:3]
+    times = found.numbers("dynprm", (1, 10), [1.0])
+    for key, word, known in (("gaintype", gain, ("fixed", "affine")), ("biastype", bias, ("none", "affine")),
+                             ("dyntype", dynamics, ("none", "integrator", "filter", "filterexact"))):
+        if word not in known:
+            found.leave(f"a {key} of {', '.join(known)} is taken")
+            return False
+    force.gain = tuple(gains) if gain == "affine" else (gains[0], 0.0, 0.0)
+    force.bias = tuple(biases) if bias == "affine" else (0.0, 0.0, 0.0)
+    force.dynamics = "filter" if dynamics == "filterexact" else dynamics
+    force.time = times[0]
+    return True
+
+
+# --- effects ---
+
+def write(reader, name, length, force):
+    """The effect of an actuator, and the definition of its kind."""
+    model = reader.model
+    is_motor = not any(force.gain[1:]) and not any(force.bias) and force.limits is None and force.dynamics == "none"
+    own = model.name(name, "effect")
+    if length.wrench is not None:
+        model.kinds["thrust"] = THRUST
+        carrier, place, gear = length.wrench
+        push, twist = apply(place.turn, gear[:3]), apply(place.turn, gear[3:])
+        gain = force.gain[0]
+        if not is_motor:
+            model.unique_note(f"{name}: a thrust is its gain times the control; limits, bias and dynamics are not taken")
+        model.effects.append(Use(f"effect {own} thrust", [
+            f"place {carrier}{point(place)}", f"control {force.control}", f"push {vector([gain * x for x in push])} N",
+            f"twist {vector([gain * x for x in twist])} N*m"]))
+        return
+    if is_motor and len(length.joints) == 1:
+        made, ratio = length.joints[0]
+        model.kinds["motor"] = MOTOR
+        model.effects.append(Use(f"effect {own} motor", [
+            f"along {made.name}", f"control {force.control}", f"ratio {number(ratio * force.gain[0])} {made.effort()}"]))
+        return
+    kind, text = definition(length, force)
+    model.kinds[kind] = text
+    lines = [f"along{k + 1} {made.name}" for k, (made, _) in enumerate(length.joints)]
+    lines += [f"ratio{k + 1} {number(ratio)}" for k, (_, ratio) in enumerate(length.joints)]
+    if length.points is not None:
+        (one, at_one), (other, at_other) = length.points
+        lines += [f"one {one}{point(at_one)}", f"other {other}{point(at_other)}", f"ratio {number(length.scale)}"]
+    if force.control:
+        lines.append(f"control {force.control}")
+    names = ("gain", "gain_by_length", "gain_by_rate"), ("bias", "bias_by_length", "bias_by_rate")
+    lines += [f"{key} {number(x)}" for group, values in zip(names, (force.gain, force.bias)) for key, x in zip(group, values) if x]
+    if length.zero:
+        lines.append(f"zero {number(length.zero)}")
+    if force.limits is not None:
+        lines += [f"least {number(force.limits[0])}", f"most {number(force.limits[1])}"]
+    if force.dynamics == "filter":
+        lines.append(f"time {number(force.time)} s")
+    model.effects.append(Use(f"effect {own} {kind}", lines))
+
+
+def definition(length, force):
+    """The kind of an effect, by what it has: its name and its text."""
+    ends = "".join("t" if made.turns() else "s" for made, _ in length.joints) or "line"
+    parts = [ends] + [force.dynamics] * (force.dynamics != "none") + ["limited"] * (force.limits is not None)
+    kind = "_".join(["servo" if force.control else "strain", *parts])
+    count = range(1, len(length.joints) + 1)
+    lines = [f"joint along{k}" for k in count] + [f"value ratio{k} = 1" for k in count]
+    if length.points is not None:
+        lines += ["body one", "body other", "value ratio = 1"]
+    lines += ["signal control"] * bool(force.control)
+    lines += ["value zero = 0                          # the length where all positions are zero"]
+    lines += [f"value {key} = 0" for key in ("gain", "gain_by_length", "gain_by_rate", "bias", "bias_by_length", "bias_by_rate")]
+    if length.points is not None:
+        lines += ["let gap = position of other - position of one",
+                  "let away = gap / norm(gap)",
+                  "let length = ratio * norm(gap) / 1 m",
+                  "let by_time = ratio * dot(away, velocity of other - velocity of one) / 1 m * 1 s"]
+    else:
+        units = [made.unit() for made, _ in length.joints]
+        lines += ["let length = " + " + ".join(["zero", *(f"ratio{k} * position of along{k} / 1 {unit}"
+                                                          for k, unit in zip(count, units))]),
+                  "let by_time = " + " + ".join(f"ratio{k} * speed of along{k} / 1 {unit} * 1 s"
+                                                for k, unit in zip(count, units))]
+    signal = "control"
+    if force.dynamics != "none":
+        signal = "activation"
+        lines += ["value time s"] * (force.dynamics == "filter") + ["state activation = 0"]
+        lines.append("rate activation = " + ("(control - activation) / time" if force.dynamics == "filter" else "control / 1 s"))
+    gain = f"(gain + gain_by_length * length + gain_by_rate * by_time) * {signal} + " if force.control else ""
+    whole = f"{gain}bias + bias_by_length * length + bias_by_rate * by_time"
+    if force.limits is not None:
+        lines += ["value least", "value most"]
+        whole = f"clamp({whole}, least, most)"
+    lines.append(f"let force = {whole}")
+    if length.points is not None:
+        lines.append("force on other against one = ratio * force * 1 N * away")
+    lines += [f"effort on along{k} = ratio{k} * force * 1 {made.effort()}" for k, (made, _) in zip(count, length.joints)]
+    lines.append("output force")
+    note = "# What an actuator of MuJoCo does, in its numbers: SI, without units."
+    return kind, "\n".join([note, f"effect {kind} {{", *(f"    {line}" for line in lines), "}"])
+
+
+MOTOR = """
+# A motor: its control, a number, times the effort that one has.
+effect motor {
+    joint along
+    signal control
+    value ratio like effort of along
+    effort on along = ratio * control
+}"""
+
+THRUST = """
+# A force and a moment at a place of a body, in its axes, times a number.
+effect thrust {
+    body place
+    signal control
+    value push = (0, 0, 0) N
+    value twist = (0, 0, 0) N*m
+    force on place in body = control * push
+    moment on place in body = control * twist
+}"""
+
+__all__ = ["read", "where"]

@@ -1,0 +1,127 @@
+"""What geoms weigh: MuJoCo's solids of one density."""
+import math
+
+from model import Solid
+from place import Place, add, minus, norm, scale
+from scene import number, vector
+
+MASSLESS = {"plane": "it weighs nothing", "hfield": "it weighs nothing"}
+SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
+LOOKS = ("name", "class", "contype", "conaffinity", "condim", "group", "priority", "size", "material", "friction", "solmix", "solref",
+         "solimp", "margin", "gap", "rgba", "hfield", "mesh", "fitscale", "user", "fluidshape", "fluidcoef", "shellinertia",
+         "fromto", "pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "mass", "density", "type")
+
+
+def read(reader, element, carrier, place, childclass, solids):
+    """Adds what a geom weighs to `solids`, in the axes of its body."""
+    from mjcf import SEEN
+    found = reader.found(element, childclass)
+    kind = found.get("type", "sphere")
+    for name in ("contype", "conaffinity", "condim", "priority", "friction", "solmix", "solref", "solimp", "margin", "gap"):
+        found.leave("contact is of points and balls with the ground", name)
+    for name in ("name", "material", "rgba", "user", "hfield", "fitscale"):
+        found.leave(SEEN, name) if name in ("material", "rgba", "hfield", "fitscale") else found.get(name)
+    for name in ("fluidshape", "fluidcoef"):
+        found.leave("no fluid", name)
+    group = found.number("group", 0.0)
+    mass, density = found.number("mass"), found.number("density", 1000.0)
+    if carrier == "ground" or kind in MASSLESS or mass == 0 or (mass is None and density == 0):
+        seen(found)
+        return
+    if not reader.settings.groups[0] <= group <= reader.settings.groups[1]:
+        seen(found)
+        return
+    if found.get("shellinertia") == "true":
+        found.leave("a shell is taken as a solid", "shellinertia")
+    if kind == "mesh" or found.has("mesh"):
+        seen(found)
+        if weighs(reader, element):
+            found.leave("a mesh weighs nothing here: its body has the inertia that the file gives it")
+        return
+    if kind not in SIZES:
+        found.problem(f"the type '{kind}' is not known: plane, hfield, mesh, {', '.join(SIZES)}", "type")
+        return
+    solid = of_kind(reader, found, kind, mass, density)
+    if solid is not None:
+        solid.place = place_in_body(place, carrier, reader, element) * solid.place
+        solids.append(solid)
+
+
+def place_in_body(place, carrier, reader, element):
+    """Of the frames between a geom and its body."""
+    result = Place()
+    at = element.parent
+    while at is not None and at.tag == "frame":
+        result = reader.place(reader.found(at)) * result
+        at = at.parent
+    return result
+
+
+def weighs(reader, element):
+    """Whether a geom counts: its body has no inertial, or the geoms count anyway."""
+    body = element.parent
+    while body is not None and body.tag == "frame":
+        body = body.parent
+    return not reader.settings.takes_inertial(bool(body.all("inertial")))
+
+
+def seen(found):
+    """A geom that weighs nothing: where it is and how large is only seen."""
+    for name in ("pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "size", "fromto", "mesh", "mass", "density", "type",
+                 "shellinertia"):
+        found.get(name)
+
+
+def of_kind(reader, found, kind, mass, density):
+    sizes = found.numbers("size", (1, 3), [0.0, 0.0, 0.0])
+    ends = found.numbers("fromto", 6) if kind not in ("sphere",) else None
+    if ends is not None:
+        from mjcf import to_axis
+        along = minus(ends[3:], ends[:3])
+        if norm(along) == 0:
+            found.problem("the ends of fromto are one point", "fromto")
+            return None
+        place = Place(scale(0.5, add(ends[3:], ends[:3])), to_axis(along))
+        half = norm(along) / 2
+        sizes = [sizes[0], half] if kind in ("capsule", "cylinder") else [sizes[0], sizes[0], half]
+    else:
+        place = reader.place(found)
+    if len(sizes) < SIZES[kind] or min(sizes[:SIZES[kind]]) <= 0:
+        found.problem(f"a {kind} has {SIZES[kind]} sizes above zero", "size")
+        return None
+    volume, moments, text = SHAPES[kind](*sizes[:SIZES[kind]])
+    mass = density * volume if mass is None else mass
+    if mass < 0:
+        found.problem("a mass is not below zero", "mass")
+        return None
+    return Solid(mass, place, (*(mass * x for x in moments), 0.0, 0.0, 0.0), text, found.element.attributes.get("name", ""))
+
+
+def sphere(r):
+    return 4 / 3 * math.pi * r**3, [0.4 * r * r] * 3, f"sphere {number(r)} m"
+
+
+def box(x, y, z):
+    moments = [(y * y + z * z) / 3, (x * x + z * z) / 3, (x * x + y * y) / 3]
+    return 8 * x * y * z, moments, f"box {vector((2 * x, 2 * y, 2 * z))} m"
+
+
+def cylinder(r, h):
+    across = r * r / 4 + h * h / 3
+    return 2 * math.pi * r * r * h, [across, across, r * r / 2], f"cylinder {vector((r, 2 * h))} m"
+
+
+def ellipsoid(x, y, z):
+    moments = [(y * y + z * z) / 5, (x * x + z * z) / 5, (x * x + y * y) / 5]
+    return 4 / 3 * math.pi * x * y * z, moments, ""
+
+
+def capsule(r, h):
+    """A cylinder with two half spheres: the centre of one is 3/8 of its radius beyond its plane."""
+    rod, ball = 2 * math.pi * r * r * h, 4 / 3 * math.pi * r**3
+    share, rest = rod / (rod + ball), ball / (rod + ball)
+    across = share * (r * r / 4 + h * h / 3) + rest * (0.4 * r * r + h * h + 0.75 * h * r)
+    return rod + ball, [across, across, share * r * r / 2 + rest * 0.4 * r * r], ""
+
+
+SHAPES = {"sphere": sphere, "box": box, "cylinder": cylinder, "ellipsoid": ellipsoid, "capsule": capsule}

@@ -1,0 +1,113 @@
+"""<compiler> and <option> of MJCF."""
+from model import Solid, balanced, is_impossible
+from place import Place, UNTURNED, add, apply, dot, minus, principal, scale
+from place import product as matrix_product
+from place import tensor, transpose
+
+
+class Settings:
+    def __init__(self):
+        self.degrees = True
+        self.eulerseq = "xyz"
+        self.autolimits = True
+        self.inertiafromgeom = "auto"
+        self.groups = (0, 5)
+        self.boundmass = self.boundinertia = 0.0
+        self.balance = False
+        self.total = -1.0
+
+    def compiler(self, element):
+        word = element.get("angle", "degree" if self.degrees else "radian")
+        if word not in ("degree", "radian"):
+            element.problem(f"the angle is '{word}': degree or radian", "angle")
+        self.degrees = word == "degree"
+        self.eulerseq = element.get("eulerseq", self.eulerseq)
+        if len(self.eulerseq) != 3 or set(self.eulerseq.lower()) - set("xyz"):
+            element.problem(f"the eulerseq is '{self.eulerseq}': three letters of x, y, z, X, Y, Z", "eulerseq")
+            self.eulerseq = "xyz"
+        self.autolimits = element.get("autolimits", "true" if self.autolimits else "false") == "true"
+        self.inertiafromgeom = element.get("inertiafromgeom", self.inertiafromgeom)
+        if self.inertiafromgeom not in ("true", "false", "auto"):
+            element.problem(f"inertiafromgeom is '{self.inertiafromgeom}': true, false or auto", "inertiafromgeom")
+        self.groups = element.numbers("inertiagrouprange", 2, self.groups)
+        self.boundmass = element.number("boundmass", self.boundmass)
+        self.boundinertia = element.number("boundinertia", self.boundinertia)
+        self.balance = element.get("balanceinertia", "true" if self.balance else "false") == "true"
+        self.total = element.number("settotalmass", self.total)
+        if element.get("coordinate", "local") != "local":
+            element.problem("global coordinates: save the model with MuJoCo 2, which writes local ones", "coordinate")
+        for name in ("meshdir", "texturedir", "assetdir", "strippath", "discardvisual", "convexhull", "usethread", "fitaabb",
+                     "fusestatic", "exactmeshinertia", "alignfree", "saveinertial"):
+            element.leave("of pictures and files", name)
+        for child in element.children:
+            child.leave("of muscles")
+
+    def option(self, element, model):
+        model.gravity = tuple(element.numbers("gravity", 3, model.gravity))
+        model.step = element.number("timestep", 2e-3)
+        if not 1e-6 <= model.step <= 1:
+            element.problem("the timestep is from 1e-6 to 1 s", "timestep")
+        for name in ("density", "viscosity", "wind"):
+            values = element.numbers(name, (1, 3), [0.0])
+            if any(values):
+                element.leave("no fluid", name)
+        for name in ("integrator", "solver", "iterations", "tolerance", "ls_iterations", "ls_tolerance", "noslip_iterations",
+                     "noslip_tolerance", "mpr_iterations", "mpr_tolerance", "ccd_iterations", "cone", "jacobian", "impratio",
+                     "apirate", "magnetic", "o_margin", "o_solref", "o_solimp", "o_friction", "actuatorgroupdisable"):
+            element.leave("of the solver of MuJoCo", name)
+        for child in element.children:
+            child.leave("of the solver of MuJoCo")
+
+    def takes_inertial(self, is_given):
+        """Whether a body has what its inertial says, and not what its geoms weigh."""
+        return self.inertiafromgeom == "false" or (self.inertiafromgeom == "auto" and is_given)
+
+    def bounded(self, solids, name, model):
+        """The parts of a body within the bounds of mass and inertia; an impossible inertia is balanced."""
+        if self.boundmass <= 0 and self.boundinertia <= 0:
+            return [self.possible(solid, name, model) for solid in solids]
+        whole = joined(solids)
+        moments, axes = principal(whole.inertia)
+        moments = [max(x, self.boundinertia) for x in moments]
+        place = Place(whole.place.at, matrix_product(whole.place.turn, axes))
+        return [self.possible(Solid(max(whole.mass, self.boundmass), place, (*moments, 0.0, 0.0, 0.0), of=name), name, model)]
+
+    def possible(self, solid, name, model):
+        if not solid.text and is_impossible(solid.inertia):
+            model.unique_note(f"the inertia of {name} is impossible: a principal moment is negative or larger than the sum of "
+                              "the others; it is the same in all directions, with the same trace"
+                              + ("" if self.balance else ": MuJoCo refuses it without balanceinertia"))
+            solid.inertia = balanced(solid.inertia)
+        return solid
+
+    def scale_total(self, model):
+        if self.total <= 0:
+            return
+        mass = sum(body.mass() for body in model.bodies.values())
+        for body in model.bodies.values():
+            for solid in body.solids:
+                solid.mass *= self.total / mass
+                solid.inertia = tuple(x * self.total / mass for x in solid.inertia)
+        model.notes.append(f"all masses are those of the file times {self.total / mass:.6g}: settotalmass")
+
+
+def joined(solids):
+    """Parts as one, about their common centre of mass."""
+    mass = sum(solid.mass for solid in solids)
+    if mass == 0:
+        return Solid(0.0, Place(), (0.0,) * 6)
+    centre = (0.0, 0.0, 0.0)
+    for solid in solids:
+        centre = add(centre, scale(solid.mass / mass, solid.place.at))
+    total = [[0.0] * 3 for _ in range(3)]
+    for solid in solids:
+        turn, r = solid.place.turn, minus(solid.place.at, centre)
+        own = matrix_product(matrix_product(turn, tensor(solid.inertia)), transpose(turn))
+        for i in range(3):
+            for j in range(3):
+                total[i][j] += own[i][j] + solid.mass * ((i == j) * dot(r, r) - r[i] * r[j])
+    values = (total[0][0], total[1][1], total[2][2], total[0][1], total[0][2], total[1][2])
+    return Solid(mass, Place(centre), values)
+
+
+__all__ = ["Settings", "joined", "apply", "UNTURNED"]
