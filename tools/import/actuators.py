@@ -149,7 +149,7 @@ def actuator(reader, found, tendons):
     if limits is not None and limits[0] >= limits[1]:
         found.problem("the lower end of ctrlrange is below the upper one", "ctrlrange")
         return
-    input_name = reader.model.name(name, "input")
+    input_name = reader.model.name(name, "input", not found.get("name"))
     plain = direct(length, force)
     unit = length.joints[0][0].effort() if plain else ""
     reader.model.inputs.append(Input(input_name, unit, tuple(limits) if limits is not None else None,
@@ -268,7 +268,7 @@ def write(reader, name, length, force):
     """The effect of an actuator, and the definition of its kind."""
     model = reader.model
     is_motor = not any(force.gain[1:]) and not any(force.bias) and force.limits is None and force.dynamics == "none"
-    own = model.name(name, "effect")
+    own = model.name(f"{name}_drive" if force.control else name, "effect", True)
     if length.wrench is not None:
         model.kinds["thrust"] = THRUST
         carrier, place, gear = length.wrench

@@ -7,7 +7,7 @@ def stop(model, joint, lower, upper, impact=0.0):
     """The limits of a joint. Half of the range, in a second, is as good a speed of impact as any where none is given."""
     unit = joint.unit()
     speed = impact or max((upper - lower) / 2, 1e-3)
-    name = model.name(f"{joint.name}_stop", "effect")
+    name = model.name(f"{joint.name}_stop", "effect", True)
     model.effects.append(Use(f"effect {name} stop", [
         f"along {joint.name}", f"lower {number(lower)} {unit}", f"upper {number(upper)} {unit}",
         f"impact {number(speed)} {unit}/s"]))
@@ -16,7 +16,7 @@ def stop(model, joint, lower, upper, impact=0.0):
 
 
 def friction(model, joint, size):
-    name = model.name(f"{joint.name}_friction", "effect")
+    name = model.name(f"{joint.name}_friction", "effect", True)
     model.effects.append(Use(f"effect {name} friction", [f"along {joint.name}", f"sliding {number(size)} {joint.effort()}"]))
 
 
@@ -32,7 +32,7 @@ effect geared {
 
 def geared(model, joint, drive, ratio):
     model.kinds["geared"] = GEARED
-    name = model.name(f"{joint.name}_gear", "effect")
+    name = model.name(f"{joint.name}_gear", "effect", True)
     model.effects.append(Use(f"effect {name} geared", [f"along {joint.name}", f"motor {drive}", f"ratio {number(ratio)}"]))
 
 

@@ -46,7 +46,7 @@ def body(reader, found, name, default=None):
 
 
 def named(reader, found, one, other):
-    return reader.model.name(found.get("name") or f"{one}_to_{other}", "closure")
+    return reader.model.name(found.get("name") or f"{one}_to_{other}", "closure", not found.get("name"))
 
 
 def ends(reader, found):

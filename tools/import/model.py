@@ -52,6 +52,7 @@ class Joint:
     armature: float = 0.0
     drive: str = ""
     continuous: bool = False
+    is_given: bool = False          # its start is said, also where that is zero
 
     def turns(self):
         return self.kind == "revolute"
@@ -100,8 +101,8 @@ class Model:
         for word in [*RESERVED, *(prefix + unit for unit in UNITS for prefix in PREFIXES)]:
             self.used[word.lower()] = None
 
-    def name(self, text, kind):
-        """A name of the language for one of the file, that nothing else has."""
+    def name(self, text, kind, is_own=False):
+        """A name of the language for one of the file, that nothing else has; or for one of the import's own."""
         plain = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_") or kind
         plain = plain if not plain[0].isdigit() else f"{kind}_{plain}"
         chosen, count = plain, 1
@@ -111,7 +112,7 @@ class Model:
         self.used[chosen.lower()] = kind
         if kind == "joint":
             self.used[f"{chosen.lower()}_speed"] = kind
-        if chosen != text:
+        if chosen != text and not is_own:
             self.renamed.append(f"{text} is {chosen}")
         return chosen
 

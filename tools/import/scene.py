@@ -101,8 +101,10 @@ def joint_text(joint):
     unit = joint.unit()
     if joint.kind in ("revolute", "prismatic", "planar"):
         lines.append(f"axis {axis_of(joint.axis)}")
-    if joint.has_one_coordinate() and joint.start:
+    if joint.has_one_coordinate() and (joint.start or joint.is_given):
         lines.append(f"start {angle(joint.start) if joint.turns() else number(joint.start) + ' m'}")
+    if joint.kind == "spherical" and joint.is_given:
+        lines.append("start quaternion (1, 0, 0, 0)")
     if joint.start_place is not None and where(joint.start_place):
         lines.append(f"start{where(joint.start_place)}")
     if joint.continuous:
@@ -128,7 +130,7 @@ def input_text(found):
     of = f"    # {found.of}" if found.of else ""
     unit = f" {found.unit}" if found.unit else ""
     limits = f" in {number(found.limits[0])}{unit} to {number(found.limits[1])}{unit}" if found.limits else ""
-    value = "" if found.unit in ("N", "N*m") and found.limits else f" = 0{unit}"
+    value = unit or " = 0"
     return f"input {found.name}{value}{limits}{of}"
 
 

@@ -97,7 +97,7 @@ class Reader:
             if inertial is not None:
                 inertial.leave("the root link stands on the ground; --floating lets it move")
             return
-        name = self.model.name("floating_base", "joint")
+        name = self.model.name("floating_base", "joint", True)
         body = self.model.body(root)
         self.carrier[root] = (body.name, Place())
         self.solids(root)
@@ -250,9 +250,9 @@ class Reader:
             ratio, offset = mimic.number("multiplier", 1.0), mimic.number("offset", 0.0)
             first.continuous = second.continuous = False
             first.start = offset
-            first.mimics = True
+            first.mimics = first.is_given = second.is_given = True
             unit = "" if first.unit() == second.unit() else f" {first.unit()}/{second.unit()}"
-            name = self.model.name(f"{first.name}_mimic", "closure")
+            name = self.model.name(f"{first.name}_mimic", "closure", True)
             self.model.closures.append(Use(f"close {name} gear", [
                 f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}"]))
         self.chained_starts()
@@ -270,7 +270,7 @@ class Reader:
     # --- drives ---
 
     def drive(self, joint, of, reduction=1.0):
-        name = self.model.name(f"{joint.name}_effort", "input")
+        name = self.model.name(f"{joint.name}_effort", "input", True)
         most = getattr(joint, "most_effort", 0.0)
         limits = (-most / abs(reduction), most / abs(reduction)) if most > 0 else None
         self.model.inputs.append(Input(name, joint.effort(), limits, of))

@@ -33,8 +33,6 @@ static const char *inertia_fault(const double t[6])
     return NULL;
 }
 
-static const dimension moment_of_inertia = {1, 2, 0, 0, 0, 0, 0};
-
 /* A tensor that must be possible; zero where nothing is written. */
 static tensor inertia_value(builder *b, const formula *f, const char *whose)
 {

@@ -82,7 +82,7 @@ static segment part(builder *b, const joint *j, joint_kind kind, const char *end
     result.axis = axis;
     result.sign = sign;
     result.drive = -1;
-    result.own.mass = result.spring = result.rest = constant(b->g, 0.0);
+    result.own.mass = result.spring = result.rest = result.armature = constant(b->g, 0.0);
     result.own.ms = vector_zero(b->g);
     result.own.inertia = tensor_zero(b->g);
     result.start_given = result.speed_given = true;
@@ -117,6 +117,10 @@ static segment single(builder *b, const joint *j, int axis, double sign)
     result.speed_given = j->speed != NULL;
     result.spring = scalar_value(b, j->spring, stiffness, "the spring of this joint");
     result.rest = scalar_value(b, j->rest, coordinate, "the rest of this spring");
+    result.armature = scalar_value(b, j->armature, turns ? moment_of_inertia : kilogram, "the armature of this joint");
+    if (!keeps_not_below_zero(&b->values, result.armature)) {
+        source_problem(b->s, j->armature->at, "an armature must not be negative");
+    }
     result.drive = j->drive.text == NULL ? -1 : find_input(b->s, b->written, j->drive);
     result.continuous = j->continuous;
     if (j->continuous && j->spring != NULL) {

@@ -45,6 +45,7 @@ typedef struct segment {
     composite own; /* with all welded bodies */
 
     node damping, spring, rest; /* zero where the scene names none */
+    node armature;              /* likewise; what its speed alone moves: kg*m^2, or kg */
     int drive;                  /* an input, or -1 */
     double start[4], speed[3];  /* a quaternion is w, x, y, z */
     bool start_given, speed_given;

@@ -103,7 +103,7 @@ typedef struct joint {
     formula *speed, *spin; /* spin: angular velocity of a joint of several coordinates; speed: of all others */
     bool spin_in_ground;   /* in the axes of the ground, not of the child */
     place spin_axes_at;
-    formula *damping, *spin_damping, *spring, *rest;
+    formula *damping, *spin_damping, *spring, *rest, *armature;
     name drive;
     bool continuous;
     place continuous_at;

@@ -14,6 +14,7 @@ typedef struct articulated {
 typedef struct release {
     int at;                               /* its place among the six components */
     double lead;                          /* of a screw: its part in the linear component of the same axis */
+    bool alone;                           /* all that its acceleration takes is in its own component */
     node column[SPATIAL], share[SPATIAL]; /* U, U / D */
     node pivot, inverse, effort;
 } release;
@@ -75,10 +76,10 @@ static node own_component(graph *g, const release *r, const node *components)
     return r->lead == 0.0 ? own : add(g, own, mul(g, constant(g, r->lead), components[r->at + LINEAR]));
 }
 
-/* Whether component i is that degree of freedom, and nothing else. */
+/* Whether component i is that degree of freedom, and nothing else: no screw, no armature. */
 static bool is_own(const release *r, int i)
 {
-    return i == r->at && r->lead == 0.0;
+    return i == r->at && r->alone;
 }
 
 /* Frees a degree of freedom: the inertia becomes I - U U' / D, and the bias gets U / D times the effort less its part
@@ -89,11 +90,12 @@ static release let_go(const kinematics *k, int f, node effort, articulated *b)
     const segment *l = &k->m->segments[k->m->dofs[f].segment];
     const int at = k->m->dofs[f].axis + (slides(l) ? LINEAR : ANGULAR);
     const node borne = mul(g, axis_of(k, f).at[at % 3], effort), zero = constant(g, 0.0);
-    release result = {.at = at, .lead = l->lead};
+    release result = {.at = at, .lead = l->lead, .alone = l->lead == 0.0 && is_zero(g, l->armature)};
     for (int i = 0; i < SPATIAL; i++) {
         result.column[i] = own_component(g, &result, b->inertia[i]);
     }
-    result.pivot = graph_name(g, own_component(g, &result, result.column), "D_%s", k->m->dofs[f].name);
+    const node pivot = add(g, own_component(g, &result, result.column), l->armature);
+    result.pivot = graph_name(g, pivot, "D_%s", k->m->dofs[f].name);
     result.inverse = divide(g, constant(g, 1.0), result.pivot);
     result.effort = sub(g, borne, own_component(g, &result, b->bias));
     for (int i = 0; i < SPATIAL; i++) {
@@ -225,9 +227,9 @@ static void outward(const kinematics *k, const release *releases, node *x)
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
             const release *r = &releases[f];
             const node result = follow(g, r, m->dofs[f].before == GROUND, a);
-            const node moved = r->lead == 0.0 ? sub(g, result, a[r->at]) : result;
+            const node moved = r->alone ? sub(g, result, a[r->at]) : result;
             x[f] = mul(g, axis_of(k, f).at[m->dofs[f].axis], moved);
-            a[r->at] = r->lead == 0.0 ? result : add(g, a[r->at], result);
+            a[r->at] = r->alone ? result : add(g, a[r->at], result);
             if (r->lead != 0.0) {
                 a[r->at + LINEAR] = add(g, a[r->at + LINEAR], mul(g, constant(g, r->lead), result));
             }

@@ -58,6 +58,27 @@ composite composite_of_all(const kinematics *k)
 
 /* --- the mass matrix, row by row --- */
 
+/* What armatures add to an entry: their energy is of the speed of one joint, which is w_f - (+-) w_before where speeds are
+ * absolute. */
+static node armature_at(const kinematics *k, int f, int j)
+{
+    graph *g = k->g;
+    const dof *dofs = k->m->dofs;
+    const segment *all = k->m->segments;
+    const int i = dofs[f].segment;
+    if (j != f) {
+        const bool above = shared_axis(k, i) != 0 && j == dofs[f].before;
+        return above ? mul(g, constant(g, -shared_axis(k, i)), all[i].armature) : constant(g, 0.0);
+    }
+    node sum = all[i].armature;
+    for (int behind = i + 1; behind < k->m->segment_count; behind++) {
+        if (all[behind].parent == i && shared_axis(k, behind) != 0) {
+            sum = add(g, sum, all[behind].armature);
+        }
+    }
+    return sum;
+}
+
 /* Row f: the efforts at f and at its ancestors for a unit acceleration of degree of freedom f. The wrench of an
  * elementary joint is made after the joint's own turn, which does not change its axis; that of a free turn, before. */
 static void build_row(const mass_matrix *m, int f, composite whole, vector swung)
@@ -84,7 +105,7 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
     }
     int j = f;
     for (; j != GROUND && dofs[j].segment == i; j = dofs[j].before) {
-        row[j] = graph_name(g, at_dof(k, j, w), "M_%s_%s", dofs[f].name, dofs[j].name);
+        row[j] = graph_name(g, add(g, at_dof(k, j, w), armature_at(k, f, j)), "M_%s_%s", dofs[f].name, dofs[j].name);
     }
     w.moment = vector_add(g, w.moment, swung);
     if (l->kind == JOINT_SPHERICAL) {
@@ -99,7 +120,8 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
         w.moment = vector_add(g, w.moment, about);
         const wrench felt = {w.force, shared_axis(k, at) != 0 ? about : w.moment};
         for (; j != GROUND && dofs[j].segment == above->parent; j = dofs[j].before) {
-            row[j] = graph_name(g, at_dof(k, j, felt), "M_%s_%s", dofs[f].name, dofs[j].name);
+            row[j] =
+                graph_name(g, add(g, at_dof(k, j, felt), armature_at(k, f, j)), "M_%s_%s", dofs[f].name, dofs[j].name);
         }
     }
 }
