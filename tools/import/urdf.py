@@ -140,6 +140,8 @@ class Reader:
                                 parent=carrier, parent_place=place, child=body.name)
         self.made[joint.get("name")] = made
         made.continuous = kind == "continuous"
+        if kind == "floating" and carrier == "ground":
+            made.start_place, made.parent_place = place, Place()    # its place is in the axes of the ground
         self.properties(joint, made)
 
     def weld(self, joint, child, carrier, place, why):

@@ -1,0 +1,338 @@
+/* The accelerations of imported plants against those of robots.h, and with MUJOCO against those of libmujoco, which reads the
+ * robots' own files. With an argument: how many robots must be found wrong, of what was planted. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/runtime/plant.h"
+
+typedef enum joint_kind { HINGE, SLIDE, BALL, FREE } joint_kind;
+
+typedef struct robot_joint {
+    const char *name;
+    joint_kind kind;
+    double zero; /* the file's coordinate where that of the plant is zero */
+} robot_joint;
+
+typedef struct robot_drive {
+    const char *name;
+    int is_control; /* of an actuator of the file; else an effort on the joint */
+    const char *joint;
+} robot_drive;
+
+typedef struct robot_body {
+    const char *name; /* NULL: the end */
+    double mass, centre[3], inertia[3][3];
+} robot_body;
+
+typedef struct robot_state {
+    const double *q, *v, *u, *a; /* as MuJoCo has them, joint after joint; a: what is right */
+} robot_state;
+
+enum { STATES = 4, MOST = 256 };
+
+typedef struct robot {
+    const char *path;
+    const iso_model *model;
+    const robot_joint *joints;
+    int joint_count;
+    const robot_body *bodies;
+    const robot_drive *drives;
+    int drive_count, against_mujoco, gears;
+    robot_state states[STATES];
+} robot;
+
+#include "robots.h"
+
+static const double tolerance = 1e-9; /* of the largest acceleration: what two ways to compute in double may differ by */
+
+static const int positions[] = {1, 1, 4, 7}, speeds[] = {1, 1, 3, 6};
+
+/* The place of a name in a list with commas; ends the program where there is none. */
+static int place_of(const char *list, const char *name)
+{
+    const size_t length = strlen(name);
+    int place = 0;
+    for (const char *at = list; at != NULL; at = strchr(at, ','), at += at != NULL, place++) {
+        if (strncmp(at, name, length) == 0 && (at[length] == ',' || at[length] == '\0')) {
+            return place;
+        }
+    }
+    printf("# no state '%s' in %s\n", name, list);
+    exit(1);
+}
+
+static int state_of(const robot *r, int j, const char *ending)
+{
+    char name[128];
+    snprintf(name, sizeof name, "%s%s", r->joints[j].name, ending);
+    return place_of(r->model->state_names, name);
+}
+
+static const char *first_position(joint_kind kind)
+{
+    return kind == FREE ? "_x" : kind == BALL ? "_w" : "";
+}
+
+static const char *first_speed(joint_kind kind)
+{
+    return kind == FREE ? "_x_speed" : kind == BALL ? "_x_speed" : "_speed";
+}
+
+/* The accelerations of the plant in one state. */
+static void of_plant(const robot *r, const robot_state *s, double *a)
+{
+    double x[MOST] = {0}, dx[MOST] = {0}, u[MOST] = {0};
+    const double *q = s->q, *v = s->v;
+    for (int j = 0; j < r->joint_count; j++) {
+        const joint_kind kind = r->joints[j].kind;
+        const int at = state_of(r, j, first_position(kind)), speed = state_of(r, j, first_speed(kind));
+        for (int k = 0; k < positions[kind]; k++) {
+            x[at + k] = *q++ - (kind == HINGE || kind == SLIDE ? r->joints[j].zero : 0.0);
+        }
+        for (int k = 0; k < speeds[kind]; k++) {
+            x[speed + k] = *v++;
+        }
+    }
+    memcpy(u, s->u, (size_t)r->drive_count * sizeof *u);
+    r->model->derivative(dx, x, u, r->model->defaults);
+    for (int j = 0; j < r->joint_count; j++) {
+        const joint_kind kind = r->joints[j].kind;
+        memcpy(a, dx + state_of(r, j, first_speed(kind)), (size_t)speeds[kind] * sizeof *a);
+        a += speeds[kind];
+    }
+}
+
+/* The largest difference over the largest number. */
+static double difference(const double *a, const double *b, int n)
+{
+    double most = 0.0, size = 1e-3;
+    for (int i = 0; i < n; i++) {
+        most = fmax(most, isfinite(a[i]) ? fabs(a[i] - b[i]) : (double)INFINITY);
+        size = fmax(size, fabs(b[i]));
+    }
+    return most / size;
+}
+
+#ifdef MUJOCO
+#include <mujoco/mujoco.h>
+
+/* Gauss with pivots; [n n + 1]. */
+static void solve(double *a, int n, double *x)
+{
+    const int w = n + 1;
+    for (int k = 0; k < n; k++) {
+        int p = k;
+        for (int i = k; i < n; i++) {
+            p = fabs(a[i * w + k]) > fabs(a[p * w + k]) ? i : p;
+        }
+        for (int j = 0; j < w; j++) {
+            const double kept = a[k * w + j];
+            a[k * w + j] = a[p * w + j];
+            a[p * w + j] = kept;
+        }
+        for (int i = k + 1; i < n; i++) {
+            const double f = a[i * w + k] / a[k * w + k];
+            for (int j = k; j < w; j++) {
+                a[i * w + j] -= f * a[k * w + j];
+            }
+        }
+    }
+    for (int i = n - 1; i >= 0; i--) {
+        x[i] = a[i * w + n];
+        for (int j = i + 1; j < n; j++) {
+            x[i] -= a[i * w + j] * x[j];
+        }
+        x[i] /= a[i * w + i];
+    }
+}
+
+/* Makes off-diagonal numbers of a symmetric matrix zero by Jacobi's rotations, whose product is `axes`. */
+static void diagonalise(double a[3][3], double axes[3][3])
+{
+    for (int turn = 0; turn < 60; turn++) {
+        const int p = turn % 3 == 2 ? 1 : 0, q = turn % 3 == 0 ? 1 : 2;
+        const double angle = 0.5 * atan2(2.0 * a[p][q], a[q][q] - a[p][p]), s = sin(angle), c = cos(angle);
+        for (int i = 0; i < 3; i++) {
+            const double x = a[i][p], y = a[i][q], z = axes[i][p], w = axes[i][q];
+            a[i][p] = c * x - s * y, a[i][q] = s * x + c * y;
+            axes[i][p] = c * z - s * w, axes[i][q] = s * z + c * w;
+        }
+        for (int i = 0; i < 3; i++) {
+            const double x = a[p][i], y = a[q][i];
+            a[p][i] = c * x - s * y, a[q][i] = s * x + c * y;
+        }
+    }
+}
+
+/* libmujoco finds principal axes to 1e-6 only. Where its inertia is that of the file so far, its axes become exact. */
+static int refine(const robot_body *b, mjModel *m)
+{
+    const int at = mj_name2id(m, mjOBJ_BODY, b->name);
+    if (at < 0 || fabs(m->body_mass[at] - b->mass) > 1e-12 * b->mass) {
+        return 0;
+    }
+    double turn[9], a[3][3], axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, most = 0.0;
+    mju_quat2Mat(turn, m->body_iquat + 4 * at);
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            a[i][j] = 0.0;
+            for (int k = 0; k < 3; k++) {
+                a[i][j] += turn[3 * i + k] * m->body_inertia[3 * at + k] * turn[3 * j + k];
+            }
+            most = fmax(most, fabs(a[i][j] - b->inertia[i][j]) / (b->inertia[0][0] + b->inertia[1][1] + b->inertia[2][2]));
+            a[i][j] = b->inertia[i][j];
+        }
+        most = fmax(most, fabs(m->body_ipos[3 * at + i] - b->centre[i]) * 1e5);
+    }
+    diagonalise(a, axes);
+    const double sign = axes[0][0] * (axes[1][1] * axes[2][2] - axes[1][2] * axes[2][1]) -
+                        axes[0][1] * (axes[1][0] * axes[2][2] - axes[1][2] * axes[2][0]) +
+                        axes[0][2] * (axes[1][0] * axes[2][1] - axes[1][1] * axes[2][0]);
+    for (int i = 0; i < 3; i++) {
+        m->body_inertia[3 * at + i] = a[i][i];
+        axes[i][2] *= sign;
+    }
+    mju_mat2Quat(m->body_iquat + 4 * at, &axes[0][0]);
+    return most < 1e-6;
+}
+
+/* MuJoCo's own constraints are soft: with its mass matrix, its forces and its rows J of the equalities the hard ones are
+ * M a - J' f = forces, J a = 0. */
+static void hard(const mjModel *m, mjData *d, double *a)
+{
+    const int n = m->nv, rows = d->ne, size = n + rows;
+    double *mass = calloc((size_t)(n * n), sizeof *mass), *all = calloc((size_t)(size * (size + 1)), sizeof *all);
+    double *x = calloc((size_t)size, sizeof *x);
+    mj_fullM(m, mass, d->qM);
+    for (int i = 0; i < n; i++) {
+        memcpy(all + i * (size + 1), mass + i * n, (size_t)n * sizeof *all);
+        all[i * (size + 1) + size] = d->qfrc_smooth[i];
+        for (int r = 0; r < rows; r++) {
+            all[i * (size + 1) + n + r] = all[(n + r) * (size + 1) + i] = d->efc_J[r * n + i];
+        }
+    }
+    solve(all, size, x);
+    memcpy(a, x, (size_t)n * sizeof *a);
+    free(mass), free(all), free(x);
+}
+
+static int drive_mujoco(const robot *r, const robot_state *s, const mjModel *m, mjData *d)
+{
+    for (int k = 0; k < r->drive_count; k++) {
+        const int of = r->drives[k].is_control ? mj_name2id(m, mjOBJ_ACTUATOR, r->drives[k].name)
+                                               : mj_name2id(m, mjOBJ_JOINT, r->drives[k].joint);
+        if (of < 0) {
+            printf("# libmujoco has no '%s'\n", r->drives[k].name);
+            return 0;
+        }
+        if (r->drives[k].is_control) {
+            d->ctrl[of] = s->u[k];
+        } else {
+            d->qfrc_applied[m->jnt_dofadr[of]] = s->u[k];
+        }
+    }
+    return 1;
+}
+
+/* The accelerations by libmujoco, in the order of robots.h; 0 if it does not know the robot. */
+static int of_mujoco(const robot *r, const robot_state *s, const mjModel *m, mjData *d, double *a)
+{
+    const double *q = s->q, *v = s->v;
+    double all[MOST];
+    mj_resetData(m, d);
+    for (int j = 0; j < r->joint_count; j++) {
+        const int of = mj_name2id(m, mjOBJ_JOINT, r->joints[j].name);
+        const joint_kind kind = r->joints[j].kind;
+        if (of < 0) {
+            printf("# libmujoco has no joint '%s'\n", r->joints[j].name);
+            return 0;
+        }
+        memcpy(d->qpos + m->jnt_qposadr[of], q, (size_t)positions[kind] * sizeof *q);
+        memcpy(d->qvel + m->jnt_dofadr[of], v, (size_t)speeds[kind] * sizeof *v);
+        q += positions[kind];
+        v += speeds[kind];
+    }
+    if (!drive_mujoco(r, s, m, d)) {
+        return 0;
+    }
+    mj_forward(m, d);
+    hard(m, d, all);
+    for (int j = 0; j < r->joint_count; j++) {
+        const int of = mj_name2id(m, mjOBJ_JOINT, r->joints[j].name);
+        const joint_kind kind = r->joints[j].kind;
+        memcpy(a, all + m->jnt_dofadr[of], (size_t)speeds[kind] * sizeof *a);
+        a += speeds[kind];
+    }
+    return 1;
+}
+
+/* The largest difference from libmujoco over the states of a robot; -1 where that reads no such file. */
+static double against_mujoco(const robot *r, int n)
+{
+    char error[500] = "";
+    double worst = 0.0;
+    if (!r->against_mujoco) {
+        return -1.0;
+    }
+    mjModel *m = mj_loadXML(r->path, NULL, error, sizeof error);
+    if (m == NULL) {
+        printf("# %s: %s\n", r->path, error);
+        return (double)INFINITY;
+    }
+    m->opt.disableflags |= mjDSBL_CONTACT | mjDSBL_FRICTIONLOSS | mjDSBL_LIMIT;
+    m->opt.jacobian = mjJAC_DENSE;
+    for (const robot_body *b = r->bodies; b->name != NULL; b++) {
+        if (!refine(b, m)) {
+            printf("# %s: libmujoco has another inertia of %s\n", r->path, b->name);
+            worst = (double)INFINITY;
+        }
+    }
+    mjData *d = mj_makeData(m);
+    for (int k = 0; k < STATES; k++) {
+        double here[MOST], there[MOST];
+        of_plant(r, &r->states[k], here);
+        worst = of_mujoco(r, &r->states[k], m, d, there) ? fmax(worst, difference(here, there, n)) : (double)INFINITY;
+    }
+    mj_deleteData(d);
+    mj_deleteModel(m);
+    return worst;
+}
+#else
+static double against_mujoco(const robot *r, int n)
+{
+    (void)r, (void)n;
+    return -1.0;
+}
+#endif
+
+int main(int argc, char **argv)
+{
+    const int count = (int)(sizeof robots / sizeof *robots);
+    int wrong = 0, known = 0;
+    double most = 0.0, most_known = 0.0;
+    for (int i = 0; i < count; i++) {
+        const robot *r = &robots[i];
+        int n = 0;
+        double own = 0.0;
+        for (int j = 0; j < r->joint_count; j++) {
+            n += speeds[r->joints[j].kind];
+        }
+        for (int k = 0; k < STATES; k++) {
+            double a[MOST];
+            of_plant(r, &r->states[k], a);
+            own = fmax(own, difference(a, r->states[k].a, n));
+        }
+        const double theirs = against_mujoco(r, n);
+        if (own > tolerance || theirs > tolerance) {
+            printf("# %s: %.2g of the accelerations here, %.2g of libmujoco's\n", r->path, own, theirs);
+            wrong++;
+        }
+        most = fmax(most, own);
+        most_known = fmax(most_known, theirs);
+        known += theirs >= 0.0;
+    }
+    printf("%d robots, %d wrong, the largest difference %.2g; %d also by libmujoco, %.2g\n", count, wrong, most, known, most_known);
+    return argc > 1 ? wrong < atoi(argv[1]) : wrong != 0 || count == 0;
+}
