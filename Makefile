@@ -93,7 +93,7 @@ MAKEFLAGS += --no-builtin-rules
 # The goals that build and run plants; each works in one folder.
 GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear
 
-.PHONY: help shared digits functions determinism tables pictures compare monitor clean $(GOALS)
+.PHONY: help shared digits functions determinism tables pictures compare monitor import clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
 	@sed -n -e 's/^##$$//p' -e 's/^## //p' Makefile
 	@echo
@@ -212,7 +212,7 @@ no_effect = $(error $(1) has no effect on `make $(2)`; it has one on: $(strip $(
     check tables compare determinism,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
 ifeq ($(MAKELEVEL),0)
 $(foreach name,$(filter-out $(EFFECTS) MAKEFLAGS SHELL,$(GIVEN)),$(call unknown,$(name),$(call nearest,$(name))))
-ifeq ($(filter-out $(GOALS) test check tables compare determinism pictures help clean digits functions monitor,$(or $(MAKECMDGOALS),help)),)
+ifeq ($(filter-out $(GOALS) test check tables compare determinism pictures help clean digits functions monitor import,$(or $(MAKECMDGOALS),help)),)
 $(foreach name,$(filter $(GIVEN),$(filter-out V CC CFLAGS,$(EFFECTS))),$(if $($(name)),$(if $(filter $(name),$(foreach \
     goal,$(MAKECMDGOALS),$(EFFECTS_$(goal)))),,$(call no_effect,$(name),$(or $(MAKECMDGOALS),help)))))
 endif
@@ -487,6 +487,8 @@ $(GOALS):
 endif
 
 monitor: build/monitor ## build the terminal of measurement and calibration; then: build/monitor A2L tcp:127.0.0.1:5555 (core/xcp)
+
+import: build/import ## build the import of robots; then: build/import ROBOT.urdf -o ROBOT.scene (tools/import)
 
 compare: ## draw two runs that were kept, one over the other, in build/compare/, and print their differences
 	$(call require,gnuplot,apt-get install gnuplot-nox)

@@ -45,7 +45,8 @@ typedef struct robot {
 
 #include "robots.h"
 
-static const double tolerance = 1e-9; /* of the largest acceleration: what two ways to compute in double may differ by */
+static const double tolerance =
+    1e-9; /* of the largest acceleration: what two ways to compute in double may differ by */
 
 static const int positions[] = {1, 1, 4, 7}, speeds[] = {1, 1, 3, 6};
 
@@ -181,7 +182,8 @@ static int refine(const robot_body *b, mjModel *m)
             for (int k = 0; k < 3; k++) {
                 a[i][j] += turn[3 * i + k] * m->body_inertia[3 * at + k] * turn[3 * j + k];
             }
-            most = fmax(most, fabs(a[i][j] - b->inertia[i][j]) / (b->inertia[0][0] + b->inertia[1][1] + b->inertia[2][2]));
+            most =
+                fmax(most, fabs(a[i][j] - b->inertia[i][j]) / (b->inertia[0][0] + b->inertia[1][1] + b->inertia[2][2]));
             a[i][j] = b->inertia[i][j];
         }
         most = fmax(most, fabs(m->body_ipos[3 * at + i] - b->centre[i]) * 1e5);
@@ -192,9 +194,11 @@ static int refine(const robot_body *b, mjModel *m)
                         axes[0][2] * (axes[1][0] * axes[2][1] - axes[1][1] * axes[2][0]);
     for (int i = 0; i < 3; i++) {
         m->body_inertia[3 * at + i] = a[i][i];
-        axes[i][2] *= sign;
+        for (int j = 0; j < 3; j++) {
+            turn[3 * i + j] = axes[i][j] * (j == 2 ? sign : 1.0);
+        }
     }
-    mju_mat2Quat(m->body_iquat + 4 * at, &axes[0][0]);
+    mju_mat2Quat(m->body_iquat + 4 * at, turn);
     return most < 1e-6;
 }
 
@@ -333,6 +337,7 @@ int main(int argc, char **argv)
         most_known = fmax(most_known, theirs);
         known += theirs >= 0.0;
     }
-    printf("%d robots, %d wrong, the largest difference %.2g; %d also by libmujoco, %.2g\n", count, wrong, most, known, most_known);
+    printf("%d robots, %d wrong, the largest difference %.2g; %d also by libmujoco, %.2g\n", count, wrong, most, known,
+           most_known);
     return argc > 1 ? wrong < atoi(argv[1]) : wrong != 0 || count == 0;
 }

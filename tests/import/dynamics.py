@@ -197,16 +197,14 @@ class Tree:
             for j, vj, wj in columns:
                 mass[i][j] += m * dot(vi, vj) + dot(heavy, wj)
 
-    def point_rows(self, motions, body, point):
-        """The three rows of the velocity of a point of a body, where that is (0, 0, 0) on the ground: none."""
-        rows = [[0.0] * self.n for _ in range(3)]
+    def pushed(self, motions, body, point, force, moment):
+        """The efforts on all coordinates of a force at a point of a body, and of a moment on it, in the axes of the ground."""
+        result = [0.0] * self.n
         m = motions[body]
         at = plus(m.at, on(m.turn, point))
         for n, e, through in m.columns:
-            v = e if through is None else cross(e, less(at, through))
-            for k in range(3):
-                rows[k][n] += v[k]
-        return rows
+            result[n] += dot(force, e) if through is None else dot(force, cross(e, less(at, through))) + dot(moment, e)
+        return result
 
 
 def solve(a, b):

@@ -2,7 +2,7 @@
 import math
 import random
 
-from dynamics import Body, Joint, Tree, of_quaternion, plus, on, rotation, times, transposed, turned
+from dynamics import (Body, Joint, Tree, by, cross, dot, less, of_quaternion, on, plus, rotation, times, transposed, turned)
 
 IDENTITY = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 UNITS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
@@ -19,6 +19,8 @@ class Robot:
         self.bodies = []
         self.drives = []            # (name, how, list of (joint, factor of effort by control), bias function or None)
         self.gears = []             # (joint, joint, ratio, offset): constraints
+        self.thrusts = {}           # by the name of a drive: body, point, axes, force and moment of a control of 1
+        self.cords = []             # (two of (body, point), stiffness, damping, length)
         self.against_mujoco = True
         self.suffix = "urdf"
         self.gravity = [0.0, 0.0, -9.81]
@@ -237,6 +239,7 @@ def mjcf(seed):
     for _ in range(r.choice([1, 1, 2])):
         mjcf_body(robot, compiler, "world", 0, count, "main")
     robot.lines.append("  </worldbody>")
+    mjcf_cord(robot)
     mjcf_actuators(robot)
     robot.lines.append("</mujoco>")
     return robot
@@ -262,6 +265,10 @@ def mjcf_body(robot, compiler, parent, depth, count, childclass):
             mjcf_joint(robot, compiler, body, f"{name}_j{k}", pad, childclass)
     robot.bodies.append(body)
     mjcf_solids(robot, compiler, body, pad, robot.classes[childclass]["density"])
+    point = robot.vector(0.3)
+    text, turn = orientation(robot, compiler)
+    robot.lines.append(f'{pad}  <site name="{name}_site" pos="{words(point)}"{text}/>')
+    body.site = (point, turn)
     for _ in range(r.choice([0, 1, 1, 2]) if depth < 3 and count[0] < 7 else 0):
         mjcf_body(robot, compiler, name, depth + 1, count, childclass)
     robot.lines.append(f"{pad}</body>")
@@ -269,7 +276,7 @@ def mjcf_body(robot, compiler, parent, depth, count, childclass):
 
 def mjcf_joint(robot, compiler, body, name, pad, childclass):
     r = robot.r
-    kind = r.choice(["hinge", "hinge", "hinge", "slide", "ball"]) if not body.joints else r.choice(["hinge", "slide"])
+    kind = r.choice(["hinge", "hinge", "hinge", "slide", "ball"]) if not body.joints else r.choice(["hinge", "hinge" if any(j.kind == "slide" for j in body.joints) else "slide"])
     defaults = robot.classes[childclass]
     joint = Joint(name, kind, at=robot.vector(0.2), axis=robot.axis(), damping=defaults["damping"], armature=defaults["armature"])
     text = f'{pad}  <joint name="{name}" type="{kind}" pos="{words(joint.at)}"'
@@ -360,6 +367,18 @@ def weigh(kind, a, b, c):
     return whole, [(xx + zz) / whole, (xx + zz) / whole, 2 * xx / whole]
 
 
+def mjcf_cord(robot):
+    """A spring between two sites."""
+    r = robot.r
+    if sum(bool(body.joints) for body in robot.bodies) < 2 or r.random() < 0.6:
+        return
+    one, other = r.sample([body for body in robot.bodies if body.joints], 2)
+    stiffness, damping, length = round(r.uniform(1, 30), 2), round(r.uniform(0, 2), 2), round(r.uniform(0.1, 1), 2)
+    robot.lines.append(f'  <tendon><spatial stiffness="{stiffness}" damping="{damping}" springlength="{length}">'
+                       f'<site site="{one.name}_site"/><site site="{other.name}_site"/></spatial></tendon>')
+    robot.cords.append(((one.name, one.site[0]), (other.name, other.site[0]), stiffness, damping, length))
+
+
 def mjcf_actuators(robot):
     """Drives: (name, "control", joints with ratios, force of control, length and rate)."""
     r = robot.r
@@ -372,6 +391,11 @@ def mjcf_actuators(robot):
                            f'<joint joint="{other.name}" coef="{ratios[1]}"/></fixed></tendon>')
         lines.append('    <motor name="pull" tendon="cord" gear="3"/>')
         robot.drives.append(("pull", "control", [(one.name, 3 * ratios[0]), (other.name, 3 * ratios[1])], lambda u, x, v: u))
+    if r.random() < 0.4:
+        body, gear = r.choice(robot.bodies), [round(r.uniform(-3, 3), 2) for _ in range(6)]
+        lines.append(f'    <motor name="thrust" site="{body.name}_site" gear="{words(gear)}"/>')
+        robot.drives.append(("thrust", "control", [], lambda u, x, v: u))
+        robot.thrusts["thrust"] = (body.name, *body.site, gear[:3], gear[3:])
     for joint in single:
         kind = r.choice(["none", "motor", "motor", "position", "velocity", "general", "limited"])
         if kind == "none":
@@ -416,7 +440,22 @@ def mjcf_gear(robot, single):
 def efforts(robot, tree, position, speed, controls):
     """On each coordinate, of all drives."""
     result = [0.0] * tree.n
-    for (_, _, joints, law), control in zip(robot.drives, controls):
+    motions = tree.motions(position, speed)
+    for one, other, stiffness, damping, length in robot.cords:
+        ends = [(motions[body], point) for body, point in (one, other)]
+        at = [plus(m.at, on(m.turn, point)) for m, point in ends]
+        v = [plus(m.v, cross(m.omega, on(m.turn, point))) for m, point in ends]
+        gap = less(at[1], at[0])
+        size = math.sqrt(dot(gap, gap))
+        away = by(1 / size, gap)
+        pull = stiffness * (size - length) + damping * dot(away, less(v[1], v[0]))
+        for (body, point), sign in ((one, 1), (other, -1)):
+            result = plus(result, tree.pushed(motions, body, point, by(sign * pull, away), [0.0] * 3))
+    for (name, _, joints, law), control in zip(robot.drives, controls):
+        if name in robot.thrusts:
+            body, point, turn, push, twist = robot.thrusts[name]
+            turn = times(motions[body].turn, turn)
+            result = plus(result, tree.pushed(motions, body, point, by(control, on(turn, push)), by(control, on(turn, twist))))
         length = sum(ratio * position[name][0] for name, ratio in joints)
         rate = sum(ratio * speed[name][0] for name, ratio in joints)
         force = control if law is None else law(control, length, rate)

@@ -50,7 +50,7 @@ def table(name, robot, tree, path, seed):
     kinds = {"hinge": "HINGE", "slide": "SLIDE", "ball": "BALL", "free": "FREE"}
     lines.append(f"static const robot_joint {name}_joints[] = {{" + ", ".join(
         f'{{"{joint.name}", {kinds[joint.kind]}, {joint.zero!r}}}' for joint in joints) + "};")
-    drives = [f'{{"{drive[0]}", {int(drive[1] == "control")}, "{drive[2][0][0]}"}}' for drive in robot.drives]
+    drives = [f'{{"{drive[0]}", {int(drive[1] == "control")}, "{drive[2][0][0] if drive[2] else ""}"}}' for drive in robot.drives]
     lines.append(f"static const robot_drive {name}_drives[] = {{" + ", ".join([*drives, "{0}"]) + "};")
     inertials = ", ".join(f'{{"{body}", {m!r}, {numbers(c)}, {{{", ".join(numbers(row) for row in i)}}}}}'
                           for body, m, c, i in robot.inertials(robot.suffix == "urdf"))

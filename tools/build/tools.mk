@@ -67,6 +67,13 @@ build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJEC
 build/duties: $(filter build/obj/tools/conform/%,$(TOOL_OBJECTS)) build/obj/tools/link/child.o build/obj/tools/flags
 build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
     build/obj/tools/flags
+# The import of robots: one file, of Python alone.
+build/import: $(wildcard tools/import/*.py)
+	$(call folders,$(@D))
+	$(call say,ZIP,$@)
+	$(Q)python3 -c 'import sys, zipapp; zipapp.create_archive("tools/import", sys.argv[1], "/usr/bin/env python3", \
+	    filter=lambda path: path.suffix == ".py")' $@.$$$$ && chmod +x $@.$$$$ && mv -f $@.$$$$ $@
+
 # A simulator as a library, for the traces of one port.
 build/simavr_trace: tools/measure/simavr/main.c build/obj/tools/flags
 	@test -e /usr/include/simavr/sim_avr.h || { echo 'simavr/sim_avr.h is missing. Install it with: apt-get install libsimavr-dev' >&2; exit 1; }

@@ -67,6 +67,10 @@ def tendon(reader, element, tendons):
     if length is None:
         found.leave("a tendon goes straight between two sites, or is a sum of joints")
         return
+    if length.points is not None and length.points[0][0] == length.points[1][0]:
+        found.leave("both of its ends are on one body of the scene")
+        tendons[name] = None
+        return
     stiffness, damping = found.number("stiffness", 0.0), found.number("damping", 0.0)
     if stiffness == 0 and damping == 0:
         return
@@ -302,7 +306,7 @@ def write(reader, name, length, force):
     if force.limits is not None:
         lines += [f"least {number(force.limits[0])}", f"most {number(force.limits[1])}"]
     if force.dynamics == "filter":
-        lines.append(f"time {number(force.time)} s")
+        lines.append(f"lag {number(force.time)} s")
     model.effects.append(Use(f"effect {own} {kind}", lines))
 
 
@@ -332,8 +336,8 @@ def definition(length, force):
     signal = "control"
     if force.dynamics != "none":
         signal = "activation"
-        lines += ["value time s"] * (force.dynamics == "filter") + ["state activation = 0"]
-        lines.append("rate activation = " + ("(control - activation) / time" if force.dynamics == "filter" else "control / 1 s"))
+        lines += ["value lag s"] * (force.dynamics == "filter") + ["state activation = 0"]
+        lines.append("rate activation = " + ("(control - activation) / lag" if force.dynamics == "filter" else "control / 1 s"))
     gain = f"(gain + gain_by_length * length + gain_by_rate * by_time) * {signal} + " if force.control else ""
     whole = f"{gain}bias + bias_by_length * length + bias_by_rate * by_time"
     if force.limits is not None:

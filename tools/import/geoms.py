@@ -26,8 +26,9 @@ def read(reader, element, carrier, place, childclass, solids):
     group = found.number("group", 0.0)
     mass, density = found.number("mass"), found.number("density", 1000.0)
     if carrier == "ground" or kind in MASSLESS or mass == 0 or (mass is None and density == 0):
-        seen(found)
+        found.leave("it weighs nothing, and contact is of points and balls with the ground")
         return
+    reader.model.unique_note("geoms count for what they weigh; contact is of points and balls with the ground")
     if not reader.settings.groups[0] <= group <= reader.settings.groups[1]:
         seen(found)
         return

@@ -288,7 +288,8 @@ class Reader:
         for joint, of, reduction in found:
             self.drive(joint, of, reduction)
         if not found:
-            movers = [joint for joint in self.made.values() if joint.has_one_coordinate() and not getattr(joint, "mimics", False)]
+            moving = [self.made[name] for name in self.joints if name in self.made]
+            movers = [joint for joint in moving if joint.has_one_coordinate() and not getattr(joint, "mimics", False)]
             for joint in movers:
                 self.drive(joint, "")
             if movers:

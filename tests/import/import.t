@@ -1,0 +1,59 @@
+#!/bin/sh
+# build/import: robots of URDF and MJCF. The project's own files, of which all is taken or named; files that are wrong; and
+# random ones, whose accelerations are those of dynamics.py and, where Debian's libmujoco-dev is there, of libmujoco, to 1e-9.
+# Ten of a hundred random robots by turns; `all` tries them all.
+. tests/host/test.sh
+. tests/host/project.sh
+begin import
+turn=$(turn_of 10 "${1-}" tools/import tests/import tools/isoc/tree)
+count=10
+[ "$turn" != all ] || turn=0 count=100
+make -s build/import >"$out/output" 2>&1 || explain
+
+# flags: how the programs that compare are compiled. Kernels and steps are not run.
+mujoco=
+if echo '#include <mujoco/mujoco.h>' | $CC -E -x c - >/dev/null 2>&1; then
+    mujoco='-DMUJOCO'
+    library=-lmujoco
+else
+    library=
+fi
+
+# robots FOLDER FIRST COUNT [PLANTED]: writes them, and the program that compares.
+robots()
+{
+    python3 tests/import/write_robots.py "$out/$@" >"$out/output" 2>"$out/errors" || return 1
+    # shellcheck disable=SC2086
+    $CC $FLAGS -O0 -DISO_UNROLL= $REAL_FLAG $mujoco -I"$out/$1" tests/import/compare.c -o "$out/$1/compare" $library -lm 2>"$out/errors"
+}
+
+robots made $((turn * count)) $count && "$out/made/compare" >"$out/output" 2>>"$out/errors"
+expect $? "the accelerations of $count random robots are right, from seed $((turn * count))"
+sed 's/^/# /' "$out/output"
+if [ -n "$mujoco" ]; then
+    grep -q ' also by libmujoco' "$out/output" && ! grep -q '; 0 also' "$out/output"
+    result $? "and those of libmujoco"
+else
+    result 0 "and those of libmujoco # SKIP libmujoco-dev is not installed"
+fi
+
+# Errors of an import that are just above the tolerance.
+while IFS='|' read -r what pattern; do
+    robots planted $((turn * count)) 3 "$pattern" && "$out/planted/compare" 1 >"$out/output" 2>>"$out/errors"
+    expect $? "found: $what"
+done <<'END'
+gravity that is 1e-6 m/s^2 more|/gravity \(/gravity (1e-6 + /
+a body that is 1 um beside its place|/(?m)child (\w+)$/child \1 at (0, 0, 1e-6) m/
+END
+
+python3 tests/import/refused.py "$out" >"$out/output" 2>"$out/errors"
+expect $? "files that are wrong are refused"
+
+# named FILE LINE...: the file is imported and compiled, and these lines are in what is said of it.
+for file in arm.urdf rig.xml; do
+    build/import "tests/import/$file" -o "$out/$file.scene" >"$out/said" 2>"$out/errors" &&
+        sed -n '/^Not taken/,$p' "$out/said" | diff - "tests/import/${file%.*}.not_taken" >>"$out/errors" &&
+        build/isoc "$out/$file.scene" -o "$out/plant" >"$out/output" 2>>"$out/errors"
+    expect $? "$file: what is not taken is named, and its scene is compiled"
+done
+finish
