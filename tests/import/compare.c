@@ -1,5 +1,5 @@
-/* The accelerations of imported plants against those of robots.h, and with MUJOCO against those of libmujoco, which reads the
- * robots' own files. With an argument: how many robots must be found wrong, of what was planted. */
+/* The accelerations of imported plants against those of robots.h, and with MUJOCO against those of libmujoco, which reads
+ * the files of the robots. With an argument: how many robots must be found wrong, of what was planted. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

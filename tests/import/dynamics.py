@@ -190,7 +190,9 @@ class Tree:
         at.go_to(plus(at.at, on(at.turn, centre)))
         whole = turned(inertia, at.turn)
         turning = plus(on(whole, at.alpha), cross(at.omega, on(whole, at.omega)))
-        columns = [(n, e, [0.0] * 3) if point is None else (n, cross(e, less(at.at, point)), e) for n, e, point in at.columns]
+        columns = [
+            (n, e, [0.0] * 3) if point is None else (n, cross(e, less(at.at, point)), e) for n, e, point in at.columns
+        ]
         for i, vi, wi in columns:
             force[i] -= m * dot(vi, at.a) + dot(wi, turning)
             heavy = on(whole, wi)

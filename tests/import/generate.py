@@ -2,7 +2,22 @@
 import math
 import random
 
-from dynamics import (Body, Joint, Tree, by, cross, dot, less, of_quaternion, on, plus, rotation, times, transposed, turned)
+from dynamics import (
+    Body,
+    Joint,
+    Tree,
+    by,
+    cross,
+    dot,
+    less,
+    of_quaternion,
+    on,
+    plus,
+    rotation,
+    times,
+    transposed,
+    turned,
+)
 
 IDENTITY = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
 UNITS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
@@ -17,10 +32,10 @@ class Robot:
         self.r = random.Random(seed)
         self.lines = []
         self.bodies = []
-        self.drives = []            # (name, how, list of (joint, factor of effort by control), bias function or None)
-        self.gears = []             # (joint, joint, ratio, offset): constraints
-        self.thrusts = {}           # by the name of a drive: body, point, axes, force and moment of a control of 1
-        self.cords = []             # (two of (body, point), stiffness, damping, length)
+        self.drives = []  # (name, how, list of (joint, factor of effort by control), bias function or None)
+        self.gears = []  # (joint, joint, ratio, offset): constraints
+        self.thrusts = {}  # by the name of a drive: body, point, axes, force and moment of a control of 1
+        self.cords = []  # (two of (body, point), stiffness, damping, length)
         self.against_mujoco = True
         self.suffix = "urdf"
         self.gravity = [0.0, 0.0, -9.81]
@@ -73,7 +88,9 @@ class Robot:
                 on_body, at, turn = place.get(body.parent, (body.parent, [0.0] * 3, IDENTITY))
                 own = (on_body, plus(at, on(turn, body.at)), times(turn, body.turn))
             place[body.name] = own
-            parts.setdefault(own[0], []).extend((m, plus(own[1], on(own[2], c)), turned(i, own[2])) for m, c, i in body.solids)
+            parts.setdefault(own[0], []).extend(
+                (m, plus(own[1], on(own[2], c)), turned(i, own[2])) for m, c, i in body.solids
+            )
         return [(name, *joined(solids)) for name, solids in parts.items() if name != "world"]
 
     def tree(self):
@@ -105,7 +122,9 @@ def urdf(seed):
     floats = r.random() < 0.3
     for k in range(r.randrange(2, 7)):
         parent = r.choice(names[-2:])
-        kind = "floating" if floats and k == 0 else r.choice(["revolute", "revolute", "continuous", "prismatic", "fixed"])
+        kind = (
+            "floating" if floats and k == 0 else r.choice(["revolute", "revolute", "continuous", "prismatic", "fixed"])
+        )
         if kind == "fixed" and (parent == "base" or k == 0):
             kind = "revolute"
         urdf_link(robot, f"link{k}", "base" if kind == "floating" else parent, kind)
@@ -123,7 +142,10 @@ def urdf_link(robot, name, parent, kind):
     at, rpy = robot.vector(0.5), [round(r.uniform(-3, 3), 3) if r.random() < 0.6 else 0.0 for _ in range(3)]
     turn = times(times(rotation((0, 0, 1), rpy[2]), rotation((0, 1, 0), rpy[1])), rotation((1, 0, 0), rpy[0]))
     joint = Joint(f"{name}_joint", {"prismatic": "slide", "floating": "free"}.get(kind, "hinge"), axis=robot.axis())
-    text = [f'    <origin xyz="{words(at)}" rpy="{words(rpy)}"/>', f'    <parent link="{parent}"/><child link="{name}"/>']
+    text = [
+        f'    <origin xyz="{words(at)}" rpy="{words(rpy)}"/>',
+        f'    <parent link="{parent}"/><child link="{name}"/>',
+    ]
     if kind not in ("fixed", "floating"):
         text.append(f'    <axis xyz="{words(joint.axis)}"/>')
         if r.random() < 0.6:
@@ -147,11 +169,17 @@ def urdf_inertial(robot, name):
     turn = times(times(rotation((0, 0, 1), rpy[2]), rotation((0, 1, 0), rpy[1])), rotation((1, 0, 0), rpy[0]))
     robot.last = (mass, at, turned(inertia, turn))
     i = inertia
-    return [f'  <link name="{name}">', "    <inertial>", f'      <origin xyz="{words(at)}" rpy="{words(rpy)}"/>',
-            f'      <mass value="{mass}"/>',
-            f'      <inertia ixx="{i[0][0]!r}" iyy="{i[1][1]!r}" izz="{i[2][2]!r}" ixy="{i[0][1]!r}" ixz="{i[0][2]!r}" '
-            f'iyz="{i[1][2]!r}"/>', "    </inertial>", '    <visual><geometry><sphere radius="0.1"/></geometry></visual>'
-            if r.random() < 0.1 else "", "  </link>"]
+    return [
+        f'  <link name="{name}">',
+        "    <inertial>",
+        f'      <origin xyz="{words(at)}" rpy="{words(rpy)}"/>',
+        f'      <mass value="{mass}"/>',
+        f'      <inertia ixx="{i[0][0]!r}" iyy="{i[1][1]!r}" izz="{i[2][2]!r}" ixy="{i[0][1]!r}" ixz="{i[0][2]!r}" '
+        f'iyz="{i[1][2]!r}"/>',
+        "    </inertial>",
+        '    <visual><geometry><sphere radius="0.1"/></geometry></visual>' if r.random() < 0.1 else "",
+        "  </link>",
+    ]
 
 
 def urdf_mimic(robot):
@@ -178,6 +206,7 @@ def kind_of(robot, name):
 
 
 # --- MJCF ---
+
 
 class Compiler:
     def __init__(self, r):
@@ -225,16 +254,23 @@ def mjcf(seed):
     robot.suffix = "xml"
     compiler = Compiler(r)
     robot.gravity = [0.0, 0.0, -9.81] if r.random() < 0.5 else robot.vector(10)
-    robot.classes = {"main": {"damping": 0.0, "armature": 0.0, "density": 1000.0},
-                     "joints": {"damping": round(r.uniform(0.1, 1), 2), "armature": 0.0, "density": 500.0},
-                     "inner": {"damping": round(r.uniform(0.1, 1), 2), "armature": round(r.uniform(0.01, 0.5), 3), "density": 500.0}}
+    robot.classes = {
+        "main": {"damping": 0.0, "armature": 0.0, "density": 1000.0},
+        "joints": {"damping": round(r.uniform(0.1, 1), 2), "armature": 0.0, "density": 500.0},
+        "inner": {"damping": round(r.uniform(0.1, 1), 2), "armature": round(r.uniform(0.01, 0.5), 3), "density": 500.0},
+    }
     outer, inner = robot.classes["joints"], robot.classes["inner"]
-    robot.lines += ['<mujoco model="made">',
-                    f'  <compiler angle="{"degree" if compiler.degrees else "radian"}" eulerseq="{compiler.eulerseq}"/>',
-                    f'  <option timestep="0.001" gravity="{words(robot.gravity)}"/>', "  <default>",
-                    f'    <default class="joints"><joint damping="{outer["damping"]}"/><geom density="500"/>',
-                    f'      <default class="inner"><joint damping="{inner["damping"]}" armature="{inner["armature"]}"/></default>',
-                    "    </default>", "  </default>", "  <worldbody>"]
+    robot.lines += [
+        '<mujoco model="made">',
+        f'  <compiler angle="{"degree" if compiler.degrees else "radian"}" eulerseq="{compiler.eulerseq}"/>',
+        f'  <option timestep="0.001" gravity="{words(robot.gravity)}"/>',
+        "  <default>",
+        f'    <default class="joints"><joint damping="{outer["damping"]}"/><geom density="500"/>',
+        f'      <default class="inner"><joint damping="{inner["damping"]}" armature="{inner["armature"]}"/></default>',
+        "    </default>",
+        "  </default>",
+        "  <worldbody>",
+    ]
     count = [0]
     for _ in range(r.choice([1, 1, 2])):
         mjcf_body(robot, compiler, "world", 0, count, "main")
@@ -253,7 +289,9 @@ def mjcf_body(robot, compiler, parent, depth, count, childclass):
     text, turn = orientation(robot, compiler)
     given = r.choice(["joints", "inner"]) if r.random() < 0.4 else ""
     childclass = given or childclass
-    robot.lines.append(f'{pad}<body name="{name}" pos="{words(at)}"{text}{f" childclass={chr(34)}{given}{chr(34)}" if given else ""}>')
+    robot.lines.append(
+        f'{pad}<body name="{name}" pos="{words(at)}"{text}{f" childclass={chr(34)}{given}{chr(34)}" if given else ""}>'
+    )
     body = Body(name, parent, at, turn, [])
     if depth == 0 and r.random() < 0.3:
         robot.lines.append(f'{pad}  <freejoint name="{name}_free"/>')
@@ -276,9 +314,15 @@ def mjcf_body(robot, compiler, parent, depth, count, childclass):
 
 def mjcf_joint(robot, compiler, body, name, pad, childclass):
     r = robot.r
-    kind = r.choice(["hinge", "hinge", "hinge", "slide", "ball"]) if not body.joints else r.choice(["hinge", "hinge" if any(j.kind == "slide" for j in body.joints) else "slide"])
+    kind = (
+        r.choice(["hinge", "hinge", "hinge", "slide", "ball"])
+        if not body.joints
+        else r.choice(["hinge", "hinge" if any(j.kind == "slide" for j in body.joints) else "slide"])
+    )
     defaults = robot.classes[childclass]
-    joint = Joint(name, kind, at=robot.vector(0.2), axis=robot.axis(), damping=defaults["damping"], armature=defaults["armature"])
+    joint = Joint(
+        name, kind, at=robot.vector(0.2), axis=robot.axis(), damping=defaults["damping"], armature=defaults["armature"]
+    )
     text = f'{pad}  <joint name="{name}" type="{kind}" pos="{words(joint.at)}"'
     if kind == "ball":
         joint.armature = 0.0
@@ -374,8 +418,10 @@ def mjcf_cord(robot):
         return
     one, other = r.sample([body for body in robot.bodies if body.joints], 2)
     stiffness, damping, length = round(r.uniform(1, 30), 2), round(r.uniform(0, 2), 2), round(r.uniform(0.1, 1), 2)
-    robot.lines.append(f'  <tendon><spatial stiffness="{stiffness}" damping="{damping}" springlength="{length}">'
-                       f'<site site="{one.name}_site"/><site site="{other.name}_site"/></spatial></tendon>')
+    robot.lines.append(
+        f'  <tendon><spatial stiffness="{stiffness}" damping="{damping}" springlength="{length}">'
+        f'<site site="{one.name}_site"/><site site="{other.name}_site"/></spatial></tendon>'
+    )
     robot.cords.append(((one.name, one.site[0]), (other.name, other.site[0]), stiffness, damping, length))
 
 
@@ -387,10 +433,14 @@ def mjcf_actuators(robot):
     if len(single) >= 2 and r.random() < 0.5:
         one, other = r.sample(single, 2)
         ratios = [round(r.uniform(-2, 2), 2) for _ in range(2)]
-        robot.lines.append(f'  <tendon><fixed name="cord"><joint joint="{one.name}" coef="{ratios[0]}"/>'
-                           f'<joint joint="{other.name}" coef="{ratios[1]}"/></fixed></tendon>')
+        robot.lines.append(
+            f'  <tendon><fixed name="cord"><joint joint="{one.name}" coef="{ratios[0]}"/>'
+            f'<joint joint="{other.name}" coef="{ratios[1]}"/></fixed></tendon>'
+        )
         lines.append('    <motor name="pull" tendon="cord" gear="3"/>')
-        robot.drives.append(("pull", "control", [(one.name, 3 * ratios[0]), (other.name, 3 * ratios[1])], lambda u, x, v: u))
+        robot.drives.append(
+            ("pull", "control", [(one.name, 3 * ratios[0]), (other.name, 3 * ratios[1])], lambda u, x, v: u)
+        )
     if r.random() < 0.4:
         body, gear = r.choice(robot.bodies), [round(r.uniform(-3, 3), 2) for _ in range(6)]
         lines.append(f'    <motor name="thrust" site="{body.name}_site" gear="{words(gear)}"/>')
@@ -411,12 +461,16 @@ def mjcf_actuators(robot):
             lines.append(f'    <velocity name="{joint.name}_m" joint="{joint.name}" gear="{gear}" kv="{k}"/>')
             law = lambda u, x, v, k=k: k * (u - v)
         elif kind == "general":
-            lines.append(f'    <general name="{joint.name}_m" joint="{joint.name}" gear="{gear}" gaintype="fixed" gainprm="{k}" '
-                         f'biastype="affine" biasprm="0.5 -{k} -0.2"/>')
+            lines.append(
+                f'    <general name="{joint.name}_m" joint="{joint.name}" gear="{gear}" gaintype="fixed" gainprm="{k}" '
+                f'biastype="affine" biasprm="0.5 -{k} -0.2"/>'
+            )
             law = lambda u, x, v, k=k: k * u + 0.5 - k * x - 0.2 * v
         else:
-            lines.append(f'    <general name="{joint.name}_m" joint="{joint.name}" gear="{gear}" gainprm="{k}" forcelimited="true" '
-                         'forcerange="-2 3"/>')
+            lines.append(
+                f'    <general name="{joint.name}_m" joint="{joint.name}" gear="{gear}" gainprm="{k}" forcelimited="true" '
+                'forcerange="-2 3"/>'
+            )
             law = lambda u, x, v, k=k: min(max(k * u, -2.0), 3.0)
         robot.drives.append((f"{joint.name}_m", "control", [(joint.name, gear)], law))
     if len(single) >= 2 and r.random() < 0.25:
@@ -431,7 +485,9 @@ def mjcf_gear(robot, single):
     robot.gears.append((first.name, second.name, ratio, offset))
     second.limits = (second.zero - 0.1, second.zero + 0.1)
     first.limits = None
-    robot.lines.append(f'  <equality><joint joint1="{first.name}" joint2="{second.name}" polycoef="{offset} {ratio} 0 0 0"/></equality>')
+    robot.lines.append(
+        f'  <equality><joint joint1="{first.name}" joint2="{second.name}" polycoef="{offset} {ratio} 0 0 0"/></equality>'
+    )
     for k, line in enumerate(robot.lines):
         if " range=" in line:
             robot.lines[k] = line.split(" range=")[0] + "/>"
@@ -455,7 +511,9 @@ def efforts(robot, tree, position, speed, controls):
         if name in robot.thrusts:
             body, point, turn, push, twist = robot.thrusts[name]
             turn = times(motions[body].turn, turn)
-            result = plus(result, tree.pushed(motions, body, point, by(control, on(turn, push)), by(control, on(turn, twist))))
+            result = plus(
+                result, tree.pushed(motions, body, point, by(control, on(turn, push)), by(control, on(turn, twist)))
+            )
         length = sum(ratio * position[name][0] for name, ratio in joints)
         rate = sum(ratio * speed[name][0] for name, ratio in joints)
         force = control if law is None else law(control, length, rate)
@@ -471,6 +529,3 @@ def gear_rows(robot, tree):
         row[tree.first[first]], row[tree.first[second]] = 1.0, -ratio
         rows.append(row)
     return rows
-
-
-__all__ = ["urdf", "mjcf", "efforts", "gear_rows", "on"]

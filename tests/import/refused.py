@@ -8,11 +8,15 @@ import types
 from write_robots import ROOT, load_import
 
 FOLDER = sys.argv[1]
-URDF = ('<robot name="r">\n<link name="a"/>\n<link name="b"><inertial><mass value="1"/>'
-        '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>\n'
-        '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>\n</robot>')
-MJCF = ('<mujoco>\n<compiler angle="radian"/>\n<worldbody>\n<body name="b">\n<joint name="j"/>\n'
-        '<geom type="sphere" size="0.1" pos="0 0 1"/>\n</body>\n</worldbody>\n</mujoco>')
+URDF = (
+    '<robot name="r">\n<link name="a"/>\n<link name="b"><inertial><mass value="1"/>'
+    '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>\n'
+    '<joint name="j" type="continuous"><parent link="a"/><child link="b"/></joint>\n</robot>'
+)
+MJCF = (
+    '<mujoco>\n<compiler angle="radian"/>\n<worldbody>\n<body name="b">\n<joint name="j"/>\n'
+    '<geom type="sphere" size="0.1" pos="0 0 1"/>\n</body>\n</worldbody>\n</mujoco>'
+)
 # The file, what is changed in it, the place and a part of the message.
 CASES = [
     (URDF, '"continuous"', '"hinge"', "4:17", "the type 'hinge' of 'j' is not known: revolute"),
@@ -60,7 +64,9 @@ def main():
             wrong.append(f"refused, and right: {text}")
     for text, what, by, place, message in CASES:
         scene, said = said_of(text.replace(what, by))
-        if scene is not None or not any(line.startswith(f"{path}:{place}: error: ") and message in line for line in said):
+        if scene is not None or not any(
+            line.startswith(f"{path}:{place}: error: ") and message in line for line in said
+        ):
             wrong.append(f"{place} {message}: {said if scene is None else 'taken'}")
     print("\n".join(f"# {line}" for line in wrong), end="\n" if wrong else "")
     print(f"{'not ' if wrong else ''}ok 1 - {len(CASES)} files that are wrong are refused with their place")

@@ -48,24 +48,38 @@ def table(name, robot, tree, path, seed):
     r = random.Random(seed + 1)
     lines, joints = [], list(tree.joints.values())
     kinds = {"hinge": "HINGE", "slide": "SLIDE", "ball": "BALL", "free": "FREE"}
-    lines.append(f"static const robot_joint {name}_joints[] = {{" + ", ".join(
-        f'{{"{joint.name}", {kinds[joint.kind]}, {joint.zero!r}}}' for joint in joints) + "};")
-    drives = [f'{{"{drive[0]}", {int(drive[1] == "control")}, "{drive[2][0][0] if drive[2] else ""}"}}' for drive in robot.drives]
+    lines.append(
+        f"static const robot_joint {name}_joints[] = {{"
+        + ", ".join(f'{{"{joint.name}", {kinds[joint.kind]}, {joint.zero!r}}}' for joint in joints)
+        + "};"
+    )
+    drives = [
+        f'{{"{drive[0]}", {int(drive[1] == "control")}, "{drive[2][0][0] if drive[2] else ""}"}}'
+        for drive in robot.drives
+    ]
     lines.append(f"static const robot_drive {name}_drives[] = {{" + ", ".join([*drives, "{0}"]) + "};")
-    inertials = ", ".join(f'{{"{body}", {m!r}, {numbers(c)}, {{{", ".join(numbers(row) for row in i)}}}}}'
-                          for body, m, c, i in robot.inertials(robot.suffix == "urdf"))
+    inertials = ", ".join(
+        f'{{"{body}", {m!r}, {numbers(c)}, {{{", ".join(numbers(row) for row in i)}}}}}'
+        for body, m, c, i in robot.inertials(robot.suffix == "urdf")
+    )
     lines.append(f"static const robot_body {name}_bodies[] = {{{inertials}, {{0}}}};")
     for k in range(STATES):
         position, speed = robot.state(tree)
         controls = [r.uniform(-3, 3) for _ in robot.drives]
         effort = generate.efforts(robot, tree, position, speed, controls)
         right = tree.accelerations(position, speed, effort, generate.gear_rows(robot, tree))
-        for what, values in (("q", [x for joint in joints for x in position[joint.name]]),
-                             ("v", [x for joint in joints for x in speed[joint.name]]), ("u", controls or [0.0]), ("a", right)):
+        for what, values in (
+            ("q", [x for joint in joints for x in position[joint.name]]),
+            ("v", [x for joint in joints for x in speed[joint.name]]),
+            ("u", controls or [0.0]),
+            ("a", right),
+        ):
             lines.append(f"static const double {name}_{what}{k}[] = {numbers(values)};")
     states = ", ".join(f"{{{name}_q{k}, {name}_v{k}, {name}_u{k}, {name}_a{k}}}" for k in range(STATES))
-    lines.append(f'#define ROBOT_{name.upper()} {{"{path}", &{name}_model, {name}_joints, {len(joints)}, {name}_bodies, {name}_drives, '
-                 f"{len(robot.drives)}, {int(robot.against_mujoco)}, {len(robot.gears)}, {{{states}}}}}")
+    lines.append(
+        f'#define ROBOT_{name.upper()} {{"{path}", &{name}_model, {name}_joints, {len(joints)}, {name}_bodies, {name}_drives, '
+        f"{len(robot.drives)}, {int(robot.against_mujoco)}, {len(robot.gears)}, {{{states}}}}}"
+    )
     return lines
 
 
@@ -92,8 +106,21 @@ def main():
         with open(scene, "w", encoding="utf-8") as file:
             file.write(text)
         formulation = ["--formulation", ("composite", "articulated")[seed // 3 % 2]] if "\nclose " not in text else []
-        made = subprocess.run([os.path.join(ROOT, "build", "isoc"), scene, "-o", os.path.join(folder, name), "--name", name, "--real",
-                               "double", *formulation], capture_output=True, text=True)
+        made = subprocess.run(
+            [
+                os.path.join(ROOT, "build", "isoc"),
+                scene,
+                "-o",
+                os.path.join(folder, name),
+                "--name",
+                name,
+                "--real",
+                "double",
+                *formulation,
+            ],
+            capture_output=True,
+            text=True,
+        )
         if made.returncode:
             print(made.stderr)
             failed += 1

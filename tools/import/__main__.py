@@ -39,13 +39,18 @@ def imported(path, options):
         elif document.root.tag == "mujoco":
             mjcf.Reader(document, model, options).read()
         else:
-            document.root.problem(f"<{document.root.tag}> is neither <robot> of URDF nor <mujoco> of MJCF; a file of xacro is "
-                                  "to be expanded first")
+            document.root.problem(
+                f"<{document.root.tag}> is neither <robot> of URDF nor <mujoco> of MJCF; a file of xacro is "
+                "to be expanded first"
+            )
     except Stop:
         pass
     if not problems and not any(joint.kind != "fixed" for joint in model.joints.values()):
-        document.root.problem("nothing moves in this file: a scene has a joint; --floating lets the root link move"
-                              if document.root.tag == "robot" else "nothing moves in this file: a scene has a joint")
+        document.root.problem(
+            "nothing moves in this file: a scene has a joint; --floating lets the root link move"
+            if document.root.tag == "robot"
+            else "nothing moves in this file: a scene has a joint"
+        )
     if problems:
         return None, problems
     urdf.outputs(model)
@@ -58,9 +63,15 @@ def parser():
     parse.add_argument("file", help="a .urdf, or a .xml of MuJoCo")
     parse.add_argument("-o", dest="out", help="the scene; default: standard output")
     parse.add_argument("--floating", action="store_true", help="of URDF: the root link moves freely")
-    parse.add_argument("--drives", choices=("file", "none"), default="file",
-                       help="of URDF: those of the file, or of all joints where it has none; or none")
-    parse.add_argument("--exact", action="store_true", help="no angle is taken as a quarter turn that is not exactly one")
+    parse.add_argument(
+        "--drives",
+        choices=("file", "none"),
+        default="file",
+        help="of URDF: those of the file, or of all joints where it has none; or none",
+    )
+    parse.add_argument(
+        "--exact", action="store_true", help="no angle is taken as a quarter turn that is not exactly one"
+    )
     return parse
 
 

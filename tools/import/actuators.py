@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 from model import Input, Use
 from place import apply, minus, norm
-from scene import number, vector, where
+from scene import number, vector
 
 KINDS = ("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder")
 NOT_KINDS = {"muscle": "muscles", "adhesion": "adhesion", "plugin": "plugins", "dcmotor": "no such motor"}
@@ -17,9 +17,10 @@ NOT_KINDS = {"muscle": "muscles", "adhesion": "adhesion", "plugin": "plugins", "
 @dataclass
 class Force:
     """How the force of an actuator or a tendon follows."""
+
     gain: tuple = (1.0, 0.0, 0.0)
     bias: tuple = (0.0, 0.0, 0.0)
-    dynamics: str = "none"          # none, integrator, filter
+    dynamics: str = "none"  # none, integrator, filter
     time: float = 1.0
     limits: tuple = None
     control: str = ""
@@ -28,11 +29,12 @@ class Force:
 @dataclass
 class Length:
     """What an actuator acts on: joints with ratios; or two points of bodies; or a wrench on a body."""
-    joints: list = field(default_factory=list)      # (joint, ratio)
-    zero: float = 0.0                               # the length where all coordinates are zero
-    points: list = None                             # two (carrier, place)
+
+    joints: list = field(default_factory=list)  # (joint, ratio)
+    zero: float = 0.0  # the length where all coordinates are zero
+    points: list = None  # two (carrier, place)
     scale: float = 1.0
-    wrench: tuple = None                            # carrier, place, six numbers
+    wrench: tuple = None  # carrier, place, six numbers
 
 
 def read(reader):
@@ -52,6 +54,7 @@ def read(reader):
 
 # --- tendons ---
 
+
 def tendon(reader, element, tendons):
     if element.tag not in ("fixed", "spatial"):
         return
@@ -60,8 +63,19 @@ def tendon(reader, element, tendons):
     length = fixed(reader, found) if element.tag == "fixed" else spatial(reader, found)
     for key in ("width", "material", "rgba", "group", "user"):
         found.leave("only seen", key)
-    for key in ("range", "limited", "solreflimit", "solimplimit", "margin", "frictionloss", "solreffriction", "solimpfriction",
-                "armature", "actuatorfrcrange", "actuatorfrclimited"):
+    for key in (
+        "range",
+        "limited",
+        "solreflimit",
+        "solimplimit",
+        "margin",
+        "frictionloss",
+        "solreffriction",
+        "solimpfriction",
+        "armature",
+        "actuatorfrcrange",
+        "actuatorfrclimited",
+    ):
         found.leave("limits, friction and armature are of joints", key)
     tendons[name] = length
     if length is None:
@@ -80,8 +94,12 @@ def tendon(reader, element, tendons):
     if length.points is not None and low == high:
         (one, at_one), (other, at_other) = length.points
         own = reader.model.name(name, "spring")
-        lines = [f"between {one}{point(at_one)} and {other}{point(at_other)}", f"stiffness {number(stiffness)} N/m",
-                 *([f"damping {number(damping)} N*s/m"] if damping else []), f"length {number(low)} m"]
+        lines = [
+            f"between {one}{point(at_one)} and {other}{point(at_other)}",
+            f"stiffness {number(stiffness)} N/m",
+            *([f"damping {number(damping)} N*s/m"] if damping else []),
+            f"length {number(low)} m",
+        ]
         reader.model.effects.append(Use(f"spring {own}", lines))
         return
     if low != high:
@@ -119,13 +137,17 @@ def spatial(reader, found):
             child.problem(f"there is no site '{name}'", "site")
             return None
         frame = reader.sites[name]
-        points.append(frame if isinstance(frame, tuple) else next((on, at) for own, on, at, _ in reader.model.frames
-                                                                  if own == frame))
+        points.append(
+            frame
+            if isinstance(frame, tuple)
+            else next((on, at) for own, on, at, _ in reader.model.frames if own == frame)
+        )
     return Length(points=points)
 
 
 def distance(reader, length):
     from equality import globals_of
+
     places = globals_of(reader.model)
     (one, at_one), (other, at_other) = length.points
     return norm(minus(places[one].point(at_one.at), places[other].point(at_other.at)))
@@ -136,6 +158,7 @@ def point(place):
 
 
 # --- actuators ---
+
 
 def actuator(reader, found, tendons):
     length = target(reader, found, tendons)
@@ -156,8 +179,9 @@ def actuator(reader, found, tendons):
     input_name = reader.model.name(name, "input", not found.get("name"))
     plain = direct(length, force)
     unit = length.joints[0][0].effort() if plain else ""
-    reader.model.inputs.append(Input(input_name, unit, tuple(limits) if limits is not None else None,
-                                     "" if input_name == name else name))
+    reader.model.inputs.append(
+        Input(input_name, unit, tuple(limits) if limits is not None else None, "" if input_name == name else name)
+    )
     if plain:
         length.joints[0][0].drive = input_name
         return
@@ -167,8 +191,15 @@ def actuator(reader, found, tendons):
 
 def direct(length, force):
     """A motor whose control is the effort of one joint that has no other drive."""
-    return (len(length.joints) == 1 and length.joints[0][1] * force.gain[0] == 1 and not any(force.gain[1:])
-            and not any(force.bias) and force.dynamics == "none" and force.limits is None and not length.joints[0][0].drive)
+    return (
+        len(length.joints) == 1
+        and length.joints[0][1] * force.gain[0] == 1
+        and not any(force.gain[1:])
+        and not any(force.bias)
+        and force.dynamics == "none"
+        and force.limits is None
+        and not length.joints[0][0].drive
+    )
 
 
 def target(reader, found, tendons):
@@ -190,14 +221,19 @@ def target(reader, found, tendons):
             found.leave("its tendon is not taken")
             return None
         length = tendons[text]
-        return Length([(made, gear[0] * ratio) for made, ratio in length.joints], gear[0] * length.zero, length.points, gear[0])
+        return Length(
+            [(made, gear[0] * ratio) for made, ratio in length.joints], gear[0] * length.zero, length.points, gear[0]
+        )
     if ways[0] == "site":
         if found.has("refsite"):
             found.leave("nothing drives one site against another")
             return None
         frame = reader.sites[text]
-        carrier, place = frame if isinstance(frame, tuple) else next((on, at) for own, on, at, _ in reader.model.frames
-                                                                     if own == frame)
+        carrier, place = (
+            frame
+            if isinstance(frame, tuple)
+            else next((on, at) for own, on, at, _ in reader.model.frames if own == frame)
+        )
         if carrier == "ground":
             found.leave("its site stands on the ground")
             return None
@@ -254,8 +290,11 @@ def general(found, force):
     gains = [*found.numbers("gainprm", (1, 10), [1.0]), 0.0, 0.0][:3]
     biases = [*found.numbers("biasprm", (1, 10), [0.0]), 0.0, 0.0][:3]
     times = found.numbers("dynprm", (1, 10), [1.0])
-    for key, word, known in (("gaintype", gain, ("fixed", "affine")), ("biastype", bias, ("none", "affine")),
-                             ("dyntype", dynamics, ("none", "integrator", "filter", "filterexact"))):
+    for key, word, known in (
+        ("gaintype", gain, ("fixed", "affine")),
+        ("biastype", bias, ("none", "affine")),
+        ("dyntype", dynamics, ("none", "integrator", "filter", "filterexact")),
+    ):
         if word not in known:
             found.leave(f"a {key} of {', '.join(known)} is taken")
             return False
@@ -268,6 +307,7 @@ def general(found, force):
 
 # --- effects ---
 
+
 def write(reader, name, length, force):
     """The effect of an actuator, and the definition of its kind."""
     model = reader.model
@@ -279,16 +319,34 @@ def write(reader, name, length, force):
         push, twist = apply(place.turn, gear[:3]), apply(place.turn, gear[3:])
         gain = force.gain[0]
         if not is_motor:
-            model.unique_note(f"{name}: a thrust is its gain times the control; limits, bias and dynamics are not taken")
-        model.effects.append(Use(f"effect {own} thrust", [
-            f"place {carrier}{point(place)}", f"control {force.control}", f"push {vector([gain * x for x in push])} N",
-            f"twist {vector([gain * x for x in twist])} N*m"]))
+            model.unique_note(
+                f"{name}: a thrust is its gain times the control; limits, bias and dynamics are not taken"
+            )
+        model.effects.append(
+            Use(
+                f"effect {own} thrust",
+                [
+                    f"place {carrier}{point(place)}",
+                    f"control {force.control}",
+                    f"push {vector([gain * x for x in push])} N",
+                    f"twist {vector([gain * x for x in twist])} N*m",
+                ],
+            )
+        )
         return
     if is_motor and len(length.joints) == 1:
         made, ratio = length.joints[0]
         model.kinds["motor"] = MOTOR
-        model.effects.append(Use(f"effect {own} motor", [
-            f"along {made.name}", f"control {force.control}", f"ratio {number(ratio * force.gain[0])} {made.effort()}"]))
+        model.effects.append(
+            Use(
+                f"effect {own} motor",
+                [
+                    f"along {made.name}",
+                    f"control {force.control}",
+                    f"ratio {number(ratio * force.gain[0])} {made.effort()}",
+                ],
+            )
+        )
         return
     kind, text = definition(length, force)
     model.kinds[kind] = text
@@ -300,7 +358,12 @@ def write(reader, name, length, force):
     if force.control:
         lines.append(f"control {force.control}")
     names = ("gain", "gain_by_length", "gain_by_rate"), ("bias", "bias_by_length", "bias_by_rate")
-    lines += [f"{key} {number(x)}" for group, values in zip(names, (force.gain, force.bias)) for key, x in zip(group, values) if x]
+    lines += [
+        f"{key} {number(x)}"
+        for group, values in zip(names, (force.gain, force.bias))
+        for key, x in zip(group, values)
+        if x
+    ]
     if length.zero:
         lines.append(f"zero {number(length.zero)}")
     if force.limits is not None:
@@ -321,23 +384,32 @@ def definition(length, force):
         lines += ["body one", "body other", "value ratio = 1"]
     lines += ["signal control"] * bool(force.control)
     lines += ["value zero = 0                          # the length where all positions are zero"]
-    lines += [f"value {key} = 0" for key in ("gain", "gain_by_length", "gain_by_rate", "bias", "bias_by_length", "bias_by_rate")]
+    lines += [
+        f"value {key} = 0"
+        for key in ("gain", "gain_by_length", "gain_by_rate", "bias", "bias_by_length", "bias_by_rate")
+    ]
     if length.points is not None:
-        lines += ["let gap = position of other - position of one",
-                  "let away = gap / norm(gap)",
-                  "let length = ratio * norm(gap) / 1 m",
-                  "let by_time = ratio * dot(away, velocity of other - velocity of one) / 1 m * 1 s"]
+        lines += [
+            "let gap = position of other - position of one",
+            "let away = gap / norm(gap)",
+            "let length = ratio * norm(gap) / 1 m",
+            "let by_time = ratio * dot(away, velocity of other - velocity of one) / 1 m * 1 s",
+        ]
     else:
         units = [made.unit() for made, _ in length.joints]
-        lines += ["let length = " + " + ".join(["zero", *(f"ratio{k} * position of along{k} / 1 {unit}"
-                                                          for k, unit in zip(count, units))]),
-                  "let by_time = " + " + ".join(f"ratio{k} * speed of along{k} / 1 {unit} * 1 s"
-                                                for k, unit in zip(count, units))]
+        lines += [
+            "let length = "
+            + " + ".join(["zero", *(f"ratio{k} * position of along{k} / 1 {unit}" for k, unit in zip(count, units))]),
+            "let by_time = "
+            + " + ".join(f"ratio{k} * speed of along{k} / 1 {unit} * 1 s" for k, unit in zip(count, units)),
+        ]
     signal = "control"
     if force.dynamics != "none":
         signal = "activation"
         lines += ["value lag s"] * (force.dynamics == "filter") + ["state activation = 0"]
-        lines.append("rate activation = " + ("(control - activation) / lag" if force.dynamics == "filter" else "control / 1 s"))
+        lines.append(
+            "rate activation = " + ("(control - activation) / lag" if force.dynamics == "filter" else "control / 1 s")
+        )
     gain = f"(gain + gain_by_length * length + gain_by_rate * by_time) * {signal} + " if force.control else ""
     whole = f"{gain}bias + bias_by_length * length + bias_by_rate * by_time"
     if force.limits is not None:
@@ -346,7 +418,9 @@ def definition(length, force):
     lines.append(f"let force = {whole}")
     if length.points is not None:
         lines.append("force on other against one = ratio * force * 1 N * away")
-    lines += [f"effort on along{k} = ratio{k} * force * 1 {made.effort()}" for k, (made, _) in zip(count, length.joints)]
+    lines += [
+        f"effort on along{k} = ratio{k} * force * 1 {made.effort()}" for k, (made, _) in zip(count, length.joints)
+    ]
     lines.append("output force")
     note = "# What an actuator of MuJoCo does, in its numbers: SI, without units."
     return kind, "\n".join([note, f"effect {kind} {{", *(f"    {line}" for line in lines), "}"])
@@ -371,5 +445,3 @@ effect thrust {
     force on place in body = control * push
     moment on place in body = control * twist
 }"""
-
-__all__ = ["read", "where"]

@@ -8,16 +8,26 @@ def stop(model, joint, lower, upper, impact=0.0):
     unit = joint.unit()
     speed = impact or max((upper - lower) / 2, 1e-3)
     name = model.name(f"{joint.name}_stop", "effect", True)
-    model.effects.append(Use(f"effect {name} stop", [
-        f"along {joint.name}", f"lower {number(lower)} {unit}", f"upper {number(upper)} {unit}",
-        f"impact {number(speed)} {unit}/s"]))
+    model.effects.append(
+        Use(
+            f"effect {name} stop",
+            [
+                f"along {joint.name}",
+                f"lower {number(lower)} {unit}",
+                f"upper {number(upper)} {unit}",
+                f"impact {number(speed)} {unit}/s",
+            ],
+        )
+    )
     if joint.continuous:
         joint.continuous = False
 
 
 def friction(model, joint, size):
     name = model.name(f"{joint.name}_friction", "effect", True)
-    model.effects.append(Use(f"effect {name} friction", [f"along {joint.name}", f"sliding {number(size)} {joint.effort()}"]))
+    model.effects.append(
+        Use(f"effect {name} friction", [f"along {joint.name}", f"sliding {number(size)} {joint.effort()}"])
+    )
 
 
 GEARED = """
@@ -33,7 +43,9 @@ effect geared {
 def geared(model, joint, drive, ratio):
     model.kinds["geared"] = GEARED
     name = model.name(f"{joint.name}_gear", "effect", True)
-    model.effects.append(Use(f"effect {name} geared", [f"along {joint.name}", f"motor {drive}", f"ratio {number(ratio)}"]))
+    model.effects.append(
+        Use(f"effect {name} geared", [f"along {joint.name}", f"motor {drive}", f"ratio {number(ratio)}"])
+    )
 
 
 def hold(model, joint):

@@ -69,7 +69,9 @@ def close(reader, found, kind, first, second):
         found.leave("both sides are one body of the scene")
         return
     name = named(reader, found, one, other)
-    reader.model.closures.append(Use(f"close {name} {kind}", [f"parent {one}{where(at_one)}", f"child {other}{where(at_other)}"]))
+    reader.model.closures.append(
+        Use(f"close {name} {kind}", [f"parent {one}{where(at_one)}", f"child {other}{where(at_other)}"])
+    )
 
 
 def connect(reader, found):
@@ -124,11 +126,16 @@ def joint(reader, found):
     if second is None:
         closure = named(reader, found, first.name, "place")
         first.start = coefficients[0]
-        reader.model.closures.append(Use(f"close {closure} motion", [f"first {first.name}",
-                                                                     f"motion {number(coefficients[0])} {first.unit()}"]))
+        reader.model.closures.append(
+            Use(f"close {closure} motion", [f"first {first.name}", f"motion {number(coefficients[0])} {first.unit()}"])
+        )
         return
     closure = named(reader, found, first.name, second.name)
     first.start = coefficients[0] + coefficients[1] * second.start
     unit = "" if first.unit() == second.unit() else f" {first.unit()}/{second.unit()}"
-    reader.model.closures.append(Use(f"close {closure} gear", [
-        f"first {first.name}", f"second {second.name}", f"ratio {number(coefficients[1])}{unit}"]))
+    reader.model.closures.append(
+        Use(
+            f"close {closure} gear",
+            [f"first {first.name}", f"second {second.name}", f"ratio {number(coefficients[1])}{unit}"],
+        )
+    )

@@ -7,17 +7,26 @@ from scene import number, vector
 
 MASSLESS = {"plane": "it weighs nothing", "hfield": "it weighs nothing"}
 SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
-LOOKS = ("name", "class", "contype", "conaffinity", "condim", "group", "priority", "size", "material", "friction", "solmix", "solref",
-         "solimp", "margin", "gap", "rgba", "hfield", "mesh", "fitscale", "user", "fluidshape", "fluidcoef", "shellinertia",
-         "fromto", "pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "mass", "density", "type")
 
 
 def read(reader, element, carrier, place, childclass, solids):
     """Adds what a geom weighs to `solids`, in the axes of its body."""
     from mjcf import SEEN
+
     found = reader.found(element, childclass)
     kind = found.get("type", "sphere")
-    for name in ("contype", "conaffinity", "condim", "priority", "friction", "solmix", "solref", "solimp", "margin", "gap"):
+    for name in (
+        "contype",
+        "conaffinity",
+        "condim",
+        "priority",
+        "friction",
+        "solmix",
+        "solref",
+        "solimp",
+        "margin",
+        "gap",
+    ):
         found.leave("contact is of points and balls with the ground", name)
     for name in ("name", "material", "rgba", "user", "hfield", "fitscale"):
         found.leave(SEEN, name) if name in ("material", "rgba", "hfield", "fitscale") else found.get(name)
@@ -68,8 +77,21 @@ def weighs(reader, element):
 
 def seen(found):
     """A geom that weighs nothing: where it is and how large is only seen."""
-    for name in ("pos", "quat", "axisangle", "euler", "xyaxes", "zaxis", "size", "fromto", "mesh", "mass", "density", "type",
-                 "shellinertia"):
+    for name in (
+        "pos",
+        "quat",
+        "axisangle",
+        "euler",
+        "xyaxes",
+        "zaxis",
+        "size",
+        "fromto",
+        "mesh",
+        "mass",
+        "density",
+        "type",
+        "shellinertia",
+    ):
         found.get(name)
 
 
@@ -78,6 +100,7 @@ def of_kind(reader, found, kind, mass, density):
     ends = found.numbers("fromto", 6) if kind not in ("sphere",) else None
     if ends is not None:
         from mjcf import to_axis
+
         along = minus(ends[3:], ends[:3])
         if norm(along) == 0:
             found.problem("the ends of fromto are one point", "fromto")
@@ -87,15 +110,17 @@ def of_kind(reader, found, kind, mass, density):
         sizes = [sizes[0], half] if kind in ("capsule", "cylinder") else [sizes[0], sizes[0], half]
     else:
         place = reader.place(found)
-    if len(sizes) < SIZES[kind] or min(sizes[:SIZES[kind]]) <= 0:
+    if len(sizes) < SIZES[kind] or min(sizes[: SIZES[kind]]) <= 0:
         found.problem(f"a {kind} has {SIZES[kind]} sizes above zero", "size")
         return None
-    volume, moments, text = SHAPES[kind](*sizes[:SIZES[kind]])
+    volume, moments, text = SHAPES[kind](*sizes[: SIZES[kind]])
     mass = density * volume if mass is None else mass
     if mass < 0:
         found.problem("a mass is not below zero", "mass")
         return None
-    return Solid(mass, place, (*(mass * x for x in moments), 0.0, 0.0, 0.0), text, found.element.attributes.get("name", ""))
+    return Solid(
+        mass, place, (*(mass * x for x in moments), 0.0, 0.0, 0.0), text, found.element.attributes.get("name", "")
+    )
 
 
 def sphere(r):

@@ -19,12 +19,12 @@ class Element:
         self.parent = parent
         self.tag = tag
         self.attributes = attributes
-        self.offset = offset        # of its '<' in the file, in bytes
+        self.offset = offset  # of its '<' in the file, in bytes
         self.children = []
         self.text = ""
-        self.taken = False          # the element itself; each attribute apart
-        self.read = set()           # attributes that were read
-        self.left = {}              # attributes that are not taken: why; of the element under ""
+        self.taken = False  # the element itself; each attribute apart
+        self.read = set()  # attributes that were read
+        self.left = {}  # attributes that are not taken: why; of the element under ""
 
     def where(self, attribute=None):
         """file:line:column of the element, or of one of its attributes."""
@@ -34,7 +34,7 @@ class Element:
             found = re.compile(rb"\s" + re.escape(attribute.encode()) + rb"\s*=").search(source, offset)
             offset = found.start() + 1 if found else offset
         line = source.count(b"\n", 0, offset) + 1
-        column = len(source[source.rfind(b"\n", 0, offset) + 1:offset].decode("utf-8", "replace")) + 1
+        column = len(source[source.rfind(b"\n", 0, offset) + 1 : offset].decode("utf-8", "replace")) + 1
         return f"{self.document.path}:{line}:{column}"
 
     def line(self):
@@ -112,7 +112,7 @@ class Document:
         self.path = path
         self.problems = [] if problems is None else problems
         self.root = None
-        self.parts = []             # documents that it includes
+        self.parts = []  # documents that it includes
         try:
             with open(path, "rb") as file:
                 self.source = file.read()

@@ -10,10 +10,9 @@ import actuators
 import effects
 import equality
 import geoms
-from markup import Document, Stop, numbers_of
+from markup import Document, numbers_of
 from model import Solid, moves_nothing
-from place import (QUARTER, Place, apply, cross, dot, minus, norm, of_quaternion, principal, product, quarter_of, scale,
-                   tensor, transpose, turned)
+from place import QUARTER, Place, cross, dot, minus, norm, of_quaternion, quarter_of, scale, transpose, turned
 from settings import Settings
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -71,10 +70,10 @@ class Reader:
         self.options = options
         self.root = document.root
         self.settings = Settings()
-        self.classes = {}           # by name: (parent's name, {tag: element of the defaults})
-        self.carrier = {"world": ("ground", Place())}   # by the name of a body: a body of the scene, and the place on it
-        self.joints = {}            # by name: the joint of the scene, and its ref
-        self.sites = {}             # by name: the frame of the scene, or (carrier, place)
+        self.classes = {}  # by name: (parent's name, {tag: element of the defaults})
+        self.carrier = {"world": ("ground", Place())}  # by the name of a body: a body of the scene, and the place on it
+        self.joints = {}  # by name: the joint of the scene, and its ref
+        self.sites = {}  # by name: the frame of the scene, or (carrier, place)
         self.anonymous = 0
         self.rounded = 0
 
@@ -322,13 +321,27 @@ class Reader:
         if kind == "free":
             if carrier != "ground" or count > 1:
                 found.problem("a free joint is the only one of a body of the world")
-            made = self.model.joint(name=self.model.name(label, "joint"), kind="free", of=label, parent="ground",
-                                    parent_place=Place(), child=child, start_place=place)
+            made = self.model.joint(
+                name=self.model.name(label, "joint"),
+                kind="free",
+                of=label,
+                parent="ground",
+                parent_place=Place(),
+                child=child,
+                start_place=place,
+            )
             made.damping = found.number("damping", 0.0)
         else:
             at = Place(anchor)
-            made = self.model.joint(name=self.model.name(label, "joint"), kind=kinds[kind], of=label, parent=carrier,
-                                    parent_place=place * at, child=child, child_place=at)
+            made = self.model.joint(
+                name=self.model.name(label, "joint"),
+                kind=kinds[kind],
+                of=label,
+                parent=carrier,
+                parent_place=place * at,
+                child=child,
+                child_place=at,
+            )
         self.joints[label] = (made, 0.0)
         self.properties(found, label, made)
 
@@ -354,11 +367,18 @@ class Reader:
         self.joints[label] = (made, ref)
         if ref:
             self.model.notes.append(f"{label} of the file is {made.name} + {ref:.6g} {made.unit()}: ref")
-        for name, why in (("solreflimit", "a stop of its own"), ("solimplimit", "a stop of its own"),
-                          ("solreffriction", "a friction of its own"), ("solimpfriction", "a friction of its own"),
-                          ("margin", "a stop begins at its limit"), ("group", SEEN), ("user", "of the user"),
-                          ("actuatorfrcrange", "the limit of all actuators together"), ("actuatorgravcomp", "not known"),
-                          ("springdamper", "stiffness and damping count")):
+        for name, why in (
+            ("solreflimit", "a stop of its own"),
+            ("solimplimit", "a stop of its own"),
+            ("solreffriction", "a friction of its own"),
+            ("solimpfriction", "a friction of its own"),
+            ("margin", "a stop begins at its limit"),
+            ("group", SEEN),
+            ("user", "of the user"),
+            ("actuatorfrcrange", "the limit of all actuators together"),
+            ("actuatorgravcomp", "not known"),
+            ("springdamper", "stiffness and damping count"),
+        ):
             found.leave(why, name)
         if not made.has_one_coordinate():
             self.of_several(found, made, stiffness, friction)
@@ -399,7 +419,9 @@ class Reader:
         for made, _ in self.joints.values():
             if moves_nothing(self.model, made):
                 effects.hold(self.model, made)
-                self.model.notes.append(f"the joint {made.of} moves no inertia, and is held where it starts: MuJoCo refuses it")
+                self.model.notes.append(
+                    f"the joint {made.of} moves no inertia, and is held where it starts: MuJoCo refuses it"
+                )
 
     def frame(self, site):
         """The frame of a site in the scene; made where it is first asked for."""
@@ -412,10 +434,18 @@ class Reader:
         return found
 
     def rest(self):
-        why = {"asset": "pictures; of a mesh the inertia that the file gives a body counts", "visual": SEEN,
-               "statistic": SEEN, "size": "memory of MuJoCo", "custom": "of the user", "contact":
-               "contact is of points and balls with the ground", "keyframe": "starts of a run", "sensor":
-               "outputs of the scene show what is asked for", "extension": "plugins", "deformable": "not rigid"}
+        why = {
+            "asset": "pictures; of a mesh the inertia that the file gives a body counts",
+            "visual": SEEN,
+            "statistic": SEEN,
+            "size": "memory of MuJoCo",
+            "custom": "of the user",
+            "contact": "contact is of points and balls with the ground",
+            "keyframe": "starts of a run",
+            "sensor": "outputs of the scene show what is asked for",
+            "extension": "plugins",
+            "deformable": "not rigid",
+        }
         for element in self.root.children:
             if element.tag in why:
                 element.leave(why[element.tag])
@@ -424,8 +454,10 @@ class Reader:
                 for element in elements:
                     self.unused_default(element)
         if self.rounded:
-            self.model.notes.append(f"{self.rounded} angles are quarter turns as far as they are written (1.5708), and are "
-                                    "taken as such; --exact keeps them")
+            self.model.notes.append(
+                f"{self.rounded} angles are quarter turns as far as they are written (1.5708), and are "
+                "taken as such; --exact keeps them"
+            )
         for site in list(self.sites):
             if not site.startswith("site") or not site[4:].isdigit():
                 self.frame(site)
@@ -445,6 +477,3 @@ def to_axis(axis):
     if norm(across) < 1e-15:
         return Place().turn if to[2] > 0 else turned([(math.pi, (1.0, 0.0, 0.0))]).turn
     return of_quaternion((1 + dot(z, to), *across))
-
-
-__all__ = ["Reader", "Stop", "apply", "principal", "product", "tensor"]

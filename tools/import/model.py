@@ -2,7 +2,7 @@
 import re
 from dataclasses import dataclass, field
 
-from place import Place, add, apply, impossible, principal, product, scale
+from place import Place, add, apply, impossible, product, scale
 
 RESERVED = """ground pi time at about rotate quaternion substeps x y z in of on and like step energy power balance violation
 inertia mass com parent child axis start speed position repeat include output input body joint effect frame close spring force
@@ -14,11 +14,12 @@ PREFIXES = ["", *"numcdkMG"]
 @dataclass
 class Solid:
     """A part of a body: where its centre of mass and its axes are, and its inertia there."""
+
     mass: float
     place: Place
-    inertia: tuple          # xx, yy, zz, xy, xz, yz
-    text: str = ""          # a solid of the language with its size: box (1, 2, 3) m
-    of: str = ""            # what it is in the file
+    inertia: tuple  # xx, yy, zz, xy, xz, yz
+    text: str = ""  # a solid of the language with its size: box (1, 2, 3) m
+    of: str = ""  # what it is in the file
 
 
 @dataclass
@@ -45,14 +46,14 @@ class Joint:
     child_place: Place = field(default_factory=Place)
     axis: tuple = (0.0, 0.0, 1.0)
     start: float = 0.0
-    start_place: Place = None       # of a free joint
+    start_place: Place = None  # of a free joint
     damping: float = 0.0
     spring: float = 0.0
     rest: float = 0.0
     armature: float = 0.0
     drive: str = ""
     continuous: bool = False
-    is_given: bool = False          # its start is said, also where that is zero
+    is_given: bool = False  # its start is said, also where that is zero
 
     def turns(self):
         return self.kind == "revolute"
@@ -70,6 +71,7 @@ class Joint:
 @dataclass
 class Use:
     """A statement with braces: an effect, a closure, a spring, a force."""
+
     head: str
     lines: list
     of: str = ""
@@ -78,7 +80,7 @@ class Use:
 @dataclass
 class Input:
     name: str
-    unit: str               # "" for a plain number
+    unit: str  # "" for a plain number
     limits: tuple = None
     of: str = ""
 
@@ -87,16 +89,16 @@ class Model:
     def __init__(self):
         self.gravity = (0.0, 0.0, -9.81)
         self.step = 1e-3
-        self.bodies = {}            # by name, in their order
+        self.bodies = {}  # by name, in their order
         self.joints = {}
-        self.frames = []            # (name, body, Place, of)
+        self.frames = []  # (name, body, Place, of)
         self.closures = []
         self.inputs = []
-        self.kinds = {}             # definitions of effects: name, text
+        self.kinds = {}  # definitions of effects: name, text
         self.effects = []
-        self.outputs = []           # (name, formula)
-        self.notes = []             # what was done that the file does not say
-        self.used = {}              # names, in lower case: what has them
+        self.outputs = []  # (name, formula)
+        self.notes = []  # what was done that the file does not say
+        self.used = {}  # names, in lower case: what has them
         self.renamed = []
         for word in [*RESERVED, *(prefix + unit for unit in UNITS for prefix in PREFIXES)]:
             self.used[word.lower()] = None
@@ -147,6 +149,7 @@ def is_impossible(inertia):
 
 # --- what moves no inertia ---
 
+
 def outboard(model, name):
     """The bodies behind a body, and it."""
     found, left = [], [name]
@@ -188,7 +191,3 @@ def rotated(solid):
     m = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
     turn = solid.place.turn
     return product(product(turn, m), tuple(zip(*turn)))
-
-
-__all__ = ["Model", "Solid", "Body", "Joint", "Use", "Input", "balanced", "is_impossible", "moves_nothing", "outboard",
-           "principal"]

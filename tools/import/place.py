@@ -57,9 +57,11 @@ def about(axis, angle):
     size = norm(axis)
     x, y, z = (component / size for component in axis)
     v = 1 - c
-    return ((x * x * v + c, x * y * v - z * s, x * z * v + y * s),
-            (x * y * v + z * s, y * y * v + c, y * z * v - x * s),
-            (x * z * v - y * s, y * z * v + x * s, z * z * v + c))
+    return (
+        (x * x * v + c, x * y * v - z * s, x * z * v + y * s),
+        (x * y * v + z * s, y * y * v + c, y * z * v - x * s),
+        (x * z * v - y * s, y * z * v + x * s, z * z * v + c),
+    )
 
 
 def tidy(m):
@@ -71,15 +73,23 @@ def of_quaternion(q):
     """The matrix of a quaternion (w, x, y, z) of any length."""
     n = dot(q, q)
     w, x, y, z = q
-    return tidy((((w * w + x * x - y * y - z * z) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n),
-                 (2 * (x * y + w * z) / n, (w * w - x * x + y * y - z * z) / n, 2 * (y * z - w * x) / n),
-                 (2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n)))
+    return tidy(
+        (
+            ((w * w + x * x - y * y - z * z) / n, 2 * (x * y - w * z) / n, 2 * (x * z + w * y) / n),
+            (2 * (x * y + w * z) / n, (w * w - x * x + y * y - z * z) / n, 2 * (y * z - w * x) / n),
+            (2 * (x * z - w * y) / n, 2 * (y * z + w * x) / n, (w * w - x * x - y * y + z * z) / n),
+        )
+    )
 
 
 def quaternion(m):
     """The quaternion of a turn; its largest component is computed first, and positive."""
-    squares = (1 + m[0][0] + m[1][1] + m[2][2], 1 + m[0][0] - m[1][1] - m[2][2],
-               1 - m[0][0] + m[1][1] - m[2][2], 1 - m[0][0] - m[1][1] + m[2][2])
+    squares = (
+        1 + m[0][0] + m[1][1] + m[2][2],
+        1 + m[0][0] - m[1][1] - m[2][2],
+        1 - m[0][0] + m[1][1] - m[2][2],
+        1 - m[0][0] - m[1][1] + m[2][2],
+    )
     a, b, c = m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1]
     d, e, f = m[1][0] + m[0][1], m[0][2] + m[2][0], m[2][1] + m[1][2]
     rows = ((squares[0], a, b, c), (a, squares[1], d, e), (b, d, squares[2], f), (c, e, f, squares[3]))
@@ -139,12 +149,13 @@ def quarter_of(text):
     quarters = round(value / QUARTER)
     mantissa, _, exponent = text.lower().partition("e")
     decimals = len(mantissa.partition(".")[2]) - int(exponent or 0)
-    if quarters != 0 and decimals >= 4 and abs(value - quarters * QUARTER) <= 0.51 * 10.0 ** -decimals:
+    if quarters != 0 and decimals >= 4 and abs(value - quarters * QUARTER) <= 0.51 * 10.0**-decimals:
         return quarters * QUARTER, value != quarters * QUARTER
     return value, False
 
 
 # --- inertia ---
+
 
 def tensor(values):
     """The matrix of (xx, yy, zz, xy, xz, yz)."""

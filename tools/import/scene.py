@@ -57,8 +57,17 @@ def comment(lines, width=118):
     result = []
     for line in lines:
         line = "".join(c if c.isprintable() else " " for c in line)
-        result.extend(textwrap.wrap(line, width, initial_indent="# ", subsequent_indent="#     ",
-                                    break_long_words=False, break_on_hyphens=False) or ["#"])
+        result.extend(
+            textwrap.wrap(
+                line,
+                width,
+                initial_indent="# ",
+                subsequent_indent="#     ",
+                break_long_words=False,
+                break_on_hyphens=False,
+            )
+            or ["#"]
+        )
     return result
 
 
@@ -139,7 +148,12 @@ def scene_text(model, head):
     lines = comment(head)
     step = model.step * 1e9
     step = f"{number(step / 1e6)} ms" if math.isclose(step, round(step), rel_tol=1e-9) else f"{round(step)} ns"
-    lines += ["", *([f"gravity {vector(model.gravity)} m/s^2"] if any(model.gravity) else []), f"step {step}", "method rk4"]
+    lines += [
+        "",
+        *([f"gravity {vector(model.gravity)} m/s^2"] if any(model.gravity) else []),
+        f"step {step}",
+        "method rk4",
+    ]
     for text in model.kinds.values():
         lines += ["", *text.strip().splitlines()]
     if model.inputs:

@@ -1,6 +1,6 @@
 """<compiler> and <option> of MJCF."""
 from model import Solid, balanced, is_impossible
-from place import Place, UNTURNED, add, apply, dot, minus, principal, scale
+from place import Place, add, dot, minus, principal, scale
 from place import product as matrix_product
 from place import tensor, transpose
 
@@ -36,8 +36,20 @@ class Settings:
         self.total = element.number("settotalmass", self.total)
         if element.get("coordinate", "local") != "local":
             element.problem("global coordinates: save the model with MuJoCo 2, which writes local ones", "coordinate")
-        for name in ("meshdir", "texturedir", "assetdir", "strippath", "discardvisual", "convexhull", "usethread", "fitaabb",
-                     "fusestatic", "exactmeshinertia", "alignfree", "saveinertial"):
+        for name in (
+            "meshdir",
+            "texturedir",
+            "assetdir",
+            "strippath",
+            "discardvisual",
+            "convexhull",
+            "usethread",
+            "fitaabb",
+            "fusestatic",
+            "exactmeshinertia",
+            "alignfree",
+            "saveinertial",
+        ):
             element.leave("of pictures and files", name)
         for child in element.children:
             child.leave("of muscles")
@@ -51,9 +63,29 @@ class Settings:
             values = element.numbers(name, (1, 3), [0.0])
             if any(values):
                 element.leave("no fluid", name)
-        for name in ("integrator", "solver", "iterations", "tolerance", "ls_iterations", "ls_tolerance", "noslip_iterations",
-                     "noslip_tolerance", "mpr_iterations", "mpr_tolerance", "ccd_iterations", "cone", "jacobian", "impratio",
-                     "apirate", "magnetic", "o_margin", "o_solref", "o_solimp", "o_friction", "actuatorgroupdisable"):
+        for name in (
+            "integrator",
+            "solver",
+            "iterations",
+            "tolerance",
+            "ls_iterations",
+            "ls_tolerance",
+            "noslip_iterations",
+            "noslip_tolerance",
+            "mpr_iterations",
+            "mpr_tolerance",
+            "ccd_iterations",
+            "cone",
+            "jacobian",
+            "impratio",
+            "apirate",
+            "magnetic",
+            "o_margin",
+            "o_solref",
+            "o_solimp",
+            "o_friction",
+            "actuatorgroupdisable",
+        ):
             element.leave("of the solver of MuJoCo", name)
         for child in element.children:
             child.leave("of the solver of MuJoCo")
@@ -70,13 +102,19 @@ class Settings:
         moments, axes = principal(whole.inertia)
         moments = [max(x, self.boundinertia) for x in moments]
         place = Place(whole.place.at, matrix_product(whole.place.turn, axes))
-        return [self.possible(Solid(max(whole.mass, self.boundmass), place, (*moments, 0.0, 0.0, 0.0), of=name), name, model)]
+        return [
+            self.possible(
+                Solid(max(whole.mass, self.boundmass), place, (*moments, 0.0, 0.0, 0.0), of=name), name, model
+            )
+        ]
 
     def possible(self, solid, name, model):
         if not solid.text and is_impossible(solid.inertia):
-            model.unique_note(f"the inertia of {name} is impossible: a principal moment is negative or larger than the sum of "
-                              "the others; it is the same in all directions, with the same trace"
-                              + ("" if self.balance else ": MuJoCo refuses it without balanceinertia"))
+            model.unique_note(
+                f"the inertia of {name} is impossible: a principal moment is negative or larger than the sum of "
+                "the others; it is the same in all directions, with the same trace"
+                + ("" if self.balance else ": MuJoCo refuses it without balanceinertia")
+            )
             solid.inertia = balanced(solid.inertia)
         return solid
 
@@ -108,6 +146,3 @@ def joined(solids):
                 total[i][j] += own[i][j] + solid.mass * ((i == j) * dot(r, r) - r[i] * r[j])
     values = (total[0][0], total[1][1], total[2][2], total[0][1], total[0][2], total[1][2])
     return Solid(mass, Place(centre), values)
-
-
-__all__ = ["Settings", "joined", "apply", "UNTURNED"]

@@ -8,8 +8,14 @@ from model import Input, Solid, Use, balanced, is_impossible, moves_nothing
 from place import Place, norm, quarter_of, turned
 from scene import number
 
-KINDS = {"revolute": "revolute", "continuous": "revolute", "prismatic": "prismatic", "fixed": None, "floating": "free",
-         "planar": "planar"}
+KINDS = {
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "prismatic": "prismatic",
+    "fixed": None,
+    "floating": "free",
+    "planar": "planar",
+}
 
 
 class Reader:
@@ -18,12 +24,12 @@ class Reader:
         self.model = model
         self.options = options
         self.root = document.root
-        self.links = {}             # by name: its element
+        self.links = {}  # by name: its element
         self.joints = {}
-        self.of_child = {}          # by the name of a link: the joint whose child it is
-        self.carrier = {}           # by the name of a link: the body or the ground, and the place on it
-        self.made = {}              # by the name of a joint: the joint of the scene
-        self.rounded = 0            # angles that were taken as quarter turns
+        self.of_child = {}  # by the name of a link: the joint whose child it is
+        self.carrier = {}  # by the name of a link: the body or the ground, and the place on it
+        self.made = {}  # by the name of a joint: the joint of the scene
+        self.rounded = 0  # angles that were taken as quarter turns
 
     def angle(self, element, attribute, text):
         value, rounded = quarter_of(text)
@@ -58,7 +64,9 @@ class Reader:
         elif not roots:
             self.root.problem("the links are a circle: one of them is the child of no joint")
         for name in roots[1:]:
-            self.links[name].problem(f"'{name}' is the child of no joint, as '{roots[0]}' is: only one link is the root")
+            self.links[name].problem(
+                f"'{name}' is the child of no joint, as '{roots[0]}' is: only one link is the root"
+            )
         if self.document.problems:
             return
         self.plant(roots[0])
@@ -85,8 +93,9 @@ class Reader:
                 end.problem(f"there is no link '{name}'", "link")
             ends.append(name)
         if ends[1] in self.of_child:
-            joint.problem(f"'{ends[1]}' is the child of '{self.of_child[ends[1]].get('name')}' already: "
-                          "a link has one parent")
+            joint.problem(
+                f"'{ends[1]}' is the child of '{self.of_child[ends[1]].get('name')}' already: " "a link has one parent"
+            )
         self.of_child[ends[1]] = joint
 
     def plant(self, root):
@@ -136,12 +145,18 @@ class Reader:
         body = self.model.body(child)
         self.carrier[child] = (body.name, Place())
         self.solids(child)
-        made = self.model.joint(name=self.model.name(joint.get("name"), "joint"), kind=KINDS[kind], of=joint.get("name"),
-                                parent=carrier, parent_place=place, child=body.name)
+        made = self.model.joint(
+            name=self.model.name(joint.get("name"), "joint"),
+            kind=KINDS[kind],
+            of=joint.get("name"),
+            parent=carrier,
+            parent_place=place,
+            child=body.name,
+        )
         self.made[joint.get("name")] = made
         made.continuous = kind == "continuous"
         if kind == "floating" and carrier == "ground":
-            made.start_place, made.parent_place = place, Place()    # its place is in the axes of the ground
+            made.start_place, made.parent_place = place, Place()  # its place is in the axes of the ground
         self.properties(joint, made)
 
     def weld(self, joint, child, carrier, place, why):
@@ -179,8 +194,10 @@ class Reader:
             inertial.leave("without a mass, the inertia alone is not taken")
             return
         if is_impossible(values):
-            self.model.notes.append(f"the inertia of {name} is impossible: a principal moment is negative or larger than the "
-                                    "sum of the others; it is the same in all directions, with the same trace")
+            self.model.notes.append(
+                f"the inertia of {name} is impossible: a principal moment is negative or larger than the "
+                "sum of the others; it is the same in all directions, with the same trace"
+            )
             values = balanced(values)
         self.model.bodies[carrier].solids.append(Solid(mass, where, tuple(values), of=name))
 
@@ -206,8 +223,10 @@ class Reader:
             elif friction > 0:
                 dynamics.leave("friction is of joints of one coordinate", "friction")
         self.limits(joint, made)
-        for tag, why in (("calibration", "where a switch is, for a driver"),
-                         ("safety_controller", "what a controller does about limits")):
+        for tag, why in (
+            ("calibration", "where a switch is, for a driver"),
+            ("safety_controller", "what a controller does about limits"),
+        ):
             for element in joint.all(tag):
                 element.leave(why)
 
@@ -215,8 +234,10 @@ class Reader:
         limit = joint.one("limit")
         if limit is None:
             if joint.get("type") in ("revolute", "prismatic"):
-                joint.problem(f"the joint '{joint.get('name')}' has no limit, which a {joint.get('type')} one has: "
-                              "<limit lower=\"-1\" upper=\"1\" effort=\"10\" velocity=\"1\"/>")
+                joint.problem(
+                    f"the joint '{joint.get('name')}' has no limit, which a {joint.get('type')} one has: "
+                    "<limit lower=\"-1\" upper=\"1\" effort=\"10\" velocity=\"1\"/>"
+                )
             return
         effort, velocity = limit.number("effort", 0.0), limit.number("velocity", 0.0)
         lower, upper = limit.number("lower", 0.0), limit.number("upper", 0.0)
@@ -225,7 +246,9 @@ class Reader:
             if lower < upper:
                 effects.stop(self.model, made, lower, upper, abs(velocity))
                 if velocity:
-                    self.model.unique_note("the velocity of a limit is the speed of impact of its stop; nothing limits speeds")
+                    self.model.unique_note(
+                        "the velocity of a limit is the speed of impact of its stop; nothing limits speeds"
+                    )
             else:
                 for name in ("lower", "upper"):
                     if name in limit.attributes:
@@ -255,8 +278,12 @@ class Reader:
             first.mimics = first.is_given = second.is_given = True
             unit = "" if first.unit() == second.unit() else f" {first.unit()}/{second.unit()}"
             name = self.model.name(f"{first.name}_mimic", "closure", True)
-            self.model.closures.append(Use(f"close {name} gear", [
-                f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}"]))
+            self.model.closures.append(
+                Use(
+                    f"close {name} gear",
+                    [f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}"],
+                )
+            )
         self.chained_starts()
 
     def chained_starts(self):
@@ -318,7 +345,10 @@ class Reader:
             of = element.get("name", "")
             element.get("type")
             reduction = 1.0
-            for part in [*element.children, *(child for other in element.all("joint", "actuator") for child in other.children)]:
+            for part in [
+                *element.children,
+                *(child for other in element.all("joint", "actuator") for child in other.children),
+            ]:
                 if part.tag == "mechanicalReduction":
                     part.take()
                     reduction = self.reduction(part)
@@ -372,15 +402,19 @@ class Reader:
         for link in self.links.values():
             for element in link.children:
                 if element.tag in ("visual", "collision"):
-                    element.leave("a picture" if element.tag == "visual" else "contact is of points and balls with the ground")
+                    element.leave(
+                        "a picture" if element.tag == "visual" else "contact is of points and balls with the ground"
+                    )
         for element in self.root.all("material"):
             element.leave("a picture")
         for element in self.root.all("gazebo"):
             element.leave("of a simulator")
         self.hold_what_moves_nothing()
         if self.rounded:
-            self.model.notes.append(f"{self.rounded} angles are quarter turns as far as they are written (1.5708), and are "
-                                    "taken as such; --exact keeps them")
+            self.model.notes.append(
+                f"{self.rounded} angles are quarter turns as far as they are written (1.5708), and are "
+                "taken as such; --exact keeps them"
+            )
 
     def hold_what_moves_nothing(self):
         """A joint that moves no inertia has no acceleration."""
