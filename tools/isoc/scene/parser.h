@@ -11,8 +11,7 @@
  *   frame         = frame NAME { on placement }
  *   joint         = joint NAME JOINT { parent placement | child placement | axis AXIS | second AXIS
  *                 | start ([about] FORMULA | pose) | speed FORMULA | spin FORMULA | continuous | damping FORMULA
- *                 | spin_damping FORMULA | spring FORMULA [rest FORMULA] | armature FORMULA
- *                 | drive NAME }
+ *                 | spin_damping FORMULA | spring FORMULA [rest FORMULA] | drive NAME }
  *   closure       = close NAME CLOSURE { parent placement | child placement | axis AXIS | length FORMULA
  *                 | radius FORMULA | first NAME | second NAME | ratio FORMULA | motion FORMULA | speed FORMULA }
  *   spring        = spring NAME { between NAME [at FORMULA] and NAME [at FORMULA] | stiffness FORMULA | damping FORMULA
