@@ -179,6 +179,37 @@ result $? "a turn follows from sources, not from texts and from what is left bes
 [ "$(TEST_TURN=100 turn)" = 3 ] && [ "$(TEST_WHOLE=yes turn)" = all ] && [ "$(cd "$out/turns" && turn_of 97 all core)" = all ]
 result $? "a turn can be told, and all"
 
+# unlike TABLE: its rows of tests with turns that are measured over too few of them: fewer than there are, and than take a minute by
+# tests/times. Of a test whose turn takes more than 9 s nothing is asked.
+unlike()
+{
+    awk '
+        FILENAME == table { rows[++count] = $0; next }
+        FILENAME == "tests/times" { seconds[$2] = $1; next }
+        match($0, /^turns=[0-9]+$|turn=\$\(turn_of [0-9]+ /) {
+            parts = substr($0, RSTART, RLENGTH)
+            gsub(/[^0-9]/, "", parts)
+            most[FILENAME] = parts + 0 > most[FILENAME] ? parts + 0 : most[FILENAME]
+        }
+        function least(a, b) { return a < b ? a : b }
+        END {
+            for (i = 1; i <= count; i++) {
+                split(rows[i], row, " ")
+                if (seconds[row[2]] > 9) continue
+                affordable = int(60 / (seconds[row[2]] > 6 ? seconds[row[2]] : 6))
+                if (row[3] + 0 < least(most[row[2]], affordable)) print rows[i]
+            }
+        }' table="$1" "$1" tests/times tests/*/*.t tests/check/*.sh
+}
+unlike tests/starts >"$out/unlike"
+sed 's/^/# /' "$out/unlike"
+[ ! -s "$out/unlike" ]
+result $? "the budget of each test with turns is measured over them"
+awk '{ print $1, $2, 1 }' tests/starts >"$out/fewer"
+unlike "$out/fewer" >"$out/unlike"
+[ "$(wc -l <"$out/unlike")" -gt 20 ] && grep -q ' tests/choose/choose.t 1$' "$out/unlike" && ! grep -q ' tests/check/layers.sh ' "$out/unlike"
+result $? "found: those that are measured over one turn"
+
 # state: the hash of a small folder, with a compiler of its own.
 mkdir -p "$out/state/core" "$out/state/build" "$out/compiler"
 printf '#!/bin/sh\n' >"$out/compiler/gcc" && chmod +x "$out/compiler/gcc"
