@@ -7,7 +7,7 @@
 begin check/layers
 
 CORE="numbers methods runtime application link record xcp conform"
-ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit linear"
+ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit linear sweep"
 
 # violations ROOT: prints file:line: include, for each one that its layer forbids.
 violations()

@@ -33,6 +33,11 @@ typedef enum option {
     OPTION_LINEAR,
     OPTION_TRIM,
     OPTION_STATE,
+    OPTION_SWEEP,
+    OPTION_OF,
+    OPTION_RUNS,
+    OPTION_SEED,
+    OPTION_VARY,
     OPTIONS
 } option;
 
@@ -71,6 +76,11 @@ static const struct {
     [OPTION_LINEAR] = {.word = "--linear"},
     [OPTION_TRIM] = {"--trim", .has_value = true},
     [OPTION_STATE] = {"--state", .has_value = true},
+    [OPTION_SWEEP] = {"--sweep", .has_value = true},
+    [OPTION_OF] = {"--of", .has_value = true},
+    [OPTION_RUNS] = {"--runs", .has_value = true},
+    [OPTION_SEED] = {"--seed", .has_value = true},
+    [OPTION_VARY] = {"--vary", .has_value = true},
 };
 
 static bool is_identifier(const char *word)
@@ -145,6 +155,12 @@ static bool check_together(arena *memory, const char *const *given)
     if ((given[OPTION_TRIM] != NULL || given[OPTION_STATE] != NULL) && given[OPTION_LINEAR] == NULL) {
         return complain("--trim and --state are of a linear model: add --linear", NULL);
     }
+    if ((given[OPTION_SWEEP] == NULL) != (given[OPTION_OF] == NULL)) {
+        return complain("--sweep and --of stand together", NULL);
+    }
+    if ((given[OPTION_RUNS] != NULL || given[OPTION_SEED] != NULL) && given[OPTION_SWEEP] == NULL) {
+        return complain("--runs and --seed are of a sweep: add --sweep and --of", NULL);
+    }
     if (given[OPTION_LOCK] != NULL && given[OPTION_LINK] == NULL) {
         return complain("--xcp is of a plant with a link: add --link to --xcp", given[OPTION_LOCK]);
     }
@@ -185,6 +201,11 @@ static request request_of(const char *const *given)
         .lock = given[OPTION_LOCK],
         .trim = given[OPTION_TRIM],
         .state = given[OPTION_STATE],
+        .sweep = given[OPTION_SWEEP],
+        .of = given[OPTION_OF],
+        .runs = given[OPTION_RUNS],
+        .seed = given[OPTION_SEED],
+        .vary = given[OPTION_VARY],
         .draws = given[OPTION_DOT] != NULL,
         .lists_files = given[OPTION_FILES] != NULL,
         .lists_effects = given[OPTION_EFFECTS] != NULL,

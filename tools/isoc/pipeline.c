@@ -10,6 +10,7 @@
 #include "tools/isoc/scene/dot.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/stability/stability.h"
+#include "tools/isoc/sweep/sweep.h"
 #include "tools/isoc/tree/point_query.h"
 
 /* The files that a scene is read from, one on a line. */
@@ -159,6 +160,13 @@ bool compile(arena *memory, const request *r)
     if (r->is_linear && s.problem_count == 0) {
         const linear_request of = {r->state, r->trim, r->directory};
         return linear_run(&s, &g, &written, &p, &of); /* its linear model, and no plant */
+    }
+    if (r->sweep != NULL && s.problem_count == 0) {
+        const sweep_request of = {r->sweep, r->of, r->runs, r->seed, r->directory};
+        return sweep_run(&s, &g, &written, &p, &of); /* a plan of many runs, and no plant */
+    }
+    if (r->vary != NULL) {
+        sweep_check_varied(&s, &m, r->vary);
     }
     check(&s, &g, &p);
     if (s.problem_count > 0) {

@@ -10,6 +10,8 @@ typedef struct request {
     const char *method, *step, *tolerance, *set, *without, *inputs; /* in place of the scene's */
     const char *lock;                                               /* of --xcp */
     const char *trim, *state;                                       /* of a linear model */
+    const char *sweep, *of, *runs, *seed;                           /* of a plan of runs */
+    const char *vary;                                               /* tunables that runs set at their start */
     bool draws, lists_files, lists_effects, lists_shape;            /* nothing else is asked for */
     bool is_double, is_standalone, is_linked, is_python, is_linear;
     build_options wanted;

@@ -125,6 +125,7 @@ static double regularisation(const augmented *a)
     const double *numbers = numbers_at_start(g, m);
     double sum = 0.0;
     for (int r = 0; r < a->phi.count; r++) {
+        note_built_in(g, m, &a->schur[r * a->phi.count + r], 1);
         sum += numbers[a->schur[r * a->phi.count + r]];
     }
     return sum / a->phi.count * sqrt(0.5 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON));

@@ -130,6 +130,7 @@ static node distance_at_start(const pair *p)
 {
     graph *g = p->k->g;
     const double *numbers = numbers_at_start(g, p->k->m);
+    note_built_in(g, p->k->m, p->apart.at, 3);
     double square = 0.0;
     for (int i = 0; i < 3; i++) {
         square += numbers[p->apart.at[i]] * numbers[p->apart.at[i]];

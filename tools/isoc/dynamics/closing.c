@@ -214,6 +214,11 @@ closing closing_start(arena *memory, const dynamics *d)
     closing c = {.d = d, .m = m, .phi = &d->loops.phi, .memory = memory, .x = mechanism_start(m, memory)};
     c.numbers = arena_take(memory, d->g->count, sizeof *c.numbers);
     c.jacobian = arena_take(memory, n * (size_t)c.phi->count + 1, sizeof *c.jacobian);
+    for (int r = 0; r < c.phi->count; r++) {
+        const node gaps[2] = {c.phi->all[r].position, c.phi->all[r].rate};
+        note_built_in(d->g, m, gaps, 2);
+        note_built_in(d->g, m, c.phi->all[r].row, n);
+    }
     closing_evaluate(&c);
     return c;
 }

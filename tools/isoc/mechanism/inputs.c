@@ -186,6 +186,8 @@ void build_parameters(builder *b)
     mechanism *m = &b->mechanism;
     m->parameters.all =
         arena_take(b->s->memory, written->parameters.count + (size_t)b->fault_count + 1, sizeof *m->parameters.all);
+    m->parameters.is_built_in = arena_take(b->s->memory, written->parameters.count + (size_t)b->fault_count + 1,
+                                           sizeof *m->parameters.is_built_in);
     m->parameters.defaults = b->values.defaults;
     for (size_t i = 0; i < written->parameters.count; i++) {
         const quantity *q = &written->parameters.all[i];

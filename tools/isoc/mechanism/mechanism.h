@@ -367,6 +367,7 @@ typedef struct parameter_set {
     int change_count;
     const condition *conditions; /* that a change of a tunable must keep */
     int condition_count;
+    bool *is_built_in; /* [count] a number of the plant follows from the default, and stays when the tunable changes */
 } parameter_set;
 
 typedef struct method_choice {
@@ -490,6 +491,9 @@ void states_check(source *s, const mechanism *m);
  * memories there, with zero for inputs of the port. */
 double *mechanism_start(const mechanism *m, arena *memory);
 double *numbers_at_start(const graph *g, const mechanism *m);
+
+/* A number of the plant is made of what these nodes are at the start: the tunables among what they need are built in. */
+void note_built_in(const graph *g, const mechanism *m, const node *roots, size_t count);
 double *inputs_at_start(const graph *g, const mechanism *m);
 
 #endif

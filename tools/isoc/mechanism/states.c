@@ -95,6 +95,11 @@ double *numbers_at_start(const graph *g, const mechanism *m)
     return numbers;
 }
 
+void note_built_in(const graph *g, const mechanism *m, const node *roots, size_t count)
+{
+    mark_leaves(g, roots, count, OP_PARAMETER, m->parameters.is_built_in);
+}
+
 double *inputs_at_start(const graph *g, const mechanism *m)
 {
     double *numbers = numbers_at_start(g, m), *u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *u);

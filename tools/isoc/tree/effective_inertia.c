@@ -40,6 +40,7 @@ static double *inverse_of_mass(const graph *g, const mechanism *m, const mass_ma
     double *inverse = arena_take(g->memory, n * n, sizeof *inverse);
     for (int i = 0; i < m->dof_count; i++) {
         for (int j = i; j != GROUND; j = m->dofs[j].before) {
+            note_built_in(g, m, &mass->entries[i * m->dof_count + j], 1);
             inverse[i * m->dof_count + j] = inverse[j * m->dof_count + i] =
                 numbers[mass->entries[i * m->dof_count + j]];
         }
@@ -69,6 +70,7 @@ static double *jacobian(const graph *g, const mechanism *m, const node *velociti
     double *x = mechanism_start(m, g->memory), *speeds = x + m->position_count;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     double *rows = arena_take(g->memory, count * n + 1, sizeof *rows);
+    note_built_in(g, m, velocities, count);
     memset(speeds, 0, n * sizeof *speeds);
     for (size_t f = 0; f < n; f++) {
         speeds[f] = 1.0;

@@ -1,0 +1,232 @@
+#include <errno.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/isoc/base/dictionary.h"
+#include "tools/isoc/base/real_range.h"
+#include "tools/isoc/emit/code.h"
+#include "tools/isoc/emit/write.h"
+#include "tools/isoc/scene/parser.h"
+#include "tools/isoc/sweep/sweep.h"
+
+enum { MOST_RUNS = 1000000, MOST_PARTS = 256 };
+
+/* All of it, while it is made. */
+typedef struct plan {
+    const plant *p;
+    sweep_variables varied;
+    sweep_columns columns;
+    uint64_t points, draws, seed; /* of the grid, and runs at each of its points */
+    text runs, variations;
+    dictionary known; /* the variations by their options */
+    int variation_count;
+} plan;
+
+/* The shortest decimal that reads back; of a number that was computed, of its first twelve digits. */
+static const char *number_text(arena *memory, double number, bool is_round)
+{
+    char digits[40];
+    if (is_round) {
+        snprintf(digits, sizeof digits, "%.12g", number);
+        number = strtod(digits, NULL);
+    }
+    for (int precision = 1; precision <= 17; precision++) {
+        snprintf(digits, sizeof digits, "%.*g", precision, number);
+        if (strtod(digits, NULL) == number) {
+            break;
+        }
+    }
+    return arena_format(memory, "%s", digits);
+}
+
+/* What isoc reads where this number stands with the unit, as a literal of the plant's type; nan where that does not hold it. */
+static const char *literal_of(arena *memory, const sweep_variable *v, const char *digits, bool is_double)
+{
+    const double size = strtod(digits[0] == '-' ? digits + 1 : digits, NULL) * v->si.numerator / v->si.denominator;
+    const double number = digits[0] == '-' ? -size : size;
+    if (!real_holds(number, is_double)) {
+        return "nan";
+    }
+    const char *literal = code_literal(memory, number, is_double);
+    return arena_copy(memory, literal + 2, strlen(literal) - 3); /* without R() */
+}
+
+static bool is_built_in(const plan *of, const sweep_variable *v)
+{
+    return v->tunable < 0 || of->p->m->parameters.is_built_in[v->tunable];
+}
+
+/* Each of the texts of a run: which of the listed values, or a random one. */
+static void choose(const plan *of, arena *memory, uint64_t run, const char **texts)
+{
+    uint64_t point = run / of->draws;
+    for (size_t i = of->varied.count; i-- > 0;) {
+        const sweep_variable *v = &of->varied.all[i];
+        if (v->law == SWEEP_LISTED) {
+            const sweep_value *is = &v->listed.all[point % v->listed.count];
+            point /= v->listed.count;
+            texts[i] = is->word != NULL ? is->word : number_text(memory, is->number, is->is_round);
+        } else {
+            texts[i] = number_text(memory, sweep_draw(of->seed, v->name, run, v->law, v->first, v->second), true);
+        }
+    }
+}
+
+static const char *joined(arena *memory, const char *list, const char *sign, const char *more)
+{
+    return list[0] == '\0' ? more : arena_format(memory, "%s%s%s", list, sign, more);
+}
+
+/* The options of isoc for what is built in, separated by tabs. */
+static const char *options_of(const plan *of, arena *memory, const char *const *texts)
+{
+    const char *options = "", *set = "", *vary = "";
+    for (size_t i = 0; i < of->varied.count; i++) {
+        const sweep_variable *v = &of->varied.all[i];
+        if (v->sort == SWEEP_METHOD) {
+            options = joined(memory, options, "\t", arena_format(memory, "--method\t%s", texts[i]));
+        } else if (v->sort == SWEEP_STEP) {
+            options = joined(memory, options, "\t", arena_format(memory, "--step\t%s s", texts[i]));
+        } else if (is_built_in(of, v)) {
+            set = joined(memory, set, "; ", arena_format(memory, "%s = %s %s", v->name, texts[i], v->unit_text));
+        } else {
+            vary = joined(memory, vary, "; ", v->name);
+        }
+    }
+    options = set[0] == '\0' ? options : joined(memory, options, "\t", arena_format(memory, "--set\t%s", set));
+    return vary[0] == '\0' ? options : joined(memory, options, "\t", arena_format(memory, "--vary\t%s", vary));
+}
+
+/* A line for each run: its variation, and of each variable the text, and the literal where the plant takes it at its start. */
+static void add_run(plan *of, arena *memory, uint64_t run)
+{
+    const char **texts = arena_take(memory, of->varied.count + 1, sizeof *texts);
+    choose(of, memory, run, texts);
+    const char *options = options_of(of, memory, texts);
+    const int *known = dictionary_find(&of->known, options);
+    const int variation = known != NULL ? *known : of->variation_count;
+    if (known == NULL) {
+        text_add(&of->variations, "%d%s%s\n", variation, options[0] == '\0' ? "" : "\t", options);
+        dictionary_put(&of->known, options, of->variation_count++);
+    }
+    text_add(&of->runs, "%d", variation);
+    for (size_t i = 0; i < of->varied.count; i++) {
+        const sweep_variable *v = &of->varied.all[i];
+        text_add(&of->runs, "\t%s", texts[i]);
+        if (!is_built_in(of, v)) {
+            text_add(&of->runs, "\t%s", literal_of(memory, v, texts[i], of->p->is_double));
+        }
+    }
+    text_add(&of->runs, "\n");
+}
+
+/* What stands above the runs. */
+static void add_head(const plan *of, uint64_t runs, text *to)
+{
+    const output_set *outputs = &of->p->outputs;
+    text_add(to, "sweep 1\nruns %" PRIu64 "\nparts %" PRIu64 "\n", runs, runs < MOST_PARTS ? runs : MOST_PARTS);
+    text_add(to, "plants %d\nvariables %zu\n", of->variation_count, of->varied.count);
+    FOR_EACH (const sweep_variable, v, of->varied) {
+        static const char *const sorts[] = {"method", "step", "number"};
+        text_add(to, "%s\t%s\t%s\t%d\n", v->name, v->unit_text[0] == '\0' ? "1" : v->unit_text, sorts[v->sort],
+                 is_built_in(of, v) ? -1 : v->tunable);
+    }
+    text_add(to, "columns %zu\n", of->columns.count);
+    FOR_EACH (const sweep_column, c, of->columns) {
+        text_add(to, "%s\t%s\t%s\t%d\n", c->title, c->unit, c->function, c->output);
+    }
+    text_add(to, "outputs %d\n", outputs->count);
+    for (int i = 0; i < outputs->count; i++) {
+        text_add(to, "%s%s", i == 0 ? "" : ",", outputs->names[i]);
+    }
+    text_add(to, "\n");
+}
+
+/* A whole number of an option. */
+static bool read_whole(const char *typed, uint64_t least, uint64_t most, uint64_t *number)
+{
+    char *end = NULL;
+    errno = 0;
+    *number = strtoull(typed, &end, 10);
+    return typed[0] >= '0' && typed[0] <= '9' && *end == '\0' && errno == 0 && *number >= least && *number <= most;
+}
+
+static bool complain_of(const char *what)
+{
+    fprintf(stderr, "isoc: error: %s\n", what);
+    return false;
+}
+
+/* How many runs there are, and of which seed. */
+static bool count_runs(plan *of, arena *memory, const sweep_request *r)
+{
+    bool is_random = false;
+    of->points = of->draws = 1;
+    of->seed = 1;
+    FOR_EACH (const sweep_variable, v, of->varied) {
+        is_random = is_random || v->law != SWEEP_LISTED;
+        if (v->law == SWEEP_LISTED) {
+            of->points = of->points > MOST_RUNS ? of->points : of->points * v->listed.count;
+        }
+    }
+    if (is_random != (r->runs != NULL)) {
+        return complain_of(is_random ? "SET has random values: RUNS says how many, such as RUNS=1000"
+                                     : "RUNS has no effect: nothing in SET is random");
+    }
+    if (r->runs != NULL && !read_whole(r->runs, 1, MOST_RUNS, &of->draws)) {
+        return complain_of(arena_format(memory, "RUNS=%s is no number of runs; it could be 1000", r->runs));
+    }
+    if (r->seed != NULL && !is_random) {
+        return complain_of("SEED has no effect: nothing in SET is random");
+    }
+    if (r->seed != NULL && !read_whole(r->seed, 0, UINT64_MAX, &of->seed)) {
+        return complain_of(arena_format(memory, "SEED=%s is no seed; it could be 1", r->seed));
+    }
+    if (of->points > MOST_RUNS || of->points * of->draws > MOST_RUNS) {
+        return complain_of("a sweep has at most 1000000 runs");
+    }
+    return true;
+}
+
+void sweep_check_varied(source *s, const mechanism *m, const char *vary)
+{
+    char *names = arena_copy(s->memory, vary, strlen(vary));
+    for (char *called = strtok(names, "; "); called != NULL; called = strtok(NULL, "; ")) {
+        const int i = sweep_tunable_called(m, called);
+        if (i < 0 || m->parameters.is_built_in[i]) {
+            source_problem(s, m->segments[0].at,
+                           "in this variation a number of the plant is made of '%s', and in others it is not: they are "
+                           "two sweeps",
+                           called);
+        }
+    }
+}
+
+bool sweep_run(source *s, graph *g, const scene *written, const plant *p, const sweep_request *r)
+{
+    plan made = {.p = p, .known = {.memory = s->memory}};
+    made.runs.memory = made.variations.memory = s->memory;
+    made.varied = sweep_read_variables(s, g, written, p, source_add(s, "SET", r->set));
+    made.columns = sweep_read_columns(s, p, source_add(s, "OF", r->of));
+    if (s->problem_count > 0) {
+        source_report(s);
+        return false;
+    }
+    if (!count_runs(&made, s->memory, r)) {
+        return false;
+    }
+    const uint64_t runs = made.points * made.draws;
+    for (uint64_t run = 0; run < runs; run++) {
+        add_run(&made, s->memory, run);
+    }
+    text whole = {.memory = s->memory};
+    add_head(&made, runs, &whole);
+    text_add(&whole, "%s", made.runs.bytes);
+    file_list files = {.memory = s->memory, .folder = r->folder};
+    file_list_add(&files, "plan", &whole);
+    file_list_add(&files, "variations", &made.variations);
+    return write_files(&files);
+}
