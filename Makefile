@@ -38,6 +38,8 @@
 ##     MODE=lockstep|free                  for link and hil: whether the plant waits for the controller, instead of what that asks for
 ##     SNAPSHOT=N                          for run: takes a snapshot of tick N, build/TARGET/REAL/NAME/snapshot.bin
 ##     RESTORE=FILE                        for run: goes on from a snapshot, of any target; SECONDS is of the whole run
+##     OF='max tip; hash'  RUNS=1000 SEED=1 for sweep: what its table shows; how many random values, and which (tools/sweep)
+##     ENGINE=local|parallel|slurm         for sweep: this machine, GNU parallel on HOSTS='a 4/b' over ssh, or an array of Slurm
 ##     KEEP=NAME                           for run, link and hil: keeps it in build/runs/NAME; for choose KEEP=yes: writes it into the scene
 ##     RUNS='NAME NAME'                    for compare: two runs that were kept
 ##     ON='host clang cortex-m4f'           for determinism: the targets; clang is the host by clang
@@ -76,6 +78,10 @@ SNAPSHOT =
 RESTORE =
 KEEP =
 RUNS =
+SEED =
+OF = $(if $(filter sweep,$(MAKECMDGOALS)),hash)
+ENGINE = local
+HOSTS =
 MODELS = $(wildcard models/*.scene)
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 PARTS = models methods restarts effects
@@ -91,7 +97,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear
+GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear sweep
 
 .PHONY: help shared digits functions determinism tables pictures compare monitor import clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -163,7 +169,7 @@ always:
 GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := AGAINST STILL SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD ERROR LOAD AT TRIM BODE
+TEXTS := AGAINST STILL SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD ERROR LOAD AT TRIM BODE OF SEED ENGINE HOSTS
 $(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -197,6 +203,7 @@ EFFECTS_flags := TARGET REAL MODELS
 EFFECTS_report := SCENE METHODS STEP SECONDS RECORDED
 EFFECTS_bench := $(EFFECTS_report)
 EFFECTS_linear := SCENE METHOD STEP TOLERANCE SET WITHOUT AT TRIM BODE
+EFFECTS_sweep := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT SECONDS REAL OF RUNS SEED ENGINE HOSTS
 EFFECTS_drift := SCENE STEP SECONDS
 EFFECTS_test := TEST_JOBS
 EFFECTS_check := TEST_JOBS
@@ -407,9 +414,12 @@ CONFORM_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(OBJ)/cor
 # What a run with a snapshot has besides, and its own main.
 RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OBJ)/core/runtime/snapshot.o $(OBJ)/core/record/main.o
 
+# What the program of a sweep has besides its plants.
+SWEEP_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(patsubst %.c,$(OBJ)/%.o,$(wildcard tools/sweep/*.c) tools/trace/decimal.c)
+
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(CONFORM_OBJECTS) $(LIBRARY_OBJECTS) $(CALIBRATION:%=$(OBJ)/%) $(OBJ)/tools/a2l/places.o)))
+	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(CONFORM_OBJECTS) $(LIBRARY_OBJECTS) $(CALIBRATION:%=$(OBJ)/%) $(OBJ)/tools/a2l/places.o $(SWEEP_OBJECTS))))
 	$(call remember,$(COMPILE))
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
@@ -420,7 +430,7 @@ $(OBJ)/library/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
 	$(Q)$(COMPILE) -fPIC -fvisibility=hidden -MMD -MP -c $< -o $@
 
--include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d) $(RECORDED_OBJECTS:.o=.d) $(CONFORM_OBJECTS:.o=.d) $(LIBRARY_OBJECTS:.o=.d)) \
+-include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d) $(RECORDED_OBJECTS:.o=.d) $(CONFORM_OBJECTS:.o=.d) $(LIBRARY_OBJECTS:.o=.d) $(SWEEP_OBJECTS:.o=.d)) \
     $(OBJ)/tools/a2l/places.d
 
 # --- Goals -------------------------------------------------------------------------------------------------------
@@ -445,6 +455,7 @@ flags: ## measure a step with each optimisation of the compiler: a table of MODE
 report: ## measure the error of every method over its cost and its step, and more: a page, tables and pictures in build/report/NAME/
 bench: ## compare the methods at equal step and at equal error, as a table
 linear: ## the linear model of SCENE: A, B, C, D, equilibria (TRIM), modes in words, Bode plots (BODE), in build/linear/NAME/
+sweep: ## make many runs of SCENE, with the values of SET: a table of what OF says, in build/sweep/NAME/; it goes on where it was ended
 drift: ## measure the drift of closed loops with every stabilisation: a table, and a picture in build/drift/NAME/
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
@@ -452,7 +463,7 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 folder_of = $(if $(filter run plot show link hil python flash size stack ticks a2l conform $(OF_ONE_SCENE:%=cycles),$(1)),$(OUT),$(if $(filter cost cycles,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
 shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter python,$(1)),$(LIBRARY_OBJECTS),$(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS))) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
-    $(OBJ)/tools/a2l/places.o)) $(if $(filter conform,$(1)),$(CONFORM_OBJECTS)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
+    $(OBJ)/tools/a2l/places.o)) $(if $(filter conform,$(1)),$(CONFORM_OBJECTS)) $(if $(filter sweep,$(1)),$(SWEEP_OBJECTS)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
 # Of goals that need few of them; the others have all.
 TOOLS_OF_run := $(addprefix build/,isoc trace duration)
 TOOLS_OF_plot := $(TOOLS_OF_run)
@@ -460,6 +471,7 @@ TOOLS_OF_show := $(TOOLS_OF_run) build/show
 TOOLS_OF_python := build/isoc build/duration
 TOOLS_OF_link := $(TOOLS_OF_run) build/link
 TOOLS_OF_linear := build/isoc build/duration
+TOOLS_OF_sweep := $(TOOLS_OF_linear)
 TOOLS_OF_hil := $(TOOLS_OF_link)
 TOOLS_OF_conform := $(TOOLS_OF_run) build/duties
 LOCK_TOOLS := flock realpath

@@ -337,3 +337,14 @@ linear: build/isoc
 	@SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) AT=$(AT_NANOSECONDS) TRIM=$(call quote,$(TRIM)) BODE=$(call quote,$(BODE)) \
 	    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS)) \
 	    sh tools/linear/linear.sh $(filter-out --real float double,$(CHOICE)) --real double
+
+# The SET of a sweep has more than one value; the plan of isoc has it.
+sweep: build/isoc
+	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no sweep: it is for scenes))
+	$(if $(SET),,$(error SET says what varies, such as SET='mass = 0.1 .. 0.3 kg by 21'))
+	$(call require,sha256sum xargs,apt-get install coreutils findutils)
+	@SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=build/sweep/$(FOLDER) NANOSECONDS=$(NANOSECONDS) SECONDS=$(call quote,$(SECONDS)) \
+	    SET=$(call quote,$(SET)) OF=$(call quote,$(OF)) RUNS=$(call quote,$(RUNS)) SEED=$(call quote,$(SEED)) METHOD=$(METHOD) \
+	    STEP=$(call quote,$(STEP)) TOLERANCE=$(call quote,$(TOLERANCE)) INPUTS=$(INPUTS) WITHOUT=$(call quote,$(WITHOUT)) REAL=$(REAL) \
+	    ENGINE=$(call quote,$(ENGINE)) HOSTS=$(call quote,$(HOSTS)) COMPILE=$(call quote,$(COMPILE)) \
+	    LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK)) OBJECTS=$(call quote,$(SWEEP_OBJECTS)) sh tools/sweep/sweep.sh

@@ -1,0 +1,68 @@
+/* Makes the runs of a sweep; compiled with its plants.
+ *
+ *     sweep FOLDER make PROCESSES      makes all parts of FOLDER/plan that are absent, and says how far they are
+ *     sweep FOLDER part NUMBER...      makes these parts
+ *     sweep FOLDER watch PROCESS       says how far they are, as long as that process runs
+ *     sweep FOLDER absent              prints the numbers of the parts that are absent
+ *     sweep FOLDER table TO AGAIN      writes the table into the folder TO; AGAIN begins a command that makes a run alone
+ *
+ * The exit status is 1 where parts are absent in the end.
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tools/sweep/parts.h"
+#include "tools/sweep/run.h"
+#include "tools/sweep/table.h"
+
+static uint64_t whole(const char *const text)
+{
+    char *end = NULL;
+    const uint64_t number = strtoull(text, &end, 10);
+    if (text[0] < '0' || text[0] > '9' || *end != '\0') {
+        plan_fail("it is no number", text);
+    }
+    return number;
+}
+
+static int told(const uint64_t absent)
+{
+    if (absent > 0) {
+        fprintf(stderr, "sweep: %" PRIu64 " parts are absent; the same command goes on\n", absent);
+    }
+    return absent == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+int main(const int count, char **const arguments)
+{
+    const char *const verb = count > 2 ? arguments[2] : "";
+    if (count < 3) {
+        plan_fail("it needs a folder, and what to do", "sweep");
+    }
+    const plan p = plan_read(arguments[1]);
+    run_check(&p);
+    if (strcmp(verb, "make") == 0 && count == 4) {
+        return told(parts_make(&p, (unsigned)whole(arguments[3])));
+    }
+    if (strcmp(verb, "watch") == 0 && count == 4) {
+        return told(parts_watch(&p, (pid_t)whole(arguments[3])));
+    }
+    if (strcmp(verb, "table") == 0 && count == 5) {
+        table_make(&p, arguments[3], arguments[4]);
+        return EXIT_SUCCESS;
+    }
+    for (int i = 3; i < count && strcmp(verb, "part") == 0; i++) {
+        part_make(&p, whole(arguments[i]));
+    }
+    for (uint64_t part = 0; part < p.parts && strcmp(verb, "absent") == 0; part++) {
+        if (!plan_has_part(&p, part)) {
+            printf("%" PRIu64 "\n", part);
+        }
+    }
+    if (strcmp(verb, "part") != 0 && strcmp(verb, "absent") != 0) {
+        plan_fail("it is not known", verb);
+    }
+    return EXIT_SUCCESS;
+}

@@ -1,0 +1,55 @@
+/* The plan of a sweep, as isoc --sweep wrote it: tools/sweep/README.md. */
+#ifndef SWEEP_PLAN_H
+#define SWEEP_PLAN_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct plan_variable {
+    const char *name, *unit;
+    const char *sort; /* method, step or number */
+    int tunable;      /* its place among those of the plant; -1: it is built into the plant */
+} plan_variable;
+
+typedef struct plan_column {
+    const char *title, *unit, *function;
+    int output; /* of the plant; -1: of none */
+} plan_column;
+
+typedef struct plan {
+    const char *folder;
+    uint64_t runs, parts, plants, variable_count, column_count, output_count;
+    plan_variable *variables;
+    plan_column *columns;
+    const char *outputs; /* names, separated by commas */
+    char **lines;        /* [runs] */
+} plan;
+
+/* A cell of the line of a run. */
+typedef struct plan_cell {
+    char text[64];
+    char literal[64]; /* of the plant's type; empty where the value is built in */
+} plan_cell;
+
+/* Ends the program with a message where FOLDER/plan is none. */
+plan plan_read(const char *folder);
+
+/* The first run of a part; of the one behind the last the number of runs. */
+uint64_t plan_first(const plan *p, uint64_t part);
+
+/* Which plant the run is of, and its cells[variable_count]. */
+uint64_t plan_cells(const plan *p, uint64_t run, plan_cell *cells);
+
+/* FOLDER/WHAT; with a number FOLDER/parts/NUMBER.tsv. */
+void plan_path(const plan *p, const char *what, char *path, unsigned bytes);
+void plan_part_path(const plan *p, uint64_t part, char *path, unsigned bytes);
+
+/* Whether the part is there, and so whole. */
+bool plan_has_part(const plan *p, uint64_t part);
+
+enum { PLAN_PATH_BYTES = 4096 };
+
+/* Ends the program with a message. */
+_Noreturn void plan_fail(const char *what, const char *which);
+
+#endif

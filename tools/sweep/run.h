@@ -1,0 +1,26 @@
+/* The runs of a sweep, in this process. */
+#ifndef SWEEP_RUN_H
+#define SWEEP_RUN_H
+
+#include <stdio.h>
+
+#include "core/runtime/plant.h"
+#include "tools/sweep/plan.h"
+
+/* A plant of the sweep, or why there is none: what isoc refuses it with. */
+typedef struct sweep_plant {
+    const iso_plant *plant;
+    const char *refusal;
+} sweep_plant;
+
+/* All of them, and how long each run is: tools/sweep/sweep.sh writes them. */
+extern const sweep_plant sweep_plants[];
+extern const uint64_t sweep_duration_ns;
+
+/* Ends the program where a plant is other than the plan has it. */
+void run_check(const plan *p);
+
+/* Writes the rows of the runs from `first` up to before `end`. */
+void run_rows(const plan *p, uint64_t first, uint64_t end, FILE *to);
+
+#endif

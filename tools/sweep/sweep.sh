@@ -1,0 +1,245 @@
+#!/bin/sh
+# The runs of a sweep. Called by `make sweep`, with these in the environment:
+#
+#     SCENE NAME FOLDER NANOSECONDS SECONDS   the scene, where all stands, how long a run is
+#     SET OF RUNS SEED                        what varies, what the table shows; of random values how many, and which
+#     METHOD STEP TOLERANCE INPUTS WITHOUT REAL
+#     ENGINE HOSTS                            local, parallel or slurm; of parallel the machines
+#     COMPILE LINK OBJECTS                    how plants become a program
+#
+# FOLDER/SUM/ has the plan, the plants, the program and the parts; SUM is of all that the parts follow from, so that what is
+# there goes on, and nothing else. It calls itself for each plant: sweep.sh isoc|compile FOLDER NUMBER.
+WHAT="make sweep"
+. tools/measure/common.sh
+tab=$(printf '\t')
+
+# refused FILE: the first error in it.
+refused()
+{
+    sed -n 's/^\([^ ]*: error: .*\)/\1/p' "$1" | head -n 1
+}
+
+# base: the options of isoc that all plants have.
+base()
+{
+    set -- --real "$REAL"
+    [ -z "$METHOD" ] || set -- "$@" --method "$METHOD"
+    [ -z "$STEP" ] || set -- "$@" --step "$STEP"
+    [ -z "$TOLERANCE" ] || set -- "$@" --tolerance "$TOLERANCE"
+    [ -z "$INPUTS" ] || set -- "$@" --inputs "$INPUTS"
+    [ -z "$WITHOUT" ] || set -- "$@" --without "$WITHOUT"
+    with "$@"
+}
+
+# one_plant FOLDER NUMBER: by isoc, with the options of its line in FOLDER/variations. What it refuses stands in `refused`.
+one_plant()
+{
+    one_folder=$1/plants/$2
+    line=$(sed -n "$(($2 + 1))p" "$1/variations")
+    mkdir -p "$one_folder"
+    with()
+    {
+        set -f
+        IFS=$tab
+        # shellcheck disable=SC2086
+        set -- "$@" $line
+        unset IFS
+        set +f
+        # The number of the line is its first cell.
+        build/isoc "$SCENE" -o "$one_folder" "$@" >"$one_folder/summary" 2>"$one_folder/told" && return
+        [ -n "$(refused "$one_folder/told")" ] || fail "$(cat "$one_folder/told")"
+        refused "$one_folder/told" >"$one_folder/refused"
+    }
+    line=${line#*"$tab"}
+    case $line in
+    "$2") line= ;;
+    esac
+    base
+}
+
+# compiled FOLDER NUMBER: its object; the names that plants have in common become its own.
+compiled()
+{
+    # shellcheck disable=SC2086
+    $COMPILE "-Diso_the_plant_$REAL=sweep_plant_$2" "-Dplant_model=sweep_model_$2" -c "$1/plants/$2/plant.c" \
+        -o "$1/plants/$2/plant.o.$$" && mv "$1/plants/$2/plant.o.$$" "$1/plants/$2/plant.o"
+}
+
+case ${1-} in
+isoc) one_plant "$2" "$3" && exit ;;
+compile) compiled "$2" "$3" && exit ;;
+esac
+[ $# -eq 0 ] || exit 1
+
+# each VERB NUMBER...: of each plant, as many at once as there are processors.
+each()
+{
+    each_verb=$1
+    shift
+    [ $# -eq 0 ] || printf '%s\n' "$@" | xargs -P "$(nproc)" -n 1 sh tools/sweep/sweep.sh "$each_verb" "$made"
+}
+
+# planned: the plan in $made, and its plants; nothing else is touched if something is wrong.
+planned()
+{
+    rm -rf "$made"
+    with()
+    {
+        [ -z "$RUNS" ] || set -- "$@" --runs "$RUNS"
+        [ -z "$SEED" ] || set -- "$@" --seed "$SEED"
+        build/isoc "$SCENE" -o "$made" --sweep "$SET" --of "$OF" "$@"
+    }
+    base || exit 1
+    for word in METHOD STEP; do
+        low=$(echo $word | tr A-Z a-z)
+        eval "given=\$$word"
+        if [ -n "$given" ] && grep -q "^$low$tab.*$tab$low$tab" "$made/plan"; then
+            fail "$word=$given, and SET varies the $low: leave out one of them"
+        fi
+    done
+    numbers=$(cut -f 1 "$made/variations")
+    # shellcheck disable=SC2086
+    each isoc $numbers || fail "isoc ended"
+    count=$(echo "$numbers" | wc -l)
+    without=$(find "$made/plants" -name refused | wc -l)
+    if [ "$without" -eq "$count" ]; then
+        cat "$made/plants/0/told" >&2
+        exit 1
+    fi
+    grep . "$made/plants/0/told" >&2
+    [ "$without" -eq 0 ] || echo "  SWEEP isoc refuses $without of $count plants; their runs fail" >&2
+}
+
+# plants_in_c: all plants, and why isoc refused those that are not there.
+plants_in_c()
+{
+    printf '#include "tools/sweep/run.h"\n\nconst uint64_t sweep_duration_ns = UINT64_C(%s);\n' "$NANOSECONDS"
+    for number in $numbers; do
+        [ -f "$1/plants/$number/refused" ] || echo "extern const iso_plant sweep_plant_$number;"
+    done
+    echo 'const sweep_plant sweep_plants[] = {'
+    for number in $numbers; do
+        if [ -f "$1/plants/$number/refused" ]; then
+            printf '    {NULL, "%s"},\n' "$(sed -e 's/[\\"]/\\&/g' -e "s/$tab/ /g" "$1/plants/$number/refused")"
+        else
+            echo "    {&sweep_plant_$number, NULL},"
+        fi
+    done
+    echo '};'
+}
+
+# sum: of all that the parts follow from.
+sum()
+{
+    {
+        echo "$COMPILE $LINK"
+        cat "$made/plan" "$made/plants.c"
+        find "$made/plants" -name 'plant.[ch]' | LC_ALL=C sort | tr '\n' '\0' | xargs -0 cat
+        cat core/*/*.[ch] tools/sweep/*.[ch] tools/trace/decimal.[ch]
+    } | sha256sum | cut -c 1-16
+}
+
+# kept: $dir is the folder of this plan, with what is there of it; what is of others goes.
+kept()
+{
+    plants_in_c "$made" >"$made/plants.c"
+    dir=$FOLDER/$(sum)
+    for other in "$FOLDER"/*/; do
+        other=${other%/}
+        [ "$other" != "$made" ] && [ "$other" != "$dir" ] && [ -f "$other/plan" ] || continue
+        if [ -f "$other/slurm_job" ]; then
+            scancel "$(cat "$other/slurm_job")" 2>/dev/null
+        fi
+        rm -rf "$other"
+    done
+    if [ -f "$dir/program" ]; then
+        rm -rf "$made"
+        return
+    fi
+    rm -rf "$dir"
+    rm -f "$FOLDER"/sweep.tsv "$FOLDER"/columns.tsv "$FOLDER"/failures.txt "$FOLDER"/*.svg "$FOLDER"/*.png
+    echo "  CC    $count $([ "$count" -eq 1 ] && echo plant || echo plants) of $SCENE"
+    with_plant=$(for number in $numbers; do [ -f "$made/plants/$number/refused" ] || echo "$number"; done)
+    # shellcheck disable=SC2086
+    each compile $with_plant || fail "a plant cannot be compiled"
+    # shellcheck disable=SC2086
+    $COMPILE -c "$made/plants.c" -o "$made/plants.o" &&
+        echo "$made"/plants.o $(for number in $with_plant; do echo "$made/plants/$number/plant.o"; done) >"$made/objects" &&
+        $LINK "@$made/objects" $OBJECTS -o "$made/program" -lm || fail "the program cannot be linked"
+    mkdir -p "$made/parts"
+    mv "$made" "$dir" || exit 1
+}
+
+# again: the beginning of the command that makes a run alone.
+again()
+{
+    printf 'make run SCENE=%s' "$SCENE"
+    [ "$REAL" = float ] || printf ' REAL=%s' "$REAL"
+    printf ' SECONDS=%s' "$SECONDS"
+    for name in METHOD STEP TOLERANCE INPUTS WITHOUT; do
+        eval "value=\$$name"
+        [ -z "$value" ] || printf " %s='%s'" "$name" "$value"
+    done
+}
+
+# watched PROCESS: says how far it is; when this ends, so does the process.
+watched()
+{
+    trap 'kill $1 2>/dev/null' EXIT
+    trap 'exit 1' INT TERM HUP
+    "$dir/program" "$dir" watch "$1"
+    watched_status=$?
+    wait "$1" 2>/dev/null
+    trap - EXIT INT TERM HUP
+    return $watched_status
+}
+
+# by_parallel: GNU parallel, on this machine, or on HOSTS over ssh; those get the program and the plan, and give back the part.
+by_parallel()
+{
+    parallel --version 2>/dev/null | grep -q '^GNU parallel' ||
+        fail "ENGINE=parallel is GNU parallel, which is missing. Install it with: apt-get install parallel"
+    set -- parallel
+    if [ -n "$HOSTS" ]; then
+        set -- "$@" --sshlogin "$(echo "$HOSTS" | tr ' ' ,)" --workdir ... --basefile plan --basefile program --return 'parts/{}.tsv' \
+            --cleanup
+    fi
+    (cd "$dir" && ./program . absent | exec "$@" 'mkdir -p parts && ./program . part {}') &
+    watched $!
+}
+
+# by_slurm: an array of jobs; where one of before is still there, that.
+by_slurm()
+{
+    for tool in sbatch squeue; do
+        command -v $tool >/dev/null || fail "ENGINE=slurm needs $tool, which is missing. Install it with: apt-get install slurm-wlm"
+    done
+    if ! { [ -f "$dir/slurm_job" ] && squeue -h -j "$(cat "$dir/slurm_job")" 2>/dev/null | grep -q .; }; then
+        list=$("$dir/program" "$dir" absent | tr '\n' , | sed 's/,$//')
+        mkdir -p "$dir/log"
+        sbatch --parsable --job-name="sweep_$NAME" --array="$list" --chdir="$PWD" --output="$dir/log/%a.txt" \
+            --wrap="exec '$dir/program' '$dir' part \$SLURM_ARRAY_TASK_ID" >"$dir/slurm_job.new" || fail "sbatch refuses the job"
+        mv "$dir/slurm_job.new" "$dir/slurm_job"
+    fi
+    echo "  SLURM job $(cat "$dir/slurm_job"), whose output is in $dir/log" >&2
+    (while squeue -h -j "$(cat "$dir/slurm_job")" 2>/dev/null | grep -q .; do sleep 1; done) &
+    watched $!
+}
+
+case $ENGINE in
+local | parallel | slurm) ;;
+*) fail "ENGINE=$ENGINE is unknown; it can be local, parallel or slurm" ;;
+esac
+[ -z "$HOSTS" ] || [ "$ENGINE" = parallel ] || fail "HOSTS has no effect on ENGINE=$ENGINE; it is of ENGINE=parallel"
+made=$FOLDER/made
+planned
+kept
+if [ -n "$("$dir/program" "$dir" absent)" ]; then
+    case $ENGINE in
+    local) "$dir/program" "$dir" make "$(nproc)" ;;
+    parallel) by_parallel ;;
+    slurm) by_slurm ;;
+    esac || exit 1
+fi
+find "$dir/parts" -name '*.tsv.*' -exec rm -f {} +
+"$dir/program" "$dir" table "$FOLDER" "$(again)"
