@@ -141,32 +141,69 @@ static double number_of(reading *r, const sweep_variable *v, const formula *f)
     return r->at.failed ? 0.0 : value_constant(&r->v, f, v->of, arena_format(r->at.s->memory, "'%s'", v->name), 0.0);
 }
 
-static void add_number(reading *r, sweep_variable *v, double number, bool is_round)
+/* What stands between commas: a value, or so many from one to another. */
+typedef struct stretch {
+    formula *first, *last;
+    double count;
+} stretch;
+
+/* FIRST [.. LAST by COUNT] */
+static stretch read_stretch(parser *at)
 {
-    LIST_ADD(r->at.s->memory, v->listed, ((sweep_value){number, NULL, is_round}));
+    stretch result = {parse_formula(at), NULL, 1};
+    if (at->failed || !take_sign(at, ':')) {
+        return result;
+    }
+    result.last = parse_formula(at);
+    if (!at->failed && !take_sign(at, '=')) {
+        parse_problem(at, "expected by and the number of values: 0.1 .. 0.3 kg by 21");
+    }
+    result.count = at->next->number;
+    if (!at->failed && (at->next->kind != TOKEN_NUMBER || result.count != floor(result.count) || result.count < 2 ||
+                        result.count > MOST_VALUES)) {
+        parse_problem(at, "expected the number of values, from 2 to 1000000: 0.1 .. 0.3 kg by 21");
+    }
+    at->next += !at->failed;
+    return result;
 }
 
-/* FIRST .. LAST by COUNT, of which FIRST has been read. */
-static void read_range(reading *r, sweep_variable *v, formula *first)
+/* 200, 250 mm: what has no unit takes that of the next that has one. */
+static void lend_backward(const stretch *all, size_t count)
 {
-    parser *at = &r->at;
-    formula *last = parse_formula(at), *with = number_in(last);
-    if (at->failed || !take_sign(at, '=')) {
-        parse_problem(at, "expected by and the number of values: 0.1 .. 0.3 kg by 21");
+    unit found = unit_one;
+    for (size_t i = 2 * count; i-- > 0;) {
+        formula *f = number_in(i % 2 == 0 ? all[i / 2].first : all[i / 2].last);
+        if (f != NULL && is_bare(f)) {
+            f->unit = found;
+        } else if (f != NULL) {
+            found = f->unit;
+        }
+    }
+}
+
+static void add_values(reading *r, sweep_variable *v, const stretch *of)
+{
+    const double from = number_of(r, v, of->first), to = of->last == NULL ? from : number_of(r, v, of->last);
+    for (double i = 0; i < of->count && !r->at.failed; i++) {
+        const double between = of->last == NULL ? from : (from * (of->count - 1 - i) + to * i) / (of->count - 1);
+        LIST_ADD(r->at.s->memory, v->listed, ((sweep_value){between, NULL, of->last != NULL}));
+    }
+}
+
+/* Values with commas between them. */
+static void read_list(reading *r, sweep_variable *v)
+{
+    LIST_OF(stretch) all = {0};
+    do {
+        const stretch next = read_stretch(&r->at);
+        LIST_ADD(r->at.s->memory, all, next);
+    } while (!r->at.failed && take_sign(&r->at, ','));
+    if (r->at.failed) {
         return;
     }
-    const double count = at->next->number;
-    if (at->next->kind != TOKEN_NUMBER || count != floor(count) || count < 2 || count > MOST_VALUES) {
-        parse_problem(at, "expected the number of values, from 2 to 1000000: 0.1 .. 0.3 kg by 21");
-        return;
-    }
-    at->next++;
-    if (with != NULL) {
-        lend_unit(first, &with->unit);
-    }
-    const double from = number_of(r, v, first), to = number_of(r, v, last);
-    for (double i = 0; i < count && !at->failed; i++) {
-        add_number(r, v, (from * (count - 1 - i) + to * i) / (count - 1), true);
+    lend_backward(all.all, all.count);
+    FOR_EACH (const stretch, s, all) {
+        add_values(r, v, s);
     }
 }
 
@@ -200,41 +237,34 @@ static void read_random(reading *r, sweep_variable *v, sweep_law law)
     }
 }
 
-static void read_method_word(reading *r, sweep_variable *v)
+static void read_methods(reading *r, sweep_variable *v)
 {
     parser *at = &r->at;
-    const token *t = at->next;
-    if (t->kind != TOKEN_NAME || index_of_word(t->text, method_names, ISO_METHODS) == ISO_METHODS) {
-        PARSE_FAULT(at, t->at, "expected a method%s: %s", source_suggestion(at->s, t->text, method_names, ISO_METHODS),
-                    alternatives(at->s->memory, method_names, ISO_METHODS));
-        return;
-    }
-    at->next++;
-    LIST_ADD(at->s->memory, v->listed, ((sweep_value){0.0, t->text, false}));
+    do {
+        const token *t = at->next;
+        if (t->kind != TOKEN_NAME || index_of_word(t->text, method_names, ISO_METHODS) == ISO_METHODS) {
+            PARSE_FAULT(at, t->at, "expected a method%s: %s",
+                        source_suggestion(at->s, t->text, method_names, ISO_METHODS),
+                        alternatives(at->s->memory, method_names, ISO_METHODS));
+            return;
+        }
+        at->next++;
+        LIST_ADD(at->s->memory, v->listed, ((sweep_value){0.0, t->text, false}));
+    } while (take_sign(at, ','));
 }
 
-static void read_value(reading *r, sweep_variable *v)
+static void read_values(reading *r, sweep_variable *v)
 {
-    parser *at = &r->at;
     for (sweep_law law = SWEEP_UNIFORM; law <= SWEEP_NORMAL; law++) {
-        if (v->sort == SWEEP_NUMBER && next_is_word(at, laws[law]) && at->next[1].sign == '(') {
-            if (v->listed.count > 0) {
-                parse_problem(at, "a random value stands alone, without further ones");
-            } else {
-                read_random(r, v, law);
-            }
+        if (v->sort == SWEEP_NUMBER && next_is_word(&r->at, laws[law]) && r->at.next[1].sign == '(') {
+            read_random(r, v, law);
             return;
         }
     }
     if (v->sort == SWEEP_METHOD) {
-        read_method_word(r, v);
-        return;
-    }
-    formula *f = parse_formula(at);
-    if (!at->failed && take_sign(at, ':')) {
-        read_range(r, v, f);
-    } else if (!at->failed) {
-        LIST_ADD(at->s->memory, v->listed, ((sweep_value){number_of(r, v, f), NULL, false}));
+        read_methods(r, v);
+    } else {
+        read_list(r, v);
     }
 }
 
@@ -251,11 +281,9 @@ static void read_variable(reading *r)
         return;
     }
     expect_sign(at, '=', "expected = and values, such as mass = 0.1 .. 0.3 kg by 21");
-    do {
-        if (!at->failed) {
-            read_value(r, &v);
-        }
-    } while (!at->failed && v.law == SWEEP_LISTED && take_sign(at, ','));
+    if (!at->failed) {
+        read_values(r, &v);
+    }
     LIST_ADD(at->s->memory, r->made, v);
 }
 
