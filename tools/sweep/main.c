@@ -1,7 +1,8 @@
 /* Makes the runs of a sweep; compiled with its plants.
  *
  *     sweep FOLDER make PROCESSES      makes all parts of FOLDER/plan that are absent, and says how far they are
- *     sweep FOLDER part NUMBER...      makes these parts
+ *     sweep FOLDER part NUMBER         makes this part
+ *     sweep FOLDER share NUMBER OF     makes the parts of a share of so many: each OFth part, where it is absent
  *     sweep FOLDER watch PROCESS       says how far they are, as long as that process runs
  *     sweep FOLDER absent              prints the numbers of the parts that are absent
  *     sweep FOLDER table TO AGAIN      writes the table into the folder TO; AGAIN begins a command that makes a run alone
@@ -53,16 +54,20 @@ int main(const int count, char **const arguments)
         table_make(&p, arguments[3], arguments[4]);
         return EXIT_SUCCESS;
     }
-    for (int i = 3; i < count && strcmp(verb, "part") == 0; i++) {
-        part_make(&p, whole(arguments[i]));
+    if ((strcmp(verb, "part") == 0 && count == 4) || (strcmp(verb, "share") == 0 && count == 5)) {
+        const uint64_t of = count == 5 ? whole(arguments[4]) : p.parts;
+        for (uint64_t part = whole(arguments[3]); part < p.parts && of > 0; part += of) {
+            part_make(&p, part);
+        }
+        return EXIT_SUCCESS;
     }
-    for (uint64_t part = 0; part < p.parts && strcmp(verb, "absent") == 0; part++) {
+    if (strcmp(verb, "absent") != 0 || count != 3) {
+        plan_fail("it is not known, or has other arguments", verb);
+    }
+    for (uint64_t part = 0; part < p.parts; part++) {
         if (!plan_has_part(&p, part)) {
             printf("%" PRIu64 "\n", part);
         }
-    }
-    if (strcmp(verb, "part") != 0 && strcmp(verb, "absent") != 0) {
-        plan_fail("it is not known", verb);
     }
     return EXIT_SUCCESS;
 }

@@ -208,17 +208,18 @@ by_parallel()
     watched $!
 }
 
-# by_slurm: an array of jobs; where one of before is still there, that.
+# by_slurm: an array of jobs, two shares for each processor; where one of before is still there, that.
 by_slurm()
 {
-    for tool in sbatch squeue; do
+    for tool in sbatch squeue sinfo; do
         command -v $tool >/dev/null || fail "ENGINE=slurm needs $tool, which is missing. Install it with: apt-get install slurm-wlm"
     done
     if ! { [ -f "$dir/slurm_job" ] && squeue -h -j "$(cat "$dir/slurm_job")" 2>/dev/null | grep -q .; }; then
-        list=$("$dir/program" "$dir" absent | tr '\n' , | sed 's/,$//')
+        shares=$(sinfo -h -o %C | awk -F / -v parts="$("$dir/program" "$dir" absent | wc -l)" '
+            { n += 2 * $4 } END { n = n < 2 ? 2 : n > 1000 ? 1000 : n; print n < parts ? n : parts }')
         mkdir -p "$dir/log"
-        sbatch --parsable --job-name="sweep_$NAME" --array="$list" --chdir="$PWD" --output="$dir/log/%a.txt" \
-            --wrap="exec '$dir/program' '$dir' part \$SLURM_ARRAY_TASK_ID" >"$dir/slurm_job.new" || fail "sbatch refuses the job"
+        sbatch --parsable --job-name="sweep_$NAME" --array="0-$((shares - 1))" --chdir="$PWD" --output="$dir/log/%a.txt" \
+            --wrap="exec '$dir/program' '$dir' share \$SLURM_ARRAY_TASK_ID $shares" >"$dir/slurm_job.new" || fail "sbatch refuses the job"
         mv "$dir/slurm_job.new" "$dir/slurm_job"
     fi
     echo "  SLURM job $(cat "$dir/slurm_job"), whose output is in $dir/log" >&2
