@@ -45,7 +45,7 @@ def listed(text):
     unit, found = "", []
     for piece in reversed(pieces):
         shape = re.fullmatch(r"(\S+) *\.\. *(\S+) *(\S*?) *by (\d+)", piece)
-        single = re.fullmatch(r"([-+.\de]+) *(\S*)", piece)
+        single = re.fullmatch(r"([-+]?[\d.]+(?:e[-+]?\d+)?) *(\S*)", piece)
         if shape:
             unit = shape[3] or unit
             a, b, n = si(shape[1], unit), si(shape[2], unit), int(shape[4])

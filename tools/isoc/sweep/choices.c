@@ -129,14 +129,27 @@ static void lend_unit(formula *to, const unit *of)
     }
 }
 
+/* A name in a formula that varies itself; NULL. */
+static const formula *varying(const reading *r, const formula *f)
+{
+    FOR_EACH (const sweep_variable, v, r->made) {
+        if (f->kind == FORMULA_NAME && strcmp(f->name, v->name) == 0) {
+            return f;
+        }
+    }
+    const formula *found = NULL;
+    for (size_t i = 0; i < f->count && found == NULL; i++) {
+        found = varying(r, f->parts[i]);
+    }
+    return found;
+}
+
 /* The number that a formula is. */
 static double number_of(reading *r, const sweep_variable *v, const formula *f)
 {
-    FOR_EACH (const sweep_variable, other, r->made) {
-        if (f != NULL && f->kind == FORMULA_NAME && strcmp(f->name, other->name) == 0) {
-            PARSE_FAULT(&r->at, f->at, "'%s' varies itself: a value is of what does not", f->name);
-            return 0.0;
-        }
+    const formula *name = r->at.failed ? NULL : varying(r, f);
+    if (name != NULL) {
+        PARSE_FAULT(&r->at, name->at, "'%s' varies itself: a value is of what does not", name->name);
     }
     return r->at.failed ? 0.0 : value_constant(&r->v, f, v->of, arena_format(r->at.s->memory, "'%s'", v->name), 0.0);
 }
