@@ -66,6 +66,7 @@ missing()
     have dot || echo graphviz
     have g++ || echo g++
     have patch || echo patch
+    have parallel || echo parallel
     have python3 || echo python3
     ! apt-cache show libmujoco-dev 2>/dev/null | grep -q . || [ -f /usr/include/mujoco/mujoco.h ] || echo libmujoco-dev
     have chromium-headless-shell || have chromium || have google-chrome || echo chromium-headless-shell

@@ -39,19 +39,18 @@ cell()
 }
 
 # alone NAME SCENE REAL SECONDS [OPTION...]: the hash of a run by the program of every run.
-objects=
 alone()
 {
     alone_dir=$out/alone_$1
     alone_scene=$2
     alone_time=$4
     alone_flags=$FLAGS
+    alone_objects=$(find "build/obj/host/$3/core/numbers" "build/obj/host/$3/core/runtime/loop.o" "build/obj/host/$3/port" -name '*.o')
     [ "$3" = float ] || alone_flags="$FLAGS -DISO_REAL_DOUBLE"
     shift 4
     build/isoc "$alone_scene" -o "$alone_dir" "$@" >"$out/said" 2>&1 || return 1
     # shellcheck disable=SC2086
-    "$CC" $alone_flags -O0 "$alone_dir/plant.c" core/application/*.c core/numbers/*.c core/runtime/loop.c port/sim/*.c \
-        port/host/console.c -o "$alone_dir/program" &&
+    "$CC" $alone_flags -O0 "$alone_dir/plant.c" core/application/*.c $alone_objects -o "$alone_dir/program" &&
         build/trace -o "$alone_dir" -- "$alone_dir/program" "${alone_time}000000" | sed -n 's/^hash //p'
 }
 

@@ -1,7 +1,7 @@
 /* Makes the runs of a sweep; compiled with its plants.
  *
  *     sweep FOLDER make PROCESSES      makes all parts of FOLDER/plan that are absent, and says how far they are
- *     sweep FOLDER part NUMBER         makes this part
+ *     sweep FOLDER part NUMBER...      makes these parts
  *     sweep FOLDER share NUMBER OF     makes the parts of a share of so many: each OFth part, where it is absent
  *     sweep FOLDER watch PROCESS       says how far they are, as long as that process runs
  *     sweep FOLDER absent              prints the numbers of the parts that are absent
@@ -54,8 +54,14 @@ int main(const int count, char **const arguments)
         table_make(&p, arguments[3], arguments[4]);
         return EXIT_SUCCESS;
     }
-    if ((strcmp(verb, "part") == 0 && count == 4) || (strcmp(verb, "share") == 0 && count == 5)) {
-        const uint64_t of = count == 5 ? whole(arguments[4]) : p.parts;
+    if (strcmp(verb, "part") == 0) {
+        for (int i = 3; i < count; i++) {
+            part_make(&p, whole(arguments[i]));
+        }
+        return EXIT_SUCCESS;
+    }
+    if (strcmp(verb, "share") == 0 && count == 5) {
+        const uint64_t of = whole(arguments[4]);
         for (uint64_t part = whole(arguments[3]); part < p.parts && of > 0; part += of) {
             part_make(&p, part);
         }

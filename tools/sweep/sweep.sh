@@ -194,14 +194,16 @@ watched()
     return $watched_status
 }
 
-# by_parallel: GNU parallel, on this machine, or on HOSTS over ssh; those get the program and the plan, and give back the part.
+# by_parallel: GNU parallel, on this machine, where a job makes several parts; or on HOSTS over ssh, which get the program and the
+# plan, and give back a part.
 by_parallel()
 {
     parallel --version 2>/dev/null | grep -q '^GNU parallel' ||
         fail "ENGINE=parallel is GNU parallel, which is missing. Install it with: apt-get install parallel"
-    set -- parallel
-    if [ -n "$HOSTS" ]; then
-        set -- "$@" --sshlogin "$(echo "$HOSTS" | tr ' ' ,)" --workdir ... --basefile plan --basefile program --return 'parts/{}.tsv' \
+    if [ -z "$HOSTS" ]; then
+        set -- parallel -n 8
+    else
+        set -- parallel --sshlogin "$(echo "$HOSTS" | tr ' ' ,)" --workdir ... --basefile plan --basefile program --return 'parts/{}.tsv' \
             --cleanup
     fi
     (cd "$dir" && ./program . absent | exec "$@" 'mkdir -p parts && ./program . part {}') &
