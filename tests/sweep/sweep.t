@@ -108,14 +108,18 @@ expect $? "a mass from which a friction has its creep is built in; a damping fro
 same 3 rail "$out/rail.scene" float 100 --method euler --set 'heavy = 2 kg; drag = 0.6 N*s/m'
 expect $? "a row of it has the hash of the run alone"
 
-mkdir -p "$out/models"
-for name in four_bar squeezer; do
-    sed 's|^constant \([a-z_]* = [0-9.]* *[a-z*/^0-9]*\)$|tunable \1|' models/$name.scene >"$out/models/$name.scene"
-done
-# shellcheck disable=SC2046
-python3 -B tests/sweep/built_in.py build/isoc "$out/models" "$out"/models/*.scene $(grep -l '^tunable' models/*.scene tests/*/*.scene) >"$out/said" &&
-    read -r free built idle <"$out/said" && [ "$free" -ge 30 ] && [ "$built" -ge 4 ] && [ "$idle" -le 4 ]
-result $? "of the scenes with tunables, what is free changes no plant: free, built in, in vain: $(cat "$out/said")"
+case $turn in
+1 | 3 | all)
+    mkdir -p "$out/models"
+    for name in four_bar squeezer; do
+        sed 's|^constant \([a-z_]* = [0-9.]* *[a-z*/^0-9]*\)$|tunable \1|' models/$name.scene >"$out/models/$name.scene"
+    done
+    # shellcheck disable=SC2046
+    python3 -B tests/sweep/built_in.py build/isoc "$out/models" "$out"/models/*.scene $(grep -l '^tunable' models/*.scene tests/*/*.scene) >"$out/said" &&
+        read -r free built idle <"$out/said" && [ "$free" -ge 30 ] && [ "$built" -ge 4 ] && [ "$idle" -le 4 ]
+    result $? "of the scenes with tunables, what is free changes no plant: free, built in, in vain: $(cat "$out/said")"
+    ;;
+esac
 
 # --- ended, and gone on ---
 
