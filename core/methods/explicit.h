@@ -36,7 +36,7 @@ static inline real iso_combine(const real h_over, const int8_t *const c, const u
         const bool ends = j + 1 == terms || c[j + 1] != c[j];
         same = j > 0 && c[j - 1] == c[j] ? same + k[j * n] : k[j * n];
         if (c[j] != 0 && ends) {
-            const real term = (real)c[j] * same;
+            const real term = (iso_scalar)c[j] * same;
             sum = first ? term : sum + term;
             first = false;
         }
@@ -45,10 +45,10 @@ static inline real iso_combine(const real h_over, const int8_t *const c, const u
 }
 
 /* c_i = sum_j a_ij: where in the step stage i is. */
-ISO_INLINE real iso_stage_at(const iso_tableau *const table, const uint8_t i)
+ISO_INLINE iso_scalar iso_stage_at(const iso_tableau *const table, const uint8_t i)
 {
     const int8_t *const a = table->a[i];
-    return (real)(a[0] + a[1] + a[2]) / (real)table->a_over[i];
+    return (iso_scalar)(a[0] + a[1] + a[2]) / (iso_scalar)table->a_over[i];
 }
 
 /* Sine and cosine of the angles of a stage, each by what its combination of the derivatives adds to that at the start. The
@@ -79,7 +79,7 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
 
     ISO_UNROLL
     for (uint8_t i = 1; i < table->stages; i++) {
-        const real h_over = step->h / (real)table->a_over[i];
+        const real h_over = step->h / (iso_scalar)table->a_over[i];
         ISO_UNROLL
         for (size_t s = 0; s < n; s++) {
             at[s] = history->x[s] + iso_combine(h_over, table->a[i], i, k + s, n);
@@ -92,7 +92,7 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
         }
     }
 
-    const real h_over = step->h / (real)table->b_over;
+    const real h_over = step->h / (iso_scalar)table->b_over;
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         iso_advance(history, s, iso_combine(h_over, table->b, table->stages, k + s, n));

@@ -19,23 +19,23 @@
 ISO_INLINE iso_bits iso_watch_pivots(real *const last, const real *const now, const uint16_t *const closures,
                                      const size_t count, iso_nearness *const nearness)
 {
-    uint32_t near = nearness->closure;
-    iso_bits apart = 0, any = 0;
+    iso_count near = nearness->closure;
+    iso_bits apart = ISO_NOTHING, any = ISO_NOTHING;
     ISO_UNROLL
     for (size_t k = 0; k < count; k++) {
         apart |= iso_bits_of(ISO_PIVOT_CHANGE * last[k] - now[k]) | iso_bits_of(ISO_PIVOT_CHANGE * now[k] - last[k]);
         last[k] = now[k];
         if (k + 1 == count || closures[k + 1] != closures[k]) {
             const iso_bits found = iso_mask_of_sign(apart);
-            const uint32_t changed = (uint32_t)found & nearness->known;
+            const iso_count changed = (iso_count)found & nearness->known;
             near = (changed & (closures[k] + 1U)) | (~changed & near);
             any |= found;
-            apart = 0;
+            apart = ISO_NOTHING;
         }
     }
     const iso_bits known = iso_mask_of_lowest(nearness->known);
     nearness->closure = near;
-    nearness->known = UINT32_MAX;
+    nearness->known = (iso_count)iso_mask_where(true);
     return any & known;
 }
 

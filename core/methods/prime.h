@@ -29,7 +29,7 @@ static inline const real *iso_walk_back(const iso_step *const step, const uint8_
     memcpy(at, x, n * sizeof *at);
     for (size_t past = 0; past < count; past++) {
         if (past > 0 || !from_now) {
-            iso_step_begin(&back, R(0.0));
+            iso_step_begin(&back, ISO_SCALAR(0.0));
             iso_explicit_step(&iso_tableau_rk4, &back);
         }
         iso_evaluate(step, derivatives + past * n, at);
@@ -66,7 +66,7 @@ static inline void iso_prime_centred(iso_step *const step)
         const bool back = i < ISO_CENTRED_KEPT;
         walk.history = back ? &unseen : &seen;
         walk.h = back ? -step->h : step->h;
-        iso_step_begin(&walk, R(0.0));
+        iso_step_begin(&walk, ISO_SCALAR(0.0));
         iso_explicit_step(&iso_tableau_rk4, &walk);
     }
 }

@@ -6,15 +6,23 @@
 
 #include "core/numbers/real.h"
 
+#ifdef ISO_LANES
+typedef iso_count iso_steps;
+#else
+typedef uint8_t iso_steps;
+#endif
+
 /* Of a run, besides its state. Here and below, `unused` fills up to where every compiler would: a plant's memory has the
  * same bytes on every target. */
 typedef struct iso_progress {
     real local_error;   /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
     real residual;      /* of the last Newton iteration */
     real usual;         /* local error, if discontinuities are detected: iso_watch */
-    uint8_t watched;    /* steps, up to ISO_USUAL_STEPS */
-    bool discontinuity; /* a discontinuity in this step: the history and the step are invalid */
+    iso_steps watched;      /* steps, up to ISO_USUAL_STEPS */
+    iso_flag discontinuity; /* a discontinuity in this step: the history and the step are invalid */
+#ifndef ISO_LANES
     uint8_t unused[sizeof(real) - 2];
+#endif
 } iso_progress;
 
 /* The progress of adams: that of any method, then its own. Zeros before the first start. */
@@ -37,9 +45,9 @@ typedef struct iso_adams_state {
 
 /* Whether steps came near a singular position of closed loops: iso_watch_pivots. Zeros before the first start. */
 typedef struct iso_nearness {
-    uint32_t
+    iso_count
         closure; /* 0: none did; else 1 and the closure of the last that did, until it is put to 0 by what reads it */
-    uint32_t known; /* all ones where the pivots before a step are known, else 0 */
+    iso_count known; /* all ones where the pivots before a step are known, else 0 */
 } iso_nearness;
 
 /* The energy that steps near a singular position keep: iso_hold_energy. Zeros before the first start. */

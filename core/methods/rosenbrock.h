@@ -15,23 +15,23 @@
 enum { ISO_ROSENBROCK_STAGES = 3 };
 
 typedef struct iso_rosenbrock {
-    real gamma;
-    real gammas[ISO_ROSENBROCK_STAGES]; /* gamma_i; alpha_i is 0, then gamma */
-    real a21; /* also a31; a32 is zero, so that the second and third stage share an evaluation */
-    real c21, c31, c32;
-    real m[ISO_ROSENBROCK_STAGES];
+    iso_scalar gamma;
+    iso_scalar gammas[ISO_ROSENBROCK_STAGES]; /* gamma_i; alpha_i is 0, then gamma */
+    iso_scalar a21; /* also a31; a32 is zero, so that the second and third stage share an evaluation */
+    iso_scalar c21, c31, c32;
+    iso_scalar m[ISO_ROSENBROCK_STAGES];
 } iso_rosenbrock;
 
 /* ROS3, order three, L-stable: Sandu, Verwer, Blom, Spee, Carmichael, Potra (1997), Atmospheric Environment 31(20),
  * 3459-3472. */
 static const iso_rosenbrock iso_table_ros3 = {
-    .gamma = R(0.43586652150845899942),
-    .gammas = {R(0.43586652150845899942), R(0.24291996454816804366), R(2.1851380027664058512)},
-    .a21 = R(1.0),
-    .c21 = R(-1.0156171083877702092),
-    .c31 = R(4.0759956452537699825),
-    .c32 = R(9.2076794298330791242),
-    .m = {R(1.0), R(6.1697947043828245593), R(-0.42772256543218573326)},
+    .gamma = ISO_SCALAR(0.43586652150845899942),
+    .gammas = {ISO_SCALAR(0.43586652150845899942), ISO_SCALAR(0.24291996454816804366), ISO_SCALAR(2.1851380027664058512)},
+    .a21 = ISO_SCALAR(1.0),
+    .c21 = ISO_SCALAR(-1.0156171083877702092),
+    .c31 = ISO_SCALAR(4.0759956452537699825),
+    .c32 = ISO_SCALAR(9.2076794298330791242),
+    .m = {ISO_SCALAR(1.0), ISO_SCALAR(6.1697947043828245593), ISO_SCALAR(-0.42772256543218573326)},
 };
 
 /* h f_t = f(x, u + h u') - f(x, u), u' the rate of the inputs: one evaluation, exact where f is affine in its inputs, as
@@ -42,10 +42,10 @@ ISO_INLINE void iso_input_drift(const iso_step *const step, const real *const de
 {
     const iso_equations *const eq = step->equations;
     real *const at = iso_inputs_room(step);
-    iso_input_ahead(eq, step->degree, R(1.0), step->u, at);
+    iso_input_ahead(eq, step->degree, ISO_SCALAR(1.0), step->u, at);
     step->f(drift, step->history->x, at, step->p);
     if (eq->curved) {
-        iso_input_ahead(eq, step->degree, R(-1.0), step->u, at);
+        iso_input_ahead(eq, step->degree, ISO_SCALAR(-1.0), step->u, at);
         step->f(other, step->history->x, at, step->p);
     }
     ISO_UNROLL

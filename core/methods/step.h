@@ -44,7 +44,7 @@ ISO_INLINE real *iso_inputs_room(const iso_step *const step)
 }
 
 /* The inputs at a part c of the step, until the next call. */
-ISO_INLINE const real *iso_inputs_at(const iso_step *const step, const real c)
+ISO_INLINE const real *iso_inputs_at(const iso_step *const step, const iso_scalar c)
 {
     if (step->degree == 0) {
         return step->u;
@@ -55,7 +55,7 @@ ISO_INLINE const real *iso_inputs_at(const iso_step *const step, const real c)
 }
 
 /* With those. */
-ISO_INLINE void iso_evaluate_at(const iso_step *const step, const real c, real *const derivative, const real *const x)
+ISO_INLINE void iso_evaluate_at(const iso_step *const step, const iso_scalar c, real *const derivative, const real *const x)
 {
     step->f(derivative, x, iso_inputs_at(step, c), step->p);
 }
@@ -75,12 +75,12 @@ ISO_INLINE void iso_find_sines(const uint16_t *const angles, const size_t count,
  * 1 - h gamma J there. If steps are checked, it also computes the local error of the step before; the factors remove the
  * stiff part of that error (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is
  * [n], with factors [2 n]. */
-ISO_INLINE void iso_step_begun(iso_step *const step, const real gamma)
+ISO_INLINE void iso_step_begun(iso_step *const step, const iso_scalar gamma)
 {
     const iso_history *const history = step->history;
     const iso_equations *const eq = step->equations;
     real *const derivative = step->work;
-    if (gamma != R(0.0)) {
+    if (gamma != ISO_SCALAR(0.0)) {
         real *const error = step->work + history->n;
         eq->factor(step->lu, history->x, step->u, step->p, step->h * gamma);
         if (history->checked > 0) {
@@ -100,7 +100,7 @@ ISO_INLINE void iso_step_begun(iso_step *const step, const real gamma)
 }
 
 /* With the derivative at the states, and without sines. */
-ISO_INLINE void iso_step_begin(iso_step *const step, const real gamma)
+ISO_INLINE void iso_step_begin(iso_step *const step, const iso_scalar gamma)
 {
     iso_evaluate(step, step->work, step->history->x);
     iso_step_begun(step, gamma);
@@ -116,11 +116,11 @@ enum { ISO_USUAL_STEPS = 16 };
 /* Sets whether the step with this error contains a discontinuity. No branch on the error. */
 static inline void iso_watch(iso_progress *const progress, const real error)
 {
-    const bool known = progress->watched == ISO_USUAL_STEPS;
+    const iso_flag known = (iso_flag)(progress->watched == ISO_USUAL_STEPS);
     const iso_bits leap = iso_less(ISO_DISCONTINUITY_RATIO * progress->usual, error) & ~iso_not_finite(error);
-    progress->discontinuity = known & (leap != 0);
-    progress->usual = iso_max(error, progress->usual - progress->usual / (real)ISO_USUAL_STEPS);
-    progress->watched = (uint8_t)(progress->watched + !known);
+    progress->discontinuity = known & iso_is_set(leap);
+    progress->usual = iso_max(error, progress->usual - progress->usual / (iso_scalar)ISO_USUAL_STEPS);
+    progress->watched = (iso_steps)iso_more_unless(known, progress->watched);
 }
 
 #endif

@@ -33,34 +33,34 @@ enum {
 /* clang-format off */
 #define ISO_METHOD_LIST(X, r)                                                                                          \
     X(r, ISO_EULER, "euler", 1,  1, 0, 0,  0, 2, ISO_PRIME_VECTORS,  0, 1,                                             \
-      ISO_FROM_START, R(0.0), iso_euler_step, iso_prime_check)                                                         \
+      ISO_FROM_START, ISO_SCALAR(0.0), iso_euler_step, iso_prime_check)                                                \
     X(r, ISO_HEUN, "heun", 2,  2, 0, 0,  0, 3, ISO_PRIME_VECTORS,  2, 2,                                               \
-      ISO_FROM_START, R(0.0), iso_heun_step, iso_prime_check)                                                          \
+      ISO_FROM_START, ISO_SCALAR(0.0), iso_heun_step, iso_prime_check)                                                 \
     X(r, ISO_RK4, "rk4", 4,  4, 0, 0,  0, 5, ISO_PRIME_VECTORS,  6, 5,                                                 \
-      ISO_FROM_START, R(0.0), iso_rk4_step, iso_prime_check)                                                           \
+      ISO_FROM_START, ISO_SCALAR(0.0), iso_rk4_step, iso_prime_check)                                                  \
     X(r, ISO_AB4, "ab4", 4,  1, 0, 0,  ISO_AB4_SUMS, 1, ISO_PRIME_VECTORS,  3, 4,                                      \
-      ISO_FROM_START, R(0.0), iso_ab4_step, iso_ab4_prime)                                                             \
+      ISO_FROM_START, ISO_SCALAR(0.0), iso_ab4_step, iso_ab4_prime)                                                    \
     X(r, ISO_SEMI_IMPLICIT, "semi_implicit", 1,  1, 0, 0,  0, 1, ISO_PRIME_VECTORS,  0, 1,                             \
-      ISO_FROM_START, R(0.0), iso_semi_implicit_step, iso_prime_check)                                                 \
+      ISO_FROM_START, ISO_SCALAR(0.0), iso_semi_implicit_step, iso_prime_check)                                        \
     X(r, ISO_ABM4, "abm4", 4,  2, 0, 0,                                                                                \
       ISO_ABM4_SUMS + ISO_IS_LATE(r), 2, ISO_PRIME_VECTORS,  7 + ISO_IS_CHECKED(r) + ISO_IS_LATE(r),                   \
       8 + 2 * ISO_IS_LATE(r),                                                                                          \
-      ISO_PREDICTING, R(0.0), iso_abm4_step, iso_abm4_prime)                                                           \
+      ISO_PREDICTING, ISO_SCALAR(0.0), iso_abm4_step, iso_abm4_prime)                                                  \
     X(r, ISO_ABM4_PEC, "abm4_pec", 4,  1, 0, 0,  ISO_ABM4_SUMS, 2, ISO_PRIME_VECTORS,  7 + ISO_IS_CHECKED(r), 8,       \
-      ISO_PREDICTING, R(0.0), iso_abm4_pec_step, iso_abm4_pec_prime)                                                   \
+      ISO_PREDICTING, ISO_SCALAR(0.0), iso_abm4_pec_step, iso_abm4_pec_prime)                                          \
     X(r, ISO_ABM4_PECECE, "abm4_pecece", 4,  3, 0, 0,                                                                  \
       ISO_ABM4_SUMS + ISO_IS_LATE(r), 2, ISO_PRIME_VECTORS,  9 + ISO_IS_CHECKED(r) + ISO_IS_LATE(r),                   \
       9 + 2 * ISO_IS_LATE(r),                                                                                          \
-      ISO_PREDICTING, R(0.0), iso_abm4_pecece_step, iso_abm4_prime)                                                    \
+      ISO_PREDICTING, ISO_SCALAR(0.0), iso_abm4_pecece_step, iso_abm4_prime)                                           \
     X(r, ISO_BDF4, "bdf4", 4,  ISO_ITERATIONS_OF(r), 1, ISO_ITERATIONS_OF(r),                                          \
       ISO_BDF4_STEPS, 5, ISO_BDF4_PRIME_VECTORS,                                                                       \
       7 + 5 * ISO_ITERATIONS_OF(r) + 5 * ISO_IS_CHECKED(r), 7 + ISO_ITERATIONS_OF(r) + 3 * ISO_IS_CHECKED(r),          \
-      ISO_ITERATING, R(0.0), iso_bdf4_step, iso_bdf4_prime)                                                            \
+      ISO_ITERATING, ISO_SCALAR(0.0), iso_bdf4_step, iso_bdf4_prime)                                                   \
     X(r, ISO_ROSENBROCK, "rosenbrock", 3,  2 + ISO_IS_SMOOTH(r), 1, 3 + ISO_IS_CHECKED(r),                             \
       0, ISO_ROSENBROCK_VECTORS + ISO_IS_SMOOTH(r), 1,  6 + 4 * ISO_IS_SMOOTH(r), 8 + 3 * ISO_IS_SMOOTH(r),            \
       ISO_FROM_START, iso_table_ros3.gamma, iso_rosenbrock_step, iso_prime_even)                                       \
     X(r, ISO_ADAMS, "adams", 4,  2, 0, 0,  ISO_ADAMS_ROWS, ISO_ADAMS_VECTORS, ISO_ADAMS_VECTORS,  0, 0,                \
-      ISO_VARYING, R(0.0), iso_adams_step, iso_adams_prime)
+      ISO_VARYING, ISO_SCALAR(0.0), iso_adams_step, iso_adams_prime)
 /* clang-format on */
 
 #define ISO_METHOD_CONSTANT(r, constant, ...) constant,

@@ -38,21 +38,21 @@ static inline real iso_log_tail(const real z)
 
 static inline real iso_log(const real x)
 {
-    const iso_bits size = iso_bits_of(x) & ~ISO_SIGN_BIT, least = iso_bits_of(ISO_REAL_LEAST);
+    const iso_bits size = iso_bits_of(x) & ~ISO_SIGN_BIT, least = iso_bits_of(iso_all(ISO_REAL_LEAST));
     const iso_bits above = size - least;
     const iso_bits normal = least + (above & ~iso_mask_of_sign(above));
     /* The exponent of x / sqrt(1/2), biased by 128 so that it is not negative. */
-    const iso_bits bias = (iso_bits)128 << ISO_EXPONENT_SHIFT << (ISO_SIGN_SHIFT == 63 ? 3 : 0);
+    const iso_word bias = (iso_word)128 << ISO_EXPONENT_SHIFT << (ISO_SIGN_SHIFT == 63 ? 3 : 0);
     const iso_bits biased = normal - iso_bits_of(R(0.707106781186547524)) + bias;
     const iso_bits exponent = (biased >> ISO_EXPONENT_SHIFT) - (bias >> ISO_EXPONENT_SHIFT);
-    const real k = (real)(int32_t)(uint32_t)exponent;
+    const real k = iso_real_of_whole(exponent);
 
     const real f = iso_real_of(normal - (exponent << ISO_EXPONENT_SHIFT)) - R(1.0);
     const real s = f / (R(2.0) + f);
     const real z = s * s;
     const real sum = k * ISO_LN2_HIGH + ((s + s) + (s * (z * iso_log_tail(z)) + k * ISO_LN2_LOW));
     /* All ones, a NaN, where the sign is set and the size is not 0. */
-    const iso_bits negative = iso_mask_of_sign(iso_bits_of(x) & ((iso_bits)0 - size));
+    const iso_bits negative = iso_mask_of_sign(iso_bits_of(x) & (0 - size));
     return iso_real_of(iso_bits_of(sum) | negative);
 }
 

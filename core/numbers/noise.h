@@ -45,7 +45,7 @@ static inline real iso_noise(const uint64_t tick, const uint32_t seed)
     const uint32_t lower = (uint32_t)product, between = (uint32_t)(product >> 40);
     /* Means: 6 for each byte, and 2^23 f with the factor f 2^32. Variances: 5 for each byte, and f^2 2^48 / 12. */
     const int32_t sum = (int32_t)(iso_sum_of_pairs(lower ^ (lower >> 16)) + between) - 412140585;
-    return (real)sum * R(1.32620572064598e-08); /* 1 / sqrt of the variance */
+    return (iso_scalar)sum * R(1.32620572064598e-08); /* 1 / sqrt of the variance */
 }
 
 #endif

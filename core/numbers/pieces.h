@@ -8,7 +8,7 @@
 static inline real iso_sign(const real x)
 {
     const iso_bits sign = iso_bits_of(x) & ISO_SIGN_BIT, size = iso_bits_of(x) ^ sign;
-    const iso_bits any = iso_mask_of_sign((iso_bits)0 - size);
+    const iso_bits any = iso_mask_of_sign(0 - size);
     return iso_real_of(sign | (any & iso_bits_of(R(1.0))));
 }
 
@@ -16,7 +16,7 @@ static inline real iso_sign(const real x)
  * to a size below that rounds it to a whole number; one above that is whole. */
 static inline real iso_floor(const real x)
 {
-    const real whole = R(1.0) / ISO_REAL_EPSILON;
+    const iso_scalar whole = ISO_SCALAR(1.0) / ISO_REAL_EPSILON;
     const real size = iso_abs(x);
     const real rounded = iso_select(iso_beyond(x, whole), size, (size + whole) - whole);
     const real nearest = iso_real_of(iso_bits_of(rounded) | (iso_bits_of(x) & ISO_SIGN_BIT));
@@ -27,7 +27,7 @@ static inline real iso_floor(const real x)
  * the sign of x rounds a size below that to a whole number. Beyond, where all are whole, zero is added. */
 static inline real iso_round(const real x)
 {
-    const real whole = R(1.0) / ISO_REAL_EPSILON;
+    const real whole = iso_all(ISO_SCALAR(1.0) / ISO_REAL_EPSILON);
     const iso_bits sign = iso_bits_of(x) & ISO_SIGN_BIT, size = iso_bits_of(x) ^ sign;
     const iso_bits is_small = iso_mask_of_sign(size - iso_bits_of(whole));
     const real rounder = iso_real_of((iso_bits_of(whole) & is_small) | sign);

@@ -1,14 +1,17 @@
 /* The number type of a build, and the bits of a number.
  *
  * `real` is float, or double with -DISO_REAL_DOUBLE. Literals are written R(0.5). Every function here is free of
- * branches and of libm: a comparison gives a mask, and a mask selects. Nothing else in Isochron touches the bits of
- * a real, so that another type (a vector of reals) needs a change in this file only.
+ * branches and of libm: a comparison gives a mask, and a mask selects. With -DISO_LANES=16 a real is a vector of 16
+ * numbers, each of another plant (core/numbers/lanes.h). So a constant in a table, a coefficient and a limit are an
+ * `iso_scalar`, one for all lanes, written ISO_SCALAR(0.5); what decides for all of them asks iso_any. Where there are no
+ * lanes, scalar and real are one type.
  */
 #ifndef ISO_CORE_NUMBERS_REAL_H
 #define ISO_CORE_NUMBERS_REAL_H
 
 #include <float.h>
 #include <limits.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -63,9 +66,9 @@ extern char iso_compile_without_fsingle_precision_constant[sizeof(1.0) == sizeof
 
 #ifdef ISO_REAL_DOUBLE
 
-typedef double real;
-typedef uint64_t iso_bits; /* as wide as a real */
-#define R(literal) literal
+typedef double iso_scalar;
+typedef uint64_t iso_word; /* as wide as a scalar */
+#define ISO_SCALAR(literal) literal
 #define ISO_REAL_NAME(name) name##_double /* objects of different real do not link */
 
 enum { ISO_SIGN_SHIFT = 63, ISO_EXPONENT_SHIFT = 52 };
@@ -73,13 +76,13 @@ enum { ISO_SIGN_SHIFT = 63, ISO_EXPONENT_SHIFT = 52 };
 #define ISO_REAL_MAX DBL_MAX
 #define ISO_REAL_LEAST DBL_MIN
 #define ISO_REAL_EPSILON DBL_EPSILON      /* distance from 1 to the next real: one ulp of 1.0 */
-#define ISO_ROUNDER R(6755399441055744.0) /* 1.5 * 2^52: adding it rounds to a whole number, then in the low bits */
+#define ISO_ROUNDER ISO_SCALAR(6755399441055744.0) /* 1.5 * 2^52: adding it rounds to a whole number, then in the low bits */
 
 #else
 
-typedef float real;
-typedef uint32_t iso_bits;
-#define R(literal) literal##f
+typedef float iso_scalar;
+typedef uint32_t iso_word;
+#define ISO_SCALAR(literal) literal##f
 #define ISO_REAL_NAME(name) name##_float
 
 enum { ISO_SIGN_SHIFT = 31, ISO_EXPONENT_SHIFT = 23 };
@@ -87,11 +90,78 @@ enum { ISO_SIGN_SHIFT = 31, ISO_EXPONENT_SHIFT = 23 };
 #define ISO_REAL_MAX FLT_MAX
 #define ISO_REAL_LEAST FLT_MIN
 #define ISO_REAL_EPSILON FLT_EPSILON
-#define ISO_ROUNDER R(12582912.0)
+#define ISO_ROUNDER ISO_SCALAR(12582912.0)
 
 #endif
 
-#define ISO_SIGN_BIT ((iso_bits)1 << ISO_SIGN_SHIFT)
+#define ISO_SIGN_BIT ((iso_word)1 << ISO_SIGN_SHIFT)
+
+#ifdef ISO_LANES
+#include "core/numbers/lanes.h"
+#else
+
+typedef iso_scalar real;
+typedef iso_word iso_bits; /* as wide as a real; and a mask: all ones or zero */
+typedef bool iso_flag;     /* what is true or not of a plant */
+typedef uint32_t iso_count;
+typedef int32_t iso_turns; /* whole turns, modulo 2^32 */
+#define R(literal) ISO_SCALAR(literal)
+
+/* A number for all lanes. */
+static inline real iso_all(const iso_scalar x)
+{
+    return x;
+}
+
+/* Whether a mask, or a flag, is not zero in any lane. */
+static inline bool iso_any(const iso_bits mask)
+{
+    return mask != 0;
+}
+
+/* All ones where a condition of all lanes holds. */
+static inline iso_bits iso_mask_where(const bool condition)
+{
+    return (iso_bits)0 - condition;
+}
+
+#define ISO_NOTHING 0 /* zero bits in all lanes */
+
+/* x[n] = the same numbers in all lanes. */
+static inline void iso_spread(real *const x, const iso_scalar *const numbers, const uint16_t n)
+{
+    memcpy(x, numbers, n * sizeof *x);
+}
+
+/* Whether a > b; and whether bits are not zero. */
+static inline iso_flag iso_is_larger(const real a, const real b)
+{
+    return a > b;
+}
+
+static inline iso_flag iso_is_set(const iso_bits bits)
+{
+    return bits != 0;
+}
+
+/* A count with one more, unless a flag is set. */
+static inline iso_count iso_more_unless(const iso_flag flag, const iso_count count)
+{
+    return count + !flag;
+}
+
+/* Whole numbers of 32 bits, with a sign, as reals: turns, and the low bits of others. */
+static inline real iso_real_of_turns(const iso_turns turns)
+{
+    return (real)turns;
+}
+
+static inline real iso_real_of_whole(const iso_bits whole)
+{
+    return (real)(int32_t)(uint32_t)whole;
+}
+
+#endif
 
 /* The bits of x, and the real that has the bits b. */
 static inline iso_bits iso_bits_of(const real x)
@@ -113,7 +183,7 @@ static inline real iso_real_of(const iso_bits b)
  * selects, through it. */
 static inline iso_bits iso_hidden(iso_bits mask)
 {
-#ifdef __clang__
+#if defined __clang__ && !defined ISO_LANES
     __asm__("" : "+r"(mask));
 #endif
     return mask;
@@ -122,12 +192,12 @@ static inline iso_bits iso_hidden(iso_bits mask)
 /* All ones where the sign bit of b is set, else zero; and the same of its lowest bit. */
 static inline iso_bits iso_mask_of_sign(const iso_bits b)
 {
-    return iso_hidden((iso_bits)0 - (b >> ISO_SIGN_SHIFT));
+    return iso_hidden(0 - (b >> ISO_SIGN_SHIFT));
 }
 
 static inline iso_bits iso_mask_of_lowest(const iso_bits b)
 {
-    return iso_hidden((iso_bits)0 - (b & 1));
+    return iso_hidden(0 - (b & 1));
 }
 
 /* All ones if a < b, else zero; for a and b that are not NaN and not the same infinity; -0 is below 0. The sign of
@@ -203,15 +273,15 @@ static inline iso_bits iso_order(const real x)
 static inline iso_bits iso_not_finite(const real x)
 {
     const iso_bits exponent = iso_bits_of(x) & ISO_EXPONENT_BITS;
-    const iso_bits lowest = ISO_EXPONENT_BITS & (~ISO_EXPONENT_BITS + 1);
+    const iso_word lowest = ISO_EXPONENT_BITS & (~ISO_EXPONENT_BITS + 1);
     return iso_mask_of_sign(exponent + lowest);
 }
 
 /* All ones if |x| is beyond range > 0, finite, or if x is no number, else zero: without their sign, the bits of reals
  * are in the order of their sizes, and those of an infinity or a NaN above all. */
-static inline iso_bits iso_beyond(const real x, const real range)
+static inline iso_bits iso_beyond(const real x, const iso_scalar range)
 {
-    return iso_mask_of_sign(iso_bits_of(range) - (iso_bits_of(x) & ~ISO_SIGN_BIT));
+    return iso_mask_of_sign(iso_bits_of(iso_all(range)) - (iso_bits_of(x) & ~ISO_SIGN_BIT));
 }
 
 #endif

@@ -8,16 +8,16 @@
  * below 2^32 it is one rounding. */
 static inline real iso_real_of_ticks(const uint64_t ticks)
 {
-    return (real)(uint32_t)(ticks >> 32) * R(4294967296.0) + (real)(uint32_t)ticks;
+    return (iso_scalar)(uint32_t)(ticks >> 32) * R(4294967296.0) + (iso_scalar)(uint32_t)ticks;
 }
 
 /* The angle in [-pi, pi) of a phase; 2^64 is one turn. */
 static inline real iso_angle_of_turns(const uint64_t turns)
 {
 #ifdef ISO_REAL_DOUBLE
-    return (real)(int64_t)turns * R(3.40612158008655459e-19); /* pi / 2^63 */
+    return (iso_scalar)(int64_t)turns * R(3.40612158008655459e-19); /* pi / 2^63 */
 #else
-    return (real)(int32_t)(uint32_t)(turns >> 32) * R(1.46291807926715968e-9); /* pi / 2^31 */
+    return (iso_scalar)(int32_t)(uint32_t)(turns >> 32) * R(1.46291807926715968e-9); /* pi / 2^31 */
 #endif
 }
 

@@ -39,7 +39,7 @@ static inline void iso_add_exactly(real *const sum, real *const rest, const real
 
 /* Subtracts the nearest whole number of turns from *angle (|*angle| <= 1e4), and returns it. Without loss: the rest is in
  * the angle, as far as that can hold it. */
-static inline int32_t iso_take_turns(real *const angle, real *const rest)
+static inline iso_turns iso_take_turns(real *const angle, real *const rest)
 {
     const real rounded = iso_round_turns(*angle), halves = rounded - ISO_TURN_ROUNDER;
     *angle -= halves * ISO_PI_1; /* exact: the two are near each other, or there is no turn */
@@ -48,14 +48,14 @@ static inline int32_t iso_take_turns(real *const angle, real *const rest)
     const real left = *rest;
     *rest = R(0.0);
     iso_add_exactly(angle, rest, left);
-    return (int32_t)(uint32_t)(iso_bits_of(rounded) - iso_bits_of(ISO_TURN_ROUNDER));
+    return (iso_turns)(iso_count)(iso_bits_of(rounded) - iso_bits_of(ISO_TURN_ROUNDER));
 }
 
 /* The count of turns with those that were taken. It wraps: behind 2147483647 comes -2147483648, so that the difference of
  * two counts is right, modulo 2^32, however long the joint has turned. */
-static inline int32_t iso_counted_turns(const int32_t count, const int32_t taken)
+static inline iso_turns iso_counted_turns(const iso_turns count, const iso_turns taken)
 {
-    return (int32_t)((uint32_t)count + (uint32_t)taken);
+    return (iso_turns)((iso_count)count + (iso_count)taken);
 }
 
 /* The angle and the speed of a joint at the begin of a tick. */

@@ -8,7 +8,7 @@
 /* 0 before a tick, 1 from it on. The difference of 64 bits is negative before. */
 static inline real iso_from(const uint64_t tick, const uint32_t first)
 {
-    return (real)(int32_t)(1 - (uint32_t)((tick - first) >> 63));
+    return iso_all((iso_scalar)(int32_t)(1 - (uint32_t)((tick - first) >> 63)));
 }
 
 /* tick modulo a constant below 2^24, by divisions of 32 bits, which a compiler makes multiplications: one of 64 bits would
@@ -30,20 +30,20 @@ static inline uint32_t iso_tick_modulo(const uint64_t tick, const uint32_t perio
 static inline real iso_square(const uint64_t tick, const uint32_t period, const uint32_t offset, const uint32_t high)
 {
     const uint32_t at = (iso_tick_modulo(tick, period) + offset) % period;
-    return (real)(1 - 2 * (int32_t)((high - 1 - at) >> 31));
+    return iso_all((iso_scalar)(1 - 2 * (int32_t)((high - 1 - at) >> 31)));
 }
 
 /* The same of a period that is no whole number of ticks: 1 in the first half turn of a phase (core/numbers/signal.h). */
 static inline real iso_square_of_phase(const uint64_t tick, const uint64_t increment, const uint64_t start)
 {
-    return (real)(1 - 2 * (int32_t)((start + tick * increment) >> 63));
+    return iso_all((iso_scalar)(1 - 2 * (int32_t)((start + tick * increment) >> 63)));
 }
 
 /* 1 or -1: bit number tick / hold, of `length` bits that repeat after less than 2^24 ticks. */
 static inline real iso_prbs(const uint64_t tick, const uint32_t *const bits, const uint32_t hold, const uint32_t length)
 {
     const uint32_t at = iso_tick_modulo(tick, hold * length) / hold;
-    return (real)(2 * (int32_t)((bits[at >> 5] >> (at & 31)) & 1) - 1);
+    return iso_all((iso_scalar)(2 * (int32_t)((bits[at >> 5] >> (at & 31)) & 1) - 1));
 }
 
 /* A sweep of frequency. Phases are fractions of a turn over 2^64. */
@@ -77,7 +77,7 @@ static inline real iso_chirp(const uint64_t tick, const iso_chirp_table *const t
  * is level, and no other is 2^32 ticks long. */
 typedef struct iso_lines {
     const uint32_t *first;
-    const real *value, *slope;
+    const iso_scalar *value, *slope;
     uint32_t count;
 } iso_lines;
 
@@ -90,7 +90,7 @@ static inline real iso_on_lines(const uint64_t tick, const iso_lines *const t)
         const uint32_t is_before = (uint32_t)((tick - t->first[at + half]) >> 63);
         at += half & (is_before - 1);
     }
-    return t->value[at] + t->slope[at] * (real)(uint32_t)(tick - t->first[at]);
+    return iso_all(t->value[at] + t->slope[at] * (iso_scalar)(uint32_t)(tick - t->first[at]));
 }
 
 #endif

@@ -15,7 +15,7 @@ extern "C" {
 
 /* The range of a quantity; -ISO_REAL_MAX and ISO_REAL_MAX: no limit. */
 typedef struct iso_limits {
-    real least, most;
+    iso_scalar least, most;
 } iso_limits;
 
 /* Of all that came in: how often a number was not finite, and the last good one stayed, or tunables broke a condition of
@@ -26,23 +26,48 @@ typedef struct iso_refusals {
 } iso_refusals;
 
 /* Refusals of a tick, 16 bits each from the lowest: inputs held and clamped, parameters held and clamped. Nothing of
- * it is a branch: 0 is the rule, and the rest is counted by iso_count_refused. */
+ * it is a branch: 0 is the rule, and the rest is counted by iso_count_refused. With lanes, those of each lane. */
+#ifdef ISO_LANES
+typedef struct iso_refused {
+    iso_count inputs, parameters;
+} iso_refused;
+#else
 typedef uint64_t iso_refused;
+#endif
+
+/* What iso_admit returned of inputs and of parameters; and with more of the latter. */
+static inline iso_refused iso_refused_of(const iso_count inputs, const iso_count parameters)
+{
+#ifdef ISO_LANES
+    return (iso_refused){inputs, parameters};
+#else
+    return inputs | (iso_refused)parameters << 32;
+#endif
+}
+
+static inline iso_refused iso_more_refused(const iso_refused refused, const iso_count parameters)
+{
+#ifdef ISO_LANES
+    return (iso_refused){refused.inputs, refused.parameters + parameters};
+#else
+    return refused + ((iso_refused)parameters << 32);
+#endif
+}
 
 /* Puts v[n] right, and keeps it in good[n]; limits[n], or NULL where none has any. Adds the bits that changed to *changed, if
  * not NULL. Returns how many were held, and in the upper 16 bits how many were clamped. */
-static inline uint32_t iso_admit(real *const v, real *const good, const iso_limits *const limits, const uint16_t n,
+static inline iso_count iso_admit(real *const v, real *const good, const iso_limits *const limits, const uint16_t n,
                                  iso_bits *const changed)
 {
-    uint32_t refused = 0;
+    iso_count refused = ISO_NOTHING;
     for (uint16_t i = 0; i < n; i++) {
         const iso_bits bad = iso_not_finite(v[i]);
         real x = iso_select(bad, good[i], v[i]);
-        refused += (uint32_t)bad & 1;
+        refused += (iso_count)bad & 1;
         if (limits != NULL) {
-            const real within = iso_clamp(x, limits[i].least, limits[i].most);
+            const real within = iso_clamp(x, iso_all(limits[i].least), iso_all(limits[i].most));
             const iso_bits off = iso_bits_of(x - within) & ~ISO_SIGN_BIT;
-            refused += (uint32_t)(((iso_bits)0 - off) >> ISO_SIGN_SHIFT) << 16;
+            refused += (iso_count)((0 - off) >> ISO_SIGN_SHIFT) << 16;
             x = within;
         }
         if (changed != NULL) {
@@ -54,27 +79,27 @@ static inline uint32_t iso_admit(real *const v, real *const good, const iso_limi
 }
 
 /* Where `broken` is all ones, v[n] and good[n] are again what they were `before`; returns 1 there, else 0. */
-static inline uint32_t iso_put_back(real *const v, real *const good, const real *const before, const uint16_t n,
+static inline iso_count iso_put_back(real *const v, real *const good, const real *const before, const uint16_t n,
                                     const iso_bits broken)
 {
     for (uint16_t i = 0; i < n; i++) {
         v[i] = good[i] = iso_select(broken, before[i], v[i]);
     }
-    return (uint32_t)broken & 1;
+    return (iso_count)broken & 1;
 }
 
 /* Not 0 unless each of v[n] is finite and within its limits, so that iso_admit would let it be, and keep it. -0 where the limit
  * is 0 may count as beyond. In the order of iso_order a NaN or an infinity is beyond all limits. */
 ISO_INLINE iso_bits iso_any_amiss(const real *const v, const iso_limits *const limits, const uint32_t n)
 {
-    iso_bits amiss = 0;
+    iso_bits amiss = ISO_NOTHING;
     ISO_UNROLL_LONG
     for (uint32_t i = 0; i < n; i++) {
         if (limits == NULL) {
             amiss |= iso_not_finite(v[i]);
         } else {
-            const iso_bits least = iso_order(limits[i].least);
-            amiss |= iso_order(limits[i].most) - least < iso_order(v[i]) - least;
+            const iso_bits least = iso_order(iso_all(limits[i].least));
+            amiss |= (iso_bits)(iso_order(iso_all(limits[i].most)) - least < iso_order(v[i]) - least);
         }
     }
     return amiss;
@@ -83,7 +108,7 @@ ISO_INLINE iso_bits iso_any_amiss(const real *const v, const iso_limits *const l
 /* Not 0 if one of n numbers is another than it was. */
 ISO_INLINE iso_bits iso_any_changed(const real *const latest, const real *const before, const uint32_t n)
 {
-    iso_bits changed = 0;
+    iso_bits changed = ISO_NOTHING;
     ISO_UNROLL_LONG
     for (uint32_t i = 0; i < n; i++) {
         changed |= iso_bits_of(latest[i]) ^ iso_bits_of(before[i]);

@@ -19,16 +19,23 @@ extern "C" {
 #endif
 
 /* Beyond it, the domain of iso_sincos, the sine of an angle is a number of no meaning (rad). */
-#define ISO_ANGLE_RANGE R(1e4)
+#define ISO_ANGLE_RANGE ISO_SCALAR(1e4)
 
 /* A state, an input, a parameter or an output by name, unit and limits: a generated header has tables of them. */
 typedef struct iso_quantity {
     const char *name;
     const char *unit; /* m, rad/s, N*m, ..., 1 for a pure number */
-    real least;       /* -ISO_REAL_MAX and ISO_REAL_MAX: no limit */
-    real most;
-    real start; /* of a state; of a parameter its default; else 0 */
+    iso_scalar least; /* -ISO_REAL_MAX and ISO_REAL_MAX: no limit */
+    iso_scalar most;
+    iso_scalar start; /* of a state; of a parameter its default; else 0 */
 } iso_quantity;
+
+/* What `finish` returns: core/runtime/tick.h. With lanes, from bit 32 on, one for each whose outputs are held. */
+#ifdef ISO_LANES
+typedef uint64_t iso_finished;
+#else
+typedef uint32_t iso_finished;
+#endif
 
 struct iso_plant;
 struct iso_policy;
@@ -38,7 +45,7 @@ typedef struct iso_model {
     const char *name;
     const char *method;    /* as a scene calls it */
     const char *step_text; /* the step in seconds, as a decimal number */
-    real step_size;        /* s */
+    iso_scalar step_size;  /* s */
     uint32_t period_ns;    /* the same step, as the port's tick */
     uint16_t states;       /* sizes of the arrays of a plant */
     uint16_t inputs;
@@ -49,12 +56,12 @@ typedef struct iso_model {
     const char *output_names;  /* likewise; always known */
     const char *output_units;  /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL where nobody knows */
     const char *closure_names; /* likewise, where steps are watched for singular positions of closures; else NULL */
-    const real *start;         /* the state at tick 0 */
+    const iso_scalar *start;   /* the state at tick 0 */
     void (*begin)(
         void *memory);    /* sets the states and memories whose start is a formula of the others, of the inputs and
                                     the parameters at tick 0, and memories that do not start at 0; NULL where all do */
-    const real *defaults; /* of the parameters */
-    const real *range;    /* [states] each may be this large, for the guard; NULL where all may be any finite number,
+    const iso_scalar *defaults; /* of the parameters */
+    const iso_scalar *range; /* [states] each may be this large, for the guard; NULL where all may be any finite number,
                                  ISO_REAL_MAX where one may. ISO_ANGLE_RANGE for an angle whose sine is taken */
     size_t memory_bytes;  /* of a plant: all that a snapshot must hold */
 
@@ -62,7 +69,7 @@ typedef struct iso_model {
     void (*output)(void *memory);          /* y from x, u, p */
     real (*violation)(const void *memory); /* m or rad: how far off their closures the states are; NULL where nothing
                                               asks */
-    real violation_limit;                  /* a tick that ends farther off is counted */
+    iso_scalar violation_limit;                  /* a tick that ends farther off is counted */
     void (*drive)(void *memory, uint64_t tick); /* sets u to the scene's functions of time, and the states that are time
                                                    itself to what they are at a tick; NULL without such inputs and
                                                    states */
@@ -73,18 +80,18 @@ typedef struct iso_model {
                                                    and parameters */
     void (*advance)(void *memory); /* begins a row: sets what it shows of the functions of time, and the memories, from
                                       the states there; NULL without both */
-    bool (*discontinuity)(void *memory); /* whether an input or a parameter has one, or something happened that ends
+    iso_flag (*discontinuity)(void *memory); /* whether an input or a parameter has one, or something happened that ends
                                             the smooth motion: then what `prime` made is of no use. NULL where that is
                                             nothing */
     void (*prime)(void *memory);         /* fills the method's history from x and u, and computes what follows from
                                             parameters alone; NULL where there is neither */
     void (*step)(void *memory);          /* advances x by one step with u held: the real-time part */
-    bool (*attempt)(const struct iso_plant *plant); /* a step that may begin with a new history, or be made again:
+    iso_flag (*attempt)(const struct iso_plant *plant); /* a step that may begin with a new history, or be made again:
                                                        iso_plant_attempt; NULL where it is `step` alone */
     void (*tell)(
         const struct iso_plant *plant, uint64_t tick,
         iso_statistics *statistics);  /* what there is to tell of a tick: iso_plant_tell; NULL where nothing is */
-    uint32_t (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
+    iso_finished (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
     const struct iso_policy *policy;  /* core/runtime/policy.h; NULL where the scene asks for nothing of it */
 } iso_model;
 
@@ -102,14 +109,17 @@ typedef struct iso_plant {
     void *before; /* [memory_bytes] for a snapshot from before a step that is made again after a discontinuity, where
                      the method watches for one; NULL where no step is */
     real *good;   /* in the memory: the last good inputs, parameters and outputs */
+#ifdef ISO_LANES
+    void *spare; /* [memory_bytes] for what is done in some lanes only: core/runtime/lanes.h */
+#endif
 } iso_plant;
 
 /* Checks what came in from outside: puts right and keeps. Returns what was refused. Most ticks have nothing to put right. */
 static inline iso_refused iso_plant_admit(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;
-    if (model->admit == NULL || (model->amiss != NULL && model->amiss(plant->memory) == 0)) {
-        return 0;
+    if (model->admit == NULL || (model->amiss != NULL && !iso_any(model->amiss(plant->memory)))) {
+        return iso_refused_of(ISO_NOTHING, ISO_NOTHING);
     }
     return model->admit(plant->memory);
 }
@@ -123,9 +133,9 @@ static inline bool iso_plant_start(const iso_plant *const plant)
     if (model->memory_bytes > 0) {
         memset(plant->memory, 0, model->memory_bytes);
     }
-    memcpy(plant->x, model->start, model->states * sizeof *plant->x);
+    iso_spread(plant->x, model->start, model->states);
     if (model->parameters > 0) {
-        memcpy(plant->p, model->defaults, model->parameters * sizeof *plant->p);
+        iso_spread(plant->p, model->defaults, model->parameters);
     }
     if (model->drive != NULL) {
         model->drive(plant->memory, 0);
@@ -139,7 +149,7 @@ static inline bool iso_plant_start(const iso_plant *const plant)
     if (model->prime != NULL) {
         model->prime(plant->memory);
     }
-    return iso_not_finite(plant->x[0]) == 0;
+    return !iso_any(iso_not_finite(plant->x[0]));
 }
 
 /* The plant that this program runs. */

@@ -15,11 +15,81 @@ static inline void iso_plant_drive(const iso_plant *const plant, const uint64_t 
 
 /* 2. Checks inputs and parameters: iso_plant_admit, once the platform has set its own. */
 
+/* 4. Checks the states, and where all are good, sets what the plant remembers and its outputs, and checks these:
+ * model->finish, which is a function of the model so that its sizes are constants there. It returns one of these. */
+enum {
+    ISO_WELL = 0,
+    ISO_HELD = 1, /* an output is not finite: the last good ones stand in the place of all */
+    ISO_BAD = 2,  /* a state is not finite or out of its range: memories and outputs stay as they were */
+    ISO_NEAR = 3  /* likewise, after a step near a singular position, where the scene says `near stop` */
+};
+
+/* Not zero if one of x[n] is not finite, or beyond its range; without a branch on them. range is NULL where there is none. */
+ISO_INLINE iso_bits iso_any_beyond(const real *const x, const iso_scalar *const range, const uint32_t n)
+{
+    iso_bits bad = ISO_NOTHING;
+    ISO_UNROLL_LONG
+    for (uint32_t i = 0; i < n; i++) {
+        bad |= range == NULL ? iso_not_finite(x[i]) : iso_beyond(x[i], range[i]);
+    }
+    return bad;
+}
+
+/* Copies n reals in pieces of 64 bytes, which compilers do without a call. */
+ISO_INLINE void iso_copy(real *const to, const real *const from, const uint32_t n)
+{
+    const uint32_t piece = sizeof(real) < 64 ? 64 / sizeof(real) : 1;
+    ISO_UNROLL_LONG
+    for (uint32_t i = 0; i < n; i += piece) {
+        memcpy(to + i, from + i, (n - i < piece ? n - i : piece) * sizeof *to);
+    }
+}
+
+/* The last good outputs take the place of all, in each lane that is held. */
+static inline iso_finished iso_hold_outputs(real *const y, real *const good, const uint32_t outputs, const iso_bits held)
+{
+#ifdef ISO_LANES
+    for (uint32_t i = 0; i < outputs; i++) {
+        y[i] = good[i] = iso_select(held, good[i], y[i]);
+    }
+    return ISO_HELD | (iso_finished)iso_lanes_of(held) << 32;
+#else
+    (void)held;
+    memcpy(y, good, outputs * sizeof *y);
+    return ISO_HELD;
+#endif
+}
+
+/* The states x[n] with their range, what sets the memories (NULL: none) and the outputs y[outputs], and where the last good
+ * ones are. */
+ISO_INLINE iso_finished iso_finish(void *const memory, const real *const x, const iso_scalar *const range, const uint32_t n,
+                               void (*const advance)(void *), void (*const output)(void *), real *const y,
+                               real *const good, const uint32_t outputs)
+{
+    if (iso_any(iso_any_beyond(x, range, n))) {
+        return ISO_BAD;
+    }
+    if (advance != NULL) {
+        advance(memory);
+    }
+    output(memory);
+    const iso_bits held = iso_any_beyond(y, NULL, outputs);
+    if (iso_any(held)) {
+        return iso_hold_outputs(y, good, outputs, held);
+    }
+    iso_copy(good, y, outputs);
+    return ISO_WELL;
+}
+
+#ifdef ISO_LANES
+#include "core/runtime/lanes.h"
+#else
+
 /* 3. Makes the step; with a new history, if an input or a parameter has a discontinuity. Where one is detected within the
  * step, puts all memory back to where it began, and makes it again with a new history. After a restart the same step would
  * come out again. Its error stays known, so that a plant with a discontinuity in every step does not restart in every tick.
  * Returns whether there is a new history. */
-static inline bool iso_plant_attempt(const iso_plant *const plant)
+static inline iso_flag iso_plant_attempt(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;
     if (plant->before != NULL) {
@@ -83,63 +153,11 @@ static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t t
     }
 }
 
-/* 4. Checks the states, and where all are good, sets what the plant remembers and its outputs, and checks these:
- * model->finish, which is a function of the model so that its sizes are constants there. It returns one of these. */
-enum {
-    ISO_WELL = 0,
-    ISO_HELD = 1, /* an output is not finite: the last good ones stand in the place of all */
-    ISO_BAD = 2,  /* a state is not finite or out of its range: memories and outputs stay as they were */
-    ISO_NEAR = 3  /* likewise, after a step near a singular position, where the scene says `near stop` */
-};
-
-/* Not zero if one of x[n] is not finite, or beyond its range; without a branch on them. range is NULL where there is none. */
-ISO_INLINE iso_bits iso_any_beyond(const real *const x, const real *const range, const uint32_t n)
-{
-    iso_bits bad = 0;
-    ISO_UNROLL_LONG
-    for (uint32_t i = 0; i < n; i++) {
-        bad |= range == NULL ? iso_not_finite(x[i]) : iso_beyond(x[i], range[i]);
-    }
-    return bad;
-}
-
-/* Copies n reals in pieces of 64 bytes, which compilers do without a call. */
-ISO_INLINE void iso_copy(real *const to, const real *const from, const uint32_t n)
-{
-    const uint32_t piece = 64 / sizeof(real);
-    ISO_UNROLL_LONG
-    for (uint32_t i = 0; i < n; i += piece) {
-        memcpy(to + i, from + i, (n - i < piece ? n - i : piece) * sizeof *to);
-    }
-}
-
-/* The states x[n] with their range, what sets the memories (NULL: none) and the outputs y[outputs], and where the last good
- * ones are. */
-ISO_INLINE uint32_t iso_finish(void *const memory, const real *const x, const real *const range, const uint32_t n,
-                               void (*const advance)(void *), void (*const output)(void *), real *const y,
-                               real *const good, const uint32_t outputs)
-{
-    if (iso_any_beyond(x, range, n) != 0) {
-        return ISO_BAD;
-    }
-    if (advance != NULL) {
-        advance(memory);
-    }
-    output(memory);
-    const bool held = iso_any_beyond(y, NULL, outputs) != 0;
-    if (held) {
-        memcpy(y, good, outputs * sizeof *y);
-        return ISO_HELD;
-    }
-    iso_copy(good, y, outputs);
-    return ISO_WELL;
-}
-
 /* With what it returned: the first state that is not finite or out of its range; model->states if none is; one more near a
  * singular position that stops the plant. */
 static inline uint16_t iso_plant_guard(const iso_plant *const plant, const uint32_t finished)
 {
-    const real *const range = plant->model->range;
+    const iso_scalar *const range = plant->model->range;
     if (finished == ISO_NEAR) {
         return (uint16_t)(plant->model->states + 1);
     }
@@ -197,5 +215,7 @@ static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint64
     iso_tick_counts unused = {{0, 0}, {0, 0}, 0, 0, 0};
     return iso_plant_tick_counted(plant, tick, &unused);
 }
+
+#endif
 
 #endif

@@ -1,0 +1,105 @@
+/* A real of a build with lanes, -DISO_LANES=16: a vector of 16 numbers, by the vector extension of gcc and clang. Each lane
+ * is a plant with its own states, inputs, tunables and outputs; the tick and the constants are those of all. An operation
+ * is made in each lane as it would be alone, so that a lane has the bits of a plant alone. core/numbers/real.h includes it.
+ *
+ * Whatever differs from lane to lane is as wide as a scalar, a count too: a memory is rows of so many words.
+ */
+#ifndef ISO_CORE_NUMBERS_LANES_H
+#define ISO_CORE_NUMBERS_LANES_H
+
+#if ISO_LANES != 2 && ISO_LANES != 4 && ISO_LANES != 8 && ISO_LANES != 16 && ISO_LANES != 32
+#error "Isochron: ISO_LANES is 2, 4, 8, 16 or 32"
+#endif
+
+#define ISO_VECTOR __attribute__((vector_size(ISO_LANES * sizeof(iso_word))))
+
+typedef iso_scalar real ISO_VECTOR;
+typedef iso_word iso_bits ISO_VECTOR;
+typedef iso_bits iso_flag;
+typedef iso_bits iso_count;
+typedef iso_bits iso_turns;
+#ifdef ISO_REAL_DOUBLE
+typedef int64_t iso_signed ISO_VECTOR;
+#else
+typedef int32_t iso_signed ISO_VECTOR;
+#endif
+
+/* The same number in all lanes. */
+#define ISO_REPEAT_2(x) x, x
+#define ISO_REPEAT_4(x) ISO_REPEAT_2(x), ISO_REPEAT_2(x)
+#define ISO_REPEAT_8(x) ISO_REPEAT_4(x), ISO_REPEAT_4(x)
+#define ISO_REPEAT_16(x) ISO_REPEAT_8(x), ISO_REPEAT_8(x)
+#define ISO_REPEAT_32(x) ISO_REPEAT_16(x), ISO_REPEAT_16(x)
+#define ISO_REPEAT_N(n, x) ISO_REPEAT_##n(x)
+#define ISO_REPEAT(n, x) ISO_REPEAT_N(n, x)
+#define R(literal) ((real){ISO_REPEAT(ISO_LANES, ISO_SCALAR(literal))})
+
+static inline real iso_all(const iso_scalar x)
+{
+    return (real){ISO_REPEAT(ISO_LANES, x)};
+}
+
+static inline bool iso_any(const iso_bits mask)
+{
+    enum { WORDS = sizeof(iso_bits) / sizeof(uint64_t) };
+    uint64_t words[WORDS], any = 0;
+    memcpy(words, &mask, sizeof words);
+    for (int i = 0; i < WORDS; i++) {
+        any |= words[i];
+    }
+    return any != 0;
+}
+
+/* A bit for each lane whose mask is not zero, that of lane 0 the lowest. */
+static inline uint32_t iso_lanes_of(const iso_bits mask)
+{
+    uint32_t lanes = 0;
+    for (unsigned lane = 0; lane < ISO_LANES; lane++) {
+        lanes |= (uint32_t)(mask[lane] != 0) << lane;
+    }
+    return lanes;
+}
+
+static inline iso_bits iso_mask_where(const bool condition)
+{
+    const iso_word word = (iso_word)0 - condition;
+    return (iso_bits){ISO_REPEAT(ISO_LANES, word)};
+}
+
+#define ISO_NOTHING ((iso_bits){0})
+
+static inline void iso_spread(real *const x, const iso_scalar *const numbers, const uint16_t n)
+{
+    for (uint16_t i = 0; i < n; i++) {
+        x[i] = iso_all(numbers[i]);
+    }
+}
+
+static inline iso_flag iso_is_larger(const real a, const real b)
+{
+    return (iso_flag)(a > b);
+}
+
+static inline iso_flag iso_is_set(const iso_bits bits)
+{
+    return (iso_flag)(bits != 0);
+}
+
+static inline iso_count iso_more_unless(const iso_flag flag, const iso_count count)
+{
+    return count - ~flag;
+}
+
+/* Whole numbers of 32 bits as reals. */
+static inline real iso_real_of_turns(const iso_turns turns)
+{
+    enum { BEYOND = 8 * sizeof(iso_word) - 32 };
+    return __builtin_convertvector((iso_signed)(turns << BEYOND) >> BEYOND, real);
+}
+
+static inline real iso_real_of_whole(const iso_bits whole)
+{
+    return iso_real_of_turns(whole);
+}
+
+#endif

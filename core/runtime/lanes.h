@@ -1,0 +1,221 @@
+/* A tick of plants side by side: core/runtime/tick.h of a build with lanes. Steps, memories and outputs are made in all lanes
+ * at once. What is done in some of them only, a restart, a step made again, the end at the guard, is done in all, and then
+ * taken over in these: a branch asks whether there is one, and none asks which.
+ *
+ *     static plant_memory memory, parked, spare;
+ *     iso_lanes lanes = {.plant = plant_plant(&memory), .parked = &parked};
+ *     lanes.plant.spare = &spare;
+ *     iso_lanes_start(&lanes);
+ *     lanes.plant.p[PLANT_P_MASS][3] = 0.2f;    in lane 3
+ *     while (iso_lanes_tick(&lanes)) { ... lanes.plant.y[PLANT_Y_ANGLE][3] ... }
+ */
+#ifndef ISO_CORE_RUNTIME_LANES_H
+#define ISO_CORE_RUNTIME_LANES_H
+
+#include "core/runtime/plant.h"
+
+typedef struct iso_lanes {
+    iso_plant plant;
+    void *parked;     /* [memory_bytes] what lanes were when the guard stopped them */
+    uint64_t tick;    /* that are done */
+    iso_flag stopped; /* by the guard: these lanes stand still */
+    uint64_t stopped_at[ISO_LANES]; /* the tick that ended so, from 1 on */
+    iso_statistics statistics;
+} iso_lanes;
+
+/* Rows of a memory, one word of each lane in each: to[row] = from[row] in the lanes of a mask. */
+static inline void iso_lanes_take(void *const to, const void *const from, const size_t bytes, const iso_bits mask)
+{
+    for (size_t at = 0; at < bytes; at += sizeof(iso_bits)) {
+        iso_bits mine, other;
+        memcpy(&mine, (char *)to + at, sizeof mine);
+        memcpy(&other, (const char *)from + at, sizeof other);
+        mine = (other & mask) | (mine & ~mask);
+        memcpy((char *)to + at, &mine, sizeof mine);
+    }
+}
+
+/* The lanes of a mask become what one of them is. */
+static inline void iso_lanes_follow(void *const memory, const size_t bytes, const unsigned lane, const iso_bits mask)
+{
+    for (size_t at = 0; at < bytes; at += sizeof(iso_bits)) {
+        iso_bits row;
+        memcpy(&row, (char *)memory + at, sizeof row);
+        const iso_word word = row[lane];
+        row = ((iso_bits){ISO_REPEAT(ISO_LANES, word)} & mask) | (row & ~mask);
+        memcpy((char *)memory + at, &row, sizeof row);
+    }
+}
+
+/* A new history in the lanes of a mask. */
+static inline void iso_lanes_prime(const iso_plant *const plant, const iso_flag restarts)
+{
+    const size_t bytes = plant->model->memory_bytes;
+    memcpy(plant->spare, plant->memory, bytes);
+    plant->model->prime(plant->memory);
+    iso_lanes_take(plant->memory, plant->spare, bytes, ~restarts);
+}
+
+/* 3. Makes the step, in each lane as iso_plant_attempt of a plant alone. Returns the lanes with a new history. */
+static inline iso_flag iso_plant_attempt(const iso_plant *const plant)
+{
+    const iso_model *const model = plant->model;
+    const size_t bytes = model->memory_bytes;
+    if (plant->before != NULL) {
+        memcpy(plant->before, plant->memory, bytes);
+    }
+    const iso_flag restarts = model->discontinuity != NULL ? model->discontinuity(plant->memory) : ISO_NOTHING;
+    if (iso_any(restarts)) {
+        iso_lanes_prime(plant, restarts);
+    }
+    model->step(plant->memory);
+    const iso_flag again = plant->before != NULL ? plant->progress->discontinuity & ~restarts : ISO_NOTHING;
+    if (iso_any(again)) {
+        const iso_progress progress = *plant->progress;
+        memcpy(plant->spare, plant->memory, bytes);
+        memcpy(plant->memory, plant->before, bytes);
+        *plant->progress = progress;
+        model->prime(plant->memory);
+        model->step(plant->memory);
+        iso_lanes_take(plant->memory, plant->spare, bytes, ~again);
+    }
+    return restarts | again;
+}
+
+/* Adds 1 to the counts of the lanes of a mask. */
+static inline void iso_lanes_count(uint64_t *const counts, const iso_flag mask)
+{
+    for (unsigned lane = 0; lane < ISO_LANES && iso_any(mask); lane++) {
+        counts[lane] += mask[lane] & 1;
+    }
+}
+
+static inline void iso_lanes_count_refused(iso_refusals *const counts, const iso_count refused)
+{
+    for (unsigned lane = 0; lane < ISO_LANES && iso_any(refused); lane++) {
+        iso_count_refused(&counts[lane], (uint32_t)refused[lane]);
+    }
+}
+
+/* 5. What there is to tell. */
+static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t tick, iso_statistics *const statistics)
+{
+    const iso_model *const model = plant->model;
+    (void)tick;
+    if (plant->nearness != NULL) {
+        iso_lanes_count(statistics->near_singular, iso_is_set(plant->nearness->closure));
+        plant->nearness->closure = ISO_NOTHING;
+    }
+    if (model->violation != NULL) {
+        const real off = model->violation(plant->memory);
+        iso_lanes_count(statistics->violated, iso_less(iso_all(model->violation_limit), off));
+        statistics->violation = iso_max(statistics->violation, off);
+    }
+    if (plant->progress != NULL) {
+        statistics->local_error = iso_max(statistics->local_error, plant->progress->local_error);
+    }
+}
+
+/* The lanes whose states are out of their ranges, or whose last step was near a singular position that stops them. */
+static inline iso_flag iso_lanes_bad(const iso_plant *const plant, const iso_finished finished)
+{
+    const iso_model *const model = plant->model;
+    return finished == ISO_NEAR ? iso_is_set(plant->nearness->closure)
+                                : iso_any_beyond(plant->x, model->range, model->states);
+}
+
+/* The first lane that is not in a mask; ISO_LANES if there is none. */
+static inline unsigned iso_lanes_first_outside(const iso_flag mask)
+{
+    unsigned lane = 0;
+    while (lane < ISO_LANES && mask[lane] != 0) {
+        lane++;
+    }
+    return lane;
+}
+
+/* Stops the lanes of a mask: what they are is parked, and in the memory they follow another lane, so that their numbers
+ * trouble nobody. Returns whether one still runs. */
+static inline bool iso_lanes_stop(iso_lanes *const lanes, const iso_flag bad)
+{
+    const size_t bytes = lanes->plant.model->memory_bytes;
+    iso_lanes_take(lanes->parked, lanes->plant.memory, bytes, bad & ~lanes->stopped);
+    for (unsigned lane = 0; lane < ISO_LANES; lane++) {
+        if (bad[lane] != 0 && lanes->stopped[lane] == 0) {
+            lanes->stopped_at[lane] = lanes->tick + 1;
+        }
+    }
+    lanes->stopped |= bad;
+    const unsigned leader = iso_lanes_first_outside(lanes->stopped);
+    if (leader < ISO_LANES) {
+        iso_lanes_follow(lanes->plant.memory, bytes, leader, lanes->stopped);
+    }
+    return leader < ISO_LANES;
+}
+
+/* 4. Checks the states, and sets memories and outputs, of the lanes that run. Returns whether one does. */
+static inline bool iso_lanes_finish(iso_lanes *const lanes)
+{
+    const iso_plant *const plant = &lanes->plant;
+    iso_finished finished = plant->model->finish(plant->memory);
+    while ((uint32_t)finished == ISO_BAD || (uint32_t)finished == ISO_NEAR) {
+        if (!iso_lanes_stop(lanes, iso_lanes_bad(plant, finished))) {
+            return false;
+        }
+        finished = plant->model->finish(plant->memory);
+    }
+    for (unsigned lane = 0; lane < ISO_LANES && finished != ISO_WELL; lane++) {
+        lanes->statistics.outputs_held[lane] += finished >> (32 + lane) & 1;
+    }
+    return true;
+}
+
+/* Puts all lanes to tick 0. Returns false where this build computes with other bits: iso_plant_start. */
+static inline bool iso_lanes_start(iso_lanes *const lanes)
+{
+    const bool good = iso_plant_start(&lanes->plant);
+    lanes->tick = 0;
+    lanes->stopped = ISO_NOTHING;
+    memset(&lanes->statistics, 0, sizeof lanes->statistics);
+    lanes->plant.model->output(lanes->plant.memory);
+    return good;
+}
+
+/* One tick of all lanes that run; those that the guard has stopped stay what they were. Returns whether one runs. */
+static inline bool iso_lanes_tick(iso_lanes *const lanes)
+{
+    const iso_plant *const plant = &lanes->plant;
+    const iso_model *const model = plant->model;
+    const size_t bytes = model->memory_bytes;
+    const unsigned leader = iso_lanes_first_outside(lanes->stopped);
+    if (leader == ISO_LANES) {
+        return false;
+    }
+    if (iso_any(lanes->stopped)) {
+        iso_lanes_follow(plant->memory, bytes, leader, lanes->stopped);
+    }
+    if (model->drive != NULL) {
+        model->drive(plant->memory, lanes->tick);
+    }
+    const iso_refused refused = iso_plant_admit(plant);
+    iso_lanes_count_refused(lanes->statistics.inputs, refused.inputs & ~lanes->stopped);
+    iso_lanes_count_refused(lanes->statistics.parameters, refused.parameters & ~lanes->stopped);
+    iso_flag restarts = ISO_NOTHING;
+    if (model->attempt != NULL) {
+        restarts = model->attempt(plant);
+    } else {
+        model->step(plant->memory);
+    }
+    iso_lanes_count(lanes->statistics.restarts, restarts & ~lanes->stopped);
+    const bool runs = iso_lanes_finish(lanes);
+    if (runs && model->tell != NULL) {
+        model->tell(plant, lanes->tick + 1, &lanes->statistics);
+    }
+    if (iso_any(lanes->stopped)) {
+        iso_lanes_take(plant->memory, lanes->parked, bytes, lanes->stopped);
+    }
+    lanes->tick++;
+    return runs;
+}
+
+#endif
