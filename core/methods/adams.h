@@ -29,6 +29,25 @@ enum {
     ISO_ADAMS_BUDGET_HOST = 1 << 30,       /* practically no limit */
 };
 
+enum { ISO_ADAMS_VECTORS = 4, ISO_ADAMS_ERRORS = 3 }; /* of work space; the last one has the errors of a tick */
+
+#ifdef ISO_LANES
+
+/* Lanes have no step in common where each varies its own: isoc --lanes refuses the method. */
+ISO_INLINE void iso_adams_step(iso_step *const step)
+{
+    (void)step;
+    __builtin_trap();
+}
+
+ISO_INLINE void iso_adams_prime(iso_step *const step)
+{
+    (void)step;
+    __builtin_trap();
+}
+
+#else
+
 /* The tolerance of a scene: the local error of a sub-step may be T (1 + |x|) in each state x, that at its start. */
 #ifndef ISO_ADAMS_TOLERANCE
 #define ISO_ADAMS_TOLERANCE R(1e-6)
@@ -42,8 +61,6 @@ enum {
 
 /* The estimate for a state that is not finite: infinity. */
 #define ISO_ADAMS_FAILED iso_real_of(ISO_EXPONENT_BITS)
-
-enum { ISO_ADAMS_VECTORS = 4, ISO_ADAMS_ERRORS = 3 }; /* of work space; the last one has the errors of a tick */
 
 typedef struct iso_adams_options {
     real tolerance_absolute; /* above zero; infinity: the step is never reduced; the local error may be this, */
@@ -532,5 +549,7 @@ ISO_INLINE void iso_adams_prime(iso_step *const step)
     iso_adams_start(iso_adams_options_of(step), (iso_adams_state *)step->progress, step->history, step->f, step->h,
                     step->u, step->p, step->work);
 }
+
+#endif
 
 #endif

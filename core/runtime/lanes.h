@@ -26,7 +26,7 @@ typedef struct iso_lanes {
 /* Rows of a memory, one word of each lane in each: to[row] = from[row] in the lanes of a mask. */
 static inline void iso_lanes_take(void *const to, const void *const from, const size_t bytes, const iso_bits mask)
 {
-    for (size_t at = 0; at < bytes; at += sizeof(iso_bits)) {
+    for (size_t at = 0; at + sizeof(iso_bits) <= bytes; at += sizeof(iso_bits)) {
         iso_bits mine, other;
         memcpy(&mine, (char *)to + at, sizeof mine);
         memcpy(&other, (const char *)from + at, sizeof other);
@@ -38,7 +38,7 @@ static inline void iso_lanes_take(void *const to, const void *const from, const 
 /* The lanes of a mask become what one of them is. */
 static inline void iso_lanes_follow(void *const memory, const size_t bytes, const unsigned lane, const iso_bits mask)
 {
-    for (size_t at = 0; at < bytes; at += sizeof(iso_bits)) {
+    for (size_t at = 0; at + sizeof(iso_bits) <= bytes; at += sizeof(iso_bits)) {
         iso_bits row;
         memcpy(&row, (char *)memory + at, sizeof row);
         const iso_word word = row[lane];
@@ -53,7 +53,7 @@ static inline void iso_lanes_prime(const iso_plant *const plant, const iso_flag 
     const size_t bytes = plant->model->memory_bytes;
     memcpy(plant->spare, plant->memory, bytes);
     plant->model->prime(plant->memory);
-    iso_lanes_take(plant->memory, plant->spare, bytes, ~restarts);
+    iso_lanes_take(plant->memory, plant->spare, plant->model->lane_bytes, ~restarts);
 }
 
 /* 3. Makes the step, in each lane as iso_plant_attempt of a plant alone. Returns the lanes with a new history. */
@@ -77,7 +77,7 @@ static inline iso_flag iso_plant_attempt(const iso_plant *const plant)
         *plant->progress = progress;
         model->prime(plant->memory);
         model->step(plant->memory);
-        iso_lanes_take(plant->memory, plant->spare, bytes, ~again);
+        iso_lanes_take(plant->memory, plant->spare, model->lane_bytes, ~again);
     }
     return restarts | again;
 }
@@ -138,7 +138,7 @@ static inline unsigned iso_lanes_first_outside(const iso_flag mask)
  * trouble nobody. Returns whether one still runs. */
 static inline bool iso_lanes_stop(iso_lanes *const lanes, const iso_flag bad)
 {
-    const size_t bytes = lanes->plant.model->memory_bytes;
+    const size_t bytes = lanes->plant.model->lane_bytes;
     iso_lanes_take(lanes->parked, lanes->plant.memory, bytes, bad & ~lanes->stopped);
     for (unsigned lane = 0; lane < ISO_LANES; lane++) {
         if (bad[lane] != 0 && lanes->stopped[lane] == 0) {
@@ -186,7 +186,7 @@ static inline bool iso_lanes_tick(iso_lanes *const lanes)
 {
     const iso_plant *const plant = &lanes->plant;
     const iso_model *const model = plant->model;
-    const size_t bytes = model->memory_bytes;
+    const size_t bytes = model->lane_bytes;
     const unsigned leader = iso_lanes_first_outside(lanes->stopped);
     if (leader == ISO_LANES) {
         return false;

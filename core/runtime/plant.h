@@ -92,6 +92,9 @@ typedef struct iso_model {
         const struct iso_plant *plant, uint64_t tick,
         iso_statistics *statistics);  /* what there is to tell of a tick: iso_plant_tell; NULL where nothing is */
     iso_finished (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
+#ifdef ISO_LANES
+    size_t lane_bytes; /* of its memory, what differs from lane to lane: rows of a word of each */
+#endif
     const struct iso_policy *policy;  /* core/runtime/policy.h; NULL where the scene asks for nothing of it */
 } iso_model;
 

@@ -30,6 +30,7 @@ typedef enum option {
     OPTION_STANDALONE,
     OPTION_LINK,
     OPTION_PYTHON,
+    OPTION_LANES,
     OPTION_LINEAR,
     OPTION_TRIM,
     OPTION_STATE,
@@ -73,6 +74,7 @@ static const struct {
     [OPTION_STANDALONE] = {.word = "--standalone"},
     [OPTION_LINK] = {.word = "--link"},
     [OPTION_PYTHON] = {.word = "--python"},
+    [OPTION_LANES] = {.word = "--lanes"},
     [OPTION_LINEAR] = {.word = "--linear"},
     [OPTION_TRIM] = {"--trim", .has_value = true},
     [OPTION_STATE] = {"--state", .has_value = true},
@@ -152,6 +154,10 @@ static bool check_together(arena *memory, const char *const *given)
     if (given[OPTION_LINK] != NULL && given[OPTION_PYTHON] != NULL) {
         return complain("--link and --python make a package each: call isoc for each, with a folder of its own", NULL);
     }
+    if (given[OPTION_LANES] != NULL && program != NULL) {
+        return complain(arena_format(memory, "%s is of one plant, not of many side by side: leave out", program),
+                        given[OPTION_LANES]);
+    }
     if ((given[OPTION_TRIM] != NULL || given[OPTION_STATE] != NULL) && given[OPTION_LINEAR] == NULL) {
         return complain("--trim and --state are of a linear model: add --linear", NULL);
     }
@@ -215,6 +221,7 @@ static request request_of(const char *const *given)
         .is_linked = given[OPTION_LINK] != NULL,
         .is_python = given[OPTION_PYTHON] != NULL,
         .is_linear = given[OPTION_LINEAR] != NULL,
+        .has_lanes = given[OPTION_LANES] != NULL,
         .wanted = {(formulation)index_of_word(given[OPTION_FORMULATION], formulation_names, FORMULATIONS),
                    (factoring)index_of_word(given[OPTION_FACTORS], factoring_names, FACTORINGS)},
     };

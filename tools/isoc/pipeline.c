@@ -88,6 +88,7 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     double out_of_range_value = 0.0;
     naming names = naming_of(p, memory, r->name); /* of states, arrays and functions in C */
     names.is_checked = r->name != NULL || r->is_standalone;
+    names.has_lanes = r->has_lanes;
     names.cut = cut_of(p, g, &names); /* the values that a step prepares for the next one */
     emit_header(p, &names, &header);  /* places, units and limits; the struct of the memory */
     if (!emit_source(p, g, &names, &source_text,

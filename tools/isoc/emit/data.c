@@ -16,9 +16,9 @@ static void emit_words(emission *e, const char *called, int i, const tick_table 
 static void emit_reals(emission *e, const char *called, int i, const double *numbers, size_t count)
 {
     enum { IN_A_LINE = 7 };
-    put(e, "static const real %s_%d[%zu] = {", called, i, count);
+    put(e, "static const %s %s_%d[%zu] = {", table_type(e), called, i, count);
     for (size_t k = 0; k < count; k++) {
-        put(e, "%s%s,", k % IN_A_LINE == 0 ? "\n    " : " ", literal(e, numbers[k]));
+        put(e, "%s%s,", k % IN_A_LINE == 0 ? "\n    " : " ", table_literal(e, numbers[k]));
     }
     put(e, "\n};\n");
 }
@@ -69,7 +69,7 @@ void emit_tick_tables(emission *e, const node *roots, size_t count)
 /* static const real ARRAY[CART_WHAT] = {[PLACE] = NUMBER, ...}; */
 static void begin_array(emission *e, const char *array, const char *what)
 {
-    put(e, "static const real %s[$C_%s] = {\n", array, what);
+    put(e, "static const %s %s[$C_%s] = {\n", table_type(e), array, what);
 }
 
 static void add_entry(emission *e, const leaf_name *leaf, const char *number)
@@ -95,7 +95,7 @@ void emit_data(emission *e)
     const mechanism *m = e->p->m;
     begin_array(e, "start", "STATES");
     for (int i = 0; i < state_count(m); i++) {
-        add_entry(e, &e->names->leaves.states[i], literal(e, e->names->states[i].about.start));
+        add_entry(e, &e->names->leaves.states[i], table_literal(e, e->names->states[i].about.start));
     }
     put(e, "};\n\n");
     if (has_range(e)) {
@@ -110,7 +110,7 @@ void emit_data(emission *e)
     if (m->parameters.count > 0) {
         begin_array(e, "defaults", "PARAMETERS");
         for (int i = 0; i < m->parameters.count; i++) {
-            add_entry(e, &e->names->leaves.parameters[i], literal(e, m->parameters.all[i].start));
+            add_entry(e, &e->names->leaves.parameters[i], table_literal(e, m->parameters.all[i].start));
         }
         put(e, "};\n\n");
     }

@@ -75,7 +75,7 @@ void emit_model(emission *e)
     put(e, "const iso_model $p_model = {\n");
     put(e, "    .name = \"%s\",\n    .method = \"%s\",\n", m->name, method_names[ISO_METHOD_OF(m->method.recipe)]);
     put(e, "    .step_text = \"%.*s\",\n    .step_size = %s,\n", (int)strlen(seconds) - 3, seconds + 2,
-        code_literal(e->out->memory, m->method.step, p->is_double));
+        table_literal(e, m->method.step));
     put(e, "    .period_ns = UINT32_C(%.0f),\n    .states = $C_STATES,\n", m->method.step * 1e9);
     put_if(e, m->inputs.count > 0, "    .inputs = $C_INPUTS,\n");
     put(e, "    .outputs = $C_OUTPUTS,\n");
@@ -94,7 +94,7 @@ void emit_model(emission *e)
     const char *by_rung = p->reduced_plant_count > 0 ? "_on_rung" : "";
     put(e, "    .memory_bytes = sizeof($p_memory),\n    .derivative = derivative,\n    .output = output%s,\n", by_rung);
     put_if(e, p->violation >= 0, "    .violation = violation,\n    .violation_limit = %s,\n",
-           code_literal(e->out->memory, m->drift.violation_limit, p->is_double));
+           table_literal(e, m->drift.violation_limit));
     put_if(e, is_driven(p), "    .drive = drive,\n");
     put_if(e, m->inputs.count + m->parameters.count > 0, "    .amiss = amiss,\n    .admit = admit,\n");
     put_if(e, sets_rows(p), "    .advance = advance,\n");
@@ -108,6 +108,8 @@ void emit_model(emission *e)
     put_if(e, p->violation >= 0 || p->after.pivot_count > 0 || ISO_HAS_PROGRESS(m->method.recipe),
            "    .tell = iso_plant_tell,\n");
     put(e, "    .finish = finish%s,\n", by_rung);
+    put_if(e, e->names->has_lanes, "#ifdef ISO_LANES\n    .lane_bytes = %s,\n#endif\n",
+           keeps_rows(p) ? form(e, "offsetof($p_memory, row)") : form(e, "sizeof($p_memory)"));
     put_if(e, m->policies.any, "    .policy = &policy,\n");
     put(e, "};\n");
 }

@@ -13,6 +13,7 @@ typedef struct naming {
     const char *capitals; /* of constants: CART */
     bool is_program;      /* the plant is iso_the_plant, that of the program */
     bool is_checked;      /* its start checks the build, which may be a stranger's */
+    bool has_lanes;       /* it can be compiled with -DISO_LANES (core/numbers/lanes.h) */
     const state *states;
     leaf_names leaves; /* states, inputs with memories behind them, parameters: CART_X_RAIL, CART_U_PUSH, CART_P_MASS */
     const variable *about_states, *about_held, *about_outputs; /* in the same order */

@@ -188,32 +188,41 @@ static void emit_amiss(emission *e)
     put(e, ";\n}\n\n");
 }
 
+/* What it calls of inputs and of tunables, and how that is one number. */
+static void emit_refused(emission *e, const char *good_parameters, const char *changed)
+{
+    const mechanism *m = e->p->m;
+    const bool lanes = e->names->has_lanes, both = m->inputs.count > 0 && m->parameters.count > 0;
+    put_if(e, lanes, " iso_refused_of(%s", m->inputs.count > 0 ? "" : "ISO_NOTHING,");
+    put_if(e, m->inputs.count > 0, "%siso_admit(memory->u, memory->good, %s, $C_INPUTS, NULL)%s", lanes ? "" : " ",
+           has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
+           !both ? "" : lanes ? ",\n          " : " |\n          ");
+    put_if(e, m->parameters.count > 0, " %siso_admit(memory->p, memory->good%s, %s, $C_PARAMETERS, %s)%s",
+           lanes ? "" : "(iso_refused)", good_parameters,
+           has_limits(m->parameters.all, m->parameters.count) ? "parameter_limits" : "NULL", changed,
+           lanes ? "" : " << 32");
+    put_if(e, lanes, "%s)", m->parameters.count > 0 ? "" : ", ISO_NOTHING");
+}
+
 /* The function that puts inputs and tunables right, with the limits that the scene gives, and with its conditions. */
 static void emit_admit(emission *e)
 {
-    const mechanism *m = e->p->m;
     const char *inputs = good_inputs(e);
     const bool has_conditions = e->p->broken >= 0, watches = watches_parameters(e->p);
     put(e, "static iso_refused admit(void *const instance)\n{\n");
     put(e, "    $p_memory *const memory = instance;\n");
     put_if(e, has_conditions, "    real before[$C_PARAMETERS];\n    memcpy(before, memory->good%s, sizeof before);\n%s",
-           inputs, watches ? "    iso_bits changed = 0;\n" : "");
+           inputs, watches ? form(e, "    iso_bits changed = %s;\n", no_bits(e)) : "");
     put(e, has_conditions ? "    const iso_refused refused =" : "    return");
-    put_if(e, m->inputs.count > 0, " iso_admit(memory->u, memory->good, %s, $C_INPUTS, NULL)%s",
-           has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
-           m->parameters.count > 0 ? " |\n          " : "");
-    if (m->parameters.count > 0) {
-        const char *changed = has_conditions ? "&changed" : "&memory->changed";
-        put(e, " (iso_refused)iso_admit(memory->p, memory->good%s, %s, $C_PARAMETERS, %s) << 32", inputs,
-            has_limits(m->parameters.all, m->parameters.count) ? "parameter_limits" : "NULL",
-            watches ? changed : "NULL");
-    }
+    emit_refused(e, inputs, !watches ? "NULL" : has_conditions ? "&changed" : "&memory->changed");
     put(e, ";\n");
     if (has_conditions) {
+        const bool lanes = e->names->has_lanes;
         put(e, "    const iso_bits mask = iso_less(R(0.0), broken(memory));\n%s",
             watches ? "    memory->changed |= changed & ~mask;\n" : "");
-        put(e, "    return refused + ((iso_refused)iso_put_back(memory->p, memory->good%s, before,\n", inputs);
-        put(e, "                                                $C_PARAMETERS, mask) << 32);\n");
+        put(e, "    return %s(memory->p, memory->good%s, before,\n",
+            lanes ? "iso_more_refused(refused, iso_put_back" : "refused + ((iso_refused)iso_put_back", inputs);
+        put(e, "                                                $C_PARAMETERS, mask)%s);\n", lanes ? "" : " << 32");
     }
     put(e, "}\n\n");
 }
@@ -224,11 +233,12 @@ static void emit_finish(emission *e)
     const mechanism *m = e->p->m;
     put(e, "/* Checks what the step made, and sets what follows from it. */\n");
     const char *advance = form(e, "advance$s");
-    put(e, "static uint32_t finish$s(void *const instance)\n{\n");
+    put(e, "static %s finish$s(void *const instance)\n{\n", e->names->has_lanes ? "iso_finished" : "uint32_t");
     put(e, "    $p_memory *const memory = instance;\n");
     put_if(e, m->inputs.count > 0, "    iso_copy(memory->good, memory->u, $C_INPUTS);\n");
     put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0,
-           "    if (memory->nearness.closure != 0) {\n        return ISO_NEAR;\n    }\n");
+           "    if (%s) {\n        return ISO_NEAR;\n    }\n",
+           e->names->has_lanes ? "iso_any(memory->nearness.closure)" : "memory->nearness.closure != 0");
     put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, %soutput%s$s,\n",
         has_range(e) ? "range" : "NULL", sets_rows(e->p) ? advance : "NULL", e->names->cut != NULL ? "prepared_" : "",
         has_slow_outputs(m) ? "_due" : "");

@@ -46,7 +46,7 @@ static void emit_table(const emission *e, const array_rows *t)
     put(e, "static const iso_quantity $p_%s[$C_%s] = {\n", t->what, capitals_of(e->out->memory, t->what));
     FOR_ALL (const variable, v, t->all, t->count) {
         put(e, "    {\"%s\", \"%s\", %s, %s, %s},\n", v->name, v->unit, limit(e, v->least), limit(e, v->most),
-            literal(e, v->start));
+            table_literal(e, v->start));
     }
     put(e, "};\n\n");
 }
@@ -66,7 +66,8 @@ static void emit_instance(const emission *e)
         m->parameters.count > 0 ? "memory->p" : "NULL", progress_of(m));
     put(e, "        %s,\n        %s,\n", e->p->after.pivot_count > 0 ? "&memory->nearness" : "NULL",
         ISO_IS_VARYING(m->method.recipe) ? "&memory->adams" : "NULL");
-    put(e, "        %s,\n        memory->good,\n    };\n    return plant;\n}\n\n", watched ? "before" : "NULL");
+    put(e, "        %s,\n        memory->good,\n%s    };\n    return plant;\n}\n\n", watched ? "before" : "NULL",
+        e->names->has_lanes ? "#ifdef ISO_LANES\n        NULL,\n#endif\n" : "");
 }
 
 /* The core's numbers must be the plant's. */

@@ -155,7 +155,7 @@ static void add_counts(memory_layout *to)
         add_member(to, "iso_nearness nearness", NULL, 2 * sizeof(uint32_t));
     }
     if (p->turn_count > 0) {
-        add_member(to, form(to->e, "int32_t turns[%d]", p->turn_count), "of the continuous joints",
+        add_member(to, form(to->e, "%s turns[%d]", to->e->names->has_lanes ? "iso_turns" : "int32_t", p->turn_count), "of the continuous joints",
                    (size_t)p->turn_count * sizeof(int32_t));
     }
     if (to->bytes % sizeof(uint64_t) != 0 && (p->is_double || with_rows)) {
@@ -206,6 +206,8 @@ size_t memory_place(const emission *e, char array)
 
 void emit_memory_check(const emission *e)
 {
-    put(e, "_Static_assert(sizeof($p_memory) == %zu,\n    \"%s\");\n\n", layout_of(e).bytes,
-        "a record of the memory has the same bytes on every target: no padding");
+    put_if(e, e->names->has_lanes, "#ifndef ISO_LANES\n");
+    put(e, "_Static_assert(sizeof($p_memory) == %zu,\n    \"%s\");\n%s\n", layout_of(e).bytes,
+        "a record of the memory has the same bytes on every target: no padding",
+        e->names->has_lanes ? "#endif\n" : "");
 }

@@ -23,9 +23,16 @@ void put(const emission *e, const char *format, ...) __attribute__((format(print
 void put_if(const emission *e, bool wanted, const char *format, ...) __attribute__((format(printf, 3, 4)));
 const char *form(const emission *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* A number as C, and a limit, of which none is the largest real. */
+/* A number as C; and in a table, of numbers of this type, where it is one for all lanes: that, and a limit, of which none is
+ * the largest real. */
 const char *literal(const emission *e, double number);
+const char *table_type(const emission *e);
+const char *table_literal(const emission *e, double number);
 const char *limit(const emission *e, double number);
+
+/* As C: a mask that is all ones where a condition holds that is one for all lanes; and one of zeros. */
+const char *mask_where(const emission *e, const char *condition);
+const char *no_bits(const emission *e);
 
 /* features.c: whether the plant keeps values that a start or a restart sets: the method's history, samples of smooth
  * inputs, values that follow from tunables. */

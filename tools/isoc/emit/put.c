@@ -52,7 +52,28 @@ const char *literal(const emission *e, double number)
     return code_literal(e->out->memory, number, e->p->is_double);
 }
 
+const char *table_type(const emission *e)
+{
+    return e->names->has_lanes ? "iso_scalar" : "real";
+}
+
+const char *table_literal(const emission *e, double number)
+{
+    const char *of_all = literal(e, number); /* R(0.5) */
+    return e->names->has_lanes ? form(e, "ISO_SCALAR%s", of_all + 1) : of_all;
+}
+
+const char *mask_where(const emission *e, const char *condition)
+{
+    return form(e, e->names->has_lanes ? "iso_mask_where(%s)" : "(iso_bits)0 - (%s)", condition);
+}
+
+const char *no_bits(const emission *e)
+{
+    return e->names->has_lanes ? "ISO_NOTHING" : "0";
+}
+
 const char *limit(const emission *e, double number)
 {
-    return !isinf(number) ? literal(e, number) : number < 0.0 ? "-ISO_REAL_MAX" : "ISO_REAL_MAX";
+    return !isinf(number) ? table_literal(e, number) : number < 0.0 ? "-ISO_REAL_MAX" : "ISO_REAL_MAX";
 }

@@ -109,8 +109,8 @@ static void emit_seen(emission *e)
     put(e, "static void see($p_memory *const memory, const uint64_t tick)\n{\n");
     FOR_ALL (const switching, c, m->parameters.changes, m->parameters.change_count) {
         const char *at = e->names->leaves.parameters[c->parameter].place;
-        put(e, "    memory->p[%s] =\n        iso_select((iso_bits)0 - (tick == UINT32_C(%.0f)), %s, memory->p[%s]);\n",
-            at, c->tick, literal(e, c->value), at);
+        put(e, "    memory->p[%s] =\n        iso_select(%s, %s, memory->p[%s]);\n", at,
+            mask_where(e, form(e, "tick == UINT32_C(%.0f)", c->tick)), literal(e, c->value), at);
     }
     emit_parameters(e, &result);
     emit_code(e, &result);
@@ -190,8 +190,9 @@ static void emit_samples_of(emission *e, const row_order *order, int level, cons
         const int i = order->all[n] - state_count(m);
         if (order->level[n] == level) {
             const char *at = memory_target(e, i);
-            put(e, "    %s = iso_select(\n        (iso_bits)0 - (iso_tick_modulo(memory->row, ", at);
-            put(e, "UINT32_C(%.0f)) == 0), sampled_%d, %s);\n", m->effects.memories[i].ticks, i, at);
+            const char *due =
+                form(e, "iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0", m->effects.memories[i].ticks);
+            put(e, "    %s = iso_select(\n        %s, sampled_%d, %s);\n", at, mask_where(e, due), i, at);
         }
     }
     put(e, "}\n\n");

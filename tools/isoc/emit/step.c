@@ -80,7 +80,8 @@ static void emit_remember(emission *e)
 {
     put(e, "static void remember($p_memory *const memory)\n{\n");
     put_if(e, watches_inputs(e->p->m), "    memcpy(memory->last_u, memory->u, sizeof memory->last_u);\n");
-    put(e, "%s}\n\n", watches_parameters(e->p) ? "    memory->changed = 0;\n" : "");
+    put_if(e, watches_parameters(e->p), "    memory->changed = %s;\n", no_bits(e));
+    put(e, "}\n\n");
 }
 
 /* Causes of a restart of the method: an input that changed by more than its jump in a tick, or that has an edge there, or a parameter
@@ -88,17 +89,19 @@ static void emit_remember(emission *e)
 static void emit_discontinuity(emission *e)
 {
     const mechanism *m = e->p->m;
-    begin_function(e, "static bool discontinuity");
-    put(e, "    bool found = false;\n");
+    const bool lanes = e->names->has_lanes;
+    begin_function(e, lanes ? "static iso_flag discontinuity" : "static bool discontinuity");
+    put(e, "    %s;\n", lanes ? "iso_flag found = iso_is_set(ISO_NOTHING)" : "bool found = false");
     for (int i = 0; i < m->inputs.count && watches_inputs(m); i++) {
         if (m->inputs.jumps[i] > 0.0) {
             const char *at = e->names->leaves.inputs[i].place;
-            put(e, "    found |= iso_abs(memory->u[%s] - memory->last_u[%s]) > %s;\n", at, at,
+            const char *moved = form(e, "iso_abs(memory->u[%s] - memory->last_u[%s])", at, at);
+            put(e, lanes ? "    found |= iso_is_larger(%s, %s);\n" : "    found |= %s > %s;\n", moved,
                 literal(e, m->inputs.jumps[i]));
         }
     }
-    put_if(e, watches_parameters(e->p), "    found |= memory->changed != 0;\n");
-    put_if(e, watches_edges(m), "    found |= memory->edge != 0;\n");
+    put_if(e, watches_parameters(e->p), "    found |= %s;\n", lanes ? "iso_is_set(memory->changed)" : "memory->changed != 0");
+    put_if(e, watches_edges(m), "    found |= %s;\n", lanes ? "iso_is_set(memory->edge)" : "memory->edge != 0");
     put(e, "%s    return found;\n}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
 }
 

@@ -44,7 +44,7 @@ typedef struct evaluation {
     LEAF(PARAMETER, "p", "@p", at->p[n->index])                                                                       \
     LEAF(RIGHT, "d", "r_@x", 0.0)                               /* a right side to be solved for */                    \
     LEAF(FACTOR, "lu", "lu_@i", 0.0)                                                                                   \
-    LEAF(TURNS, NULL, "(real)memory->turns[@i]", 0.0)            /* whole turns of a continuous joint */                \
+    LEAF(TURNS, NULL, "iso_real_of_turns(memory->turns[@i])", 0.0) /* whole turns of a continuous joint */                \
     LEAF(STEP, NULL, "hb", 0.0)                                 /* the step times a coefficient of the method */       \
     LEAF(LOCAL_ERROR, NULL, "progress->local_error", 0.0)        /* of the step, where it is checked */                 \
     LEAF(RESIDUAL, NULL, "progress->residual", 0.0)              /* of the last Newton iteration */                     \
