@@ -69,7 +69,7 @@ extern char iso_compile_without_fsingle_precision_constant[sizeof(1.0) == sizeof
 typedef double iso_scalar;
 typedef uint64_t iso_word; /* as wide as a scalar */
 #define ISO_SCALAR(literal) literal
-#define ISO_REAL_NAME(name) name##_double /* objects of different real do not link */
+#define ISO_REAL_NAME(name) ISO_REAL_NAMED(name, double) /* objects of different real do not link */
 
 enum { ISO_SIGN_SHIFT = 63, ISO_EXPONENT_SHIFT = 52 };
 #define ISO_EXPONENT_BITS UINT64_C(0x7FF0000000000000)
@@ -83,7 +83,7 @@ enum { ISO_SIGN_SHIFT = 63, ISO_EXPONENT_SHIFT = 52 };
 typedef float iso_scalar;
 typedef uint32_t iso_word;
 #define ISO_SCALAR(literal) literal##f
-#define ISO_REAL_NAME(name) name##_float
+#define ISO_REAL_NAME(name) ISO_REAL_NAMED(name, float)
 
 enum { ISO_SIGN_SHIFT = 31, ISO_EXPONENT_SHIFT = 23 };
 #define ISO_EXPONENT_BITS UINT32_C(0x7F800000)
@@ -92,6 +92,13 @@ enum { ISO_SIGN_SHIFT = 31, ISO_EXPONENT_SHIFT = 23 };
 #define ISO_REAL_EPSILON FLT_EPSILON
 #define ISO_ROUNDER ISO_SCALAR(12582912.0)
 
+#endif
+
+/* NAME_float; with lanes NAME_lanes_float: none is that of a plant alone. */
+#ifdef ISO_LANES
+#define ISO_REAL_NAMED(name, type) name##_lanes_##type
+#else
+#define ISO_REAL_NAMED(name, type) name##_##type
 #endif
 
 #define ISO_SIGN_BIT ((iso_word)1 << ISO_SIGN_SHIFT)

@@ -10,17 +10,38 @@
 #define ISO_HASH_START UINT64_C(0xCBF29CE484222325)
 #define ISO_HASH_PRIME UINT64_C(0x00000100000001B3)
 
-/* The hash continued over the bytes of x[n], each real's least significant byte first. */
-static inline uint64_t iso_hash_reals(uint64_t hash, const real *const x, const size_t n)
+/* The hash continued over the bytes of a number, the least significant first. */
+static inline uint64_t iso_hash_word(uint64_t hash, iso_word bits)
 {
-    for (size_t i = 0; i < n; i++) {
-        iso_bits bits = iso_bits_of(x[i]);
-        for (size_t byte = 0; byte < sizeof bits; byte++) {
-            hash = (hash ^ (bits & 0xFF)) * ISO_HASH_PRIME;
-            bits >>= 8;
-        }
+    for (size_t byte = 0; byte < sizeof bits; byte++) {
+        hash = (hash ^ (bits & 0xFF)) * ISO_HASH_PRIME;
+        bits >>= 8;
     }
     return hash;
 }
+
+#ifdef ISO_LANES
+
+/* Over x[n] of a lane. */
+static inline uint64_t iso_hash_lane(uint64_t hash, const real *const x, const size_t n, const unsigned lane)
+{
+    for (size_t i = 0; i < n; i++) {
+        hash = iso_hash_word(hash, iso_bits_of(x[i])[lane]);
+    }
+    return hash;
+}
+
+#else
+
+/* Over x[n]. */
+static inline uint64_t iso_hash_reals(uint64_t hash, const real *const x, const size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        hash = iso_hash_word(hash, iso_bits_of(x[i]));
+    }
+    return hash;
+}
+
+#endif
 
 #endif

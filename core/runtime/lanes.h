@@ -18,7 +18,6 @@ typedef struct iso_lanes {
     iso_plant plant;
     void *parked;     /* [memory_bytes] what lanes were when the guard stopped them */
     uint64_t tick;    /* that are done */
-    iso_flag stopped; /* by the guard: these lanes stand still */
     uint64_t stopped_at[ISO_LANES]; /* the tick that ended so, from 1 on */
     iso_statistics statistics;
 } iso_lanes;
@@ -103,16 +102,17 @@ static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t t
     const iso_model *const model = plant->model;
     (void)tick;
     if (plant->nearness != NULL) {
-        iso_lanes_count(statistics->near_singular, iso_is_set(plant->nearness->closure));
+        iso_lanes_count(statistics->near_singular, iso_is_set(plant->nearness->closure) & ~statistics->stopped);
         plant->nearness->closure = ISO_NOTHING;
     }
     if (model->violation != NULL) {
-        const real off = model->violation(plant->memory);
+        const real off = iso_select(statistics->stopped, R(0.0), model->violation(plant->memory));
         iso_lanes_count(statistics->violated, iso_less(iso_all(model->violation_limit), off));
         statistics->violation = iso_max(statistics->violation, off);
     }
     if (plant->progress != NULL) {
-        statistics->local_error = iso_max(statistics->local_error, plant->progress->local_error);
+        const real error = iso_select(statistics->stopped, R(0.0), plant->progress->local_error);
+        statistics->local_error = iso_max(statistics->local_error, error);
     }
 }
 
@@ -139,16 +139,20 @@ static inline unsigned iso_lanes_first_outside(const iso_flag mask)
 static inline bool iso_lanes_stop(iso_lanes *const lanes, const iso_flag bad)
 {
     const size_t bytes = lanes->plant.model->lane_bytes;
-    iso_lanes_take(lanes->parked, lanes->plant.memory, bytes, bad & ~lanes->stopped);
+    iso_lanes_take(lanes->parked, lanes->plant.memory, bytes, bad & ~lanes->statistics.stopped);
+    if (lanes->plant.nearness != NULL) {
+        iso_lanes_count(lanes->statistics.near_singular,
+                        iso_is_set(lanes->plant.nearness->closure) & bad & ~lanes->statistics.stopped);
+    }
     for (unsigned lane = 0; lane < ISO_LANES; lane++) {
-        if (bad[lane] != 0 && lanes->stopped[lane] == 0) {
+        if (bad[lane] != 0 && lanes->statistics.stopped[lane] == 0) {
             lanes->stopped_at[lane] = lanes->tick + 1;
         }
     }
-    lanes->stopped |= bad;
-    const unsigned leader = iso_lanes_first_outside(lanes->stopped);
+    lanes->statistics.stopped |= bad;
+    const unsigned leader = iso_lanes_first_outside(lanes->statistics.stopped);
     if (leader < ISO_LANES) {
-        iso_lanes_follow(lanes->plant.memory, bytes, leader, lanes->stopped);
+        iso_lanes_follow(lanes->plant.memory, bytes, leader, lanes->statistics.stopped);
     }
     return leader < ISO_LANES;
 }
@@ -165,7 +169,8 @@ static inline bool iso_lanes_finish(iso_lanes *const lanes)
         finished = plant->model->finish(plant->memory);
     }
     for (unsigned lane = 0; lane < ISO_LANES && finished != ISO_WELL; lane++) {
-        lanes->statistics.outputs_held[lane] += finished >> (32 + lane) & 1;
+        const uint64_t runs = lanes->statistics.stopped[lane] == 0;
+        lanes->statistics.outputs_held[lane] += runs & finished >> (32 + lane);
     }
     return true;
 }
@@ -175,7 +180,6 @@ static inline bool iso_lanes_start(iso_lanes *const lanes)
 {
     const bool good = iso_plant_start(&lanes->plant);
     lanes->tick = 0;
-    lanes->stopped = ISO_NOTHING;
     memset(&lanes->statistics, 0, sizeof lanes->statistics);
     lanes->plant.model->output(lanes->plant.memory);
     return good;
@@ -187,32 +191,32 @@ static inline bool iso_lanes_tick(iso_lanes *const lanes)
     const iso_plant *const plant = &lanes->plant;
     const iso_model *const model = plant->model;
     const size_t bytes = model->lane_bytes;
-    const unsigned leader = iso_lanes_first_outside(lanes->stopped);
+    const unsigned leader = iso_lanes_first_outside(lanes->statistics.stopped);
     if (leader == ISO_LANES) {
         return false;
     }
-    if (iso_any(lanes->stopped)) {
-        iso_lanes_follow(plant->memory, bytes, leader, lanes->stopped);
+    if (iso_any(lanes->statistics.stopped)) {
+        iso_lanes_follow(plant->memory, bytes, leader, lanes->statistics.stopped);
     }
     if (model->drive != NULL) {
         model->drive(plant->memory, lanes->tick);
     }
     const iso_refused refused = iso_plant_admit(plant);
-    iso_lanes_count_refused(lanes->statistics.inputs, refused.inputs & ~lanes->stopped);
-    iso_lanes_count_refused(lanes->statistics.parameters, refused.parameters & ~lanes->stopped);
+    iso_lanes_count_refused(lanes->statistics.inputs, refused.inputs & ~lanes->statistics.stopped);
+    iso_lanes_count_refused(lanes->statistics.parameters, refused.parameters & ~lanes->statistics.stopped);
     iso_flag restarts = ISO_NOTHING;
     if (model->attempt != NULL) {
         restarts = model->attempt(plant);
     } else {
         model->step(plant->memory);
     }
-    iso_lanes_count(lanes->statistics.restarts, restarts & ~lanes->stopped);
+    iso_lanes_count(lanes->statistics.restarts, restarts & ~lanes->statistics.stopped);
     const bool runs = iso_lanes_finish(lanes);
     if (runs && model->tell != NULL) {
         model->tell(plant, lanes->tick + 1, &lanes->statistics);
     }
-    if (iso_any(lanes->stopped)) {
-        iso_lanes_take(plant->memory, lanes->parked, bytes, lanes->stopped);
+    if (iso_any(lanes->statistics.stopped)) {
+        iso_lanes_take(plant->memory, lanes->parked, bytes, lanes->statistics.stopped);
     }
     lanes->tick++;
     return runs;

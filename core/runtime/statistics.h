@@ -12,6 +12,7 @@ extern "C" {
 
 /* What there is to tell of the ticks of each lane. */
 typedef struct iso_statistics {
+    iso_flag stopped; /* by the guard: these lanes stand still, and nothing is counted of them */
     iso_refusals inputs[ISO_LANES];
     iso_refusals parameters[ISO_LANES];
     uint64_t restarts[ISO_LANES];     /* with a new history of the method, after a discontinuity */
