@@ -50,14 +50,19 @@ static void act(const iso_plant *const plant, const uint64_t tick, const unsigne
     }
 }
 
-static uint64_t hash_of(const uint64_t hash, const real *const x, const unsigned n, const unsigned lane)
+/* Of what is no number the bits are no promise. */
+static uint64_t hash_of(uint64_t hash, const real *const x, const unsigned n, const unsigned lane)
 {
-#ifdef ISO_LANES
-    return iso_hash_lane(hash, x, n, lane);
-#else
     (void)lane;
-    return iso_hash_reals(hash, x, n);
-#endif
+    for (unsigned i = 0; i < n; i++) {
+        const iso_scalar one = OF(x, i, lane);
+        iso_word bits = 1;
+        if (one - one == ISO_SCALAR(0.0)) {
+            memcpy(&bits, &one, sizeof bits);
+        }
+        hash = iso_hash_word(hash, bits);
+    }
+    return hash;
 }
 
 static uint64_t hash_of_plant(const iso_plant *const plant, const uint64_t hash, const unsigned lane)
@@ -81,7 +86,7 @@ static void tell(const iso_lanes *const all, const unsigned lane, outcome *const
     o->stopped_at = all->stopped_at[lane];
     o->restarts = s->restarts[lane];
     o->outputs_held = s->outputs_held[lane];
-    o->near_singular = s->near_singular[lane];
+    o->near_singular = o->stopped_at > 0 ? 0 : s->near_singular[lane];
     o->violated = s->violated[lane];
     o->held[0] = s->inputs[lane].held;
     o->held[1] = s->parameters[lane].held;
@@ -147,7 +152,7 @@ static void run_one(const uint64_t ticks, const unsigned number, outcome *const 
     o->last = hash_of_plant(plant, ISO_HASH_START, 0);
     o->restarts = counts.restarts;
     o->outputs_held = counts.outputs_held;
-    o->near_singular = counts.near_singular;
+    o->near_singular = o->stopped_at > 0 ? 0 : counts.near_singular; /* the sign of a NaN is no promise */
     o->violated = statistics.violated;
     o->held[0] = counts.inputs.held;
     o->held[1] = counts.parameters.held;
