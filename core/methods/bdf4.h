@@ -67,7 +67,8 @@ ISO_INLINE void iso_bdf4_step(iso_step *const step)
     for (size_t s = 0; s < n; s++) {
         dx[s] = iso_past_increments(history, s, table->predictor, ISO_BDF4_STEPS);
         at[s] = history->x[s] + dx[s];
-        past[s] = ISO_SCALAR(1.0) / (iso_scalar)table->over * iso_past_increments(history, s, table->b, ISO_BDF4_STEPS - 1);
+        past[s] =
+            ISO_SCALAR(1.0) / (iso_scalar)table->over * iso_past_increments(history, s, table->b, ISO_BDF4_STEPS - 1);
     }
     const real *const u = iso_inputs_at(step, ISO_SCALAR(1.0));
     eq->factor(step->lu, at, u, step->p, hb);

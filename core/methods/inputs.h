@@ -51,8 +51,8 @@ ISO_INLINE void iso_forget_samples(const iso_equations *const eq, const uint8_t 
 }
 
 /* at[held] = u at a part c of the step. */
-ISO_INLINE void iso_extrapolate(const iso_equations *const eq, const uint8_t degree, const real *const u, const iso_scalar c,
-                                real *const at)
+ISO_INLINE void iso_extrapolate(const iso_equations *const eq, const uint8_t degree, const real *const u,
+                                const iso_scalar c, real *const at)
 {
     const size_t m = eq->inputs;
     const real *const samples = u + eq->held;

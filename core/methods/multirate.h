@@ -151,7 +151,8 @@ ISO_INLINE void iso_multirate_aim(const iso_multirate *const m, const uint8_t i)
     const iso_scalar c = iso_stage_at(m->table, i);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        m->at[s] = i == 0 ? x[s] : x[s] + iso_combine(h / (iso_scalar)m->table->a_over[i], m->table->a[i], i, m->k + s, n);
+        m->at[s] =
+            i == 0 ? x[s] : x[s] + iso_combine(h / (iso_scalar)m->table->a_over[i], m->table->a[i], i, m->k + s, n);
     }
     ISO_UNROLL
     for (size_t r = 0; r < m->fast->read_count; r++) {

@@ -15,9 +15,9 @@ typedef uint8_t iso_steps;
 /* Of a run, besides its state. Here and below, `unused` fills up to where every compiler would: a plant's memory has the
  * same bytes on every target. */
 typedef struct iso_progress {
-    real local_error;   /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
-    real residual;      /* of the last Newton iteration */
-    real usual;         /* local error, if discontinuities are detected: iso_watch */
+    real local_error;       /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
+    real residual;          /* of the last Newton iteration */
+    real usual;             /* local error, if discontinuities are detected: iso_watch */
     iso_steps watched;      /* steps, up to ISO_USUAL_STEPS */
     iso_flag discontinuity; /* a discontinuity in this step: the history and the step are invalid */
 #ifndef ISO_LANES

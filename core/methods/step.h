@@ -55,7 +55,8 @@ ISO_INLINE const real *iso_inputs_at(const iso_step *const step, const iso_scala
 }
 
 /* With those. */
-ISO_INLINE void iso_evaluate_at(const iso_step *const step, const iso_scalar c, real *const derivative, const real *const x)
+ISO_INLINE void iso_evaluate_at(const iso_step *const step, const iso_scalar c, real *const derivative,
+                                const real *const x)
 {
     step->f(derivative, x, iso_inputs_at(step, c), step->p);
 }

@@ -75,8 +75,9 @@ enum { ISO_SIGN_SHIFT = 63, ISO_EXPONENT_SHIFT = 52 };
 #define ISO_EXPONENT_BITS UINT64_C(0x7FF0000000000000)
 #define ISO_REAL_MAX DBL_MAX
 #define ISO_REAL_LEAST DBL_MIN
-#define ISO_REAL_EPSILON DBL_EPSILON      /* distance from 1 to the next real: one ulp of 1.0 */
-#define ISO_ROUNDER ISO_SCALAR(6755399441055744.0) /* 1.5 * 2^52: adding it rounds to a whole number, then in the low bits */
+#define ISO_REAL_EPSILON DBL_EPSILON /* distance from 1 to the next real: one ulp of 1.0 */
+#define ISO_ROUNDER                                                                                                    \
+    ISO_SCALAR(6755399441055744.0) /* 1.5 * 2^52: adding it rounds to a whole number, then in the low bits */
 
 #else
 

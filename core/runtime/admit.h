@@ -57,7 +57,7 @@ static inline iso_refused iso_more_refused(const iso_refused refused, const iso_
 /* Puts v[n] right, and keeps it in good[n]; limits[n], or NULL where none has any. Adds the bits that changed to *changed, if
  * not NULL. Returns how many were held, and in the upper 16 bits how many were clamped. */
 static inline iso_count iso_admit(real *const v, real *const good, const iso_limits *const limits, const uint16_t n,
-                                 iso_bits *const changed)
+                                  iso_bits *const changed)
 {
     iso_count refused = ISO_NOTHING;
     for (uint16_t i = 0; i < n; i++) {
@@ -80,7 +80,7 @@ static inline iso_count iso_admit(real *const v, real *const good, const iso_lim
 
 /* Where `broken` is all ones, v[n] and good[n] are again what they were `before`; returns 1 there, else 0. */
 static inline iso_count iso_put_back(real *const v, real *const good, const real *const before, const uint16_t n,
-                                    const iso_bits broken)
+                                     const iso_bits broken)
 {
     for (uint16_t i = 0; i < n; i++) {
         v[i] = good[i] = iso_select(broken, before[i], v[i]);

@@ -16,8 +16,8 @@
 
 typedef struct iso_lanes {
     iso_plant plant;
-    void *parked;     /* [memory_bytes] what lanes were when the guard stopped them */
-    uint64_t tick;    /* that are done */
+    void *parked;                   /* [memory_bytes] what lanes were when the guard stopped them */
+    uint64_t tick;                  /* that are done */
     uint64_t stopped_at[ISO_LANES]; /* the tick that ended so, from 1 on */
     iso_statistics statistics;
 } iso_lanes;

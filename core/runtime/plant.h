@@ -58,18 +58,18 @@ typedef struct iso_model {
     const char *closure_names; /* likewise, where steps are watched for singular positions of closures; else NULL */
     const iso_scalar *start;   /* the state at tick 0 */
     void (*begin)(
-        void *memory);    /* sets the states and memories whose start is a formula of the others, of the inputs and
+        void *memory); /* sets the states and memories whose start is a formula of the others, of the inputs and
                                     the parameters at tick 0, and memories that do not start at 0; NULL where all do */
     const iso_scalar *defaults; /* of the parameters */
     const iso_scalar *range; /* [states] each may be this large, for the guard; NULL where all may be any finite number,
                                  ISO_REAL_MAX where one may. ISO_ANGLE_RANGE for an angle whose sine is taken */
-    size_t memory_bytes;  /* of a plant: all that a snapshot must hold */
+    size_t memory_bytes;     /* of a plant: all that a snapshot must hold */
 
     iso_derivative *derivative;
     void (*output)(void *memory);          /* y from x, u, p */
     real (*violation)(const void *memory); /* m or rad: how far off their closures the states are; NULL where nothing
                                               asks */
-    iso_scalar violation_limit;                  /* a tick that ends farther off is counted */
+    iso_scalar violation_limit;            /* a tick that ends farther off is counted */
     void (*drive)(void *memory, uint64_t tick); /* sets u to the scene's functions of time, and the states that are time
                                                    itself to what they are at a tick; NULL without such inputs and
                                                    states */
@@ -83,19 +83,19 @@ typedef struct iso_model {
     iso_flag (*discontinuity)(void *memory); /* whether an input or a parameter has one, or something happened that ends
                                             the smooth motion: then what `prime` made is of no use. NULL where that is
                                             nothing */
-    void (*prime)(void *memory);         /* fills the method's history from x and u, and computes what follows from
+    void (*prime)(void *memory);             /* fills the method's history from x and u, and computes what follows from
                                             parameters alone; NULL where there is neither */
-    void (*step)(void *memory);          /* advances x by one step with u held: the real-time part */
+    void (*step)(void *memory);              /* advances x by one step with u held: the real-time part */
     iso_flag (*attempt)(const struct iso_plant *plant); /* a step that may begin with a new history, or be made again:
                                                        iso_plant_attempt; NULL where it is `step` alone */
     void (*tell)(
         const struct iso_plant *plant, uint64_t tick,
-        iso_statistics *statistics);  /* what there is to tell of a tick: iso_plant_tell; NULL where nothing is */
+        iso_statistics *statistics);      /* what there is to tell of a tick: iso_plant_tell; NULL where nothing is */
     iso_finished (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
 #ifdef ISO_LANES
     size_t lane_bytes; /* of its memory, what differs from lane to lane: rows of a word of each */
 #endif
-    const struct iso_policy *policy;  /* core/runtime/policy.h; NULL where the scene asks for nothing of it */
+    const struct iso_policy *policy; /* core/runtime/policy.h; NULL where the scene asks for nothing of it */
 } iso_model;
 
 /* A plant: a model, and where its memory is. */

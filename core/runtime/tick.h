@@ -46,7 +46,8 @@ ISO_INLINE void iso_copy(real *const to, const real *const from, const uint32_t 
 }
 
 /* The last good outputs take the place of all, in each lane that is held. */
-static inline iso_finished iso_hold_outputs(real *const y, real *const good, const uint32_t outputs, const iso_bits held)
+static inline iso_finished iso_hold_outputs(real *const y, real *const good, const uint32_t outputs,
+                                            const iso_bits held)
 {
 #ifdef ISO_LANES
     for (uint32_t i = 0; i < outputs; i++) {
@@ -62,9 +63,9 @@ static inline iso_finished iso_hold_outputs(real *const y, real *const good, con
 
 /* The states x[n] with their range, what sets the memories (NULL: none) and the outputs y[outputs], and where the last good
  * ones are. */
-ISO_INLINE iso_finished iso_finish(void *const memory, const real *const x, const iso_scalar *const range, const uint32_t n,
-                               void (*const advance)(void *), void (*const output)(void *), real *const y,
-                               real *const good, const uint32_t outputs)
+ISO_INLINE iso_finished iso_finish(void *const memory, const real *const x, const iso_scalar *const range,
+                                   const uint32_t n, void (*const advance)(void *), void (*const output)(void *),
+                                   real *const y, real *const good, const uint32_t outputs)
 {
     if (iso_any(iso_any_beyond(x, range, n))) {
         return ISO_BAD;

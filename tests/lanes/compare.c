@@ -10,12 +10,13 @@ static outcome alone[MOST_LANES], lanes[MOST_LANES];
 
 static void show(const char *const what, const unsigned number, const outcome *const o)
 {
-    printf("# %s %u: hash %016llx last %016llx stopped %llu restarts %llu held %llu %llu %llu clamped %llu %llu near %llu "
-           "violated %llu error %g %g\n",
-           what, number, (unsigned long long)o->hash, (unsigned long long)o->last, (unsigned long long)o->stopped_at,
-           (unsigned long long)o->restarts, (unsigned long long)o->outputs_held, (unsigned long long)o->held[0],
-           (unsigned long long)o->held[1], (unsigned long long)o->clamped[0], (unsigned long long)o->clamped[1],
-           (unsigned long long)o->near_singular, (unsigned long long)o->violated, o->local_error, o->violation);
+    printf(
+        "# %s %u: hash %016llx last %016llx stopped %llu restarts %llu held %llu %llu %llu clamped %llu %llu near %llu "
+        "violated %llu error %g %g\n",
+        what, number, (unsigned long long)o->hash, (unsigned long long)o->last, (unsigned long long)o->stopped_at,
+        (unsigned long long)o->restarts, (unsigned long long)o->outputs_held, (unsigned long long)o->held[0],
+        (unsigned long long)o->held[1], (unsigned long long)o->clamped[0], (unsigned long long)o->clamped[1],
+        (unsigned long long)o->near_singular, (unsigned long long)o->violated, o->local_error, o->violation);
 }
 
 int main(const int count, char **const arguments)
@@ -36,7 +37,8 @@ int main(const int count, char **const arguments)
             show("lane", i, &lanes[i]);
         }
     }
-    printf("%s: restarts %llu stopped %llu held %llu, hash %016llx\n", good ? "same" : "OTHER", (unsigned long long)restarts,
-           (unsigned long long)stopped, (unsigned long long)held, (unsigned long long)alone[1].hash);
+    printf("%s: restarts %llu stopped %llu held %llu, hash %016llx\n", good ? "same" : "OTHER",
+           (unsigned long long)restarts, (unsigned long long)stopped, (unsigned long long)held,
+           (unsigned long long)alone[1].hash);
     return !good;
 }

@@ -42,7 +42,7 @@ lanes()
 lanes models/cart_pole_drive.scene abm4 float 16 gcc 600
 grep -q 'restarts [1-9].*stopped [1-9]' "$out/said"
 result $? "lanes restarted, and lanes were stopped"
-lanes tests/lanes/all.scene rk4 double 8 clang 400
+lanes tests/effects/all.scene rk4 double 8 clang 400
 grep -q 'restarts [1-9].*stopped [1-9].*held [1-9]' "$out/said"
 result $? "lanes restarted, lanes were stopped, and inputs were held"
 
@@ -114,7 +114,7 @@ result $? "refused: five lanes"
 
 # The text with --lanes, compiled without, is the plant alone.
 same=0
-for scene in cart_pole_drive four_bar; do
+for scene in double_pendulum four_bar; do
     for option in "" --lanes; do
         # shellcheck disable=SC2086
         build/isoc models/$scene.scene -o "$out/plant" --method abm4 $option >"$out/summary" &&

@@ -19,9 +19,10 @@ bool request_fits(const request *r, const mechanism *m)
         return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m->method.recipe)]);
     }
     if (r->has_lanes && ISO_IS(m->method.recipe, ISO_ADAMS)) {
-        return complain("--lanes: the steps of each plant with adams are its own, so that plants have none in common; take "
-                        "another method than",
-                        "adams");
+        return complain(
+            "--lanes: the steps of each plant with adams are its own, so that plants have none in common; take "
+            "another method than",
+            "adams");
     }
     if (r->has_lanes && m->policies.rung_count > 0) {
         return complain("--lanes: a lane cannot change its method alone; leave out `overrun degrade` of", r->scene);

@@ -196,7 +196,9 @@ static void emit_refused(emission *e, const char *good_parameters, const char *c
     put_if(e, lanes, " iso_refused_of(%s", m->inputs.count > 0 ? "" : "ISO_NOTHING,");
     put_if(e, m->inputs.count > 0, "%siso_admit(memory->u, memory->good, %s, $C_INPUTS, NULL)%s", lanes ? "" : " ",
            has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
-           !both ? "" : lanes ? ",\n          " : " |\n          ");
+           !both   ? ""
+           : lanes ? ",\n          "
+                   : " |\n          ");
     put_if(e, m->parameters.count > 0, " %siso_admit(memory->p, memory->good%s, %s, $C_PARAMETERS, %s)%s",
            lanes ? "" : "(iso_refused)", good_parameters,
            has_limits(m->parameters.all, m->parameters.count) ? "parameter_limits" : "NULL", changed,
@@ -236,8 +238,7 @@ static void emit_finish(emission *e)
     put(e, "static %s finish$s(void *const instance)\n{\n", e->names->has_lanes ? "iso_finished" : "uint32_t");
     put(e, "    $p_memory *const memory = instance;\n");
     put_if(e, m->inputs.count > 0, "    iso_copy(memory->good, memory->u, $C_INPUTS);\n");
-    put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0,
-           "    if (%s) {\n        return ISO_NEAR;\n    }\n",
+    put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0, "    if (%s) {\n        return ISO_NEAR;\n    }\n",
            e->names->has_lanes ? "iso_any(memory->nearness.closure)" : "memory->nearness.closure != 0");
     put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, %soutput%s$s,\n",
         has_range(e) ? "range" : "NULL", sets_rows(e->p) ? advance : "NULL", e->names->cut != NULL ? "prepared_" : "",

@@ -155,8 +155,8 @@ static void add_counts(memory_layout *to)
         add_member(to, "iso_nearness nearness", NULL, 2 * sizeof(uint32_t));
     }
     if (p->turn_count > 0) {
-        add_member(to, form(to->e, "%s turns[%d]", to->e->names->has_lanes ? "iso_turns" : "int32_t", p->turn_count), "of the continuous joints",
-                   (size_t)p->turn_count * sizeof(int32_t));
+        add_member(to, form(to->e, "%s turns[%d]", to->e->names->has_lanes ? "iso_turns" : "int32_t", p->turn_count),
+                   "of the continuous joints", (size_t)p->turn_count * sizeof(int32_t));
     }
     if (to->bytes % sizeof(uint64_t) != 0 && (p->is_double || with_rows)) {
         add_member(to, "uint32_t unused", "no byte of the memory is without a name", sizeof(uint32_t));
@@ -208,6 +208,5 @@ void emit_memory_check(const emission *e)
 {
     put_if(e, e->names->has_lanes, "#ifndef ISO_LANES\n");
     put(e, "_Static_assert(sizeof($p_memory) == %zu,\n    \"%s\");\n%s\n", layout_of(e).bytes,
-        "a record of the memory has the same bytes on every target: no padding",
-        e->names->has_lanes ? "#endif\n" : "");
+        "a record of the memory has the same bytes on every target: no padding", e->names->has_lanes ? "#endif\n" : "");
 }

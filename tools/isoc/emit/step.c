@@ -100,7 +100,8 @@ static void emit_discontinuity(emission *e)
                 literal(e, m->inputs.jumps[i]));
         }
     }
-    put_if(e, watches_parameters(e->p), "    found |= %s;\n", lanes ? "iso_is_set(memory->changed)" : "memory->changed != 0");
+    put_if(e, watches_parameters(e->p), "    found |= %s;\n",
+           lanes ? "iso_is_set(memory->changed)" : "memory->changed != 0");
     put_if(e, watches_edges(m), "    found |= %s;\n", lanes ? "iso_is_set(memory->edge)" : "memory->edge != 0");
     put(e, "%s    return found;\n}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
 }
