@@ -96,6 +96,11 @@ planted='/^static iso_flag discontinuity(/,/^}/s/return found;/return iso_mask_w
 result $? "found: a restart of one lane is one of all"
 planted=
 
+# A folder that compiles alone, with flags that say nothing of fused products.
+build/isoc models/cart_pole.scene -o "$out/alone" --name cart --standalone --lanes >"$out/summary" &&
+    (cd "$out/alone" && $CC -std=c11 -O2 -Wall -Wextra -Wpedantic -Werror -Wno-psabi -fno-math-errno -DISO_LANES=16 -I. -c cart.c -o cart.o)
+result $? "lanes in a folder that compiles alone"
+
 # What has no lanes.
 refused()
 {
