@@ -7,8 +7,7 @@
 #     tests/lanes/lanes.t all
 . tests/host/test.sh
 begin lanes
-turns=10
-turn=$(turn_of $turns "${1-}" core tools/isoc tests/lanes)
+turn=$(turn_of 10 "${1-}" core tools/isoc tests/lanes)
 echo "# turn $turn"
 # Vectors of any width are compiled for any processor. What gcc says of calling conventions is of functions that it inlines.
 FLAGS="$FLAGS -Wno-psabi"
@@ -53,7 +52,7 @@ while read -r scene method; do
     real=float compiler=gcc
     [ $((number % 2)) -ne 0 ] || real=double
     [ $((number % 3)) -ne 0 ] || compiler=clang
-    ! next_turn $turns || lanes "models/$scene.scene" "$method" $real 4 $compiler 200
+    ! next_turn 10 || lanes "models/$scene.scene" "$method" $real 4 $compiler 200
 done <<END
 arm6 abm4
 arm_drive euler

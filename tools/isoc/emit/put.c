@@ -63,9 +63,9 @@ const char *table_literal(const emission *e, double number)
     return e->names->has_lanes ? form(e, "ISO_SCALAR%s", of_all + 1) : of_all;
 }
 
-const char *mask_where(const emission *e, const char *condition)
+const char *mask_where(const emission *e, const char *where)
 {
-    return form(e, e->names->has_lanes ? "iso_mask_where(%s)" : "(iso_bits)0 - (%s)", condition);
+    return form(e, e->names->has_lanes ? "iso_mask_where(%s)" : "(iso_bits)0 - (%s)", where);
 }
 
 const char *no_bits(const emission *e)
