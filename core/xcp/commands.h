@@ -42,6 +42,7 @@ iso_xcp_answering iso_xcp_answer_mta, iso_xcp_answer_upload, iso_xcp_answer_shor
 iso_xcp_answering iso_xcp_answer_processor_info, iso_xcp_answer_resolution_info, iso_xcp_answer_event_info,
     iso_xcp_answer_clock, iso_xcp_answer_free, iso_xcp_answer_alloc_lists, iso_xcp_answer_alloc_tables,
     iso_xcp_answer_alloc_entries, iso_xcp_answer_clear, iso_xcp_answer_pointer, iso_xcp_answer_write_daq,
-    iso_xcp_answer_set_mode, iso_xcp_answer_get_mode, iso_xcp_answer_start_stop, iso_xcp_answer_start_stop_synch;
+    iso_xcp_answer_write_daq_multiple, iso_xcp_answer_set_mode, iso_xcp_answer_get_mode, iso_xcp_answer_start_stop,
+    iso_xcp_answer_start_stop_synch;
 
 #endif

@@ -90,17 +90,22 @@ iso_xcp_error iso_xcp_daq_point(iso_xcp_daq *const daq, const uint16_t list, con
     return ISO_XCP_NONE;
 }
 
-iso_xcp_error iso_xcp_daq_write(iso_xcp_daq *const daq, const uint8_t *const at, const uint8_t bytes)
+iso_xcp_error iso_xcp_daq_takes(const iso_xcp_daq *const daq, const uint8_t count)
 {
-    if (daq->entries_left == 0) {
+    if (daq->entries_left < count) {
         return ISO_XCP_SEQUENCE;
     }
-    if (daq->lists[daq->list].mode & ISO_XCP_RUNNING) {
-        return ISO_XCP_DAQ_ACTIVE;
+    return daq->lists[daq->list].mode & ISO_XCP_RUNNING ? ISO_XCP_DAQ_ACTIVE : ISO_XCP_NONE;
+}
+
+iso_xcp_error iso_xcp_daq_write(iso_xcp_daq *const daq, const uint8_t *const at, const uint8_t bytes)
+{
+    const iso_xcp_error error = iso_xcp_daq_takes(daq, 1);
+    if (error == ISO_XCP_NONE) {
+        daq->entries[daq->entry++] = (iso_xcp_entry){at, bytes};
+        daq->entries_left--;
     }
-    daq->entries[daq->entry++] = (iso_xcp_entry){at, bytes};
-    daq->entries_left--;
-    return ISO_XCP_NONE;
+    return error;
 }
 
 iso_xcp_error iso_xcp_daq_clear(iso_xcp_daq *const daq, const uint16_t list)

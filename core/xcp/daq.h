@@ -56,6 +56,9 @@ iso_xcp_error iso_xcp_daq_alloc_lists(iso_xcp_daq *daq, uint16_t count);
 iso_xcp_error iso_xcp_daq_alloc_tables(iso_xcp_daq *daq, uint16_t list, uint8_t count);
 iso_xcp_error iso_xcp_daq_alloc_entries(iso_xcp_daq *daq, uint16_t list, uint8_t table, uint8_t count);
 iso_xcp_error iso_xcp_daq_point(iso_xcp_daq *daq, uint16_t list, uint8_t table, uint8_t entry);
+
+/* Whether so many entries can be written from the pointer on; and one of them. */
+iso_xcp_error iso_xcp_daq_takes(const iso_xcp_daq *daq, uint8_t count);
 iso_xcp_error iso_xcp_daq_write(iso_xcp_daq *daq, const uint8_t *at, uint8_t bytes);
 iso_xcp_error iso_xcp_daq_clear(iso_xcp_daq *daq, uint16_t list);
 iso_xcp_error iso_xcp_daq_mode(iso_xcp_daq *daq, uint16_t list, uint8_t mode, uint8_t prescaler);

@@ -87,14 +87,46 @@ uint16_t iso_xcp_answer_pointer(iso_xcp_slave *const s, const iso_xcp_exchange *
                         iso_xcp_daq_point(&s->daq, iso_xcp_word(x->command + 2), x->command[4], x->command[5]));
 }
 
+/* The memory of an entry, whose parts stand in another order in each of the next two commands. */
+static iso_xcp_error entry_at(const iso_xcp_slave *const s, const uint8_t *const bit_and_bytes,
+                              const uint8_t *const extension, const uint8_t *const address, const uint8_t **const at)
+{
+    if (bit_and_bytes[0] != NO_BIT || bit_and_bytes[1] == 0 || !iso_xcp_has_address(extension)) {
+        return ISO_XCP_OUT_OF_RANGE;
+    }
+    *at = iso_xcp_at(&s->access, iso_xcp_long(address), bit_and_bytes[1]);
+    return *at == NULL ? ISO_XCP_ACCESS_DENIED : ISO_XCP_NONE;
+}
+
 uint16_t iso_xcp_answer_write_daq(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
-    const uint8_t bytes = x->command[2];
-    if (x->command[1] != NO_BIT || bytes == 0 || !iso_xcp_has_address(x->command + 3)) {
+    const uint8_t *at = NULL;
+    const iso_xcp_error error = entry_at(s, x->command + 1, x->command + 3, x->command + 4, &at);
+    return iso_xcp_done(x->response, error == ISO_XCP_NONE ? iso_xcp_daq_write(&s->daq, at, x->command[2]) : error);
+}
+
+/* Entries of 8 bytes each: bit offset, size, address, extension, and one byte to align the next. All are written, or none. */
+uint16_t iso_xcp_answer_write_daq_multiple(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    enum { AT = 2, ENTRY_BYTES = 8 };
+    const uint8_t count = x->command[1];
+    const uint8_t *at = NULL;
+    if (count == 0) {
         return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
     }
-    const uint8_t *const at = iso_xcp_at(&s->access, iso_xcp_long(x->command + 4), bytes);
-    return iso_xcp_done(x->response, at == NULL ? ISO_XCP_ACCESS_DENIED : iso_xcp_daq_write(&s->daq, at, bytes));
+    if (x->length < AT + ENTRY_BYTES * count - 1) {
+        return iso_xcp_refuse(x->response, ISO_XCP_CMD_SYNTAX);
+    }
+    iso_xcp_error error = iso_xcp_daq_takes(&s->daq, count);
+    const uint8_t *const end = x->command + AT + ENTRY_BYTES * count;
+    for (const uint8_t *entry = x->command + AT; entry < end && error == ISO_XCP_NONE; entry += ENTRY_BYTES) {
+        error = entry_at(s, entry, entry + 6, entry + 2, &at);
+    }
+    for (const uint8_t *entry = x->command + AT; entry < end && error == ISO_XCP_NONE; entry += ENTRY_BYTES) {
+        (void)entry_at(s, entry, entry + 6, entry + 2, &at);
+        error = iso_xcp_daq_write(&s->daq, at, entry[1]);
+    }
+    return iso_xcp_done(x->response, error);
 }
 
 /* There is one event, and one priority. */

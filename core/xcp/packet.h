@@ -49,6 +49,8 @@ typedef enum iso_xcp_code {
     ISO_XCP_ALLOC_DAQ = 0xD5,
     ISO_XCP_ALLOC_ODT = 0xD4,
     ISO_XCP_ALLOC_ODT_ENTRY = 0xD3,
+    ISO_XCP_WRITE_DAQ_MULTIPLE = 0xC7,
+    ISO_XCP_LEVEL_1 = 0xC0, /* its second byte is the command: GET_VERSION, 0 */
 } iso_xcp_code;
 
 typedef enum iso_xcp_error {

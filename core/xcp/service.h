@@ -25,6 +25,7 @@ typedef struct iso_xcp_statistics {
 
 /* Of the plant of the program; isoc writes it, with the interface. */
 extern const iso_xcp_description iso_xcp_the_description;
+extern const char iso_xcp_the_epk[17];
 
 extern const iso_service iso_xcp_service;
 extern iso_xcp_statistics iso_xcp_the_statistics;

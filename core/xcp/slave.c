@@ -1,6 +1,6 @@
 #include "core/xcp/commands.h"
 
-enum { PROTOCOL_VERSION = 1, TRANSPORT_VERSION = 1, DRIVER_VERSION = 0x10 };
+enum { PROTOCOL_VERSION = 1, PROTOCOL_MINOR = 4, TRANSPORT_VERSION = 1, TRANSPORT_MINOR = 0, DRIVER_VERSION = 0x10 };
 
 /* CONNECT: slave blocks, and GET_COMM_MODE_INFO; byte order and address granularity are 0. */
 enum { COMM_MODE_BASIC = 0xC0, COMM_MODE_OPTIONAL_MASTER_BLOCK = 0x01 };
@@ -85,6 +85,22 @@ static uint16_t answer_comm_mode(iso_xcp_slave *const s, const iso_xcp_exchange 
     x->response[4] = UINT8_MAX; /* MAX_BS: a block has no more than ISO_XCP_BLOCK_BYTES anyway */
     x->response[7] = DRIVER_VERSION;
     return 8;
+}
+
+/* The commands of the second level: there is one. */
+static uint16_t answer_level_1(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+{
+    enum { GET_VERSION = 0 };
+    (void)s;
+    if (x->command[1] != GET_VERSION) {
+        return iso_xcp_refuse(x->response, ISO_XCP_CMD_UNKNOWN);
+    }
+    x->response[1] = 0;
+    x->response[2] = PROTOCOL_VERSION;
+    x->response[3] = PROTOCOL_MINOR;
+    x->response[4] = TRANSPORT_VERSION;
+    x->response[5] = TRANSPORT_MINOR;
+    return 6;
 }
 
 /* The text is read with UPLOAD. */
@@ -186,6 +202,7 @@ static const row rows[] = {
     {ISO_XCP_GET_STATUS, 1, 0, answer_status},
     {ISO_XCP_SYNCH, 1, 0, answer_synch},
     {ISO_XCP_GET_COMM_MODE_INFO, 1, 0, answer_comm_mode},
+    {ISO_XCP_LEVEL_1, 2, 0, answer_level_1},
     {ISO_XCP_GET_ID, 2, 0, answer_id},
     {ISO_XCP_GET_SEED, 3, 0, answer_seed},
     {ISO_XCP_UNLOCK, 2, 0, answer_unlock},
@@ -200,6 +217,7 @@ static const row rows[] = {
     {ISO_XCP_CLEAR_DAQ_LIST, 4, ISO_XCP_DAQ, iso_xcp_answer_clear},
     {ISO_XCP_SET_DAQ_PTR, 6, ISO_XCP_DAQ, iso_xcp_answer_pointer},
     {ISO_XCP_WRITE_DAQ, 8, ISO_XCP_DAQ, iso_xcp_answer_write_daq},
+    {ISO_XCP_WRITE_DAQ_MULTIPLE, 2, ISO_XCP_DAQ, iso_xcp_answer_write_daq_multiple},
     {ISO_XCP_SET_DAQ_LIST_MODE, 8, ISO_XCP_DAQ, iso_xcp_answer_set_mode},
     {ISO_XCP_GET_DAQ_LIST_MODE, 4, ISO_XCP_DAQ, iso_xcp_answer_get_mode},
     {ISO_XCP_START_STOP_DAQ_LIST, 4, ISO_XCP_DAQ, iso_xcp_answer_start_stop},

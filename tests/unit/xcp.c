@@ -202,6 +202,42 @@ static bool make_list(void)
     return good && says("E0 10 01 00 00 00 02 00", NULL, "FF");
 }
 
+/* The same by two commands that write two entries, and one. */
+static void test_multiple(void)
+{
+    uint8_t command[18] = {ISO_XCP_WRITE_DAQ_MULTIPLE, 2, 0xFF, sizeof(real), [10] = 0xFF, sizeof(real)};
+    start(&open_plant);
+    ask("FF 00", NULL);
+    iso_xcp_put_long(command + 4, iso_xcp_address(&world.memory.x[0]));
+    iso_xcp_put_long(command + 12, iso_xcp_address(&world.memory.x[2]));
+    ask_bytes(command, sizeof command);
+    tap_ok(is_answer("FE 29"), "WRITE_DAQ_MULTIPLE without a pointer");
+    tap_ok(make_list() && says("E2 00 01 00 01 00", NULL, "FF"), "a list is made");
+    ask_bytes(command, sizeof command);
+    tap_ok(is_answer("FE 29") && slave.daq.entries[1].at == (const uint8_t *)&world.memory.x[1],
+           "two entries where there is room for one: none is written");
+    tap_ok(says("E2 00 01 00 00 00", NULL, "FF"), "at two");
+    command[11] = 0;
+    ask_bytes(command, sizeof command);
+    command[11] = sizeof(real);
+    tap_ok(is_answer("FE 22") && slave.daq.entries_left == 2, "the second of them without bytes: none is written");
+    ask_bytes(command, sizeof command - 2);
+    tap_ok(is_answer("FE 21") && says("C7 00", NULL, "FE 22"), "too short, and none");
+    ask_bytes(command, sizeof command);
+    tap_ok(is_answer("FF") && slave.daq.entries[1].at == (const uint8_t *)&world.memory.x[2] &&
+               slave.daq.entries_left == 0,
+           "two entries at once");
+    iso_xcp_put_long(command + 12, iso_xcp_address(world.after));
+    tap_ok(says("E2 00 01 00 00 00", NULL, "FF"), "at them again");
+    ask_bytes(command, sizeof command);
+    tap_ok(is_answer("FE 24") && slave.daq.entries_left == 2, "the second is not the plant's: none is written");
+    tap_ok(says("DE 01 01 00", NULL, "FF 01") && says("E2 00 01 00 00 00", NULL, "FF"), "it runs");
+    iso_xcp_put_long(command + 12, iso_xcp_address(&world.memory.x[2]));
+    ask_bytes(command, sizeof command);
+    tap_ok(is_answer("FE 11"), "none while it runs");
+    tap_ok(says("C0 00", NULL, "FF 00 01 04 01 00") && says("C0 01", NULL, "FE 20"), "GET_VERSION");
+}
+
 static void test_daq(void)
 {
     start(&open_plant);
@@ -559,6 +595,7 @@ int main(void)
     test_blocks();
     test_lock();
     test_daq();
+    test_multiple();
     test_line(false, 1);
     test_line(true, 2);
     test_line(true, 3);

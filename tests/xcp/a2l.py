@@ -13,6 +13,7 @@ BLOCKS = {
     "PROJECT": ("ns", {}),
     "MODULE": ("ns", {}),
     "MOD_PAR": ("s", {"EPK": "s", "ADDR_EPK": "i"}),
+    "MEMORY_SEGMENT": ("nsnnniiiiiii", {}),
     "MOD_COMMON": ("s", {"BYTE_ORDER": "n", "ALIGNMENT_BYTE": "i", "ALIGNMENT_WORD": "i", "ALIGNMENT_LONG": "i",
                          "ALIGNMENT_INT64": "i", "ALIGNMENT_FLOAT32_IEEE": "i", "ALIGNMENT_FLOAT64_IEEE": "i"}),
     "RECORD_LAYOUT": ("n", {"FNC_VALUES": "innn"}),
@@ -24,6 +25,7 @@ BLOCKS = {
 INSIDE = {
     None: {"PROJECT"},
     "PROJECT": {"MODULE"},
+    "MOD_PAR": {"MEMORY_SEGMENT"},
     "MODULE": {"MOD_PAR", "MOD_COMMON", "RECORD_LAYOUT", "COMPU_METHOD", "MEASUREMENT", "CHARACTERISTIC", "GROUP"},
 }
 
@@ -73,7 +75,7 @@ class A2l:
         with open(path, encoding="ascii") as file:
             t = self.tokens = Tokens(file.read())
         self.blocks = {kind: {} for kind in BLOCKS}
-        self.groups, self.if_data = {}, {}
+        self.groups, self.if_data, self.events = {}, {}, []
         t.next("ASAP2_VERSION")
         t.parameter("i"), t.parameter("i")
         self.block(None)
@@ -86,7 +88,11 @@ class A2l:
         t.next("/begin")
         kind = t.next()
         if kind == "A2ML" or kind == "IF_DATA":
-            self.if_data.update(self.skip(kind))
+            words = self.skip(kind)
+            if outer == "MEASUREMENT":
+                self.events.append(words.get("DAQ_EVENT"))
+            else:
+                self.if_data.update(words)
             return
         if kind not in INSIDE.get(outer, set()):
             raise Bad("a %s in a %s" % (kind, outer))
@@ -159,6 +165,17 @@ class A2l:
             for name in names:
                 if name not in (self.measurements if kind == "MEASUREMENT" else self.characteristics):
                     raise Bad("a GROUP names %s" % name)
+        parameters = next(iter(self.blocks["MOD_PAR"].values()))[1]
+        self.epk_at = parameters["ADDR_EPK"][0]
+        segment = self.blocks["MEMORY_SEGMENT"]["plant"][0]
+        if segment[2:5] != ["VARIABLES", "RAM", "INTERN"] or segment[7:] != [-1] * 5:
+            raise Bad("MEMORY_SEGMENT plant")
+        self.segment = range(segment[5], segment[5] + segment[6])
+        for name, (at, type_of, _, _, _) in {**self.measurements, **self.characteristics}.items():
+            if not name.startswith("statistics.") and not (at in self.segment and at + SIZES[type_of] - 1 in self.segment):
+                raise Bad("%s is beyond the MEMORY_SEGMENT" % name)
+        if self.events != [["FIXED_EVENT_LIST", "EVENT", "0"]] * len(self.measurements):
+            raise Bad("a MEASUREMENT without its DAQ_EVENT")
         self.epk = next(iter(self.blocks["MOD_PAR"].values()))[1]["EPK"][0]
         self.all = {**self.measurements, **self.characteristics}
 

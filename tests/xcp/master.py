@@ -193,8 +193,13 @@ class Master:
             self.ask(0xD3, "xHBB", 0, number, len(table))
         for number, table in enumerate(tables):
             self.ask(0xE2, "xHBB", 0, number, 0)
-            for address, size in table:
-                self.ask(0xE1, "BBBI", 0xFF, size, 0, address)
+            if number % 2 == 0:
+                for address, size in table:
+                    self.ask(0xE1, "BBBI", 0xFF, size, 0, address)
+            else:  # as many at once as a packet has room for
+                for at in range(0, len(table), 7):
+                    some = table[at:at + 7]
+                    self.ask(0xC7, "B" + "BBIBx" * len(some), len(some), *(n for a, size in some for n in (0xFF, size, a, 0)))
         self.ask(0xE0, "BHHBB", 0x10, 0, 0, prescaler, 0)
         self.ask(0xDE, "BH", 2, 0)
         self.samples = []

@@ -60,6 +60,9 @@ def identity(x):
     result((resource, mode & 0xC7, protocol, transport) == (5, 0xC0, 1, 1), "CONNECT: CAL and DAQ, little-endian, blocks")
     result([x.max_cto, x.max_dto] == [int(w) for w in words[8:10]], "the sizes of packets are those of the A2L")
     result(x.identity(1) == "cart" and x.identity(5) == A2L.epk, "the name of the A2L, and its EPK")
+    result(x.read(A2L.epk_at, 16) == A2L.epk.encode(), "the EPK at ADDR_EPK")
+    result(x.ask(0xC0, "B", 0) == b"\0\1\4\1\0" and int(words[0], 0) == 0x0104, "GET_VERSION: that of the A2L")
+    result("unknown" in refusal(x.ask, 0xC0, "B", 1).lower(), "no other command of the second level")
     ticks, size, unit = A2L.if_data["TIMESTAMP_SUPPORTED"]
     mode, count = struct.unpack("<BH", x.ask(0xD9)[4:7])
     result(size == "SIZE_DWORD" and mode & 7 == 4 and int(ticks) == count and unit == "UNIT_100NS" and mode >> 4 == 2

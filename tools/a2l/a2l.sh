@@ -3,7 +3,7 @@
 #
 #     a2l.sh NM PROGRAM PLACES TEMPLATE float|double
 #
-# @SYMBOL+OFFSET@ in the template becomes a number. The symbols of PLACES, the object of tools/a2l/places.c, say which statistics there
+# @SYMBOL+OFFSET@ in the template becomes a number, and so does @bytes of SYMBOL@. The symbols of PLACES, the object of tools/a2l/places.c, say which statistics there
 # are; choice__ those that a program may not have. Any other symbol that the program does not have, or has twice, is an error: then
 # nothing is written.
 set -eu
@@ -42,7 +42,8 @@ cat "$program" "$places" "$template" >/dev/null
         most = part[2] == "REAL" ? 1e38 : type == "A_INT64" ? "9223372036854775807" : "18446744073709551615"
         least = type == "A_UINT64" ? 0 : "-" most
         return "    /begin MEASUREMENT statistics." part[4] " \"statistic\" " type " NO_COMPU_METHOD 0 0 " least " " most \
-            "\n      ECU_ADDRESS " address(part[3], offsets[i]) "\n    /end MEASUREMENT"
+            "\n      ECU_ADDRESS " address(part[3], offsets[i]) \
+            "\n      /begin IF_DATA XCP /begin DAQ_EVENT FIXED_EVENT_LIST EVENT 0 /end DAQ_EVENT /end IF_DATA\n    /end MEASUREMENT"
     }
     $1 == "P" && NF == 5 {
         sub(/_(float|double)$/, "", $5)
@@ -72,6 +73,11 @@ cat "$program" "$places" "$template" >/dev/null
         next
     }
     {
+        while (match($0, /@bytes of [a-z_]+@/)) {
+            symbol = substr($0, RSTART + 10, RLENGTH - 11)
+            address(symbol, 0)
+            $0 = substr($0, 1, RSTART - 1) sprintf("0x%X", bytes[symbol]) substr($0, RSTART + RLENGTH)
+        }
         while (match($0, /@[a-z_]+\+[0-9]+@/)) {
             place = substr($0, RSTART + 1, RLENGTH - 2)
             split(place, of, "+")

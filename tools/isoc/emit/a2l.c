@@ -69,8 +69,9 @@ void emit_calibration(const plant *p, const naming *names, const char *lock, uin
              MAX_CTO, MAX_DTO, LISTS, BLOCK_BYTES);
     emit_limits(&e, "parameter_limits", "PARAMETERS", names->leaves.parameters, m->parameters.all, m->parameters.count);
     text_add(out, "%s%s%s", is_open ? "" : "extern const iso_xcp_lock ", is_open ? "" : lock, is_open ? "" : ";\n\n");
+    text_add(out, "const char iso_xcp_the_epk[] = \"%016" PRIx64 "\";\n\n", identity);
     text_add(out, "const iso_xcp_description iso_xcp_the_description = {\n    .name = \"%s\",\n", m->name);
-    text_add(out, "    .epk = \"%016" PRIx64 "\",\n%s", identity, any ? "    .limits = parameter_limits,\n" : "");
+    text_add(out, "    .epk = iso_xcp_the_epk,\n%s", any ? "    .limits = parameter_limits,\n" : "");
     text_add(out, "%s%s%s", is_open ? "" : "    .lock = &", is_open ? "" : lock, is_open ? "" : ",\n");
     text_add(out, "    .stamp = {%d, %ld},\n    .cycle = {%d, %ld},\n};\n\n", stamp.unit, stamp.count, cycle.unit,
              cycle.count);
@@ -138,8 +139,9 @@ static void emit_quantity(const emission *e, const section *s, int i, units *u)
                  s->array, v->name, about(out->memory, s, v), offset, number, least, most);
     } else {
         text_add(out,
-                 "    /begin MEASUREMENT %c.%s \"%s\" %s unit_%d 0 0 %s %s\n      ECU_ADDRESS @memory+%zu@\n    /end "
-                 "MEASUREMENT\n",
+                 "    /begin MEASUREMENT %c.%s \"%s\" %s unit_%d 0 0 %s %s\n      ECU_ADDRESS @memory+%zu@\n"
+                 "      /begin IF_DATA XCP /begin DAQ_EVENT FIXED_EVENT_LIST EVENT 0 /end DAQ_EVENT /end IF_DATA\n"
+                 "    /end MEASUREMENT\n",
                  s->array, v->name, about(out->memory, s, v), type_of_reals(e->p), number, least, most, offset);
     }
 }
