@@ -2,13 +2,13 @@
 
 enum { NUMBER_BYTES = 1, STAMP_BYTES = 4 };
 
-void iso_xcp_daq_free(iso_xcp_daq *const daq)
+ISO_RARE void iso_xcp_daq_free(iso_xcp_daq *const daq)
 {
     *daq = (iso_xcp_daq){.stage = ISO_XCP_FREED};
 }
 
 /* Where the next step of the allocation goes to, if it is at its place in the order and there is room. */
-static iso_xcp_error advance(iso_xcp_daq *const daq, const iso_xcp_stage from, const iso_xcp_stage to)
+ISO_RARE static iso_xcp_error advance(iso_xcp_daq *const daq, const iso_xcp_stage from, const iso_xcp_stage to)
 {
     if (iso_xcp_daq_runs(daq)) {
         return ISO_XCP_DAQ_ACTIVE;
@@ -21,7 +21,8 @@ static iso_xcp_error advance(iso_xcp_daq *const daq, const iso_xcp_stage from, c
 }
 
 /* The next `count` of an array of which `used` are taken. */
-static iso_xcp_error take(iso_xcp_part *const part, uint8_t *const used, const unsigned room, const unsigned count)
+ISO_RARE static iso_xcp_error take(iso_xcp_part *const part, uint8_t *const used, const unsigned room,
+                                   const unsigned count)
 {
     if (part->count > 0) {
         return ISO_XCP_SEQUENCE;
@@ -34,7 +35,7 @@ static iso_xcp_error take(iso_xcp_part *const part, uint8_t *const used, const u
     return ISO_XCP_NONE;
 }
 
-iso_xcp_error iso_xcp_daq_alloc_lists(iso_xcp_daq *const daq, const uint16_t count)
+ISO_RARE iso_xcp_error iso_xcp_daq_alloc_lists(iso_xcp_daq *const daq, const uint16_t count)
 {
     if (daq->stage != ISO_XCP_FREED) {
         return iso_xcp_daq_runs(daq) ? ISO_XCP_DAQ_ACTIVE : ISO_XCP_SEQUENCE;
@@ -47,7 +48,7 @@ iso_xcp_error iso_xcp_daq_alloc_lists(iso_xcp_daq *const daq, const uint16_t cou
     return ISO_XCP_NONE;
 }
 
-iso_xcp_error iso_xcp_daq_alloc_tables(iso_xcp_daq *const daq, const uint16_t list, const uint8_t count)
+ISO_RARE iso_xcp_error iso_xcp_daq_alloc_tables(iso_xcp_daq *const daq, const uint16_t list, const uint8_t count)
 {
     const iso_xcp_error error = advance(daq, ISO_XCP_LISTED, ISO_XCP_TABLED);
     if (error != ISO_XCP_NONE) {
@@ -58,7 +59,7 @@ iso_xcp_error iso_xcp_daq_alloc_tables(iso_xcp_daq *const daq, const uint16_t li
 }
 
 /* A table of a list; NULL if there is none. */
-static iso_xcp_part *table_of(iso_xcp_daq *const daq, const uint16_t list, const uint8_t table)
+ISO_RARE static iso_xcp_part *table_of(iso_xcp_daq *const daq, const uint16_t list, const uint8_t table)
 {
     if (list >= daq->list_count || table >= daq->lists[list].tables.count) {
         return NULL;
@@ -66,8 +67,8 @@ static iso_xcp_part *table_of(iso_xcp_daq *const daq, const uint16_t list, const
     return &daq->tables[daq->lists[list].tables.first + table];
 }
 
-iso_xcp_error iso_xcp_daq_alloc_entries(iso_xcp_daq *const daq, const uint16_t list, const uint8_t table,
-                                        const uint8_t count)
+ISO_RARE iso_xcp_error iso_xcp_daq_alloc_entries(iso_xcp_daq *const daq, const uint16_t list, const uint8_t table,
+                                                 const uint8_t count)
 {
     const iso_xcp_error error = advance(daq, ISO_XCP_TABLED, ISO_XCP_MADE);
     if (error != ISO_XCP_NONE) {
@@ -77,7 +78,8 @@ iso_xcp_error iso_xcp_daq_alloc_entries(iso_xcp_daq *const daq, const uint16_t l
     return entries == NULL ? ISO_XCP_OUT_OF_RANGE : take(entries, &daq->entry_count, ISO_XCP_ENTRIES, count);
 }
 
-iso_xcp_error iso_xcp_daq_point(iso_xcp_daq *const daq, const uint16_t list, const uint8_t table, const uint8_t entry)
+ISO_RARE iso_xcp_error iso_xcp_daq_point(iso_xcp_daq *const daq, const uint16_t list, const uint8_t table,
+                                         const uint8_t entry)
 {
     const iso_xcp_part *const entries = table_of(daq, list, table);
     daq->entries_left = 0;
@@ -90,7 +92,7 @@ iso_xcp_error iso_xcp_daq_point(iso_xcp_daq *const daq, const uint16_t list, con
     return ISO_XCP_NONE;
 }
 
-iso_xcp_error iso_xcp_daq_takes(const iso_xcp_daq *const daq, const uint8_t count)
+ISO_RARE iso_xcp_error iso_xcp_daq_takes(const iso_xcp_daq *const daq, const uint8_t count)
 {
     if (daq->entries_left < count) {
         return ISO_XCP_SEQUENCE;
@@ -98,7 +100,7 @@ iso_xcp_error iso_xcp_daq_takes(const iso_xcp_daq *const daq, const uint8_t coun
     return daq->lists[daq->list].mode & ISO_XCP_RUNNING ? ISO_XCP_DAQ_ACTIVE : ISO_XCP_NONE;
 }
 
-iso_xcp_error iso_xcp_daq_write(iso_xcp_daq *const daq, const uint8_t *const at, const uint8_t bytes)
+ISO_RARE iso_xcp_error iso_xcp_daq_write(iso_xcp_daq *const daq, const uint8_t *const at, const uint8_t bytes)
 {
     const iso_xcp_error error = iso_xcp_daq_takes(daq, 1);
     if (error == ISO_XCP_NONE) {
@@ -108,7 +110,7 @@ iso_xcp_error iso_xcp_daq_write(iso_xcp_daq *const daq, const uint8_t *const at,
     return error;
 }
 
-iso_xcp_error iso_xcp_daq_clear(iso_xcp_daq *const daq, const uint16_t list)
+ISO_RARE iso_xcp_error iso_xcp_daq_clear(iso_xcp_daq *const daq, const uint16_t list)
 {
     if (list >= daq->list_count) {
         return ISO_XCP_OUT_OF_RANGE;
@@ -123,7 +125,8 @@ iso_xcp_error iso_xcp_daq_clear(iso_xcp_daq *const daq, const uint16_t list)
     return ISO_XCP_NONE;
 }
 
-iso_xcp_error iso_xcp_daq_mode(iso_xcp_daq *const daq, const uint16_t list, const uint8_t mode, const uint8_t prescaler)
+ISO_RARE iso_xcp_error iso_xcp_daq_mode(iso_xcp_daq *const daq, const uint16_t list, const uint8_t mode,
+                                        const uint8_t prescaler)
 {
     if (list >= daq->list_count || prescaler == 0) {
         return ISO_XCP_OUT_OF_RANGE;
@@ -151,7 +154,7 @@ static unsigned packet_bytes(const iso_xcp_daq *const daq, const iso_xcp_list *c
     return bytes;
 }
 
-iso_xcp_error iso_xcp_daq_check(const iso_xcp_daq *const daq, const uint16_t list)
+ISO_RARE iso_xcp_error iso_xcp_daq_check(const iso_xcp_daq *const daq, const uint16_t list)
 {
     if (list >= daq->list_count) {
         return ISO_XCP_OUT_OF_RANGE;
@@ -169,7 +172,7 @@ iso_xcp_error iso_xcp_daq_check(const iso_xcp_daq *const daq, const uint16_t lis
     return good ? ISO_XCP_NONE : ISO_XCP_DAQ_CONFIG;
 }
 
-void iso_xcp_daq_start(iso_xcp_daq *const daq, const uint16_t list)
+ISO_RARE void iso_xcp_daq_start(iso_xcp_daq *const daq, const uint16_t list)
 {
     iso_xcp_list *const i = &daq->lists[list];
     i->mode = (uint8_t)((i->mode & ~ISO_XCP_SELECTED) | ISO_XCP_RUNNING);
@@ -177,7 +180,7 @@ void iso_xcp_daq_start(iso_xcp_daq *const daq, const uint16_t list)
     i->overloaded = false;
 }
 
-void iso_xcp_daq_stop(iso_xcp_daq *const daq, const uint16_t list)
+ISO_RARE void iso_xcp_daq_stop(iso_xcp_daq *const daq, const uint16_t list)
 {
     daq->lists[list].mode &= (uint8_t) ~(ISO_XCP_SELECTED | ISO_XCP_RUNNING);
 }

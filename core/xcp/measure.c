@@ -9,7 +9,7 @@ enum { EVENTS = 1, EVENT_PROPERTIES = 0x84 };
 
 const char iso_xcp_event_name[4] = "tick";
 
-uint16_t iso_xcp_answer_processor_info(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_processor_info(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     x->response[1] = DAQ_PROPERTIES;
     iso_xcp_put_word(x->response + 2, s->daq.list_count);
@@ -19,7 +19,7 @@ uint16_t iso_xcp_answer_processor_info(iso_xcp_slave *const s, const iso_xcp_exc
     return 8;
 }
 
-uint16_t iso_xcp_answer_resolution_info(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_resolution_info(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     x->response[1] = 1; /* entries are whole bytes */
     x->response[2] = UINT8_MAX;
@@ -31,7 +31,7 @@ uint16_t iso_xcp_answer_resolution_info(iso_xcp_slave *const s, const iso_xcp_ex
 }
 
 /* The name of the event is read with UPLOAD. */
-uint16_t iso_xcp_answer_event_info(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_event_info(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     if (iso_xcp_word(x->command + 2) >= EVENTS) {
         return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
@@ -60,36 +60,37 @@ uint16_t iso_xcp_answer_free(iso_xcp_slave *const s, const iso_xcp_exchange *con
     return 1;
 }
 
-uint16_t iso_xcp_answer_alloc_lists(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_alloc_lists(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     return iso_xcp_done(x->response, iso_xcp_daq_alloc_lists(&s->daq, iso_xcp_word(x->command + 2)));
 }
 
-uint16_t iso_xcp_answer_alloc_tables(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_alloc_tables(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     return iso_xcp_done(x->response, iso_xcp_daq_alloc_tables(&s->daq, iso_xcp_word(x->command + 2), x->command[4]));
 }
 
-uint16_t iso_xcp_answer_alloc_entries(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_alloc_entries(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     return iso_xcp_done(x->response,
                         iso_xcp_daq_alloc_entries(&s->daq, iso_xcp_word(x->command + 2), x->command[4], x->command[5]));
 }
 
-uint16_t iso_xcp_answer_clear(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_clear(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     return iso_xcp_done(x->response, iso_xcp_daq_clear(&s->daq, iso_xcp_word(x->command + 2)));
 }
 
-uint16_t iso_xcp_answer_pointer(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_pointer(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     return iso_xcp_done(x->response,
                         iso_xcp_daq_point(&s->daq, iso_xcp_word(x->command + 2), x->command[4], x->command[5]));
 }
 
 /* The memory of an entry, whose parts stand in another order in each of the next two commands. */
-static iso_xcp_error entry_at(const iso_xcp_slave *const s, const uint8_t *const bit_and_bytes,
-                              const uint8_t *const extension, const uint8_t *const address, const uint8_t **const at)
+ISO_RARE static iso_xcp_error entry_at(const iso_xcp_slave *const s, const uint8_t *const bit_and_bytes,
+                                       const uint8_t *const extension, const uint8_t *const address,
+                                       const uint8_t **const at)
 {
     if (bit_and_bytes[0] != NO_BIT || bit_and_bytes[1] == 0 || !iso_xcp_has_address(extension)) {
         return ISO_XCP_OUT_OF_RANGE;
@@ -98,7 +99,7 @@ static iso_xcp_error entry_at(const iso_xcp_slave *const s, const uint8_t *const
     return *at == NULL ? ISO_XCP_ACCESS_DENIED : ISO_XCP_NONE;
 }
 
-uint16_t iso_xcp_answer_write_daq(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_write_daq(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     const uint8_t *at = NULL;
     const iso_xcp_error error = entry_at(s, x->command + 1, x->command + 3, x->command + 4, &at);
@@ -106,7 +107,7 @@ uint16_t iso_xcp_answer_write_daq(iso_xcp_slave *const s, const iso_xcp_exchange
 }
 
 /* Entries of 8 bytes each: bit offset, size, address, extension, and one byte to align the next. All are written, or none. */
-uint16_t iso_xcp_answer_write_daq_multiple(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_write_daq_multiple(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     enum { AT = 2, ENTRY_BYTES = 8 };
     const uint8_t count = x->command[1];
@@ -130,7 +131,7 @@ uint16_t iso_xcp_answer_write_daq_multiple(iso_xcp_slave *const s, const iso_xcp
 }
 
 /* There is one event, and one priority. */
-uint16_t iso_xcp_answer_set_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_set_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     if (iso_xcp_word(x->command + 4) >= EVENTS || x->command[7] != 0) {
         return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
@@ -139,7 +140,7 @@ uint16_t iso_xcp_answer_set_mode(iso_xcp_slave *const s, const iso_xcp_exchange 
                         iso_xcp_daq_mode(&s->daq, iso_xcp_word(x->command + 2), x->command[1], x->command[6]));
 }
 
-uint16_t iso_xcp_answer_get_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_get_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     const uint16_t list = iso_xcp_word(x->command + 2);
     if (list >= s->daq.list_count) {
@@ -154,7 +155,7 @@ uint16_t iso_xcp_answer_get_mode(iso_xcp_slave *const s, const iso_xcp_exchange 
 
 enum { STOP, START, SELECT };
 
-uint16_t iso_xcp_answer_start_stop(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_start_stop(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     const uint16_t list = iso_xcp_word(x->command + 2);
     const uint8_t mode = x->command[1];
@@ -177,7 +178,7 @@ uint16_t iso_xcp_answer_start_stop(iso_xcp_slave *const s, const iso_xcp_exchang
 }
 
 /* All that are selected at once, or all. */
-uint16_t iso_xcp_answer_start_stop_synch(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE uint16_t iso_xcp_answer_start_stop_synch(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     enum { STOP_ALL, START_SELECTED, STOP_SELECTED };
     if (x->command[1] > STOP_SELECTED) {

@@ -14,7 +14,7 @@ static uint16_t length_of(const char *const text)
     return n;
 }
 
-void iso_xcp_disconnect(iso_xcp_slave *const s)
+ISO_RARE void iso_xcp_disconnect(iso_xcp_slave *const s)
 {
     s->connected = false;
     s->locked = s->of->lock == NULL ? 0 : s->of->lock->resources;
@@ -25,7 +25,8 @@ void iso_xcp_disconnect(iso_xcp_slave *const s)
     s->daq = (iso_xcp_daq){.stage = ISO_XCP_UNMADE};
 }
 
-void iso_xcp_start(iso_xcp_slave *const s, const iso_xcp_description *const d, const iso_xcp_access *const access)
+ISO_RARE void iso_xcp_start(iso_xcp_slave *const s, const iso_xcp_description *const d,
+                            const iso_xcp_access *const access)
 {
     const iso_xcp_span texts[] = {
         {d->name, length_of(d->name)}, {d->epk, length_of(d->epk)}, {iso_xcp_event_name, sizeof iso_xcp_event_name}};
@@ -39,7 +40,7 @@ void iso_xcp_start(iso_xcp_slave *const s, const iso_xcp_description *const d, c
     iso_xcp_disconnect(s);
 }
 
-static uint16_t answer_connect(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE static uint16_t answer_connect(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     if (x->command[1] != 0) {
         return 0; /* a mode of its own, which this slave does not have */
@@ -55,14 +56,14 @@ static uint16_t answer_connect(iso_xcp_slave *const s, const iso_xcp_exchange *c
     return 8;
 }
 
-static uint16_t answer_disconnect(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE static uint16_t answer_disconnect(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     (void)x;
     iso_xcp_disconnect(s);
     return 1;
 }
 
-static uint16_t answer_status(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE static uint16_t answer_status(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     x->response[1] = iso_xcp_daq_runs(&s->daq) ? ISO_XCP_RUNNING : 0;
     x->response[2] = s->locked;
@@ -77,7 +78,7 @@ static uint16_t answer_synch(iso_xcp_slave *const s, const iso_xcp_exchange *con
     return iso_xcp_refuse(x->response, ISO_XCP_CMD_SYNCH);
 }
 
-static uint16_t answer_comm_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE static uint16_t answer_comm_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     (void)s;
     memset(x->response + 1, 0, 7);
@@ -88,7 +89,7 @@ static uint16_t answer_comm_mode(iso_xcp_slave *const s, const iso_xcp_exchange 
 }
 
 /* The commands of the second level: there is one. */
-static uint16_t answer_level_1(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE static uint16_t answer_level_1(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     enum { GET_VERSION = 0 };
     (void)s;
@@ -104,7 +105,7 @@ static uint16_t answer_level_1(iso_xcp_slave *const s, const iso_xcp_exchange *c
 }
 
 /* The text is read with UPLOAD. */
-static uint16_t answer_id(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE static uint16_t answer_id(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     enum { ID_ASCII = 0, ID_A2L = 1, ID_EPK = 5 };
     const char *const text = x->command[1] == ID_ASCII || x->command[1] == ID_A2L ? s->of->name
@@ -118,7 +119,7 @@ static uint16_t answer_id(iso_xcp_slave *const s, const iso_xcp_exchange *const 
     return 8;
 }
 
-static uint16_t answer_seed(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE static uint16_t answer_seed(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     const uint8_t resource = x->command[2];
     if (x->command[1] == 1) {
@@ -139,7 +140,7 @@ static uint16_t answer_seed(iso_xcp_slave *const s, const iso_xcp_exchange *cons
 }
 
 /* A wrong key ends the connection. */
-static uint16_t answer_unlock(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE static uint16_t answer_unlock(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     const uint8_t key_length = x->command[1];
     if (s->asked == 0) {
@@ -160,7 +161,8 @@ static uint16_t answer_unlock(iso_xcp_slave *const s, const iso_xcp_exchange *co
 }
 
 /* The answer to a command of snapshots, and the place of the record. */
-static uint16_t answer_record(const iso_control *const control, const iso_control_answer came, uint8_t *const response)
+ISO_RARE static uint16_t answer_record(const iso_control *const control, const iso_control_answer came,
+                                       uint8_t *const response)
 {
     response[1] = (uint8_t)came;
     iso_xcp_put_word(response + 2, 0);
@@ -169,7 +171,7 @@ static uint16_t answer_record(const iso_control *const control, const iso_contro
     return 12;
 }
 
-static uint16_t answer_user(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
+ISO_RARE static uint16_t answer_user(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     iso_control *const control = s->access.control;
     const uint8_t asked = x->command[1];
