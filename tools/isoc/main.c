@@ -27,6 +27,7 @@ typedef enum option {
     OPTION_FILES,
     OPTION_EFFECTS,
     OPTION_SHAPE,
+    OPTION_MJCF,
     OPTION_STANDALONE,
     OPTION_LINK,
     OPTION_PYTHON,
@@ -71,6 +72,7 @@ static const struct {
     [OPTION_FILES] = {.word = "--files"},
     [OPTION_EFFECTS] = {.word = "--effects"},
     [OPTION_SHAPE] = {.word = "--shape"},
+    [OPTION_MJCF] = {.word = "--mjcf"},
     [OPTION_STANDALONE] = {.word = "--standalone"},
     [OPTION_LINK] = {.word = "--link"},
     [OPTION_PYTHON] = {.word = "--python"},
@@ -137,6 +139,7 @@ static bool check_together(arena *memory, const char *const *given)
     const char *listing = given[OPTION_DOT] != NULL       ? given[OPTION_DOT]
                           : given[OPTION_FILES] != NULL   ? given[OPTION_FILES]
                           : given[OPTION_EFFECTS] != NULL ? given[OPTION_EFFECTS]
+                          : given[OPTION_MJCF] != NULL    ? given[OPTION_MJCF]
                                                           : given[OPTION_SHAPE]; /* and no plant */
     const char *unlinked = given[OPTION_NAME] != NULL         ? rows[OPTION_NAME].word
                            : given[OPTION_STANDALONE] != NULL ? given[OPTION_STANDALONE]
@@ -216,6 +219,7 @@ static request request_of(const char *const *given)
         .lists_files = given[OPTION_FILES] != NULL,
         .lists_effects = given[OPTION_EFFECTS] != NULL,
         .lists_shape = given[OPTION_SHAPE] != NULL,
+        .for_mujoco = given[OPTION_MJCF] != NULL,
         .is_double = index_of_word(given[OPTION_REAL], real_names, 2) == 1,
         .is_standalone = given[OPTION_STANDALONE] != NULL,
         .is_linked = given[OPTION_LINK] != NULL,

@@ -66,6 +66,18 @@ static bool write_graph(arena *memory, const scene *written, const mechanism *m)
     return write_out(drawing.bytes, drawing.length);
 }
 
+/* The mechanism for MuJoCo. */
+static bool write_mjcf(arena *memory, const request *r, const graph *g, const mechanism *m)
+{
+    text file = {.memory = memory};
+    const char *fault = emit_mjcf(g, m, &file);
+    if (fault != NULL) {
+        fprintf(stderr, "%s: error: %s\n", r->scene, fault);
+        return false;
+    }
+    return write_out(file.bytes, file.length);
+}
+
 /* Checks that a plant is useful at its start, each where those before it hold. */
 static void check(source *s, const graph *g, const plant *p)
 {
@@ -154,6 +166,9 @@ bool compile(arena *memory, const request *r)
     point_queries_resolve(&g, &m); /* quantities of points in formulas: nodes of the states instead of leaves */
     if (s.problem_count > 0) {
         return refuse(&s);
+    }
+    if (r->for_mujoco) {
+        return write_mjcf(memory, r, &g, &m);
     }
     /* The plant: all that a tick computes, as nodes of states, inputs and tunables. */
     plant p = plant_build(&g, &m, r->is_double, r->wanted); /* derivative, outputs, factors of an implicit method */

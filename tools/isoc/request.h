@@ -7,12 +7,12 @@
 /* An option that is not given is NULL. */
 typedef struct request {
     const char *scene, *directory, *name;
-    const char *method, *step, *tolerance, *set, *without, *inputs; /* in place of the scene's */
-    const char *lock;                                               /* of --xcp */
-    const char *trim, *state;                                       /* of a linear model */
-    const char *sweep, *of, *runs, *seed;                           /* of a plan of runs */
-    const char *vary;                                               /* tunables that runs set at their start */
-    bool draws, lists_files, lists_effects, lists_shape;            /* nothing else is asked for */
+    const char *method, *step, *tolerance, *set, *without, *inputs;  /* in place of the scene's */
+    const char *lock;                                                /* of --xcp */
+    const char *trim, *state;                                        /* of a linear model */
+    const char *sweep, *of, *runs, *seed;                            /* of a plan of runs */
+    const char *vary;                                                /* tunables that runs set at their start */
+    bool draws, lists_files, lists_effects, lists_shape, for_mujoco; /* nothing else is asked for */
     bool is_double, is_standalone, is_linked, is_python, is_linear, has_lanes;
     build_options wanted;
 } request;
