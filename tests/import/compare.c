@@ -19,6 +19,7 @@ typedef struct robot_drive {
     const char *name;
     int is_control; /* of an actuator of the file; else an effort on the joint */
     const char *joint;
+    int input; /* of the plant, where another one comes back from MJCF; in that, and else, drives are inputs */
 } robot_drive;
 
 typedef struct robot_body {
@@ -27,7 +28,8 @@ typedef struct robot_body {
 } robot_body;
 
 typedef struct robot_state {
-    const double *q, *v, *u, *a; /* as MuJoCo has them, joint after joint; a: what is right */
+    const double *q, *v, *u; /* as MuJoCo has them, joint after joint; u: of the drives */
+    const double *a;         /* what is right; NULL: what the plant has that comes back from MJCF */
 } robot_state;
 
 enum { STATES = 4, MOST = 256 };
@@ -41,6 +43,7 @@ typedef struct robot {
     const robot_drive *drives;
     int drive_count, against_mujoco, gears;
     robot_state states[STATES];
+    const iso_model *again; /* of the scene that comes back from MJCF */
 } robot;
 
 #include "robots.h"
@@ -64,11 +67,11 @@ static int place_of(const char *list, const char *name)
     exit(1);
 }
 
-static int state_of(const robot *r, int j, const char *ending)
+static int state_of(const robot *r, const iso_model *m, int j, const char *ending)
 {
     char name[128];
     snprintf(name, sizeof name, "%s%s", r->joints[j].name, ending);
-    return place_of(r->model->state_names, name);
+    return place_of(m->state_names, name);
 }
 
 static const char *first_position(joint_kind kind)
@@ -82,13 +85,13 @@ static const char *first_speed(joint_kind kind)
 }
 
 /* The accelerations of the plant in one state. */
-static void of_plant(const robot *r, const robot_state *s, double *a)
+static void of_plant(const robot *r, const iso_model *m, const robot_state *s, double *a)
 {
     double x[MOST] = {0}, dx[MOST] = {0}, u[MOST] = {0};
     const double *q = s->q, *v = s->v;
     for (int j = 0; j < r->joint_count; j++) {
         const joint_kind kind = r->joints[j].kind;
-        const int at = state_of(r, j, first_position(kind)), speed = state_of(r, j, first_speed(kind));
+        const int at = state_of(r, m, j, first_position(kind)), speed = state_of(r, m, j, first_speed(kind));
         for (int k = 0; k < positions[kind]; k++) {
             x[at + k] = *q++ - (kind == HINGE || kind == SLIDE ? r->joints[j].zero : 0.0);
         }
@@ -96,11 +99,13 @@ static void of_plant(const robot *r, const robot_state *s, double *a)
             x[speed + k] = *v++;
         }
     }
-    memcpy(u, s->u, (size_t)r->drive_count * sizeof *u);
-    r->model->derivative(dx, x, u, r->model->defaults);
+    for (int k = 0; k < r->drive_count; k++) {
+        u[m == r->model && r->again != NULL ? r->drives[k].input : k] = s->u[k];
+    }
+    m->derivative(dx, x, u, m->defaults);
     for (int j = 0; j < r->joint_count; j++) {
         const joint_kind kind = r->joints[j].kind;
-        memcpy(a, dx + state_of(r, j, first_speed(kind)), (size_t)speeds[kind] * sizeof *a);
+        memcpy(a, dx + state_of(r, m, j, first_speed(kind)), (size_t)speeds[kind] * sizeof *a);
         a += speeds[kind];
     }
 }
@@ -296,7 +301,7 @@ static double against_mujoco(const robot *r, int n)
     mjData *d = mj_makeData(m);
     for (int k = 0; k < STATES; k++) {
         double here[MOST], there[MOST];
-        of_plant(r, &r->states[k], here);
+        of_plant(r, r->model, &r->states[k], here);
         worst = of_mujoco(r, &r->states[k], m, d, there) ? fmax(worst, difference(here, there, n)) : (double)INFINITY;
     }
     mj_deleteData(d);
@@ -324,9 +329,12 @@ int main(int argc, char **argv)
             n += speeds[r->joints[j].kind];
         }
         for (int k = 0; k < STATES; k++) {
-            double a[MOST];
-            of_plant(r, &r->states[k], a);
-            own = fmax(own, difference(a, r->states[k].a, n));
+            double a[MOST], again[MOST];
+            of_plant(r, r->model, &r->states[k], a);
+            if (r->again != NULL) {
+                of_plant(r, r->again, &r->states[k], again);
+            }
+            own = fmax(own, difference(a, r->again != NULL ? again : r->states[k].a, n));
         }
         const double theirs = against_mujoco(r, n);
         if (own > tolerance || theirs > tolerance) {

@@ -87,6 +87,9 @@ static void put_seat(const writer *w, const seat *p)
 
 /* --- bodies --- */
 
+/* What is left of an inertia without size, about its centre. */
+static const double rounding = 1e-15;
+
 /* All that stands on a segment, from the bodies of the scene: regroup.c moves none of it. About its centre of mass. */
 static void weigh(const writer *w, solid_body *b)
 {
@@ -110,7 +113,8 @@ static void weigh(const writer *w, solid_body *b)
     const double *c = b->centre, square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
     static const int rows[6] = {0, 1, 2, 0, 0, 1}, columns[6] = {0, 1, 2, 1, 2, 2};
     for (int k = 0; k < 6; k++) {
-        b->inertia[k] = about[k] - b->mass * ((k < 3 ? square : 0.0) - c[rows[k]] * c[columns[k]]);
+        const double own = about[k] - b->mass * ((k < 3 ? square : 0.0) - c[rows[k]] * c[columns[k]]);
+        b->inertia[k] = fabs(own) < rounding * (about[0] + about[1] + about[2]) ? 0.0 : own;
     }
 }
 
