@@ -50,13 +50,13 @@ static void inward_of(const seat *p, const double v[3], double result[3])
     }
 }
 
-static seat seat_of(const writer *w, matrix turn, vector at)
+static seat seat_of(const writer *w, matrix axes, vector at)
 {
     seat result;
     for (int i = 0; i < 3; i++) {
         result.at[i] = w->numbers[at.at[i]];
         for (int j = 0; j < 3; j++) {
-            result.turn[i][j] = w->numbers[turn.at[i][j]];
+            result.turn[i][j] = w->numbers[axes.at[i][j]];
         }
     }
     return result;
@@ -67,9 +67,9 @@ static seat still(void)
     return (seat){{0.0, 0.0, 0.0}, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 }
 
-static void put_numbers(const writer *w, const char *name, const double *x, int count)
+static void put_numbers(const writer *w, const char *called, const double *x, int count)
 {
-    text_add(w->out, " %s=\"", name);
+    text_add(w->out, " %s=\"", called);
     for (int i = 0; i < count; i++) {
         text_add(w->out, i > 0 ? " %.17g" : "%.17g", x[i] + 0.0);
     }
@@ -118,22 +118,22 @@ static void weigh(const writer *w, solid_body *b)
     }
 }
 
-static bool is_heavy(const writer *w, int segment)
+static bool is_heavy(const writer *w, int at)
 {
     double mass = 0.0;
     for (int i = 0; i < w->m->bodies.count; i++) {
-        mass += w->m->bodies.frames[i].segment == segment ? w->numbers[w->m->bodies.members[i].own.mass] : 0.0;
+        mass += w->m->bodies.frames[i].segment == at ? w->numbers[w->m->bodies.members[i].own.mass] : 0.0;
     }
     return mass > 0.0;
 }
 
 /* The segment behind one without mass, if that is the only one; else -1. */
-static int only_child(const mechanism *m, int segment)
+static int only_child(const mechanism *m, int at)
 {
     int found = -1, count = 0;
-    for (int i = segment + 1; i < m->segment_count; i++) {
-        found = m->segments[i].parent == segment ? i : found;
-        count += m->segments[i].parent == segment;
+    for (int i = at + 1; i < m->segment_count; i++) {
+        found = m->segments[i].parent == at ? i : found;
+        count += m->segments[i].parent == at;
     }
     return count == 1 ? found : -1;
 }
@@ -167,11 +167,11 @@ static bool join_segments(writer *w)
 }
 
 /* The frame of a segment in that of its body, where all coordinates are zero. */
-static seat in_body(const writer *w, int segment)
+static seat in_body(const writer *w, int at)
 {
-    const int last = w->bodies[w->of[segment]].last;
+    const int last = w->bodies[w->of[at]].last;
     seat outer = still();
-    for (int i = last; i != segment; i = w->m->segments[i].parent) {
+    for (int i = last; i != at; i = w->m->segments[i].parent) {
         const seat own = seat_of(w, w->m->segments[i].turn, w->m->segments[i].offset);
         outer = then(&own, &outer);
     }
@@ -193,8 +193,8 @@ static void put_joint(const writer *w, int i)
         [JOINT_REVOLUTE] = "hinge", [JOINT_PRISMATIC] = "slide", [JOINT_SPHERICAL] = "ball"};
     const segment *l = &w->m->segments[i];
     const seat p = in_body(w, i);
-    const double values[4] = {w->numbers[l->damping], w->numbers[l->spring], w->numbers[l->rest],
-                              w->numbers[l->armature]};
+    const double given[4] = {w->numbers[l->damping], w->numbers[l->spring], w->numbers[l->rest],
+                             w->numbers[l->armature]};
     static const char *const names[4] = {"damping", "stiffness", "springref", "armature"};
     text_add(w->out, "<joint name=\"%s\" type=\"%s\"", l->name, kinds[l->kind]);
     put_numbers(w, "pos", p.at, 3);
@@ -204,23 +204,23 @@ static void put_joint(const writer *w, int i)
         put_numbers(w, "axis", axis, 3);
     }
     for (int k = 0; k < 4; k++) {
-        if (values[k] != 0.0) {
-            put_numbers(w, names[k], &values[k], 1);
+        if (given[k] != 0.0) {
+            put_numbers(w, names[k], &given[k], 1);
         }
     }
     text_add(w->out, "/>\n");
 }
 
 /* A place on a segment or the ground, as a site. */
-static void put_site(const writer *w, const char *name, const char *ending, int segment, int on, vector point)
+static void put_site(const writer *w, const char *called, const char *ending, int at, int on, vector point)
 {
-    if (on != (segment == GROUND ? GROUND : w->of[segment])) {
+    if (on != (at == GROUND ? GROUND : w->of[at])) {
         return;
     }
     const seat own = {{w->numbers[point.at[0]], w->numbers[point.at[1]], w->numbers[point.at[2]]},
                       {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-    const seat body = segment == GROUND ? still() : in_body(w, segment), site = then(&body, &own);
-    text_add(w->out, "<site name=\"%s%s\"", name, ending);
+    const seat base = at == GROUND ? still() : in_body(w, at), site = then(&base, &own);
+    text_add(w->out, "<site called=\"%s%s\"", called, ending);
     put_seat(w, &site);
     text_add(w->out, "/>\n");
 }
@@ -306,8 +306,8 @@ static void put_actuators(const writer *w)
             }
             gear[k + 3] = w->numbers[f->lever] * gear[k];
         }
-        const char *name = m->inputs.all[f->drive].name;
-        text_add(w->out, "<motor name=\"%s_force%d\" site=\"%s_site%d\"", name, i, name, i);
+        const char *input = m->inputs.all[f->drive].name;
+        text_add(w->out, "<motor name=\"%s_force%d\" site=\"%s_site%d\"", input, i, input, i);
         put_numbers(w, "gear", gear, 6);
         text_add(w->out, "/>\n");
     }
