@@ -220,7 +220,7 @@ static void put_site(const writer *w, const char *called, const char *ending, in
     const seat own = {{w->numbers[point.at[0]], w->numbers[point.at[1]], w->numbers[point.at[2]]},
                       {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
     const seat base = at == GROUND ? still() : in_body(w, at), site = then(&base, &own);
-    text_add(w->out, "<site called=\"%s%s\"", called, ending);
+    text_add(w->out, "<site name=\"%s%s\"", called, ending);
     put_seat(w, &site);
     text_add(w->out, "/>\n");
 }
