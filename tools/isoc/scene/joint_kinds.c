@@ -1,8 +1,9 @@
 #include "tools/isoc/scene/joint_kinds.h"
 
-#define SLIDE JOINT_PRISMATIC
-#define TURN JOINT_REVOLUTE
-#define BALL JOINT_SPHERICAL
+/* A part, named by its first member: what is not named behind it is zero. */
+#define SLIDE .kind = JOINT_PRISMATIC
+#define TURN .kind = JOINT_REVOLUTE
+#define BALL .kind = JOINT_SPHERICAL
 const joint_row joint_rows[JOINT_KINDS] = {
     [JOINT_FIXED] = {"fixed", NULL, {{0}}},
     [JOINT_REVOLUTE] = {"revolute", "start 10 deg", {{TURN, ALONG_AXIS, ""}}},
