@@ -191,31 +191,33 @@ static inline bool iso_lanes_tick(iso_lanes *const lanes)
     const iso_plant *const plant = &lanes->plant;
     const iso_model *const model = plant->model;
     const size_t bytes = model->lane_bytes;
-    const unsigned leader = iso_lanes_first_outside(lanes->statistics.stopped);
-    if (leader == ISO_LANES) {
-        return false;
-    }
-    if (iso_any(lanes->statistics.stopped)) {
+    const bool some_stopped = iso_any(lanes->statistics.stopped);
+    if (some_stopped) {
+        const unsigned leader = iso_lanes_first_outside(lanes->statistics.stopped);
+        if (leader == ISO_LANES) {
+            return false;
+        }
         iso_lanes_follow(plant->memory, bytes, leader, lanes->statistics.stopped);
     }
     if (model->drive != NULL) {
         model->drive(plant->memory, lanes->tick);
     }
-    const iso_refused refused = iso_plant_admit(plant);
-    iso_lanes_count_refused(lanes->statistics.inputs, refused.inputs & ~lanes->statistics.stopped);
-    iso_lanes_count_refused(lanes->statistics.parameters, refused.parameters & ~lanes->statistics.stopped);
-    iso_flag restarts = ISO_NOTHING;
+    if (model->admit != NULL) {
+        const iso_refused refused = iso_plant_admit(plant);
+        iso_lanes_count_refused(lanes->statistics.inputs, refused.inputs & ~lanes->statistics.stopped);
+        iso_lanes_count_refused(lanes->statistics.parameters, refused.parameters & ~lanes->statistics.stopped);
+    }
     if (model->attempt != NULL) {
-        restarts = model->attempt(plant);
+        const iso_flag restarts = model->attempt(plant);
+        iso_lanes_count(lanes->statistics.restarts, restarts & ~lanes->statistics.stopped);
     } else {
         model->step(plant->memory);
     }
-    iso_lanes_count(lanes->statistics.restarts, restarts & ~lanes->statistics.stopped);
     const bool runs = iso_lanes_finish(lanes);
     if (runs && model->tell != NULL) {
         model->tell(plant, lanes->tick + 1, &lanes->statistics);
     }
-    if (iso_any(lanes->statistics.stopped)) {
+    if (some_stopped || !runs || iso_any(lanes->statistics.stopped)) {
         iso_lanes_take(plant->memory, lanes->parked, bytes, lanes->statistics.stopped);
     }
     lanes->tick++;
