@@ -97,7 +97,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear sweep
+GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear sweep batch
 
 .PHONY: help shared digits functions determinism tables pictures compare monitor import clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -204,6 +204,7 @@ EFFECTS_report := SCENE METHODS STEP SECONDS RECORDED
 EFFECTS_bench := $(EFFECTS_report)
 EFFECTS_linear := SCENE METHOD STEP TOLERANCE SET WITHOUT AT TRIM BODE
 EFFECTS_sweep := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT SECONDS REAL OF RUNS SEED ENGINE HOSTS
+EFFECTS_batch := SCENE METHOD STEP INPUTS SET WITHOUT REAL
 EFFECTS_drift := SCENE STEP SECONDS
 EFFECTS_test := TEST_JOBS
 EFFECTS_check := TEST_JOBS
@@ -456,6 +457,7 @@ report: ## measure the error of every method over its cost and its step, and mor
 bench: ## compare the methods at equal step and at equal error, as a table
 linear: ## the linear model of SCENE: A, B, C, D, equilibria (TRIM), modes in words, Bode plots (BODE), in build/linear/NAME/
 sweep: ## make many runs of SCENE, with the values of SET: a table of what OF says, in build/sweep/NAME/; it goes on where it was ended
+batch: ## measure how many steps in a second a core makes of SCENE: alone, and 8, 16, 32 plants side by side, by isoc --lanes
 drift: ## measure the drift of closed loops with every stabilisation: a table, and a picture in build/drift/NAME/
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
@@ -472,6 +474,7 @@ TOOLS_OF_python := build/isoc build/duration
 TOOLS_OF_link := $(TOOLS_OF_run) build/link
 TOOLS_OF_linear := build/isoc build/duration
 TOOLS_OF_sweep := $(TOOLS_OF_linear)
+TOOLS_OF_batch := build/isoc
 TOOLS_OF_hil := $(TOOLS_OF_link)
 TOOLS_OF_conform := $(TOOLS_OF_run) build/duties
 LOCK_TOOLS := flock realpath

@@ -100,6 +100,19 @@ build/isoc models/cart_pole.scene -o "$out/alone" --name cart --standalone --lan
     (cd "$out/alone" && $CC -std=c11 -O2 -Wall -Wextra -Wpedantic -Werror -Wno-psabi -fno-math-errno -DISO_LANES=16 -I. -c cart.c -o cart.o)
 result $? "lanes in a folder that compiles alone"
 
+# make batch, which finds a lane with other bits.
+! next_turn 10 || {
+    batch()
+    {
+        SCENE=models/pendulum.scene FOLDER=$out/batch EACH=0.001 COMPILE="$CC $FLAGS -D_POSIX_C_SOURCE=200809L $1" \
+            sh tools/measure/batch.sh >"$out/table" 2>"$out/errors"
+    }
+    batch -O1 && [ "$(grep -c 'million' "$out/table")" -eq 4 ]
+    result $? "make batch has a row for one plant, 8, 16 and 32"
+    ! batch "-O1 -include $PWD/tests/lanes/off.h" && grep -q 'other bits' "$out/errors"
+    result $? "found: lanes that compute with other constants"
+}
+
 # What has no lanes.
 refused()
 {

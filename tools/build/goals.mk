@@ -339,6 +339,12 @@ linear: build/isoc
 	    sh tools/linear/linear.sh $(filter-out --real float double,$(CHOICE)) --real double
 
 # The SET of a sweep has more than one value; the plan of isoc has it.
+batch: build/isoc
+	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no lanes: they are for scenes))
+	@SCENE=$(call quote,$(SCENE)) FOLDER=build/batch/$(FOLDER) \
+	    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS) $(REAL_FLAGS_$(REAL))) \
+	    sh tools/measure/batch.sh $(CHOICE)
+
 sweep: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no sweep: it is for scenes))
 	$(if $(SET),,$(error SET says what varies, such as SET='mass = 0.1 .. 0.3 kg by 21'))
