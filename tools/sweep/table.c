@@ -96,6 +96,15 @@ static const char *status_of(const char *const row)
     return tab == NULL ? "" : tab + 1;
 }
 
+static FILE *opened(const char *const path)
+{
+    FILE *const from = fopen(path, "r");
+    if (from == NULL) {
+        plan_fail(strerror(errno), path);
+    }
+    return from;
+}
+
 void table_make(const plan *const p, const char *const folder, const char *const again)
 {
     made table = begin(folder, "sweep.tsv"), columns = begin(folder, "columns.tsv"),
@@ -107,10 +116,7 @@ void table_make(const plan *const p, const char *const folder, const char *const
     for (uint64_t part = 0; part < p->parts; part++) {
         char path[PLAN_PATH_BYTES];
         plan_part_path(p, part, path, sizeof path);
-        FILE *const from = fopen(path, "r");
-        if (from == NULL) {
-            plan_fail(strerror(errno), path);
-        }
+        FILE *const from = opened(path);
         while (fgets(row, sizeof row, from) != NULL) {
             if (strchr(row, '\n') == NULL || strtoull(row, NULL, 10) != run || run >= plan_first(p, part + 1)) {
                 plan_fail("the part has other runs", path);

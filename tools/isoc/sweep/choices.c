@@ -1,5 +1,7 @@
 /* NAME = VALUE {, VALUE} {; NAME = ...}. A VALUE is a number, numbers from one to another (0.1 .. 0.3 kg by 21), or one
  * that is random (normal(0.2, 0.01) kg); of `method` the word of a method, of `step` a time. */
+#include "tools/isoc/sweep/sweep.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +10,6 @@
 #include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/scene/take.h"
-#include "tools/isoc/sweep/sweep.h"
 
 enum { MOST_VALUES = 1000000 };
 
@@ -44,9 +45,9 @@ static const char *readable(arena *memory, const script *of)
 }
 
 /* The unit that isoc writes for a dimension, as it reads it. */
-static unit unit_as_written(arena *memory, const char *text)
+static unit unit_as_written(arena *memory, const char *words)
 {
-    source s = source_of_text(memory, "unit", arena_format(memory, "constant c = 1 %s\n", text));
+    source s = source_of_text(memory, "unit", arena_format(memory, "constant c = 1 %s\n", words));
     const scene of = parse_scene(&s);
     const bool is_read = s.problem_count == 0 && of.parameters.count == 1 && of.parameters.all[0].value != NULL;
     return is_read ? of.parameters.all[0].value->unit : unit_one;
@@ -54,9 +55,9 @@ static unit unit_as_written(arena *memory, const char *text)
 
 static void be_of(arena *memory, sweep_variable *v, dimension of)
 {
-    const char *text = dimension_unit(memory, of);
+    const char *words = dimension_unit(memory, of);
     v->of = of;
-    v->unit_text = strcmp(text, "1") == 0 ? "" : text;
+    v->unit_text = strcmp(words, "1") == 0 ? "" : words;
     v->si = unit_as_written(memory, v->unit_text);
 }
 
@@ -147,9 +148,9 @@ static const formula *varying(const reading *r, const formula *f)
 /* The number that a formula is. */
 static double number_of(reading *r, const sweep_variable *v, const formula *f)
 {
-    const formula *name = r->at.failed ? NULL : varying(r, f);
-    if (name != NULL) {
-        PARSE_FAULT(&r->at, name->at, "'%s' varies itself: a value is of what does not", name->name);
+    const formula *itself = r->at.failed ? NULL : varying(r, f);
+    if (itself != NULL) {
+        PARSE_FAULT(&r->at, itself->at, "'%s' varies itself: a value is of what does not", itself->name);
     }
     return r->at.failed ? 0.0 : value_constant(&r->v, f, v->of, arena_format(r->at.s->memory, "'%s'", v->name), 0.0);
 }
@@ -226,22 +227,22 @@ static void read_random(reading *r, sweep_variable *v, sweep_law law)
     parser *at = &r->at;
     const place where = at->next->at;
     at->next += 2;
-    formula *first = parse_formula(at);
+    formula *low = parse_formula(at);
     expect_sign(at, ',',
                 "expected , and a second number: uniform(0.1, 0.3) kg is from 0.1 kg to 0.3 kg, "
                 "normal(0.2, 0.01) kg has this mean and this standard deviation");
-    formula *second = parse_formula(at), *with = number_in(second);
+    formula *high = parse_formula(at), *with = number_in(high);
     expect_sign(at, ')', "expected )");
     unit behind;
     if (!at->failed && take_unit(at, &behind)) {
-        lend_unit(first, &behind);
-        lend_unit(second, &behind);
+        lend_unit(low, &behind);
+        lend_unit(high, &behind);
     } else if (with != NULL) {
-        lend_unit(first, &with->unit);
+        lend_unit(low, &with->unit);
     }
     v->law = law;
-    v->first = number_of(r, v, first);
-    v->second = number_of(r, v, second);
+    v->first = number_of(r, v, low);
+    v->second = number_of(r, v, high);
     if (!at->failed && (law == SWEEP_NORMAL ? !(v->second >= 0.0) : !(v->second >= v->first))) {
         PARSE_FAULT(at, where,
                     law == SWEEP_NORMAL ? "the standard deviation of '%s' is below zero"

@@ -13,10 +13,10 @@ static const char *const facts[] = {"hash", "ticks", "restarts"};
 static const char *const example = "max energy, or hash";
 
 /* Whether an output is that of a name, or a component of it: tip_x of tip. */
-static bool is_of(const char *output, const char *called)
+static bool is_of(const char *one, const char *called)
 {
     const size_t length = strlen(called);
-    const char *rest = strncmp(output, called, length) == 0 ? output + length : "?";
+    const char *rest = strncmp(one, called, length) == 0 ? one + length : "?";
     return rest[0] == '\0' || (rest[0] == '_' && rest[1] >= 'w' && rest[1] <= 'z' && rest[2] == '\0');
 }
 

@@ -1,27 +1,28 @@
 /* Random values of runs: of a text that names the seed, the variable and the run the hash FNV-1a, of which the finaliser
  * of SplitMix64 (Steele, Lea and Flood 2014) makes as many numbers as are wanted. Normal ones by the polar method
  * (Marsaglia and Bray 1964), with the logarithm that has the same bits on every host. */
+#include "tools/isoc/sweep/sweep.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
 
 #include "tools/isoc/base/elementary.h"
-#include "tools/isoc/sweep/sweep.h"
 
-static uint64_t hash_of(const char *text)
+static uint64_t hash_of(const char *words)
 {
     uint64_t hash = UINT64_C(0xCBF29CE484222325);
-    for (const char *c = text; *c != '\0'; c++) {
+    for (const char *c = words; *c != '\0'; c++) {
         hash = (hash ^ (unsigned char)*c) * UINT64_C(0x00000100000001B3);
     }
     return hash;
 }
 
 /* The next number between 0 and 1, neither of which it is. */
-static double next_number(uint64_t *state)
+static double next_number(uint64_t *last)
 {
-    *state += UINT64_C(0x9E3779B97F4A7C15);
-    uint64_t z = *state;
+    *last += UINT64_C(0x9E3779B97F4A7C15);
+    uint64_t z = *last;
     z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
     z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
     z ^= z >> 31;
@@ -30,16 +31,16 @@ static double next_number(uint64_t *state)
 
 double sweep_draw(uint64_t seed, const char *called, uint64_t run, sweep_law law, double first, double second)
 {
-    char text[160];
-    snprintf(text, sizeof text, "%" PRIu64 " %s %" PRIu64, seed, called, run);
-    uint64_t state = hash_of(text);
+    char words[160];
+    snprintf(words, sizeof words, "%" PRIu64 " %s %" PRIu64, seed, called, run);
+    uint64_t numbers = hash_of(words);
     if (law == SWEEP_UNIFORM) {
-        return first + (second - first) * next_number(&state);
+        return first + (second - first) * next_number(&numbers);
     }
     double x, square;
     do {
-        x = 2.0 * next_number(&state) - 1.0;
-        const double y = 2.0 * next_number(&state) - 1.0;
+        x = 2.0 * next_number(&numbers) - 1.0;
+        const double y = 2.0 * next_number(&numbers) - 1.0;
         square = x * x + y * y;
     } while (square >= 1.0);
     return first + second * (x * sqrt(-2.0 * elementary_log(square) / square));

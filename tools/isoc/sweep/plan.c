@@ -1,3 +1,5 @@
+#include "tools/isoc/sweep/sweep.h"
+
 #include <errno.h>
 #include <inttypes.h>
 #include <math.h>
@@ -10,7 +12,6 @@
 #include "tools/isoc/emit/code.h"
 #include "tools/isoc/emit/write.h"
 #include "tools/isoc/scene/parser.h"
-#include "tools/isoc/sweep/sweep.h"
 
 enum { MOST_RUNS = 1000000, MOST_PARTS = 256 };
 
