@@ -15,6 +15,15 @@
 
 #include "tools/sweep/run.h"
 
+static FILE *opened(const char *const path)
+{
+    FILE *const to = fopen(path, "w");
+    if (to == NULL) {
+        plan_fail(strerror(errno), path);
+    }
+    return to;
+}
+
 void part_make(const plan *const p, const uint64_t part)
 {
     char path[PLAN_PATH_BYTES], beside[PLAN_PATH_BYTES + 160], host[80] = "";
@@ -27,10 +36,7 @@ void part_make(const plan *const p, const uint64_t part)
     }
     (void)gethostname(host, sizeof host - 1);
     snprintf(beside, sizeof beside, "%s.%s.%ld", path, host, (long)getpid());
-    FILE *const to = fopen(beside, "w");
-    if (to == NULL) {
-        plan_fail(strerror(errno), beside);
-    }
+    FILE *const to = opened(beside);
     run_rows(p, plan_first(p, part), plan_first(p, part + 1), to);
     const bool is_written = ferror(to) == 0;
     if (fclose(to) != 0 || !is_written || rename(beside, path) != 0) {
