@@ -19,19 +19,19 @@ enum { ISO_COBS_FULL = 255 };
  * are. Every zero becomes the code of a block, so that all else stays where it is, but behind a block that is full. */
 static inline size_t iso_cobs_encode(uint8_t *const bytes, const size_t count)
 {
-    size_t end = 1 + count, code = 0;
+    size_t end = 1 + count, block = 0;
     for (size_t i = 1; i < end; i++) {
         if (bytes[i] == 0) {
-            bytes[code] = (uint8_t)(i - code);
-            code = i;
-        } else if (i - code == ISO_COBS_FULL - 1) {
-            bytes[code] = ISO_COBS_FULL;
-            code = ++i;
+            bytes[block] = (uint8_t)(i - block);
+            block = i;
+        } else if (i - block == ISO_COBS_FULL - 1) {
+            bytes[block] = ISO_COBS_FULL;
+            block = ++i;
             memmove(bytes + i + 1, bytes + i, end - i);
             end++;
         }
     }
-    bytes[code] = (uint8_t)(end - code);
+    bytes[block] = (uint8_t)(end - block);
     return end;
 }
 
@@ -40,14 +40,14 @@ static inline size_t iso_cobs_decode(uint8_t *const bytes, const size_t count)
 {
     size_t from = 0, to = 0;
     while (from < count) {
-        const uint8_t code = bytes[from++];
-        if (code == 0 || code - 1U > count - from) {
+        const uint8_t block_code = bytes[from++];
+        if (block_code == 0 || block_code - 1U > count - from) {
             return 0;
         }
-        for (uint8_t i = 1; i < code; i++) {
+        for (uint8_t i = 1; i < block_code; i++) {
             bytes[to++] = bytes[from++];
         }
-        if (code < ISO_COBS_FULL && from < count) {
+        if (block_code < ISO_COBS_FULL && from < count) {
             bytes[to++] = 0;
         }
     }
