@@ -97,7 +97,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear sweep batch
+GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear sweep batch fmu
 
 .PHONY: help shared digits functions determinism tables pictures compare monitor import clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -206,6 +206,7 @@ EFFECTS_linear := SCENE METHOD STEP TOLERANCE SET WITHOUT AT TRIM BODE
 EFFECTS_sweep := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT SECONDS REAL OF RUNS SEED ENGINE HOSTS
 EFFECTS_batch := SCENE METHOD STEP INPUTS SET WITHOUT REAL
 EFFECTS_drift := SCENE STEP SECONDS
+EFFECTS_fmu := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL
 EFFECTS_test := TEST_JOBS
 EFFECTS_check := TEST_JOBS
 EFFECTS_tables := TABLES
@@ -309,6 +310,9 @@ $(error a plant in C has no snapshots of its runs: they are for scenes)
 endif
 ifneq ($(and $(filter show,$(MAKECMDGOALS)),$(IS_IN_C)),)
 $(error make show is of scenes; $(SCENE) is a plant in C, of whose bodies nothing is known)
+endif
+ifneq ($(and $(filter fmu,$(MAKECMDGOALS)),$(IS_IN_C)),)
+$(error make fmu is of scenes; $(SCENE) is a plant in C, of whose quantities too little is known)
 endif
 ifneq ($(STILL),)
 ifneq ($(shell printf %s $(call quote,$(STILL)) | sed 's/^[0-9]\{1,9\}\([.][0-9]*\)\{0,1\}$$//'),)
@@ -455,6 +459,7 @@ chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cor
 flags: ## measure a step with each optimisation of the compiler: a table of MODELS on the TARGET
 report: ## measure the error of every method over its cost and its step, and more: a page, tables and pictures in build/report/NAME/
 bench: ## compare the methods at equal step and at equal error, as a table
+fmu: ## write SCENE as an FMU for co-simulation, FMI 3.0, with sources and a library: build/fmu/NAME/NAME.fmu (tools/fmu)
 linear: ## the linear model of SCENE: A, B, C, D, equilibria (TRIM), modes in words, Bode plots (BODE), in build/linear/NAME/
 sweep: ## make many runs of SCENE, with the values of SET: a table of what OF says, in build/sweep/NAME/; it goes on where it was ended
 batch: ## measure how many steps in a second a core makes of SCENE: alone, and 8, 16, 32 plants side by side, by isoc --lanes
@@ -475,6 +480,7 @@ TOOLS_OF_link := $(TOOLS_OF_run) build/link
 TOOLS_OF_linear := build/isoc build/duration
 TOOLS_OF_sweep := $(TOOLS_OF_linear)
 TOOLS_OF_batch := build/isoc
+TOOLS_OF_fmu := build/isoc build/duration
 TOOLS_OF_hil := $(TOOLS_OF_link)
 TOOLS_OF_conform := $(TOOLS_OF_run) build/duties
 LOCK_TOOLS := flock realpath

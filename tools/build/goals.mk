@@ -354,3 +354,8 @@ sweep: build/isoc
 	    STEP=$(call quote,$(STEP)) TOLERANCE=$(call quote,$(TOLERANCE)) INPUTS=$(INPUTS) WITHOUT=$(call quote,$(WITHOUT)) REAL=$(REAL) \
 	    ENGINE=$(call quote,$(ENGINE)) HOSTS=$(call quote,$(HOSTS)) COMPILE=$(call quote,$(COMPILE)) \
 	    LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK)) OBJECTS=$(call quote,$(SWEEP_OBJECTS)) sh tools/sweep/sweep.sh
+
+fmu: build/isoc
+	$(call require,python3,apt-get install python3)
+	@SCENE=$(call quote,$(SCENE)) FOLDER=$(FOLDER) \
+	    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) $(CFLAGS)) sh tools/fmu/fmu.sh $(CHOICE)

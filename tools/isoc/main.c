@@ -33,6 +33,7 @@ typedef enum option {
     OPTION_PYTHON,
     OPTION_LANES,
     OPTION_LINEAR,
+    OPTION_FMU,
     OPTION_TRIM,
     OPTION_STATE,
     OPTION_SWEEP,
@@ -78,6 +79,7 @@ static const struct {
     [OPTION_PYTHON] = {.word = "--python"},
     [OPTION_LANES] = {.word = "--lanes"},
     [OPTION_LINEAR] = {.word = "--linear"},
+    [OPTION_FMU] = {.word = "--fmu"},
     [OPTION_TRIM] = {"--trim", .has_value = true},
     [OPTION_STATE] = {"--state", .has_value = true},
     [OPTION_SWEEP] = {"--sweep", .has_value = true},
@@ -170,6 +172,9 @@ static bool check_together(arena *memory, const char *const *given)
     if ((given[OPTION_RUNS] != NULL || given[OPTION_SEED] != NULL) && given[OPTION_SWEEP] == NULL) {
         return complain("--runs and --seed are of a sweep: add --sweep and --of", NULL);
     }
+    if (given[OPTION_FMU] != NULL && (given[OPTION_LINK] != NULL || given[OPTION_LINEAR] != NULL || listing != NULL)) {
+        return complain("--fmu makes a folder for an FMU: leave out --link, --linear and lists", NULL);
+    }
     if (given[OPTION_LOCK] != NULL && given[OPTION_LINK] == NULL) {
         return complain("--xcp is of a plant with a link: add --link to --xcp", given[OPTION_LOCK]);
     }
@@ -221,7 +226,8 @@ static request request_of(const char *const *given)
         .lists_shape = given[OPTION_SHAPE] != NULL,
         .for_mujoco = given[OPTION_MJCF] != NULL,
         .is_double = index_of_word(given[OPTION_REAL], real_names, 2) == 1,
-        .is_standalone = given[OPTION_STANDALONE] != NULL,
+        .is_standalone = given[OPTION_STANDALONE] != NULL || given[OPTION_FMU] != NULL,
+        .is_fmu = given[OPTION_FMU] != NULL,
         .is_linked = given[OPTION_LINK] != NULL,
         .is_python = given[OPTION_PYTHON] != NULL,
         .is_linear = given[OPTION_LINEAR] != NULL,

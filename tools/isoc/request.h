@@ -13,7 +13,7 @@ typedef struct request {
     const char *sweep, *of, *runs, *seed;                            /* of a plan of runs */
     const char *vary;                                                /* tunables that runs set at their start */
     bool draws, lists_files, lists_effects, lists_shape, for_mujoco; /* nothing else is asked for */
-    bool is_double, is_standalone, is_linked, is_python, is_linear, has_lanes;
+    bool is_double, is_standalone, is_linked, is_python, is_linear, is_fmu, has_lanes;
     build_options wanted;
 } request;
 

@@ -93,13 +93,15 @@ static void add_packages(file_list *files, const naming *names)
     }
 }
 
-void standalone_files(file_list *files, const naming *names, bool is_double)
+void standalone_files(file_list *files, const naming *names, bool is_double, bool has_packages)
 {
     const size_t given = files->count;
     for (size_t i = 0; i < given; i++) {
         add_includes(files, files->files[i].text.bytes, is_double);
     }
-    add_packages(files, names);
+    if (has_packages) {
+        add_packages(files, names);
+    }
     for (const embedded_file *f = core_files; f->path != NULL; f++) {
         if (is_for_callers(f) && !needs_more(f->text) && !file_list_has(files, f->path)) {
             add_file(files, f, is_double);
