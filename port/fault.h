@@ -1,4 +1,4 @@
-/* The report of a fault, in place of what the program would write next. */
+/* The report of a fault, in place of the program's further output. */
 #ifndef ISO_PORT_FAULT_H
 #define ISO_PORT_FAULT_H
 

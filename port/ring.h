@@ -13,7 +13,7 @@ typedef struct ring {
     volatile uint8_t bytes[RING_BYTES]; /* so that a byte is there before its place is counted */
 } ring;
 
-/* What has come in on each line, and what is to go out. */
+/* The received bytes of each line, and the bytes to send. */
 static struct {
     ring in, out;
 } lines[ISO_CHANNELS];

@@ -7,8 +7,8 @@
 
 /* --- How a run went ---------------------------------------------------------------------------------------------- */
 
-/* The end record begins with the whole numbers of the statistics, in their order there, 64 bits each: what the reader
- * calls them, and what they are called there. margin has a sign. */
+/* The end record begins with the whole numbers of the statistics, in their order there, 64 bits each: the reader's name and
+ * the member's name of each. margin has a sign. */
 #define ISO_STREAM_COUNTS(X)                                                                                           \
     X(ticks, ticks)                                                                                                    \
     X(late, late)                                                                                                      \
@@ -30,7 +30,7 @@
     X(near_singular_first, near_singular_first)                                                                        \
     X(near_singular_closure, near_singular_closure)
 
-/* Then come these, 64 bits each: what the reader calls them, and what the writer puts there. */
+/* Then come these, 64 bits each: the reader's name, and the writer's value. */
 #define ISO_STREAM_WORDS(X)                                                                                            \
     X(guard, loop->guard)                                                                                              \
     X(tick, loop->tick)                                                                                                \
@@ -41,7 +41,7 @@
     X(evaluations, adams->evaluations)                                                                                 \
     X(hash, hash)
 
-/* How a run went on the wire: what each is called, in the order of the end frame. */
+/* The counts of a run on the wire: their names, in the order of the end frame. */
 #define ISO_LINK_COUNTS(X)                                                                                             \
     X(inputs)   /* frames of inputs whose values were taken */                                                         \
     X(late)     /* of them, those that answer an earlier tick than the last */                                         \
@@ -57,7 +57,7 @@
 
 enum { ISO_LINK_VERSION = 1 };
 
-/* The types: what the controller sends, then what the plant sends. The payload of each is ISO_LINK_NAME_FIELDS. */
+/* The types: those of the controller's frames, then of the plant's. The payload of each is ISO_LINK_NAME_FIELDS. */
 #define ISO_LINK_TYPE_LIST(X)                                                                                          \
     X(HELLO, 'h')   /* asks who is there */                                                                            \
     X(START, 's')   /* a run from tick 0 */                                                                            \
@@ -98,7 +98,7 @@ enum { ISO_LINK_VERSION = 1 };
 #define ISO_LINK_ANSWER_FIELDS(X)                                                                                      \
     X(command, U8, 1)                                                                                                  \
     X(number, U8, 1)                                                                                                   \
-    X(answer, U8, 1) /* then as ISO_COMMAND_STATE_FIELDS, or what was asked for */
+    X(answer, U8, 1) /* then as ISO_COMMAND_STATE_FIELDS, or the requested data */
 #define ISO_LINK_REFUSAL_FIELDS(X)                                                                                     \
     X(reason, U8, 1)                                                                                                   \
     X(type, U8, 1) /* of the frame that is refused */
@@ -178,8 +178,8 @@ enum { ISO_COMMAND_PIECE = 128 };
     X(RESTS, 2, "rests")                  /* between two ticks */                                                      \
     X(STOPPED, 3, "stopped by the guard") /* until a reset, a restore or a start */
 
-/* Why a snapshot is refused (core/runtime/snapshot.h), and what else was not done (core/runtime/control.h):
- * core/link/command.c compares the numbers with those. */
+/* Why a snapshot is refused (core/runtime/snapshot.h), and the other reasons why a command is not carried out
+ * (core/runtime/control.h): core/link/command.c compares the numbers with those. */
 #define ISO_SNAPSHOT_REFUSALS(X)                                                                                       \
     X(ISO_SNAPSHOT_NO_SNAPSHOT, 1, "this is no snapshot")                                                              \
     X(ISO_SNAPSHOT_OTHER_VERSION, 2, "the snapshot is of another version")                                             \

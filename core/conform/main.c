@@ -1,5 +1,5 @@
-/* The program of `make conform`: tries the duties of a port (port/port.h, port/channel.h) on the target itself, and writes a line
- * for each. tools/conform reads them, and adds what shows from outside alone. */
+/* The program of `make conform`: tries the duties of a port (port/port.h, port/channel.h) on the target itself, and writes a
+ * line for each. tools/conform reads them, and adds the duties that only show from outside. */
 #include "core/conform/pattern.h"
 #include "core/conform/report.h"
 #include "core/numbers/self_check.h"
@@ -36,8 +36,8 @@ static void look(watch *const w, const uint32_t period)
     w->clock = again;
 }
 
-/* Computes until so many periods have passed since a tick: then the wait reports the latest due tick at once, and the bits of what
- * was computed meanwhile are right. Where time is virtual, no tick comes while a program computes. */
+/* Computes until so many periods have passed since a tick: then the wait reports the latest due tick at once, and the bits
+ * of the numbers computed meanwhile are right. Where time is virtual, no tick comes while a program computes. */
 static bool catch_up(watch *const w, const uint32_t period)
 {
     enum { PERIODS = 2 };
@@ -91,7 +91,7 @@ static bool try_time(void)
     return catch_up(&w, period) && good;
 }
 
-/* What the platform measures it writes into the inputs, and nowhere else. */
+/* The platform writes its measured values into the inputs, and nowhere else. */
 static bool try_inputs(void)
 {
     enum { INPUTS = 3, GUARDS = 2 };

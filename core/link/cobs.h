@@ -35,7 +35,7 @@ static inline size_t iso_cobs_encode(uint8_t *const bytes, const size_t count)
     return end;
 }
 
-/* Puts count bytes back to what they were, in their place. Returns how many these are; 0 if a block ends behind them. */
+/* Decodes count bytes in their place. Returns the number of decoded bytes; 0 if a block would end behind the bytes. */
 static inline size_t iso_cobs_decode(uint8_t *const bytes, const size_t count)
 {
     size_t from = 0, to = 0;

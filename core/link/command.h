@@ -46,7 +46,7 @@ typedef enum iso_command_outcome {
     ISO_COMMAND_ANEW     /* likewise, at tick 0 of a run that has just begun */
 } iso_command_outcome;
 
-/* Does what a payload asks. is_running: there is a run, which has not ended. */
+/* Carries out the command of a payload. is_running: there is a run, which has not ended. */
 iso_command_outcome iso_command_do(iso_commands *commands, iso_control *control, bool is_running,
                                    const uint8_t *payload, size_t length);
 

@@ -10,8 +10,8 @@
 
 #define ISO_CRC16_START UINT16_C(0xFFFF)
 
-/* The CRC continued over bytes: a division by the polynomial, eight bits at once. What is above the 16 bits is of no use, and
- * goes at the end. */
+/* The CRC continued over bytes: a division by the polynomial, eight bits at once. Bits above the 16 have no meaning, and are
+ * removed at the end. */
 static inline uint16_t iso_crc16(const uint16_t start, const uint8_t *const bytes, const size_t count)
 {
     uint32_t crc = start;

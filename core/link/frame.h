@@ -43,8 +43,8 @@ typedef enum iso_frame_state { ISO_FRAME_OPEN, ISO_FRAME_WHOLE, ISO_FRAME_DAMAGE
  * next byte is taken. */
 iso_frame_state iso_frame_take(iso_frame_reader *r, uint8_t byte, size_t *length);
 
-/* Takes the bytes before the first zero, which none of them ends. Returns how many these are: at once what iso_frame_take does byte
- * by byte. */
+/* Takes the bytes before the first zero, which do not end the frame. Returns their number. Equal to iso_frame_take byte by
+ * byte. */
 size_t iso_frame_take_run(iso_frame_reader *r, const uint8_t *bytes, size_t count);
 
 /* Numbers of a payload. */

@@ -24,12 +24,12 @@ typedef struct iso_service {
 } iso_service;
 
 typedef struct iso_interface {
-    uint64_t identity;     /* of the plant with its method, step and type of numbers: what may be joined with it */
+    uint64_t identity;     /* of the plant with its method, step and type of numbers: both ends must have the same */
     const iso_wire *wires; /* [wire_count], in the order of a frame */
     const iso_service *const *services; /* [service_count]: those that were asked for */
     uint16_t wire_count;
     uint16_t service_count;
-    real *values;      /* [wire_count] room for what came in, */
+    real *values;      /* [wire_count] room for the received values, */
     uint8_t *received; /* [frame_bytes] for a frame from the controller, */
     uint8_t *sent;     /* [frame_bytes] and for one to it: ISO_LINK_BYTES (core/link/link.h) */
     size_t frame_bytes;

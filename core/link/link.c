@@ -244,7 +244,7 @@ static void take_frame(iso_link *const link, const size_t length)
     }
 }
 
-/* Takes what has come in. */
+/* Takes the received bytes. */
 static void receive(iso_link *const link)
 {
     uint8_t bytes[CHUNK_BYTES];

@@ -31,8 +31,8 @@ ISO_INLINE real iso_abm4_late_weight(const real h)
 }
 
 /* With smooth inputs the last evaluation of a step is made at the start of the next one, with the sample that has come by
- * then. Where steps are checked, it also shows what the extrapolated inputs of the corrector were off by: the corrector
- * errs by 19/270 (corrector - predictor) + (1 - 19/270) w (f extrapolated - f), w its weight of that derivative. The
+ * then. Where steps are checked, it also shows the error of the corrector's extrapolated inputs: the corrector errs by
+ * 19/270 (corrector - predictor) + (1 - 19/270) w (f extrapolated - f), w its weight of that derivative. The
  * first two of these terms are kept for the next step, behind the sums. */
 ISO_INLINE void iso_abm4_begin(iso_step *const step)
 {

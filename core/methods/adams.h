@@ -80,8 +80,8 @@ static const iso_adams_options iso_adams_default = {
 };
 
 /* Row j of the correction of order q, by that of row 1: its polynomial vanishes one step before, and its derivative at
- * the q - 1 steps before. Row 0 is the weight of the newest derivative in the implicit Adams formula of order q: what
- * the next order has more of it is the error constant. Gear (1971), table 9.2 and eq. 7.33; Hairer, Norsett, Wanner
+ * the q - 1 steps before. Row 0 is the weight of the newest derivative in the implicit Adams formula of order q; the
+ * weight of the next order less this one is the error constant. Gear (1971), table 9.2 and eq. 7.33; Hairer, Norsett, Wanner
  * (1993), eq. III.6.13 and table III.2.1. Of order 6 there is row 0 only. */
 static const real iso_table_nordsieck[ISO_ADAMS_ORDERS + 3][ISO_ADAMS_ORDERS + 1] = {
     [1] = {R(1.0), R(1.0)},

@@ -1,4 +1,4 @@
-/* The history: what a method keeps from step to step, stored behind the states. The functions here serve every method:
+/* The history: the values that a method keeps from step to step, behind the states. The functions here serve every method:
  * they advance the state, keep derivatives, and check a step.
  *
  * Pointers and counts are known at compile time: a pointer that is NULL, or a count that is zero, leaves no code.
@@ -44,7 +44,7 @@ static inline void iso_check_centred(const iso_history *const history, const siz
     history->check[2 * n + s] += outer;
 }
 
-/* x[s] += dx. Compensated: what rounding takes from the sum is added with the next one (Kahan 1965; Moller 1965). */
+/* x[s] += dx. Compensated: the rounding error of the sum is added with the next change (Kahan 1965; Moller 1965). */
 static inline void iso_add(const iso_history *const history, const size_t s, const real dx)
 {
     if (history->compensation == NULL) {
@@ -166,7 +166,7 @@ ISO_INLINE void iso_keep_derivative(const iso_history *const history, const real
     }
 }
 
-/* After a step: what moved a state besides its method is a part of the increment that the next check sees. */
+/* After a step: a change of a state beside its method is a part of the increment that the next check sees. */
 static inline void iso_check_moved(const iso_history *const history, const size_t s, const real moved)
 {
     if (history->centred) {

@@ -1,9 +1,9 @@
 /* The energy of a mechanism held through steps near a singular position of its closures (core/methods/pivots.h). There the
- * forces of the closures turn within less than a step, and what a method makes of them is no motion: the positions and the
- * direction of the speeds may be another branch's, as they may be of the mechanism itself for a change of the start that
- * rounding makes, and the size of the speeds has no bound. The closures do no work, so that the size follows from the energy:
- * the speeds are scaled until it is that of before. With one freedom that is all of the motion but its branch. What inputs,
- * losses and effects do to the energy in such a step is left out. */
+ * forces of the closures turn within less than a step, so that the step of a method is no motion: the positions and the
+ * direction of the speeds may belong to another branch, as those of the mechanism itself may after a change of the start by
+ * rounding, and the size of the speeds has no bound. The closures do no work, so that the size follows from the energy: the
+ * speeds are scaled until the energy is that before the step. With one freedom that is all of the motion but its branch. The
+ * work of inputs, losses and effects in such a step is left out. */
 #ifndef ISO_CORE_METHODS_HOLD_ENERGY_H
 #define ISO_CORE_METHODS_HOLD_ENERGY_H
 

@@ -134,8 +134,8 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     }
 }
 
-/* x[at[i]] += moved[i], i < count: what a plant moves its states by after a step, with the compensation of the sums of the
- * step. */
+/* x[at[i]] += moved[i], i < count: the corrections of a plant's states after a step, with the compensation of the sums of
+ * the step. */
 ISO_INLINE void iso_method_move(const unsigned recipe, const size_t n, real *const x, const uint16_t *const at,
                                 const real *const moved, const size_t count)
 {
@@ -146,9 +146,9 @@ ISO_INLINE void iso_method_move(const unsigned recipe, const size_t n, real *con
     }
 }
 
-/* Where a plant puts its states right after a step, onto constraints or the unit length, the local error is that of what it
- * keeps. These two stand before and behind that, for a recipe with ISO_SETTLED; eq, x and work are those of the step. To
- * the first order what moves the states is the part of their error that it removes. */
+/* Where a plant corrects its states after a step, to constraints or to unit length, the local error is that of the corrected
+ * states. These two functions stand before and after the correction, for a recipe with ISO_SETTLED; eq, x and work are those
+ * of the step. To the first order the correction is the part of the error that it removes. */
 ISO_INLINE void iso_method_settles(const unsigned recipe, const size_t n, const iso_equations *const eq,
                                    const real *const x, real *const work)
 {

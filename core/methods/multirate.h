@@ -5,15 +5,15 @@
  *
  *     x(t) = x + t (a + t b), t = 0 .. c,    a = h k_0,    x(c) = the state of the stage
  *
- * So the fast states of a stage belong to its slow ones, however fast they are: where they settle within a sub-step, what is
- * left is the method itself with what they settle to. Stages at one place are made one after the other from one place; the
+ * So the fast states of a stage belong to its slow ones, however fast they are: where they settle within a sub-step, the
+ * result is the method itself with the settled values. Stages at one place are made one after the other from one place; the
  * next goes on from their mean. The errors of their paths have opposite signs in rk4, as those of the stages themselves.
  *
  * The last stage takes the fast states that make the weighted mean of all stages that of the sub-steps:
  *
  *     sum_i b_i z_i = h^-1 integral of z dt
  *
- * What the slow states feel of the fast ones in a step, such as the torque of a current, is thus their mean, and not that of
+ * The slow states thus feel the mean of the fast ones over a step, such as the torque of a current, and not their values at
  * a few points. With one stage only, the fast states go first, with the slow ones held, and that stage takes their mean.
  *
  * Orders 1, 2 and 3 with euler, heun and rk4. Stages that are parts of one flow: Knoth, Wolke (1998), Implicit-explicit
@@ -24,7 +24,7 @@
 
 #include "core/methods/method.h"
 
-/* The fast states, and what their derivative reads. */
+/* The fast states, and the states that their derivative reads. */
 typedef struct iso_fast {
     iso_derivative *derivative; /* dx[count], of the fast states alone, in their order */
     const uint16_t *states;     /* [count] their places among the states, which rise, */
@@ -56,7 +56,7 @@ typedef struct iso_multirate {
     real *end_sum;
     real *ends; /* and its sum over the stages of one place, */
     real *ends_sum;
-    real *given; /* what the slow states took of them so far, times b_i */
+    real *given; /* the values that the slow states took of them so far, times b_i */
     real *slope; /* [read_count] a and b of a parabola */
     real *bend;
 } iso_multirate;
@@ -174,7 +174,7 @@ ISO_INLINE void iso_multirate_go_on(const iso_multirate *const m, const int stag
     }
 }
 
-/* Puts into a stage what the fast states are for the slow ones. */
+/* Puts into a stage the values of the fast states for the slow ones. */
 ISO_INLINE void iso_multirate_give(const iso_multirate *const m, const uint8_t i)
 {
     const iso_tableau *const table = m->table;

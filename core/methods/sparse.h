@@ -13,7 +13,7 @@ typedef struct iso_sparse {
     size_t unknowns;
     size_t states;
     const uint32_t *row;    /* [unknowns + 1] where a row begins */
-    const uint32_t *beyond; /* [unknowns] where what is beyond its diagonal begins */
+    const uint32_t *beyond; /* [unknowns] the begin of the entries beyond its diagonal */
     const uint16_t *column; /* [row[unknowns]] */
     const uint16_t *target; /* where in its row each product of the factorisation goes, in their order */
     const uint16_t *given;  /* [states] the row that has the right side of a state */

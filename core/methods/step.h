@@ -11,7 +11,7 @@
 
 /* The arguments and results of a step, or of the priming of a method. */
 typedef struct iso_step {
-    const iso_history *history; /* the states, and what the method keeps */
+    const iso_history *history; /* the states, and the method's history */
     const iso_equations *equations;
     iso_derivative *f; /* of the equations, and */
     iso_derivative_by_sines *by_sines;
@@ -24,7 +24,7 @@ typedef struct iso_step {
     real *work; /* work space; on entry the first [n] are the derivative at the start, if the method needs it */
     uint8_t iterations; /* of Newton */
     real error;         /* the local error of this step, if the method has its own estimate; and then */
-    real *errors;       /* [n] that of every state, what was made less what is right; NULL if nobody asks */
+    real *errors;       /* [n] of every state: computed less exact; NULL if nothing reads it */
     iso_progress *progress;
     uint8_t degree; /* of the polynomial of smooth inputs; 0 where none is. Their samples are behind u, and room for the
                        inputs is before `work` */

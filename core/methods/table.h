@@ -1,4 +1,4 @@
-/* The table of methods, and what follows from a row of it. All of it is constant expressions.
+/* The table of methods, and the values that follow from a row. All are constant expressions.
  *
  * A recipe is a method with its options: ISO_RK4, or ISO_BDF4 | ISO_COMPENSATED | ISO_ITERATIONS(3). A method is a kernel in
  * its own file and a row of the table below; all else follows from the row.
@@ -95,7 +95,7 @@ enum {
 /* Whether the error of a step is known only at the start of the next one, by a predictor and a corrector. */
 #define ISO_IS_LATE(recipe) (ISO_IS_CHECKED(recipe) && ISO_IS_SMOOTH(recipe))
 
-/* Whether it keeps what it knows of the error of a step until then. */
+/* Whether it keeps its part of the error of a step until then. */
 #define ISO_KEEPS_ERROR(recipe) (ISO_IS_LATE(recipe) && (ISO_IS(recipe, ISO_ABM4) || ISO_IS(recipe, ISO_ABM4_PECECE)))
 
 /* A column of its row; constant expressions of type int. */
@@ -128,7 +128,7 @@ enum {
 /* Whether a check uses derivatives of the steps before. */
 #define ISO_CHECKS_DERIVATIVES(recipe) (ISO_IS_CHECKED(recipe) && ISO_KIND_OF(recipe) == ISO_FROM_START)
 
-/* Whether it is asked for the error of every state, to which is added what moves the states after the step. */
+/* Whether it computes the error of every state, to which the correction of the states after the step is added. */
 #define ISO_IS_SETTLED(recipe) (((recipe)&ISO_SETTLED) != 0 && (ISO_IS_CHECKED(recipe) || ISO_IS_VARYING(recipe)))
 
 /* Whether discontinuities are detected: if steps are checked, and the method has a history. */

@@ -50,7 +50,7 @@ static inline real iso_atan2(const real y, const real x)
     const iso_bits steep = iso_mask_of_sign(right - up); /* |y| > |x| */
     const iso_bits back = iso_mask_of_sign(iso_bits_of(x));
     const iso_bits swap = (up ^ right) & steep;
-    /* Halves of what is so large that the sum of both could be infinite: their quotient is the same. */
+    /* Halves of operands so large that their sum could be infinite: the quotient is the same. */
     const iso_bits large = iso_mask_of_sign(iso_bits_of(ISO_REAL_MAX * R(0.5)) - (right ^ swap));
     const real scale = iso_real_of(iso_bits_of(R(1.0)) - (large & ((iso_word)1 << ISO_EXPONENT_SHIFT)));
     const real low = iso_real_of(up ^ swap) * scale, high = iso_real_of(right ^ swap) * scale;

@@ -12,7 +12,7 @@ static inline real iso_rest_of_sum(const real a, const real b, const real sum)
     return (a - (sum - added)) + (b - added);
 }
 
-/* The upper half of the significand. What is left fits into the other half. */
+/* The upper half of the significand. The remainder fits into the other half. */
 static inline real iso_upper(const real x)
 {
 #ifdef ISO_REAL_DOUBLE

@@ -186,7 +186,7 @@ static inline real iso_real_of(const iso_bits b)
     return x;
 }
 
-/* A mask as it is. From clang, which on x86 makes a branch of what it knows to be one of two numbers, an empty statement hides
+/* A mask as it is. From clang, which on x86 makes a branch of a value that it knows to be one of two, an empty statement hides
  * that all bits of it are equal; on the Cortex-M4F it would keep gcc from the cheapest selection. Every mask is made, or
  * selects, through it. */
 static inline iso_bits iso_hidden(iso_bits mask)
@@ -259,7 +259,7 @@ static inline real iso_clamp(const real x, const real low, const real high)
 }
 
 /* x with its size limited to most > 0; a NaN counts as an infinity. The bits of reals are in the order of their sizes:
- * what those of x are above those of `most` is taken off. */
+ * the excess of those of x over those of `most` is subtracted. */
 static inline real iso_limited(const real x, const real most)
 {
     const iso_bits excess = (iso_bits_of(x) & ~ISO_SIGN_BIT) - iso_bits_of(most);

@@ -1,8 +1,8 @@
 /* Inputs and tunables that come into a plant: never a number that is not finite. The plant keeps the last good
- * ones. Nothing here branches on a number. Most ticks have nothing to put right: that is what iso_plant_admit asks first, its one
- * branch. On the Cortex-M4F an input then costs 6 instructions a tick, with limits 12, and a tunable 4; a tick with something to
- * put right, or with another value of a tunable, 14 more for each, with limits 35. A plant without inputs and tunables has none
- * of it. */
+ * ones. Nothing here branches on a number. Most ticks have nothing to correct: iso_plant_admit checks that first, by its one
+ * branch. On the Cortex-M4F an input then costs 6 instructions a tick, with limits 12, and a tunable 4; a tick with a
+ * correction, or with another value of a tunable, 14 more for each, with limits 35. A plant without inputs and tunables has
+ * none of it. */
 #ifndef ISO_CORE_RUNTIME_ADMIT_H
 #define ISO_CORE_RUNTIME_ADMIT_H
 
@@ -116,7 +116,7 @@ ISO_INLINE iso_bits iso_any_changed(const real *const latest, const real *const 
     return changed;
 }
 
-/* Of inputs, or of parameters: what iso_admit returned. */
+/* Adds the result of iso_admit to the counts, of inputs or of parameters. */
 static inline void iso_count_refused(iso_refusals *const counted, const uint32_t refused)
 {
     counted->held += refused & 0xFFFF;

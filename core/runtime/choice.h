@@ -65,8 +65,8 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
 #define ISO_STEP_TEXT ISO_EXPAND(ISO_STRING, ISO_STEP)
 #define ISO_STEP_NS ((uint32_t)(ISO_STEP * 1e9 + 0.5))
 
-/* `plant_memory`: the state with what the method keeps behind it, inputs, parameters and outputs. C has no empty array:
- * what a plant has none of is one number that nothing uses. */
+/* `plant_memory`: the state with the method's history behind it, inputs, parameters and outputs. C has no empty array: an
+ * array without elements is one number that nothing uses. */
 #define ISO_PLANT_MEMORY(state_count, input_count, parameter_count, output_count)                                      \
     typedef struct plant_memory {                                                                                      \
         real x[ISO_METHOD_STATE(ISO_RECIPE, state_count)];                                                             \
@@ -77,7 +77,7 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
         iso_any_progress progress;                                                                                     \
     } plant_memory
 
-/* iso_the_plant, of `plant_memory`, `equations`, `output` and `start`; what else its model has follows as initialisers.
+/* iso_the_plant, of `plant_memory`, `equations`, `output` and `start`; further members of its model follow as initialisers.
  */
 #define ISO_PLANT(state_count, input_count, parameter_count, output_count, ...)                                        \
     static void publish(void *const instance)                                                                          \

@@ -1,4 +1,4 @@
-/* Commands to a plant from outside, between two ticks: to run for so many ticks, to rest, to be what a snapshot was. All of
+/* Commands to a plant from outside, between two ticks: to run for a number of ticks, to rest, to restore a snapshot. All of
  * it is kept here, to be read at any time.
  *
  * A plant that rests keeps its outputs; ticks of the port pass meanwhile, and none is lost or late (iso_loop_rest). So does a plant
@@ -59,7 +59,7 @@ static inline bool iso_control_is_resting(const iso_control *const control)
     return control->left == 0;
 }
 
-/* After a tick, with the hash of the trajectory. What was asked to rest within the tick, rests behind it. */
+/* After a tick, with the hash of the trajectory. A plant that got the command to rest within the tick rests after it. */
 static inline void iso_control_done(iso_control *const control, const uint64_t hash)
 {
     control->left -= control->left != ISO_CONTROL_ENDLESS && !iso_control_is_resting(control);

@@ -8,7 +8,7 @@
 
 #include "port/port.h"
 
-/* When a tick did what, on the clock. */
+/* The times of a tick, on the clock. */
 typedef struct times {
     uint64_t before, after; /* its step */
     uint64_t end;
@@ -71,7 +71,7 @@ ISO_RARE void iso_loop_start(iso_loop *const loop, const iso_plant *const plant)
     loop->overhead = clock_overhead();
 }
 
-/* Books a tick of any times, and what they let the next ones be without news. Returns whether the run goes on. */
+/* Books a tick of any times, and the times up to which the next ticks have no news. Returns whether the run goes on. */
 ISO_APART ISO_RARE static bool book_times(iso_loop *const loop, const times *const t, const bool restarted)
 {
     iso_statistics *const statistics = &loop->statistics;

@@ -76,8 +76,8 @@ typedef struct iso_model {
     iso_bits (*amiss)(const void *memory);      /* 0 if nothing that came in is to be put right, and no parameter is
                                                    another than before; then `admit` is not called, and `finish` keeps
                                                    the inputs. NULL: `admit` is always called */
-    iso_refused (*admit)(void *memory);         /* checks what came in, puts it right and keeps it; NULL without inputs
-                                                   and parameters */
+    iso_refused (*admit)(void *memory);         /* checks, corrects and keeps the inputs and parameters; NULL without
+                                                   both */
     void (*advance)(void *memory); /* begins a row: sets what it shows of the functions of time, and the memories, from
                                       the states there; NULL without both */
     iso_flag (*discontinuity)(void *memory); /* whether an input or a parameter has one, or something happened that ends
@@ -117,7 +117,7 @@ typedef struct iso_plant {
 #endif
 } iso_plant;
 
-/* Checks what came in from outside: puts right and keeps. Returns what was refused. Most ticks have nothing to put right. */
+/* Checks, corrects and keeps inputs and tunables. Returns the refused ones. Most ticks have nothing to correct. */
 static inline iso_refused iso_plant_admit(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;
@@ -127,7 +127,7 @@ static inline iso_refused iso_plant_admit(const iso_plant *const plant)
     return model->admit(plant->memory);
 }
 
-/* Puts everything to tick 0: state, parameters, inputs, and what the method keeps. Returns false where the start found that
+/* Puts everything to tick 0: state, parameters, inputs, and the method's history. Returns false where the start found that
  * this build computes with other bits (isoc --name and --standalone): then the first state is a NaN, and every tick ends at
  * the guard. */
 static inline bool iso_plant_start(const iso_plant *const plant)

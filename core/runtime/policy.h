@@ -1,7 +1,7 @@
-/* The policies of the loop on ticks that do not keep their time, and its further counts of them: what a scene asks for with
- * `overrun`, `grace`, `publish` and `histogram`. The program of a plant that asks for none has nothing of it: isoc writes
- * the account of those that do, of the functions below. The loop calls it after each tick with news, and counts, times and
- * skips by integers alone. */
+/* The policies of the loop on ticks that do not keep their time, and its further counts of them: the statements `overrun`,
+ * `grace`, `publish` and `histogram` of a scene. A plant without these statements has none of it: for the others isoc writes
+ * an account of the functions below. The loop calls it after each tick with news, and counts, times and skips by integers
+ * alone. */
 #ifndef ISO_CORE_RUNTIME_POLICY_H
 #define ISO_CORE_RUNTIME_POLICY_H
 
@@ -71,7 +71,7 @@ static inline void iso_policy_degrade(iso_loop *const loop, iso_policy_counts *c
     }
 }
 
-/* A step by a method of the ladder; with what follows from parameters computed anew, if one changed. */
+/* A step by a method of the ladder; values that follow from parameters are computed first, if one changed. */
 static inline bool iso_policy_attempt(const iso_plant *const plant, void (*const step)(void *memory))
 {
     const iso_model *const model = plant->model;

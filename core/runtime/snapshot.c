@@ -104,8 +104,9 @@ static bool is_adams(const unsigned char *const at)
            order + *starting <= ISO_ADAMS_ORDERS && level <= ISO_ADAMS_LEVELS;
 }
 
-/* Whether a plant of the model can have this memory: what makes it compute on. Inputs and tunables are checked as they are
- * used, against the last good ones; and what a method or an effect keeps shows in the states, where the guard is. */
+/* Whether a plant of the model can have this memory, and compute on from it. Inputs and tunables are checked at their use,
+ * against the last good ones; the history of a method and the memories of effects show in the states, which the guard
+ * checks. */
 static bool is_a_state(const iso_plant *const plant, const unsigned char *const memory)
 {
     const iso_model *const model = plant->model;

@@ -56,14 +56,14 @@ typedef enum iso_snapshot_answer {
     ISO_SNAPSHOT_DAMAGED,       /* by its check */
     ISO_SNAPSHOT_OTHER_NUMBERS, /* float for double, or double for float */
     ISO_SNAPSHOT_OTHER_PLANT,   /* another scene, method or step */
-    ISO_SNAPSHOT_NOT_A_STATE    /* what no snapshot has: a number that is not finite or out of range */
+    ISO_SNAPSHOT_NOT_A_STATE    /* a number that no snapshot has: not finite, or out of range */
 } iso_snapshot_answer;
 
 /* Writes the record[ISO_SNAPSHOT_BYTES(plant->model->memory_bytes)] of a plant between two ticks: `tick` steps are done,
  * and the hash of the trajectory is `hash`. */
 void iso_snapshot_take(unsigned char *record, const iso_plant *plant, uint64_t identity, uint64_t tick, uint64_t hash);
 
-/* Puts the plant to what record[bytes] has, and sets *tick and *hash; or changes nothing, and returns why. */
+/* Restores the plant from record[bytes], and sets *tick and *hash; or changes nothing, and returns the reason. */
 iso_snapshot_answer iso_snapshot_restore(const iso_plant *plant, uint64_t identity, const unsigned char *record,
                                          size_t bytes, uint64_t *tick, uint64_t *hash);
 

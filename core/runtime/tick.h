@@ -136,7 +136,7 @@ static inline void iso_plant_tell_nearness(const iso_plant *const plant, const u
     plant->nearness->closure = 0;
 }
 
-/* 5. What there is to tell: how far off its closures the plant is, whether they are near a singular position, and the local
+/* 5. The facts about a tick: the violation of the plant's closures, their nearness to a singular position, and the local
  * error of its steps. */
 static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t tick, iso_statistics *const statistics)
 {
@@ -191,7 +191,7 @@ typedef struct iso_tick_counts {
 } iso_tick_counts;
 
 /* All of it, from `tick` (0 after iso_plant_start) to the next; inputs that are no functions of time are those in
- * plant->u. What is not finite or beyond its limits is put right, and added to the counts. Returns the guard: model->states
+ * plant->u. A value that is not finite or beyond its limits is corrected, and counted. Returns the guard: model->states
  * if all is well; else the outputs stay as they were. */
 static inline uint16_t iso_plant_tick_counted(const iso_plant *const plant, const uint64_t tick,
                                               iso_tick_counts *const counts)

@@ -1,4 +1,4 @@
-/* DAQ: lists of what is measured at every tick, or at every n-th. A list has tables (ODT), each of which is one
+/* DAQ: lists of measured values at every tick, or at every n-th. A list has tables (ODT), each of which is one
  * packet; a table has entries, each of which is bytes of memory. The master makes them, of a pool of fixed size, in
  * this order: all lists, the tables of each, the entries of each table. There is one event: a tick has ended, its
  * outputs are published. */

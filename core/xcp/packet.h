@@ -71,8 +71,8 @@ typedef enum iso_xcp_error {
 
 /* The requests of USER_CMD: its second byte, the numbers of core/link/command.h. RUN and RESTORE have 32 bits behind
  * two bytes that are reserved: how many ticks, 0: without an end; and the bytes of the snapshot in the record. TAKE
- * and RESTORE are answered with what came of it (iso_control_answer), two zeros, and the size and the address of the
- * record, 32 bits each. */
+ * and RESTORE are answered with the result (iso_control_answer), two zeros, and the size and the address of the record,
+ * 32 bits each. */
 typedef enum iso_xcp_user {
     ISO_XCP_USER_RUN = 2,
     ISO_XCP_USER_REST = 3,

@@ -9,7 +9,7 @@ static iso_xcp_reader reader;
 static uint32_t opened; /* how often the other end was, when the reader began */
 static uint16_t counter;
 
-/* A response that has not gone; 0 bytes: there is none. Behind it, what else the frame of a packet needs. */
+/* A response that has not gone; 0 bytes: there is none. It has room for the whole frame of a packet. */
 static uint8_t response[ISO_XCP_FRAME_BYTES];
 static uint16_t response_bytes;
 
@@ -49,7 +49,7 @@ static void start(iso_loop *const loop)
     iso_xcp_start(&slave, &iso_xcp_the_description, &access);
 }
 
-/* Another master is at the other end, or the first: what came from the last one is of no use. */
+/* Another master is at the other end, or the first: bytes of the last one are dropped. */
 static void greet(void)
 {
     const uint32_t times = iso_port_opened(ISO_CHANNEL_CALIBRATION);

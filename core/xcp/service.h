@@ -1,7 +1,6 @@
 /* Measurement and calibration between two ticks: the slave on the channel ISO_CHANNEL_CALIBRATION. Before a tick it
  * answers one command at most, of at most ISO_XCP_TICK_BYTES bytes that came in; after it the lists are sampled that
- * are due. What it cannot send, it keeps, if it is a response, and loses, if it is a sample: then the next one says
- * so. */
+ * are due. A response that it cannot send is kept; a sample that it cannot send is lost, and the next one says so. */
 #ifndef ISO_CORE_XCP_SERVICE_H
 #define ISO_CORE_XCP_SERVICE_H
 

@@ -1,8 +1,8 @@
 /* The slave: a packet of the master comes in, a packet goes out. A pure function of its state, of the memory that it
  * shows, and of the packet; it knows no channel and no clock.
  *
- * Before CONNECT all other commands are ignored. What DOWNLOAD, its block or SHORT_DOWNLOAD brings takes effect as a whole when
- * its last packet is answered, or not at all. */
+ * Before CONNECT all other commands are ignored. The data of DOWNLOAD, its block or SHORT_DOWNLOAD take effect as a whole when
+ * the last packet is answered, or not at all. */
 #ifndef ISO_CORE_XCP_SLAVE_H
 #define ISO_CORE_XCP_SLAVE_H
 
@@ -10,11 +10,12 @@
 
 enum { ISO_XCP_SEED_BYTES = 8, ISO_XCP_BLOCK_BYTES = 255, ISO_XCP_CHECKSUM_BYTES = 1024 };
 
-/* Seed and key: what a master must show before it may write (ISO_XCP_CAL_PAG) or measure (ISO_XCP_DAQ). */
+/* Seed and key: a master must show the key before it may write (ISO_XCP_CAL_PAG) or measure (ISO_XCP_DAQ). */
 typedef struct iso_xcp_lock {
     uint8_t resources; /* that are locked behind CONNECT */
 
-    /* Writes a seed for a resource, from what is different each time. Returns its length, 1 to ISO_XCP_SEED_BYTES. */
+    /* Writes a seed for a resource; `different` is another number at each call. Returns the seed's length, 1 to
+     * ISO_XCP_SEED_BYTES. */
     uint8_t (*seed)(uint8_t resource, uint64_t different, uint8_t seed[ISO_XCP_SEED_BYTES]);
 
     /* Whether a key fits the seed that was handed out for this resource. */
@@ -33,9 +34,8 @@ typedef struct iso_xcp_description {
     const char *epk;          /* of the A2L that belongs to it: the same text stands there */
     const iso_limits *limits; /* of each tunable; NULL where none has any */
     const iso_xcp_lock *lock; /* NULL: open to all */
-    iso_xcp_duration
-        stamp; /* a step, which is what time stamps count; rounded, where it has more than 65535 of all units */
-    iso_xcp_duration cycle; /* likewise with a count of at most 255 */
+    iso_xcp_duration stamp;   /* a step, the unit of time stamps; rounded, where it has more than 65535 of all units */
+    iso_xcp_duration cycle;   /* likewise with a count of at most 255 */
 } iso_xcp_description;
 
 typedef struct iso_xcp_slave {

@@ -4,7 +4,7 @@
  *
  * A frame with a LEN that no command has, or with a wrong sum, is none: then the next one is looked for from its second byte on.
  * So a damaged frame costs itself, and those that follow in the bytes that its LEN claimed: at most ISO_XCP_FRAME_BYTES. A master
- * that gets no answer sends SYNCH; these bytes fill what is missing. Nothing here needs a clock. */
+ * that gets no answer sends SYNCH; its bytes complete the claimed length. Nothing here needs a clock. */
 #ifndef ISO_CORE_XCP_TRANSPORT_H
 #define ISO_CORE_XCP_TRANSPORT_H
 

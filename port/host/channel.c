@@ -301,7 +301,7 @@ uint32_t iso_port_opened(const iso_channel channel)
     return line_of(channel)->opened;
 }
 
-/* Hands the system as much of what waits as it takes. */
+/* Hands the system as many of the waiting bytes as it takes. */
 static void flush(line *const to)
 {
     while (to->peer != NONE && to->waiting_bytes > 0) {

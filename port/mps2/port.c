@@ -30,7 +30,7 @@ enum { DILATION_SHIFT = BOARD_DILATION_SHIFT, DILATION_OVER = BOARD_DILATION_OVE
 enum { PART_COUNTS_MAX = 1 << 24 };
 
 /* The time of the board as the interrupt leaves it: all in one place, since a function takes an address for each object.
- * What others read while it may come has 32 bits, so that one load takes it. */
+ * Members that the program reads while the interrupt may come have 32 bits, so that one load takes each. */
 static struct {
     volatile uint32_t end, end_high; /* of the present part, in counts of the clock */
     volatile uint32_t ticks;         /* due: the low half */
@@ -51,7 +51,7 @@ void tick_interrupt(void)
     }
 }
 
-/* The period is rounded to what the timer can make: multiples of five cycles for each of its parts, or of 25. */
+/* The period is rounded to one that the timer can make: multiples of five cycles for each of its parts, or of 25. */
 __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
 {
     const uint32_t fives = (period_ns + CYCLE_NS * DILATION_OVER / 2) / (CYCLE_NS * DILATION_OVER);

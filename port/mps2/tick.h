@@ -6,7 +6,7 @@
 
 #define SYST_CSR (*(volatile uint32_t *)0xE000E010U)
 
-/* Counter on, with interrupt, on the processor's clock; and the counter stopped, which keeps what it has counted. */
+/* Counter on, with interrupt, on the processor's clock; and the counter stopped, which keeps its value. */
 enum { SYST_CSR_RUN = 0x7, SYST_CSR_STOP = 0x6 };
 
 /* The handler of the SysTick exception. */

@@ -146,8 +146,8 @@ static inline uint32_t soft_divide(const uint32_t a, const uint32_t b)
     const uint32_t is_high = significand >> 31;
     const uint32_t finite = soft_packed(significand, is_high, x_exponent - y_exponent + is_high + (SOFT_BIAS - 1));
 
-    /* What a zero, an infinity or a NaN is among: 0 / y and x / infinity are 0, x / 0 and infinity / y infinite, 0 / 0 and
-     * infinity / infinity none, and what has a NaN. */
+    /* Operands that are zero, infinite or NaN: 0 / y and x / infinity are 0, x / 0 and infinity / y infinite; 0 / 0,
+     * infinity / infinity and quotients with a NaN are NaN. */
     const uint32_t x_zero = x - 1, y_zero = y - 1;
     const uint32_t x_special = soft_is_special(x), y_special = soft_is_special(y);
     const uint32_t none = (x_zero & y_zero) | (x_special & y_special) | (SOFT_INFINITY - x) | (SOFT_INFINITY - y);
@@ -155,7 +155,7 @@ static inline uint32_t soft_divide(const uint32_t a, const uint32_t b)
     return soft_select(none, SOFT_NAN, limited) | ((a ^ b) & SOFT_SIGN);
 }
 
-/* The square root, a bit at a time: the square of what has been found is taken off. */
+/* The square root, a bit at a time: the square of the root so far is subtracted. */
 static inline uint32_t soft_root(const uint32_t a)
 {
     const uint32_t x = a & SOFT_MAGNITUDE;

@@ -1,5 +1,5 @@
-/* Arithmetic of IEEE 754 binary64 on the bits of numbers, without a branch, in the same way as that of binary32.h: its words are
- * there, and what a NaN is. */
+/* Arithmetic of IEEE 754 binary64 on the bits of numbers, without a branch, in the same way as that of binary32.h, which
+ * explains its words and its NaN. */
 #ifndef ISO_PORT_SOFT_BINARY64_H
 #define ISO_PORT_SOFT_BINARY64_H
 
@@ -165,7 +165,7 @@ static inline uint64_t soft64_divide(const uint64_t a, const uint64_t b)
     const uint32_t is_high = wide_high(significand) >> 31;
     const uint64_t finite = soft64_packed(significand, is_high, x_exponent - y_exponent + is_high + (SOFT64_BIAS - 1));
 
-    /* What a zero, an infinity or a NaN is among: as in binary32.h. */
+    /* Operands that are zero, infinite or NaN: as in binary32.h. */
     const uint32_t x_zero = soft64_is_zero(x), y_zero = soft64_is_zero(y);
     const uint32_t x_special = soft64_is_special(x), y_special = soft64_is_special(y);
     const uint32_t none = (x_zero & y_zero) | (x_special & y_special) | soft64_is_nan(x) | soft64_is_nan(y);
@@ -174,7 +174,7 @@ static inline uint64_t soft64_divide(const uint64_t a, const uint64_t b)
     return wide_select(none, SOFT64_NAN, limited) | ((a ^ b) & SOFT64_SIGN);
 }
 
-/* The square root, a bit at a time: the square of what has been found is taken off. */
+/* The square root, a bit at a time: the square of the root so far is subtracted. */
 static inline uint64_t soft64_root(const uint64_t a)
 {
     const uint64_t x = a & SOFT64_MAGNITUDE;

@@ -37,7 +37,7 @@ static inline uint32_t soft_zeros(uint32_t x)
     return zeros;
 }
 
-/* The carry of a sum is what is to be added. */
+/* The carry of a sum is the amount to add. */
 static inline uint32_t soft_rounded(const uint32_t x, const uint32_t behind, const uint32_t upper)
 {
     uint32_t sum = behind + (x & 1), y = x;

@@ -1,4 +1,4 @@
-/* What differs between the boards: the chip's fastest clock, and the oscillator. */
+/* The differences of the boards: the chip's fastest clock, and the oscillator. */
 #ifndef ISO_PORT_STM32F4_BOARD_H
 #define ISO_PORT_STM32F4_BOARD_H
 

@@ -44,7 +44,7 @@ enum { OVERDRIVE_ON = 1 << 16, OVERDRIVE_SWITCH = 1 << 17, OVERDRIVE_READY = 1 <
 /* FLASH_ACR. */
 enum { PREFETCH = 1 << 8, INSTRUCTION_CACHE = 1 << 9, DATA_CACHE = 1 << 10 };
 
-/* A tree: the clock of the core, the factors that make it, and what follows. */
+/* A tree: the clock of the core, its factors, and the settings that follow. */
 typedef struct clock_tree {
     uint32_t hz, apb1_hz, apb2_hz; /* of the core, and of the two buses; a timer of APB1 counts at twice its clock */
     uint32_t m, n, p, q;
@@ -93,7 +93,7 @@ typedef struct clock_state {
 
 extern clock_state the_clock;
 
-/* Turns it all on, in a bounded time: what does not answer is done without. */
+/* Turns it all on, in a bounded time: a unit that does not answer is not used. */
 void clock_start(void);
 
 #endif

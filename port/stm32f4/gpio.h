@@ -1,4 +1,4 @@
-/* Pins: what each is used for. RM0090 8.4, RM0390 7.4; the numbers of alternate functions are in the data sheets. */
+/* Pins: the function of each. RM0090 8.4, RM0390 7.4; the numbers of alternate functions are in the data sheets. */
 #ifndef ISO_PORT_STM32F4_GPIO_H
 #define ISO_PORT_STM32F4_GPIO_H
 

@@ -32,10 +32,10 @@ static inline int pins_channel(const char port, const unsigned pin)
     return port == 'A' && pin >= 4 && pin < 8 ? (int)pin - 4 : port == 'B' && pin < 2 ? 4 + (int)pin : -1;
 }
 
-/* What is wrong with a table; NULL: nothing. */
+/* The problem of a table; NULL: none. */
 const char *pins_error(const pins_input *inputs, size_t input_count, const pins_output *outputs, size_t output_count);
 
-/* Turns the pins on. Returns what is wrong with the table; NULL: nothing, and it is done. */
+/* Turns the pins on, and returns NULL; or returns the problem of the table. */
 const char *pins_start(void);
 
 #endif

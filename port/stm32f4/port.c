@@ -19,7 +19,7 @@ static struct {
     uint64_t clock;          /* at the last look at the counter, with interrupts held off */
     uint32_t count;          /* the counter then */
     volatile uint32_t ticks; /* due: the low half */
-    uint32_t part;           /* what SysTick counts without an interrupt, in cycles: a period is made of equal parts */
+    uint32_t part;           /* cycles that SysTick counts between interrupts: a period is made of equal parts */
     uint32_t parts;          /* of a tick */
     uint32_t left;           /* of the present tick */
     uint32_t ended;          /* the parts that have ended, in cycles */
@@ -31,8 +31,8 @@ static bool is_emulated(void)
     return the_clock.source == CLOCK_NONE;
 }
 
-/* Cycles modulo 2^32, with interrupts held off: by what is left of the part, or of the next one if its interrupt is pending. The
- * nearest count of the clock where time is stretched. */
+/* Cycles modulo 2^32, with interrupts held off: from the remaining cycles of the part, or of the next one if its interrupt is
+ * pending. The nearest count of the clock where time is stretched. */
 static uint32_t counted(void)
 {
     uint32_t left = systick->cvr, end = board.ended + board.part;

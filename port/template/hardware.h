@@ -1,4 +1,4 @@
-/* What you fill in: the few things that a port asks of a board. The rest, port.c, is the same everywhere.
+/* The part to fill in: the few functions that a port needs of a board. The rest, port.c, is the same everywhere.
  *
  * As it stands it compiles for any processor, and does nothing. Look up each register in the manual of your chip, and write down
  * where it stands there. */
@@ -45,7 +45,7 @@ static inline void hardware_interrupts_on(void)
 
 /* Sleeps until an interrupt is pending, with interrupts held off: "wfi" of both returns then as well, so that none slips in between
  * the look at what is due and the sleep. On a processor where it does not, such as an AVR, the instruction that lets interrupts
- * come again must stand directly before the one that sleeps. Doing nothing is correct too: the processor then runs on. */
+ * come again must stand directly before the one that sleeps. An empty function is correct too: the processor then runs on. */
 static inline void hardware_sleep(void)
 {
 }
@@ -53,7 +53,8 @@ static inline void hardware_sleep(void)
 /* --- Console ----------------------------------------------------------------------------------------------------- */
 
 /* Writes a byte, and waits until there is room for it: none may be lost. A run writes one row of outputs each tick: 1 byte, and 4
- * for each output, so that eight outputs at 1 kHz need 330 kBd; what takes longer than the rest of a tick makes ticks pass. */
+ * for each output, so that eight outputs at 1 kHz need 330 kBd; a line that takes longer than the rest of a tick delays
+ * ticks. */
 static inline void hardware_put(const uint8_t byte)
 {
     (void)byte;

@@ -1,11 +1,12 @@
-/* A port, to be copied: its nine functions (port/port.h), with what each must do and why. What asks for your board stands in
- * hardware.h. `make conform TARGET=NAME` checks the result, duty by duty. */
+/* A port, to be copied: its nine functions (port/port.h), with the duty of each and its reason. The functions of your board
+ * stand in hardware.h. `make conform TARGET=NAME` checks the result, duty by duty. */
 #include "port/port.h"
 
 #include "port/template/hardware.h"
 
-/* What the interrupt of the tick shares with the program is volatile, and of 32 bits, so that one load takes it: the program never
- * sees half of a change. On a processor with narrower loads, hold interrupts off around each of them, as port/atmega1284p does. */
+/* Members that the interrupt of the tick shares with the program are volatile, and of 32 bits, so that one load takes each: the
+ * program never sees half of a change. On a processor with narrower loads, hold interrupts off around each of them, as
+ * port/atmega1284p does. */
 static struct {
     uint64_t clock;          /* at the last look at the counter; touched with interrupts held off */
     uint32_t count;          /* the counter then */
@@ -13,8 +14,8 @@ static struct {
     uint64_t reported;       /* by iso_port_wait: the latest tick */
 } board;
 
-/* The counter has 32 bits, the clock 64: what has passed since the last look is less than 2^32, since the interrupt of the tick
- * looks as well. With interrupts held off. */
+/* The counter has 32 bits, the clock 64: less than 2^32 counts pass between two calls, since the interrupt of the tick calls it
+ * as well. With interrupts held off. */
 static uint64_t looked(void)
 {
     const uint32_t count = hardware_count();
@@ -23,8 +24,8 @@ static uint64_t looked(void)
     return board.clock;
 }
 
-/* The interrupt of the tick. Its name is that in the table of exceptions; it runs at every period, and is short: what it takes is
- * missing in the step that it interrupts. It may use no floating-point register that is not saved for it. */
+/* The interrupt of the tick. Its name is that in the table of exceptions; it runs at every period, and is short: its time is
+ * taken from the step that it interrupts. It may use no floating-point register that is not saved for it. */
 void tick_interrupt(void);
 void tick_interrupt(void)
 {
@@ -86,15 +87,15 @@ void iso_port_read(real *const u, const size_t inputs)
     (void)inputs;
 }
 
-/* Hands y[outputs] to converters, a bus, pins: once in a tick, behind the step. Limit each to what its converter can show. */
+/* Hands y[outputs] to converters, a bus, pins: once in a tick, after the step. Limit each to the range of its converter. */
 void iso_port_publish(const real *const y, const size_t outputs)
 {
     (void)y;
     (void)outputs;
 }
 
-/* The guard has stopped the plant: now what must not stay on goes off. The outputs of before were good ones; a board without such
- * a state does nothing. */
+/* The guard has stopped the plant: turn off everything that must not stay on. The last outputs were good ones; a board without
+ * such a state does nothing. */
 void iso_port_safe(void)
 {
 }

@@ -1,6 +1,6 @@
 /* The serial line of the board as the channel to a controller: a 16550, 8 bits, no parity, one stop bit; there is none for
- * calibration. QEMU keeps what comes until it is read, and takes at once what goes; an interrupt wakes the processor, and is never
- * taken. Texas Instruments (2015), PC16550D Universal Asynchronous Receiver/Transmitter, SNLS378C: 8. RISC-V (2023), RISC-V
+ * calibration. QEMU keeps received bytes until they are read, and takes sent bytes at once; an interrupt wakes the processor, and
+ * is never taken. Texas Instruments (2015), PC16550D Universal Asynchronous Receiver/Transmitter, SNLS378C: 8. RISC-V (2023), RISC-V
  * Platform-Level Interrupt Controller Specification, version 1.0.0: 3. */
 #include "port/channel.h"
 
@@ -14,7 +14,7 @@
 enum { DATA = 0, INTERRUPTS = 1, FIFO_CONTROL = 2, LINE_CONTROL = 3, LINE_STATUS = 5 };
 enum { FIFOS_ON = 1 << 0, EIGHT_BITS = 3, IS_FULL = 1 << 0, IS_EMPTY = 1 << 5, RECEIVED = 1 << 0 };
 
-/* The controller of interrupts: the priority of the line's, what is let through to the first processor, and what is served. */
+/* The interrupt controller: the priority of the line, the enabled interrupts of the first processor, and the claimed one. */
 #define PLIC(offset) (*(volatile uint32_t *)(0x0C000000U + (offset)))
 enum { LINE = 10, PRIORITY = 4 * LINE, ENABLED = 0x2000, THRESHOLD = 0x200000, CLAIM = 0x200004 };
 
@@ -23,7 +23,7 @@ enum { EXTERNAL_ON = 1 << 11 };
 
 enum { LINES_INTERRUPT = false };
 
-/* What goes waits for each byte until there is room for it: in QEMU that is at once. */
+/* Sends each byte when there is room for it: in QEMU that is at once. */
 static void move(const iso_channel channel)
 {
     ring *const in = &lines[channel].in, *const out = &lines[channel].out;
@@ -61,7 +61,7 @@ static void sleep(void)
 
 #include "port/lines.h"
 
-/* What was handed out has gone. */
+/* All sent bytes have left the line. */
 void iso_port_drain(void)
 {
 }

@@ -65,7 +65,7 @@ void tick_interrupt(void)
     board.ticks++;
 }
 
-/* The period is rounded to what the timer can make: multiples of 250 ns. */
+/* The period is rounded to one that the timer can make: multiples of 250 ns. */
 __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
 {
     const uint32_t parts = (period_ns + CYCLE_NS * DILATION_OVER / 2) / (CYCLE_NS * DILATION_OVER);

@@ -33,8 +33,8 @@ extern "C" {
 
 enum { ISO_CLIENT_PATIENCE_MS = 500, ISO_CLIENT_TRIES = 20 };
 
-/* Types of frames, and the bytes of what stands once in each; modes of a run, commands, and how a plant is by its
- * answer to one. */
+/* Types of frames, and the bytes of the fields that stand once in each; modes of a run, commands, and the states of a plant in
+ * its answer to a command. */
 #define ISO_CLIENT_FRAME(name, letter, bytes) ISO_CLIENT_FRAME_##name = (letter), ISO_CLIENT_BYTES_OF_##name = (bytes),
 #define ISO_CLIENT_COMMAND(name, number, bytes) ISO_CLIENT_##name = (number), ISO_CLIENT_BYTES_TO_##name = (bytes),
 #define ISO_CLIENT_CONSTANT(name, number, words) ISO_CLIENT_##name = (number),
@@ -172,7 +172,7 @@ static inline int iso_client_device(const char *path)
     return file;
 }
 
-/* unix:PATH, tcp:HOST:PORT, fd:NUMBER or the path of a device; NULL: what the variable ISOCHRON_LINK says. Returns a
+/* unix:PATH, tcp:HOST:PORT, fd:NUMBER or the path of a device; NULL: the address in the variable ISOCHRON_LINK. Returns a
  * descriptor, or -1. */
 static inline int iso_client_connect(const char *address)
 {
@@ -260,8 +260,8 @@ static inline ssize_t iso_client_send(const iso_client *c, const uint8_t *from, 
     return sent < 0 && errno == ENOTSOCK ? write(c->file, from, count) : sent;
 }
 
-/* Hands out the frame that has been begun; or the last one again. A plant that has closed the link may have said
- * before how the run ended: what it sent is still to be read. */
+/* Sends the frame that has been begun; or the last one again. A plant that has closed the link may have sent an end frame
+ * before: its bytes are still to be read. */
 static inline bool iso_client_write(iso_client *c)
 {
     for (size_t done = 0; done < c->sent_used;) {
@@ -330,7 +330,7 @@ static inline int iso_client_byte(iso_client *c, int patience_ms, uint8_t *byte)
 }
 
 /* Waits for a whole frame: its type is then received[0], behind it are *length bytes. Returns 1; 0 after so many
- * milliseconds without a byte; -1 if the link is broken. What is damaged is dropped. */
+ * milliseconds without a byte; -1 if the link is broken. A damaged frame is dropped. */
 static inline int iso_client_receive(iso_client *c, int patience_ms, size_t *length)
 {
     for (;;) {
@@ -424,7 +424,7 @@ static inline bool iso_client_await(iso_client *c, uint64_t from)
     return iso_client_fail(c, "the plant does not answer", NULL);
 }
 
-/* Drops what has come in. */
+/* Drops the received bytes. */
 static inline void iso_client_drop(iso_client *c)
 {
     uint8_t byte;

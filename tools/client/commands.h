@@ -19,7 +19,7 @@ static inline void iso_client_command(iso_client *c, uint8_t command, uint64_t a
 }
 
 /* Sends the command that has been begun, again and again until its answer comes: that is then from
- * received[ISO_CLIENT_ANSWER_AT] on, of *length bytes; before it is what became of the command. */
+ * received[ISO_CLIENT_ANSWER_AT] on, of *length bytes; before it stands the result of the command. */
 enum { ISO_CLIENT_ANSWER_AT = 1 + ISO_CLIENT_BYTES_OF_ANSWER };
 
 static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length)

@@ -1,4 +1,4 @@
-/* Reads what the program of `make conform` writes (core/conform), and says of each duty of a port whether it holds.
+/* Reads the lines of the program of `make conform` (core/conform), and prints for each duty of a port whether it holds.
  *
  *     duties STACK COMMAND...
  *
@@ -49,7 +49,7 @@ __attribute__((format(printf, 4, 5))) static void verdict(reader *const r, const
     r->failed = r->failed || !good;
 }
 
-/* What cannot go on is over. */
+/* Ends a run that cannot go on. */
 static void give_up(reader *const r)
 {
     r->over = true;
@@ -198,7 +198,7 @@ int main(int count, char **const arguments)
     close(wire[1]);
     close(program_end);
     read_all(&r);
-    while (r.echoes && r.has_wire) { /* what the program sent before it ended */
+    while (r.echoes && r.has_wire) { /* bytes that the program sent before it ended */
         take_wire(&r);
     }
     if (r.echoes && !r.failed && r.returned < CONFORM_CHANNEL_BYTES) {

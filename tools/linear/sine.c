@@ -22,7 +22,7 @@ typedef struct drive {
     int input, parts, steps; /* parts of a period, steps of a part */
     double w, amplitude, h;
     double *u, *slopes; /* work: inputs, and five vectors of states */
-    double *flow;       /* [n][n] what a part does to a small deviation */
+    double *flow;       /* [n][n] the map of a small deviation over a part */
     double *z;          /* [parts][n] where each part begins */
     double *left;       /* [parts][n] where it ends, less where the next begins */
 } drive;
@@ -132,7 +132,7 @@ static void multiply(double *const to, const double *const a, const double *cons
     }
 }
 
-/* What a small deviation becomes in a part: from slopes of the plant's derivative by central differences, in as many
+/* The map of a small deviation over a part: from slopes of the plant's derivative by central differences, in as many
  * steps. */
 static void find_flow(const drive *const d)
 {

@@ -10,7 +10,7 @@ enum {
     ANSWER_BYTES = 0 ISO_LINK_ANSWER_FIELDS(ISO_FIELD_BYTES),
 };
 
-/* Memory for twice as many, with what is there. */
+/* Memory for twice as many, with the old contents. */
 static void *doubled(void *const old, const size_t count, const size_t bytes)
 {
     void *const grown = table_memory(2 * count + 1, bytes + 1);

@@ -1,4 +1,4 @@
-/* The account of a run on its wire: how long each exchange took, what the inputs were, and how it ended. */
+/* The account of a run on its wire: the time of each exchange, the inputs, and the end. */
 #ifndef ISO_TOOLS_LINK_ACCOUNT_H
 #define ISO_TOOLS_LINK_ACCOUNT_H
 

@@ -24,7 +24,7 @@ static void enqueue(direction *const w, const uint8_t *const bytes, const size_t
     w->queued += count;
 }
 
-/* A piece goes on as it came, unless what looks at it has changed it. */
+/* Passes a piece on as it came, unless `look` has changed it. */
 static void pass(direction *const w, const bool whole, const size_t length, direction_look *const look,
                  void *const context)
 {

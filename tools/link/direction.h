@@ -1,4 +1,4 @@
-/* One direction of a wire: what comes in at one end goes out at the other, frame by frame; damaged ones as they are. */
+/* One direction of a wire: bytes from one end go out at the other, frame by frame; damaged frames as they are. */
 #ifndef ISO_TOOLS_LINK_DIRECTION_H
 #define ISO_TOOLS_LINK_DIRECTION_H
 
@@ -28,10 +28,10 @@ void direction_start(direction *w);
 /* Whether it takes any more. */
 bool direction_has_room(const direction *w);
 
-/* Reads what has come. False at the end of the stream. */
+/* Reads the received bytes. False at the end of the stream. */
 bool direction_read(direction *w, int file, direction_look *look, void *context);
 
-/* Writes what goes. False if nobody is there. */
+/* Writes the waiting bytes. False if nobody is there. */
 bool direction_write(direction *w, int file);
 
 #endif

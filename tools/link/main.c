@@ -1,4 +1,4 @@
-/* Connects a plant with a controller, looks at what they exchange, and sums it up.
+/* Connects a plant with a controller, watches their frames, and prints a summary.
  *
  *     link -o DIRECTORY --header FILE [--controller COMMAND] [--mode lockstep|free] [--patience SECONDS] -- PLANT...
  *
@@ -100,7 +100,7 @@ static options parse(const int argc, char **const argv)
     return chosen;
 }
 
-/* Keeps what went wrong first. Returns true. */
+/* Keeps the first error. Returns true. */
 static bool tell(session *const s, const char *const what)
 {
     if (s->problem[0] == '\0') {

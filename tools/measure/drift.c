@@ -5,18 +5,18 @@
  *
  * The plant's last three outputs are the violation, its rate and the energy. Lines: `part TIME VIOLATION`, then `end
  * TIME`, where TIME is less than SECONDS if a state left the finite numbers; `violation`, `rate`, `energy`: the
- * largest, and the largest change; `bound`: what the violation may be.
+ * largest, and the largest change; `bound`: the largest violation that rounding and truncation explain.
  *
  * The bound. With u the unit roundoff, and Phi_i and Phi'_i the derivatives of a closure's equation and of its rate by
  * the state x_i, a step may be off by
  *
- *     q = sum |Phi_i| s_i    in the position: s_i = u (|x_i| + 16 h |x_i'|), as the state is rounded, and its
- * derivative v = sum |Phi'_i| s_i   in the speed p = sum |Phi_i| 4 u max(1, |x_i|)   in what it sees of Phi: a sine
- * has 1.6 u, products and sums the rest
+ *     q = sum |Phi_i| s_i                  in the position: s_i = u (|x_i| + 16 h |x_i'|), by rounding
+ *     v = sum |Phi'_i| s_i                 in the speed
+ *     p = sum |Phi_i| 4 u max(1, |x_i|)    in the computed Phi: a sine has 1.6 u, products and sums the rest
  *
- * Projection, that of the augmented Lagrangian too, leaves p where it looks and q where it rounds, and the output sees p
- * again: q + 2 p. Baumgarte's
- * e'' + 2 b e' + b^2 e = 0 answers to q with q (1 + b t) exp(-b t), and to v with v t exp(-b t): summed over all steps
+ * Projection, that of the augmented Lagrangian too, leaves p by its computed Phi and q by rounding its result, and the output
+ * adds p again: q + 2 p. Baumgarte's e'' + 2 b e' + b^2 e = 0 answers to q with q (1 + b t) exp(-b t), and to v with
+ * v t exp(-b t): summed over all steps
  * 2 q / (b h) and v / (b^2 h), at b = 0.1 / h 20 q and 100 h v; it follows p as well. This is the worst case, all
  * errors of one sign; random ones give about a tenth. To it comes TRUNCATION, which is the method's: the violation of
  * the same plant in double.

@@ -1,4 +1,4 @@
-/* The local error of single steps: what a method tells of it, and what it is. Compiled in double, as drive.c is, with
+/* The local error of single steps: the method's estimate, and the true error. Compiled in double, as drive.c is, with
  * two plants: one whose method is under test, with `checked yes`, and that of a reference.
  *
  *     local told TIME STEPS    makes these steps; of some, evenly spread, a line: the time before it, the step, what

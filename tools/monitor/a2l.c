@@ -11,7 +11,7 @@
 typedef struct words {
     const char *at;
     int line;
-    char word[A2L_TEXT_BYTES]; /* without its quotes; what is longer is cut */
+    char word[A2L_TEXT_BYTES]; /* without its quotes; a longer one is cut */
 } words;
 
 static void skip_space(words *const w)
@@ -157,7 +157,7 @@ static a2l_quantity *added(a2l *const to)
     return &more[to->count++];
 }
 
-/* Takes the word and what belongs to it. What the monitor does not need is passed over. */
+/* Takes the keyword and its arguments. Keywords that the monitor does not need are passed over. */
 static bool take(a2l *const to, words *const w, a2l_type *const real)
 {
     if (strcmp(w->word, "EPK") == 0) {

@@ -26,7 +26,7 @@ typedef struct a2l {
     char epk[A2L_TEXT_BYTES];
 } a2l;
 
-/* Reads a file. False: problem[] says FILE:LINE, what is wrong and what would be right. */
+/* Reads a file. False: problem[] has FILE:LINE, the problem and the right form. */
 bool a2l_read(a2l *to, const char *path, char *problem, size_t problem_bytes);
 
 size_t a2l_bytes(a2l_type type);

@@ -1,5 +1,5 @@
 /* Shows a plant that runs, by its A2L and XCP: a table with units and small curves, and the statistics; sets
- * tunables and faults, records outputs and inputs, and shows what was recorded.
+ * tunables and faults, records outputs and inputs, and replays a record.
  *
  *     monitor A2L ADDRESS [OPTION...]
  *     monitor A2L --replay FILE [--once]
@@ -274,7 +274,7 @@ static bool step(session *const s, const char *const rest)
     return told(s, master_run(&s->master, (uint32_t)ticks), "steps");
 }
 
-/* Does a command; s->said has what came of it. */
+/* Carries out a command; s->said has its result. */
 static bool obey(session *const s, const char *const command)
 {
     const char *const text = command + strspn(command, " ");
@@ -390,7 +390,7 @@ static void take_keys(session *const s)
     }
 }
 
-/* --- What is asked for ------------------------------------------------------------------------------------------- */
+/* --- Options ----------------------------------------------------------------------------------------------------- */
 
 /* Until q; or for so many seconds, with all values of that time, and so many ticks from the one on that was the
  * first. The table is printed only at the end where there is no terminal. */

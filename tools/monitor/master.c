@@ -99,7 +99,7 @@ static void drop(master *const m, const size_t count)
     memmove(m->data, m->data + count, m->used);
 }
 
-/* Takes the next packet of what has come; 0: it is not whole. What cannot be one is passed over. */
+/* Takes the next packet of the received bytes; 0: it is not whole. Bytes that cannot begin one are passed over. */
 static size_t cut(master *const m, uint8_t packet[ISO_XCP_MAX_DTO])
 {
     while (m->used >= ISO_XCP_HEADER_BYTES) {

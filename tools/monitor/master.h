@@ -42,7 +42,7 @@ bool master_pause(master *m);
 enum { MASTER_WRITE_MOST = ISO_XCP_MAX_CTO - 8 };
 bool master_write(master *m, uint32_t address, const uint8_t *bytes, uint8_t count);
 
-/* Lets the plant take a snapshot into its record, and put itself to the one of so many bytes there. *answer: what came of it
+/* Lets the plant take a snapshot into its record, and restore the one of so many bytes there. *answer: the result
  * (iso_control_answer); *at, *bytes: the record. */
 bool master_take(master *m, uint8_t *answer, uint32_t *at, uint32_t *bytes);
 bool master_restore(master *m, uint32_t bytes, uint8_t *answer);

@@ -22,8 +22,8 @@ bool record_begin(record *r, const a2l *a, master *m, const char *path);
 /* Ends. False: m->problem says why. */
 bool record_end(record *r, master *m);
 
-/* Puts the rows of a file into a table, as they would be seen at their time; calls `shown` each TABLE_PERIOD of it, until that returns
- * false. False: problem[] says FILE:LINE and what is wrong. */
+/* Replays the rows of a file into a table, each at its time; calls `shown` each TABLE_PERIOD of it, until that returns
+ * false. False: problem[] has FILE:LINE and the problem. */
 typedef bool record_shown(void *context, const table *t);
 bool record_replay(const char *path, const a2l *a, table *t, record_shown *shown, void *context, char *problem,
                    size_t problem_bytes);

@@ -46,7 +46,7 @@ void table_step(table *const t)
     }
 }
 
-/* Blocks of an eighth to a whole line, from the least to the most of what the curve has. */
+/* Blocks of an eighth to a whole line, from the least to the most value of the curve. */
 static void write_curve(FILE *const to, const table_row *const row)
 {
     static const char *const blocks[] = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};

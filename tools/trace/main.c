@@ -170,8 +170,8 @@ static bool write_table(FILE *const table, stream *const run)
     return record == STREAM_END;
 }
 
-/* How long steps took: those with a restart of the method apart, since the others are all alike; and whole ticks, and what the
- * trace of one takes. In virtual time nothing takes any, and nothing of it is told. */
+/* The execution times of steps, those with a restart of the method apart, since the others are all alike; of whole ticks; and of
+ * the trace of a tick. In virtual time nothing takes time, and nothing is printed. */
 static void print_execution(const stream *const run, const char *const unit)
 {
     const stream_end *const end = &run->end;
@@ -338,7 +338,7 @@ static char *join(const char *const directory, const char *const name)
     return path;
 }
 
-/* A file that is there only when it is whole: what is written goes to PATH.partial. */
+/* A file that is there only when it is whole: it is written as PATH.partial. */
 typedef struct result {
     char *path;
     char *partial;
@@ -361,7 +361,7 @@ static result result_open(const char *const directory, const char *const name)
     return r;
 }
 
-/* Leaves what was there before. */
+/* Leaves the old file. */
 static void result_drop(const result *const r)
 {
     if (r->file != NULL) {

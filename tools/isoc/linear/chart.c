@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* --- what the coordinates are --- */
+/* --- the coordinates --- */
 
 /* Whether the segment is `of`, or moves with it. */
 static bool is_beyond(const mechanism *m, int which, int of)
@@ -195,9 +195,8 @@ static void clear_column(const rows_of_coordinates *m, int row, int column)
     }
 }
 
-/* Gauss and Jordan in the rows from `from` to `end`, with the largest pivot of all: row_of[column] of what is
- * eliminated. A column of the weight zero is not; one of a small weight stays independent where another is nearly as
- * good. */
+/* Gauss and Jordan in the rows from `from` to `end`, with the largest pivot of all: row_of[column] for each eliminated column.
+ * A column of weight zero is not eliminated; one of a small weight stays independent where another is nearly as good. */
 static void eliminate(const rows_of_coordinates *m, int from, int end, const double *weights, int *row_of)
 {
     double least = 0.0;

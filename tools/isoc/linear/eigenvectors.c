@@ -94,7 +94,7 @@ static double complex *eigenvector_of(arena *memory, const double *a, int n, dou
     return result;
 }
 
-/* --- what a mode follows from --- */
+/* --- the causes of a mode --- */
 
 /* The causes that may matter: effects, and joints with a spring or a damper. */
 static bool is_possible_cause(const graph *g, const mechanism *m, int which)
@@ -122,7 +122,7 @@ static double *matrix_without_cause(const graph *g, const linear_model *l, int w
     return result;
 }
 
-/* What the difference of two matrices makes of a mode, to first order. */
+/* The change of a mode by the difference of two matrices, to first order. */
 static double share_of(const double *a, const double *without, int n, const double complex *left,
                        const double complex *right)
 {

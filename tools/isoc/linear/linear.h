@@ -13,7 +13,7 @@ typedef struct point {
     double *x, *u, *p;
 } point;
 
-/* expansion.c: the formulas of a plant and what they change by, as nodes and as numbers. */
+/* expansion.c: the formulas of a plant and their derivatives, as nodes and as numbers. */
 
 typedef struct expansion {
     const plant *p;
@@ -60,8 +60,8 @@ typedef struct chart {
 /* At a point; `count` is that of all until chart_choose. */
 chart chart_at(const mechanism *m, const scene *written, arena *memory, const double *x);
 
-/* Chooses independent coordinates: slopes[rows][all] are those of what must stay zero, of which the first `positions`
- * rows are of positions alone. Joints that an input or an effect moves stay independent where they can. */
+/* Chooses independent coordinates: slopes[rows][all] are those of the constraints, of which the first `positions` rows are of
+ * positions alone. Joints that an input or an effect moves stay independent where they can. */
 void chart_choose(chart *c, const mechanism *m, arena *memory, double *slopes, int rows, int positions);
 
 /* Moves the states by small coordinates[all], which need not be small. */
@@ -69,7 +69,7 @@ void chart_move(const chart *c, const mechanism *m, double *x, const double *by)
 
 /* slopes.c: the model. */
 
-/* What is not smooth at the point: the model takes the mean of the slopes on both sides. */
+/* A formula that is not smooth at the point: the model takes the mean of the slopes on both sides. */
 typedef struct kink {
     const char *by, *of; /* the coordinate or the input, and a state or an output */
     double below, above;
@@ -84,7 +84,7 @@ typedef struct linear_model {
     double *a, *b, *cy, *d; /* [count][count], [count][inputs], [outputs][count], [outputs][inputs] */
     kink *kinks;
     int kink_count;
-    const char *not_finite; /* the name of what has no slope; NULL */
+    const char *not_finite; /* the name of a quantity without a slope; NULL */
 } linear_model;
 
 /* The slopes of all roots by all small coordinates: at[roots][all]. */
@@ -100,7 +100,7 @@ double *matrix_without(const linear_model *of, const expansion *other);
 
 /* trim.c: equilibria. */
 
-/* What is asked for: an input, an output or a state has a value; or an input is free. */
+/* A condition on the equilibrium: an input, an output or a state has a value; or an input is free. */
 typedef enum wish_sort { WISH_INPUT, WISH_OUTPUT, WISH_STATE } wish_sort;
 
 typedef struct wish {
@@ -122,7 +122,7 @@ typedef struct wishes {
 /* wishes.c: reads them: 'rest', or parts such as `theta = 10 deg`, `input force = 0`, `free force`. Notes problems. */
 wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *of);
 
-/* Moves the point to the nearest equilibrium that has what is wished. False after noting what is left, and of which
+/* Moves the point to the nearest equilibrium that meets the conditions. False after noting the largest residual, and its
  * body. */
 bool trim(source *s, const expansion *e, const scene *written, const wishes *w, point *at);
 
@@ -136,7 +136,7 @@ typedef struct mode {
 } mode;
 
 typedef struct mode_list {
-    mode *all; /* what grows fastest comes first */
+    mode *all; /* the fastest growing first */
     int count;
     bool found;
 } mode_list;
@@ -151,7 +151,7 @@ const char *unit_of_rate(arena *memory, const char *of);
 
 /* report.c: files and text. */
 
-/* What isoc --linear is asked for. */
+/* The request of isoc --linear. */
 typedef struct linear_request {
     const char *state, *trim; /* a file with the point, and wishes; NULL */
     const char *folder;

@@ -112,7 +112,7 @@ static void add_mode_table(text *to, arena *memory, const linear_model *l, const
 
 /* --- programs --- */
 
-/* What a language writes around lists. */
+/* The signs of a language around lists. */
 typedef struct language {
     const char *comment, *list, *list_end, *row, *row_end, *quote, *of_none;
 } language;
@@ -182,7 +182,7 @@ static void add_program(text *to, const linear_model *l, const language *in, con
     add_numbers(to, in, "state_rates", l->rates, l->c.count);
 }
 
-/* --- what the plant is measured with --- */
+/* --- the points for measurements on the plant --- */
 
 static void add_line(text *to, const char *word, const double *at, int count)
 {
@@ -320,7 +320,7 @@ static void add_equilibrium(text *to, const linear_model *l)
                          : "; the model is of small deviations from this motion, now");
 }
 
-/* What the point is, and its numbers where isoc found them. */
+/* The kind of the point, and its numbers where isoc found them. */
 static void add_point_text(text *to, const linear_model *l, const linear_request *r)
 {
     const mechanism *m = l->e->p->m;

@@ -25,8 +25,8 @@ void slopes_by_coordinates(const expansion *e, const chart *c, const point *at, 
     }
 }
 
-/* The rate of small angles: none of these changes it, for a turn of the frame that they stand in turns the rate too,
- * and only what the angular velocity changes by is left. */
+/* The rate of small angles: it depends on none of them, for a turn of their frame turns the rate too, and only the change of
+ * the angular velocity remains. */
 double *reduced_rates(const expansion *e, const chart *c, arena *memory, const double *slopes)
 {
     double *result = arena_take(memory, (size_t)(c->all * c->all) + 1, sizeof *result);
@@ -178,7 +178,7 @@ static double *in_basis(const chart *c, arena *memory, const double *left, int r
     return result;
 }
 
-/* The independent coordinates of what states have: at[states][columns]. */
+/* Rows of states as rows of the independent coordinates: at[states][columns]. */
 static double *in_chosen(const chart *c, arena *memory, const double *at, int columns)
 {
     double *result = arena_take(memory, (size_t)(c->count * columns) + 1, sizeof *result);
@@ -204,7 +204,7 @@ static void check_finite(linear_model *l, const double *slopes, int columns)
     }
 }
 
-/* A and C: what the basis makes of the slopes, and what kinks change in that. */
+/* A and C: the slopes in the basis, and the changes of these by kinks. */
 static void fill_by_coordinates(linear_model *l, arena *memory, const double *slopes)
 {
     const expansion *e = l->e;

@@ -5,11 +5,10 @@
 
 #include "tools/isoc/base/least_squares.h"
 
-/* An equilibrium by Newton's method in small coordinates and free inputs. What must be zero: the rates of all
- * coordinates, the gaps of the closures and their rates, and what is wished. A position whose speed is wished to be
- * other than zero may go on, and those that closures tie to it. Each row is divided by its largest slope, so that a
- * stiff spring counts as a soft one; of the moves that are as good the shortest is made, so that what nothing holds
- * stays where it is. */
+/* An equilibrium by Newton's method in small coordinates and free inputs. The residuals: the rates of all coordinates, the gaps
+ * of the closures and their rates, and the user's conditions. A position whose speed has a condition other than zero may
+ * change, and those that closures tie to it. Each row is divided by its largest slope, so that a stiff spring counts as a soft
+ * one; of equally good moves the shortest is made, so that a coordinate that nothing holds stays where it is. */
 typedef struct search {
     const expansion *e;
     const scene *written;
@@ -20,7 +19,7 @@ typedef struct search {
     bool *goes_on; /* [all] */
     int *free;     /* [frees] inputs */
     int frees, rows, columns;
-    double *left;   /* [rows] what is not zero */
+    double *left;   /* [rows] the residuals */
     double *slopes; /* [rows][columns] */
     double *scales; /* [rows] */
 } search;
@@ -72,7 +71,7 @@ static void fill_rates(search *s, const double *now, const double *by_coordinate
     }
 }
 
-/* What is left at the point; with its slopes where these are wanted. */
+/* The residuals at the point; with their slopes where these are wanted. */
 static void look(search *s, bool with_slopes)
 {
     const expansion *e = s->e;
@@ -115,7 +114,7 @@ static void find_scales(search *s)
     }
 }
 
-/* The sum of the squares of what is left, by the scales. */
+/* The sum of the squares of the residuals, by the scales. */
 static double size_left(const search *s)
 {
     double sum = 0.0;
@@ -139,7 +138,7 @@ static void move(search *s, const point *from, const double *by, double part)
     }
 }
 
-/* The shortest move that removes most of what is left; positions by no more than half a metre or radian. */
+/* The shortest move that removes most of the residuals; positions by no more than half a metre or radian. */
 static double *aim(search *s)
 {
     const double longest = 0.5;
@@ -194,7 +193,7 @@ static point copy_of_point(arena *memory, const point *at, size_t states, size_t
     return result;
 }
 
-/* Newton's method from the point, to where no step leaves less; returns what is left there. */
+/* Newton's method from the point, until no step lowers the residual; returns the residual there. */
 static double descend(search *s)
 {
     enum { ITERATIONS = 60 };

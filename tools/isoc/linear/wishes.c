@@ -53,7 +53,7 @@ static names_of_sort names_of(const plant *p, arena *memory, int sort)
     return result;
 }
 
-/* Finds what a name is: an input, else an output, else a state; or of the sort alone that stands before it. */
+/* Finds a name: of an input, else an output, else a state; or of the sort alone that stands before it. */
 static bool find_wished(parser *p, const plant *of, wish *w, int sort)
 {
     const char *all[256];
@@ -105,7 +105,7 @@ static formula *read_wish(parser *p, const plant *of, wish *w)
     return p->failed || w->is_free ? NULL : parse_formula(p);
 }
 
-/* Its value as a number, of the dimension of what it is of. */
+/* Its value as a number, of the dimension of its input, output or state. */
 static void evaluate_wish(values *v, wish *w, const formula *f)
 {
     const value found = value_any(v, f);

@@ -1,4 +1,4 @@
-/* What the instructions of a processor take: a table of published timings, as text (cores/). */
+/* The cycles of a processor's instructions: a table of published timings, as text (cores/). */
 #ifndef ISO_TOOLS_MEASURE_CYCLES_CORE_H
 #define ISO_TOOLS_MEASURE_CYCLES_CORE_H
 
@@ -46,7 +46,7 @@ typedef struct rule {
 typedef struct core {
     const char *name;
     const char *source; /* where its timings are published */
-    const char *note;   /* what a reader of the numbers must know */
+    const char *note;   /* a caution for a reader of the numbers */
     const char *stack;  /* the operand that stands for the stack */
     bool is_thumb;      /* instructions have conditions and sizes behind their names, and registers are r0, s0, d0 */
     rule *rules;

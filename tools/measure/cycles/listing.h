@@ -1,4 +1,4 @@
-/* A program as `objdump -d` lists it, with what a core takes for each instruction. */
+/* A program as `objdump -d` lists it, with the cycles of each instruction on a core. */
 #ifndef ISO_TOOLS_MEASURE_CYCLES_LISTING_H
 #define ISO_TOOLS_MEASURE_CYCLES_LISTING_H
 
@@ -39,8 +39,8 @@ typedef struct part {
     const char *functions; /* separated by commas; NAME* stands for all that begin so */
 } part;
 
-/* Reads what objdump printed. The parts are those of instruction.part. Exits with a message if the file is none, or has no
- * function `entry`. */
+/* Reads the output of objdump. The parts are those of instruction.part. Exits with a message if the file is no such output, or
+ * has no function `entry`. */
 listing listing_read(const char *path, const core *c, const char *entry, const part *parts, size_t count);
 
 /* NULL beyond the program. */

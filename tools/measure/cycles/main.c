@@ -1,9 +1,9 @@
-/* Instructions and cycles of a function, from what a simulator executed, by a table of what each instruction takes.
+/* Instructions and cycles of a function, from the trace of a simulator, by a table of cycles of each instruction.
  *
  *     SIMULATOR | cycles count [--range] CORE LISTING FUNCTION [LEFT_OUT...]
  *     SIMULATOR | cycles tick CORE LISTING FUNCTION WHAT PART=FUNCTIONS...
  *
- * CORE is a table (cores/), LISTING what `objdump -d` prints of the program. `count` prints those of the last call of FUNCTION
+ * CORE is a table (cores/), LISTING the output of `objdump -d` for the program. `count` prints those of the last call of FUNCTION
  * that returns, with all that it calls, but for interrupts and the functions LEFT_OUT; with --range the least and the most
  * instructions of all calls. `tick` prints a table of the call that takes most cycles, of WHAT it was one, by parts of
  * functions that are called in it; the part `interrupt` has those of interrupts, that of the name `-` is left out.

@@ -6,7 +6,7 @@
 
 enum { SP = 13, PC = 15, FIRST_OF_FLOAT = 16, WORD_BYTES = 4, OPERANDS_MOST = 6 };
 
-/* One operand: where it stands, and what registers are in it. */
+/* One operand: its place, and its registers. */
 typedef struct operand {
     const char *text;
     size_t length;
@@ -99,7 +99,7 @@ static bool is_sp(const operand *const o)
            (o->length == 2 || o->text[2] == '!' || o->text[2] == ' ');
 }
 
-/* What the stack grows by: lists at the stack pointer, sums and differences, addresses that are written back. */
+/* The growth of the stack: lists at the stack pointer, sums and differences, addresses that are written back. */
 static void find_growth(const operand *const o, const int count, instruction *const i)
 {
     const bool is_store = i->rule->kind == STORE;

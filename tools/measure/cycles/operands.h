@@ -1,4 +1,4 @@
-/* Which registers an instruction of Thumb reads and writes, and what it does to the stack. */
+/* The registers that an instruction of Thumb reads and writes, and its change of the stack. */
 #ifndef ISO_TOOLS_MEASURE_CYCLES_OPERANDS_H
 #define ISO_TOOLS_MEASURE_CYCLES_OPERANDS_H
 

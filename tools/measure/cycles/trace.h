@@ -1,4 +1,4 @@
-/* What a simulator executed, instruction by instruction, from the standard input. */
+/* The trace of a simulator, instruction by instruction, from the standard input. */
 #ifndef ISO_TOOLS_MEASURE_CYCLES_TRACE_H
 #define ISO_TOOLS_MEASURE_CYCLES_TRACE_H
 

@@ -21,7 +21,7 @@ typedef struct frame {
     size_t part;
     int32_t stack;
     bool is_interrupt;
-    const instruction *before; /* of an interrupt: what came before it */
+    const instruction *before; /* of an interrupt: the instruction before it */
     uint32_t address;          /* likewise */
 } frame;
 
@@ -31,8 +31,8 @@ typedef struct walker {
     call present;
     frame frames[DEPTH_MOST];
     int depth;                 /* of frames; 0 outside of a call of the entry */
-    const instruction *before; /* NULL: nothing is known of what came before */
-    const instruction *leader; /* what stood directly before `before` */
+    const instruction *before; /* the last instruction; NULL: unknown */
+    const instruction *leader; /* the instruction directly before `before` */
     uint32_t address;          /* of before */
     pipeline least, most;
     int32_t stack;
@@ -50,7 +50,7 @@ static int32_t of(const bound b, const bool most)
     return most ? b.most : b.least;
 }
 
-/* The half cycles that an instruction takes, with *waits of them for what is not ready yet. */
+/* The half cycles that an instruction takes, with *waits of them for operands that are not ready. */
 static int64_t pass(pipeline *const p, const instruction *const i, const bool pipelined, const bool taken,
                     const uint32_t skipped, const bool most, int64_t *const waits)
 {
@@ -86,7 +86,7 @@ static void add(amount *const a, const amount b)
     a->counted += b.counted;
 }
 
-/* A processor may sleep several times until a tick is due; of what it does between the first time and the last nothing counts. */
+/* A processor may sleep several times until a tick is due; instructions between the first and the last sleep do not count. */
 static void rest(walker *const w)
 {
     if (w->has_rested) {
@@ -129,7 +129,7 @@ static void account(walker *const w, const executed *const e, const bool interru
     }
 }
 
-/* The stack before an instruction: from the trace, or by what all before it did. */
+/* The stack before an instruction: from the trace, or from the changes of all instructions before. */
 static void follow_stack(walker *const w, const executed *const e)
 {
     if (e->has_stack) {
@@ -154,7 +154,8 @@ static void follow_stack(walker *const w, const executed *const e)
     }
 }
 
-/* A part holds for all that is called in it. What is left out is so in any part, and in it another can begin. */
+/* A part holds for all that is called in it. A function that is left out is left out of every part; within it another part can
+ * begin. */
 static void push(walker *const w, const uint32_t back, const size_t called)
 {
     if (w->depth == DEPTH_MOST) {

@@ -1,4 +1,4 @@
-/* Instructions and cycles of the calls of one function, by what is called in it. */
+/* Instructions and cycles of the calls of one function, by the functions that it calls. */
 #ifndef ISO_TOOLS_MEASURE_CYCLES_WALK_H
 #define ISO_TOOLS_MEASURE_CYCLES_WALK_H
 
@@ -6,7 +6,7 @@
 
 enum { PARTS_MOST = 64 };
 
-/* What the time goes into: the kinds of rules, beside these. */
+/* The kinds of cycles: those of rules, beside these. */
 enum { SPILL = KINDS_OF_RULES, WAIT, KINDS };
 
 typedef struct amount {
@@ -17,7 +17,7 @@ typedef struct amount {
 
 typedef struct call {
     uint64_t number;                       /* from 1 on, in the order of the trace */
-    amount amounts[PARTS_MOST + 1][KINDS]; /* of each part, from 1 on; 0 is what is in none */
+    amount amounts[PARTS_MOST + 1][KINDS]; /* of each part, from 1 on; 0 is the rest */
     amount interrupt;                      /* the dearest in it, which is no part of it */
     int32_t stack;                         /* bytes, at its deepest */
     int32_t stack_of[PARTS_MOST + 1];      /* likewise, of a part alone */
@@ -39,8 +39,8 @@ typedef struct walk_result {
     int64_t sum;          /* half cycles at most, of all calls */
 } walk_result;
 
-/* Reads the trace to its end. Of calls of the listing's entry all that return count, each with what it calls. Exits with a
- * message if an instruction has no rule. */
+/* Reads the trace to its end. All calls of the listing's entry that return count, each with the functions that it calls. Exits
+ * with a message if an instruction has no rule. */
 void walk(const walk_plan *plan, walk_result *result);
 
 /* Of a call: all parts but that which is left out. */
