@@ -3,10 +3,10 @@
  *     header   lines "key value", the first "isochron 2", then an empty line; whole numbers in hexadecimal
  *     from     ISO_STREAM_FROM, the tick that the first row is of, 64 bits; without it that is 0
  *     row      ISO_STREAM_ROW, the outputs of a tick; the first are those of tick 0, the start
- *     snapshot ISO_STREAM_SNAPSHOT, its size, 64 bits, and the record (core/runtime/snapshot.h) of the tick of the last row
+ *     snapshot ISO_STREAM_SNAPSHOT, its size, 64 bits, and the record (core/runtime/snapshot.h) of the last row's tick
  *     times    ISO_STREAM_TIMES, the least and the most that a whole tick took, and all that was beside, 64 bits each
- *     end      ISO_STREAM_END, the statistics, the hash, the guard, the state, the largest local error and violation; then, to
- *              the end of the stream, the counts of the policies (core/runtime/policy.h), if the scene has some
+ *     end      ISO_STREAM_END, the statistics, the hash, the guard, the state, the largest local error and violation;
+ *              then the counts of the policies (core/runtime/policy.h), if the scene has some, to the end of the stream
  *
  * All numbers are little-endian, reals as wide as the build's. A program or port that gives up writes a line of text that starts
  * with ISO_STREAM_BAIL_OUT in place of a record.

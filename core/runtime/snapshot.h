@@ -1,8 +1,8 @@
 /* A snapshot: all of a plant at a tick in one flat record, from which it goes on bit for bit, on any target.
  *
  *     head      iso_snapshot_head, 56 bytes
- *     memory    the plant's, head.memory_bytes: states, history of the method, inputs, memories of effects, tunables and
- *               faults, outputs, last good values; noise and functions of time follow from the tick
+ *     memory    the plant's, head.memory_bytes: states, history of the method, inputs, memories of effects, tunables
+ *               and faults, outputs, last good values; noise and functions of time follow from the tick
  *     check     4 bytes: CRC-32 of all before it, polynomial 0x04C11DB7 reflected, start and last exclusive-or all ones
  *               (that of Ethernet, IEEE 802.3, and of zlib)
  *

@@ -1,6 +1,7 @@
 /* The clock tree: which oscillator, which factors of the PLL, which wait states of the flash. Facts:
  *
- *     RM0090 (STM32F405/407): 3.5.1 wait states, 5.4 PWR, 7.3 RCC; RM0390 (STM32F446): 3.4.1, 5.4, 6.3, and over-drive 5.1.4
+ *     RM0090 (STM32F405/407): 3.5.1 wait states, 5.4 PWR, 7.3 RCC
+ *     RM0390 (STM32F446): 3.4.1 wait states, 5.4 PWR, 5.1.4 over-drive, 6.3 RCC
  *     data sheets DS8626 (F405/407), DS10693 (F446): limits of the PLL and of the buses
  */
 #ifndef ISO_PORT_STM32F4_CLOCK_H

@@ -12,8 +12,8 @@
  *   rk4 loses energy, a little: |R(i z)|^2 = 1 - z^6 / 72.
  *   semi_implicit swings about E(0) on the pendulum, where it is symplectic. It is not on the others, whose
  *   accelerations depend on the speeds: there it drifts like a method of order one.
- *   rosenbrock on the falling rods: its own error depends on the path, which rounding changes. Of three starts within 5e-4
- *   rad one lost 5e-3 in float, in one violent turn, the others 4e-4 and 9e-4; the bound is of the first.
+ *   rosenbrock on the falling rods: its own error depends on the path, which rounding changes. Of three starts within
+ *   5e-4 rad one lost 5e-3 in float, in one violent turn, the others 4e-4 and 9e-4; the bound is of the first.
  *   euler gains energy, the negative control: it ends beyond twice E(0), or with states that are not finite.
  */
 #include <math.h>

@@ -4,8 +4,8 @@
  *
  *   scene         = { statement }
  *   statement     = gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
- *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | frame | joint | closure
- *                 | spring | force | parameter | input | output | repeat | include
+ *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | frame | joint
+ *                 | closure | spring | force | parameter | input | output | repeat | include
  *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA { rotate FORMULA about AXIS }
  *                 | SOLID FORMULA of FORMULA [at FORMULA] { rotate FORMULA about AXIS } }
  *   frame         = frame NAME { on placement }
